@@ -1,0 +1,17 @@
+// Writes the model and its cages.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "dragon/mesh.h"
+
+namespace viete::dragon {
+
+/// Binary little-endian PLY: float32 positions, uchar/int32 face lists.
+void write_ply(const std::filesystem::path& path, const Mesh& mesh, const std::string& comment);
+
+/// OBJ with four decimals, comment in the first line.
+void write_obj(const std::filesystem::path& path, const Mesh& mesh, const std::string& comment);
+
+}  // namespace viete::dragon

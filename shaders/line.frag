@@ -1,0 +1,15 @@
+// Coverage of a pixel by a segment with round ends.
+#version 330 core
+
+uniform float width, opacity;
+in vec2 place;
+flat in float segment_length;
+flat in vec4 segment_color;
+out vec4 color;
+
+void main() {
+  float beyond = max(0.0, max(-place.x, place.x - segment_length));
+  float distance = length(vec2(beyond, place.y));
+  float coverage = clamp(0.5 * width + 0.5 - distance, 0.0, 1.0) * min(1.0, width);
+  color = vec4(segment_color.rgb, segment_color.a * opacity * coverage);
+}

@@ -1,0 +1,95 @@
+// Soft studio light in view space: warm key from the upper left, cool fill from the right, rim from behind,
+// sky and ground as ambient. Light is added up in linear space and shown through a soft shoulder.
+#version 330 core
+
+uniform vec3 model_color;
+uniform vec4 eye_ray;  // factor and offset from pixels to the x, y of the ray whose z is -1
+uniform float exposure, occlusion_strength;
+#ifdef WIREFRAME
+uniform vec4 wire;  // colour and opacity
+uniform float wire_width;
+#endif
+#ifdef SCALARS
+uniform sampler2D palette;
+uniform float scalar_low, scalar_factor, palette_size;
+#endif
+
+in vec4 normal_and_occlusion;
+in vec3 corner_and_scalar;
+out vec4 color;
+
+const vec3 key_direction = normalize(vec3(-0.62, 0.72, 0.48));
+const vec3 key_color = vec3(1.00, 0.94, 0.85) * 0.95;
+const vec3 fill_direction = normalize(vec3(0.85, 0.05, 0.45));
+const vec3 fill_color = vec3(0.62, 0.76, 1.00) * 0.21;
+const vec3 rim_direction = normalize(vec3(0.35, 0.55, -0.75));
+const vec3 rim_color = vec3(0.85, 0.94, 1.00) * 0.60;
+const vec3 sky_color = vec3(0.86, 0.92, 1.00) * 0.17;
+const vec3 ground_color = vec3(0.75, 0.55, 0.42) * 0.11;
+
+// Gamma 2 in and out: as good to the eye as sRGB here, and cheap where a processor draws the pixels.
+vec3 to_linear(vec3 c) { return c * c; }
+vec3 to_display(vec3 c) { return sqrt(c); }
+
+// Straight up to 0.6, then bent so that nothing clips.
+vec3 shoulder(vec3 c) {
+  vec3 above = max(c - 0.6, 0.0);
+  return min(c, 0.6) + above / (1.0 + above / 0.4);
+}
+
+// Light that wraps a little around the edge of the lit side, as from a large lamp.
+float wrapped(float cosine, float wrap) { return max(0.0, (cosine + wrap) / (1.0 + wrap)); }
+
+float power_32(float x) {
+  x *= x;
+  x *= x;
+  x *= x;
+  x *= x;
+  return x * x;
+}
+
+vec3 shade(vec3 base, vec3 n, vec3 v, float open) {
+  vec3 key = key_color * wrapped(dot(n, key_direction), 0.08) * mix(1.0, open, 0.7);
+  vec3 fill = fill_color * wrapped(dot(n, fill_direction), 0.3);
+  vec3 ambient = mix(ground_color, sky_color, 0.5 + 0.5 * n.y);
+  float edge = 1.0 - max(0.0, dot(n, v));
+  vec3 rim = rim_color * wrapped(dot(n, rim_direction), 0.2) * edge * edge * edge;
+  float gloss = power_32(max(0.0, dot(n, normalize(key_direction + v))));
+  vec3 sheen = rim * mix(base, vec3(1.0), 0.4) + 0.07 * key_color * gloss;
+  return base * (key + (fill + ambient) * open) + sheen * open;
+}
+
+#ifdef WIREFRAME
+// Edge coverage: distance to the nearest edge in pixels, thinned out where triangles shrink to a few pixels.
+float edges() {
+  vec3 corner = vec3(corner_and_scalar.xy, 1.0 - corner_and_scalar.x - corner_and_scalar.y);
+  vec3 rate = max(fwidth(corner), vec3(1e-6));
+  vec3 distance = corner / rate;
+  float nearest = min(distance.x, min(distance.y, distance.z));
+  float height = 1.0 / max(rate.x, max(rate.y, rate.z));
+  float coverage = clamp(0.5 * wire_width + 0.5 - nearest, 0.0, 1.0);
+  return coverage * mix(0.12, 1.0, smoothstep(3.0, 14.0, height / wire_width));
+}
+#endif
+
+vec3 base_color() {
+#ifdef SCALARS
+  float at = clamp((corner_and_scalar.z - scalar_low) * scalar_factor, 0.0, 1.0);
+  return texture(palette, vec2((0.5 + at * (palette_size - 1.0)) / palette_size, 0.5)).rgb;
+#else
+  return model_color;
+#endif
+}
+
+void main() {
+  vec3 v = normalize(vec3(-(gl_FragCoord.xy * eye_ray.xy + eye_ray.zw), 1.0));
+  float side = gl_FrontFacing ? 1.0 : -1.0;
+  vec3 n = normalize(normal_and_occlusion.xyz) * side;
+  float open = mix(1.0, normal_and_occlusion.w, occlusion_strength) * (gl_FrontFacing ? 1.0 : 0.7);
+  vec3 lit = shade(to_linear(base_color()), n, v, open);
+  vec3 shown = to_display(shoulder(exposure * lit));
+#ifdef WIREFRAME
+  shown = mix(shown, wire.rgb, wire.a * edges());
+#endif
+  color = vec4(shown, 1.0);
+}

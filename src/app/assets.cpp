@@ -1,0 +1,37 @@
+#include "app/assets.h"
+
+#include <cstdlib>
+#include <vector>
+
+#include "base/error.h"
+
+namespace viete::app {
+
+namespace fs = std::filesystem;
+
+fs::path program_folder() {
+  std::error_code ignored;
+  return fs::read_symlink("/proc/self/exe", ignored).parent_path();
+}
+
+fs::path assets_folder() {
+  std::vector<fs::path> places;
+  if (const char* named = std::getenv("VIETE_ASSETS")) places.emplace_back(named);
+  places.push_back(program_folder() / ".." / "share" / "viete");
+  places.emplace_back(VIETE_SOURCE_ASSETS);
+  std::string looked;
+  for (const auto& place : places) {
+    std::error_code ignored;
+    if (fs::exists(place / "dragon" / "dragon.ply", ignored)) return fs::weakly_canonical(place);
+    looked += (looked.empty() ? "" : ", ") + place.string();
+  }
+  throw base::Error("dragon/dragon.ply", "the bundled model is in none of " + looked,
+                    "set VIETE_ASSETS to the folder that holds dragon/, or name a model on the command line");
+}
+
+BundledModel bundled_model() {
+  const fs::path folder = assets_folder() / "dragon";
+  return {folder / "dragon.ply", folder / "cage.obj"};
+}
+
+}  // namespace viete::app

@@ -1,0 +1,77 @@
+#include "app/cage_marks.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "scene/elements.h"
+
+namespace viete::app {
+
+namespace {
+
+using scene::ElementKind;
+
+void set_triangles(render::FaceLayer& layer, const std::vector<render::Triangle>& triangles,
+                   const std::vector<mesh::Point>& positions) {
+  layer.set_triangles(triangles, positions.size());
+  if (!triangles.empty()) layer.set_positions(positions);
+}
+
+std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const scene::Selection& selection) {
+  std::vector<std::uint8_t> marked(scene::element_count(cage, selection.kind()), 0);
+  for (const auto i : selection.indices()) marked[i] = 1;
+  return marked;
+}
+
+}  // namespace
+
+void CageMarks::set(const scene::Workspace& workspace, const render::Theme& theme) {
+  set_faces(workspace);
+  set_edges(workspace, theme);
+}
+
+void CageMarks::set_faces(const scene::Workspace& workspace) {
+  const auto& document = workspace.document;
+  const auto& surface = document.cage->surface;
+  std::vector<render::Triangle> selected, hovered;
+  if (document.selection.kind() == ElementKind::face) {
+    const auto marked = marks_of(*document.cage, document.selection);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      const auto face = surface.triangle_polygon[t];
+      if (marked[face]) selected.push_back(surface.triangles[t]);
+      if (workspace.hand.hovered == face) hovered.push_back(surface.triangles[t]);
+    }
+  }
+  set_triangles(selected_faces_, selected, document.pose.positions);
+  set_triangles(hovered_face_, hovered, document.pose.positions);
+}
+
+// Edges of selected faces count as selected; the hovered element's come last, over them.
+void CageMarks::set_edges(const scene::Workspace& workspace, const render::Theme& theme) {
+  const auto& document = workspace.document;
+  const auto kind = document.selection.kind();
+  std::vector<render::Segment> segments;
+  const auto add = [&](std::uint32_t element) {
+    const auto corners = scene::element_vertices(*document.cage, kind, element);
+    const std::size_t sides = corners.size() > 2 ? corners.size() : corners.size() - 1;
+    for (std::size_t i = 0; i < sides; ++i)
+      segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  };
+  for (const auto i : document.selection.indices()) add(i);
+  const std::size_t selected = segments.size();
+  const auto hovered = workspace.hand.hovered;
+  if (hovered && *hovered < scene::element_count(*document.cage, kind)) add(*hovered);
+  std::vector<glm::vec4> colors(segments.size(), glm::vec4(theme.hover, 0.85f));
+  std::fill_n(colors.begin(), selected, glm::vec4(theme.selection, 1));
+  edges_.set_segments(segments, document.pose.positions.size());
+  edges_.set_colors(colors);
+  if (!segments.empty()) edges_.set_positions(document.pose.positions);
+}
+
+void CageMarks::draw(const render::View& view, const render::Theme& theme) const {
+  selected_faces_.draw(view, {theme.selection, 0.22f, 0.05f, false});
+  hovered_face_.draw(view, {theme.hover, 0.10f, 0.05f, false});
+  edges_.draw(view, {2.25f, 1, 0.4f});
+}
+
+}  // namespace viete::app

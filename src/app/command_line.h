@@ -1,0 +1,25 @@
+// The subcommands of `viete`: each adds its options to the command line and returns an exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace viete::app {
+
+/// Documented in --help.
+enum ExitCode : int {
+  exit_ok = 0,
+  exit_failed = 1,  ///< a file could not be read or written, or the work failed; the reason is on stderr
+  exit_usage = 2,   ///< the command line is wrong
+};
+
+/// What main() runs after parsing: set by the subcommand that was chosen.
+using Action = std::function<int()>;
+
+void add_view_command(CLI::App& app, Action& action);
+void add_render_command(CLI::App& app, Action& action);
+void add_deform_command(CLI::App& app, Action& action);
+void add_info_command(CLI::App& app, Action& action);
+void add_bench_command(CLI::App& app, Action& action);
+
+}  // namespace viete::app

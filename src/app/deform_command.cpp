@@ -1,0 +1,80 @@
+// viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: the deformed mesh as a file.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/command_line.h"
+#include "app/options.h"
+#include "base/error.h"
+#include "base/worker_pool.h"
+#include "deform/deformer.h"
+#include "mesh/write.h"
+#include "scene/open.h"
+#include "scene/pose_notes.h"
+
+namespace viete::app {
+
+namespace {
+
+struct DeformOptions {
+  std::filesystem::path model, cage, pose, output;
+  sym3::Method method = sym3::Method::fast;
+  deform::Coordinates coordinates = deform::Coordinates::face;
+  bool method_given = false, coordinates_given = false;
+};
+
+void warn(const std::vector<std::string>& warnings) {
+  for (const auto& warning : warnings) std::fprintf(stderr, "viete: note: %s\n", warning.c_str());
+}
+
+// A session's own settings hold unless others are given.
+scene::Document open(const DeformOptions& options) {
+  scene::Opened opened =
+      scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage, options.pose}}, {});
+  warn(opened.warnings);
+  scene::Document document = *std::move(opened.document);
+  if (!document.has_cage()) throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
+  if (!opened.session || options.method_given) document.method = options.method;
+  if (!opened.session || options.coordinates_given) document.coordinates = options.coordinates;
+  return document;
+}
+
+int deform_file(const DeformOptions& options) {
+  const scene::Document document = open(options);
+  base::WorkerPool pool;
+  auto binding = std::make_shared<deform::Binding>(
+      deform::bind(*document.model.surface, *document.cage, document.coordinates, pool));
+  warn(binding->warnings);
+  deform::Deformer deformer(document.cage, binding, pool);
+  deformer.deform(document.pose, document.method);
+  warn(scene::pose_notes(deformer.report()));
+  mesh::Surface deformed = *document.model.surface;
+  deformed.positions.assign(deformer.positions().begin(), deformer.positions().end());
+  mesh::write(options.output, deformed);
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_deform_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("deform", "Deform a mesh by a posed cage and write it");
+  auto o = std::make_shared<DeformOptions>();
+  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL), or a session (.viete) with its cage and pose")->required();
+  command->add_option("CAGE", o->cage, "Cage around it, at rest");
+  command->add_option("--pose", o->pose, "Posed version of the cage, same vertices in the same order");
+  command->add_option("-o,--output", o->output, "File to write; the extension chooses the format")->required();
+  add_method_option(*command, o->method);
+  add_coordinates_option(*command, o->coordinates);
+  command->callback([o, command, &action] {
+    check_session_stands_alone(o->model, o->cage, o->pose);
+    const bool session = scene::is_session(o->model);
+    if (!session && o->cage.empty()) throw CLI::RequiredError("CAGE");
+    if (!session && o->pose.empty()) throw CLI::RequiredError("--pose");
+    o->method_given = command->count("--method") > 0;
+    o->coordinates_given = command->count("--coordinates") > 0;
+    action = [o] { return deform_file(*o); };
+  });
+}
+
+}  // namespace viete::app

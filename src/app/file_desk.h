@@ -1,0 +1,48 @@
+// Everything with files while the viewer runs: requests are carried out, work is kept, what should be
+// remembered is remembered.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "app/autosave.h"
+#include "app/errands.h"
+#include "app/loader.h"
+#include "scene/workspace.h"
+
+namespace viete::app {
+
+class FileDesk {
+public:
+  /// state: the folder to remember in; empty: nothing is remembered or kept. Fills the workspace with what
+  /// was remembered.
+  FileDesk(const std::filesystem::path& state, scene::Workspace& workspace);
+
+  /// Before the frame's work: takes requests, and what was read once the hand is free, so that nothing is
+  /// taken away under a drag. `positions` are the deformed model's; empty while there are none.
+  void take_requests(scene::Workspace& workspace, std::span<const mesh::Point> positions, bool hand_is_free);
+  /// After it: keeps what is new.
+  void keep(scene::Workspace& workspace);
+
+  /// True while edits are unsaved and kept for the next start.
+  bool keeping() const { return autosave_.keeping(); }
+  bool loading() const { return loader_.running(); }
+  /// Waits for the files that are being read, and takes them.
+  void finish_loading(scene::Workspace& workspace) { take_loaded(workspace, true); }
+  /// The look of the model that was read last.
+  ModelLook& look() { return look_; }
+
+private:
+  void take_loaded(scene::Workspace& workspace, bool wait);
+  void discard(scene::Workspace& workspace, const std::filesystem::path& file);
+  void remember(scene::Workspace& workspace);
+
+  std::filesystem::path state_;
+  Loader loader_;
+  ModelLook look_;
+  Errands errands_;
+  Autosave autosave_;
+  scene::Remembered written_;
+};
+
+}  // namespace viete::app

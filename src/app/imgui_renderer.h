@@ -1,0 +1,34 @@
+// Draws Dear ImGui's lists with OpenGL 3.3 (the packaged GL backend cannot run on OSMesa).
+#pragma once
+
+#include <imgui.h>
+
+#include "render/gl_objects.h"
+#include "render/program.h"
+
+namespace viete::app {
+
+/// For the ImGui context that is current when it is made. Works with ImGui 1.86 to 1.92. Fonts must be added
+/// before upload_fonts(). Texture ids in draw commands are GL texture names: (ImTextureID)(intptr_t)texture.
+class ImGuiRenderer {
+public:
+  explicit ImGuiRenderer(const render::Gl& gl);
+
+  /// Builds the font atlas and uploads it; again after fonts changed.
+  void upload_fonts();
+  /// Draws into the bound framebuffer, whose size must be DisplaySize * FramebufferScale. Data from
+  /// ImGui::GetDrawData() after ImGui::Render(). Leaves blending and scissor off.
+  void draw(const ImDrawData& data);
+
+private:
+  void upload(const ImDrawList& list);
+  void draw_list(const ImDrawList& list, const ImDrawData& data);
+
+  const render::Gl& gl_;
+  render::Program program_;
+  render::VertexArray vertex_array_;
+  render::Buffer vertices_, indices_;
+  render::Texture font_;
+};
+
+}  // namespace viete::app

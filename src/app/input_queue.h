@@ -1,0 +1,44 @@
+// Events of window or test, handed to ImGui in order: one path for real and for scripted input.
+#pragma once
+
+#include <deque>
+#include <glm/glm.hpp>
+#include <string>
+#include <utility>
+
+namespace viete::app {
+
+/// Positions in logical pixels; key codes are GLFW's.
+struct InputEvent {
+  enum class Kind { move, button, wheel, key, text, leave };
+  Kind kind = Kind::move;
+  glm::vec2 position{0, 0};  ///< move
+  int code = 0;              ///< button 0..2 (left, right, middle) or key
+  bool down = false;
+  float wheel = 0;
+  std::string text{};  ///< UTF-8
+
+  static InputEvent move(glm::vec2 to) { return {.kind = Kind::move, .position = to}; }
+  static InputEvent button(int code, bool down) { return {.kind = Kind::button, .code = code, .down = down}; }
+  static InputEvent scroll(float steps) { return {.kind = Kind::wheel, .wheel = steps}; }
+  static InputEvent key(int code, bool down) { return {.kind = Kind::key, .code = code, .down = down}; }
+  static InputEvent typed(std::string utf8) { return {.kind = Kind::text, .text = std::move(utf8)}; }
+  static InputEvent left_window() { return {.kind = Kind::leave}; }
+};
+
+/// A click that goes down and up between two frames must still be a click: what ImGui could not tell apart in one frame is left for the next.
+class InputQueue {
+ public:
+  void push(InputEvent event) { events_.push_back(std::move(event)); }
+  bool empty() const { return events_.empty(); }
+
+  /// Sets up ImGui's key map (old versions need one). Once per ImGui context.
+  static void configure();
+  /// Feeds ImGuiIO; call before ImGui::NewFrame().
+  void feed_frame();
+
+ private:
+  std::deque<InputEvent> events_;
+};
+
+}  // namespace viete::app

@@ -1,0 +1,25 @@
+#include "app/offscreen_viewer.h"
+
+#include <chrono>
+#include <thread>
+
+namespace viete::app {
+
+OffscreenViewer::OffscreenViewer(const ViewerOptions& options, OffscreenContext::Kind kind)
+    : context_(OffscreenContext::create(kind)) {
+  gl_ = std::make_unique<render::Gl>(render::load_gl([this](const char* name) { return context_->get_proc_address(name); }));
+  viewer_ = std::make_unique<Viewer>(*gl_, options);
+}
+
+void OffscreenViewer::settle() {
+  constexpr float frame_seconds = 1.0f / 60;
+  viewer_->frame(frame_seconds);
+  viewer_->finish_loading();
+  viewer_->frame(frame_seconds);
+  viewer_->finish_binding();
+  for (int i = 0; i < 200 && viewer_->wants_frame(); ++i) viewer_->frame(frame_seconds);
+  while (viewer_->measuring()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  viewer_->frame(frame_seconds);
+}
+
+}  // namespace viete::app

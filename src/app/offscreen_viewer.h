@@ -1,0 +1,27 @@
+// A viewer without a window: for `viete render`, for machines without a display, and for tests.
+#pragma once
+
+#include <memory>
+
+#include "app/offscreen_context.h"
+#include "app/viewer.h"
+
+namespace viete::app {
+
+class OffscreenViewer {
+ public:
+  /// Throws base::Error when no offscreen context can be had.
+  explicit OffscreenViewer(const ViewerOptions& options, OffscreenContext::Kind kind = OffscreenContext::Kind::any);
+
+  Viewer& viewer() { return *viewer_; }
+  std::string context_name() const { return context_->name(); }
+  /// Frames of 1/60 s until the picture is at rest: fonts and windows settled, model bound, nothing moving.
+  void settle();
+
+ private:
+  std::unique_ptr<OffscreenContext> context_;
+  std::unique_ptr<render::Gl> gl_;
+  std::unique_ptr<Viewer> viewer_;
+};
+
+}  // namespace viete::app

@@ -1,0 +1,49 @@
+#include "app/options.h"
+
+#include <cstdio>
+#include <map>
+
+#include "scene/session.h"
+
+namespace viete::app {
+
+void add_method_option(CLI::App& app, sym3::Method& method) {
+  app.add_option_function<std::string>(
+         "--method", [&method](const std::string& word) { method = *sym3::method_from_name(word); },
+         "How exp is computed: diag, sd, improved_sd or fast")
+      ->check(CLI::IsMember({"diag", "sd", "improved_sd", "fast"}))
+      ->default_str("fast");
+}
+
+void add_coordinates_option(CLI::App& app, deform::Coordinates& coordinates) {
+  app.add_option_function<std::string>(
+         "--coordinates",
+         [&coordinates](const std::string& word) { coordinates = *deform::coordinates_from_name(word); },
+         "How the cage moves the mesh: face (affine maps blended in log space) or mvc (mean value coordinates)")
+      ->check(CLI::IsMember({"face", "mvc"}))
+      ->default_str("face");
+}
+
+void check_session_stands_alone(const std::filesystem::path& model, const std::filesystem::path& cage,
+                                const std::filesystem::path& pose) {
+  if (!scene::is_session(model) || (cage.empty() && pose.empty())) return;
+  throw CLI::ValidationError(cage.empty() ? "--pose" : "CAGE", "the session " + model.string() + " names its own: leave it out");
+}
+
+void add_size_option(CLI::App& app, glm::ivec2& size) {
+  app.add_option_function<std::string>(
+         "--size",
+         [&size](const std::string& text) {
+           int w = 0, h = 0;
+           char rest = 0;
+           const bool whole = std::sscanf(text.c_str(), "%dx%d%c", &w, &h, &rest) == 2;
+           if (!whole || w < 16 || h < 16 || w > 8192 || h > 8192) {
+             throw CLI::ValidationError("--size", "needs WIDTHxHEIGHT, each 16 to 8192, for example 1280x800");
+           }
+           size = {w, h};
+         },
+         "Size of the picture in logical pixels, WIDTHxHEIGHT")
+      ->default_str("1280x800");
+}
+
+}  // namespace viete::app

@@ -1,0 +1,24 @@
+// Options that several subcommands share: methods, coordinates, sizes.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "deform/binding.h"
+#include "sym3/exp.h"
+
+namespace viete::app {
+
+/// --method diag|sd|improved_sd|fast. The target must outlive parsing.
+void add_method_option(CLI::App& app, sym3::Method& method);
+/// --coordinates face|mvc.
+void add_coordinates_option(CLI::App& app, deform::Coordinates& coordinates);
+/// A session names its cage and its pose itself: throws CLI::ValidationError if MODEL is one and others are given too.
+void check_session_stands_alone(const std::filesystem::path& model, const std::filesystem::path& cage,
+                                const std::filesystem::path& pose);
+/// --size WxH in logical pixels, 16 to 8192 each.
+void add_size_option(CLI::App& app, glm::ivec2& size);
+
+}  // namespace viete::app

@@ -1,0 +1,118 @@
+// viete render MODEL [CAGE] [--pose POSE] -o out.png, or viete render SESSION -o out.png: a picture without a window.
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/command_line.h"
+#include "app/offscreen_viewer.h"
+#include "app/options.h"
+#include "base/error.h"
+#include "scene/edit.h"
+#include "scene/open.h"
+
+namespace viete::app {
+
+namespace {
+
+struct RenderOptions {
+  std::filesystem::path model, cage, pose, output;
+  ViewerOptions viewer{.samples = 4};
+  sym3::Method method = sym3::Method::fast;
+  deform::Coordinates coordinates = deform::Coordinates::face;
+  bool panels = false, light = false, no_cage = false, wireframe = false, no_grid = false;
+  std::string look = "home";
+  bool method_given = false, coordinates_given = false, size_given = false, look_given = false;
+};
+
+const std::map<std::string, scene::StandardView> looks = {
+    {"home", scene::StandardView::home},   {"front", scene::StandardView::front}, {"back", scene::StandardView::back},
+    {"left", scene::StandardView::left},   {"right", scene::StandardView::right}, {"top", scene::StandardView::top},
+    {"bottom", scene::StandardView::bottom}};
+
+// Flags switch on top of what the session, or else the default for pictures, has.
+scene::ViewOptions view_of(const RenderOptions& options, const std::optional<scene::Session>& session) {
+  scene::ViewOptions view = session ? session->view : scene::ViewOptions{.panels = false, .hints = false};
+  view.panels |= options.panels;
+  view.dark &= !options.light;
+  view.cage &= !options.no_cage;
+  view.wireframe |= options.wireframe;
+  view.grid &= !options.no_grid;
+  return view;
+}
+
+void set_up(scene::Workspace& workspace, scene::Opened&& opened, const RenderOptions& options) {
+  const std::optional<scene::Session> session = opened.session;
+  scene::take(workspace, std::move(opened));
+  workspace.view = view_of(options, session);
+  if (!session || options.method_given) scene::set_method(workspace.document, options.method);
+  if (!session || options.coordinates_given) scene::set_coordinates(workspace.document, options.coordinates);
+}
+
+// A session has its own camera, which another look replaces.
+void aim(Viewer& viewer, bool has_camera, const RenderOptions& options) {
+  viewer.frame(0);  // places the viewport that framing needs
+  if (has_camera && !options.look_given) return;
+  scene::Workspace& workspace = viewer.workspace();
+  workspace.camera.look(looks.at(options.look));
+  workspace.camera.animate(1);
+  scene::frame_all(workspace, false);
+}
+
+int render(const RenderOptions& options) {
+  if (options.output.extension() != ".png") {
+    throw base::Error(options.output.string(), "pictures are written as PNG only", "give the file the extension .png");
+  }
+  scene::Opened opened =
+      scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage, options.pose}}, {});
+  const bool has_camera = opened.session && opened.session->camera;
+  ViewerOptions viewer_options = options.viewer;
+  if (opened.session && opened.session->window && !options.size_given) viewer_options.size = *opened.session->window;
+  OffscreenViewer offscreen(viewer_options);
+  scene::Workspace& workspace = offscreen.viewer().workspace();
+  set_up(workspace, std::move(opened), options);
+  aim(offscreen.viewer(), has_camera, options);
+  offscreen.settle();
+  const auto& messages = workspace.messages.all();
+  for (const auto& message : messages) {
+    if (message.severity == scene::Severity::error) throw base::Error("", message.text);
+    std::fprintf(stderr, "viete: note: %s\n", message.text.c_str());
+  }
+  for (const auto& note : workspace.pose_notes) std::fprintf(stderr, "viete: note: %s\n", note.c_str());
+  render::write_png(options.output, offscreen.viewer().picture());
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("render", "Render a picture without a window");
+  auto o = std::make_shared<RenderOptions>();
+  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL), or a session (.viete), which has its own view")->required();
+  command->add_option("CAGE", o->cage, "Cage around it");
+  command->add_option("--pose", o->pose, "Posed version of the cage");
+  command->add_option("-o,--output", o->output, "PNG file to write")->required();
+  add_size_option(*command, o->viewer.size);
+  command->add_option("--scale", o->viewer.scale, "Device pixels per logical pixel")->check(CLI::Range(0.5, 4.0))->default_str("1");
+  add_method_option(*command, o->method);
+  add_coordinates_option(*command, o->coordinates);
+  command->add_option("--look", o->look, "home, front, back, left, right, top or bottom")
+      ->check(CLI::IsMember({"home", "front", "back", "left", "right", "top", "bottom"}))
+      ->default_str("home");
+  command->add_flag("--panels", o->panels, "With the panels");
+  command->add_flag("--light", o->light, "Light theme");
+  command->add_flag("--wireframe", o->wireframe, "With the edges of the mesh");
+  command->add_flag("--no-cage", o->no_cage, "Without the cage");
+  command->add_flag("--no-grid", o->no_grid, "Without the ground grid");
+  command->callback([o, command, &action] {
+    check_session_stands_alone(o->model, o->cage, o->pose);
+    o->method_given = command->count("--method") > 0;
+    o->coordinates_given = command->count("--coordinates") > 0;
+    o->size_given = command->count("--size") > 0;
+    o->look_given = command->count("--look") > 0;
+    action = [o] { return render(*o); };
+  });
+}
+
+}  // namespace viete::app

@@ -1,0 +1,97 @@
+#include "app/stage.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "scene/elements.h"
+
+namespace viete::app {
+
+namespace {
+
+glm::dmat4 file_to_view(const scene::Space& space) {
+  glm::dmat4 m(1);
+  for (int i = 0; i < 3; ++i) {
+    m[i][i] = space.scale;
+    m[3][i] = -space.center[i] * space.scale;
+  }
+  return m;
+}
+
+glm::vec4 opaque(const glm::vec3& color) { return {color, 1}; }
+
+render::Theme theme_of(const scene::Workspace& w) { return w.view.dark ? render::dark_theme() : render::light_theme(); }
+
+}  // namespace
+
+Stage::Stage(const render::Gl& gl)
+    : gl_(gl), backdrop_(gl), grid_(gl), model_(gl), cage_faces_(gl), cage_lines_(gl), ghost_lines_(gl), cage_vertices_(gl), marks_(gl) {}
+
+void Stage::set_document(const scene::Document& document, const ModelLook& look) {
+  const mesh::Surface& model = *document.model.surface;
+  model_.set_triangles(model.triangles, model.positions.size());
+  model_.set_occlusion(look.occlusion);
+  model_.set_positions(model.positions, look.normals);
+  ground_ = document.model.bounds.low[1];
+  if (!document.has_cage()) return;
+  const mesh::Surface& cage = document.cage->surface;
+  cage_faces_.set_triangles(cage.triangles, cage.positions.size());
+  cage_lines_.set_segments(document.cage->edges, cage.positions.size());
+  ghost_lines_.set_segments(document.cage->edges, cage.positions.size());
+  ghost_lines_.set_positions(cage.positions);
+}
+
+void Stage::set_model(std::span<const mesh::Point> positions, std::span<const mesh::Point> normals) {
+  model_.set_positions(positions, normals);
+}
+
+void Stage::set_cage(const scene::Workspace& workspace) {
+  const auto& positions = workspace.document.pose.positions;
+  cage_faces_.set_positions(positions);
+  cage_lines_.set_positions(positions);
+  cage_vertices_.set_positions(positions);
+}
+
+void Stage::set_hand(const scene::Workspace& workspace) {
+  const render::Theme theme = theme_of(workspace);
+  const auto& document = workspace.document;
+  // Vertices stand back where edges or faces are what is selected.
+  const bool vertices = document.selection.kind() == scene::ElementKind::vertex;
+  std::vector<render::Disc> discs(document.pose.positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
+  for (const auto v : scene::selected_vertices(*document.cage, document.selection)) {
+    discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
+  }
+  if (const auto v = workspace.hand.hovered; vertices && v && *v < discs.size()) discs[*v].ring = true;
+  marks_.set(workspace, theme);
+  cage_vertices_.set_discs(discs);
+  cage_lines_.set_color(opaque(theme.cage));
+  ghost_lines_.set_color(opaque(theme.cage));
+}
+
+void Stage::draw(const scene::Workspace& w, glm::ivec2 size, float scale) const {
+  const render::Theme theme = theme_of(w);
+  const auto& document = w.document;
+  backdrop_.draw(theme);
+  if (!document.model.surface) return;
+  const render::View view{glm::dmat4(w.camera.view()) * file_to_view(document.space),
+                          glm::dmat4(w.camera.projection(w.viewport)), size, scale};
+  render::SurfaceStyle style;
+  style.wireframe = w.view.wireframe ? 0.3f : 0.0f;
+  // A closed surface hides its backs: a software rasteriser draws it in half the time. A graphics card need not care.
+  const auto& facts = document.model.facts;
+  style.closed = gl_.software && facts.closed() && facts.manifold() && facts.oriented() && facts.volume > 0;
+  if (w.view.model) model_.draw(view, theme, style);
+  if (w.view.grid) {
+    const double diagonal = document.space.diagonal();
+    const auto& c = document.space.center;
+    grid_.draw(view, theme, {{c[0], ground_, c[2]}, scene::grid_cell(diagonal), 1.6 * diagonal, 1, 1});
+  }
+  if (!document.has_cage() || !w.view.cage) return;
+  if (w.view.ghost) ghost_lines_.draw(view, {1, 0.15f, 0.5f});
+  cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
+  cage_lines_.draw(view, {1.25f, 0.9f, 0.25f});
+  marks_.draw(view, theme);
+  cage_vertices_.draw(view, {theme.outline, theme.hover, 1, 0.35f});
+}
+
+}  // namespace viete::app

@@ -1,0 +1,45 @@
+// Draws a workspace: model, cage and ground through the render room's layers.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "app/cage_marks.h"
+#include "app/model_look.h"
+#include "render/backdrop.h"
+#include "render/disc_layer.h"
+#include "render/face_layer.h"
+#include "render/line_layer.h"
+#include "render/surface_layer.h"
+#include "scene/workspace.h"
+
+namespace viete::app {
+
+class Stage {
+ public:
+  explicit Stage(const render::Gl& gl);
+
+  /// New topology: model and cage of the document, the model at rest.
+  void set_document(const scene::Document& document, const ModelLook& look);
+  /// The deformed model, in the file's coordinates.
+  void set_model(std::span<const mesh::Point> positions, std::span<const mesh::Point> normals);
+  /// The posed cage and how its vertices look now.
+  void set_cage(const scene::Workspace& workspace);
+  void set_hand(const scene::Workspace& workspace);
+
+  /// Into the bound framebuffer of `size` device pixels.
+  void draw(const scene::Workspace& workspace, glm::ivec2 size, float scale) const;
+
+ private:
+  const render::Gl& gl_;
+  render::Backdrop backdrop_;
+  render::Grid grid_;
+  render::SurfaceLayer model_;
+  render::FaceLayer cage_faces_;
+  render::LineLayer cage_lines_, ghost_lines_;
+  render::DiscLayer cage_vertices_;
+  CageMarks marks_;
+  double ground_ = 0;  ///< height of the lowest point of the model at rest
+};
+
+}  // namespace viete::app

@@ -1,0 +1,224 @@
+#include "app/viewer.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+#include "base/clock.h"
+#include "scene/pose_notes.h"
+#include "sym3/kernel.h"
+#include "ui/input.h"
+#include "ui/panels.h"
+#include "ui/style.h"
+
+namespace viete::app {
+
+namespace fs = std::filesystem;
+
+Viewer::ImGuiOwner::ImGuiOwner() {
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().LogFilename = nullptr;
+}
+
+Viewer::ImGuiOwner::~ImGuiOwner() { ImGui::DestroyContext(); }
+
+Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
+    : gl_(gl), options_(options), files_(options.state, workspace_), imgui_renderer_(gl), framebuffer_(gl), stage_(gl) {
+  fonts_ = ui::add_fonts(options.scale, options.builtin_font);
+  imgui_renderer_.upload_fonts();
+  InputQueue::configure();
+  workspace_.renderer = gl.renderer;
+  workspace_.kernel = sym3::kernel_name();
+  place_viewport();
+}
+
+Viewer::~Viewer() = default;
+
+glm::ivec2 Viewer::device_size() const {
+  return glm::max(glm::ivec2(1), glm::ivec2(glm::vec2(options_.size) * options_.scale + 0.5f));
+}
+
+void Viewer::resize(glm::ivec2 logical_size) {
+  options_.size = logical_size;
+  place_viewport();
+}
+
+void Viewer::place_viewport() {
+  const glm::vec2 window(options_.size);
+  const glm::vec2 covered = workspace_.view.panels ? glm::vec2(ui::column_width, ui::status_height) : glm::vec2(0);
+  workspace_.viewport = {window, {covered.x, 0}, glm::max(glm::vec2(1), window - covered)};
+}
+
+void Viewer::frame(float seconds) {
+  base::Stopwatch whole;
+  last_frame_ = base::wall_seconds();
+  refined_ = !changing() && wants_refinement();
+  if (!refined_) last_change_ = base::wall_seconds();
+  scene::FrameTimes times;
+  place_viewport();
+  if (theme_seen_ != workspace_.view.dark) ui::apply_style(workspace_.view.dark);
+  theme_seen_ = workspace_.view.dark;
+
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(options_.size.x), static_cast<float>(options_.size.y)};
+  io.DisplayFramebufferScale = {options_.scale, options_.scale};
+  io.DeltaTime = std::max(seconds, 1e-4f);
+  if (!input_.empty()) settle_frames_ = 3;
+  input_.feed_frame();
+  ImGui::NewFrame();
+  ui::handle_input(workspace_, pointer_);
+  workspace_.camera.animate(seconds);
+  place_viewport();
+  take_requests();
+  follow_document();
+  deform(times);
+  upload(times);
+  panels(times);
+  draw(times);
+  times.frame = whole.lap_ms();
+  times.when = base::wall_seconds();
+  if (deformed_) workspace_.stats.add(times);
+  files_.keep(workspace_);
+  if (options_.probe) probe();
+  if (take_screenshot_) save_screenshot();
+  if (settle_frames_ > 0) --settle_frames_;
+}
+
+// A software rasteriser draws moving pictures without multisampling and the picture at rest with it.
+bool Viewer::wants_refinement() const {
+  constexpr double rest_seconds = 0.25;
+  return options_.still_samples > 0 && !refined_ && base::wall_seconds() - last_change_ > rest_seconds;
+}
+
+bool Viewer::wants_frame() const {
+  constexpr double progress_seconds = 0.05;
+  if (files_.loading() && base::wall_seconds() - last_frame_ > progress_seconds) return true;
+  return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due();
+}
+
+bool Viewer::changing() const {
+  const scene::Document& document = workspace_.document;
+  const bool cage_moved = document.has_cage() && posed_drawn_ != document.posed;
+  const bool model_waits = deformer_ && posed_seen_ != document.posed;
+  return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || binder_.running() || cage_moved ||
+         model_waits || topology_seen_ != document.topology;
+}
+
+void Viewer::take_requests() {
+  files_.take_requests(workspace_, deformer_ ? deformer_->positions() : std::span<const mesh::Point>(),
+                       !pointer_.active());
+  take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
+}
+
+// New topology: everything that was derived from the old one goes, and a new binding is begun.
+void Viewer::follow_document() {
+  const scene::Document& document = workspace_.document;
+  if (topology_seen_ != document.topology) {
+    topology_seen_ = document.topology;
+    settle_frames_ = 3;
+    deformer_.reset();
+    workspace_.pose_notes.clear();
+    binder_.cancel();
+    if (files_.look().surface != document.model.surface) files_.look() = look_of(document.model.surface);
+    stage_.set_document(document, files_.look());
+    posed_drawn_ = document.posed - 1;
+    posed_seen_ = document.posed - 1;
+    if (document.has_cage()) binder_.start(document.model.surface, document.cage, document.coordinates);
+  }
+  take_binding(false);
+  workspace_.binding = {binder_.running(), binder_.done()};
+}
+
+void Viewer::take_binding(bool wait) {
+  const auto result = binder_.poll(wait);
+  if (!result) return;
+  if (!result->binding) return workspace_.messages.error(result->problem);
+  for (const auto& warning : result->binding->warnings) workspace_.messages.warn(warning);
+  deformer_ = std::make_unique<deform::Deformer>(result->cage, result->binding, pool_);
+  posed_seen_ = workspace_.document.posed - 1;
+}
+
+void Viewer::finish_binding() {
+  follow_document();
+  take_binding(true);
+}
+
+void Viewer::deform(scene::FrameTimes& times) {
+  scene::Document& document = workspace_.document;
+  deformed_ = deformer_ && posed_seen_ != document.posed;
+  if (!deformed_) return;
+  deformer_->deform(document.pose, document.method);
+  document.pose.turns = deformer_->report().turns;
+  workspace_.pose_notes = scene::pose_notes(deformer_->report());
+  posed_seen_ = document.posed;
+  times.links = deformer_->times();
+}
+
+void Viewer::upload(scene::FrameTimes& times) {
+  const scene::Document& document = workspace_.document;
+  if (!document.model.surface) return;
+  base::Stopwatch watch;
+  if (document.has_cage()) {
+    if (posed_drawn_ != document.posed) stage_.set_cage(workspace_);
+    stage_.set_hand(workspace_);
+    posed_drawn_ = document.posed;
+  }
+  if (deformed_) stage_.set_model(deformer_->positions(), deformer_->normals());
+  times.upload = watch.lap_ms();
+}
+
+void Viewer::panels(scene::FrameTimes& times) {
+  base::Stopwatch watch;
+  recorder_.begin_frame();
+  const bool dark = workspace_.view.dark;
+  ui::draw_panels({workspace_, fonts_, ui::palette(dark), &recorder_});
+  ImGui::Render();
+  times.panels = watch.lap_ms();
+}
+
+void Viewer::draw(scene::FrameTimes& times) {
+  base::Stopwatch watch;
+  framebuffer_.begin(device_size(), refined_ ? options_.still_samples : options_.samples);
+  stage_.draw(workspace_, device_size(), options_.scale);
+  framebuffer_.resolve();
+  imgui_renderer_.draw(*ImGui::GetDrawData());
+  if (gl_.software) gl_.Finish();  // a software rasteriser works in the background: count its work where it belongs
+  times.draw = watch.lap_ms();
+}
+
+bool Viewer::probe_is_due() const {
+  const bool fresh = deformer_ && (probed_ != posed_seen_ || workspace_.methods.matrices == 0);
+  return options_.probe && fresh && !deformer_->matrices().empty() && method_probe_.ready();
+}
+
+void Viewer::probe() {
+  if (auto stats = method_probe_.poll()) {
+    workspace_.methods = *stats;
+    settle_frames_ = std::max(settle_frames_, 1u);
+  }
+  if (!probe_is_due()) return;
+  probed_ = posed_seen_;
+  method_probe_.offer(deformer_->matrices());
+}
+
+void Viewer::save_screenshot() {
+  char name[64];
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::strftime(name, sizeof name, "viete-%Y%m%d-%H%M%S.png", &local);
+  try {
+    std::error_code ignored;
+    const fs::path path = fs::current_path(ignored) / name;
+    render::write_png(path, framebuffer_.read());
+    workspace_.messages.info("Saved " + path.string());
+  } catch (const std::exception& error) {
+    workspace_.messages.error(error.what());
+  }
+  settle_frames_ = std::max(settle_frames_, 2u);
+}
+
+}  // namespace viete::app

@@ -1,0 +1,112 @@
+// The viewer without a window: one frame from input to picture, the same in a window, in a test and for the command line.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/binder.h"
+#include "app/file_desk.h"
+#include "app/imgui_renderer.h"
+#include "app/input_queue.h"
+#include "app/method_probe.h"
+#include "app/stage.h"
+#include "base/worker_pool.h"
+#include "deform/deformer.h"
+#include "render/framebuffer.h"
+#include "scene/pointer.h"
+#include "scene/workspace.h"
+#include "ui/context.h"
+
+namespace viete::app {
+
+struct ViewerOptions {
+  glm::ivec2 size{1280, 800};  ///< logical pixels
+  float scale = 1;             ///< device pixels per logical pixel
+  int samples = 0;             ///< multisampling; 0 none
+  int still_samples = 0;       ///< of one more frame once nothing has changed for a quarter of a second; 0 none
+  bool builtin_font = false;   ///< the same text on every machine, for picture tests
+  bool probe = true;           ///< measure the methods aside
+  std::filesystem::path state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
+};
+
+/// Needs a current GL context, which must outlive it; use in that context's thread. Owns ImGui's context.
+class Viewer {
+ public:
+  Viewer(const render::Gl& gl, const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  scene::Workspace& workspace() { return workspace_; }
+  const scene::Workspace& workspace() const { return workspace_; }
+  InputQueue& input() { return input_; }
+  ui::Recorder& recorder() { return recorder_; }
+
+  void resize(glm::ivec2 logical_size);
+  glm::ivec2 device_size() const;
+
+  /// One frame: input, commands, deformation, drawing, panels, into the framebuffer. seconds since the last one.
+  void frame(float seconds);
+  /// True if a frame now would show something new: a change, or the picture at rest, refined.
+  bool wants_frame() const;
+  /// True while the methods are being measured aside.
+  bool measuring() const { return method_probe_.busy(); }
+  /// True while edits are unsaved and kept for the next start.
+  bool keeping() const { return files_.keeping(); }
+  /// True while files are being read aside.
+  bool loading() const { return files_.loading(); }
+  /// Waits for the files that are being read.
+  void finish_loading() { files_.finish_loading(workspace_); }
+  /// Waits until the model is bound, without drawing: the next frame deforms it.
+  void finish_binding();
+
+  render::Framebuffer& framebuffer() { return framebuffer_; }
+  render::Image picture() { return framebuffer_.read(); }
+  /// The deformer of the open document; null while there is none.
+  const deform::Deformer* deformer() const { return deformer_.get(); }
+
+ private:
+  bool changing() const;
+  bool wants_refinement() const;
+  void take_requests();
+  void follow_document();
+  void take_binding(bool wait);
+  void deform(scene::FrameTimes& times);
+  void upload(scene::FrameTimes& times);
+  void draw(scene::FrameTimes& times);
+  void panels(scene::FrameTimes& times);
+  bool probe_is_due() const;
+  void probe();
+  void place_viewport();
+  void save_screenshot();
+
+  const render::Gl& gl_;
+  ViewerOptions options_;
+  struct ImGuiOwner {
+    ImGuiOwner();
+    ~ImGuiOwner();
+  } imgui_;
+  scene::Workspace workspace_;
+  FileDesk files_;
+  scene::Pointer pointer_;
+  InputQueue input_;
+  ui::Recorder recorder_;
+  ui::Fonts fonts_;
+  ImGuiRenderer imgui_renderer_;
+  render::Framebuffer framebuffer_;
+  Stage stage_;
+  base::WorkerPool pool_;
+  Binder binder_;
+  MethodProbe method_probe_;
+  std::unique_ptr<deform::Deformer> deformer_;
+
+  // What the derived state was derived from; compared once a frame.
+  scene::Revision topology_seen_ = 0, posed_seen_ = 0, posed_drawn_ = 0, probed_ = 0;
+  bool deformed_ = false, take_screenshot_ = false;
+  double last_change_ = 0, last_frame_ = 0;  ///< seconds of wall time
+  bool refined_ = false;
+  unsigned settle_frames_ = 3;  ///< ImGui needs a few frames after a change until sizes rest
+  std::optional<bool> theme_seen_;
+};
+
+}  // namespace viete::app

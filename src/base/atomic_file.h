@@ -1,0 +1,19 @@
+// Replaces a file as a whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace viete::base {
+
+/// What the new content outlives once replace_file() has returned: the end of the program, however sudden, or
+/// a power cut too, which waits for the disk (milliseconds).
+enum class Outlives { program, power_cut };
+
+/// Writes the bytes to a new file in the same folder, syncs it, and renames it to path. On failure the
+/// existing file stays as it was and the new one is removed. A link is followed; permissions of an existing
+/// file are kept. Throws Error (a folder, a device, an unwritable folder, a full disk). Thread-safe.
+void replace_file(const std::filesystem::path& path, std::string_view bytes,
+                  Outlives outlives = Outlives::power_cut);
+
+}  // namespace viete::base

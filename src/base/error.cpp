@@ -1,0 +1,23 @@
+#include "base/error.h"
+
+#include <utility>
+
+namespace viete::base {
+
+namespace {
+
+std::string sentence(const std::string& place, const std::string& problem, const std::string& advice) {
+  std::string text = place.empty() ? problem : place + ": " + problem;
+  if (!advice.empty()) text += "; " + advice;
+  return text;
+}
+
+}  // namespace
+
+Error::Error(std::string place, std::string problem, std::string advice)
+    : std::runtime_error(sentence(place, problem, advice)),
+      place_(std::move(place)),
+      problem_(std::move(problem)),
+      advice_(std::move(advice)) {}
+
+}  // namespace viete::base

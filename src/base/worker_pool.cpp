@@ -1,0 +1,93 @@
+#include "base/worker_pool.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace viete::base {
+
+struct WorkerPool::State {
+  std::vector<std::thread> threads;
+  std::mutex mutex;
+  std::condition_variable wake, finished;
+  std::uint64_t generation = 0;
+  int busy = 0;
+  bool stop = false;
+  std::exception_ptr error;
+
+  std::size_t count = 0, block = 1;
+  const std::function<void(std::size_t, std::size_t)>* body = nullptr;
+
+  // Thread t of n takes a contiguous run of blocks: neighbours in memory stay on one core.
+  void work(std::size_t t, std::size_t n) {
+    const std::size_t blocks = (count + block - 1) / block;
+    try {
+      for (std::size_t b = blocks * t / n; b < blocks * (t + 1) / n; ++b) {
+        (*body)(b * block, std::min(count, (b + 1) * block));
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!error) error = std::current_exception();
+    }
+  }
+
+  void serve(std::size_t index) {
+    std::uint64_t seen = 0;
+    for (;;) {
+      {
+        std::unique_lock lock(mutex);
+        wake.wait(lock, [&] { return stop || generation != seen; });
+        if (stop) return;
+        seen = generation;
+      }
+      work(index, threads.size() + 1);
+      const std::lock_guard lock(mutex);
+      if (--busy == 0) finished.notify_one();
+    }
+  }
+};
+
+WorkerPool::WorkerPool(int threads) : state_(std::make_unique<State>()) {
+  if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const std::lock_guard lock(state_->mutex);  // no thread looks at the list before it is complete
+  for (int i = 1; i < threads; ++i) {
+    state_->threads.emplace_back([s = state_.get(), i] { s->serve(static_cast<std::size_t>(i)); });
+  }
+}
+
+WorkerPool::~WorkerPool() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->stop = true;
+  }
+  state_->wake.notify_all();
+  for (auto& thread : state_->threads) thread.join();
+}
+
+int WorkerPool::threads() const { return static_cast<int>(state_->threads.size()) + 1; }
+
+void WorkerPool::for_blocks(std::size_t count, std::size_t block,
+                            const std::function<void(std::size_t, std::size_t)>& body) {
+  if (count == 0) return;
+  State& s = *state_;
+  {
+    const std::lock_guard lock(s.mutex);
+    s.count = count;
+    s.block = std::max<std::size_t>(1, block);
+    s.body = &body;
+    s.error = nullptr;
+    s.busy = static_cast<int>(s.threads.size());
+    ++s.generation;
+  }
+  s.wake.notify_all();
+  s.work(0, s.threads.size() + 1);
+  std::unique_lock lock(s.mutex);
+  s.finished.wait(lock, [&] { return s.busy == 0; });
+  if (s.error) std::rethrow_exception(s.error);
+}
+
+}  // namespace viete::base

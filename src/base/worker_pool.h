@@ -1,0 +1,32 @@
+// A few threads that live as long as the program and share loops over fixed blocks.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace viete::base {
+
+/// A persistent pool for data-parallel loops. Blocks have a fixed size that does not depend on the number
+/// of threads, and each block is computed by one thread alone, so results are the same for any number.
+class WorkerPool {
+ public:
+  /// threads: how many share the work, the caller included; 0 means one for each processor.
+  explicit WorkerPool(int threads = 0);
+  ~WorkerPool();
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+
+  int threads() const;
+
+  /// Calls body(begin, end) for consecutive blocks that cover [0, count), on all threads; returns when all
+  /// are done. The first exception that a body throws is rethrown here. Only one thread may call it at a time; not reentrant.
+  void for_blocks(std::size_t count, std::size_t block,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace viete::base

@@ -1,0 +1,150 @@
+#include "deform/binding.h"
+
+#include <atomic>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <new>
+
+#include "base/error.h"
+#include "deform/face_maps.h"
+#include "deform/mean_value.h"
+#include "deform/vec3.h"
+#include "deform/weights.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr std::size_t rows_per_block = 64;
+
+// What the system can give without swapping; nothing where it does not say.
+std::optional<double> free_bytes() {
+  std::ifstream in("/proc/meminfo");
+  std::string key, unit;
+  double kilobytes = 0;
+  while (in >> key >> kilobytes) {
+    if (key == "MemAvailable:") return kilobytes * 1024;
+    std::getline(in, unit);
+  }
+  return std::nullopt;
+}
+
+std::string gigabytes(double bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f GB", bytes / 1e9);
+  return text;
+}
+
+base::Error too_large(const Binding& b, std::optional<double> available) {
+  const auto bytes = static_cast<double>(binding_bytes(b.vertices, b.handles));
+  const std::string rest = available ? ", of which " + gigabytes(*available) + " are free" : "";
+  return base::Error("",
+                     "binding " + std::to_string(b.vertices) + " vertices to " + std::to_string(b.handles) +
+                         " cage elements takes " + gigabytes(bytes) + " of memory" + rest,
+                     "use a coarser cage or a coarser model");
+}
+
+void allocate(Binding& binding) {
+  const auto available = free_bytes();
+  const auto bytes = static_cast<double>(binding_bytes(binding.vertices, binding.handles));
+  if (available && bytes > 0.9 * *available) throw too_large(binding, available);
+  try {
+    binding.weights.resize(binding.vertices * binding.handles);
+    binding.offsets.resize(binding.vertices);
+  } catch (const std::bad_alloc&) {
+    throw too_large(binding, available);
+  } catch (const std::length_error&) {
+    throw too_large(binding, available);
+  }
+}
+
+// x - sum w c, taken as blend() takes it, so that a cage at rest gives x back to the last bits. What is only
+// the rounding of x itself is dropped: it would not shrink with a pose that does.
+Vec3 offset(std::span<const Vec3> handles, const Vec3& origin, const mesh::Point& x,
+            std::span<const double> weights, double rounding) {
+  Vec3 sum{0, 0, 0};
+  for (std::size_t j = 0; j < handles.size(); ++j) sum = sum + weights[j] * (handles[j] - origin);
+  const Vec3 left = (x - origin) - sum;
+  return largest_abs(left) > rounding ? left : Vec3{0, 0, 0};
+}
+
+// Weights of rows [begin, end); returns how many have no mean value coordinates.
+std::size_t fill_rows(const Cage& cage, std::size_t begin, std::size_t end, Binding& b) {
+  const auto& handles = b.coordinates == Coordinates::mean_value ? cage.surface.positions : cage.centers;
+  const Vec3 origin = pose_origin(cage.surface.positions);
+  std::size_t failed = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::span<double> row(b.weights.data() + i * b.handles, b.handles);
+    if (b.coordinates == Coordinates::mean_value) {
+      failed += !mean_value_weights(cage, b.rest[i], row);
+    } else {
+      inverse_distance_weights(cage, b.rest[i], row);
+    }
+    b.offsets[i] = offset(handles, origin, b.rest[i], row, 4e-15 * cage.diagonal);
+  }
+  return failed;
+}
+
+std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, base::Progress* progress) {
+  std::atomic<std::size_t> done{0}, failed{0};
+  pool.for_blocks(binding.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
+    failed += fill_rows(cage, begin, end, binding);
+    done += end - begin;
+    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(binding.vertices));
+  });
+  return failed;
+}
+
+void warn(const Cage& cage, std::size_t failed, Binding& binding) {
+  if (binding.coordinates != Coordinates::mean_value) return;
+  if (!cage.closed) {
+    binding.warnings.push_back(
+        "mean value coordinates need a closed cage with consistent faces; with this one the model does not "
+        "follow "
+        "rotations and stretches exactly");
+  }
+  if (failed > 0) {
+    binding.warnings.push_back(
+        std::to_string(failed) + " of " + std::to_string(binding.vertices) +
+        " vertices have no mean value coordinates; they follow the closest point of the cage");
+  }
+}
+
+}  // namespace
+
+std::string_view name(Coordinates coordinates) {
+  return coordinates == Coordinates::face ? "face" : "mvc";
+}
+
+std::optional<Coordinates> coordinates_from_name(std::string_view word) {
+  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+    if (name(c) == word) return c;
+  }
+  return std::nullopt;
+}
+
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles) {
+  // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and the lists around
+  // vertices
+  const double each = 8.0 * static_cast<double>(handles) + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
+  return static_cast<std::size_t>(std::min(0x1p63, each * static_cast<double>(vertices)));
+}
+
+Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,
+             base::Progress* progress) {
+  if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
+  Binding binding;
+  binding.coordinates = coordinates;
+  binding.vertices = model.positions.size();
+  binding.handles = coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
+  allocate(binding);
+  binding.rest = model.positions;
+  binding.triangles = model.triangles;
+  binding.around = mesh::vertex_triangles(binding.vertices, model.triangles);
+  const std::size_t failed = fill(cage, binding, pool, progress);
+  warn(cage, failed, binding);
+  return binding;
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,48 @@
+// The model bound to the cage: weights and everything that is computed once per model, cage and coordinates.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/worker_pool.h"
+#include "deform/cage.h"
+#include "mesh/normals.h"
+
+namespace viete::deform {
+
+enum class Coordinates {
+  face,        ///< an affine map per cage triangle, weights 1/d^2, blended in log space
+  mean_value,  ///< positions of cage vertices, blended; no exponential
+};
+
+std::string_view name(Coordinates coordinates);  ///< "face", "mvc": the words of the command line
+std::optional<Coordinates> coordinates_from_name(std::string_view name);
+
+/// n vertices, k handles (cage triangles or cage vertices).
+struct Binding {
+  Coordinates coordinates = Coordinates::face;
+  std::size_t vertices = 0, handles = 0;
+  std::vector<double> weights;    ///< n rows of k, each summing to 1
+  std::vector<mesh::Point> rest;  ///< x, the model's positions
+  /// Face: x - sum w c, which exp(Y) exp(X) acts on. Mean value: x - sum w p, what the weights cannot
+  /// reproduce, ~0 for closed cages.
+  std::vector<mesh::Point> offsets;
+  std::vector<mesh::Triangle> triangles;  ///< of the model
+  mesh::VertexTriangles around;
+  std::vector<std::string> warnings;
+};
+
+/// Bytes that bind() will hold for n vertices and k handles; at most 2^63.
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles);
+
+/// Cost O(n k), shared over the pool; the result does not depend on the number of threads. Throws
+/// base::Cancelled; throws base::Error when the memory that is free now would not suffice, or when the model
+/// has no vertices.
+Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,
+             base::Progress* progress = nullptr);
+
+}  // namespace viete::deform

@@ -1,0 +1,65 @@
+#include "deform/blend.h"
+
+#include "deform/vec3.h"
+
+namespace viete::deform {
+
+namespace {
+
+// Rows x columns of the product weights * table, the sums held in registers.
+template <std::size_t Rows, std::size_t Columns>
+void product(const double* weights, const double* table, std::size_t handles, double (&sums)[Rows][Columns]) {
+  double s[Rows][Columns] = {};
+  for (std::size_t j = 0; j < handles; ++j) {
+    const double* entry = table + j * Columns;
+    for (std::size_t r = 0; r < Rows; ++r) {
+      const double w = weights[r * handles + j];
+      for (std::size_t c = 0; c < Columns; ++c) s[r][c] += w * entry[c];
+    }
+  }
+  for (std::size_t r = 0; r < Rows; ++r) {
+    for (std::size_t c = 0; c < Columns; ++c) sums[r][c] = s[r][c];
+  }
+}
+
+// Calls store(vertex, sums) for every vertex of [begin, end).
+template <std::size_t Rows, std::size_t Columns, class Store>
+void for_rows(const Binding& binding, const double* table, std::size_t begin, std::size_t end,
+              const Store& store) {
+  const std::size_t k = binding.handles;
+  std::size_t i = begin;
+  for (; i + Rows <= end; i += Rows) {
+    double sums[Rows][Columns];
+    product<Rows, Columns>(binding.weights.data() + i * k, table, k, sums);
+    for (std::size_t r = 0; r < Rows; ++r) store(i + r, sums[r]);
+  }
+  for (; i < end; ++i) {
+    double sums[1][Columns];
+    product<1, Columns>(binding.weights.data() + i * k, table, k, sums);
+    store(i, sums[0]);
+  }
+}
+
+}  // namespace
+
+void blend(const Binding& binding, std::span<const MapLog> logs, std::size_t begin, std::size_t end,
+           BlendedLogs& sums) {
+  static_assert(sizeof(MapLog) == 12 * sizeof(double));
+  const auto* table = reinterpret_cast<const double*>(logs.data());
+  for_rows<2, 12>(binding, table, begin, end, [&](std::size_t i, const double(&s)[12]) {
+    sums.stretch[i] = {s[0], s[1], s[2], s[3], s[4], s[5]};
+    sums.rotation[i] = {s[6], s[7], s[8]};
+    sums.center[i] = {s[9], s[10], s[11]};
+  });
+}
+
+void blend_positions(const Binding& binding, std::span<const Vec3> posed, const Vec3& origin,
+                     std::size_t begin, std::size_t end, std::span<mesh::Point> out) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  const auto* table = reinterpret_cast<const double*>(posed.data());
+  for_rows<4, 3>(binding, table, begin, end, [&](std::size_t i, const double(&s)[3]) {
+    out[i] = origin + (Vec3{s[0], s[1], s[2]} + binding.offsets[i]);
+  });
+}
+
+}  // namespace viete::deform

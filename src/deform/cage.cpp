@@ -1,0 +1,93 @@
+#include "deform/cage.h"
+
+#include <limits>
+
+#include "base/error.h"
+#include "deform/dual_graph.h"
+#include "deform/vec3.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr double degenerate_shape = 1e-12;  // area to longest edge squared; below it a triangle is a line
+
+struct Corners {
+  mesh::Point a, b, c;
+};
+
+Corners corners(const mesh::Surface& surface, std::size_t e) {
+  const auto& t = surface.triangles[e];
+  return {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]};
+}
+
+bool has_area(const Corners& t) {
+  const Vec3 u = t.b - t.a, v = t.c - t.a, w = t.c - t.b;
+  const double longest = std::max({largest_abs(u), largest_abs(v), largest_abs(w)});
+  if (!(longest > 0)) return false;
+  const double s = 1 / longest;
+  return std::isfinite(s) && norm(cross(s * u, s * v)) > degenerate_shape;
+}
+
+double largest_coordinate(const mesh::Surface& surface) {
+  double largest = 0;
+  for (const auto& p : surface.positions) largest = std::max(largest, largest_abs(p));
+  return largest;
+}
+
+std::string listed(const std::vector<std::size_t>& elements) {
+  std::string text;
+  for (std::size_t n = 0; n < std::min<std::size_t>(elements.size(), 5); ++n) {
+    text += (n ? ", " : "") + std::to_string(elements[n]);
+  }
+  return elements.size() > 5 ? text + ", ..." : text;
+}
+
+void find_degenerate(Cage& cage) {
+  std::vector<std::size_t> found;
+  for (std::size_t e = 0; e < cage.surface.triangles.size(); ++e) {
+    const Corners t = corners(cage.surface, e);
+    cage.centers.push_back(t.a + (1.0 / 3) * ((t.b - t.a) + (t.c - t.a)));
+    cage.degenerate.push_back(!has_area(t));
+    if (cage.degenerate.back()) found.push_back(e);
+  }
+  if (found.size() == cage.element_count()) {
+    throw base::Error("", "the cage has no triangle with area", "choose a surface that encloses the model");
+  }
+  if (found.empty()) return;
+  cage.warnings.push_back(std::to_string(found.size()) + " of " + std::to_string(cage.element_count()) +
+                          " cage triangles have no area and no influence: " + listed(found));
+}
+
+void connect(Cage& cage) {
+  DualGraph graph = dual_graph(cage.surface, cage.degenerate);
+  cage.dual_edges = std::move(graph.edges);
+  cage.roots = graph_centers(cage.element_count(), cage.dual_edges, cage.degenerate);
+  cage.closed = graph.open + graph.nonmanifold + graph.misoriented == 0;
+  const auto warn = [&cage](std::size_t count, const char* what) {
+    if (count > 0) cage.warnings.push_back(std::to_string(count) + " cage edges " + what);
+  };
+  warn(graph.open, "belong to one triangle only: the cage is open");
+  warn(graph.nonmanifold, "belong to three or more triangles");
+  warn(graph.misoriented, "lie between triangles of opposite orientation");
+}
+
+}  // namespace
+
+Cage make_cage(mesh::Surface surface) {
+  Cage cage;
+  cage.surface = std::move(surface);
+  cage.edges = mesh::polygon_edges(cage.surface);
+  find_degenerate(cage);
+  cage.diagonal = mesh::used_bounds(cage.surface).diagonal();
+  cage.contact =
+      1e-14 * cage.diagonal + 4 * std::numeric_limits<double>::epsilon() * largest_coordinate(cage.surface);
+  connect(cage);
+  return cage;
+}
+
+Pose rest_pose(const Cage& cage) {
+  return {cage.surface.positions, {}};
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,51 @@
+// A cage at rest, its elements and their neighbourhood, and what a pose of it is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesh/edges.h"
+#include "mesh/surface.h"
+
+namespace viete::deform {
+
+using Vec3 = std::array<double, 3>;
+
+/// The rest cage with everything about it that does not change when it is posed. Elements are its triangles.
+struct Cage {
+  mesh::Surface surface;                 ///< rest positions and triangles
+  std::vector<mesh::Edge> edges;         ///< of its polygons, each once
+  std::vector<Vec3> centers;             ///< rest centroid of each element
+  std::vector<std::uint8_t> degenerate;  ///< 1 where an element has no area at rest: identity map, no weight
+  /// Pairs of elements that share an edge (vertices at the same place count as one); sorted. Elements without
+  /// area are left out and their neighbours joined, so that they do not cut the cage into parts.
+  std::vector<std::array<std::uint32_t, 2>> dual_edges;
+  /// The element where rotation branches start, one per connected part of the dual graph: its centre (least
+  /// eccentricity, lowest index). A function of the rest cage alone.
+  std::vector<std::uint32_t> roots;
+  double diagonal = 0;  ///< of the rest bounding box, the unit of tolerances
+  double contact =
+      0;  ///< a point nearer than this to an element lies on it: what rounding cannot tell from 0
+  bool closed = false;  ///< every edge has exactly two triangles, run through in opposite directions
+  std::vector<std::string> warnings;  ///< one line each, naming elements (0-based)
+
+  std::size_t element_count() const { return centers.size(); }
+};
+
+/// Throws base::Error if the surface has no triangle with area.
+Cage make_cage(mesh::Surface surface);
+
+/// Posed positions, and the whole turns that the pose has made: for each part of the cage (see roots) the
+/// rotation vector that its elements' logs must be nearest to, radians. Missing or 0: the least rotation. A
+/// full pose is both; the second is what makes window and command line agree.
+struct Pose {
+  std::vector<mesh::Point> positions;
+  std::vector<Vec3> turns;
+};
+
+/// The rest positions, no turns.
+Pose rest_pose(const Cage& cage);
+
+}  // namespace viete::deform

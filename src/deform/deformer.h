@@ -1,0 +1,72 @@
+// The frame, top to bottom: buffers and order of its links.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/worker_pool.h"
+#include "deform/apply.h"
+#include "deform/binding.h"
+#include "deform/blend.h"
+#include "deform/cage.h"
+#include "deform/log_maps.h"
+#include "sym3/exp.h"
+
+namespace viete::deform {
+
+enum class Link { face_maps, log_maps, blend, exp, apply, normals };
+inline constexpr std::size_t link_count = 6;
+std::string_view name(Link link);
+
+/// Wall milliseconds of each link in one frame; links that the coordinates do not use stay 0.
+struct LinkTimes {
+  std::array<double, link_count> ms{};
+
+  double& operator[](Link link) { return ms[static_cast<std::size_t>(link)]; }
+  double operator[](Link link) const { return ms[static_cast<std::size_t>(link)]; }
+  double total() const;
+};
+
+/// Owns the buffers of one bound model. Cage and binding are shared and constant, so that a new binding can
+/// be made elsewhere while this one is in use. Not thread-safe; everything that grows with the model is
+/// allocated in the constructor. Results are bit-identical for any number of threads.
+class Deformer {
+public:
+  /// cage and binding must not be null and belong together. Before the first frame positions are the rest
+  /// positions.
+  Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, base::WorkerPool& pool);
+
+  /// One frame: positions and normals for the pose. Throws base::Error if pose.positions is not one per cage
+  /// vertex.
+  void deform(const Pose& pose, sym3::Method method);
+
+  std::span<const mesh::Point> positions() const { return positions_; }
+  std::span<const mesh::Point> normals() const { return normals_; }
+  const LinkTimes& times() const { return times_; }
+  /// Of the last frame; for mean value coordinates, which need no logs, only the pose's turns, handed on.
+  const LogReport& report() const { return report_; }
+  /// The matrices that the last frame exponentiated: empty for mean value coordinates.
+  std::span<const sym3::Sym3<double>> matrices() const;
+
+private:
+  void deform_faces(const Pose& pose, sym3::Method method);
+  void deform_mean_value(const Pose& pose);
+  void compute_normals();
+
+  std::shared_ptr<const Cage> cage_;
+  std::shared_ptr<const Binding> binding_;
+  base::WorkerPool& pool_;
+  std::vector<FaceMap> maps_;
+  std::vector<MapLog> logs_;
+  std::vector<Vec3> posed_;  // mean value: the cage relative to the pose's origin
+  BlendedLogs sums_;
+  std::vector<sym3::Sym3<double>> stretches_;
+  std::vector<mesh::Point> positions_, normals_;
+  LinkTimes times_;
+  LogReport report_;
+};
+
+}  // namespace viete::deform

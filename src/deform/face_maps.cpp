@@ -1,0 +1,95 @@
+#include "deform/face_maps.h"
+
+#include "deform/vec3.h"
+
+namespace viete::deform {
+
+namespace {
+
+struct Frame {
+  Vec3 u, v, n;
+};
+
+// N / sqrt|N|, N = u x v, formed at unit size so that it neither over- nor underflows; 0 without area.
+Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
+  const double size = std::max(largest_abs(u), largest_abs(v));
+  if (!(size > 0)) return {0, 0, 0};
+  const Vec3 area = cross((1 / size) * u, (1 / size) * v);
+  const double length = norm(area);
+  return length > 0 ? (size / std::sqrt(length)) * area : Vec3{0, 0, 0};
+}
+
+Frame frame(std::span<const mesh::Point> positions, const mesh::Triangle& t, int corner) {
+  const mesh::Point& a = positions[t[corner]];
+  const Vec3 u = positions[t[(corner + 1) % 3]] - a, v = positions[t[(corner + 2) % 3]] - a;
+  return {u, v, scaled_normal(u, v)};
+}
+
+// The corner between the two shorter edges: their cross product loses the fewest digits.
+int best_corner(std::span<const mesh::Point> positions, const mesh::Triangle& t) {
+  int best = 0;
+  double longest = -1;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 opposite = positions[t[(i + 2) % 3]] - positions[t[(i + 1) % 3]];
+    if (squared_norm(opposite) > longest) {
+      longest = squared_norm(opposite);
+      best = i;
+    }
+  }
+  return best;
+}
+
+// [u v n]^-1 by rows, the dual basis.
+Frame inverse(const Frame& f) {
+  const double s = 1 / std::max(largest_abs(f.u), largest_abs(f.v));
+  const Vec3 u = s * f.u, v = s * f.v, area = cross(u, v);
+  const double a2 = squared_norm(area);
+  return {(s / a2) * cross(v, area), (s / a2) * cross(area, u), (s / (a2 / std::sqrt(std::sqrt(a2)))) * area};
+}
+
+double squared_size(const Frame& f) {
+  return squared_norm(f.u) + squared_norm(f.v);
+}
+
+// posed rest^-1; near rest as I + (posed - rest) rest^-1, which is exactly I where nothing moved.
+sym3::Mat3<double> linear_map(const Frame& rest, const Frame& posed) {
+  const Frame moved{posed.u - rest.u, posed.v - rest.v, posed.n - rest.n};
+  const bool near = squared_size(moved) < 0.25 * squared_size(rest);
+  const Frame& f = near ? moved : posed;
+  const Frame w = inverse(rest);
+  sym3::Mat3<double> m{};
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      m[3 * r + c] = (near && r == c ? 1.0 : 0.0) + (f.u[r] * w.u[c] + f.v[r] * w.v[c] + f.n[r] * w.n[c]);
+    }
+  }
+  return m;
+}
+
+}  // namespace
+
+Vec3 pose_origin(std::span<const mesh::Point> posed) {
+  Vec3 low = posed[0], high = posed[0];
+  for (const auto& p : posed) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], p[i]);
+      high[i] = std::max(high[i], p[i]);
+    }
+  }
+  return 0.5 * low + 0.5 * high;
+}
+
+void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps) {
+  const std::span<const mesh::Point> rest = cage.surface.positions;
+  const Vec3 origin = pose_origin(posed);
+  for (std::size_t e = 0; e < maps.size(); ++e) {
+    const auto& t = cage.surface.triangles[e];
+    maps[e].center = (1.0 / 3) * ((posed[t[0]] - origin) + (posed[t[1]] - origin) + (posed[t[2]] - origin));
+    maps[e].linear = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    if (cage.degenerate[e]) continue;
+    const int corner = best_corner(rest, t);
+    maps[e].linear = linear_map(frame(rest, t, corner), frame(posed, t, corner));
+  }
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,27 @@
+// Link 1 of the frame: the affine map of each cage element, rest to posed.
+#pragma once
+
+#include <span>
+
+#include "deform/cage.h"
+#include "sym3/rotation.h"
+
+namespace viete::deform {
+
+/// x' = linear (x - c) + center + origin, c the rest centroid. Entries of linear by rows.
+struct FaceMap {
+  sym3::Mat3<double> linear;
+  Vec3 center;  ///< posed centroid minus the pose's origin
+};
+
+/// The middle of the pose's bounding box. Posed centroids are taken relative to it, so that blending them
+/// loses nothing when the pose is far from the origin of the axes.
+Vec3 pose_origin(std::span<const mesh::Point> posed);
+
+/// linear = [u' v' n'][u v n]^-1 with u, v two edges and n = N / sqrt|N|, N = u x v. Reproduces similarities;
+/// exactly I for an element that did not move, and for degenerate rest elements. A posed element without area
+/// gives a matrix of rank 2 or less. maps.size() == cage.element_count(), posed.size() ==
+/// cage.surface.positions.size().
+void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps);
+
+}  // namespace viete::deform

@@ -1,0 +1,42 @@
+// Link 2 of the frame: each map as log of stretch, log of rotation, and centre; with consistent rotation
+// branches.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "deform/cage.h"
+#include "deform/face_maps.h"
+#include "sym3/sym3.h"
+
+namespace viete::deform {
+
+/// linear = exp(rotation) exp(stretch). Twelve numbers, blended linearly.
+struct MapLog {
+  sym3::Sym3<double> stretch;  ///< X = log S
+  Vec3 rotation;               ///< Y = log R as a rotation vector, any number of turns
+  Vec3 center;                 ///< posed centroid minus the pose's origin
+};
+
+/// What had to be decided: shown to the user, and carried to the next pose.
+struct LogReport {
+  std::vector<Vec3> turns;               ///< the mean log of each part: pass as the next pose's `turns`
+  std::vector<std::uint32_t> collapsed;  ///< elements whose stretch was raised to the floor
+  /// Neighbours whose rotations differ by more than 120 degrees, or whose logs by more than 180 (no choice of
+  /// branches is right around a ring of elements that turns once): between them the blend is ambiguous.
+  std::vector<std::array<std::uint32_t, 2>> torn;
+};
+
+/// Polar split of each map by SVD, linear = R S: X = log S, Y = log R. Singular values are raised to 1e-3 of
+/// the element's largest one and to 1e-4 of the pose's mean one: no element collapses fully. A mirrored map
+/// takes the closest proper rotation. A map that is not finite counts as collapsed, with the log of I.
+///
+/// Branches of Y: choose_branches(). A pure function of its inputs; handing report.turns on follows a
+/// continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
+///
+/// The log itself has a limit: rotations near a whole turn other than 0 (|Y| about 360 degrees) have nearly
+/// arbitrary axes, so elements there that do not turn rigidly together blend badly; `torn` says so.
+void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const Vec3> turns,
+              std::span<MapLog> logs, LogReport& report);
+
+}  // namespace viete::deform

@@ -1,0 +1,136 @@
+#include "deform/pose_io.h"
+
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <string_view>
+
+#include "base/error.h"
+#include "deform/vec3.h"
+#include "mesh/read.h"
+#include "mesh/write.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr std::string_view turns_mark = "viete turns:";
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t\r#");
+  return begin == std::string_view::npos ? "" : text.substr(begin);
+}
+
+// Takes a number off the front of the text.
+template <class Number>
+bool take(std::string_view& text, Number& value) {
+  text = trimmed(text);
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc()) return false;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return true;
+}
+
+bool take_word(std::string_view& text, std::string_view word) {
+  text = trimmed(text);
+  if (!text.starts_with(word)) return false;
+  text.remove_prefix(word.size());
+  return true;
+}
+
+// One line `viete turns: part 0: x y z`; false if it says something else.
+bool read_turn(std::string_view line, std::vector<Vec3>& turns) {
+  std::size_t part = 0;
+  Vec3 v{};
+  const bool read = take_word(line, turns_mark) && take_word(line, "part") && take(line, part) &&
+                    take_word(line, ":") && take(line, v[0]) && take(line, v[1]) && take(line, v[2]);
+  if (!read || part >= turns.size() || !(norm(v) < 1e6)) return false;  // norm: false for NaN too
+  turns[part] = v;
+  return true;
+}
+
+std::vector<Vec3> read_turns(const std::vector<std::string>& comments, const Cage& cage,
+                             const std::string& file, std::vector<std::string>& warnings) {
+  std::vector<Vec3> turns(cage.roots.size(), Vec3{0, 0, 0});
+  bool any = false;
+  for (const auto& comment : comments) {
+    if (!trimmed(comment).starts_with(turns_mark)) continue;
+    if (read_turn(comment, turns)) {
+      any = true;
+    } else {
+      warnings.push_back(
+          file + ": this line on turns does not fit the cage and was left out: " + comment.substr(0, 80));
+    }
+  }
+  return any ? turns : std::vector<Vec3>{};
+}
+
+bool has_no_area(const mesh::Surface& surface, const mesh::Triangle& t) {
+  const auto& x = surface.positions;
+  const Vec3 u = x[t[1]] - x[t[0]], v = x[t[2]] - x[t[0]];
+  const double size = std::max(largest_abs(u), largest_abs(v));
+  return !(size > 0) || !(norm(cross((1 / size) * u, (1 / size) * v)) > 1e-12);
+}
+
+void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::string& file,
+                       std::vector<std::string>& warnings) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t e = cage.element_count(); e-- > 0;) {
+    if (cage.degenerate[e] || !has_no_area(posed, cage.surface.triangles[e])) continue;
+    ++count;
+    first = e;
+  }
+  if (count == 0) return;
+  warnings.push_back(file + ": " + std::to_string(count) + " of " + std::to_string(cage.element_count()) +
+                     " cage triangles have no area in this pose (the first is " + std::to_string(first) +
+                     "); their stretch is kept above a floor");
+}
+
+void check_count(std::size_t found, std::size_t expected, const std::string& file) {
+  if (found == expected) return;
+  throw base::Error(
+      file, "the pose has " + std::to_string(found) + " vertices, the cage has " + std::to_string(expected),
+      "choose a pose that was made from this cage");
+}
+
+std::string turn_line(std::size_t part, const Vec3& v) {
+  char text[200];
+  std::snprintf(text, sizeof text, "%.*s part %zu: ", static_cast<int>(turns_mark.size()), turns_mark.data(),
+                part);
+  std::string line = text;
+  for (const double x : v) {
+    line.append(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, 17).ptr);
+    line += ' ';
+  }
+  line.pop_back();
+  return line;
+}
+
+}  // namespace
+
+Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<std::string>& warnings) {
+  mesh::ReadResult read = mesh::read(path);
+  const std::string file = path.string();
+  check_count(read.surface.positions.size(), cage.surface.positions.size(), file);
+  warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
+  if (read.surface.triangles != cage.surface.triangles) {
+    warnings.push_back(file +
+                       ": its faces differ from the cage's; only its vertices are used, in their order");
+  }
+  warn_of_collapsed(read.surface, cage, file, warnings);
+  std::vector<Vec3> turns = read_turns(read.comments, cage, file, warnings);
+  return {std::move(read.surface.positions), std::move(turns)};
+}
+
+void write_pose(const std::filesystem::path& path, const Cage& cage, const Pose& pose) {
+  check_count(pose.positions.size(), cage.surface.positions.size(), path.string());
+  std::vector<std::string> comments;
+  for (std::size_t part = 0; part < pose.turns.size(); ++part) {
+    if (largest_abs(pose.turns[part]) > 0) comments.push_back(turn_line(part, pose.turns[part]));
+  }
+  mesh::Surface surface = cage.surface;
+  surface.positions = pose.positions;
+  mesh::write(path, surface, comments);
+}
+
+}  // namespace viete::deform

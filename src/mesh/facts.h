@@ -1,0 +1,36 @@
+// What can be said about a surface at a glance: size, closedness, manifoldness, oddities.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/surface.h"
+
+namespace viete::mesh {
+
+using Edge = std::array<std::uint32_t, 2>;  ///< two vertices, the smaller first
+
+/// Edges are those of the triangles for work. A triangle with a repeated corner has no edges.
+struct Facts {
+  std::size_t vertices = 0, polygons = 0, triangles = 0, edges = 0;
+  std::size_t parts = 0;                ///< connected by shared vertices; unused vertices do not count
+  std::vector<Edge> boundary_edges;     ///< edges with one triangle
+  std::vector<Edge> nonmanifold_edges;  ///< edges with three or more
+  std::vector<Edge> misoriented_edges;  ///< edges that two triangles run through in the same direction
+  std::vector<std::uint32_t> unused_vertices;
+  std::vector<std::uint32_t>
+      degenerate_triangles;  ///< a repeated corner, or area <= 1e-12 longest edge^2 / 2
+  double area = 0;
+  double volume = 0;  ///< signed, positive when oriented outward; meaningful when closed
+
+  bool closed() const { return boundary_edges.empty() && triangles > 0; }
+  bool manifold() const { return nonmanifold_edges.empty(); }
+  bool oriented() const { return misoriented_edges.empty(); }
+};
+
+/// Linear in the size of the surface. Lists are in ascending order. Any length scale from 1e-100 to 1e100.
+Facts facts(const Surface& surface);
+
+}  // namespace viete::mesh

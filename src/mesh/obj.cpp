@@ -1,0 +1,164 @@
+#include "mesh/obj.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "base/error.h"
+#include "mesh/surface_builder.h"
+#include "mesh/text_cursor.h"
+#include "mesh/text_writer.h"
+
+namespace viete::mesh {
+
+namespace {
+
+constexpr TextRules obj_rules{.comment = '#', .continued_lines = true};
+
+// What an OBJ file may say besides vertices and faces. Sorted.
+constexpr auto other_words = std::to_array<std::string_view>(
+    {"bevel", "bmat",   "bsp",    "bzp",        "c_interp", "call",     "cdc",  "cdp",  "con",
+     "csh",   "cstype", "ctech",  "curv",       "curv2",    "d_interp", "deg",  "end",  "g",
+     "hole",  "l",      "lod",    "maplib",     "mg",       "mtllib",   "o",    "p",    "parm",
+     "res",   "s",      "scrv",   "shadow_obj", "sp",       "stech",    "step", "surf", "trace_obj",
+     "trim",  "usemap", "usemtl", "vn",         "vp"});
+static_assert(std::is_sorted(other_words.begin(), other_words.end()));
+
+bool is_other_word(std::string_view word) {
+  return word == "vt" || std::binary_search(other_words.begin(), other_words.end(), word);
+}
+
+class ObjReader {
+public:
+  explicit ObjReader(const Source& source) : source_(source), text_(source, obj_rules), builder_(source) {}
+
+  ReadResult read() {
+    head_comments();
+    while (text_.next_filled_line()) {
+      statement(text_.word());
+      text_.next_line();
+      if (++lines_ % 8192 == 0) source_.report(text_.done());
+    }
+    check_highest();
+    tell_skipped();
+    return builder_.finish("OBJ");
+  }
+
+private:
+  void head_comments() {
+    while (!text_.at_end() && text_.at_line_end()) {
+      builder_.comment(text_.rest_of_line());
+      text_.next_line();
+    }
+  }
+
+  void statement(std::string_view word) {
+    if (word == "v") {
+      const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
+      builder_.position({x, y, z});
+    } else if (word == "f" || word == "fo") {  // fo: how faces were called before version 3.0
+      face();
+    } else if (!is_other_word(word)) {
+      skip_unknown(word);
+    } else if (word == "curv" || word == "surf") {
+      ++free_forms_;
+    }
+  }
+
+  void face() {
+    if (text_.at_line_end())
+      text_.fail("face without vertices", "the file may be cut short: export it again");
+    do {
+      builder_.corner(vertex(text_.leading_integer("vertex index")));
+      skip_texture_and_normal();
+    } while (!text_.at_line_end());
+    builder_.end_polygon();
+  }
+
+  std::uint32_t vertex(std::int64_t index) {
+    const auto count = static_cast<std::int64_t>(builder_.vertex_count());
+    if (index == 0) text_.fail("face refers to vertex 0, OBJ counts from 1", "export the model again");
+    if (index < -count) refuse(text_.line(), index);
+    if (index < 0) return static_cast<std::uint32_t>(count + index);
+    if (index > std::numeric_limits<std::uint32_t>::max()) refuse(text_.line(), index);
+    if (index > count && index > highest_) {
+      highest_ = index;
+      highest_line_ = text_.line();
+    }
+    return static_cast<std::uint32_t>(index - 1);
+  }
+
+  void skip_texture_and_normal() {
+    const std::string_view rest = text_.rest_of_word();
+    if (rest.empty()) return;
+    if (rest[0] != '/' || rest.find_first_not_of("0123456789/+-") != std::string_view::npos) {
+      text_.fail("vertex index is followed by " + in_quotes(rest), "write corners as 7, 7/2, 7//3 or 7/2/3");
+    }
+  }
+
+  void check_highest() const {
+    if (highest_ > static_cast<std::int64_t>(builder_.vertex_count())) refuse(highest_line_, highest_);
+  }
+
+  [[noreturn]] void refuse(std::size_t line, std::int64_t index) const {
+    const std::string count = std::to_string(builder_.vertex_count());
+    throw base::Error(text_.place(line),
+                      "face refers to vertex " + std::to_string(index) + ", the file has " + count +
+                          (index < 0 ? " before it" : ""),
+                      "export the model again");
+  }
+
+  void skip_unknown(std::string_view word) {
+    if (unknown_++ > 0) return;
+    first_unknown_ = in_quotes(word);
+    first_unknown_line_ = text_.line();
+  }
+
+  void tell_skipped() {
+    if (free_forms_ > 0) {
+      builder_.warn(source_.name + ": left out " + counted(free_forms_, "free-form element"));
+    }
+    if (unknown_ > 0) {
+      builder_.warn(text_.place(first_unknown_line_) + ": passed over " + counted(unknown_, "line") +
+                    " that OBJ does not know, the first starts with " + first_unknown_);
+    }
+  }
+
+  const Source& source_;
+  TextCursor text_;
+  SurfaceBuilder builder_;
+  std::size_t lines_ = 0;
+  std::int64_t highest_ = 0;  // of the indices that ran ahead of the vertices read so far
+  std::size_t highest_line_ = 0;
+  std::size_t free_forms_ = 0, unknown_ = 0, first_unknown_line_ = 0;
+  std::string first_unknown_;
+};
+
+}  // namespace
+
+ReadResult read_obj(const Source& source) {
+  return ObjReader(source).read();
+}
+
+bool looks_like_obj(const Source& source) {
+  TextCursor text(source, obj_rules);
+  if (!text.next_filled_line()) return false;
+  const std::string_view word = text.word();
+  return word == "v" || word == "f" || is_other_word(word);
+}
+
+std::string obj_bytes(const Surface& surface, const std::vector<std::string>& comments) {
+  TextWriter out;
+  out.comments("# ", comments);
+  for (const Point& p : surface.positions) out.text("v ").point(p).text("\n");
+  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
+    out.text("f");
+    for (auto c = surface.polygon_starts[p]; c < surface.polygon_starts[p + 1]; ++c) {
+      out.text(" ").number(std::uint64_t{surface.corners[c]} + 1);
+    }
+    out.text("\n");
+  }
+  return out.take();
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,22 @@
+// Object File Format (OFF), text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/read.h"
+#include "mesh/source.h"
+
+namespace viete::mesh {
+
+/// Source: Geomview manual, "OFF Files". Read: OFF and its forms with colours, normals or texture coordinates
+/// behind the positions, which are passed over; comments; the word OFF itself may be missing. Not read: 4OFF,
+/// nOFF, BINARY. Throws base::Error, base::Cancelled.
+ReadResult read_off(const Source& source);
+
+/// True if the first word is OFF or one of its forms.
+bool looks_like_off(const Source& source);
+
+std::string off_bytes(const Surface& surface, const std::vector<std::string>& comments);
+
+}  // namespace viete::mesh

@@ -1,0 +1,207 @@
+#include "mesh/ply.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "base/error.h"
+#include "mesh/ply_header.h"
+#include "mesh/ply_values.h"
+#include "mesh/surface_builder.h"
+#include "mesh/text_cursor.h"
+#include "mesh/text_writer.h"
+
+namespace viete::mesh {
+
+namespace {
+
+template <class Values>
+class PlyBody {
+public:
+  PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, Values values)
+      : header_(header), source_(source), builder_(builder), values_(values) {
+    const PlyElement* vertices = header.find("vertex");
+    vertex_count_ = vertices ? vertices->count : 0;
+  }
+
+  void read() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex" && builder_.vertex_count() == 0) {
+        vertices(element);
+      } else if (element.name == "face") {
+        lists(element, element.find("vertex_indices", "vertex_index"), [this](std::size_t n) { polygon(n); });
+      } else if (element.name == "tristrips") {
+        lists(element, element.find("vertex_indices", "vertex_index"), [this](std::size_t n) { strips(n); });
+      } else {
+        rows(element, [this](const PlyProperty& property, std::size_t) { skip(property); });
+      }
+    }
+  }
+
+private:
+  template <class Read>
+  void rows(const PlyElement& element, Read read) {
+    if (element.properties.empty()) return;
+    for (std::size_t i = 0; i < element.count; ++i) {
+      values_.start_row(element.name, i);
+      for (std::size_t p = 0; p < element.properties.size(); ++p) read(element.properties[p], p);
+      values_.end_row();
+      if (i % 8192 == 0) source_.report(values_.done());
+    }
+  }
+
+  void vertices(const PlyElement& element) {
+    const std::array<std::size_t, 3> axes = {element.find("x"), element.find("y"), element.find("z")};
+    for (const std::size_t axis : axes) {
+      if (axis == element.properties.size() || element.properties[axis].list_size) {
+        throw base::Error(source_.name, "element vertex lacks x, y or z", "export the model again");
+      }
+    }
+    builder_.surface().positions.reserve(element.count);
+    Point point{};
+    rows(element, [&](const PlyProperty& property, std::size_t p) {
+      const auto axis = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), p) - axes.begin());
+      if (axis == 3) {
+        skip(property);
+      } else {
+        point[axis] = values_.coordinate(property.type);
+      }
+      if (p + 1 == element.properties.size()) builder_.position(point);
+    });
+  }
+
+  template <class Take>
+  void lists(const PlyElement& element, std::size_t wanted, Take take) {
+    if (element.count > 0 && (wanted == element.properties.size() || !element.properties[wanted].list_size)) {
+      throw base::Error(source_.name, "element " + element.name + " has no list vertex_indices",
+                        "export the model again");
+    }
+    rows(element, [&](const PlyProperty& property, std::size_t p) {
+      if (p != wanted) return skip(property);
+      const std::size_t length = list_length(property);
+      index_type_ = property.type;
+      take(length);
+    });
+  }
+
+  std::size_t list_length(const PlyProperty& property) {
+    const std::int64_t length = values_.integer(*property.list_size);
+    if (length < 0 || static_cast<std::size_t>(length) > values_.most_values(property.type)) {
+      values_.fail("a list announces " + std::to_string(length) + " values, the file has room for " +
+                       std::to_string(values_.most_values(property.type)),
+                   "the file is damaged or cut short: export or copy it again");
+    }
+    return static_cast<std::size_t>(length);
+  }
+
+  void skip(const PlyProperty& property) {
+    const std::size_t count = property.list_size ? list_length(property) : 1;
+    for (std::size_t i = 0; i < count; ++i) values_.skip(property.type);
+  }
+
+  std::uint32_t checked(std::int64_t index) {
+    if (index < 0 || static_cast<std::size_t>(index) >= vertex_count_) {
+      values_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
+                       std::to_string(vertex_count_),
+                   "export the model again");
+    }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  void polygon(std::size_t corners) {
+    for (std::size_t i = 0; i < corners; ++i) builder_.corner(checked(values_.integer(index_type_)));
+    builder_.end_polygon();
+  }
+
+  // Strips of triangles, ended by -1; every second triangle runs the other way round. Repeated corners only
+  // join strips.
+  void strips(std::size_t length) {
+    std::uint32_t a = 0, b = 0;
+    std::size_t run = 0;
+    for (std::size_t i = 0; i < length; ++i) {
+      const std::int64_t index = values_.integer(index_type_);
+      if (index == -1) {
+        run = 0;
+        continue;
+      }
+      const std::uint32_t c = checked(index);
+      if (run >= 2 && a != b && b != c && a != c) triangle(run % 2 == 0 ? a : b, run % 2 == 0 ? b : a, c);
+      a = b;
+      b = c;
+      ++run;
+    }
+  }
+
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    for (const std::uint32_t v : {a, b, c}) builder_.corner(v);
+    builder_.end_polygon();
+  }
+
+  const PlyHeader& header_;
+  const Source& source_;
+  SurfaceBuilder& builder_;
+  Values values_;
+  std::size_t vertex_count_ = 0;
+  PlyType index_type_ = PlyType::int32;
+};
+
+template <class T>
+void append_little_endian(std::string& out, T value) {
+  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
+  out.append(raw.data(), raw.size());
+}
+
+}  // namespace
+
+ReadResult read_ply(const Source& source) {
+  if (!looks_like_ply(source))
+    throw base::Error(source.name, "does not start with the word ply", "check the extension");
+  SurfaceBuilder builder(source);
+  TextCursor text(source, {});
+  const PlyHeader header = read_ply_header(text, source, builder);
+  if (header.format == PlyHeader::Format::ascii) {
+    PlyBody(header, source, builder, PlyTextValues(text)).read();
+    return builder.finish("PLY ascii");
+  }
+  const bool little = header.format == PlyHeader::Format::little_endian;
+  const auto order = little ? std::endian::little : std::endian::big;
+  PlyBody(header, source, builder, PlyBinaryValues(source, text.offset(), order)).read();
+  return builder.finish(little ? "PLY binary little-endian" : "PLY binary big-endian");
+}
+
+bool looks_like_ply(const Source& source) {
+  return source.bytes.starts_with("ply") && source.bytes.size() > 3 &&
+         (source.bytes[3] == '\n' || source.bytes[3] == '\r');
+}
+
+std::string ply_bytes(const Surface& surface, const std::vector<std::string>& comments) {
+  const std::uint64_t polygons = surface.polygon_count();
+  bool large = false;  // a polygon of more than 255 corners
+  for (std::size_t p = 0; p < polygons; ++p)
+    large |= surface.polygon_starts[p + 1] - surface.polygon_starts[p] > 255;
+  TextWriter header;
+  header.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", comments);
+  header.text("element vertex ").number(std::uint64_t{surface.positions.size()});
+  header.text("\nproperty double x\nproperty double y\nproperty double z\nelement face ").number(polygons);
+  header.text(large ? "\nproperty list uint uint" : "\nproperty list uchar uint")
+      .text(" vertex_indices\nend_header\n");
+  std::string out = header.take();
+  out.reserve(out.size() + 24 * surface.positions.size() + 4 * (surface.corners.size() + polygons));
+  for (const Point& p : surface.positions) {
+    for (const double x : p) append_little_endian(out, x);
+  }
+  for (std::size_t p = 0; p < polygons; ++p) {
+    const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
+    if (large) {
+      append_little_endian(out, end - begin);
+    } else {
+      append_little_endian(out, static_cast<std::uint8_t>(end - begin));
+    }
+    for (auto c = begin; c < end; ++c) append_little_endian(out, surface.corners[c]);
+  }
+  return out;
+}
+
+}  // namespace viete::mesh

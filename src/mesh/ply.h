@@ -1,0 +1,25 @@
+// Stanford PLY, ascii and binary of either byte order.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/read.h"
+#include "mesh/source.h"
+
+namespace viete::mesh {
+
+/// Source: Greg Turk, The PLY polygon file format, 1994. Read: x, y, z of element vertex, vertex_indices or
+/// vertex_index of element face, tristrips; all other elements and properties are passed over. The counts of
+/// the header are compared with the bytes there are before any memory is taken. Throws base::Error,
+/// base::Cancelled.
+ReadResult read_ply(const Source& source);
+
+/// True if the bytes start as every PLY file must.
+bool looks_like_ply(const Source& source);
+
+/// Binary, little-endian, positions in double.
+std::string ply_bytes(const Surface& surface, const std::vector<std::string>& comments);
+
+}  // namespace viete::mesh

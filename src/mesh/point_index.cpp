@@ -1,0 +1,43 @@
+#include "mesh/point_index.h"
+
+#include <bit>
+
+namespace viete::mesh {
+
+namespace {
+
+// Mixes by multiplication with odd constants (splitmix64 finaliser, Steele et al. 2014).
+std::uint64_t hash(const Point& p) {
+  std::uint64_t h = 0;
+  for (const double x : p) {
+    h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0xbf58476d1ce4e5b9u;
+    h ^= h >> 31;
+  }
+  h *= 0x94d049bb133111ebu;
+  return h ^ h >> 31;
+}
+
+}  // namespace
+
+std::size_t PointIndex::slot_of(const Point& p, const std::vector<Point>& positions) const {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t slot = hash(p) & mask;
+  while (slots_[slot] != 0 && positions[slots_[slot] - 1] != p) slot = (slot + 1) & mask;
+  return slot;
+}
+
+void PointIndex::grow(const std::vector<Point>& positions) {
+  slots_.assign(slots_.empty() ? 1024 : 2 * slots_.size(), 0);
+  for (std::size_t v = 0; v < used_; ++v)
+    slots_[slot_of(positions[v], positions)] = static_cast<std::uint32_t>(v + 1);
+}
+
+std::uint32_t PointIndex::find_or_add(const Point& p, const std::vector<Point>& positions) {
+  if (2 * (used_ + 1) > slots_.size()) grow(positions);
+  const std::size_t slot = slot_of(p, positions);
+  if (slots_[slot] != 0) return slots_[slot] - 1;
+  slots_[slot] = static_cast<std::uint32_t>(++used_);
+  return static_cast<std::uint32_t>(used_ - 1);
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,25 @@
+// Finds a point among those seen before: a hash table over an array of positions that someone else keeps.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/surface.h"
+
+namespace viete::mesh {
+
+/// Open addressing with linear probing, at most half full.
+class PointIndex {
+public:
+  /// The index of the position with the same bits as p, or positions.size() (then the caller appends p).
+  std::uint32_t find_or_add(const Point& p, const std::vector<Point>& positions);
+
+private:
+  void grow(const std::vector<Point>& positions);
+  std::size_t slot_of(const Point& p, const std::vector<Point>& positions) const;
+
+  std::vector<std::uint32_t> slots_;  // vertex + 1, or 0 where free; the size is a power of two
+  std::size_t used_ = 0;
+};
+
+}  // namespace viete::mesh

@@ -1,0 +1,59 @@
+#include "mesh/read.h"
+
+#include <algorithm>
+#include <new>
+
+#include "base/error.h"
+#include "mesh/obj.h"
+#include "mesh/off.h"
+#include "mesh/ply.h"
+#include "mesh/stl.h"
+
+namespace viete::mesh {
+
+namespace {
+
+// Control characters that no text has.
+bool looks_binary(std::string_view bytes) {
+  bytes = bytes.substr(0, 4096);
+  return std::any_of(bytes.begin(), bytes.end(),
+                     [](unsigned char c) { return c < 32 && (c < 8 || c > 13) && c != 26 && c != 27; });
+}
+
+[[noreturn]] void refuse_unknown(const Source& source) {
+  if (source.bytes.starts_with("\xFF\xFE") || source.bytes.starts_with("\xFE\xFF")) {
+    throw base::Error(source.name, "this is UTF-16 text", "save it as UTF-8 or ASCII");
+  }
+  throw base::Error(source.name, "the content is not OBJ, PLY, OFF or STL",
+                    "export the model in one of these formats");
+}
+
+ReadResult by_extension(const Source& source) {
+  if (source.extension == "stl") return read_stl(source);
+  if (looks_binary(source.bytes)) refuse_unknown(source);
+  if (source.extension == "ply" && !looks_like_obj(source)) return read_ply(source);
+  if (source.extension == "off" && !looks_like_obj(source)) return read_off(source);
+  if (source.extension == "obj" || looks_like_obj(source)) return read_obj(source);
+  refuse_unknown(source);
+}
+
+}  // namespace
+
+ReadResult read(const Source& source) {
+  if (source.bytes.empty()) throw base::Error(source.name, "the file is empty", "export the model again");
+  try {
+    if (looks_like_ply(source)) return read_ply(source);
+    if (looks_like_stl(source)) return read_stl(source);
+    if (looks_like_off(source)) return read_off(source);
+    return by_extension(source);
+  } catch (const std::bad_alloc&) {
+    throw base::Error(source.name, "the model does not fit into memory", "reduce it or use a larger machine");
+  }
+}
+
+ReadResult read(const std::filesystem::path& path, base::Progress* progress) {
+  const FileBytes bytes(path, progress);
+  return read(Source{path.string(), extension_of(path), bytes.view(), progress});
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,30 @@
+// Reads a surface from a file of any known format.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "mesh/source.h"
+#include "mesh/surface.h"
+
+namespace viete::mesh {
+
+struct ReadResult {
+  Surface surface;
+  std::string format;                 ///< "OBJ", "PLY ascii", "PLY binary little-endian", "STL binary", ...
+  std::vector<std::string> warnings;  ///< one line each, harmless oddities worth a word, with their place
+  std::vector<std::string> comments;  ///< of the file's head, without their mark: at most 64, of 200 bytes
+};
+
+/// Format by content first, then by extension. Throws base::Error with file, place and advice; throws
+/// base::Cancelled. Never believes a size before the bytes are there: takes memory in proportion to the file.
+/// Coordinates past 1e100 are refused, so that volumes stay finite. A file without faces is read as a set of
+/// points, with a warning. progress may be null.
+ReadResult read(const std::filesystem::path& path, base::Progress* progress = nullptr);
+
+/// The same for bytes that are in memory.
+ReadResult read(const Source& source);
+
+}  // namespace viete::mesh

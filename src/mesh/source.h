@@ -1,0 +1,47 @@
+// The bytes of a file to be read: what they are called, and who is told how far reading has come.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/progress.h"
+
+namespace viete::mesh {
+
+/// What every reader is given. The bytes outlive the reading.
+struct Source {
+  std::string name;        ///< how messages call it: the path as it was given
+  std::string extension;   ///< lower case, without the dot; may be empty
+  std::string_view bytes;  ///< may hold anything
+  base::Progress* progress = nullptr;
+
+  /// Reading from disk is the first fifth, this is the rest: done in [0, 1]. Throws base::Cancelled.
+  void report(double done) const {
+    if (progress) progress->report(0.2 + 0.8 * done);
+  }
+
+  /// `name: element 12`, the place of an error in a binary file. Counted from 0.
+  std::string place(std::string_view element, std::size_t index) const;
+};
+
+/// A whole file in memory.
+class FileBytes {
+public:
+  /// Throws base::Error if there is no such file, if it is not a regular file (a pipe might never end), if it
+  /// cannot be read or does not fit into memory; throws base::Cancelled.
+  FileBytes(const std::filesystem::path& path, base::Progress* progress);
+
+  std::string_view view() const { return {bytes_.get(), size_}; }
+
+private:
+  std::unique_ptr<char[]> bytes_;
+  std::size_t size_ = 0;
+};
+
+/// The extension of a path in lower case, without the dot.
+std::string extension_of(const std::filesystem::path& path);
+
+}  // namespace viete::mesh

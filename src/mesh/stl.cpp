@@ -1,0 +1,217 @@
+#include "mesh/stl.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "base/error.h"
+#include "mesh/point_index.h"
+#include "mesh/surface_builder.h"
+#include "mesh/text_cursor.h"
+#include "mesh/text_writer.h"
+#include "mesh/vector.h"
+
+namespace viete::mesh {
+
+namespace {
+
+constexpr std::size_t head_bytes = 84, triangle_bytes = 50;
+
+std::uint32_t little_endian_word(const char* bytes) {
+  std::uint32_t value = 0;
+  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+  return value;
+}
+
+double little_endian_float(const char* bytes) {
+  return std::bit_cast<float>(little_endian_word(bytes));
+}
+
+std::uint64_t announced_bytes(const Source& source) {
+  return head_bytes + triangle_bytes * std::uint64_t{little_endian_word(source.bytes.data() + 80)};
+}
+
+bool is_exact_binary(const Source& source) {
+  return source.bytes.size() >= head_bytes && source.bytes.size() == announced_bytes(source);
+}
+
+bool starts_solid(const Source& source) {
+  TextCursor text(source, {});
+  return text.next_filled_line() && text.word() == "solid";
+}
+
+bool holds_nul(const Source& source) {
+  return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+}
+
+// Joins equal corners.
+class Corners {
+public:
+  explicit Corners(SurfaceBuilder& builder) : builder_(builder) {}
+
+  void add(Point p) {
+    for (double& x : p) x += 0.0;  // -0 becomes 0
+    const std::size_t before = builder_.vertex_count();
+    const std::uint32_t vertex = index_.find_or_add(p, builder_.surface().positions);
+    if (vertex == before) builder_.position(p);
+    builder_.corner(vertex);
+  }
+
+private:
+  SurfaceBuilder& builder_;
+  PointIndex index_;
+};
+
+std::string head_text(std::string_view head) {
+  std::string text = TextWriter::one_line(std::string(head.substr(0, head.find('\0'))));
+  return text;
+}
+
+ReadResult read_binary(const Source& source) {
+  if (source.bytes.size() < head_bytes) {
+    throw base::Error(source.name,
+                      "a binary STL has 84 bytes at least, this file " + std::to_string(source.bytes.size()),
+                      "export or copy it again");
+  }
+  const std::uint64_t needed = announced_bytes(source);
+  if (source.bytes.size() < needed) {
+    throw base::Error(source.name,
+                      "the header announces " + std::to_string((needed - head_bytes) / triangle_bytes) +
+                          " triangles, the file has room for " +
+                          std::to_string((source.bytes.size() - head_bytes) / triangle_bytes),
+                      "it seems to be cut short: export or copy it again");
+  }
+  SurfaceBuilder builder(source);
+  builder.comment(head_text(source.bytes.substr(0, 80)));
+  Corners corners(builder);
+  const std::size_t triangles = (needed - head_bytes) / triangle_bytes;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const char* const at = source.bytes.data() + head_bytes + triangle_bytes * t + 12;
+    for (int c = 0; c < 3; ++c) {
+      Point p{};
+      for (int i = 0; i < 3; ++i) p[i] = little_endian_float(at + 12 * c + 4 * i);
+      if (!std::isfinite(p[0] + p[1] + p[2])) {
+        throw base::Error(source.place("triangle", t), "a coordinate is not a finite number",
+                          "repair the triangle");
+      }
+      corners.add(p);
+    }
+    builder.end_polygon();
+    if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
+  }
+  if (source.bytes.size() > needed) {
+    builder.warn(source.name + ": passed over " + std::to_string(source.bytes.size() - needed) +
+                 " bytes behind the last triangle");
+  }
+  return builder.finish("STL binary");
+}
+
+class StlTextReader {
+public:
+  explicit StlTextReader(const Source& source)
+      : source_(source), text_(source, {}), builder_(source), corners_(builder_) {}
+
+  ReadResult read() {
+    while (text_.next_filled_line()) {
+      statement(lower(text_.word()));
+      text_.next_line();
+      if (++lines_ % 16384 == 0) source_.report(text_.done());
+    }
+    if (in_facet_)
+      text_.fail("the file ends within a facet", "it seems to be cut short: export or copy it again");
+    if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
+    return builder_.finish("STL ascii");
+  }
+
+private:
+  static std::string lower(std::string_view word) {
+    std::string text(word.substr(0, 16));
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return text;
+  }
+
+  void statement(const std::string& word) {
+    if (word == "vertex") {
+      const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
+      if (!in_facet_) text_.fail("vertex outside of a facet", "export the model again");
+      corners_.add({x, y, z});
+      ++facet_corners_;
+    } else if (word == "facet") {
+      if (in_facet_) text_.fail("facet within a facet", "export the model again");
+      in_facet_ = true;
+      facet_corners_ = 0;
+    } else if (word == "endfacet") {
+      end_facet();
+    } else if (word == "solid") {
+      builder_.comment(text_.rest_of_line());
+    } else if (word == "endsolid") {
+      ended_ = true;
+    } else if (word != "outer" && word != "endloop") {
+      text_.fail(in_quotes(word) + " is not a word of STL", "export the model again");
+    }
+    if (word != "endsolid") ended_ = false;
+  }
+
+  void end_facet() {
+    if (!in_facet_ || facet_corners_ != 3) {
+      text_.fail("facet with " + std::to_string(facet_corners_) + " corners instead of 3",
+                 "export the model again");
+    }
+    builder_.end_polygon();
+    in_facet_ = false;
+  }
+
+  const Source& source_;
+  TextCursor text_;
+  SurfaceBuilder builder_;
+  Corners corners_;
+  std::size_t lines_ = 0;
+  int facet_corners_ = 0;
+  bool in_facet_ = false, ended_ = false;
+};
+
+// For the normal that STL wants; zero if there is no area.
+Point unit_normal(const Point& a, const Point& b, const Point& c) {
+  Point u = minus(b, a), v = minus(c, a);
+  double scale = 0;
+  for (const double x : {u[0], u[1], u[2], v[0], v[1], v[2]}) scale = std::max(scale, std::abs(x));
+  if (scale == 0) return {0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    u[i] /= scale;
+    v[i] /= scale;
+  }
+  Point n = cross(u, v);
+  const double size = length(n);
+  if (size == 0) return {0, 0, 0};
+  for (double& x : n) x /= size;
+  return n;
+}
+
+}  // namespace
+
+ReadResult read_stl(const Source& source) {
+  if (is_exact_binary(source)) return read_binary(source);
+  if (starts_solid(source) && !holds_nul(source)) return StlTextReader(source).read();
+  return read_binary(source);
+}
+
+bool looks_like_stl(const Source& source) {
+  return is_exact_binary(source) || starts_solid(source);
+}
+
+std::string stl_bytes(const Surface& surface, const std::vector<std::string>& comments) {
+  TextWriter out;
+  out.text("solid ").text(comments.empty() ? "surface" : TextWriter::one_line(comments.front())).text("\n");
+  for (const Triangle& t : surface.triangles) {
+    const Point &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
+    out.text(" facet normal ").point(unit_normal(a, b, c)).text("\n  outer loop\n");
+    for (const Point& p : {a, b, c}) out.text("   vertex ").point(p).text("\n");
+    out.text("  endloop\n endfacet\n");
+  }
+  out.text("endsolid\n");
+  return out.take();
+}
+
+}  // namespace viete::mesh

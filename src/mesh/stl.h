@@ -1,0 +1,25 @@
+// STL, text and binary: loose triangles, joined where their corners are equal.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/read.h"
+#include "mesh/source.h"
+
+namespace viete::mesh {
+
+/// Source: 3D Systems, StereoLithography Interface Specification, 1989. Corners with equal coordinates become
+/// one vertex (0 and -0 are equal); vertices stand in the order of their first occurrence. Normals and
+/// attributes are passed over. Throws base::Error, base::Cancelled.
+ReadResult read_stl(const Source& source);
+
+/// True if the size is exactly what the triangle count of a binary STL asks for, or if the text starts with
+/// solid.
+bool looks_like_stl(const Source& source);
+
+/// Text, because binary STL would round the positions to float. Keeps triangles only: unused vertices are
+/// lost.
+std::string stl_bytes(const Surface& surface, const std::vector<std::string>& comments);
+
+}  // namespace viete::mesh

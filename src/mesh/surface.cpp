@@ -1,0 +1,76 @@
+#include "mesh/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace viete::mesh {
+
+namespace {
+
+void extend(Bounds& box, const Point& p) {
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = std::min(box.low[i], p[i]);
+    box.high[i] = std::max(box.high[i], p[i]);
+  }
+}
+
+}  // namespace
+
+void fan_triangulate(Surface& surface) {
+  const std::size_t polygons = surface.polygon_count();
+  const std::size_t triangles = surface.corners.size() - std::min(surface.corners.size(), 2 * polygons);
+  surface.triangles.clear();
+  surface.triangles.reserve(triangles);
+  surface.triangle_polygon.clear();
+  surface.triangle_polygon.reserve(triangles);
+  for (std::size_t p = 0; p < polygons; ++p) {
+    const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
+    for (std::uint32_t c = begin + 2; c < end; ++c) {
+      surface.triangles.push_back({surface.corners[begin], surface.corners[c - 1], surface.corners[c]});
+      surface.triangle_polygon.push_back(static_cast<std::uint32_t>(p));
+    }
+  }
+}
+
+Surface from_triangles(std::vector<Point> positions, const std::vector<Triangle>& triangles) {
+  Surface surface;
+  surface.positions = std::move(positions);
+  surface.triangles = triangles;
+  surface.corners.reserve(3 * triangles.size());
+  surface.polygon_starts.reserve(triangles.size() + 1);
+  surface.polygon_starts.push_back(0);
+  for (const Triangle& t : triangles) {
+    surface.corners.insert(surface.corners.end(), t.begin(), t.end());
+    surface.polygon_starts.push_back(static_cast<std::uint32_t>(surface.corners.size()));
+  }
+  surface.triangle_polygon.resize(triangles.size());
+  std::iota(surface.triangle_polygon.begin(), surface.triangle_polygon.end(), 0u);
+  return surface;
+}
+
+Point Bounds::center() const {
+  return {0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1], 0.5 * low[2] + 0.5 * high[2]};
+}
+
+double Bounds::diagonal() const {
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+Bounds bounds(const std::vector<Point>& positions) {
+  if (positions.empty()) return {};
+  Bounds box{positions[0], positions[0]};
+  for (const Point& p : positions) extend(box, p);
+  return box;
+}
+
+Bounds used_bounds(const Surface& surface) {
+  if (surface.corners.empty()) return bounds(surface.positions);
+  const Point& first = surface.positions[surface.corners[0]];
+  Bounds box{first, first};
+  for (const std::uint32_t v : surface.corners) extend(box, surface.positions[v]);
+  return box;
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,53 @@
+// A polygon surface as flat arrays: what every reader fills and every later stage reads.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace viete::mesh {
+
+using Point = std::array<double, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Such a triangle has no area and no proper edges.
+inline bool repeats_corner(const Triangle& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+/// Positions in the file's order and full precision; polygons as the file has them; triangles for work.
+/// Invariants (kept by the readers): every index < positions.size(); every position finite; triangles are the
+/// fans of the polygons about their first corner, in order, so that polygon p with n corners gives n - 2 of
+/// them.
+struct Surface {
+  std::vector<Point> positions;
+  std::vector<std::uint32_t> corners;  ///< of one polygon after the other, counter-clockwise from outside
+  std::vector<std::uint32_t> polygon_starts;  ///< p owns corners [starts[p], starts[p + 1])
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> triangle_polygon;  ///< the polygon that each triangle was cut from
+
+  std::size_t polygon_count() const { return polygon_starts.empty() ? 0 : polygon_starts.size() - 1; }
+};
+
+/// Fills triangles and triangle_polygon from corners and polygon_starts.
+void fan_triangulate(Surface& surface);
+
+/// A surface of triangles only (polygons = triangles).
+Surface from_triangles(std::vector<Point> positions, const std::vector<Triangle>& triangles);
+
+/// The smallest axis-parallel box. An empty set of points gives the box (0,0,0)-(0,0,0).
+struct Bounds {
+  Point low{0, 0, 0}, high{0, 0, 0};
+
+  Point center() const;
+  double diagonal() const;
+};
+
+Bounds bounds(const std::vector<Point>& positions);
+
+/// The box of the vertices that a polygon uses (stray vertices do not count); of all vertices if there is no
+/// polygon.
+Bounds used_bounds(const Surface& surface);
+
+}  // namespace viete::mesh

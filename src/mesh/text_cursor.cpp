@@ -1,0 +1,186 @@
+#include "mesh/text_cursor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace viete::mesh {
+
+namespace {
+
+// Of a decimal number that double cannot hold: is it too small, rather than too large? (std::from_chars does
+// not say.)
+bool is_tiny(std::string_view number) {
+  long magnitude = 0;  // decimal exponent of the first digit that is not 0
+  bool past_point = false, past_zeros = false;
+  std::size_t i = 0;
+  for (; i < number.size() && number[i] != 'e' && number[i] != 'E'; ++i) {
+    if (number[i] == '.') past_point = true;
+    if (number[i] >= '1' && number[i] <= '9') past_zeros = true;
+    if (number[i] >= '0' && number[i] <= '9' && past_point != past_zeros) magnitude += past_point ? -1 : 1;
+  }
+  const std::string_view exponent = number.substr(std::min(i + 1, number.size()));
+  if (exponent.empty()) return magnitude < 0;
+  const char* const digits = exponent.data() + (exponent.front() == '+' ? 1 : 0);
+  int value = 0;
+  const auto code = std::from_chars(digits, exponent.data() + exponent.size(), value).ec;
+  return code == std::errc() ? magnitude + value < 0 : exponent.front() == '-';
+}
+
+}  // namespace
+
+TextCursor::TextCursor(const Source& source, TextRules rules)
+    : name_(source.name),
+      rules_(rules),
+      begin_(source.bytes.data()),
+      at_(begin_),
+      end_(begin_ + source.bytes.size()) {
+  if (source.bytes.starts_with("\xEF\xBB\xBF")) at_ += 3;
+}
+
+std::size_t TextCursor::continuation_length() const {
+  if (end_ - at_ > 1 && at_[1] == '\n') return 2;
+  if (end_ - at_ > 2 && at_[1] == '\r' && at_[2] == '\n') return 3;
+  return 0;
+}
+
+void TextCursor::next_line() {
+  while (at_ != end_ && *at_ != '\n' && *at_ != '\r') ++at_;
+  if (at_ == end_) return;
+  if (*at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n') ++at_;
+  ++at_;
+  ++line_;
+}
+
+bool TextCursor::next_filled_line() {
+  while (at_line_end()) {
+    if (at_ == end_) return false;
+    next_line();
+  }
+  return true;
+}
+
+void TextCursor::need_word(std::string_view what) {
+  if (!next_filled_line()) {
+    fail("the file ends before " + std::string(what), "it seems to be cut short: export or copy it again");
+  }
+}
+
+std::string_view TextCursor::word() {
+  if (at_line_end()) return {};
+  return rest_of_word();
+}
+
+std::string_view TextCursor::rest_of_word() {
+  const char* const from = at_;
+  while (!ends_word(at_)) ++at_;
+  if (at_ == from && at_ != end_ && *at_ == '\\') ++at_;  // a backslash that continues nothing
+  return {from, static_cast<std::size_t>(at_ - from)};
+}
+
+std::string_view TextCursor::rest_of_line() {
+  skip_blanks();
+  const char* const from = at_;
+  const char* last = at_;
+  for (; at_ != end_ && *at_ != '\n' && *at_ != '\r'; ++at_) {
+    if (!is_blank(*at_)) last = at_ + 1;
+  }
+  return {from, static_cast<std::size_t>(last - from)};
+}
+
+double TextCursor::coordinate() {
+  if (at_line_end()) fail("a coordinate is missing", "every vertex needs x, y and z");
+  const char* const from = at_;
+  double value = 0;
+  const auto [to, code] = std::from_chars(from, end_, value);
+  if (code == std::errc() && ends_word(to)) {
+    at_ = to;
+  } else {
+    value = unusual_number(from);
+  }
+  if (!(std::abs(value) <= 1e100)) {
+    at_ = from;
+    fail("coordinate " + in_quotes(rest_of_word()) + " is not a finite number up to 1e100",
+         "repair the vertex");
+  }
+  return value;
+}
+
+// A plus sign, which from_chars does not take; a number too small for double, which is 0; or not a number.
+double TextCursor::unusual_number(const char* from) {
+  const bool plus = *from == '+' && end_ - from > 1 && from[1] != '-';
+  double value = 0;
+  const auto [to, code] = std::from_chars(from + (plus ? 1 : 0), end_, value);
+  if ((code == std::errc() || code == std::errc::result_out_of_range) && ends_word(to)) {
+    at_ = to;
+    if (code == std::errc()) return value;
+    return is_tiny({from, static_cast<std::size_t>(to - from)}) ? 0.0 : HUGE_VAL;
+  }
+  const std::string_view text = rest_of_word();
+  const bool comma = text.find(',') != std::string_view::npos;
+  fail(in_quotes(text) + " is not a number",
+       comma ? "write decimals with a point" : "repair or export the file again");
+}
+
+std::int64_t TextCursor::leading_integer(std::string_view what) {
+  if (at_line_end()) fail("a " + std::string(what) + " is missing", "repair or export the file again");
+  const char* const from = at_ + (*at_ == '+' ? 1 : 0);
+  std::int64_t value = 0;
+  const auto [to, code] = std::from_chars(from, end_, value);
+  if (code == std::errc::result_out_of_range) {
+    fail(std::string(what) + " " + in_quotes(rest_of_word()) + " is too large",
+         "repair or export the file again");
+  }
+  if (code != std::errc()) {
+    fail(in_quotes(rest_of_word()) + " is not a " + std::string(what), "repair or export the file again");
+  }
+  at_ = to;
+  return value;
+}
+
+std::int64_t TextCursor::integer(std::string_view what) {
+  const std::int64_t value = leading_integer(what);
+  if (!ends_word(at_)) {
+    fail(std::to_string(value) + std::string(rest_of_word().substr(0, 16)) + " is not a " + std::string(what),
+         "repair or export the file again");
+  }
+  return value;
+}
+
+std::string TextCursor::place() const {
+  return place(line_);
+}
+
+std::string TextCursor::place(std::size_t line) const {
+  return std::string(name_) + ":" + std::to_string(line);
+}
+
+void TextCursor::fail(const std::string& problem, const std::string& advice) const {
+  throw base::Error(place(), problem, advice);
+}
+
+std::string in_quotes(std::string_view word) {
+  constexpr std::size_t most = 32;
+  std::string text(1, '"');
+  text.append(word.substr(0, most)).append(word.size() > most ? "...\"" : "\"");
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 32 || c >= 127; }, '?');
+  return text;
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string clipped(std::string_view comment) {
+  const std::size_t from = std::min(comment.find_first_not_of("# \t"), comment.size());
+  comment = comment.substr(from);
+  if (comment.size() <= 200) return std::string(comment);
+  std::size_t size = 200;
+  while (size > 0 && (static_cast<unsigned char>(comment[size]) & 0xC0) == 0x80)
+    --size;  // not inside a character
+  return std::string(comment.substr(0, size));
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,93 @@
+#include "mesh/topology.h"
+
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+#include <algorithm>
+#include <iterator>
+#include <mutex>
+
+namespace viete::mesh {
+
+namespace {
+
+using HalfEdges = OpenMesh::TriConnectivity;
+
+// OpenMesh tells the terminal about each face that it refuses; we tell the caller.
+void silence_openmesh() {
+  static std::once_flag once;
+  std::call_once(once, [] { ::omerr().disable(); });
+}
+
+bool repeats_corner(const Triangle& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+// False if a face does not fit.
+bool build(const Surface& surface, HalfEdges& mesh) {
+  mesh.reserve(surface.positions.size(), 3 * surface.triangles.size() / 2, surface.triangles.size());
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) mesh.add_vertex();
+  for (const Triangle& t : surface.triangles) {
+    if (repeats_corner(t)) return false;
+    const OpenMesh::VertexHandle corners[3] = {HalfEdges::VertexHandle(static_cast<int>(t[0])),
+                                               HalfEdges::VertexHandle(static_cast<int>(t[1])),
+                                               HalfEdges::VertexHandle(static_cast<int>(t[2]))};
+    if (!mesh.add_face(corners, 3).is_valid()) return false;
+  }
+  return true;
+}
+
+// OpenMesh takes two fans that touch at a vertex: if they are open it links them, if both came to be closed
+// it forgets one, and then walking around the vertex misses triangles.
+bool one_fan_each(const Surface& surface, const HalfEdges& mesh) {
+  std::vector<std::ptrdiff_t> expected(surface.positions.size(), 0);
+  for (const Triangle& t : surface.triangles) {
+    for (const std::uint32_t v : t) ++expected[v];
+  }
+  return std::all_of(mesh.vertices_begin(), mesh.vertices_end(), [&](const OpenMesh::VertexHandle v) {
+    if (mesh.is_isolated(v)) return expected[static_cast<std::size_t>(v.idx())] == 0;
+    return mesh.is_manifold(v) &&
+           std::distance(mesh.cvf_begin(v), mesh.cvf_end(v)) == expected[static_cast<std::size_t>(v.idx())];
+  });
+}
+
+std::vector<std::uint32_t> loop_from(const HalfEdges& mesh, HalfEdges::HalfedgeHandle start,
+                                     std::vector<bool>& seen) {
+  std::vector<std::uint32_t> loop;
+  for (auto h = start; !seen[h.idx()]; h = mesh.next_halfedge_handle(h)) {
+    seen[h.idx()] = true;
+    loop.push_back(static_cast<std::uint32_t>(mesh.from_vertex_handle(h).idx()));
+  }
+  std::reverse(loop.begin(), loop.end());  // half-edges of a hole keep the hole on their left
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  return loop;
+}
+
+std::vector<std::vector<std::uint32_t>> boundary_loops(const HalfEdges& mesh) {
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<bool> seen(mesh.n_halfedges(), false);
+  for (auto h = mesh.halfedges_begin(); h != mesh.halfedges_end(); ++h) {
+    if (mesh.is_boundary(*h) && !seen[h->idx()]) loops.push_back(loop_from(mesh, *h, seen));
+  }
+  std::sort(loops.begin(), loops.end());
+  return loops;
+}
+
+}  // namespace
+
+std::optional<Topology> topology(const Surface& surface, const Facts& facts) {
+  if (!facts.manifold() || !facts.oriented()) return std::nullopt;
+  silence_openmesh();
+  HalfEdges mesh;
+  if (!build(surface, mesh) || !one_fan_each(surface, mesh)) return std::nullopt;
+  Topology topology;
+  topology.boundary_loops = boundary_loops(mesh);
+  const auto used = static_cast<std::ptrdiff_t>(facts.vertices - facts.unused_vertices.size());
+  topology.euler =
+      used - static_cast<std::ptrdiff_t>(mesh.n_edges()) + static_cast<std::ptrdiff_t>(mesh.n_faces());
+  const auto loops = static_cast<std::ptrdiff_t>(topology.boundary_loops.size());
+  topology.genus =
+      static_cast<std::size_t>((2 * static_cast<std::ptrdiff_t>(facts.parts) - loops - topology.euler) / 2);
+  return topology;
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,20 @@
+// Writes a surface to a file; the extension chooses the format.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mesh/surface.h"
+
+namespace viete::mesh {
+
+/// OBJ and OFF as text and PLY as binary with positions in double: polygons and vertices as they are, read
+/// back with the same bits (text carries the shortest digits, 17 at most, that do so). STL as text: exact
+/// triangles, but no polygons and no unused vertices. Comments stand at the head, one line each (STL: the
+/// first as its name). Atomic: writes beside the target, syncs, renames; a failure leaves an existing file as
+/// it was. Throws base::Error (an unknown extension lists the known ones).
+void write(const std::filesystem::path& path, const Surface& surface,
+           const std::vector<std::string>& comments = {});
+
+}  // namespace viete::mesh

@@ -1,0 +1,45 @@
+// Background gradient and ground grid.
+#pragma once
+
+#include "render/gl_objects.h"
+#include "render/program.h"
+#include "render/view.h"
+
+namespace viete::render {
+
+/// A vertical gradient over the whole target, dithered so that it does not band. Draw first; ignores depth.
+class Backdrop {
+public:
+  explicit Backdrop(const Gl& gl);
+  void draw(const Theme& theme) const;
+
+private:
+  const Gl& gl_;
+  Program program_;
+  VertexArray vertex_array_;
+};
+
+/// Where the ground lies and how wide its cells are, in the caller's world.
+struct GridStyle {
+  Point center{0, 0, 0};  ///< a point of the ground below the model; the grid fades out around it; lines pass
+                          ///< through world 0
+  double cell = 1;        ///< distance of fine lines; every tenth one is stronger
+  double radius = 10;     ///< distance from center at which the grid has faded out
+  int up = 1;             ///< axis that points up: 0 x, 1 y, 2 z
+  float opacity = 1;
+};
+
+/// A plane of fine lines of constant width, faded by distance and at grazing angles. Draw after the surface:
+/// it is tested against depth but writes none.
+class Grid {
+public:
+  explicit Grid(const Gl& gl);
+  void draw(const View& view, const Theme& theme, const GridStyle& style) const;
+
+private:
+  const Gl& gl_;
+  Program program_;
+  VertexArray vertex_array_;
+};
+
+}  // namespace viete::render

@@ -1,0 +1,34 @@
+# cmake -DOUTPUT=x.cpp -DSHADERS="a.vert;b.frag" -P embed_shaders.cmake: shader files as one C++ table of texts.
+set(rows "")
+foreach(path IN LISTS SHADERS)
+  get_filename_component(name "${path}" NAME)
+  file(READ "${path}" text)
+  string(APPEND rows "    {\"${name}\", R\"GLSL(${text})GLSL\"},\n")
+endforeach()
+file(WRITE "${OUTPUT}" "// Made by embed_shaders.cmake from the files in shaders/.
+#include \"render/program.h\"
+
+#include \"base/error.h\"
+
+namespace viete::render {
+
+namespace {
+
+struct ShaderFile {
+  std::string_view name, text;
+};
+
+constexpr ShaderFile files[] = {
+${rows}};
+
+}  // namespace
+
+std::string_view shader_text(std::string_view file) {
+  for (const ShaderFile& entry : files) {
+    if (entry.name == file) return entry.text;
+  }
+  throw base::Error(std::string(file), \"no shader of this name is embedded\");
+}
+
+}  // namespace viete::render
+")

@@ -1,0 +1,123 @@
+#include "render/framebuffer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "base/error.h"
+
+namespace viete::render {
+
+namespace {
+
+std::string size_text(glm::ivec2 size) {
+  return std::to_string(size.x) + " x " + std::to_string(size.y);
+}
+
+void require_supported(const Gl& gl, glm::ivec2 size) {
+  GLint limit = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  if (size.x <= limit && size.y <= limit) return;
+  throw base::Error(
+      "picture", size_text(size) + " pixels is more than the driver's " + std::to_string(limit) + " a side",
+      "ask for a smaller size or scale");
+}
+
+}  // namespace
+
+Framebuffer::Framebuffer(const Gl& gl)
+    : gl_(gl),
+      resolved_(gl),
+      multisampled_(gl),
+      color_(gl),
+      depth_(gl),
+      sample_color_(gl),
+      sample_depth_(gl) {}
+
+void Framebuffer::begin(glm::ivec2 size, int samples) {
+  size = glm::max(size, glm::ivec2(1));
+  samples = std::min(samples, gl_.max_samples);
+  if (samples < 2) samples = 0;
+  if (size != size_ || samples != samples_) allocate(size, samples);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, samples_ > 0 ? multisampled_.id() : resolved_.id());
+  gl_.Viewport(0, 0, size_.x, size_.y);
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.DepthMask(GL_TRUE);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.ClearColor(0, 0, 0, 1);
+  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Framebuffer::allocate(glm::ivec2 size, int samples) {
+  require_supported(gl_, size);
+  size_ = {0, 0};  // if anything below throws, the next begin() tries again
+  samples_ = samples;
+  gl_.BindTexture(GL_TEXTURE_2D, color_.id());
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH_COMPONENT24, size.x, size.y);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.id(), 0);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+  require_complete("picture", size);
+  if (samples > 0) allocate_multisampled(size);
+  size_ = size;
+}
+
+void Framebuffer::allocate_multisampled(glm::ivec2 size) {
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, sample_color_.id());
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, size.x, size.y);
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, sample_depth_.id());
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, size.x, size.y);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, sample_color_.id());
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sample_depth_.id());
+  require_complete("multisampled picture", size);
+}
+
+void Framebuffer::require_complete(const char* what, glm::ivec2 size) const {
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+  throw base::Error(what, "the driver refuses a target of " + size_text(size) + " pixels",
+                    "ask for a smaller size or fewer samples");
+}
+
+void Framebuffer::resolve() {
+  if (samples_ > 0) {
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.id());
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
+    gl_.BlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
+  debug_check_gl(gl_, "resolve");
+}
+
+void Framebuffer::blit_to_window(glm::ivec2 window_size) {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  const GLenum filter = window_size == size_ ? GL_NEAREST : GL_LINEAR;
+  gl_.BlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, window_size.x, window_size.y, GL_COLOR_BUFFER_BIT,
+                      filter);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  debug_check_gl(gl_, "blit to window");
+}
+
+Image Framebuffer::read() {
+  const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
+  std::vector<std::uint8_t> bottom_up(row * size_.y);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_.ReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, bottom_up.data());
+  check_gl(gl_, "reading the picture");
+
+  Image image{size_.x, size_.y, std::vector<std::uint8_t>(bottom_up.size())};
+  for (int y = 0; y < size_.y; ++y) {
+    std::memcpy(&image.rgba[row * y], &bottom_up[row * (size_.y - 1 - y)], row);
+  }
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  return image;
+}
+
+}  // namespace viete::render

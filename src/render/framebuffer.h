@@ -1,0 +1,47 @@
+// Our own render target: multisampled when asked, resolved to a texture, read back or copied to the window.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "render/gl.h"
+#include "render/gl_objects.h"
+#include "render/image.h"
+
+namespace viete::render {
+
+/// Window, OSMesa and EGL all draw in here, which is what makes their pictures the same. Re-made only when
+/// size or samples change. Colour is RGBA8 as displayed (no sRGB conversion by GL), depth 24 bits.
+class Framebuffer {
+public:
+  explicit Framebuffer(const Gl& gl);
+
+  /// Binds the target and clears it to opaque black, depth 1. samples is clamped to GL_MAX_SAMPLES; below 2
+  /// means none. size is in device pixels and is raised to at least 1 x 1. Throws base::Error if the driver
+  /// refuses the size.
+  void begin(glm::ivec2 size, int samples);
+  /// Turns samples into pixels (nothing to do without multisampling) and binds the result, still open for
+  /// drawing.
+  void resolve();
+  /// Copies the resolved picture to the default framebuffer of the current context and leaves that bound.
+  void blit_to_window(glm::ivec2 window_size);
+  /// The resolved picture, top row first, alpha 255.
+  Image read();
+
+  glm::ivec2 size() const { return size_; }
+  int samples() const { return samples_; }        ///< 0 without multisampling
+  GLuint texture() const { return color_.id(); }  ///< the resolved picture, bottom row first
+
+private:
+  void allocate(glm::ivec2 size, int samples);
+  void allocate_multisampled(glm::ivec2 size);
+  void require_complete(const char* what, glm::ivec2 size) const;
+
+  const Gl& gl_;
+  FramebufferObject resolved_, multisampled_;
+  Texture color_;
+  Renderbuffer depth_, sample_color_, sample_depth_;
+  glm::ivec2 size_{0, 0};
+  int samples_ = 0;
+};
+
+}  // namespace viete::render

@@ -1,0 +1,66 @@
+// OpenGL 3.3 core entry points, looked up at run time: no GL library is linked.
+#pragma once
+
+#if defined(__gl_h_)
+#error "GL/gl.h was included first: define GLFW_INCLUDE_NONE"
+#endif
+#define GL_GLEXT_PROTOTYPES 1
+#include <GL/glcorearb.h>
+
+#include <functional>
+#include <string>
+
+namespace viete::render {
+
+/// The entry points that the program calls. Calling glFoo instead of gl.Foo does not link, which is wanted.
+// clang-format off
+#define VIETE_GL_FUNCTIONS(X) \
+  X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) \
+  X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendFuncSeparate) \
+  X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) \
+  X(ClearColor) X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) \
+  X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteRenderbuffers) X(DeleteShader) \
+  X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(Disable) X(DrawArrays) \
+  X(DrawElements) X(DrawElementsBaseVertex) X(Enable) \
+  X(EnableVertexAttribArray) X(Finish) X(FramebufferRenderbuffer) X(FramebufferTexture2D) \
+  X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenTextures) X(GenVertexArrays) \
+  X(GetError) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) \
+  X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(MapBufferRange) \
+  X(PixelStorei) X(PolygonOffset) X(ReadPixels) X(RenderbufferStorageMultisample) \
+  X(Scissor) X(ShaderSource) X(TexBuffer) X(TexImage2D) X(TexParameteri) X(Uniform1f) X(Uniform1i) \
+  X(Uniform2f) X(Uniform3f) X(Uniform4f) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UnmapBuffer) \
+  X(UseProgram) X(VertexAttribPointer) X(Viewport)
+// clang-format on
+
+using Proc = void (*)();
+/// Answers an entry point by its full name ("glClear") or null; needs a current context.
+using GetProc = std::function<Proc(const char*)>;
+
+/// The functions of one context: made once after the context is current, then passed by reference to
+/// everything that draws, which keeps the reference. Use only in the thread where that context is current.
+struct Gl {
+#define X(name) decltype(&::gl##name) name = nullptr;
+  VIETE_GL_FUNCTIONS(X)
+#undef X
+  std::string renderer;    ///< GL_RENDERER, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string version;     ///< GL_VERSION
+  int max_samples = 1;     ///< GL_MAX_SAMPLES
+  int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE: bounds 3 x triangles and 2 x vertices of a surface
+  bool software =
+      false;  ///< a CPU rasteriser (llvmpipe, softpipe, swrast): draw without multisampling in a window
+};
+
+/// Throws base::Error naming the first missing entry point, or the version found when it is below 3.3.
+Gl load_gl(const GetProc& get);
+
+/// Throws base::Error naming `where` if GL has recorded an error since the last call.
+void check_gl(const Gl& gl, const char* where);
+
+/// The same in debug builds; nothing in release builds, where it would stall the pipeline.
+inline void debug_check_gl([[maybe_unused]] const Gl& gl, [[maybe_unused]] const char* where) {
+#ifndef NDEBUG
+  check_gl(gl, where);
+#endif
+}
+
+}  // namespace viete::render

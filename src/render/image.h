@@ -1,0 +1,33 @@
+// A picture in memory: PNG files in and out, and how much two pictures differ.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace viete::render {
+
+using Rgba8 = std::array<std::uint8_t, 4>;
+
+/// Top row first, 4 bytes a pixel, display values (sRGB), alpha not premultiplied.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;  ///< 4 * width * height bytes
+
+  /// x in [0, width) from the left, y in [0, height) from the top.
+  Rgba8 pixel(int x, int y) const;
+};
+
+/// Writes beside the file, syncs and renames, so that the file is whole or untouched. Throws base::Error.
+void write_png(const std::filesystem::path& path, const Image& image);
+
+/// Throws base::Error if the file is missing, is no PNG, or is larger than 16384 pixels a side.
+Image read_png(const std::filesystem::path& path);
+
+/// The share of pixels (0 to 1) with a channel (r, g, b or a) that differs by more than `tolerance` levels.
+/// Throws base::Error if the sizes differ.
+double difference(const Image& a, const Image& b, int tolerance);
+
+}  // namespace viete::render

@@ -1,0 +1,63 @@
+#include "render/palette.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "render/view.h"
+
+namespace viete::render {
+
+namespace {
+
+float to_linear(float c) {
+  return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
+}
+float to_display(float c) {
+  c = std::clamp(c, 0.0F, 1.0F);
+  return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
+}
+
+// The two matrices of Oklab (columns of GLM are the columns of the published rows, transposed).
+const glm::mat3 cone_from_rgb = glm::transpose(glm::mat3(0.4122214708F, 0.5363325363F, 0.0514459929F,  //
+                                                         0.2119034982F, 0.6806995451F, 0.1073969566F,  //
+                                                         0.0883024619F, 0.2817188376F, 0.6299787005F));
+const glm::mat3 lab_from_root = glm::transpose(glm::mat3(0.2104542553F, 0.7936177850F, -0.0040720468F,  //
+                                                         1.9779984951F, -2.4285922050F, 0.4505937099F,  //
+                                                         0.0259040371F, 0.7827717662F, -0.8086757660F));
+
+glm::vec3 to_oklab(const glm::vec3& display) {
+  const glm::vec3 linear(to_linear(display.x), to_linear(display.y), to_linear(display.z));
+  const glm::vec3 cone = cone_from_rgb * linear;
+  return lab_from_root * glm::vec3(std::cbrt(cone.x), std::cbrt(cone.y), std::cbrt(cone.z));
+}
+
+glm::vec3 from_oklab(const glm::vec3& lab) {
+  const glm::vec3 root = glm::inverse(lab_from_root) * lab;
+  const glm::vec3 linear = glm::inverse(cone_from_rgb) * (root * root * root);
+  return {to_display(linear.x), to_display(linear.y), to_display(linear.z)};
+}
+
+}  // namespace
+
+std::vector<glm::vec3> blend_palette(const std::vector<glm::vec3>& keys, int count) {
+  std::vector<glm::vec3> colors;
+  for (int i = 0; i < count; ++i) {
+    const float at =
+        static_cast<float>(i) / static_cast<float>(count - 1) * static_cast<float>(keys.size() - 1);
+    const std::size_t key = std::min(static_cast<std::size_t>(at), keys.size() - 2);
+    colors.push_back(
+        from_oklab(glm::mix(to_oklab(keys[key]), to_oklab(keys[key + 1]), at - static_cast<float>(key))));
+  }
+  return colors;
+}
+
+std::vector<glm::vec3> sequential_palette(int count) {
+  return blend_palette({rgb(0x0c2752), rgb(0x4a5270), rgb(0x7d7b78), rgb(0xb6a667), rgb(0xf7df4e)}, count);
+}
+
+std::vector<glm::vec3> diverging_palette(int count) {
+  return blend_palette({rgb(0x1f4e9c), rgb(0x7fa8d8), rgb(0xf2f2f0), rgb(0xe8a869), rgb(0xa84a0b)}, count);
+}
+
+}  // namespace viete::render

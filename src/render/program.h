@@ -1,0 +1,47 @@
+// A linked shader program from the embedded texts of shaders/.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "render/gl.h"
+
+namespace viete::render {
+
+/// The text of an embedded shader by file name ("surface.vert"). Throws base::Error if there is none.
+std::string_view shader_text(std::string_view file);
+
+/// A vertex and a fragment shader, compiled and linked. set() needs use() first and ignores names that the
+/// compiler removed.
+class Program {
+public:
+  /// Texts from shaders/`name`.vert and shaders/`name`.frag, with `defines` ("#define A\n") after their
+  /// version line. Throws base::Error with the file name and the compiler's message ("surface.frag: 0:12(3):
+  /// error: ...").
+  Program(const Gl& gl, const std::string& name, const std::string& defines = "");
+  /// Texts given; `name` is used in messages only.
+  Program(const Gl& gl, const std::string& name, std::string_view vertex, std::string_view fragment);
+  Program(Program&& other) noexcept;
+  Program& operator=(Program&&) = delete;
+  ~Program();
+
+  void use() const;
+  void set(const char* name, int value) const;
+  void set(const char* name, float value) const;
+  void set(const char* name, const glm::vec2& value) const;
+  void set(const char* name, const glm::vec3& value) const;
+  void set(const char* name, const glm::vec4& value) const;
+  void set(const char* name, const glm::mat3& value) const;
+  void set(const char* name, const glm::mat4& value) const;
+
+private:
+  int location(const char* name) const;
+
+  const Gl& gl_;
+  GLuint id_ = 0;
+  mutable std::unordered_map<std::string, int> locations_;
+};
+
+}  // namespace viete::render

@@ -1,0 +1,72 @@
+// The lit model: triangles with smooth normals, optional wireframe, occlusion and colours.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/gl_objects.h"
+#include "render/program.h"
+#include "render/view.h"
+
+namespace viete::render {
+
+struct SurfaceStyle {
+  /// The surface is closed and wound outwards: backs are skipped, which more than halves the time of
+  /// this layer on a software rasteriser. Where a deformation has turned a part inside out, one then looks
+  /// through it.
+  bool closed = false;
+  float wireframe = 0;   ///< opacity of triangle edges, 0 = none; 0.3 is a good hint. Fades on tiny triangles
+  float wire_width = 1;  ///< logical pixels
+  float occlusion = 1;   ///< how much of the baked darkening is used, 0 to 1
+  bool scalars = false;  ///< colour by set_scalars() through set_palette() instead of theme.model
+  float scalar_low = 0;  ///< the scalar at the first palette colour
+  float scalar_high = 1;  ///< the scalar at the last palette colour
+};
+
+/// Not thread-safe. All spans are copied. Throws base::Error if a size does not fit the vertex count, or a
+/// triangle names a vertex that is not there.
+class SurfaceLayer {
+public:
+  explicit SurfaceLayer(const Gl& gl);
+
+  /// New topology: forgets positions, occlusion and scalars. The front is where corners run
+  /// counter-clockwise; backs are lit too.
+  void set_triangles(std::span<const Triangle> triangles, std::size_t vertex_count);
+  /// Every frame: unit normals, both in the caller's world, sizes equal to the vertex count. Non-finite
+  /// vertices are put at the first finite one.
+  void set_positions(std::span<const Point> positions, std::span<const Point> normals);
+  /// Per vertex 0 (dark) to 1 (open), from bake_cavity() for example. An empty span removes it. Upload
+  /// happens with the next set_positions().
+  void set_occlusion(std::span<const float> occlusion);
+  /// One value per vertex, any range (see SurfaceStyle). An empty span removes it. Upload happens with the
+  /// next set_positions().
+  void set_scalars(std::span<const float> scalars);
+  /// At least 2 colours as displayed, spread evenly and interpolated.
+  void set_palette(std::span<const glm::vec3> colors);
+
+  /// Draws nothing before set_positions().
+  void draw(const View& view, const Theme& theme, const SurfaceStyle& style) const;
+
+  std::size_t triangle_count() const { return triangle_count_; }
+
+private:
+  void set_view(const Program& program, const View& view) const;
+  void set_looks(const Program& program, const View& view, const Theme& theme,
+                 const SurfaceStyle& style) const;
+
+  const Gl& gl_;
+  std::array<Program, 4> programs_;  // plain, wireframe, scalars, both: what is not asked for costs nothing
+  VertexArray vertex_array_;
+  BufferTexture indices_;   // 3 vertex numbers per triangle
+  BufferTexture vertices_;  // per vertex two texels: position and occlusion, normal and scalar
+  Texture palette_;
+  float palette_size_ = 2;
+  std::vector<float> occlusion_, scalars_;
+  std::size_t triangle_count_ = 0, vertex_count_ = 0;
+  Point origin_{0, 0, 0};
+  bool has_positions_ = false;
+};
+
+}  // namespace viete::render

@@ -1,0 +1,50 @@
+#include "render/view.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace viete::render {
+
+glm::mat4 eye_matrix(const View& view, const Point& origin) {
+  return glm::mat4(glm::translate(view.view, glm::dvec3(origin[0], origin[1], origin[2])));
+}
+
+// x of the ray: (2 pixel / size - 1 + P[2][0]) / P[0][0], from the first row of a perspective projection P; y
+// likewise.
+glm::vec4 eye_ray(const View& view) {
+  const glm::dmat4& p = view.projection;
+  if (p[3][3] != 0) return glm::vec4(0);
+  const glm::dvec2 slope(p[0][0], p[1][1]), shift(p[2][0], p[2][1]);
+  return glm::vec4(glm::dvec4(2.0 / (glm::dvec2(view.size) * slope), (shift - 1.0) / slope));
+}
+
+Theme dark_theme() {
+  Theme theme;
+  theme.background_top = rgb(0x262b33);
+  theme.background_bottom = rgb(0x15181d);
+  theme.grid = rgb(0x8a97a8);
+  theme.model = rgb(0xd2bfa8);
+  theme.wire = rgb(0x2a2622);
+  theme.cage = rgb(0x3fb8af);
+  theme.selection = rgb(0xffb224);
+  theme.hover = rgb(0xffffff);
+  theme.outline = rgb(0x101317);
+  theme.exposure = 1.0F;
+  return theme;
+}
+
+Theme light_theme() {
+  Theme theme;
+  theme.background_top = rgb(0xf4f5f7);
+  theme.background_bottom = rgb(0xdfe3e8);
+  theme.grid = rgb(0x7b8796);
+  theme.model = rgb(0xb9a48c);
+  theme.wire = rgb(0x2a2622);
+  theme.cage = rgb(0x12857d);
+  theme.selection = rgb(0xf59a00);
+  theme.hover = rgb(0x1d2733);
+  theme.outline = rgb(0x1d2733);
+  theme.exposure = 1.15F;
+  return theme;
+}
+
+}  // namespace viete::render

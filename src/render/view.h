@@ -1,0 +1,70 @@
+// How the scene is seen: camera matrices, size in pixels, and the colours of a theme.
+//
+// One frame, put together by a caller (in this order; every layer is optional):
+//
+//   framebuffer.begin(view.size, samples);         // our own target, cleared
+//   backdrop.draw(theme);                          // background gradient
+//   surface.draw(view, theme, surface_style);      // the model, lit
+//   grid.draw(view, theme, grid_style);            // ground grid, behind and below the model
+//   faces.draw(view, face_style);                  // tinted faces; they also hide what is behind them from
+//   here on lines.draw(view, line_style);                  // hidden parts faint, visible parts full
+//   discs.draw(view, disc_style);
+//   framebuffer.resolve();                         // samples -> pixels; the resolved picture is now bound
+//   imgui_renderer.draw(*ImGui::GetDrawData());    // panels, after the resolve
+//   framebuffer.blit_to_window(window_size);       // or: Image image = framebuffer.read();
+//
+// Every draw() sets the GL state that it needs and leaves blending, depth test and scissor off and depth
+// writes on. Data changes at three speeds: topology (set_triangles, set_segments), looks (set_colors,
+// set_marks), positions (set_positions, every frame, no allocation while the count stays the same).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace viete::render {
+
+/// One point or direction in the caller's world, as readers and the deformer hold it.
+using Point = std::array<double, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Double precision up to the last step: vertices are kept relative to one of them, so that a model far from
+/// the origin does not tremble. glm::mat4 converts by itself.
+struct View {
+  glm::dmat4 view{1};        ///< world to eye: right-handed, looking down -z
+  glm::dmat4 projection{1};  ///< eye to clip space, depth -1 to 1 as glm::perspective and glm::ortho make it
+  glm::ivec2 size{1, 1};     ///< device pixels
+  float scale = 1;           ///< device pixels per logical pixel; widths and radii below are logical
+};
+
+/// World to eye for vertices that are stored relative to `origin`.
+glm::mat4 eye_matrix(const View& view, const Point& origin);
+
+/// Factor (x, y) and offset (z, w) from device pixels (bottom left first) to the ray from the eye through
+/// that pixel: (factor * pixel + offset, -1) in eye space. For an orthographic view the ray is (0, 0, -1)
+/// everywhere.
+glm::vec4 eye_ray(const View& view);
+
+/// A colour from 0xRRGGBB, components 0 to 1 as displayed (sRGB).
+constexpr glm::vec3 rgb(std::uint32_t hex) {
+  return {static_cast<float>(hex >> 16 & 255) / 255.0F, static_cast<float>(hex >> 8 & 255) / 255.0F,
+          static_cast<float>(hex & 255) / 255.0F};
+}
+
+/// Colours as displayed (sRGB, 0 to 1).
+struct Theme {
+  glm::vec3 background_top, background_bottom;
+  glm::vec3 grid;       ///< ground lines
+  glm::vec3 model;      ///< the surface in full light
+  glm::vec3 wire;       ///< triangle edges on the surface
+  glm::vec3 cage;       ///< cage lines and vertices at rest
+  glm::vec3 selection;  ///< what is selected
+  glm::vec3 hover;      ///< the ring under the cursor
+  glm::vec3 outline;    ///< thin edge around discs, so that they read on any ground
+  float exposure;       ///< brightness of the lights, 1 = neutral
+};
+
+Theme dark_theme();
+Theme light_theme();
+
+}  // namespace viete::render

@@ -1,0 +1,229 @@
+#include "scene/commands.h"
+
+#include <array>
+#include <stdexcept>
+#include <vector>
+
+#include "scene/edit.h"
+#include "scene/elements.h"
+#include "scene/file_commands.h"
+
+namespace viete::scene {
+
+namespace {
+
+bool always(const Workspace&) { return true; }
+bool uses_method(const Workspace& w) { return w.document.coordinates == deform::Coordinates::face; }
+bool has_model(const Workspace& w) { return w.document.model.surface != nullptr; }
+bool has_cage(const Workspace& w) { return w.document.has_cage(); }
+bool has_selection(const Workspace& w) { return !w.document.selection.empty(); }
+bool is_loading(const Workspace& w) { return w.loading.running; }
+bool has_leftover(const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; }
+bool can_undo(const Workspace& w) { return w.document.history.can_undo() && !w.hand.drag; }
+bool can_redo(const Workspace& w) { return w.document.history.can_redo() && !w.hand.drag; }
+bool is_posed(const Workspace& w) { return !w.hand.drag && differs_from_rest(w.document); }
+
+template <bool ViewOptions::*Option>
+void toggle(Workspace& w) {
+  w.view.*Option = !(w.view.*Option);
+}
+
+template <sym3::Method Method>
+void use_method(Workspace& w) {
+  set_method(w.document, Method);
+}
+
+template <StandardView View>
+void look(Workspace& w) {
+  w.camera.look(View);
+}
+
+std::size_t selectable(const Workspace& w) { return element_count(*w.document.cage, w.document.selection.kind()); }
+
+void select_everything(Workspace& w) { w.document.selection.select_all(selectable(w)); }
+void select_nothing(Workspace& w) { w.document.selection.clear(); }
+void invert_selection(Workspace& w) { w.document.selection.invert(selectable(w)); }
+
+bool has_selection_or_hover(const Workspace& w) { return has_cage(w) && (has_selection(w) || w.hand.hovered); }
+
+void select_linked(Workspace& w) {
+  Selection& selection = w.document.selection;
+  if (w.hand.hovered && *w.hand.hovered < selectable(w)) selection.apply(std::array{*w.hand.hovered}, SelectMode::add);
+  selection = linked(*w.document.cage, selection);
+}
+
+// What is under the cursor may be of another kind then.
+void step_back(Workspace& w) {
+  undo(w.document);
+  w.hand.hovered.reset();
+}
+
+void step_forth(Workspace& w) {
+  redo(w.document);
+  w.hand.hovered.reset();
+}
+
+template <ElementKind Kind>
+void select_by(Workspace& w) {
+  select_kind(w.document, Kind);
+  w.hand.hovered.reset();
+}
+
+template <Tool Use>
+void use_tool(Workspace& w) {
+  w.tool = Use;
+  w.hand.handle.reset();
+}
+
+const std::vector<Command>& table() {
+  using M = sym3::Method;
+  using V = StandardView;
+  static const std::vector<Command> all = {
+      {"open_model", "Open", "Open a mesh to deform, or a session.", "File", {key('O'), true}, {}, always,
+       browse_for_model},
+      {"open_cage", "Open cage", "Open a cage around the model.", "File", {key('O'), true, true}, {}, has_model,
+       browse_for_cage},
+      {"open_pose", "Open pose", "Open a posed version of this cage.", "File", {key('P'), true}, {}, has_cage,
+       browse_for_pose},
+      {"save_session", "Save", "Save model, cage, pose, settings and camera as a session.", "File", {key('S'), true}, {},
+       has_model, save},
+      {"save_session_as", "Save as", "Save the session under another name.", "File", {key('S'), true, true}, {},
+       has_model, browse_to_save_session},
+      {"save_pose", "Save pose", "Write the posed cage to a mesh file.", "File", {key('P'), true, true}, {}, has_cage,
+       browse_to_save_pose},
+      {"save_model", "Export", "Write the deformed mesh to a file.", "File", {key('E'), true}, {}, has_cage,
+       browse_to_save_model},
+      {"stop_loading", "Cancel", "Stop reading; everything stays as it is.", "File", {Key::escape}, {}, is_loading,
+       [](Workspace& w) { w.requests.stop_loading = true; }},
+      {"restore_leftover", "Restore", "Bring unsaved edits back.", "File", {key('B'), true}, {}, has_leftover,
+       restore_leftover},
+      {"discard_leftover", "Discard", "Remove unsaved edits for good.", "File", {}, {}, has_leftover, discard_leftover},
+      {"put_off_leftover", "Later", "Keep unsaved edits for the next start.", "File", {}, {}, has_leftover,
+       put_off_leftover},
+      {"screenshot", "Screenshot", "Save a picture of the window.", "File", {Key::f12}, {}, always,
+       [](Workspace& w) { w.requests.screenshot = true; }},
+      {"quit", "Quit", "Close the program.", "File", {key('Q'), true}, {}, always,
+       [](Workspace& w) { w.requests.quit = true; }},
+
+      {"undo", "Undo", "Take the last edit back.", "Edit", {key('Z'), true}, {}, can_undo,
+       step_back},
+      {"redo", "Redo", "Repeat the edit that was taken back.", "Edit", {key('Z'), true, true}, {key('Y'), true},
+       can_redo, step_forth},
+      {"reset_pose", "Reset pose", "Put the whole cage back to rest.", "Edit", {key('R'), true}, {}, is_posed,
+       [](Workspace& w) { reset_pose(w.document); }},
+      {"reset_selected", "Reset selected", "Put what is selected back to rest.", "Edit", {Key::delete_key}, {},
+       [](const Workspace& w) { return has_selection(w) && is_posed(w); },
+       [](Workspace& w) { reset_selected(w.document); }},
+
+      {"select_vertices", "Vertices", "Select vertices of the cage.", "Select", {key('1')}, {}, always,
+       select_by<ElementKind::vertex>},
+      {"select_edges", "Edges", "Select edges of the cage.", "Select", {key('2')}, {}, always,
+       select_by<ElementKind::edge>},
+      {"select_faces", "Faces", "Select faces of the cage.", "Select", {key('3')}, {}, always,
+       select_by<ElementKind::face>},
+      {"select_all", "All", "Select the whole cage.", "Select", {key('A')}, {key('A'), true}, has_cage,
+       select_everything},
+      {"select_none", "None", "Select nothing.", "Select", {key('A'), false, true}, {}, has_selection,
+       select_nothing},
+      {"invert_selection", "Invert", "Select what is not selected.", "Select", {key('I'), true}, {}, has_cage,
+       invert_selection},
+      {"select_linked", "Linked", "Select what is connected with it or with what is under the cursor.", "Select",
+       {key('L')}, {key('L'), true}, has_selection_or_hover, select_linked},
+
+      {"tool_select", "Select", "No gizmo: drag an element to move the selection.", "Tool", {key('Q')}, {}, always,
+       use_tool<Tool::select>},
+      {"tool_move", "Move", "Move the selection by arrows and squares.", "Tool", {key('W')}, {}, always,
+       use_tool<Tool::move>},
+      {"tool_rotate", "Rotate", "Rotate the selection about its centre by rings.", "Tool", {key('E')}, {}, always,
+       use_tool<Tool::rotate>},
+      {"tool_scale", "Scale", "Scale the selection about its centre.", "Tool", {key('R')}, {}, always,
+       use_tool<Tool::scale>},
+
+      {"method_diag", "Diag", "Full diagonalisation by QR, the paper's reference.", "Method", {key('1'), false, true}, {}, uses_method,
+       use_method<M::diag>},
+      {"method_sd", "SD", "Spectral form with eigenvalues by QR.", "Method", {key('2'), false, true}, {}, uses_method, use_method<M::sd>},
+      {"method_improved_sd", "Improved SD", "Spectral form, eigenvalues by Viete's formula: the paper's method.",
+       "Method", {key('3'), false, true}, {}, uses_method, use_method<M::improved_sd>},
+      {"method_fast", "Fast", "A recurrence in two invariants, without eigenvalues.", "Method",
+       {key('4'), false, true}, {}, uses_method, use_method<M::fast>},
+
+      {"frame_all", "Frame all", "See the whole model and cage.", "View", {Key::home}, {}, has_model,
+       [](Workspace& w) { frame_all(w, true); }},
+      {"frame_selection", "Frame selection", "See what is selected, or all if nothing is.", "View", {key('F')}, {},
+       has_model, [](Workspace& w) { frame_selection(w, true); }},
+      {"view_front", "Front", "Look from the front.", "View", {Key::pad1}, {}, always, look<V::front>},
+      {"view_back", "Back", "Look from the back.", "View", {Key::pad1, true}, {}, always, look<V::back>},
+      {"view_right", "Right", "Look from the right.", "View", {Key::pad3}, {}, always, look<V::right>},
+      {"view_left", "Left", "Look from the left.", "View", {Key::pad3, true}, {}, always, look<V::left>},
+      {"view_top", "Top", "Look from above.", "View", {Key::pad7}, {}, always, look<V::top>},
+      {"view_bottom", "Bottom", "Look from below.", "View", {Key::pad7, true}, {}, always, look<V::bottom>},
+      {"view_home", "Home", "Look from the front, to the right and above.", "View", {Key::pad0}, {}, always,
+       look<V::home>},
+      {"toggle_orthographic", "Orthographic", "Look without perspective: equal lengths look equal.", "View", {Key::pad5},
+       {key('O')}, always, [](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); }},
+      {"toggle_wireframe", "Wireframe", "Show the edges of the mesh.", "View", {key('W'), false, true}, {}, always,
+       toggle<&ViewOptions::wireframe>},
+      {"toggle_model", "Model", "Show the mesh.", "View", {key('M')}, {}, always, toggle<&ViewOptions::model>},
+      {"toggle_cage", "Cage", "Show the cage.", "View", {key('C')}, {}, always, toggle<&ViewOptions::cage>},
+      {"toggle_grid", "Grid", "Show the ground grid.", "View", {key('G')}, {}, always, toggle<&ViewOptions::grid>},
+      {"toggle_axes", "Axes", "Show the axes at the top right.", "View", {key('X')}, {}, always,
+       toggle<&ViewOptions::axes>},
+      {"toggle_ghost", "Rest ghost", "Show the cage at rest, faintly, while it is posed.", "View", {key('H')}, {},
+       always, toggle<&ViewOptions::ghost>},
+      {"toggle_theme", "Dark theme", "Switch between the dark and the light theme.", "View", {key('T')}, {}, always,
+       toggle<&ViewOptions::dark>},
+      {"toggle_panels", "Panels", "Show or hide the panels.", "View", {Key::f2}, {}, always,
+       toggle<&ViewOptions::panels>},
+      {"help", "Keys", "Show every key and mouse action.", "View", {Key::f1}, {}, always, toggle<&ViewOptions::help>},
+  };
+  return all;
+}
+
+std::string key_name(Key k) {
+  switch (k) {
+    case Key::none: return "";
+    case Key::escape: return "Esc";
+    case Key::home: return "Home";
+    case Key::delete_key: return "Delete";
+    case Key::enter: return "Enter";
+    case Key::backspace: return "Backspace";
+    case Key::up: return "Up";
+    case Key::down: return "Down";
+    case Key::f1: return "F1";
+    case Key::f2: return "F2";
+    case Key::f12: return "F12";
+    case Key::pad1: return "Num 1";
+    case Key::pad3: return "Num 3";
+    case Key::pad5: return "Num 5";
+    case Key::pad7: return "Num 7";
+    case Key::pad0: return "Num 0";
+    case Key::pad_enter: return "Num Enter";
+  }
+  return std::string(1, static_cast<char>(k));
+}
+
+}  // namespace
+
+std::string text(const Shortcut& shortcut) {
+  if (shortcut.key == Key::none) return "";
+  return std::string(shortcut.ctrl ? "Ctrl+" : "") + (shortcut.shift ? "Shift+" : "") + key_name(shortcut.key);
+}
+
+std::span<const Command> commands() { return table(); }
+
+const Command* find_command(std::string_view name) {
+  for (const auto& command : table()) {
+    if (command.name == name) return &command;
+  }
+  return nullptr;
+}
+
+bool run_command(Workspace& workspace, std::string_view name) {
+  const Command* command = find_command(name);
+  if (!command) throw std::logic_error("no command named " + std::string(name));
+  if (!command->enabled(workspace)) return false;
+  command->run(workspace);
+  return true;
+}
+
+}  // namespace viete::scene

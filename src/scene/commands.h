@@ -1,0 +1,62 @@
+// Everything a user can do by name: one list for keys, buttons, menus, help and tests.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "scene/workspace.h"
+
+namespace viete::scene {
+
+/// Keys by name; letters and digits are their capital ASCII character.
+enum class Key : int {
+  none = 0,
+  escape = 256,
+  home,
+  delete_key,
+  enter,
+  backspace,
+  up,
+  down,
+  f1,
+  f2,
+  f12,
+  pad1,
+  pad3,
+  pad5,
+  pad7,
+  pad0,
+  pad_enter,
+};
+
+constexpr Key key(char c) { return static_cast<Key>(c); }
+
+struct Shortcut {
+  Key key = Key::none;
+  bool ctrl = false, shift = false;
+};
+
+/// "Ctrl+Shift+Z"; empty for none.
+std::string text(const Shortcut& shortcut);
+
+struct Command {
+  std::string_view name;   ///< stable, for scripts and tests: "undo"
+  std::string_view label;  ///< on buttons: "Undo"
+  std::string_view hint;   ///< one sentence: what it does
+  std::string_view group;  ///< heading in the help
+  Shortcut shortcut, alternative;
+  bool (*enabled)(const Workspace&);
+  void (*run)(Workspace&);
+};
+
+/// In the order of the help.
+std::span<const Command> commands();
+
+/// nullptr if there is none of that name.
+const Command* find_command(std::string_view name);
+
+/// Runs it if it is enabled; says whether it was. An unknown name is a bug of the caller: std::logic_error.
+bool run_command(Workspace& workspace, std::string_view name);
+
+}  // namespace viete::scene

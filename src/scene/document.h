@@ -1,0 +1,70 @@
+// The one home of state: model, cage, pose, selection and settings, each with a revision.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "deform/binding.h"
+#include "deform/cage.h"
+#include "mesh/facts.h"
+#include "mesh/surface.h"
+#include "scene/history.h"
+#include "scene/selection.h"
+#include "scene/space.h"
+#include "sym3/exp.h"
+
+namespace viete::scene {
+
+/// A surface that was opened, and what was found in it.
+struct OpenedSurface {
+  std::filesystem::path path;
+  std::string format;
+  std::shared_ptr<const mesh::Surface> surface;
+  mesh::Facts facts;
+  mesh::Bounds bounds;  ///< of the vertices that a polygon uses
+  std::vector<std::string> warnings;
+};
+
+/// Grows by one with each change; whoever derives something from a part remembers the number it was derived from.
+using Revision = unsigned long;
+
+struct Document {
+  OpenedSurface model;
+  OpenedSurface cage_file;                        ///< surface is null when there is no cage
+  std::shared_ptr<const deform::Cage> cage;       ///< null when there is no cage
+  deform::Pose pose;
+  Selection selection;
+  History history;
+  sym3::Method method = sym3::Method::fast;
+  deform::Coordinates coordinates = deform::Coordinates::face;
+  Space space;
+
+  Revision topology = 0;  ///< model or cage replaced
+  Revision posed = 0;     ///< positions of the cage changed
+
+  bool has_cage() const { return cage != nullptr; }
+};
+
+/// Reads a surface and says what is in it. progress may be null. Throws base::Error and base::Cancelled.
+OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress = nullptr);
+
+/// A new document of surfaces that were read. Throws base::Error if the cage is none.
+Document document_of(OpenedSurface model);
+void set_cage(Document& document, OpenedSurface cage);
+
+/// Reads a model and, if the path is not empty, a cage, into a new document. Throws base::Error; the caller's open
+/// document is untouched until it takes the new one.
+Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
+                       base::Progress* progress = nullptr);
+
+/// Another pose as an edit: undoable. Requires one position per cage vertex.
+void set_pose(Document& document, deform::Pose pose);
+
+/// Replaces the pose by a file's. Undoable. Throws base::Error and changes nothing if it does not fit.
+/// Returns warnings, one line each.
+std::vector<std::string> open_pose(Document& document, const std::filesystem::path& path);
+
+}  // namespace viete::scene

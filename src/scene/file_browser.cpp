@@ -1,0 +1,117 @@
+#include "scene/file_browser.h"
+
+#include <algorithm>
+#include <array>
+
+#include "mesh/source.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+using Purpose = FileBrowser::Purpose;
+using Entry = FileBrowser::Entry;
+
+namespace {
+
+bool is_surface_file(const fs::path& path) {
+  constexpr std::array known = {"obj", "ply", "off", "stl"};
+  return std::find(known.begin(), known.end(), mesh::extension_of(path)) != known.end();
+}
+
+bool fits(const fs::path& path, Purpose purpose) {
+  const bool session = mesh::extension_of(path) == "viete";
+  if (purpose == Purpose::save_session) return session;
+  return is_surface_file(path) || (purpose == Purpose::model && session);
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  }
+  return text;
+}
+
+bool before(const Entry& a, const Entry& b) {
+  if (a.folder != b.folder) return a.folder;
+  const std::string x = lower(a.name), y = lower(b.name);
+  return x != y ? x < y : a.name < b.name;
+}
+
+std::vector<Entry> list(const fs::path& folder, Purpose purpose) {
+  std::vector<Entry> entries;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    std::error_code ignored;
+    const std::string name = entry.path().filename().string();
+    if (name.empty() || name[0] == '.') continue;
+    if (entry.is_directory(ignored)) {
+      entries.push_back({name, true, 0});
+    } else if (fits(entry.path(), purpose)) {
+      entries.push_back({name, false, entry.file_size(ignored)});
+    }
+  }
+  std::sort(entries.begin(), entries.end(), before);
+  return entries;
+}
+
+}  // namespace
+
+bool FileBrowser::replaces() const {
+  std::error_code ignored;
+  return saves() && fs::is_regular_file(chosen_file(*this), ignored);
+}
+
+void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const std::string& suggested) {
+  browser.suggested = suggested;
+  browser.open = browser.appearing = true;
+  browser.purpose = purpose;
+  browser.problem.clear();
+  std::error_code ignored;
+  if (!folder.empty()) enter(browser, folder);
+  if (folder.empty() || !browser.problem.empty()) enter(browser, fs::current_path(ignored));
+}
+
+void enter(FileBrowser& browser, const fs::path& folder) {
+  try {
+    const fs::path absolute = fs::weakly_canonical(fs::absolute(folder));
+    browser.entries = list(absolute, browser.purpose);
+    browser.folder = absolute;
+    browser.path = (browser.saves() ? absolute / browser.suggested : absolute).string();
+    browser.problem.clear();
+    browser.filter.clear();
+    browser.highlighted = 0;
+  } catch (const fs::filesystem_error& error) {
+    browser.problem = folder.string() + ": " + error.code().message() + "; choose another folder";
+  }
+}
+
+std::vector<const Entry*> shown(const FileBrowser& browser) {
+  std::vector<const Entry*> entries;
+  const std::string filter = lower(browser.filter);
+  for (const auto& entry : browser.entries) {
+    if (lower(entry.name).find(filter) != std::string::npos) entries.push_back(&entry);
+  }
+  return entries;
+}
+
+void move_highlight(FileBrowser& browser, int steps) {
+  const auto last = static_cast<std::ptrdiff_t>(shown(browser).size()) - 1;
+  const auto wanted = static_cast<std::ptrdiff_t>(browser.highlighted) + steps;
+  browser.highlighted =
+      static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(wanted, 0, std::max<std::ptrdiff_t>(last, 0)));
+}
+
+fs::path chosen_file(const FileBrowser& browser) {
+  fs::path file = browser.folder / browser.path;
+  const bool session = browser.purpose == Purpose::save_session;
+  if (session && mesh::extension_of(file) != "viete") file += ".viete";
+  if (browser.saves() && !session && file.extension().empty()) file += ".obj";
+  return file;
+}
+
+void set_format(FileBrowser& browser, const std::string& extension) {
+  fs::path path = browser.path;
+  browser.path = path.replace_extension(extension).string();
+  browser.suggested = path.filename().string();
+}
+
+}  // namespace viete::scene

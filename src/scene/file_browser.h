@@ -1,0 +1,53 @@
+// A folder being looked through to open or save a file: state only, drawn by the file panel.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace viete::scene {
+
+struct FileBrowser {
+  enum class Purpose { model, cage, pose, save_session, save_pose, save_model };
+  struct Entry {
+    std::string name;
+    bool folder = false;
+    std::uintmax_t bytes = 0;
+  };
+
+  bool open = false;
+  bool appearing = false;  ///< it was opened just now: the keyboard is to go there
+  Purpose purpose = Purpose::model;
+  std::filesystem::path folder;
+  std::vector<Entry>
+      entries;       ///< folders first, then files that fit the purpose, each by name without regard to case
+  std::string path;  ///< what the text field holds
+  std::string problem;          ///< why the folder could not be listed; empty if it could
+  std::string suggested;        ///< file name to save under; kept while folders are walked
+  std::string filter;           ///< only entries that contain it, without regard to case, are shown
+  std::size_t highlighted = 0;  ///< among the entries that are shown; what Enter takes
+
+  bool saves() const { return purpose >= Purpose::save_session; }
+  /// Whether the file of the text field is there, so that saving would replace it.
+  bool replaces() const;
+};
+
+/// Shows the browser in a folder (the current one if it is empty or gone).
+void show(FileBrowser& browser, FileBrowser::Purpose purpose, const std::filesystem::path& folder,
+          const std::string& suggested = "");
+/// Lists another folder; on failure stays where it is and says why.
+void enter(FileBrowser& browser, const std::filesystem::path& folder);
+
+/// The entries that pass the filter, in order.
+std::vector<const FileBrowser::Entry*> shown(const FileBrowser& browser);
+/// Up or down the list by so many, as far as it goes.
+void move_highlight(FileBrowser& browser, int steps);
+
+/// The file of the text field: relative to the folder, and with the extension that the purpose asks for if it
+/// has none.
+std::filesystem::path chosen_file(const FileBrowser& browser);
+/// Another extension for the file to be saved: "ply".
+void set_format(FileBrowser& browser, const std::string& extension);
+
+}  // namespace viete::scene

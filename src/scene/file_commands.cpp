@@ -1,0 +1,64 @@
+#include "scene/file_commands.h"
+
+namespace viete::scene {
+
+namespace {
+
+using Purpose = FileBrowser::Purpose;
+namespace fs = std::filesystem;
+
+// Where a file was chosen last, else beside what is open.
+void browse(Workspace& w, Purpose purpose) {
+  const auto& beside = w.document.cage_file.surface ? w.document.cage_file.path : w.document.model.path;
+  show(w.browser, purpose, w.remembered.folder.empty() ? beside.parent_path() : w.remembered.folder);
+}
+
+// "cage" becomes "cage_pose.obj", in the folder of the session or else beside the file it comes from.
+void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
+  const fs::path& beside = w.saved.session.empty() ? from : w.saved.session;
+  show(w.browser, purpose, beside.parent_path(), from.stem().string() + ending);
+}
+
+}  // namespace
+
+void browse_for_model(Workspace& w) {
+  browse(w, Purpose::model);
+}
+void browse_for_cage(Workspace& w) {
+  browse(w, Purpose::cage);
+}
+void browse_for_pose(Workspace& w) {
+  browse(w, Purpose::pose);
+}
+
+void save(Workspace& w) {
+  if (w.saved.session.empty()) return browse_to_save_session(w);
+  w.requests.save_session = w.saved.session;
+}
+
+void browse_to_save_session(Workspace& w) {
+  browse_to_save(w, Purpose::save_session, w.saved.session.empty() ? w.document.model.path : w.saved.session,
+                 ".viete");
+}
+
+void browse_to_save_pose(Workspace& w) {
+  browse_to_save(w, Purpose::save_pose, w.document.cage_file.path, "_pose.obj");
+}
+
+void browse_to_save_model(Workspace& w) {
+  browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
+}
+
+void restore_leftover(Workspace& w) {
+  w.requests.open = OpenRequest{OpenRequest::What::recovery, {w.leftovers.front().file}};
+}
+
+void discard_leftover(Workspace& w) {
+  w.requests.discard = w.leftovers.front().file;
+}
+
+void put_off_leftover(Workspace& w) {
+  w.leftovers.erase(w.leftovers.begin());
+}
+
+}  // namespace viete::scene

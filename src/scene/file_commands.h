@@ -1,0 +1,22 @@
+// What the commands of the file group do.
+#pragma once
+
+#include "scene/workspace.h"
+
+namespace viete::scene {
+
+void browse_for_model(Workspace& workspace);
+void browse_for_cage(Workspace& workspace);
+void browse_for_pose(Workspace& workspace);
+/// Writes where the session was saved last, or asks where.
+void save(Workspace& workspace);
+void browse_to_save_session(Workspace& workspace);
+void browse_to_save_pose(Workspace& workspace);
+void browse_to_save_model(Workspace& workspace);
+
+/// With the first leftover: open it, remove it, or leave it for another day. Require one.
+void restore_leftover(Workspace& workspace);
+void discard_leftover(Workspace& workspace);
+void put_off_leftover(Workspace& workspace);
+
+}  // namespace viete::scene

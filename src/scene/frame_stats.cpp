@@ -1,0 +1,48 @@
+#include "scene/frame_stats.h"
+
+#include <algorithm>
+
+namespace viete::scene {
+
+namespace {
+
+constexpr std::size_t history_limit = 240;
+constexpr double window_seconds = 0.5;
+
+template <class Value>
+double median_of(const std::vector<const FrameTimes*>& frames, Value value) {
+  std::vector<double> values;
+  values.reserve(frames.size());
+  for (const auto* frame : frames) values.push_back(value(*frame));
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+void FrameStats::add(const FrameTimes& times) {
+  if (times.links.total() <= 0) return;
+  history_.push_back(times);
+  if (history_.size() > history_limit) history_.pop_front();
+}
+
+std::optional<FrameTimes> FrameStats::median() const {
+  if (history_.empty()) return std::nullopt;
+  std::vector<const FrameTimes*> recent;
+  for (const auto& frame : history_) {
+    if (frame.when >= history_.back().when - window_seconds) recent.push_back(&frame);
+  }
+  FrameTimes result;
+  result.when = history_.back().when;
+  for (std::size_t i = 0; i < deform::link_count; ++i) {
+    result.links.ms[i] = median_of(recent, [i](const FrameTimes& f) { return f.links.ms[i]; });
+  }
+  result.upload = median_of(recent, [](const FrameTimes& f) { return f.upload; });
+  result.draw = median_of(recent, [](const FrameTimes& f) { return f.draw; });
+  result.panels = median_of(recent, [](const FrameTimes& f) { return f.panels; });
+  result.frame = median_of(recent, [](const FrameTimes& f) { return f.frame; });
+  return result;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,55 @@
+// What the last frames cost, and how exact and fast each method was on their matrices.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "deform/deformer.h"
+
+namespace viete::scene {
+
+/// Milliseconds of wall time of one frame.
+struct FrameTimes {
+  double when = 0;          ///< seconds on a monotonic clock
+  deform::LinkTimes links;  ///< zero if the cage did not move
+  double upload = 0, draw = 0, panels = 0;
+  double frame = 0;         ///< the whole, from input to the finished picture
+
+  double other() const { return frame - links.total() - upload - draw - panels; }
+};
+
+/// The history behind the timing panel. Only frames that deformed count for the medians.
+class FrameStats {
+ public:
+  void add(const FrameTimes& times);
+
+  /// Componentwise medians over the last half second of deforming frames, or the last one before that; nothing before the first.
+  std::optional<FrameTimes> median() const;
+  /// Of deforming frames, oldest first, at most 240.
+  const std::deque<FrameTimes>& history() const { return history_; }
+  void clear() { history_.clear(); }
+
+ private:
+  std::deque<FrameTimes> history_;
+};
+
+/// One method on a sample of the frame's matrices.
+struct MethodSample {
+  double ns_per_matrix = 0;  ///< processor time
+  double worst_error = 0;    ///< largest relative Frobenius error against a reference of 106 bits; NaN if an answer was NaN
+  double median_error = 0;
+};
+
+inline constexpr std::array compared_methods = {sym3::Method::diag, sym3::Method::sd, sym3::Method::improved_sd,
+                                                sym3::Method::fast};
+
+/// All methods on the same matrices; measured aside, a few times a second.
+struct MethodStats {
+  std::array<MethodSample, compared_methods.size()> samples{};
+  std::size_t matrices = 0;  ///< in the sample; 0 until the first measurement
+};
+
+}  // namespace viete::scene

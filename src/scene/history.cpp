@@ -1,0 +1,39 @@
+#include "scene/history.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace viete::scene {
+
+namespace {
+
+constexpr std::size_t memory_limit = 256u << 20;
+
+}  // namespace
+
+void History::record(std::string label, Snapshot before) {
+  const std::size_t bytes = 128 + before.pose.positions.size() * (sizeof(mesh::Point) + sizeof(std::uint32_t));
+  const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);
+  ++revision_;
+  redo_.clear();
+  if (undo_.size() >= limit) undo_.erase(undo_.begin());
+  undo_.push_back({std::move(label), std::move(before)});
+}
+
+Snapshot History::undo(Snapshot now) {
+  ++revision_;
+  Entry entry = std::move(undo_.back());
+  undo_.pop_back();
+  redo_.push_back({entry.label, std::move(now)});
+  return std::move(entry.state);
+}
+
+Snapshot History::redo(Snapshot now) {
+  ++revision_;
+  Entry entry = std::move(redo_.back());
+  redo_.pop_back();
+  undo_.push_back({entry.label, std::move(now)});
+  return std::move(entry.state);
+}
+
+}  // namespace viete::scene

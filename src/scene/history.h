@@ -1,0 +1,48 @@
+// Undo and redo of poses.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deform/cage.h"
+#include "scene/selection.h"
+
+namespace viete::scene {
+
+/// What an edit changes: the pose and what was selected while it was made.
+struct Snapshot {
+  deform::Pose pose;
+  Selection selection;
+};
+
+/// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest entries are
+/// dropped beyond 256 MB.
+class History {
+ public:
+  /// An edit named `label` has just led away from `before`.
+  void record(std::string label, Snapshot before);
+
+  bool can_undo() const { return !undo_.empty(); }
+  bool can_redo() const { return !redo_.empty(); }
+  /// What the next undo or redo would take back or repeat; empty if nothing.
+  std::string undo_label() const { return can_undo() ? undo_.back().label : ""; }
+  std::string redo_label() const { return can_redo() ? redo_.back().label : ""; }
+  std::size_t undo_count() const { return undo_.size(); }
+  /// Grows with each edit that is finished, taken back or repeated.
+  unsigned long revision() const { return revision_; }
+
+  /// Gives the state before the last edit and keeps `now` for redo. Requires can_undo().
+  Snapshot undo(Snapshot now);
+  /// The reverse. Requires can_redo().
+  Snapshot redo(Snapshot now);
+
+ private:
+  struct Entry {
+    std::string label;
+    Snapshot state;
+  };
+  std::vector<Entry> undo_, redo_;
+  unsigned long revision_ = 0;
+};
+
+}  // namespace viete::scene

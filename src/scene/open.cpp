@@ -1,0 +1,262 @@
+#include "scene/open.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "deform/pose_io.h"
+#include "mesh/winding_number.h"
+#include "scene/saving.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+using What = OpenRequest::What;
+
+namespace {
+
+void append(std::vector<std::string>& all, const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void take_warnings(Opened& opened) {
+  append(opened.warnings, opened.document->model.warnings);
+  if (!opened.document->has_cage()) return;
+  append(opened.warnings, opened.document->cage_file.warnings);
+  append(opened.warnings, opened.document->cage->warnings);
+}
+
+Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) {
+  const auto named = [&](std::size_t i) { return i < files.size() ? files[i] : fs::path(); };
+  Opened opened;
+  opened.document = open_document(named(0), named(1), progress);
+  take_warnings(opened);
+  if (named(2).empty()) return opened;
+  if (!opened.document->has_cage()) {
+    throw base::Error(named(2).string(), "a pose needs a cage and none is named", "name the cage too");
+  }
+  opened.document->pose = deform::read_pose(named(2), *opened.document->cage, opened.warnings);
+  return opened;
+}
+
+Opened open_cage(OpenedSurface cage, const Document& current) {
+  Opened opened;
+  opened.document = document_of(current.model);
+  set_cage(*opened.document, std::move(cage));
+  append(opened.warnings, opened.document->cage_file.warnings);
+  append(opened.warnings, opened.document->cage->warnings);
+  return opened;
+}
+
+Opened open_cage(const fs::path& file, const Document& current, base::Progress* progress) {
+  if (!current.model.surface) {
+    throw base::Error(file.string(), "a cage needs a model and none is open", "open the model first");
+  }
+  return open_cage(open_surface(file, progress), current);
+}
+
+Opened open_pose(const fs::path& file, const Document& current) {
+  if (!current.has_cage()) {
+    throw base::Error(file.string(), "a pose needs a cage and none is open", "open the cage first");
+  }
+  Opened opened;
+  opened.file = file;
+  opened.pose = deform::read_pose(file, *current.cage, opened.warnings);
+  return opened;
+}
+
+// Problems of its model or cage name the session too.
+Document document_of_session(const Session& session, const fs::path& file, base::Progress* progress) {
+  const char* key = "model";
+  try {
+    Document document = document_of(open_surface(session.model, progress));
+    key = "cage";
+    if (!session.cage.empty()) set_cage(document, open_surface(session.cage));
+    return document;
+  } catch (const base::Error& error) {
+    throw base::Error(file.string() + ": " + key, error.what(),
+                      std::string("or correct \"") + key + "\" in the session");
+  }
+}
+
+Opened open_session(const fs::path& file, base::Progress* progress) {
+  Opened opened;
+  opened.file = file;
+  opened.session = read_session(file);
+  Session& session = *opened.session;
+  Document document = document_of_session(session, file, progress);
+  document.method = session.method;
+  document.coordinates = session.coordinates;
+  if (document.has_cage()) {
+    check_fits(session, *document.cage, file);
+    if (session.pose) document.pose = std::move(*session.pose);
+    document.selection = Selection(session.selecting);
+    document.selection.apply(session.selection, SelectMode::replace);
+  }
+  session.pose.reset();
+  opened.document = std::move(document);
+  take_warnings(opened);
+  return opened;
+}
+
+bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
+  for (int k = 0; k < 3; ++k) {
+    if (outer.low[k] > inner.low[k] || outer.high[k] < inner.high[k]) return false;
+  }
+  return true;
+}
+
+// By a sample of the inner one's vertices: one in ten may stick out.
+bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
+  constexpr std::size_t samples = 100;
+  const auto& points = inner.positions;
+  if (points.empty() || outer.triangles.empty()) return false;
+  if (!box_contains(mesh::used_bounds(outer), mesh::used_bounds(inner))) return false;
+  std::vector<mesh::Point> sample;
+  const std::size_t n = std::min(samples, points.size());
+  for (std::size_t i = 0; i < n; ++i) sample.push_back(points[i * points.size() / n]);
+  return 10 * mesh::points_outside(outer, sample).size() <= n;
+}
+
+std::string name_of(const OpenedSurface& surface) {
+  return surface.path.filename().string();
+}
+
+Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
+  const mesh::Surface& s = *surface.surface;
+  const std::string name = name_of(surface);
+  if (current.has_cage() && s.positions.size() == current.cage->surface.positions.size() &&
+      s.triangles == current.cage->surface.triangles) {
+    Opened opened = open_pose(surface.path, current);
+    opened.taken_as = "Took " + name + " as a pose: it has the vertices and faces of the cage";
+    return opened;
+  }
+  const bool cage = current.model.surface && !current.has_cage() &&
+                    s.positions.size() < current.model.surface->positions.size() &&
+                    encloses(s, *current.model.surface);
+  if (cage) {
+    Opened opened = open_cage(std::move(surface), current);
+    opened.taken_as = "Took " + name + " as the cage: it encloses the model";
+    return opened;
+  }
+  Opened opened;
+  opened.document = document_of(std::move(surface));
+  opened.taken_as = "Took " + name + " as a new model";
+  take_warnings(opened);
+  return opened;
+}
+
+Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage) {
+  if (cage.surface->positions.size() > model.surface->positions.size()) std::swap(model, cage);
+  std::string reason = "has fewer vertices and encloses it";
+  if (!encloses(*cage.surface, *model.surface)) {
+    const bool other = encloses(*model.surface, *cage.surface);
+    if (other) std::swap(model, cage);
+    reason = other ? "encloses it" : "has fewer vertices, though it does not enclose it";
+  }
+  Opened opened;
+  opened.taken_as =
+      "Took " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
+  opened.document = document_of(std::move(model));
+  set_cage(*opened.document, std::move(cage));
+  take_warnings(opened);
+  return opened;
+}
+
+Opened open_dropped(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
+  const auto session = std::find_if(files.begin(), files.end(), is_session);
+  if (files.size() == 1 && session != files.end()) return open_session(files[0], progress);
+  if (files.empty() || files.size() > 2 || session != files.end()) {
+    throw base::Error("", std::to_string(files.size()) + " files were dropped",
+                      "drop one session, one model, one pose, or a model and its cage");
+  }
+  const double middle = files.size() == 2 ? 0.4 : 0.8;
+  if (progress) progress->section(0, middle);
+  OpenedSurface first = open_surface(files[0], progress);
+  if (files.size() == 1) return open_dropped_surface(std::move(first), current);
+  if (progress) progress->section(middle, 0.8);
+  return open_dropped_pair(std::move(first), open_surface(files[1], progress));
+}
+
+void report(Workspace& workspace, const Opened& opened) {
+  if (!opened.taken_as.empty()) workspace.messages.info(opened.taken_as);
+  for (const auto& warning : opened.warnings) workspace.messages.warn(warning);
+}
+
+void take_document(Workspace& w, Document&& document, bool keep_settings) {
+  const Document& old = w.document;
+  if (keep_settings) {
+    document.method = old.method;
+    document.coordinates = old.coordinates;
+  }
+  document.topology = old.topology + 1;
+  document.posed = old.posed + 1;
+  w.document = std::move(document);
+  w.hand = {};
+  w.stats.clear();
+  w.methods = {};
+  ++w.opened;
+}
+
+// Help stays as it is; the hints of the first start do not come back.
+void take_view(Workspace& w, const Session& session) {
+  const ViewOptions old = w.view;
+  w.view = session.view;
+  w.view.help = old.help;
+  w.view.hints = old.hints && session.view.hints;
+}
+
+void take_pose(Workspace& w, deform::Pose&& pose) {
+  const bool was_saved = !has_unsaved_edits(w);
+  set_pose(w.document, std::move(pose));
+  if (was_saved) mark_saved(w);  // nothing is lost with it: it stands in the file
+}
+
+}  // namespace
+
+Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress) {
+  const fs::path first = request.files.empty() ? fs::path() : request.files.front();
+  if (progress) progress->section(0, 0.8);  // the rest is what is computed from it
+  switch (request.what) {
+    case What::cage:
+      return open_cage(first, current, progress);
+    case What::pose:
+      return open_pose(first, current);
+    case What::dropped:
+      return open_dropped(request.files, current, progress);
+    case What::model:
+      break;
+    case What::recovery: {
+      Opened opened = open_session(first, progress);
+      opened.recovered = true;
+      return opened;
+    }
+  }
+  return is_session(first) ? open_session(first, progress) : open_model(request.files, progress);
+}
+
+void take(Workspace& w, Opened&& opened) {
+  report(w, opened);
+  if (opened.pose) return take_pose(w, std::move(*opened.pose));
+  const bool same_model = opened.document->model.surface == w.document.model.surface;
+  take_document(w, std::move(*opened.document), !opened.session);
+  w.saved.session.clear();
+  w.saved.positions.clear();
+  ++w.saved.revision;
+  w.recovered_from.clear();
+  if (opened.session) {
+    take_view(w, *opened.session);
+    w.saved.session = opened.recovered ? opened.session->origin : opened.file;
+  }
+  if (opened.recovered) {
+    w.recovered_from = opened.file;
+  } else {
+    mark_saved(w);
+    w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
+                                             : RecentFile{w.saved.session, {}});
+  }
+  if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
+  if (!same_model) frame_all(w, false);
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,39 @@
+// Opening files, in two steps: read them, which may take long and runs aside; then take what was read, at
+// once.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "scene/session.h"
+
+namespace viete::scene {
+
+/// Everything that a file gave, ready to be taken into a workspace.
+struct Opened {
+  std::optional<Document> document;  ///< another model, another cage, or a session
+  std::optional<deform::Pose> pose;  ///< or another pose of the open cage
+  std::optional<Session> session;
+  std::filesystem::path file;  ///< the session or pose
+  bool recovered = false;      ///< the session is unsaved work
+  std::vector<std::string> warnings;
+  std::string taken_as;  ///< of dropped files: which was taken as what
+};
+
+/// Reads what is asked for. `current` is what is open now: a cage needs its model, a pose its cage; it is not
+/// changed, so that whatever goes wrong leaves everything as it was. progress may be null. Throws base::Error
+/// and base::Cancelled. Thread-safe.
+///
+/// Dropped files are judged by content and count. One: a session; a pose, if it has as many vertices as the
+/// open cage and the same faces; a cage, if none is open and it encloses the open model with fewer vertices;
+/// else a model. Two: a model and its cage, which is the one that encloses the other; if neither does, or
+/// both, the one with fewer vertices.
+Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress = nullptr);
+
+/// Takes it into the workspace; messages say what is to be said.
+void take(Workspace& workspace, Opened&& opened);
+
+}  // namespace viete::scene

@@ -1,0 +1,168 @@
+#include "scene/picking.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "scene/elements.h"
+
+namespace viete::scene {
+
+namespace {
+
+// Of candidates within the tolerance: the nearest, or, of those within 2 pixels of the nearest, the one in front.
+class Nearest {
+ public:
+  explicit Nearest(float tolerance) : tolerance_(tolerance) {}
+
+  void offer(std::uint32_t index, float distance, float depth) {
+    if (!(distance <= tolerance_)) return;
+    nearest_ = std::min(nearest_, distance);
+    close_.push_back({{index, depth}, distance});
+  }
+
+  std::optional<Pick> best() const {
+    constexpr float tie = 2;
+    std::optional<Pick> best;
+    for (const auto& [pick, distance] : close_) {
+      if (distance <= nearest_ + tie && (!best || pick.depth < best->depth)) best = pick;
+    }
+    return best;
+  }
+
+ private:
+  float tolerance_, nearest_ = std::numeric_limits<float>::max();
+  std::vector<std::pair<Pick, float>> close_;
+};
+
+std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::Point> points, const glm::vec2& cursor,
+                               float tolerance) {
+  Nearest nearest(tolerance);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (const auto at = project(points[i])) nearest.offer(i, glm::distance(glm::vec2(*at), cursor), at->z);
+  }
+  return nearest.best();
+}
+
+// Depth is not linear on screen in perspective, but near enough to say which of two edges is in front.
+std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Point> points,
+                              std::span<const mesh::Edge> edges, const glm::vec2& cursor) {
+  Nearest nearest(pick_tolerance);
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    const auto ends = project.segment(points[edges[i][0]], points[edges[i][1]]);
+    if (!ends) continue;
+    const glm::vec2 a((*ends)[0]), along = glm::vec2((*ends)[1]) - a;
+    const float square = glm::dot(along, along);
+    const float t = square > 0 ? std::clamp(glm::dot(cursor - a, along) / square, 0.0f, 1.0f) : 0.0f;
+    nearest.offer(i, glm::distance(a + t * along, cursor), glm::mix((*ends)[0].z, (*ends)[1].z, t));
+  }
+  return nearest.best();
+}
+
+// How far along the ray, from either side (T. Moeller, B. Trumbore, "Fast, minimum storage ray-triangle intersection", 1997).
+std::optional<double> hit(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
+  const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], s = ray.origin - t[0];
+  const glm::dvec3 p = glm::cross(ray.direction, v), q = glm::cross(s, u);
+  const double volume = glm::dot(u, p), a = glm::dot(s, p) / volume, b = glm::dot(ray.direction, q) / volume;
+  if (!(a >= 0 && b >= 0 && a + b <= 1)) return std::nullopt;
+  return glm::dot(v, q) / volume;
+}
+
+std::optional<Pick> pick_inside(const Document& document, const Camera& camera, const Ray& ray) {
+  const mesh::Surface& cage = document.cage->surface;
+  // An orthographic eye sees what is behind it, too.
+  const double start = camera.pose().orthographic ? -std::numeric_limits<double>::max() : 0;
+  double first = std::numeric_limits<double>::max();
+  std::optional<Pick> best;
+  for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
+    std::array<glm::dvec3, 3> corners;
+    for (int i = 0; i < 3; ++i) corners[i] = document.space.to_view(document.pose.positions[cage.triangles[t][i]]);
+    const auto at = hit(ray, corners);
+    if (!at || *at <= start || *at >= first) continue;
+    first = *at;
+    best = Pick{cage.triangle_polygon[t], camera.depth(glm::vec3(ray.origin + first * ray.direction))};
+  }
+  return best;
+}
+
+std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge& edge) {
+  for (std::uint32_t f = 0; f < cage.surface.polygon_count(); ++f) {
+    const auto vertices = element_vertices(cage, ElementKind::face, f);
+    const auto has = [&](std::uint32_t v) { return std::find(vertices.begin(), vertices.end(), v) != vertices.end(); };
+    if (has(edge[0]) && has(edge[1])) return f;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Projector::Projector(const Space& space, const Camera& camera, const Viewport& viewport)
+    : space_(space), view_(camera.view()), projection_(camera.projection(viewport)), window_(viewport.window) {
+  to_depth_ = glm::inverse(projection_);
+}
+
+glm::vec4 Projector::clip(const mesh::Point& p) const { return projection_ * (view_ * glm::vec4(space_.to_view(p), 1)); }
+
+glm::vec3 Projector::on_screen(const glm::vec4& clip) const {
+  const glm::vec2 ndc = glm::vec2(clip) / clip.w;
+  return {(0.5f + 0.5f * ndc.x) * window_.x, (0.5f - 0.5f * ndc.y) * window_.y, -(to_depth_ * clip).z};
+}
+
+std::optional<glm::vec3> Projector::operator()(const mesh::Point& p) const {
+  const glm::vec4 at = clip(p);
+  if (!(at.w > 0)) return std::nullopt;
+  return on_screen(at);
+}
+
+std::optional<std::array<glm::vec3, 2>> Projector::segment(const mesh::Point& a, const mesh::Point& b) const {
+  glm::vec4 from = clip(a), to = clip(b);
+  const float front_a = from.z + from.w, front_b = to.z + to.w;
+  if (!(front_a > 0 || front_b > 0)) return std::nullopt;
+  if (front_a < 0) from = glm::mix(from, to, front_a / (front_a - front_b));
+  if (front_b < 0) to = glm::mix(to, from, front_b / (front_b - front_a));
+  if (!(from.w > 0 && to.w > 0)) return std::nullopt;
+  return std::array{on_screen(from), on_screen(to)};
+}
+
+std::optional<std::uint32_t> pick_nearest(const Projector& project, std::span<const mesh::Point> points,
+                                          const glm::vec2& cursor, float tolerance) {
+  const auto pick = pick_point(project, points, cursor, tolerance);
+  return pick ? std::optional(pick->index) : std::nullopt;
+}
+
+std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
+                                 const glm::vec2& cursor) {
+  if (!document.has_cage()) return std::nullopt;
+  const Projector project(document.space, camera, viewport);
+  const auto& points = document.pose.positions;
+  const auto kind = document.selection.kind();
+  if (kind == ElementKind::vertex) return pick_point(project, points, cursor, pick_tolerance);
+  if (kind == ElementKind::face) {
+    if (const auto inside = pick_inside(document, camera, camera.ray(cursor, viewport))) return inside;
+  }
+  const auto edge = pick_edge(project, points, document.cage->edges, cursor);
+  if (!edge || kind == ElementKind::edge) return edge;
+  const auto face = face_at(*document.cage, document.cage->edges[edge->index]);
+  return face ? std::optional(Pick{*face, edge->depth}) : std::nullopt;
+}
+
+std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera, const Viewport& viewport,
+                                                const glm::vec2& corner, const glm::vec2& opposite) {
+  if (!document.has_cage()) return {};
+  Selection vertices;
+  const Projector project(document.space, camera, viewport);
+  vertices.apply(pick_box(project, document.pose.positions, corner, opposite), SelectMode::replace);
+  return converted(*document.cage, vertices, document.selection.kind()).indices();
+}
+
+std::vector<std::uint32_t> pick_box(const Projector& project, std::span<const mesh::Point> points,
+                                    const glm::vec2& corner, const glm::vec2& opposite) {
+  const glm::vec2 low = glm::min(corner, opposite), high = glm::max(corner, opposite);
+  std::vector<std::uint32_t> inside;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const auto at = project(points[i]);
+    if (at && at->x >= low.x && at->x <= high.x && at->y >= low.y && at->y <= high.y) inside.push_back(i);
+  }
+  return inside;
+}
+
+}  // namespace viete::scene

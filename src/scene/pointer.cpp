@@ -1,0 +1,203 @@
+#include "scene/pointer.h"
+
+
+namespace viete::scene {
+
+namespace {
+
+SelectMode mode_of(const PointerInput& input) {
+  if (input.shift) return SelectMode::add;
+  return input.ctrl ? SelectMode::remove : SelectMode::replace;
+}
+
+std::optional<Pick> element_under(const Workspace& w, const glm::vec2& cursor) {
+  return w.view.cage ? pick_element(w.document, w.camera, w.viewport, cursor) : std::nullopt;
+}
+
+std::optional<Constraint> handle_under(const Workspace& w, const glm::vec2& cursor) {
+  const auto gizmo = gizmo_of(w);
+  return gizmo ? pick_handle(*gizmo, cursor) : std::nullopt;
+}
+
+bool over_axes(const Workspace& w, const glm::vec2& cursor) {
+  const auto axes = axis_widget_of(w);
+  return axes && axes->contains(cursor);
+}
+
+glm::dvec3 center_in_view(const Document& document) {
+  const glm::dvec3 c = selection_center(document);
+  return glm::dvec3(document.space.to_view({c.x, c.y, c.z}));
+}
+
+}  // namespace
+
+std::optional<Gizmo> gizmo_of(const Workspace& w) {
+  if (!w.document.has_cage() || !w.view.cage || w.document.selection.empty()) return std::nullopt;
+  const Tool tool = w.hand.drag ? w.hand.drag->tool() : w.tool;
+  return make_gizmo(tool, center_in_view(w.document), w.camera, w.viewport);
+}
+
+std::optional<AxisWidget> axis_widget_of(const Workspace& w) {
+  const bool shown = w.view.axes && w.view.panels && w.document.model.surface;
+  return shown ? axis_widget(w.camera, w.viewport) : std::nullopt;
+}
+
+void Pointer::frame(Workspace& workspace, const PointerInput& input) {
+  if (topology_ != workspace.document.topology) {  // another document: what was begun on the old one is void
+    topology_ = workspace.document.topology;
+    if (active()) finish(workspace, Gesture::ignored);
+  }
+  const bool left_gesture = active() && gesture_ != Gesture::ignored && button_ == left_button;
+  if (left_gesture && (input.escape || pressed_now(input, right_button))) {
+    cancel(workspace);
+  } else if (!active()) {
+    press(workspace, input);
+  }
+  if (active()) move(workspace, input);
+  if (active() && !input.down[button_]) release(workspace, input);
+  if (!active()) hover(workspace, input);
+  if (!active() && input.over_view && input.wheel != 0) {
+    workspace.camera.zoom(input.wheel, input.position, workspace.viewport);
+  }
+  last_ = input;
+}
+
+// What lies on top takes the mouse: the axis widget, the gizmo, the cage.
+void Pointer::hover(Workspace& workspace, const PointerInput& input) const {
+  Hand& hand = workspace.hand;
+  hand.over_axes = input.over_view && over_axes(workspace, input.position);
+  const bool free = input.over_view && !hand.over_axes;
+  hand.handle = free ? handle_under(workspace, input.position) : std::nullopt;
+  const auto pick = free && !hand.handle ? element_under(workspace, input.position) : std::nullopt;
+  hand.hovered = pick ? std::optional(pick->index) : std::nullopt;
+}
+
+void Pointer::press(Workspace& workspace, const PointerInput& input) {
+  if (!input.over_view) return;
+  for (const int button : {left_button, right_button, middle_button}) {
+    if (!pressed_now(input, button)) continue;
+    button_ = button;
+    press_ = input.position;
+    last_.position = input.position;
+    if (button == left_button && !input.alt) return press_left(workspace, input);
+    gesture_ = input.shift ? Gesture::panning : input.ctrl ? Gesture::zooming : Gesture::orbiting;
+    return;
+  }
+}
+
+void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
+  gesture_ = over_axes(workspace, press_) ? Gesture::on_axes : Gesture::pressed;
+  mode_ = mode_of(input);
+  handle_ = handle_under(workspace, press_);
+  grabbed_ = element_under(workspace, press_);
+  selection_before_ = workspace.document.selection;
+}
+
+void Pointer::move(Workspace& workspace, const PointerInput& input) {
+  const glm::vec2 delta = input.position - last_.position;
+  if (glm::distance(input.position, press_) >= drag_threshold) {
+    if (gesture_ == Gesture::pressed) begin_left_drag(workspace, input);
+    if (gesture_ == Gesture::on_axes) gesture_ = Gesture::orbiting;
+  }
+  switch (gesture_) {
+    case Gesture::moving: transform(workspace, input); break;
+    case Gesture::boxing: workspace.hand.box->opposite = input.position; break;
+    case Gesture::orbiting:
+      if (delta != glm::vec2(0)) workspace.camera.orbit(delta);
+      break;
+    case Gesture::panning:
+      if (delta != glm::vec2(0)) workspace.camera.pan(delta, workspace.viewport);
+      break;
+    case Gesture::zooming:
+      if (delta.y != 0) workspace.camera.zoom(-0.05f * delta.y, press_, workspace.viewport);
+      break;
+    default: break;
+  }
+}
+
+// Faces cover the cage: if each could be pulled out at once there would be no place left to begin a box.
+bool Pointer::draws_box(const Workspace& workspace) const {
+  if (handle_) return false;
+  const Selection& selection = workspace.document.selection;
+  if (!grabbed_) return true;
+  return selection.kind() == ElementKind::face && (mode_ != SelectMode::replace || !selection.contains(grabbed_->index));
+}
+
+void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
+  if (!draws_box(workspace)) return begin_transform(workspace);
+  gesture_ = workspace.document.has_cage() && workspace.view.cage ? Gesture::boxing : Gesture::ignored;
+  if (gesture_ == Gesture::boxing) workspace.hand.box = Hand::Box{press_, input.position, mode_};
+}
+
+// A handle uses its tool; an element moves with the selection it belongs to.
+void Pointer::begin_transform(Workspace& workspace) {
+  Document& document = workspace.document;
+  gesture_ = Gesture::moving;
+  if (handle_) {
+    const double depth = workspace.camera.depth(glm::vec3(center_in_view(document)));
+    workspace.hand.drag.emplace(document, workspace.tool, *handle_, depth, press_, workspace.camera);
+    return;
+  }
+  if (!document.selection.contains(grabbed_->index)) {
+    document.selection.apply(std::array{grabbed_->index}, mode_ == SelectMode::add ? SelectMode::add : SelectMode::replace);
+  }
+  workspace.hand.hovered = grabbed_->index;
+  workspace.hand.drag.emplace(document, Tool::move, Constraint{}, grabbed_->depth, press_, workspace.camera);
+}
+
+void Pointer::transform(Workspace& workspace, const PointerInput& input) {
+  TransformDrag& drag = *workspace.hand.drag;
+  bool changed = input.position != last_.position || input.ctrl != last_.ctrl || input.backspace;
+  if (input.backspace) drag.backspace();
+  for (const char c : input.typed) changed |= drag.type(c);
+  if (changed) {
+    drag.update(workspace.document, {input.position, input.ctrl, input.shift}, workspace.camera, workspace.viewport);
+  }
+  if (!input.enter) return;
+  drag.commit(workspace.document);
+  finish(workspace, Gesture::ignored);
+}
+
+void Pointer::release(Workspace& workspace, const PointerInput& input) {
+  Document& document = workspace.document;
+  if (gesture_ == Gesture::moving) {
+    workspace.hand.drag->commit(document);
+    workspace.view.hints = false;
+  } else if (gesture_ == Gesture::boxing) {
+    const auto inside =
+        pick_elements_in_box(document, workspace.camera, workspace.viewport, press_, input.position);
+    document.selection.apply(inside, mode_);
+  } else if (gesture_ == Gesture::pressed) {
+    click(workspace);
+  } else if (gesture_ == Gesture::on_axes) {
+    const auto axes = axis_widget_of(workspace);
+    const AxisBall* ball = axes ? axes->ball(press_) : nullptr;
+    if (ball) look_from(workspace.camera, *ball);
+  }
+  finish(workspace, Gesture::none);
+}
+
+// A click on a handle reaches what is below it, but on nothing it keeps the selection.
+void Pointer::click(Workspace& workspace) {
+  Selection& selection = workspace.document.selection;
+  if (grabbed_) {
+    selection.apply(std::array{grabbed_->index}, mode_);
+  } else if (!handle_ && mode_ == SelectMode::replace) {
+    selection.clear();
+  }
+}
+
+void Pointer::finish(Workspace& workspace, Gesture next) {
+  workspace.hand.drag.reset();
+  workspace.hand.box.reset();
+  gesture_ = next;
+}
+
+// The button stays "used up" until it is released, so that the rest of the movement does nothing.
+void Pointer::cancel(Workspace& workspace) {
+  if (workspace.hand.drag) workspace.hand.drag->cancel(workspace.document);
+  workspace.document.selection = selection_before_;
+  finish(workspace, Gesture::ignored);
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,79 @@
+// Mouse, modifiers and typed characters of one frame turned into hovering, selecting, transforming and camera work.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "scene/axis_widget.h"
+#include "scene/gizmo.h"
+#include "scene/picking.h"
+#include "scene/workspace.h"
+
+namespace viete::scene {
+
+enum MouseButton { left_button = 0, right_button = 1, middle_button = 2 };
+
+/// The pointer in one frame. Positions in logical pixels from the top left of the window.
+struct PointerInput {
+  glm::vec2 position{-1, -1};
+  std::array<bool, 3> down{};
+  float wheel = 0;       ///< steps, positive away from the user
+  bool shift = false, ctrl = false, alt = false;
+  bool over_view = true; ///< false while a panel is under the pointer or owns it
+  bool escape = false;   ///< Esc went down in this frame
+  bool enter = false;    ///< and Enter
+  bool backspace = false;
+  std::string typed;     ///< characters of this frame
+};
+
+/// The gizmo of what is selected, as it is now; nothing while there is none, and while the cage is hidden.
+std::optional<Gizmo> gizmo_of(const Workspace& workspace);
+
+/// The axis widget, if it is shown.
+std::optional<AxisWidget> axis_widget_of(const Workspace& workspace);
+
+/// Keeps what the pointer did from frame to frame: which button was pressed where, and what that began. A gesture that began in the view
+/// goes on over panels until its button is released.
+class Pointer {
+ public:
+  static constexpr float drag_threshold = 4;  ///< logical pixels before a press becomes a drag
+
+  /// Called once a frame. Left click selects (Shift adds, Ctrl removes); left drag on a handle of the gizmo uses it, on an
+  /// element moves the selection (a face must be selected already), elsewhere draws a box; middle, right or Alt+left drag orbits, with
+  /// Shift pans, with Ctrl zooms; wheel zooms to the cursor. While something is being moved characters constrain it and set the amount, Ctrl snaps,
+  /// Shift slows, Enter keeps it, and Esc or the right button puts everything back as it was.
+  void frame(Workspace& workspace, const PointerInput& input);
+
+  /// True while a button is held in a gesture that began in the view.
+  bool active() const { return gesture_ != Gesture::none; }
+
+ private:
+  enum class Gesture { none, pressed, on_axes, moving, boxing, orbiting, panning, zooming, ignored };
+
+  void hover(Workspace& workspace, const PointerInput& input) const;
+  void press(Workspace& workspace, const PointerInput& input);
+  void press_left(Workspace& workspace, const PointerInput& input);
+  void move(Workspace& workspace, const PointerInput& input);
+  void begin_left_drag(Workspace& workspace, const PointerInput& input);
+  void begin_transform(Workspace& workspace);
+  void transform(Workspace& workspace, const PointerInput& input);
+  void release(Workspace& workspace, const PointerInput& input);
+  void click(Workspace& workspace);
+  void finish(Workspace& workspace, Gesture next);
+  void cancel(Workspace& workspace);
+  bool pressed_now(const PointerInput& input, int button) const { return input.down[button] && !last_.down[button]; }
+  bool draws_box(const Workspace& workspace) const;
+
+  Gesture gesture_ = Gesture::none;
+  int button_ = 0;
+  glm::vec2 press_{0, 0};
+  std::optional<Pick> grabbed_;
+  std::optional<Constraint> handle_;
+  SelectMode mode_ = SelectMode::replace;
+  Selection selection_before_;
+  Revision topology_ = 0;
+  PointerInput last_;
+};
+
+}  // namespace viete::scene

@@ -1,0 +1,40 @@
+// What is selected: a set of cage elements of one kind.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace viete::scene {
+
+enum class SelectMode { replace, add, remove };
+
+/// Vertices and edges of the cage (Cage::edges), and its polygons.
+enum class ElementKind { vertex, edge, face };
+
+/// Indices of elements of kind(), ascending, each once. Which vertices they are: selected_vertices() in scene/elements.h.
+class Selection {
+ public:
+  Selection() = default;
+  explicit Selection(ElementKind kind) : kind_(kind) {}
+
+  ElementKind kind() const { return kind_; }
+  const std::vector<std::uint32_t>& indices() const { return indices_; }
+  bool empty() const { return indices_.empty(); }
+  std::size_t size() const { return indices_.size(); }
+  bool contains(std::uint32_t index) const;
+
+  void clear() { indices_.clear(); }
+  void select_all(std::size_t count);
+  void invert(std::size_t count);
+  /// picked must be ascending.
+  void apply(std::span<const std::uint32_t> picked, SelectMode mode);
+
+  friend bool operator==(const Selection&, const Selection&) = default;
+
+ private:
+  ElementKind kind_ = ElementKind::vertex;
+  std::vector<std::uint32_t> indices_;
+};
+
+}  // namespace viete::scene

@@ -1,0 +1,56 @@
+// How movements of the cursor read at a point of the scene: along an axis, in a plane, about an axis.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "scene/camera.h"
+
+namespace viete::scene {
+
+/// A point as the camera sees it. Points, axes and lengths in view units, cursors in logical pixels.
+class Sight {
+public:
+  Sight(const glm::dvec3& point, const Camera& camera, const Viewport& viewport);
+
+  bool in_front() const { return in_front_; }
+  glm::dvec2 at() const { return at_; }
+  /// View units per logical pixel at the point.
+  double per_pixel() const { return per_pixel_; }
+  /// From the point to the eye, of length 1.
+  glm::dvec3 to_eye() const { return to_eye_; }
+
+  /// How the point moves on screen, in pixels per view unit, when it sets out in this direction.
+  glm::dvec2 motion(const glm::dvec3& direction) const;
+
+  /// Where the place of the axis through the point is that the cursor points at, as a length from the point:
+  /// the place follows the cursor, in perspective, too. 0 if the axis points at the eye; no nearer to the
+  /// vanishing point than a twentieth.
+  double along(const glm::dvec3& axis, const glm::dvec2& cursor) const;
+
+  /// The angle at which the cursor stands about the axis through the point, radians in (-pi, pi], from an
+  /// arbitrary zero. Nothing where the ring around the axis is seen edge-on.
+  std::optional<double> angle(const glm::dvec3& axis, const glm::dvec2& cursor) const;
+
+  /// For a ring of this radius (pixels) that is seen edge-on: the angle by which its near side follows the
+  /// cursor's movement.
+  double edge_on_angle(const glm::dvec3& axis, const glm::dvec2& pixels, double radius) const;
+
+  /// Where the ray meets the plane through the point; nothing where it hardly does: seen edge-on, or beyond
+  /// its horizon.
+  std::optional<glm::dvec3> in_plane(const glm::dvec3& normal, const Ray& ray) const;
+
+private:
+  glm::dvec3 point_, right_, up_, forward_, to_eye_;
+  glm::dvec2 at_, slope_;  // slope: of the ray through the point, 0 if orthographic
+  double depth_, per_pixel_;
+  bool orthographic_, in_front_;
+};
+
+/// The axis and the two that follow it: cross(u, v) == axis for any axis of length 1.
+struct Frame {
+  glm::dvec3 u, v;
+};
+Frame frame_about(const glm::dvec3& axis);
+
+}  // namespace viete::scene

@@ -1,0 +1,33 @@
+// Between the file's coordinates (double, any size, anywhere) and the view's (float, about one unit, at the origin).
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "mesh/surface.h"
+
+namespace viete::scene {
+
+/// view = (file - center) * scale. Chosen once per document, so that a model of 1e-30 or one at 1e7 draws as well as any.
+struct Space {
+  mesh::Point center{0, 0, 0};
+  double scale = 1;
+
+  glm::vec3 to_view(const mesh::Point& p) const {
+    return {static_cast<float>((p[0] - center[0]) * scale), static_cast<float>((p[1] - center[1]) * scale),
+            static_cast<float>((p[2] - center[2]) * scale)};
+  }
+
+  /// The diagonal of the box that the space was chosen for.
+  double diagonal() const { return 2 / scale; }
+
+  /// A displacement of the view in the file's units.
+  mesh::Point displacement_to_file(const glm::dvec3& d) const { return {d.x / scale, d.y / scale, d.z / scale}; }
+};
+
+/// A cell of the ground grid that suits a model of this diagonal (about 20 cells across): 1, 2 or 5 times a power of ten.
+double grid_cell(double diagonal);
+
+/// The space in which the diagonal of the box is 2.
+Space space_for(const mesh::Bounds& box);
+
+}  // namespace viete::scene

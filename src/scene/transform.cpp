@@ -1,0 +1,159 @@
+#include "scene/transform.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "deform/face_maps.h"
+#include "deform/log_maps.h"
+#include "deform/vec3.h"
+#include "scene/elements.h"
+
+namespace viete::scene {
+
+namespace {
+
+constexpr double largest_step = 30;  // degrees in which branches are followed safely
+
+struct Turn {
+  double cosine, sine;
+};
+
+Turn turn_of(double degrees) {
+  const double within = std::remainder(degrees, 360.0);
+  const double quarter = std::round(within / 90);
+  const double rest = (within - 90 * quarter) * 0.017453292519943295;
+  const double c = std::cos(rest), s = std::sin(rest);
+  switch (static_cast<int>(quarter) & 3) {
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
+  }
+}
+
+// O. Rodrigues' formula: cos I + sin [axis] + (1 - cos) axis axis^T.
+glm::dmat3 rotation(const glm::dvec3& a, double degrees) {
+  const Turn t = turn_of(degrees);
+  const glm::dmat3 cross(0, a.z, -a.y, -a.z, 0, a.x, a.y, -a.x, 0);
+  return t.cosine * glm::dmat3(1) + t.sine * cross + (1 - t.cosine) * glm::outerProduct(a, a);
+}
+
+glm::dvec3 vector_of(const mesh::Point& p) {
+  return {p[0], p[1], p[2]};
+}
+mesh::Point point_of(const glm::dvec3& p) {
+  return {p.x, p.y, p.z};
+}
+
+// A transform on its way from the pose before it.
+struct Motion {
+  Document& document;
+  const deform::Pose& before;
+  std::span<const std::uint32_t> vertices;
+  Transform transform;
+
+  void show(double degrees) {
+    transform.degrees = degrees;
+    apply(transform, before.positions, vertices, document.pose.positions);
+  }
+
+  // Turns in small steps; the pose's turns go along.
+  void follow(double from, double to) {
+    const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
+    for (int i = 1; i <= steps; ++i) {
+      show(from + (to - from) * i / steps);
+      read_turns();
+    }
+  }
+
+  // Each whole turn adds the same as the first: following one of them is enough.
+  void follow_whole(double from, int count) {
+    if (count == 0) return;
+    using deform::operator+, deform::operator-, deform::operator*;
+    auto& turns = document.pose.turns;
+    turns.resize(document.cage->roots.size(), {0, 0, 0});
+    const auto start = turns;
+    follow(from, from + std::copysign(360, count));
+    for (std::size_t part = 0; part < turns.size(); ++part) {
+      turns[part] = start[part] + std::abs(count) * (turns[part] - start[part]);
+    }
+  }
+
+ private:
+  void read_turns() {
+    const deform::Cage& cage = *document.cage;
+    std::vector<deform::FaceMap> maps(cage.element_count());
+    std::vector<deform::MapLog> logs(cage.element_count());
+    deform::LogReport report;
+    deform::face_maps(cage, document.pose.positions, maps);
+    deform::log_maps(cage, maps, document.pose.turns, logs, report);
+    document.pose.turns = report.turns;
+  }
+};
+
+bool all_finite(std::span<const mesh::Point> points, std::span<const std::uint32_t> vertices) {
+  return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
+    return std::all_of(points[v].begin(), points[v].end(), [](double x) { return std::isfinite(x); });
+  });
+}
+
+}  // namespace
+
+glm::dmat3 Transform::linear() const {
+  glm::dmat3 scale(1);
+  for (int i = 0; i < 3; ++i) scale[i][i] = factors[i];
+  return rotation(axis, degrees) * scale;
+}
+
+void apply(const Transform& transform, std::span<const mesh::Point> from,
+           std::span<const std::uint32_t> vertices, std::span<mesh::Point> to) {
+  const glm::dmat3 linear = transform.linear();
+  const bool turns = linear != glm::dmat3(1);
+  for (const auto v : vertices) {
+    const glm::dvec3 p = vector_of(from[v]);
+    const glm::dvec3 turned = turns ? transform.pivot + linear * (p - transform.pivot) : p;
+    to[v] = point_of(turned + transform.shift);
+  }
+}
+
+glm::dvec3 selection_center(const Document& document) {
+  const auto vertices = selected_vertices(*document.cage, document.selection);
+  glm::dvec3 sum(0);
+  const auto n = static_cast<double>(vertices.size());
+  for (const auto v : vertices) sum += vector_of(document.pose.positions[v]) / n;
+  return sum;
+}
+
+void place(Document& document, const deform::Pose& before, std::span<const std::uint32_t> vertices,
+           const Transform& transform, double degrees_seen) {
+  Motion motion{document, before, vertices, transform};
+  const double jump = transform.degrees - degrees_seen;
+  if (std::abs(jump) > largest_step) {
+    const int whole = static_cast<int>(jump / 360);
+    motion.follow_whole(degrees_seen, whole);
+    motion.follow(degrees_seen + 360.0 * whole, transform.degrees);
+  }
+  motion.show(transform.degrees);
+  if (!all_finite(document.pose.positions, vertices)) document.pose = before;
+  ++document.posed;
+}
+
+void transform_selection(Document& document, Tool tool, const Transform& transform) {
+  const Snapshot before{document.pose, document.selection};
+  Transform bounded = transform;
+  bounded.degrees = std::clamp(transform.degrees, -most_degrees, most_degrees);
+  place(document, before.pose, selected_vertices(*document.cage, document.selection), bounded, 0);
+  if (document.pose.positions == before.pose.positions && transform.degrees == 0) return;
+  document.history.record(edit_label(tool, document.selection), before);
+}
+
+std::string edit_label(Tool tool, const Selection& selection) {
+  const std::string verb = tool == Tool::rotate ? "rotate" : tool == Tool::scale ? "scale" : "move";
+  return verb + ' ' + counted(selection.kind(), selection.size());
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,52 @@
+// Moving, turning and scaling the selected vertices about a pivot: exact where nothing or whole turns are
+// asked for.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/document.h"
+#include "scene/tool.h"
+
+namespace viete::scene {
+
+/// Scaled along the file's axes, turned, then moved. Lengths in the file's units.
+struct Transform {
+  glm::dvec3 pivot{0, 0, 0};
+  glm::dvec3 factors{1, 1, 1};
+  glm::dvec3 axis{0, 0, 1};  ///< of length 1
+  double degrees = 0;  ///< right-handed, any number of turns; degrees, because 90 and 360 are exact in them
+  glm::dvec3 shift{0, 0, 0};
+
+  /// Turn and scale as a matrix; multiples of 90 degrees about a file axis have entries 0, 1 and -1 only.
+  glm::dmat3 linear() const;
+};
+
+/// The vertices of `from` transformed; whatever maps to itself keeps its bits. to.size() == from.size().
+void apply(const Transform& transform, std::span<const mesh::Point> from,
+           std::span<const std::uint32_t> vertices, std::span<mesh::Point> to);
+
+/// The largest turn that can be asked for at once: beyond a thousand turns angles lose digits.
+inline constexpr double most_degrees = 360000;
+
+/// The mean of the selected vertices, in the file's units. Requires a selection.
+glm::dvec3 selection_center(const Document& document);
+
+/// Puts the vertices where the transform takes them from their place in `before`. If the turn differs from
+/// `degrees_seen`, the transform that the document shows, by more than a mouse can turn in a frame, it is
+/// followed in small steps, so that the pose's whole turns are what a slow turn would have made them. |degrees|
+/// is at most most_degrees. What would leave the range of doubles leaves the pose as it was before.
+void place(Document& document, const deform::Pose& before, std::span<const std::uint32_t> vertices,
+           const Transform& transform, double degrees_seen);
+
+/// The whole edit at once, one entry of the history; nothing is recorded if nothing moves. Requires a cage
+/// and a selection.
+void transform_selection(Document& document, Tool tool, const Transform& transform);
+
+/// "rotate 3 faces".
+std::string edit_label(Tool tool, const Selection& selection);
+
+}  // namespace viete::scene

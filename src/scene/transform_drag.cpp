@@ -1,0 +1,226 @@
+#include "scene/transform_drag.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "scene/elements.h"
+#include "scene/gizmo.h"
+
+namespace viete::scene {
+
+namespace {
+
+using Kind = Constraint::Kind;
+
+constexpr double held_back = 0.9;          // of each movement while slow
+constexpr double turn_snap = 15;           // degrees
+constexpr double scale_snaps = 10;         // for a factor of 1
+constexpr double move_snaps = 10;          // for the grid's cell
+constexpr double even_scale_pixels = 120;  // to the right or up for a factor of 2
+constexpr double shortest_grip = 40;       // pixels: nearer to the pivot, scaling would be too quick
+constexpr double degree = 57.29577951308232;
+
+// A decimal step as so many to the unit gives the same bits as the number when it is typed.
+double snapped(double value, double per_unit) {
+  return std::round(value * per_unit) / per_unit;
+}
+
+std::string print(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  const bool zero = std::string(text).find_first_not_of("-0.") == std::string::npos;
+  return zero && text[0] == '-' ? text + 1 : text;
+}
+
+// Digits enough for a hundredth of the grid's cell.
+std::string length_text(double value, double cell) {
+  const double decimals = 2 - std::floor(std::log10(cell));
+  if (!(decimals >= 0 && decimals <= 9)) return print("%.3g", value);
+  return print(("%." + std::to_string(static_cast<int>(decimals)) + "f").c_str(), value);
+}
+
+}  // namespace
+
+TransformDrag::TransformDrag(const Document& document, Tool tool, Constraint constraint, double depth,
+                             const glm::vec2& cursor, const Camera& camera)
+    : before_{document.pose, document.selection},
+      vertices_(selected_vertices(*document.cage, document.selection)),
+      space_(document.space),
+      tool_(tool),
+      constraint_(constraint),
+      first_constraint_(constraint),
+      pivot_(selection_center(document)),
+      view_axis_(-camera.forward()),
+      depth_(depth),
+      press_(cursor),
+      cursor_(cursor) {
+  transform_.pivot = pivot_;
+}
+
+void TransformDrag::update(Document& document, const DragInput& input, const Camera& camera,
+                           const Viewport& viewport) {
+  const Transform by_mouse = measured(input, camera, viewport), seen = transform_;
+  pulled_ = by_mouse.shift;
+  const auto value = entry_.value();
+  transform_ = value ? typed(*value) : by_mouse;
+  const bool same_axis = transform_.axis == seen.axis;
+  if (!same_axis) document.pose.turns = before_.pose.turns;
+  place(document, before_.pose, vertices_, transform_, same_axis ? seen.degrees : 0);
+}
+
+bool TransformDrag::type(char c) {
+  const char lower = static_cast<char>(c | 0x20);
+  if (lower < 'x' || lower > 'z') return entry_.type(c);
+  const Constraint wanted{c == lower ? Kind::axis : Kind::plane, lower - 'x'};
+  // A turn in a plane is a turn about the plane's normal.
+  const Constraint fitting = tool_ == Tool::rotate ? Constraint{Kind::axis, wanted.axis} : wanted;
+  constrain(fitting == constraint_ ? Constraint{} : fitting);
+  return true;
+}
+
+// The mouse is then read anew from the press on.
+void TransformDrag::constrain(const Constraint& constraint) {
+  constraint_ = constraint;
+  turned_ = turn_lag_ = 0;
+}
+
+glm::dvec3 TransformDrag::direction() const {
+  if (constraint_.kind == Kind::free) return view_axis_;
+  glm::dvec3 axis(0);
+  axis[constraint_.axis] = 1;
+  return axis;
+}
+
+Transform TransformDrag::measured(const DragInput& input, const Camera& camera, const Viewport& viewport) {
+  const glm::dvec2 cursor(input.cursor);
+  if (input.slow) lag_ += held_back * (cursor - cursor_);
+  const glm::dvec2 slowed = cursor - lag_;
+  const Sight sight(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera, viewport);
+  Transform t;
+  t.pivot = pivot_;
+  if (tool_ == Tool::rotate) {
+    t.axis = direction();
+    t.degrees = degree * turn_by_mouse(input, sight);
+    if (input.snap) t.degrees = turn_snap * std::round(t.degrees / turn_snap);
+  } else if (tool_ == Tool::scale) {
+    t.factors = scale_by_mouse(slowed, sight);
+    for (int i = 0; i < 3 && input.snap; ++i) t.factors[i] = snapped(t.factors[i], scale_snaps);
+  } else {
+    t.shift = move_by_mouse(slowed, camera, viewport);
+    const double per_unit = move_snaps / grid_cell(space_.diagonal());
+    for (int i = 0; i < 3 && input.snap; ++i) t.shift[i] = snapped(t.shift[i], per_unit);
+  }
+  cursor_ = cursor;
+  return t;
+}
+
+glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const Camera& camera,
+                                        const Viewport& viewport) const {
+  const Sight sight(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera, viewport);
+  glm::dvec3 moved(0);
+  if (constraint_.kind == Kind::free) {
+    moved = camera.plane_displacement(glm::vec2(cursor - press_), depth_, viewport);
+  } else if (constraint_.kind == Kind::axis) {
+    moved = (sight.along(direction(), cursor) - sight.along(direction(), press_)) * direction();
+  } else {
+    const auto from = sight.in_plane(direction(), camera.ray(glm::vec2(press_), viewport));
+    const auto to = sight.in_plane(direction(), camera.ray(glm::vec2(cursor), viewport));
+    if (!from || !to) return pulled_;
+    moved = *to - *from;
+    moved[constraint_.axis] = 0;
+  }
+  return moved / space_.scale;
+}
+
+// The cursor's angle is known up to whole turns: of all that it can mean, the one nearest to the last.
+double TransformDrag::turn_by_mouse(const DragInput& input, const Sight& sight) {
+  const auto now = sight.angle(direction(), input.cursor), then = sight.angle(direction(), press_);
+  double turned = 0;
+  if (now && then) {
+    constexpr double turn = 2 * 3.14159265358979323846;
+    turned = turned_ + std::remainder(*now - *then - turned_, turn);
+  } else {
+    turned = sight.edge_on_angle(direction(), glm::dvec2(input.cursor) - press_, gizmo_radius);
+  }
+  if (input.slow) turn_lag_ += held_back * (turned - turned_);
+  turned_ = turned;
+  return turned_ - turn_lag_;
+}
+
+// Along the axis on screen, or away from the pivot in a plane; evenly: to the right and up.
+glm::dvec3 TransformDrag::scale_by_mouse(const glm::dvec2& cursor, const Sight& sight) const {
+  if (constraint_.kind == Kind::free) {
+    const glm::dvec2 moved = cursor - press_;
+    return factors(1 + (moved.x - moved.y) / even_scale_pixels);
+  }
+  glm::dvec2 outward = constraint_.kind == Kind::axis ? sight.motion(direction()) : press_ - sight.at();
+  const double length = glm::length(outward);
+  if (!(length > 0)) return factors(1);
+  outward /= length;
+  const double grip = glm::dot(press_ - sight.at(), outward);
+  const double moved = glm::dot(cursor - press_, outward);
+  return factors(1 + moved / std::max(grip, shortest_grip));
+}
+
+glm::dvec3 TransformDrag::factors(double value) const {
+  glm::dvec3 factors(constraint_.kind == Kind::axis ? 1.0 : value);
+  if (constraint_.kind != Kind::free)
+    factors[constraint_.axis] = constraint_.kind == Kind::axis ? value : 1.0;
+  return factors;
+}
+
+// Without an axis a number is how far to go in the direction in which the mouse has pulled.
+Transform TransformDrag::typed(double value) const {
+  Transform t;
+  t.pivot = pivot_;
+  if (tool_ == Tool::rotate) {
+    t.axis = direction();
+    t.degrees = std::clamp(value, -most_degrees, most_degrees);
+  } else if (tool_ == Tool::scale) {
+    t.factors = factors(value);
+  } else if (constraint_.kind == Kind::axis) {
+    t.shift = value * direction();
+  } else {
+    const double length = glm::length(pulled_);
+    if (length > 0) t.shift = value / length * pulled_;
+  }
+  return t;
+}
+
+void TransformDrag::commit(Document& document) const {
+  if (document.pose.positions == before_.pose.positions && transform_.degrees == 0) return;
+  document.history.record(edit_label(tool_, before_.selection), before_);
+}
+
+void TransformDrag::cancel(Document& document) const {
+  document.pose = before_.pose;
+  document.selection = before_.selection;
+  ++document.posed;
+}
+
+std::string TransformDrag::amounts() const {
+  if (tool_ == Tool::rotate) return print("%.1f", transform_.degrees) + "\u00b0";
+  const bool scaling = tool_ == Tool::scale;
+  if (scaling && constraint_.kind == Kind::free) return print("%.2f", transform_.factors.x);
+  const double cell = grid_cell(space_.diagonal());
+  std::string text;
+  for (int i = 0; i < 3; ++i) {
+    const bool used =
+        constraint_.kind == Kind::free || (constraint_.kind == Kind::axis) == (i == constraint_.axis);
+    if (!used) continue;
+    const double value = scaling ? transform_.factors[i] : transform_.shift[i];
+    text += (text.empty() ? "" : "   ") + std::string(1, static_cast<char>('X' + i)) + ' ' +
+            (scaling ? print("%.2f", value) : length_text(value, cell));
+  }
+  return text;
+}
+
+std::string TransformDrag::readout() const {
+  const bool named = tool_ == Tool::rotate && constraint_.kind == Kind::axis;
+  const std::string axis = std::string(1, static_cast<char>('X' + constraint_.axis)) + ' ';
+  if (entry_.empty()) return (named ? axis : "") + amounts();
+  return (constraint_.kind == Kind::axis ? axis : "") + entry_.text() + '_';
+}
+
+}  // namespace viete::scene

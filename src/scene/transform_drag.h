@@ -1,0 +1,82 @@
+// Moving, rotating or scaling the selection by the mouse and by typed numbers, from press to release or to
+// "as it was".
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/document.h"
+#include "scene/number_entry.h"
+#include "scene/sight.h"
+#include "scene/tool.h"
+#include "scene/transform.h"
+
+namespace viete::scene {
+
+/// The cursor of one frame of a drag.
+struct DragInput {
+  glm::vec2 cursor;   ///< logical pixels
+  bool snap = false;  ///< to 15 degrees, a tenth of scale, a tenth of the grid's cell
+  bool slow = false;  ///< a tenth of the speed
+};
+
+/// One drag. Each update places the selection anew from where it was at the press, so that nothing
+/// accumulates. Turns are counted: going round the pivot twice is 720 degrees. A typed number replaces what
+/// the mouse says until it is deleted.
+class TransformDrag {
+public:
+  /// The selection is what moves, about its centre; `depth` (view units) is that of the point which a free
+  /// move keeps under the cursor. Requires a cage and a selection.
+  TransformDrag(const Document& document, Tool tool, Constraint constraint, double depth,
+                const glm::vec2& cursor, const Camera& camera);
+
+  void update(Document& document, const DragInput& input, const Camera& camera, const Viewport& viewport);
+
+  /// x y z: along or about that axis, the same again: freely as at first; capital: in the plane across it.
+  /// Digits, point and minus: the amount. Says whether the character meant something; the next update shows
+  /// it.
+  bool type(char c);
+  void backspace() { entry_.backspace(); }
+
+  /// Ends the drag as one entry of the history; nothing is recorded if nothing moved.
+  void commit(Document& document) const;
+  /// Ends it with exactly the pose of the press.
+  void cancel(Document& document) const;
+
+  Tool tool() const { return tool_; }
+  const Constraint& constraint() const { return constraint_; }
+  /// What the selection has gone through so far.
+  const Transform& transform() const { return transform_; }
+  glm::vec2 press() const { return press_; }
+  /// The amount as people read it: "X 0.125", "Z 405.0\u00b0", "1.20"; what is being typed ends with an
+  /// underscore.
+  std::string readout() const;
+
+private:
+  void constrain(const Constraint& constraint);
+  glm::dvec3 direction() const;
+  Transform measured(const DragInput& input, const Camera& camera, const Viewport& viewport);
+  Transform typed(double value) const;
+  glm::dvec3 move_by_mouse(const glm::dvec2& cursor, const Camera& camera, const Viewport& viewport) const;
+  double turn_by_mouse(const DragInput& input, const Sight& sight);
+  glm::dvec3 scale_by_mouse(const glm::dvec2& cursor, const Sight& sight) const;
+  glm::dvec3 factors(double value) const;
+  std::string amounts() const;
+
+  Snapshot before_;
+  std::vector<std::uint32_t> vertices_;
+  Space space_;
+  Tool tool_;
+  Constraint constraint_, first_constraint_;
+  glm::dvec3 pivot_, view_axis_;  // file units; towards the eye at the press
+  double depth_;
+  glm::dvec2 press_, cursor_, lag_{0, 0};  // lag: what slow movement has held back
+  double turned_ = 0, turn_lag_ = 0;       // radians that the cursor has gone round since the press
+  glm::dvec3 pulled_{0, 0, 0};             // the move that the mouse alone would make
+  NumberEntry entry_;
+  Transform transform_;
+};
+
+}  // namespace viete::scene

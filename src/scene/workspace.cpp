@@ -1,0 +1,67 @@
+#include "scene/workspace.h"
+
+#include "scene/elements.h"
+#include "scene/open.h"
+
+namespace viete::scene {
+
+namespace {
+
+std::vector<glm::vec3> in_view(const Space& space, std::span<const mesh::Point> points) {
+  std::vector<glm::vec3> seen;
+  seen.reserve(points.size());
+  for (const auto& p : points) seen.push_back(space.to_view(p));
+  return seen;
+}
+
+// The corners of the box that the used vertices fill: stray ones do not make the model small.
+std::vector<mesh::Point> corners(const mesh::Bounds& box) {
+  std::vector<mesh::Point> points;
+  for (int i = 0; i < 8; ++i) {
+    points.push_back({(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2]});
+  }
+  return points;
+}
+
+}  // namespace
+
+bool open_now(Workspace& workspace, const OpenRequest& request) {
+  try {
+    take(workspace, open_files(request, workspace.document));
+    return true;
+  } catch (const std::exception& error) {
+    workspace.messages.error(error.what());
+    return false;
+  }
+}
+
+bool load_model(Workspace& workspace, const std::filesystem::path& model, const std::filesystem::path& cage) {
+  return open_now(workspace, {OpenRequest::What::model, {model, cage}});
+}
+
+bool load_cage(Workspace& workspace, const std::filesystem::path& cage) {
+  return open_now(workspace, {OpenRequest::What::cage, {cage}});
+}
+
+bool load_pose(Workspace& workspace, const std::filesystem::path& pose) {
+  return open_now(workspace, {OpenRequest::What::pose, {pose}});
+}
+
+void frame_all(Workspace& workspace, bool eased) {
+  const Document& document = workspace.document;
+  if (!document.model.surface) return;
+  // A cage encloses its model: its vertices say where both are.
+  const std::vector<mesh::Point> points =
+      document.has_cage() ? document.pose.positions : corners(document.model.bounds);
+  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
+}
+
+void frame_selection(Workspace& workspace, bool eased) {
+  const Document& document = workspace.document;
+  if (document.selection.empty()) return frame_all(workspace, eased);
+  std::vector<mesh::Point> points;
+  for (const auto v : selected_vertices(*document.cage, document.selection)) points.push_back(document.pose.positions[v]);
+  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
+}
+
+}  // namespace viete::scene

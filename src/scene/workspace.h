@@ -1,0 +1,130 @@
+// The document and all that surrounds it while a person works on it: camera, view options, messages, what the hand is doing.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/document.h"
+#include "scene/file_browser.h"
+#include "scene/frame_stats.h"
+#include "scene/messages.h"
+#include "scene/recovery.h"
+#include "scene/remembered.h"
+#include "scene/tool.h"
+#include "scene/transform_drag.h"
+
+namespace viete::scene {
+
+struct ViewOptions {
+  bool dark = true;
+  bool model = true;
+  bool wireframe = false;
+  bool cage = true;
+  bool grid = true;
+  bool axes = true;    ///< the axis widget
+  bool ghost = false;  ///< the rest pose of the cage, faintly, while the cage is posed
+  bool panels = true;
+  bool help = false;
+  bool hints = true;  ///< of the first start; gone after the first drag
+
+  friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
+};
+
+/// What the mouse is doing in the view.
+struct Hand {
+  std::optional<std::uint32_t> hovered;  ///< cage element under the cursor, of the selection's kind
+  std::optional<Constraint> handle;      ///< of the gizmo, under the cursor
+  bool over_axes = false;                ///< the cursor is over the axis widget
+  std::optional<TransformDrag> drag;     ///< the selection is being moved, rotated or scaled
+  struct Box {
+    glm::vec2 corner, opposite;  ///< logical pixels
+    SelectMode mode;
+  };
+  std::optional<Box> box;  ///< a selection box is being drawn
+};
+
+/// Files to be opened: see open_files() in scene/open.h.
+struct OpenRequest {
+  enum class What {
+    model,    ///< a session, or a model and, where they are named, its cage and a pose
+    cage,     ///< of the open model
+    pose,     ///< of the open cage
+    dropped,  ///< whatever they are
+    recovery  ///< unsaved work
+  };
+  What what = What::model;
+  std::vector<std::filesystem::path> files;
+};
+
+/// What only the program around can do; it takes and clears these once a frame.
+struct Requests {
+  bool quit = false;
+  bool screenshot = false;
+  bool stop_loading = false;
+  std::optional<OpenRequest> open;
+  std::optional<std::filesystem::path> save_session, save_pose, save_model;
+  std::optional<std::filesystem::path> discard;  ///< a leftover
+};
+
+/// How far the reading of files is, while they are being read.
+struct LoadState {
+  bool running = false;
+  std::string what;    ///< "Reading dragon.ply"
+  double done = 0;     ///< in [0, 1]
+  double seconds = 0;  ///< since it began
+};
+
+/// What is safe in files of the user's: edits that led away from it are unsaved.
+struct Saved {
+  std::filesystem::path session;       ///< where Save writes; empty until there is one
+  std::vector<mesh::Point> positions;  ///< the pose that was opened or saved last; empty for recovered work
+  unsigned long revision = 0;          ///< grows with each change
+};
+
+/// How far the binding is, while it is being made.
+struct BindState {
+  bool running = false;
+  double done = 0;  ///< in [0, 1]
+};
+
+struct Workspace {
+  Document document;
+  Camera camera;
+  Viewport viewport;
+  ViewOptions view;
+  Messages messages;
+  Hand hand;
+  Tool tool = Tool::move;
+  Requests requests;
+  FrameStats stats;
+  MethodStats methods;
+  BindState binding;
+  LoadState loading;
+  Saved saved;
+  Remembered remembered;
+  std::vector<Leftover> leftovers;       ///< unsaved work that can be brought back, newest first
+  std::filesystem::path recovered_from;  ///< the leftover that is open, until its work is safe elsewhere
+  Revision opened = 0;                   ///< another document was opened
+  std::vector<std::string> pose_notes;  ///< what the deformer had to decide in this pose, one line each
+  FileBrowser browser;
+  std::string renderer;  ///< name of the OpenGL renderer, for the About section
+  std::string kernel;    ///< name of the exponential kernel that runs
+};
+
+/// Opens at once, without reading aside. On failure everything stays as it was and a message says why. Returns success.
+bool open_now(Workspace& workspace, const OpenRequest& request);
+bool load_model(Workspace& workspace, const std::filesystem::path& model, const std::filesystem::path& cage);
+bool load_cage(Workspace& workspace, const std::filesystem::path& cage);
+bool load_pose(Workspace& workspace, const std::filesystem::path& pose);
+
+/// Moves the camera to see the model and its posed cage, or the selected vertices.
+void frame_all(Workspace& workspace, bool eased);
+void frame_selection(Workspace& workspace, bool eased);
+
+}  // namespace viete::scene

@@ -1,0 +1,50 @@
+// Adapter between Sym3 and Eigen's matrices, and the vector orders of mechanics. The only header that needs
+// Eigen.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "sym3/sym3.h"
+
+namespace viete::sym3 {
+
+template <class T>
+Eigen::Matrix<T, 3, 3> to_eigen(const Sym3<T>& s) {
+  Eigen::Matrix<T, 3, 3> m;
+  m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
+  return m;
+}
+
+/// Reads the upper triangle only.
+template <class T>
+Sym3<T> from_eigen(const Eigen::Matrix<T, 3, 3>& m) {
+  return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+}
+
+/// Voigt order of a stress: xx, yy, zz, yz, xz, xy.
+template <class T>
+Eigen::Matrix<T, 6, 1> to_voigt_stress(const Sym3<T>& s) {
+  Eigen::Matrix<T, 6, 1> v;
+  v << s.xx, s.yy, s.zz, s.yz, s.xz, s.xy;
+  return v;
+}
+
+template <class T>
+Sym3<T> from_voigt_stress(const Eigen::Matrix<T, 6, 1>& v) {
+  return {v[0], v[5], v[4], v[1], v[3], v[2]};
+}
+
+/// Voigt order of a strain: xx, yy, zz, 2 yz, 2 xz, 2 xy (engineering shear strains).
+template <class T>
+Eigen::Matrix<T, 6, 1> to_voigt_strain(const Sym3<T>& s) {
+  Eigen::Matrix<T, 6, 1> v;
+  v << s.xx, s.yy, s.zz, 2 * s.yz, 2 * s.xz, 2 * s.xy;
+  return v;
+}
+
+template <class T>
+Sym3<T> from_voigt_strain(const Eigen::Matrix<T, 6, 1>& v) {
+  return {v[0], v[5] / 2, v[4] / 2, v[1], v[3] / 2, v[2]};
+}
+
+}  // namespace viete::sym3

@@ -1,0 +1,43 @@
+#include "sym3/eigenvalues.h"
+
+#include <Eigen/Eigenvalues>
+#include <limits>
+
+#include "sym3/eigen.h"
+#include "sym3/entries.h"
+#include "sym3/viete.h"
+
+namespace viete::sym3 {
+
+namespace {
+
+template <class T>
+std::array<T, 3> three_nan() {
+  constexpr T nan = std::numeric_limits<T>::quiet_NaN();
+  return {nan, nan, nan};
+}
+
+}  // namespace
+
+template <class T>
+std::array<T, 3> eigenvalues_qr(const Sym3<T>& s) {
+  if (!is_finite(s)) return three_nan<T>();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, 3, 3>> solver;
+  solver.compute(to_eigen(s), Eigen::EigenvaluesOnly);
+  const auto& values = solver.eigenvalues();
+  return {values[0], values[1], values[2]};
+}
+
+template <class T>
+std::array<T, 3> eigenvalues_viete(const Sym3<T>& s) {
+  if (!is_finite(s)) return three_nan<T>();
+  const auto [largest, smallest, middle] = viete_roots(depressed_cubic(s));
+  return {smallest, middle, largest};
+}
+
+template std::array<float, 3> eigenvalues_qr(const Sym3<float>&);
+template std::array<double, 3> eigenvalues_qr(const Sym3<double>&);
+template std::array<float, 3> eigenvalues_viete(const Sym3<float>&);
+template std::array<double, 3> eigenvalues_viete(const Sym3<double>&);
+
+}  // namespace viete::sym3

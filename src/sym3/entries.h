@@ -1,0 +1,46 @@
+// Questions about the entries of a symmetric matrix. Internal; not for the kernels, which share no inline
+// code.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sym3/sym3.h"
+
+namespace viete::sym3 {
+
+/// False if an entry is NaN or infinite.
+template <class T>
+bool is_finite(const Sym3<T>& s) {
+  return s.xx * 0 + s.xy * 0 + s.xz * 0 + s.yy * 0 + s.yz * 0 + s.zz * 0 == 0;
+}
+
+template <class T>
+T largest_entry(const Sym3<T>& s) {
+  return std::max(
+      {std::fabs(s.xx), std::fabs(s.xy), std::fabs(s.xz), std::fabs(s.yy), std::fabs(s.yz), std::fabs(s.zz)});
+}
+
+template <class T>
+bool is_diagonal(const Sym3<T>& s) {
+  return s.xy == 0 && s.xz == 0 && s.yz == 0;
+}
+
+template <class T>
+Sym3<T> times(const Sym3<T>& s, T x) {
+  return {s.xx * x, s.xy * x, s.xz * x, s.yy * x, s.yz * x, s.zz * x};
+}
+
+template <class T>
+Sym3<T> nan_matrix() {
+  constexpr T nan = std::numeric_limits<T>::quiet_NaN();
+  return {nan, nan, nan, nan, nan, nan};
+}
+
+template <class T, class From>
+Sym3<T> convert(const Sym3<From>& s) {
+  return {T(s.xx), T(s.xy), T(s.xz), T(s.yy), T(s.yz), T(s.zz)};
+}
+
+}  // namespace viete::sym3

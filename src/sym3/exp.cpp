@@ -1,0 +1,90 @@
+#include "sym3/exp.h"
+
+#include <array>
+#include <cassert>
+#include <type_traits>
+
+#include "sym3/exp_paper.h"
+#include "sym3/kernel.h"
+
+namespace viete::sym3 {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> names = {"diag", "sd", "improved_sd", "improved_sd_faithful",
+                                                   "fast"};
+
+// The kernels see a Sym3 as six numbers in a row.
+static_assert(sizeof(Sym3<double>) == 6 * sizeof(double) && sizeof(Sym3<float>) == 6 * sizeof(float));
+static_assert(std::is_standard_layout_v<Sym3<double>> && std::is_standard_layout_v<Sym3<float>>);
+
+void run(const Kernel& k, const double* in, double* out, std::size_t count) {
+  k.exp_double(in, out, count);
+}
+void run(const Kernel& k, const float* in, float* out, std::size_t count) {
+  k.exp_float(in, out, count);
+}
+
+template <class T>
+void exp_fast(const Sym3<T>* in, Sym3<T>* out, std::size_t count) {
+  run(kernel(), reinterpret_cast<const T*>(in), reinterpret_cast<T*>(out), count);
+}
+
+template <class T>
+Sym3<T> exp_fast(const Sym3<T>& s) {
+  Sym3<T> out;
+  exp_fast(&s, &out, 1);
+  return out;
+}
+
+/// What computes one matrix.
+template <class T>
+auto one_by(Method method) -> Sym3<T> (*)(const Sym3<T>&) {
+  switch (method) {
+    case Method::diag:
+      return exp_diag<T>;
+    case Method::sd:
+      return exp_sd<T>;
+    case Method::improved_sd:
+      return exp_improved_sd<T>;
+    case Method::improved_sd_faithful:
+      return exp_improved_sd_faithful<T>;
+    case Method::fast:
+      break;
+  }
+  return exp_fast<T>;
+}
+
+}  // namespace
+
+std::string_view name(Method method) {
+  return names[static_cast<std::size_t>(method)];
+}
+
+std::optional<Method> method_from_name(std::string_view name) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return static_cast<Method>(i);
+  }
+  return std::nullopt;
+}
+
+template <class T>
+Sym3<T> exp(const Sym3<T>& s, Method method) {
+  if (method == Method::fast) return exp_fast(s);
+  return one_by<T>(method)(s);
+}
+
+template <class T>
+void exp(std::span<const Sym3<T>> in, std::span<Sym3<T>> out, Method method) {
+  assert(in.size() == out.size());
+  if (method == Method::fast) return exp_fast(in.data(), out.data(), in.size());
+  const auto one = one_by<T>(method);
+  for (std::size_t i = 0; i < in.size(); ++i) out[i] = one(in[i]);
+}
+
+template Sym3<float> exp(const Sym3<float>&, Method);
+template Sym3<double> exp(const Sym3<double>&, Method);
+template void exp(std::span<const Sym3<float>>, std::span<Sym3<float>>, Method);
+template void exp(std::span<const Sym3<double>>, std::span<Sym3<double>>, Method);
+
+}  // namespace viete::sym3

@@ -1,0 +1,21 @@
+// The paper's three ways to exp, one matrix at a time. Internal: exp.h is the way in.
+#pragma once
+
+#include "sym3/sym3.h"
+
+namespace viete::sym3 {
+
+template <class T>
+Sym3<T> exp_diag(const Sym3<T>& s);
+
+template <class T>
+Sym3<T> exp_sd(const Sym3<T>& s);
+
+template <class T>
+Sym3<T> exp_improved_sd(const Sym3<T>& s);
+
+/// Without any guard: NaN where the printed formula gives NaN.
+template <class T>
+Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s);
+
+}  // namespace viete::sym3

@@ -1,0 +1,101 @@
+// Eigenvalues and eigenvectors by Jacobi rotations: for the functions that need vectors, not speed. Internal.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "sym3/double_double.h"
+#include "sym3/sym3.h"
+
+namespace viete::sym3 {
+
+/// values[k] belongs to the unit vector (vectors[0][k], vectors[1][k], vectors[2][k]); in no order.
+template <class Real>
+struct Eigen3 {
+  std::array<Real, 3> values;
+  std::array<std::array<Real, 3>, 3> vectors;
+};
+
+namespace jacobi {
+
+template <class Real>
+using Rows = std::array<std::array<Real, 3>, 3>;
+
+constexpr int max_sweeps = 16;  // five are enough for double, six for double-double: convergence is quadratic
+
+inline double leading(double x) {
+  return x;
+}
+inline double leading(const DoubleDouble& x) {
+  return x.hi;
+}
+
+/// An off-diagonal entry this much smaller than its diagonal entries moves no digit of the result.
+constexpr double negligible(double) {
+  return 0x1p-56;
+}
+constexpr double negligible(const DoubleDouble&) {
+  return 0x1p-110;
+}
+
+template <class Real>
+bool is_negligible(const Rows<Real>& a, int p, int q) {
+  return std::fabs(leading(a[p][q])) <=
+         negligible(Real{}) * std::sqrt(std::fabs(leading(a[p][p]))) * std::sqrt(std::fabs(leading(a[q][q])));
+}
+
+template <class Real>
+bool is_diagonal(const Rows<Real>& a) {
+  return is_negligible(a, 0, 1) && is_negligible(a, 0, 2) && is_negligible(a, 1, 2);
+}
+
+/// tan of the smaller of the two angles that annihilate a_pq.
+template <class Real>
+Real tangent(const Real& app, const Real& aqq, const Real& apq) {
+  using std::sqrt;
+  const double size = std::fabs((leading(aqq) - leading(app)) / leading(apq));
+  if (size > 1e40) return size > 1e290 ? Real{} : apq / (aqq - app);
+  const Real theta = (aqq - app) / (apq + apq);
+  const Real root = sqrt(Real{1} + theta * theta);
+  return Real{1} / (leading(theta) < 0 ? theta - root : theta + root);
+}
+
+template <class Real>
+void rotate(Rows<Real>& a, Rows<Real>& v, int p, int q) {
+  using std::sqrt;
+  if (leading(a[p][q]) == 0) return;
+  const Real t = tangent(a[p][p], a[q][q], a[p][q]);
+  const Real c = Real{1} / sqrt(Real{1} + t * t), s = t * c;
+  const auto turn = [&](Real& x, Real& y) {
+    const Real old = x;
+    x = c * old - s * y, y = s * old + c * y;
+  };
+  const int r = 3 - p - q;
+  a[p][p] = a[p][p] - t * a[p][q];
+  a[q][q] = a[q][q] + t * a[p][q];
+  a[p][q] = a[q][p] = Real{};
+  turn(a[r][p], a[r][q]);
+  a[p][r] = a[r][p], a[q][r] = a[r][q];
+  for (auto& row : v) turn(row[p], row[q]);
+}
+
+}  // namespace jacobi
+
+/// Cyclic Jacobi (Golub and Van Loan, Matrix Computations, 8.5), Real = double or DoubleDouble. Zeros stay
+/// exact zeros: a block of S is a block of the vectors. Finite entries up to 1e290 in size.
+template <class Real>
+Eigen3<Real> eigen_by_jacobi(const Sym3<double>& s) {
+  using namespace jacobi;
+  Rows<Real> a = {{{Real{s.xx}, Real{s.xy}, Real{s.xz}},
+                   {Real{s.xy}, Real{s.yy}, Real{s.yz}},
+                   {Real{s.xz}, Real{s.yz}, Real{s.zz}}}};
+  Rows<Real> v = {{{Real{1}, Real{}, Real{}}, {Real{}, Real{1}, Real{}}, {Real{}, Real{}, Real{1}}}};
+  for (int sweep = 0; sweep < max_sweeps && !is_diagonal(a); ++sweep) {
+    rotate(a, v, 0, 1);
+    rotate(a, v, 0, 2);
+    rotate(a, v, 1, 2);
+  }
+  return {{a[0][0], a[1][1], a[2][2]}, v};
+}
+
+}  // namespace viete::sym3

@@ -1,0 +1,29 @@
+// Rotations: Rodrigues' exponential of a rotation vector, and its logarithm up to and at 180 degrees.
+#pragma once
+
+#include <array>
+
+namespace viete::sym3 {
+
+template <class T>
+using Vec3 = std::array<T, 3>;
+
+/// A general 3x3 matrix, entries by rows: m[3 * row + column].
+template <class T>
+using Mat3 = std::array<T, 9>;
+
+/// The rotation about axis w / |w| by |w| radians (any angle). w = 0 gives exactly I.
+/// Through the quaternion of the half angle: polynomials in |w|^2 up to 3.24 radians, no root, no case for
+/// small angles. |R - exact| <= (8 + 5 |w|) u, Frobenius norm, u = 2^-53 or 2^-24. NaN or infinity in w: nine
+/// NaN.
+template <class T>
+Mat3<T> exp_rotation(const Vec3<T>& w);
+
+/// The rotation vector w, |w| <= pi, with exp_rotation(w) = R. At exactly 180 degrees, where w and -w are
+/// both right, the first non-zero component of w is positive. R is assumed to be a rotation up to rounding.
+/// Through the quaternion, by its largest component (Shepperd 1978). |w - exact| <= 6 u |w| for entries of R
+/// that are exact but for their rounding. NaN in R: three NaN.
+template <class T>
+Vec3<T> log_rotation(const Mat3<T>& r);
+
+}  // namespace viete::sym3

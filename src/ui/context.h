@@ -1,0 +1,39 @@
+// What every panel gets: the workspace, the fonts, the theme, and a recorder when tests are watching.
+#pragma once
+
+#include <imgui.h>
+
+#include "scene/workspace.h"
+#include "ui/recorder.h"
+
+namespace viete::ui {
+
+/// null fonts mean the default font.
+struct Fonts {
+  ImFont* text = nullptr;
+  ImFont* strong = nullptr;
+  ImFont* numbers = nullptr;  ///< tabular figures
+};
+
+/// Colours that ImGui's style has no place for.
+struct Palette {
+  ImU32 text, faint, accent, good, warn, bad, card, card_hover, card_active, line;
+  ImU32 axis[3], on_axis;          ///< of x, y and z, and of letters on them
+  ImU32 neutral, highlight, halo;  ///< of a gizmo: handles without an axis, the one under the cursor, the edge around lines
+};
+
+Palette palette(bool dark);
+
+struct Context {
+  scene::Workspace& workspace;
+  const Fonts& fonts;
+  Palette colors;
+  Recorder* recorder;  ///< null when nobody is watching
+};
+
+inline constexpr float column_width = 320, status_height = 26;
+
+/// The colour of a link of the frame, the same everywhere; index link_count + 0, 1, 2, 3 are upload, draw, panels, other.
+ImU32 part_color(std::size_t part);
+
+}  // namespace viete::ui

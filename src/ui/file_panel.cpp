@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "scene/file_browser.h"
+#include "ui/format.h"
+#include "ui/imgui_bridge.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+using Browser = scene::FileBrowser;
+using Purpose = Browser::Purpose;
+using What = scene::OpenRequest::What;
+
+const char* title(Purpose purpose) {
+  switch (purpose) {
+    case Purpose::model:
+      return "Open a model or a session###file_panel";
+    case Purpose::cage:
+      return "Open a cage###file_panel";
+    case Purpose::pose:
+      return "Open a pose###file_panel";
+    case Purpose::save_session:
+      return "Save the session###file_panel";
+    case Purpose::save_pose:
+      return "Save the posed cage###file_panel";
+    case Purpose::save_model:
+      return "Export the deformed mesh###file_panel";
+  }
+  return "###file_panel";
+}
+
+void request(scene::Requests& requests, Purpose purpose, const std::filesystem::path& path) {
+  switch (purpose) {
+    case Purpose::model:
+      requests.open = scene::OpenRequest{What::model, {path}};
+      break;
+    case Purpose::cage:
+      requests.open = scene::OpenRequest{What::cage, {path}};
+      break;
+    case Purpose::pose:
+      requests.open = scene::OpenRequest{What::pose, {path}};
+      break;
+    case Purpose::save_session:
+      requests.save_session = path;
+      break;
+    case Purpose::save_pose:
+      requests.save_pose = path;
+      break;
+    case Purpose::save_model:
+      requests.save_model = path;
+      break;
+  }
+}
+
+// A folder is entered, a file is asked for; the panel closes only for a file.
+void choose(scene::Workspace& w, const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return scene::enter(w.browser, path);
+  request(w.requests, w.browser.purpose, path);
+  w.remembered.folder = path.parent_path();
+  w.browser.open = false;
+}
+
+void choose_typed(scene::Workspace& w) {
+  const std::filesystem::path typed = w.browser.folder / w.browser.path;
+  std::error_code ignored;
+  choose(w, std::filesystem::is_directory(typed, ignored) ? typed : scene::chosen_file(w.browser));
+}
+
+std::string bytes_text(std::uintmax_t bytes) {
+  if (bytes < 1000) return std::to_string(bytes) + " B";
+  const std::string tenths = std::to_string(bytes / 100000 % 10);
+  return bytes < 1000000 ? std::to_string(bytes / 1000) + " kB"
+                         : std::to_string(bytes / 1000000) + "." + tenths + " MB";
+}
+
+bool text_field(const char* id, const char* empty, std::string& value, ImGuiInputTextFlags flags) {
+  char text[4096];
+  std::strncpy(text, value.c_str(), sizeof text - 1);
+  text[sizeof text - 1] = 0;
+  const bool done = ImGui::InputTextWithHint(id, empty, text, sizeof text, flags);
+  value = text;
+  return done;
+}
+
+void path_field(const Context& ui) {
+  Browser& browser = ui.workspace.browser;
+  if (browser.appearing && browser.saves()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  const bool enter = text_field("##path", "", browser.path, ImGuiInputTextFlags_EnterReturnsTrue);
+  record(ui, "file_path");
+  hint(browser.saves() ? "The file to write; its extension chooses the format."
+                       : "Type or paste a path; Enter opens it.");
+  if (enter) choose_typed(ui.workspace);
+}
+
+// OBJ, PLY, OFF, STL as buttons that change the extension.
+void format_row(const Context& ui) {
+  Browser& browser = ui.workspace.browser;
+  const std::string now = std::filesystem::path(browser.path).extension().string();
+  for (const char* format : {"obj", "ply", "off", "stl"}) {
+    std::string label = format;
+    for (char& c : label) c = static_cast<char>(c - 32);
+    ImGui::SameLine();
+    const bool active = now == std::string(".") + format;
+    ImGui::PushStyleColor(ImGuiCol_Button, active ? ui.colors.card_active : ui.colors.card);
+    ImGui::PushStyleColor(ImGuiCol_Text, active ? ui.colors.text : ui.colors.faint);
+    if (ImGui::Button(label.c_str())) scene::set_format(browser, format);
+    ImGui::PopStyleColor(2);
+    record(ui, std::string("format_") + format);
+    hint("Write " + label + ".");
+  }
+}
+
+void filter_row(const Context& ui) {
+  Browser& browser = ui.workspace.browser;
+  if (ImGui::Button("Up")) scene::enter(browser, browser.folder.parent_path());
+  record(ui, "file_up");
+  hint("To the folder above.  (Backspace)");
+  ImGui::SameLine();
+  if (browser.appearing && !browser.saves()) ImGui::SetKeyboardFocusHere();
+  const bool formats = browser.purpose == Purpose::save_pose || browser.purpose == Purpose::save_model;
+  ImGui::SetNextItemWidth(formats ? -212.0f : -1.0f);
+  const std::string before = browser.filter;
+  text_field("##filter", "Filter", browser.filter, 0);
+  record(ui, "file_filter");
+  if (browser.filter != before) browser.highlighted = 0;
+  if (formats) format_row(ui);
+}
+
+// The clicked entry, if any; it is acted on after the list is drawn, because that changes the list.
+const Browser::Entry* entry_list(const Context& ui, const std::vector<const Browser::Entry*>& entries,
+                                 bool moved) {
+  const Browser::Entry* clicked = nullptr;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto& entry = *entries[i];
+    const bool highlighted = i == ui.workspace.browser.highlighted;
+    if (!entry.folder) {
+      const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+      text_right(ui, right, bytes_text(entry.bytes), ui.colors.faint);
+    }
+    const std::string label = entry.folder ? entry.name + "/" : entry.name;
+    ImGui::PushStyleColor(ImGuiCol_Header, ui.colors.card_active);
+    if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), highlighted)) clicked = &entry;
+    ImGui::PopStyleColor();
+    if (highlighted && moved) ImGui::SetScrollHereY();
+    record(ui, "file/" + entry.name);
+  }
+  if (!entries.empty()) return clicked;
+  const bool sessions = ui.workspace.browser.purpose == Purpose::save_session;
+  note(ui, !ui.workspace.browser.filter.empty() ? "Nothing here has that in its name."
+           : sessions                           ? "No session here yet."
+                                                : "No OBJ, PLY, OFF or STL file here.");
+  return clicked;
+}
+
+// A click enters a folder and opens a file; when saving, it proposes to replace that file.
+void take(scene::Workspace& w, const Browser::Entry& entry) {
+  const std::filesystem::path path = w.browser.folder / entry.name;
+  if (entry.folder || !w.browser.saves()) return choose(w, path);
+  w.browser.path = path.string();
+}
+
+// Up and Down walk the list, Enter takes, Backspace without a filter goes up a folder, Esc closes. Says
+// whether the list was walked.
+bool handle_keys(const Context& ui, bool typing_path) {
+  Browser& browser = ui.workspace.browser;
+  const int steps =
+      (key_pressed(scene::Key::down, true) ? 1 : 0) - (key_pressed(scene::Key::up, true) ? 1 : 0);
+  if (steps != 0) scene::move_highlight(browser, steps);
+  if (key_pressed(scene::Key::escape)) browser.open = false;
+  if (typing_path) return steps != 0;
+  if (key_pressed(scene::Key::backspace) && browser.filter.empty())
+    scene::enter(browser, browser.folder.parent_path());
+  const auto entries = scene::shown(browser);
+  if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
+    take(ui.workspace, *entries[browser.highlighted]);
+    browser.appearing = browser.open;  // the keyboard stays with the list
+  }
+  return steps != 0;
+}
+
+void lists(const Context& ui, bool moved) {
+  Browser& browser = ui.workspace.browser;
+  const bool recent = browser.purpose == Purpose::model && !ui.workspace.remembered.recent.empty();
+  const float height = -(ImGui::GetFrameHeight() + 12);
+  if (recent) {
+    ImGui::BeginChild("recent", {180, height}, true);
+    note(ui, "Recent");
+    recent_list(ui, scene::Remembered::most);
+    ImGui::EndChild();
+    ImGui::SameLine();
+  }
+  ImGui::BeginChild("entries", {0, height}, true);
+  const Browser::Entry* clicked = entry_list(ui, scene::shown(browser), moved);
+  ImGui::EndChild();
+  if (clicked) take(ui.workspace, *clicked);
+}
+
+// What is about to be replaced is said before it is.
+void button_row(const Context& ui) {
+  Browser& browser = ui.workspace.browser;
+  const bool replaces = browser.replaces();
+  const char* label = !browser.saves() ? "Open###choose" : replaces ? "Replace###choose" : "Save###choose";
+  const bool confirmed = ImGui::Button(label);
+  record(ui, "file_choose");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) browser.open = false;
+  record(ui, "file_cancel");
+  if (replaces) {
+    ImGui::SameLine();
+    note(ui, scene::chosen_file(browser).filename().string() + " is there already and will be replaced.",
+         ui.colors.warn);
+    record(ui, "file_replaces");
+  }
+  if (confirmed) choose_typed(ui.workspace);
+}
+
+}  // namespace
+
+void file_panel(const Context& ui) {
+  Browser& browser = ui.workspace.browser;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const auto& v = ui.workspace.viewport;
+  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 0.5f * v.size.y}, ImGuiCond_Appearing,
+                          {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(640.0f, display.x), std::min(460.0f, display.y)}, ImGuiCond_Appearing);
+  bool open = true;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::Begin(title(browser.purpose), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  path_field(ui);
+  const bool typing_path = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
+  filter_row(ui);
+  browser.appearing = false;
+  const bool moved = browser.open && handle_keys(ui, typing_path);
+  if (!browser.problem.empty()) note(ui, browser.problem, ui.colors.bad);
+  lists(ui, moved);
+  button_row(ui);
+  if (!open) browser.open = false;
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace viete::ui

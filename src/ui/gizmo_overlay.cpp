@@ -1,0 +1,161 @@
+// The gizmo, and what a drag tells while it lasts.
+#include <algorithm>
+
+#include "scene/drag_guides.h"
+#include "scene/pointer.h"
+#include "ui/ink.h"
+#include "ui/panels.h"
+
+namespace viete::ui {
+
+namespace {
+
+using scene::Constraint;
+using Kind = Constraint::Kind;
+
+// The gizmo at rest, or the one handle of it that is in use.
+class GizmoDrawing {
+public:
+  GizmoDrawing(const Context& ui, Ink& ink, const scene::Gizmo& gizmo)
+      : ui_(ui), ink_(ink), gizmo_(gizmo), hand_(ui.workspace.hand) {}
+
+  void draw() {
+    if (gizmo_.tool == scene::Tool::rotate) return rings();
+    for (const int axis : gizmo_.far_to_near) plane(axis);
+    for (const int axis : gizmo_.far_to_near) arm(axis);
+    if (shown({})) center();
+  }
+
+private:
+  // While one handle is dragged the others are out of the way.
+  bool shown(const Constraint& handle) const { return !hand_.drag || hand_.drag->constraint() == handle; }
+  bool lit(const Constraint& handle) const {
+    return hand_.drag ? hand_.drag->constraint() == handle : hand_.handle == handle;
+  }
+  ImU32 color(const Constraint& handle) const {
+    if (lit(handle)) return ui_.colors.highlight;
+    return handle.kind == Kind::free ? ui_.colors.neutral : ui_.colors.axis[handle.axis];
+  }
+
+  void arm(int axis) {
+    const Constraint handle{Kind::axis, axis};
+    const auto& arm = gizmo_.arms[axis];
+    if (!shown(handle) || arm.opacity <= 0) return;
+    const ImU32 c = color(handle);
+    ink_.line(arm.base, arm.tip, c, lit(handle) ? 3.0f : 2.25f, arm.opacity);
+    if (gizmo_.tool == scene::Tool::scale) {
+      ink_.polygon(square(0.5f * (arm.tip + arm.end), 5), c, arm.opacity);
+    } else {
+      arrow_head(arm, c);
+    }
+  }
+
+  void arrow_head(const scene::Gizmo::Arm& arm, ImU32 c) {
+    const glm::vec2 shaft = arm.tip - arm.base;
+    const float length = glm::length(shaft);
+    if (!(length > 0)) return;
+    const glm::vec2 across = 5.0f / length * glm::vec2(-shaft.y, shaft.x);
+    ink_.polygon(std::array{arm.tip + across, arm.end, arm.tip - across}, c, arm.opacity);
+  }
+
+  void plane(int axis) {
+    const Constraint handle{Kind::plane, axis};
+    const auto& plane = gizmo_.planes[axis];
+    if (!shown(handle) || plane.opacity <= 0) return;
+    ink_.tint(plane.corners, faded(color(handle), (lit(handle) ? 0.65f : 0.4f) * plane.opacity));
+    ink_.outline(plane.corners, faded(color(handle), plane.opacity));
+  }
+
+  void center() {
+    const ImU32 c = color({});
+    const float width = lit({}) ? 2.25f : 1.5f;
+    if (lit({})) ink_.tint(square(gizmo_.center, 5), faded(c, 0.25f));
+    if (gizmo_.tool == scene::Tool::scale) {
+      ink_.line(square(gizmo_.center, scene::gizmo_center - 1), c, width, true);
+    } else {
+      ink_.circle(gizmo_.center, scene::gizmo_center, c, width);
+    }
+  }
+
+  void rings() {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (shown({Kind::axis, axis})) ring_side(axis, false);
+    }
+    if (shown({}))
+      ink_.circle(gizmo_.center, scene::gizmo_view_ring, color({}), lit({}) ? 2.5f : 1.25f,
+                  lit({}) ? 1 : 0.6f);
+    for (const int axis : gizmo_.far_to_near) {
+      if (shown({Kind::axis, axis})) ring_side(axis, true);
+    }
+  }
+
+  // The ring's points on one side, begun where that side begins.
+  void ring_side(int axis, bool front) {
+    const auto& ring = gizmo_.rings[axis];
+    const std::size_t n = ring.size();
+    std::size_t begin = 0;
+    while (begin < n && !(ring[begin].front == front && ring[(begin + n - 1) % n].front != front)) ++begin;
+    std::vector<glm::vec2> points;
+    for (std::size_t i = 0; i < n && ring[(begin + i) % n].front == front; ++i)
+      points.push_back(ring[(begin + i) % n].at);
+    if (points.size() < 2) return;
+    const bool bright = lit({Kind::axis, axis});
+    const ImU32 c = color({Kind::axis, axis});
+    if (front) return ink_.line(points, c, bright ? 3.0f : 2.25f, points.size() == n);
+    ink_.line(points, c, 1.25f, false, 0.3f);
+  }
+
+  static std::array<glm::vec2, 4> square(const glm::vec2& center, float half) {
+    return {center + glm::vec2(-half, -half), center + glm::vec2(half, -half), center + glm::vec2(half, half),
+            center + glm::vec2(-half, half)};
+  }
+
+  const Context& ui_;
+  Ink& ink_;
+  const scene::Gizmo& gizmo_;
+  const scene::Hand& hand_;
+};
+
+void guides(const Context& ui, Ink& ink, const scene::DragGuides& guides) {
+  constexpr float beyond_any_window = 6000;
+  for (std::size_t i = 0; i < guides.axes.size(); ++i) {
+    const glm::vec2 reach = beyond_any_window * guides.axis_directions[i];
+    ink.line(guides.start - reach, guides.start + reach, ui.colors.axis[guides.axes[i]], 1, 0.55f);
+  }
+  if (guides.arc.empty()) return;
+  const ImU32 c = ui.colors.highlight;
+  for (int i = 0; i < std::min(guides.whole_turns, 3); ++i)
+    ink.fan(guides.start, guides.circle, faded(c, 0.12f));
+  ink.fan(guides.start, guides.arc, faded(c, 0.2f));
+  ink.line(guides.start, guides.arc.front(), c, 1, 0.7f);
+  ink.line(guides.start, guides.arc.back(), c, 1.5f);
+}
+
+// The amount beside the cursor, inside the view.
+void readout(const Context& ui, const std::string& text) {
+  const auto& v = ui.workspace.viewport;
+  ImGui::PushFont(ui.fonts.numbers);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str()), cursor = ImGui::GetIO().MousePos;
+  const float x = std::clamp(cursor.x + 22, v.origin.x + 12,
+                             std::max(v.origin.x + 12, v.origin.x + v.size.x - size.x - 20));
+  const float y = std::clamp(cursor.y + 22, v.origin.y + 8,
+                             std::max(v.origin.y + 8, v.origin.y + v.size.y - size.y - 16));
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  draw.AddRectFilled({x - 8, y - 5}, {x + size.x + 8, y + size.y + 5}, faded(ui.colors.card, 0.94f), 5);
+  draw.AddRect({x - 8, y - 5}, {x + size.x + 8, y + size.y + 5}, ui.colors.line, 5);
+  draw.AddText({x, y}, ui.colors.text, text.c_str());
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void gizmo_overlay(const Context& ui) {
+  const auto& w = ui.workspace;
+  if (w.hand.box) return;
+  Ink ink(ui);
+  if (w.hand.drag) guides(ui, ink, scene::drag_guides(*w.hand.drag, w.document.space, w.camera, w.viewport));
+  if (const auto gizmo = scene::gizmo_of(w)) GizmoDrawing(ui, ink, *gizmo).draw();
+  if (w.hand.drag) readout(ui, w.hand.drag->readout());
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,74 @@
+// What differs between the versions of Dear ImGui that distributions carry (1.86 to 1.92).
+#pragma once
+
+#include <imgui.h>
+
+#include "scene/commands.h"
+
+namespace viete::ui {
+
+/// The platform's key code (GLFW's numbers) of a named key.
+constexpr int key_code(scene::Key key) {
+  using scene::Key;
+  switch (key) {
+    case Key::none: return -1;
+    case Key::escape: return 256;
+    case Key::home: return 268;
+    case Key::delete_key: return 261;
+    case Key::enter: return 257;
+    case Key::backspace: return 259;
+    case Key::down: return 264;
+    case Key::up: return 265;
+    case Key::f1: return 290;
+    case Key::f2: return 291;
+    case Key::f12: return 301;
+    case Key::pad0: return 320;
+    case Key::pad1: return 321;
+    case Key::pad3: return 323;
+    case Key::pad5: return 325;
+    case Key::pad7: return 327;
+    case Key::pad_enter: return 335;
+  }
+  return static_cast<int>(key);
+}
+
+#if IMGUI_VERSION_NUM >= 18700
+/// ImGui's key for a platform key code; ImGuiKey_None if the program does not use it.
+inline ImGuiKey imgui_key(int code) {
+  if (code >= 'A' && code <= 'Z') return static_cast<ImGuiKey>(ImGuiKey_A + (code - 'A'));
+  if (code >= '0' && code <= '9') return static_cast<ImGuiKey>(ImGuiKey_0 + (code - '0'));
+  if (code >= 290 && code <= 301) return static_cast<ImGuiKey>(ImGuiKey_F1 + (code - 290));
+  if (code >= 320 && code <= 329) return static_cast<ImGuiKey>(ImGuiKey_Keypad0 + (code - 320));
+  switch (code) {
+    case 32: return ImGuiKey_Space;
+    case 256: return ImGuiKey_Escape;
+    case 257: return ImGuiKey_Enter;
+    case 258: return ImGuiKey_Tab;
+    case 259: return ImGuiKey_Backspace;
+    case 260: return ImGuiKey_Insert;
+    case 261: return ImGuiKey_Delete;
+    case 262: return ImGuiKey_RightArrow;
+    case 263: return ImGuiKey_LeftArrow;
+    case 264: return ImGuiKey_DownArrow;
+    case 265: return ImGuiKey_UpArrow;
+    case 266: return ImGuiKey_PageUp;
+    case 267: return ImGuiKey_PageDown;
+    case 268: return ImGuiKey_Home;
+    case 269: return ImGuiKey_End;
+    case 335: return ImGuiKey_KeypadEnter;
+    default: return ImGuiKey_None;
+  }
+}
+#endif
+
+/// Did the key go down in this frame? With repeat, also again and again while it is held.
+inline bool key_pressed(scene::Key key, bool repeat = false) {
+#if IMGUI_VERSION_NUM >= 18700
+  const ImGuiKey k = imgui_key(key_code(key));
+  return k != ImGuiKey_None && ImGui::IsKeyPressed(k, repeat);
+#else
+  return ImGui::IsKeyPressed(key_code(key), repeat);
+#endif
+}
+
+}  // namespace viete::ui

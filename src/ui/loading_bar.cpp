@@ -1,0 +1,52 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr double silent_seconds = 0.2;  // what is read sooner shows no bar
+
+// From how long the part that is done took; nothing while that says little.
+std::string time_left(const scene::LoadState& loading) {
+  if (loading.seconds < 0.5 || loading.done < 0.02) return "";
+  const double left = loading.seconds * (1 - loading.done) / loading.done;
+  return left < 1 ? "a moment" : std::to_string(static_cast<int>(std::ceil(left))) + " s left";
+}
+
+void bar(const Context& ui, float width, double done) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float full = width * static_cast<float>(std::clamp(done, 0.02, 1.0));
+  draw.AddRectFilled(at, {at.x + width, at.y + 6}, ui.colors.card_active, 3);
+  draw.AddRectFilled(at, {at.x + full, at.y + 6}, ui.colors.accent, 3);
+  ImGui::Dummy({width, 8});
+}
+
+}  // namespace
+
+void loading_bar(const Context& ui) {
+  const auto& loading = ui.workspace.loading;
+  if (!loading.running || loading.seconds < silent_seconds) return;
+  const auto& v = ui.workspace.viewport;
+  const float width = std::min(320.0f, 0.8f * v.size.x);
+  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + v.size.y - 16}, ImGuiCond_Always,
+                          {0.5f, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::Begin("Loading", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoNav);
+  const float right = ImGui::GetCursorScreenPos().x + width;
+  text_right(ui, right, time_left(loading), ui.colors.faint);
+  ImGui::TextUnformatted(loading.what.c_str());
+  bar(ui, width, loading.done);
+  command_button(ui, "stop_loading");
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,30 @@
+#include "scene/elements.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+void panel_cage(const Context& ui) {
+  if (!section(ui, "Cage")) return;
+  const auto& document = ui.workspace.document;
+  if (!document.has_cage()) {
+    note(ui, "No cage is open. A cage is a coarse mesh around the model.");
+    command_button(ui, "open_cage");
+    return;
+  }
+  ImGui::TextUnformatted(document.cage_file.path.filename().string().c_str());
+  hint(document.cage_file.path.string() + "  (" + document.cage_file.format + ")");
+  const auto& facts = document.cage_file.facts;
+  value_row(ui, "Vertices, triangles", count(facts.vertices) + "  " + count(facts.triangles));
+  value_row(ui, "Surface", facts.closed() ? "closed" : "open");
+  const auto elements = scene::element_count(*document.cage, document.selection.kind());
+  value_row(ui, "Selected", count(document.selection.size()) + " of " + count(elements));
+  transform_fields(ui);
+  command_row(ui, {"undo", "redo", "reset_pose"});
+  command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
+  command_row(ui, {"open_cage", "open_pose", "save_pose"});
+  for (const auto& line : ui.workspace.pose_notes) note(ui, line, ui.colors.warn);
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,28 @@
+#include "scene/edit.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+void choice(const Context& ui, const char* label, const char* name, deform::Coordinates value, const char* tip) {
+  auto& document = ui.workspace.document;
+  if (ImGui::RadioButton(label, document.coordinates == value)) scene::set_coordinates(document, value);
+  record(ui, name);
+  hint(tip);
+}
+
+}  // namespace
+
+void panel_coordinates(const Context& ui) {
+  if (!section(ui, "Coordinates")) return;
+  choice(ui, "Faces, log space", "coordinates_face", deform::Coordinates::face,
+         "Each cage triangle carries an affine map; maps are blended in log space with weights 1/d^2. Bends and twists "
+         "keep volume.");
+  ImGui::SameLine(0.55f * column_width);
+  choice(ui, "Mean value", "coordinates_mvc", deform::Coordinates::mean_value,
+         "Positions of cage vertices are blended with mean value coordinates. Smooth, linear, no exponential.");
+}
+
+}  // namespace viete::ui

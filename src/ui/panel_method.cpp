@@ -1,0 +1,96 @@
+#include <cmath>
+#include <string>
+
+#include "scene/commands.h"
+#include "scene/edit.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr const char* command_names[] = {"method_diag", "method_sd", "method_improved_sd", "method_fast"};
+
+constexpr std::size_t none = 99;
+
+// The one method that is better than all others; none at a tie, as at rest, where every answer is exact.
+template <class Value>
+std::size_t best(const scene::MethodStats& stats, Value value) {
+  std::size_t first = 0, equals = 0;
+  for (std::size_t i = 1; i < stats.samples.size(); ++i) {
+    const double a = value(stats.samples[i]), b = value(stats.samples[first]);
+    if (a == b) ++equals;
+    if (a < b || std::isnan(b)) first = i, equals = 0;
+  }
+  return equals == 0 ? first : none;
+}
+
+std::string mark_of(const scene::MethodStats& stats, std::size_t index) {
+  const bool fastest = index == best(stats, [](const scene::MethodSample& s) { return s.ns_per_matrix; });
+  const bool exact = index == best(stats, [](const scene::MethodSample& s) { return s.worst_error; });
+  return fastest && exact ? "fastest, most exact" : fastest ? "fastest" : exact ? "most exact" : "";
+}
+
+void card_text(const Context& ui, ImVec2 at, float width, const char* title, const scene::MethodSample* sample, bool used,
+               const std::string& mark, bool active) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const auto line = [&](ImFont* font, float y, const std::string& text, ImU32 color) {
+    ImGui::PushFont(font);
+    draw.AddText({at.x + 10, at.y + y}, color, text.c_str());
+    ImGui::PopFont();
+  };
+  const ImU32 text = used ? ui.colors.text : ui.colors.faint;
+  line(ui.fonts.strong, 7, title, text);
+  line(ui.fonts.numbers, 29, sample ? nanoseconds(sample->ns_per_matrix) : "", text);
+  line(ui.fonts.numbers, 47, sample ? "error " + error(sample->worst_error) : "", ui.colors.faint);
+  if (active && used) draw.AddCircleFilled({at.x + width - 13, at.y + 14}, 4, ui.colors.accent);
+  line(ui.fonts.text, 64, mark, ui.colors.accent);
+}
+
+// One large toggle: the method's name, its time per matrix, its worst error, and what it is best at.
+void card(const Context& ui, std::size_t index, float width, bool used) {
+  scene::Workspace& w = ui.workspace;
+  const scene::Command& command = *scene::find_command(command_names[index]);
+  const bool active = w.document.method == scene::compared_methods[index];
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 88};
+  if (ImGui::InvisibleButton(command_names[index], size)) command.run(w);
+  record(ui, command_names[index], used);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + size.x, at.y + size.y};
+  draw.AddRectFilled(at, end, active && used ? ui.colors.card_active : hovered ? ui.colors.card_hover : ui.colors.card, 6);
+  if (active && used) draw.AddRect(at, end, ui.colors.accent, 6, 0, 1.5f);
+
+  const bool measured = used && w.methods.matrices > 0;
+  // At rest all matrices are zero, and who is the fastest at nothing says nothing.
+  const std::string mark = measured && scene::differs_from_rest(w.document) ? mark_of(w.methods, index) : "";
+  card_text(ui, at, width, command.label.data(), measured ? &w.methods.samples[index] : nullptr, used, mark, active);
+  hint(std::string(command.hint) + "  (" + scene::text(command.shortcut) + ")");
+}
+
+}  // namespace
+
+void panel_method(const Context& ui) {
+  if (!section(ui, "Method")) return;
+  const scene::Workspace& w = ui.workspace;
+  const bool used = w.document.coordinates == deform::Coordinates::face;
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  ImGui::BeginDisabled(!used);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  for (std::size_t i = 0; i < scene::compared_methods.size(); ++i) {
+    card(ui, i, width, used);
+    if (i % 2 == 0) ImGui::SameLine();
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndDisabled();
+  if (!used) {
+    note(ui, "Not used: mean value coordinates blend positions, without an exponential.");
+  } else if (w.methods.matrices > 0) {
+    note(ui, "Per matrix, on " + count(w.methods.matrices) + " of this frame; worst error");
+  }
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr std::size_t part_count = deform::link_count + 4;
+using Parts = std::array<double, part_count>;
+
+Parts parts_of(const scene::FrameTimes& frame) {
+  Parts parts{};
+  std::copy(frame.links.ms.begin(), frame.links.ms.end(), parts.begin());
+  parts[deform::link_count] = frame.upload;
+  parts[deform::link_count + 1] = frame.draw;
+  parts[deform::link_count + 2] = frame.panels;
+  parts[deform::link_count + 3] = std::max(0.0, frame.other());
+  return parts;
+}
+
+std::string part_name(std::size_t part) {
+  static constexpr const char* others[] = {"upload", "draw", "panels", "other"};
+  if (part >= deform::link_count) return others[part - deform::link_count];
+  return std::string(deform::name(static_cast<deform::Link>(part)));
+}
+
+void bar(const Parts& parts, double total) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = 14;
+  float x = at.x;
+  for (std::size_t i = 0; i < part_count; ++i) {
+    const float w = static_cast<float>(parts[i] / std::max(total, 1e-9)) * width;
+    ImGui::GetWindowDrawList()->AddRectFilled({x, at.y}, {x + w, at.y + height}, part_color(i));
+    x += w;
+  }
+  ImGui::Dummy({width, height});
+}
+
+void legend(const Context& ui, const Parts& parts) {
+  for (std::size_t i = 0; i < part_count; ++i) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float middle = at.y + 0.5f * ImGui::GetTextLineHeight();
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, middle - 4}, {at.x + 8, middle + 4}, part_color(i), 2);
+    ImGui::Indent(16);
+    const bool unused = i < deform::link_count && parts[i] == 0;
+    value_row(ui, part_name(i).c_str(), unused ? "not used" : milliseconds(parts[i]), unused ? ui.colors.faint : 0);
+    ImGui::Unindent(16);
+  }
+}
+
+// One column of pixels per frame, stacked like the bar, newest at the right.
+void history(const Context& ui) {
+  const auto& frames = ui.workspace.stats.history();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = 56;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(at, {at.x + width, at.y + height}, ui.colors.card, 4);
+  double top = 1;
+  for (const auto& frame : frames) top = std::max(top, frame.frame);
+  constexpr float step = 2;
+  float x = at.x + width - step * static_cast<float>(std::min<std::size_t>(frames.size(), std::size_t(width / step)));
+  for (std::size_t f = frames.size() - std::size_t((at.x + width - x) / step); f < frames.size(); ++f, x += step) {
+    float y = at.y + height;
+    const Parts parts = parts_of(frames[f]);
+    for (std::size_t i = 0; i < part_count; ++i) {
+      const float h = static_cast<float>(parts[i] / top) * (height - 4);
+      draw.AddRectFilled({x, y - h}, {x + step, y}, part_color(i));
+      y -= h;
+    }
+  }
+  ImGui::Dummy({width, height});
+  hint("The last " + count(frames.size()) + " frames that deformed; full height is " + milliseconds(top) + ".");
+}
+
+}  // namespace
+
+void panel_timings(const Context& ui) {
+  if (!section(ui, "Timings")) return;
+  const auto median = ui.workspace.stats.median();
+  if (!median) {
+    note(ui, "Drag a cage vertex to see what each link of the frame costs.");
+    return;
+  }
+  const Parts parts = parts_of(*median);
+  double total = 0;
+  for (const double ms : parts) total += ms;
+  value_row(ui, "Frame", milliseconds(median->frame));
+  bar(parts, total);
+  legend(ui, parts);
+  history(ui);
+}
+
+}  // namespace viete::ui

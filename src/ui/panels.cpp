@@ -1,0 +1,40 @@
+#include "ui/panels.h"
+
+namespace viete::ui {
+
+namespace {
+
+void column(const Context& ui) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({column_width, display.y - status_height});
+  ImGui::Begin("Panels", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoNavInputs);
+  panel_messages(ui);
+  panel_model(ui);
+  panel_cage(ui);
+  panel_method(ui);
+  panel_coordinates(ui);
+  panel_timings(ui);
+  panel_view(ui);
+  ImGui::End();
+}
+
+}  // namespace
+
+void draw_panels(const Context& ui) {
+  gizmo_overlay(ui);
+  axis_overlay(ui);
+  view_overlay(ui);
+  if (ui.workspace.view.panels) {
+    column(ui);
+    status_bar(ui);
+  }
+  notice_bar(ui);
+  loading_bar(ui);
+  if (ui.workspace.view.help) help_overlay(ui);
+  if (ui.workspace.browser.open) file_panel(ui);
+}
+
+}  // namespace viete::ui

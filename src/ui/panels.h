@@ -1,0 +1,28 @@
+// The panels, one function each, one file each.
+#pragma once
+
+#include "ui/context.h"
+
+namespace viete::ui {
+
+/// Everything: column, status bar, overlays. Returns nothing; what the user does changes the workspace.
+void draw_panels(const Context& ui);
+
+void panel_model(const Context& ui);
+void panel_cage(const Context& ui);
+void panel_method(const Context& ui);
+void panel_coordinates(const Context& ui);
+void panel_timings(const Context& ui);
+void panel_view(const Context& ui);
+void panel_messages(const Context& ui);
+void status_bar(const Context& ui);
+void help_overlay(const Context& ui);
+void file_panel(const Context& ui);
+void loading_bar(const Context& ui);  ///< what is being read, how far, and Cancel
+void notice_bar(const Context& ui);   ///< unsaved work that can be brought back
+void transform_fields(const Context& ui);  ///< a part of the cage's panel
+void gizmo_overlay(const Context& ui);
+void axis_overlay(const Context& ui);
+void view_overlay(const Context& ui);  ///< box selection, first-start hints, binding progress
+
+}  // namespace viete::ui

@@ -1,0 +1,63 @@
+#include "scene/elements.h"
+#include "scene/gizmo.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+std::string hovered_text(const scene::Selection& selection, std::uint32_t element) {
+  std::string name = scene::element_name(selection.kind()) + ' ' + std::to_string(element);
+  name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  const bool first_click = selection.kind() == scene::ElementKind::face && !selection.contains(element);
+  return name + (first_click ? ":  click selects" : ":  click selects, drag moves");
+}
+
+// What the mouse would do now, in a few words.
+std::string mouse_text(const scene::Workspace& w) {
+  if (w.hand.drag) return "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button takes it back";
+  if (w.hand.box) return "Release to select, Esc to take it back";
+  if (w.hand.over_axes) return "Click looks along an axis, drag orbits";
+  if (w.hand.handle) return scene::handle_name(w.tool, *w.hand.handle) + ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
+  if (w.hand.hovered) return hovered_text(w.document.selection, *w.hand.hovered);
+  if (w.document.has_cage()) return "Drag a vertex, edge or selected face moves it,  on empty space selects;  middle or right drag orbits,  wheel zooms";
+  return "Middle or right drag orbits,  Shift pans,  wheel zooms";
+}
+
+std::string numbers_text(const scene::Workspace& w) {
+  const auto median = w.stats.median();
+  const std::string frame = median ? milliseconds(median->frame) + " a frame" : "";
+  const std::string kernel = w.kernel.empty() ? "" : "kernel " + w.kernel;
+  return frame + (frame.empty() || kernel.empty() ? "" : "   ") + kernel;
+}
+
+}  // namespace
+
+void status_bar(const Context& ui) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, display.y - status_height});
+  ImGui::SetNextWindowSize({display.x, status_height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 5});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin("Status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  const std::string numbers = numbers_text(ui.workspace);
+  ImGui::PushFont(ui.fonts.numbers);
+  const float numbers_start = display.x - 36 - ImGui::CalcTextSize(numbers.c_str()).x;
+  ImGui::PopFont();
+  text_right(ui, display.x - 12, numbers, ui.colors.faint);
+  ImGui::PushClipRect({0, 0}, {numbers_start, display.y}, true);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
+  ImGui::TextUnformatted(mouse_text(ui.workspace).c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopClipRect();
+  const float y = display.y - status_height;
+  ImGui::GetWindowDrawList()->AddLine({0, y}, {display.x, y}, ui.colors.line);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,147 @@
+#include "ui/style.h"
+
+#include <filesystem>
+#include <initializer_list>
+
+
+namespace viete::ui {
+
+namespace {
+
+constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255) {
+  return IM_COL32(hex >> 16 & 255, hex >> 8 & 255, hex & 255, alpha);
+}
+
+ImVec4 rgba(unsigned hex, float alpha = 1) {
+  ImVec4 c = ImGui::ColorConvertU32ToFloat4(rgb(hex));
+  c.w = alpha;
+  return c;
+}
+
+ImFont* add_first(std::initializer_list<const char*> files, float size) {
+  for (const char* file : files) {
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored)) {
+      return ImGui::GetIO().Fonts->AddFontFromFileTTF(file, size);
+    }
+  }
+  return nullptr;
+}
+
+void set_sizes(ImGuiStyle& s) {
+  s.WindowPadding = {12, 8};
+  s.FramePadding = {8, 3};
+  s.ItemSpacing = {8, 5};
+  s.ItemInnerSpacing = {6, 4};
+  s.WindowRounding = 0;
+  s.FrameRounding = 4;
+  s.GrabRounding = 4;
+  s.PopupRounding = 4;
+  s.ScrollbarSize = 10;
+  s.ScrollbarRounding = 5;
+  s.WindowBorderSize = 0;
+  s.PopupBorderSize = 1;
+  s.DisabledAlpha = 0.45f;
+}
+
+struct Tones {
+  unsigned window, frame, hover, active, text, faint, accent, line;
+};
+
+constexpr Tones dark_tones{0x1c2027, 0x2a3039, 0x353c47, 0x404956, 0xe4e7ec, 0x9aa3b0, 0x3fb8af, 0x333a45};
+constexpr Tones light_tones{0xfbfbfc, 0xe9ecf0, 0xdde2e8, 0xcfd6de, 0x1f252d, 0x586372, 0x0f766e, 0xd5dae1};
+
+}  // namespace
+
+Fonts add_fonts(float scale, bool builtin_only) {
+  ImGuiIO& io = ImGui::GetIO();
+  Fonts fonts;
+  io.FontGlobalScale = 1 / scale;
+  if (!builtin_only) {
+    fonts.text = add_first({"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
+                            "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
+                            "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
+                           15 * scale);
+    fonts.strong = add_first({"/usr/share/fonts/opentype/inter/Inter-SemiBold.otf",
+                              "/usr/share/fonts/truetype/inter/Inter-SemiBold.ttf",
+                              "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"},
+                             15 * scale);
+    fonts.numbers = add_first({"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
+                               "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"},
+                              13.5f * scale);
+  }
+  if (!fonts.text) {
+    ImFontConfig config;
+    config.SizePixels = 13 * scale;
+    config.OversampleH = config.OversampleV = 1;
+    config.PixelSnapH = true;
+    fonts.text = io.Fonts->AddFontDefault(&config);
+  }
+  io.FontDefault = fonts.text;
+  if (!fonts.strong) fonts.strong = fonts.text;
+  if (!fonts.numbers) fonts.numbers = fonts.text;
+  return fonts;
+}
+
+void apply_style(bool dark) {
+  ImGuiStyle& s = ImGui::GetStyle();
+  set_sizes(s);
+  if (dark) {
+    ImGui::StyleColorsDark();
+  } else {
+    ImGui::StyleColorsLight();
+  }
+  const Tones& t = dark ? dark_tones : light_tones;
+  s.Colors[ImGuiCol_Text] = rgba(t.text);
+  s.Colors[ImGuiCol_TextDisabled] = rgba(t.faint);
+  s.Colors[ImGuiCol_WindowBg] = rgba(t.window, 0.985f);
+  s.Colors[ImGuiCol_PopupBg] = rgba(t.window, 0.985f);
+  s.Colors[ImGuiCol_FrameBg] = s.Colors[ImGuiCol_Button] = rgba(t.frame);
+  s.Colors[ImGuiCol_FrameBgHovered] = s.Colors[ImGuiCol_ButtonHovered] = rgba(t.hover);
+  s.Colors[ImGuiCol_FrameBgActive] = s.Colors[ImGuiCol_ButtonActive] = rgba(t.active);
+  s.Colors[ImGuiCol_Header] = rgba(t.frame, 0);
+  s.Colors[ImGuiCol_HeaderHovered] = rgba(t.hover, 0.6f);
+  s.Colors[ImGuiCol_HeaderActive] = rgba(t.active, 0.6f);
+  s.Colors[ImGuiCol_CheckMark] = s.Colors[ImGuiCol_SliderGrab] = rgba(t.accent);
+  s.Colors[ImGuiCol_Separator] = s.Colors[ImGuiCol_Border] = rgba(t.line);
+  s.Colors[ImGuiCol_TitleBg] = s.Colors[ImGuiCol_TitleBgActive] = s.Colors[ImGuiCol_TitleBgCollapsed] = rgba(t.frame);
+  s.Colors[ImGuiCol_ResizeGrip] = rgba(t.active, 0.6f);
+  s.Colors[ImGuiCol_ResizeGripHovered] = s.Colors[ImGuiCol_ResizeGripActive] = rgba(t.accent);
+  s.Colors[ImGuiCol_NavHighlight] = rgba(t.accent, 0.6f);
+  s.Colors[ImGuiCol_ScrollbarBg] = rgba(t.window, 0);
+  s.Colors[ImGuiCol_ScrollbarGrab] = rgba(t.active);
+  s.Colors[ImGuiCol_PlotHistogram] = rgba(t.accent);
+  s.Colors[ImGuiCol_TextSelectedBg] = rgba(t.accent, 0.35f);
+}
+
+Palette palette(bool dark) {
+  const Tones& t = dark ? dark_tones : light_tones;
+  Palette p{};
+  p.text = rgb(t.text);
+  p.faint = rgb(t.faint);
+  p.accent = rgb(t.accent);
+  p.good = rgb(dark ? 0x7ccf8a : 0x1f7a3a);
+  p.warn = rgb(dark ? 0xffb224 : 0x95590a);
+  p.bad = rgb(dark ? 0xff7a6b : 0xb3261e);
+  p.card = rgb(t.frame);
+  p.card_hover = rgb(t.hover);
+  p.card_active = dark ? rgb(0x24423f) : rgb(0xd6efec);
+  p.line = rgb(t.line);
+  p.axis[0] = rgb(dark ? 0xf2685f : 0xd23b36);
+  p.axis[1] = rgb(dark ? 0x86cc55 : 0x3f8f1c);
+  p.axis[2] = rgb(dark ? 0x64a3f7 : 0x2b6bd1);
+  p.on_axis = rgb(dark ? 0x15181d : 0xffffff);
+  p.neutral = rgb(dark ? 0xe4e7ec : 0x2d3641);
+  p.highlight = rgb(dark ? 0xffc24a : 0xf08a00);
+  p.halo = dark ? rgb(0x0c0f13, 150) : rgb(0xffffff, 190);
+  return p;
+}
+
+// Okabe and Ito's palette, softened; told apart by colour-blind readers too.
+ImU32 part_color(std::size_t part) {
+  static constexpr unsigned colors[] = {0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c, 0x3fb09a,
+                                        0xc58bb5, 0xb0a45a, 0x7f8a99, 0x5b6675, 0x3d4550};
+  return rgb(colors[part % std::size(colors)]);
+}
+
+}  // namespace viete::ui

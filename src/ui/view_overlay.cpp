@@ -1,0 +1,57 @@
+#include <algorithm>
+
+#include "ui/ink.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+void selection_box(const Context& ui, const scene::Hand::Box& box) {
+  const ImVec2 a{std::min(box.corner.x, box.opposite.x), std::min(box.corner.y, box.opposite.y)};
+  const ImVec2 b{std::max(box.corner.x, box.opposite.x), std::max(box.corner.y, box.opposite.y)};
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  draw.AddRectFilled(a, b, faded(ui.colors.accent, 0.10f));
+  draw.AddRect(a, b, faded(ui.colors.accent, 0.80f));
+}
+
+void centered(const Context& ui, float y, const char* text, ImU32 color) {
+  const auto& v = ui.workspace.viewport;
+  ImGui::PushFont(ui.fonts.text);
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  const bool fits = size.x + 24 <= v.size.x;
+  if (fits) ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 0.5f * (v.size.x - size.x), y}, color, text);
+  ImGui::PopFont();
+}
+
+void hints(const Context& ui) {
+  const auto& v = ui.workspace.viewport;
+  const float bottom = v.origin.y + v.size.y;
+  centered(ui, bottom - 34, "Drag a vertex of the cage     Switch the method at the left     F1 shows every key", faded(ui.colors.text, 0.75f));
+}
+
+void progress(const Context& ui) {
+  const auto& v = ui.workspace.viewport;
+  const float width = std::min(280.0f, 0.6f * v.size.x);
+  const float x = v.origin.x + 0.5f * (v.size.x - width), y = v.origin.y + v.size.y - 64;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  centered(ui, y - 24, "Binding the model to the cage", ui.colors.text);
+  draw.AddRectFilled({x, y}, {x + width, y + 6}, ui.colors.card, 3);
+  const float done = static_cast<float>(std::clamp(ui.workspace.binding.done, 0.02, 1.0));
+  draw.AddRectFilled({x, y}, {x + done * width, y + 6}, ui.colors.accent, 3);
+}
+
+}  // namespace
+
+void view_overlay(const Context& ui) {
+  const auto& w = ui.workspace;
+  if (w.hand.box) selection_box(ui, *w.hand.box);
+  if (w.binding.running) {
+    progress(ui);
+  } else if (w.view.hints && w.document.has_cage() && w.view.panels && !w.hand.drag) {
+    hints(ui);
+  }
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,128 @@
+#include "ui/widgets.h"
+
+#include <algorithm>
+
+#include "scene/commands.h"
+
+namespace viete::ui {
+
+namespace {
+
+std::string hint_of(const scene::Command& command) {
+  const std::string keys = scene::text(command.shortcut);
+  return std::string(command.hint) + (keys.empty() ? "" : "  (" + keys + ")");
+}
+
+const scene::Command& require(std::string_view name) {
+  const scene::Command* command = scene::find_command(name);
+  IM_ASSERT(command && "no such command");
+  return *command;
+}
+
+}  // namespace
+
+void record(const Context& ui, const std::string& name, bool enabled) {
+  if (!ui.recorder) return;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ui.recorder->add(name, {low.x, low.y, high.x, high.y, ImGui::IsItemVisible(), enabled});
+}
+
+bool section(const Context& ui, const char* title) {
+  ImGui::PushFont(ui.fonts.strong);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 3});
+  const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  record(ui, std::string("section/") + title);
+  return open;
+}
+
+void hint(const std::string& text) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(280);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void command_button(const Context& ui, std::string_view name, float width) {
+  const scene::Command& command = require(name);
+  const bool enabled = command.enabled(ui.workspace);
+  ImGui::BeginDisabled(!enabled);
+  const std::string label = std::string(command.label) + "##" + std::string(name);
+  if (ImGui::Button(label.c_str(), {width, 0})) command.run(ui.workspace);
+  record(ui, std::string(name), enabled);
+  ImGui::EndDisabled();
+  hint(hint_of(command));
+}
+
+void command_row(const Context& ui, std::initializer_list<std::string_view> commands) {
+  const auto n = static_cast<float>(commands.size());
+  const float width = (ImGui::GetContentRegionAvail().x - (n - 1) * ImGui::GetStyle().ItemSpacing.x) / n;
+  for (const auto& command : commands) {
+    if (command != *commands.begin()) ImGui::SameLine();
+    command_button(ui, command, width);
+  }
+}
+
+void command_choice(const Context& ui, std::initializer_list<std::string_view> commands, std::size_t chosen) {
+  const auto n = static_cast<float>(commands.size());
+  const float width = (ImGui::GetContentRegionAvail().x - (n - 1) * ImGui::GetStyle().ItemInnerSpacing.x) / n;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    const int colors = i == chosen ? 2 : 0;
+    if (i == chosen) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
+    if (i == chosen) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
+    command_button(ui, commands.begin()[i], width);
+    ImGui::PopStyleColor(colors);
+  }
+}
+
+void command_toggle(const Context& ui, std::string_view name, bool value) {
+  const scene::Command& command = require(name);
+  const std::string label = std::string(command.label) + "##" + std::string(name);
+  if (ImGui::Checkbox(label.c_str(), &value)) command.run(ui.workspace);
+  record(ui, std::string(name));
+  hint(hint_of(command));
+}
+
+void text_right(const Context& ui, float x, const std::string& text, ImU32 color) {
+  ImGui::PushFont(ui.fonts.numbers);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float y = ImGui::GetCursorScreenPos().y + 0.5f * (ImGui::GetTextLineHeight() - size.y);
+  ImGui::GetWindowDrawList()->AddText({x - size.x, y}, color, text.c_str());
+  ImGui::PopFont();
+}
+
+void value_row(const Context& ui, const char* label, const std::string& value, ImU32 color) {
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  text_right(ui, right, value, color ? color : ui.colors.text);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
+  ImGui::TextUnformatted(label);
+  ImGui::PopStyleColor();
+}
+
+void recent_list(const Context& ui, std::size_t most) {
+  const auto& recent = ui.workspace.remembered.recent;
+  for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
+    const scene::RecentFile file = recent[i];  // what is clicked may change the list
+    const std::string id = "##recent" + std::to_string(i);
+    if (ImGui::Selectable((file.file.filename().string() + id).c_str())) {
+      ui.workspace.requests.open = scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
+      ui.workspace.browser.open = false;
+    }
+    record(ui, "recent/" + std::to_string(i));
+    hint("Open " + file.file.string() + (file.cage.empty() ? "" : "  in  " + file.cage.string()));
+  }
+}
+
+void note(const Context& ui, const std::string& text, ImU32 color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color ? color : ui.colors.faint);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,40 @@
+// ImGui's widgets as the panels use them: named for tests, with a hint, and a reason when disabled.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "ui/context.h"
+
+namespace viete::ui {
+
+/// Notes the last item's place under `name` when a recorder watches.
+void record(const Context& ui, const std::string& name, bool enabled = true);
+
+/// A collapsible section; true when open. Calls nothing to end.
+bool section(const Context& ui, const char* title);
+
+/// A button that runs a command: its label, its hint and key as tooltip, disabled when the command is.
+void command_button(const Context& ui, std::string_view command, float width = 0);
+/// Several of them in a row, sharing the width evenly.
+void command_row(const Context& ui, std::initializer_list<std::string_view> commands);
+/// The same for commands of which one is in force: that one is marked.
+void command_choice(const Context& ui, std::initializer_list<std::string_view> commands, std::size_t chosen);
+/// A checkbox that runs a toggling command.
+void command_toggle(const Context& ui, std::string_view command, bool value);
+
+/// "label ........ value" on one line, the value right-aligned in tabular figures.
+void value_row(const Context& ui, const char* label, const std::string& value, ImU32 color = 0);
+/// A wrapped line in a quiet colour.
+void note(const Context& ui, const std::string& text, ImU32 color = 0);
+/// A tooltip for the last item, wrapped.
+void hint(const std::string& text);
+
+/// The newest recent files, at most so many, each a line that opens it.
+void recent_list(const Context& ui, std::size_t most);
+
+/// Text of the numbers font, right edge at x.
+void text_right(const Context& ui, float x, const std::string& text, ImU32 color);
+
+}  // namespace viete::ui

@@ -1,0 +1,72 @@
+// The bundled cage and its poses.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "geometry.h"
+#include "mesh/facts.h"
+#include "mesh/read.h"
+#include "support/data.h"
+
+using namespace viete;
+
+namespace {
+
+mesh::ReadResult bundled(const std::string& name) {
+  return mesh::read(test::assets_dir() / "dragon" / name);
+}
+
+}  // namespace
+
+TEST_CASE("cage_is_closed_oriented_outwards_and_has_60_to_150_triangles") {
+  const mesh::Facts facts = mesh::facts(bundled("cage.obj").surface);
+  CHECK(facts.triangles >= 60);
+  CHECK(facts.triangles <= 150);
+  CHECK(facts.parts == 1);
+  CHECK(facts.closed());
+  CHECK(facts.manifold());
+  CHECK(facts.oriented());
+  CHECK(facts.volume > 0);
+  CHECK(2 * facts.vertices == facts.triangles + 4);
+}
+
+TEST_CASE("cage_does_not_pass_through_itself") {
+  const mesh::Surface cage = bundled("cage.obj").surface;
+  CHECK_FALSE(test::self_intersection(cage).has_value());
+}
+
+TEST_CASE("self_intersection_is_found_where_there_is_one") {
+  mesh::Surface cage = bundled("cage.obj").surface;
+  const auto highest = std::max_element(cage.positions.begin(), cage.positions.end(),
+                                        [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  (*highest)[1] = -5;  // the top of the cage pulled through the ground
+  CHECK(test::self_intersection(cage).has_value());
+}
+
+TEST_CASE("cage_encloses_every_vertex_of_the_dragon_with_1_5_percent_of_the_diagonal_to_spare") {
+  const mesh::Surface cage = bundled("cage.obj").surface;
+  const mesh::Surface dragon = bundled("dragon.ply").surface;
+  const double spare = 0.015 * mesh::bounds(dragon.positions).diagonal();
+  std::size_t outside = 0, close = 0;
+  for (const mesh::Point& p : dragon.positions) {
+    if (test::winding_number(p, cage) < 0.5) ++outside;
+    if (test::distance(p, cage) < spare) ++close;
+  }
+  CHECK(outside == 0);
+  CHECK(close == 0);
+}
+
+TEST_CASE("poses_have_the_cage_s_vertices_and_faces_and_move_it") {
+  const mesh::Surface cage = bundled("cage.obj").surface;
+  for (const char* name : {"pose_alert.obj", "pose_flight.obj", "pose_coil.obj"}) {
+    CAPTURE(name);
+    const mesh::ReadResult pose = bundled(name);
+    CHECK(pose.surface.positions.size() == cage.positions.size());
+    CHECK(pose.surface.triangles == cage.triangles);
+    CHECK(pose.surface.positions != cage.positions);
+    REQUIRE_FALSE(pose.comments.empty());
+    CHECK(pose.comments[0].find("cage posed") != std::string::npos);
+    CHECK(mesh::facts(pose.surface).volume > 0);
+  }
+}

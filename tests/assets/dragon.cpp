@@ -1,0 +1,70 @@
+// The bundled dragon: what it promises, and that the program in this repository makes it.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "dragon/model.h"
+#include "mesh/facts.h"
+#include "mesh/read.h"
+#include "support/data.h"
+
+namespace fs = std::filesystem;
+using namespace viete;
+
+namespace {
+
+std::string bytes(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  REQUIRE_MESSAGE(stream.good(), path.string() << " cannot be read");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+fs::path dragon_dir() {
+  return test::assets_dir() / "dragon";
+}
+
+}  // namespace
+
+TEST_CASE("generator_makes_the_committed_files_byte_for_byte") {
+  const fs::path made = fs::path(VIETE_BUILD_DIR) / "dragon_made_again";
+  fs::remove_all(made);
+  fs::create_directories(made);
+  dragon::write_files(made);
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(made)) {
+    CAPTURE(entry.path().filename().string());
+    const bool same = bytes(entry.path()) == bytes(dragon_dir() / entry.path().filename());
+    CHECK(same);
+    ++files;
+  }
+  CHECK(files == 5);
+}
+
+TEST_CASE("dragon_is_one_closed_oriented_part_of_genus_0_with_50000_vertices") {
+  const mesh::Facts facts = mesh::facts(mesh::read(dragon_dir() / "dragon.ply").surface);
+  CHECK(facts.vertices == 50000);
+  CHECK(facts.triangles == 99996);  // 2 v - 4: Euler's formula for a sphere
+  CHECK(facts.parts == 1);
+  CHECK(facts.closed());
+  CHECK(facts.manifold());
+  CHECK(facts.oriented());
+  CHECK(facts.unused_vertices.empty());
+  CHECK(facts.degenerate_triangles.empty());
+  CHECK(facts.volume > 0);
+}
+
+TEST_CASE("dragon_stands_on_the_ground_and_is_two_to_three_units_long") {
+  const mesh::Bounds box = mesh::bounds(mesh::read(dragon_dir() / "dragon.ply").surface.positions);
+  CHECK(box.low[1] == doctest::Approx(0).epsilon(1e-6));
+  CHECK(box.high[0] - box.low[0] > 2);
+  CHECK(box.high[0] - box.low[0] < 3);
+}
+
+TEST_CASE("dragon_file_is_binary_and_below_2500000_bytes") {
+  const std::string file = bytes(dragon_dir() / "dragon.ply");
+  CHECK(file.size() < 2500000);
+  CHECK(file.starts_with("ply\nformat binary_little_endian 1.0\n"));
+}

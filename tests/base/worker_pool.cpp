@@ -1,0 +1,38 @@
+#include "base/worker_pool.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <vector>
+
+using viete::base::WorkerPool;
+
+TEST_CASE("every_element_is_visited_once_for_any_count_block_and_thread_number") {
+  for (const int threads : {1, 2, 3, 7}) {
+    WorkerPool pool(threads);
+    CHECK(pool.threads() == threads);
+    for (const std::size_t count : {0u, 1u, 2u, 63u, 64u, 65u, 1000u}) {
+      for (const std::size_t block : {1u, 7u, 64u, 5000u}) {
+        std::vector<std::atomic<int>> visits(count);
+        pool.for_blocks(count, block, [&](std::size_t begin, std::size_t end) {
+          CHECK_MESSAGE(begin % block == 0, "blocks do not depend on the number of threads");
+          for (std::size_t i = begin; i < end; ++i) ++visits[i];
+        });
+        for (const auto& v : visits) REQUIRE(v == 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("an_exception_reaches_the_caller_and_the_pool_lives_on") {
+  WorkerPool pool(3);
+  CHECK_THROWS_AS(pool.for_blocks(100, 1,
+                                  [](std::size_t begin, std::size_t) {
+                                    if (begin == 99) throw std::runtime_error("no");
+                                  }),
+                  std::runtime_error);
+  std::atomic<int> sum{0};
+  pool.for_blocks(100, 3, [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
+  CHECK(sum == 100);
+}

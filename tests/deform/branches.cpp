@@ -1,0 +1,94 @@
+#include "deform/branches.h"
+
+#include <doctest/doctest.h>
+
+#include "deform/shapes.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+using Rotations = std::vector<sym3::Mat3<double>>;
+
+Rotations all(const Cage& cage, const Vec3& axis, double degrees) {
+  return Rotations(cage.element_count(), similarity(axis, degrees * degree).linear);
+}
+
+}  // namespace
+
+TEST_CASE("nearest_branch_is_among_all_turns_about_the_axis") {
+  const Vec3 n = (1 / std::sqrt(14.0)) * Vec3{1, 2, 3};
+  const double turn = 360 * degree;
+  for (double reference = -900; reference <= 900; reference += 7) {
+    for (double angle = -170; angle <= 170; angle += 17) {
+      const Vec3 y = nearest_branch((angle * degree) * n, (reference * degree) * n);
+      const double k = (dot(y, n) - angle * degree) / turn;
+      CHECK(std::abs(k - std::round(k)) < 1e-12);
+      CHECK(std::abs(dot(y, n) / degree - reference) <= 180 + 1e-9);
+    }
+  }
+}
+
+TEST_CASE("nearest_branch_without_reference_is_the_principal_one") {
+  CHECK(nearest_branch({1, 2, 2}, {0, 0, 0}) == Vec3{1, 2, 2});
+  CHECK(nearest_branch({0, 0, 0}, {0, 0, 0}) == Vec3{0, 0, 0});
+}
+
+TEST_CASE("a_zero_rotation_near_a_full_turn_takes_the_axis_of_the_reference") {
+  const double turn = 360 * degree;
+  for (const double r : {359.0, 360.0, 361.0, 400.0}) {
+    CHECK(norm(nearest_branch({0, 0, 0}, {0, 0, r * degree}) - Vec3{0, 0, turn}) < 1e-15 * 10);
+    CHECK(norm(nearest_branch({1e-15, 0, 0}, {0, 0, r * degree}) - Vec3{0, 0, turn}) < 1e-14);
+  }
+  CHECK(norm(nearest_branch({0, 0, 0}, {0, 0, 3 * degree})) == 0);
+}
+
+TEST_CASE("alignment_is_three_for_equal_rotations_and_falls_with_the_angle") {
+  const auto a = similarity({1, 2, 3}, 1).linear;
+  CHECK(alignment(a, a) == doctest::Approx(3));
+  CHECK(alignment(a, similarity({1, 2, 3}, 1 + 120 * degree).linear) == doctest::Approx(0));
+}
+
+TEST_CASE("one_element_turned_over_does_not_pull_the_others_round") {
+  const Cage cage = make_cage(tube(9, 7, 0.3, 2));
+  const Vec3 axis{0, 0, 1};
+  for (std::size_t e = 0; e < cage.element_count(); e += 5) {
+    std::vector<Vec3> turns;
+    Branches b;
+    for (int a = 0; a <= 360; a += 10) {  // one full turn of one element alone
+      auto rotations = all(cage, axis, 0.5);
+      rotations[e] = similarity(axis, a * degree).linear;
+      b = choose_branches(cage, rotations, turns);
+      turns = b.turns;
+      for (std::size_t i = 0; i < b.logs.size(); ++i) {
+        if (i != e) CHECK(norm(b.logs[i]) == doctest::Approx(0.5 * degree));
+      }
+    }
+    CHECK(norm(b.logs[e]) < 1e-9);
+  }
+}
+
+TEST_CASE("the_root_turned_over_does_not_pull_the_others_round_either") {
+  const Cage cage = make_cage(tube(9, 7, 0.3, 2));
+  std::vector<Vec3> turns;
+  for (int a = 0; a <= 720; a += 5) {
+    auto rotations = all(cage, {1, 0, 0}, 3);
+    rotations[cage.roots[0]] = similarity({0, 0, 1}, a * degree).linear;
+    const Branches b = choose_branches(cage, rotations, turns);
+    turns = b.turns;
+    for (std::uint32_t i = 0; i < b.logs.size(); ++i) {
+      if (i != cage.roots[0]) CHECK(norm(b.logs[i]) == doctest::Approx(3 * degree));
+    }
+  }
+}
+
+TEST_CASE("turns_choose_among_whole_turns") {
+  const Cage cage = make_cage(box());
+  for (int k = -3; k <= 3; ++k) {
+    const std::vector<Vec3> turns = {{0, 0, (40 + 360 * k) * degree}};
+    const Branches b = choose_branches(cage, all(cage, {0, 0, 1}, 30), turns);
+    for (const auto& log : b.logs) CHECK(log[2] == doctest::Approx((30 + 360 * k) * degree));
+    CHECK(b.turns[0][2] == doctest::Approx((30 + 360 * k) * degree));
+  }
+}

@@ -1,0 +1,131 @@
+// Small surfaces whose measures are known, and helpers to read and compare them.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "mesh/read.h"
+#include "mesh/surface.h"
+#include "support/folder.h"
+
+namespace viete::test {
+
+using mesh::Point;
+using mesh::Surface;
+using mesh::Triangle;
+
+/// The cube [-1, 1]^3 as six outward quads.
+inline Surface cube() {
+  Surface s;
+  for (int i = 0; i < 8; ++i)
+    s.positions.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
+  s.corners = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  s.polygon_starts = {0, 4, 8, 12, 16, 20, 24};
+  mesh::fan_triangulate(s);
+  return s;
+}
+
+/// The unit sphere: an octahedron subdivided `levels` times. 8 * 4^levels triangles, outward.
+inline Surface sphere(int levels) {
+  std::vector<Point> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  std::vector<Triangle> triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                     {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [at, added] =
+          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
+      if (added) {
+        Point p{points[a][0] + points[b][0], points[a][1] + points[b][1], points[a][2] + points[b][2]};
+        const double length = std::hypot(p[0], p[1], p[2]);
+        for (double& x : p) x /= length;
+        points.push_back(p);
+      }
+      return at->second;
+    };
+    std::vector<Triangle> finer;
+    for (const auto& [a, b, c] : triangles) {
+      const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    triangles = std::move(finer);
+  }
+  return mesh::from_triangles(points, triangles);
+}
+
+/// A torus about the z axis, radii 2 and 0.5, outward. open: without its last ring of quads (two holes).
+inline Surface torus(std::uint32_t around, std::uint32_t across, bool open = false) {
+  Surface s;
+  const double pi = std::acos(-1.0);
+  for (std::uint32_t i = 0; i < around; ++i) {
+    for (std::uint32_t j = 0; j < across; ++j) {
+      const double u = 2 * pi * i / around, v = 2 * pi * j / across, r = 2 + 0.5 * std::cos(v);
+      s.positions.push_back({r * std::cos(u), r * std::sin(u), 0.5 * std::sin(v)});
+    }
+  }
+  s.polygon_starts = {0};
+  for (std::uint32_t i = 0; i < around - (open ? 1 : 0); ++i) {
+    for (std::uint32_t j = 0; j < across; ++j) {
+      const std::uint32_t k = (i + 1) % around, l = (j + 1) % across;
+      for (const auto v : {i * across + j, k * across + j, k * across + l, i * across + l})
+        s.corners.push_back(v);
+      s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
+    }
+  }
+  mesh::fan_triangulate(s);
+  return s;
+}
+
+/// Every position times scale, plus offset in all three directions.
+inline Surface moved(Surface s, double scale, double offset = 0) {
+  for (Point& p : s.positions) {
+    for (double& x : p) x = x * scale + offset;
+  }
+  return s;
+}
+
+inline mesh::ReadResult read_text(const std::string& bytes, const std::string& extension) {
+  return mesh::read(mesh::Source{"given." + extension, extension, bytes, nullptr});
+}
+
+/// What the error says; empty if there was none.
+inline std::string refusal(const std::string& bytes, const std::string& extension) {
+  try {
+    read_text(bytes, extension);
+  } catch (const base::Error& error) {
+    CHECK(!error.place().empty());
+    CHECK(!error.advice().empty());
+    return error.what();
+  }
+  return {};
+}
+
+/// Every invariant that surface.h promises.
+inline void check_invariants(const Surface& s) {
+  REQUIRE(s.polygon_starts.size() == s.polygon_count() + 1);
+  REQUIRE(s.polygon_starts.back() == s.corners.size());
+  REQUIRE(s.triangles.size() == s.corners.size() - 2 * s.polygon_count());
+  REQUIRE(s.triangle_polygon.size() == s.triangles.size());
+  bool in_range = true, finite = true;
+  for (const auto v : s.corners) in_range &= v < s.positions.size();
+  for (const auto& t : s.triangles)
+    in_range &= t[0] < s.positions.size() && t[1] < s.positions.size() && t[2] < s.positions.size();
+  for (const auto& p : s.positions)
+    finite &= std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  CHECK(in_range);
+  CHECK(finite);
+}
+
+}  // namespace viete::test

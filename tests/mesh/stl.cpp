@@ -1,0 +1,101 @@
+#include "mesh/stl.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "mesh/shapes.h"
+
+using namespace viete;
+using namespace viete::mesh;
+
+namespace {
+
+void put_word(std::string& out, std::uint32_t value) {
+  for (int i = 0; i < 4; ++i) out += static_cast<char>(value >> 8 * i & 255);
+}
+
+std::string binary_stl(const Surface& s, const std::string& title) {
+  std::string out = title;
+  out.resize(80);
+  put_word(out, static_cast<std::uint32_t>(s.triangles.size()));
+  for (const Triangle& t : s.triangles) {
+    out.append(12, '\0');
+    for (const auto v : t) {
+      for (const double x : s.positions[v])
+        put_word(out, std::bit_cast<std::uint32_t>(static_cast<float>(x)));
+    }
+    out.append(2, '\x7f');
+  }
+  return out;
+}
+
+const std::string facet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("stl_binary_joins_equal_corners_in_order_of_first_occurrence") {
+  const Surface s = test::sphere(2);
+  for (const std::string title : {"made by hand", "solid but binary", ""}) {
+    const ReadResult r = test::read_text(binary_stl(s, title), "stl");
+    test::check_invariants(r.surface);
+    CHECK(r.format == "STL binary");
+    CHECK(r.surface.positions.size() == s.positions.size());
+    CHECK(r.surface.triangles.size() == s.triangles.size());
+    CHECK(r.surface.triangles[0] == Triangle{0, 1, 2});
+    CHECK(r.comments.size() == (title.empty() ? 0u : 1u));
+    for (int i = 0; i < 3; ++i)
+      CHECK(r.surface.positions[0][i] == static_cast<float>(s.positions[s.triangles[0][0]][i]));
+  }
+}
+
+TEST_CASE("stl_zero_and_minus_zero_are_the_same_place") {
+  std::string text = "solid a\n" + facet;
+  const std::string other =
+      "facet normal 0 0 -1\nouter loop\nvertex -0 0 -0\nvertex 0 1 0\nvertex 1 0 "
+      "0\nendloop\nendfacet\nendsolid\n";
+  CHECK(test::read_text(text + other, "stl").surface.positions.size() == 3);
+}
+
+TEST_CASE("stl_text_may_be_upper_case_have_several_solids_and_names") {
+  std::string upper = facet;
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  const ReadResult r = test::read_text(
+      "solid first part\n" + facet + "endsolid first part\nsolid\n" + upper + "ENDSOLID\n", "stl");
+  CHECK(r.format == "STL ascii");
+  CHECK(r.surface.triangles.size() == 2);
+  CHECK(r.comments == std::vector<std::string>{"first part"});
+  CHECK(r.warnings.empty());
+}
+
+TEST_CASE("stl_errors_name_line_or_triangle") {
+  const std::string whole = binary_stl(test::sphere(1), "a");
+  CHECK(holds(test::refusal(whole.substr(0, whole.size() - 10), "stl"),
+              "announces 32 triangles, the file has room for 31"));
+  CHECK(holds(test::refusal(whole.substr(0, 60), "stl"), "a binary STL has 84 bytes at least"));
+  CHECK(holds(test::refusal(binary_stl(Surface{}, "a"), "stl"), "no vertices"));
+  std::string huge = whole;
+  for (int i = 80; i < 84; ++i) huge[i] = '\xff';
+  CHECK(holds(test::refusal(huge, "stl"), "announces 4294967295 triangles"));
+  Surface infinite = test::sphere(1);
+  infinite.positions[infinite.triangles[0][1]][2] = INFINITY;
+  CHECK(holds(test::refusal(binary_stl(infinite, "a"), "stl"),
+              "given.stl: triangle 0: a coordinate is not a finite number"));
+  CHECK(holds(test::refusal("solid a\n" + facet.substr(0, facet.size() - 9), "stl"),
+              "the file ends within a facet"));
+  CHECK(holds(test::refusal("solid a\nvertex 0 0 0\n", "stl"), "given.stl:2: vertex outside of a facet"));
+  CHECK(holds(test::refusal("solid a\nfacet\nendfacet\n", "stl"), "given.stl:3: facet with 0 corners"));
+  CHECK(holds(test::refusal("solid a\nnonsense\n", "stl"), "\"nonsense\" is not a word of STL"));
+}
+
+TEST_CASE("stl_that_may_be_cut_short_or_has_a_tail_is_told") {
+  CHECK(holds(test::read_text("solid a\n" + facet, "stl").warnings.at(0), "may be cut short"));
+  CHECK(holds(test::read_text(binary_stl(test::sphere(1), "a") + "tail", "stl").warnings.at(0),
+              "4 bytes behind"));
+}

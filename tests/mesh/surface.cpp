@@ -1,0 +1,61 @@
+#include "mesh/surface.h"
+
+#include <doctest/doctest.h>
+
+#include "mesh/shapes.h"
+
+using namespace viete;
+using namespace viete::mesh;
+
+TEST_CASE("a_polygon_is_cut_into_a_fan_about_its_first_corner") {
+  Surface s;
+  s.positions.resize(7);
+  s.corners = {4, 3, 2, 1, 0, 5, 6, 4};
+  s.polygon_starts = {0, 5, 8};
+  fan_triangulate(s);
+  CHECK(s.triangles == std::vector<Triangle>{{4, 3, 2}, {4, 2, 1}, {4, 1, 0}, {5, 6, 4}});
+  CHECK(s.triangle_polygon == std::vector<std::uint32_t>{0, 0, 0, 1});
+}
+
+TEST_CASE("cutting_twice_is_the_same_as_once") {
+  Surface s = test::cube();
+  const auto once = s.triangles;
+  fan_triangulate(s);
+  CHECK(s.triangles == once);
+}
+
+TEST_CASE("a_surface_of_triangles_has_them_as_polygons") {
+  const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {3, 2, 1}});
+  test::check_invariants(s);
+  CHECK(s.polygon_count() == 2);
+  CHECK(s.corners == std::vector<std::uint32_t>{0, 1, 2, 3, 2, 1});
+  CHECK(s.triangle_polygon == std::vector<std::uint32_t>{0, 1});
+}
+
+TEST_CASE("a_surface_without_anything_has_no_polygons_and_an_empty_box") {
+  Surface s;
+  fan_triangulate(s);
+  CHECK(s.polygon_count() == 0);
+  CHECK(s.triangles.empty());
+  CHECK(bounds(s.positions).diagonal() == 0);
+  CHECK(used_bounds(s).center() == Point{0, 0, 0});
+}
+
+TEST_CASE("the_box_holds_every_vertex_and_the_used_box_those_of_polygons") {
+  Surface s = test::cube();
+  s.positions.push_back({100, -7, 3});
+  CHECK(bounds(s.positions).high == Point{100, 1, 3});
+  CHECK(bounds(s.positions).low == Point{-1, -7, -1});
+  CHECK(used_bounds(s).high == Point{1, 1, 1});
+  CHECK(used_bounds(s).diagonal() == doctest::Approx(std::sqrt(12.0)).epsilon(1e-15));
+  s.corners.clear();
+  CHECK(used_bounds(s).high == Point{100, 1, 3});
+}
+
+TEST_CASE("the_box_of_huge_and_tiny_coordinates_has_a_finite_centre_and_diagonal") {
+  for (const double scale : {1e-100, 1e-30, 1e30, 1e100}) {
+    const Bounds box = bounds(test::moved(test::cube(), scale).positions);
+    CHECK(box.center() == Point{0, 0, 0});
+    CHECK(box.diagonal() == doctest::Approx(std::sqrt(12.0) * scale).epsilon(1e-14));
+  }
+}

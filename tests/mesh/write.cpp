@@ -1,0 +1,98 @@
+#include "mesh/write.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "mesh/shapes.h"
+
+namespace fs = std::filesystem;
+using namespace viete;
+using namespace viete::mesh;
+
+namespace {
+
+// A cube of quads and a pentagon, with an unused vertex and coordinates that need all their digits.
+Surface awkward(double scale) {
+  Surface s = test::cube();
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  s.positions.push_back({1.0 / 3, -0.0, 5e-324});
+  for (Point& p : s.positions) {
+    for (double& x : p) x = x * scale + uniform(random) * scale;
+  }
+  s.corners.insert(s.corners.end(), {0, 1, 2, 3, 4});
+  s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
+  fan_triangulate(s);
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("polygons_and_positions_come_back_with_the_same_bits") {
+  const test::TemporaryFolder folder;
+  for (const double scale : {1e-300, 1e-30, 1.0, 1e30, 1e99}) {
+    const Surface s = awkward(scale);
+    for (const char* name : {"a.obj", "a.ply", "a.off", "A.PLY"}) {
+      write(folder / name, s, {"first", "second"});
+      const ReadResult r = read(folder / name);
+      CHECK(r.surface.positions == s.positions);
+      CHECK(r.surface.corners == s.corners);
+      CHECK(r.surface.polygon_starts == s.polygon_starts);
+      CHECK(r.surface.triangles == s.triangles);
+      CHECK(r.comments == std::vector<std::string>{"first", "second"});
+      CHECK(r.warnings.empty());
+    }
+  }
+}
+
+TEST_CASE("stl_keeps_every_triangle_exactly") {
+  const test::TemporaryFolder folder;
+  const Surface s = awkward(1);
+  write(folder / "a.stl", s, {"a name"});
+  const ReadResult r = read(folder / "a.stl");
+  REQUIRE(r.surface.triangles.size() == s.triangles.size());
+  CHECK(r.comments == std::vector<std::string>{"a name"});
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      CHECK(r.surface.positions[r.surface.triangles[t][i]] == s.positions[s.triangles[t][i]]);
+    }
+  }
+}
+
+TEST_CASE("a_comment_cannot_break_the_file") {
+  const test::TemporaryFolder folder;
+  const Surface s = test::cube();
+  for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
+    write(folder / name, s, {"line\nv 1 2 3\r\nend_header \\", "", "solid \x01"});
+    const ReadResult r = read(folder / name);
+    CHECK(r.surface.triangles.size() == 12);
+    CHECK(r.surface.positions.size() == 8);
+    CHECK(r.comments.at(0) == "line v 1 2 3  end_header");
+  }
+}
+
+TEST_CASE("a_set_of_points_and_nothing_can_be_written") {
+  const test::TemporaryFolder folder;
+  Surface s;
+  s.positions = {{1, 2, 3}};
+  for (const char* name : {"a.obj", "a.ply", "a.off"}) {
+    write(folder / name, s);
+    CHECK(read(folder / name).surface.positions == s.positions);
+    write(folder / name, Surface{});
+    CHECK_THROWS_AS(read(folder / name), base::Error);
+  }
+}
+
+TEST_CASE("an_unknown_extension_is_refused_with_the_known_ones") {
+  const test::TemporaryFolder folder;
+  try {
+    write(folder / "a.fbx", test::cube());
+    FAIL("written");
+  } catch (const base::Error& error) {
+    CHECK(error.problem() == "unknown extension .fbx");
+    CHECK(error.advice() == "use .obj, .ply, .off or .stl");
+  }
+  CHECK_THROWS_AS(write(folder / "none", test::cube()), base::Error);
+  CHECK(folder.entries() == 0);
+}

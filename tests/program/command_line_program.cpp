@@ -1,0 +1,176 @@
+// The program as a shell sees it: subcommands, outputs, errors, exit codes.
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "mesh/read.h"
+#include "render/image.h"
+#include "support/data.h"
+
+namespace fs = std::filesystem;
+using namespace viete;
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string text;  ///< stdout and stderr
+};
+
+Outcome run(const std::string& arguments, const std::string& environment = "") {
+  const std::string command = environment + " '" + std::string(VIETE_BUILD_DIR) + "/viete' " + arguments + " 2>&1 </dev/null";
+  Outcome outcome;
+  FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe);
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  return outcome;
+}
+
+std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+struct Scratch {
+  fs::path folder = fs::temp_directory_path() / "viete-test-command-line";
+  Scratch() {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  ~Scratch() { fs::remove_all(folder); }
+};
+
+const fs::path dragon = test::assets_dir() / "dragon" / "dragon.ply", cage = test::assets_dir() / "dragon" / "cage.obj";
+const fs::path pose = test::assets_dir() / "dragon" / "pose_alert.obj";
+
+bool mentions(const Outcome& outcome, const std::string& text) { return outcome.text.find(text) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("help_is_there_for_the_program_and_every_subcommand") {
+  const auto top = run("--help");
+  CHECK(top.code == 0);
+  for (const char* command : {"view", "render", "deform", "info", "bench"}) {
+    CHECK_MESSAGE(mentions(top, command), command);
+    const auto help = run(std::string(command) + " --help");
+    CHECK(help.code == 0);
+    CHECK(help.text.size() > 100);
+  }
+  CHECK(mentions(top, "Exit codes"));
+  CHECK(run("--version").code == 0);
+}
+
+TEST_CASE("a_wrong_command_line_exits_with_2_and_says_what_is_wrong") {
+  CHECK(run("render").code == 2);
+  CHECK(run("deform a b").code == 2);
+  CHECK(run("render a b -o x.png --size 12").code == 2);
+  CHECK(run("render a b -o x.png --method best").code == 2);
+  CHECK(run("info").code == 2);
+  CHECK(run("bench nothing").code == 2);
+}
+
+TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model") {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out.obj";
+  const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) + " -o " + quoted(out));
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  const auto rest = mesh::read(dragon).surface, deformed = mesh::read(out).surface;
+  REQUIRE(deformed.positions.size() == rest.positions.size());
+  CHECK(deformed.triangles == rest.triangles);
+  CHECK(deformed.positions != rest.positions);
+}
+
+TEST_CASE("deform_with_the_rest_cage_as_pose_gives_the_model") {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out.ply";
+  for (const char* coordinates : {"face", "mvc"}) {
+    const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(cage) + " -o " + quoted(out) +
+                             " --coordinates " + coordinates);
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    const auto rest = mesh::read(dragon).surface, same = mesh::read(out).surface;
+    const double diagonal = mesh::bounds(rest.positions).diagonal();
+    double largest = 0;
+    for (std::size_t i = 0; i < rest.positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(rest.positions[i][k] - same.positions[i][k]));
+    }
+    CHECK(largest < 1e-12 * diagonal);
+  }
+}
+
+TEST_CASE("render_writes_a_picture_of_the_asked_size") {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out.png";
+  const auto outcome = run("render " + quoted(dragon) + " " + quoted(cage) + " -o " + quoted(out) + " --size 320x200 --scale 2");
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  const auto image = render::read_png(out);
+  CHECK(image.width == 640);
+  CHECK(image.height == 400);
+  CHECK(image.pixel(5, 5) != image.pixel(320, 200));
+}
+
+TEST_CASE("without_a_display_the_viewer_says_so_in_one_line_and_renders_a_picture") {
+  const Scratch scratch;
+  const auto outcome = run(quoted(dragon) + " " + quoted(cage), "cd " + quoted(scratch.folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY");
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
+  CHECK(mentions(outcome, "no window"));
+  CHECK(render::read_png(scratch.folder / "viete.png").width == 1440);
+}
+
+TEST_CASE("the_bundled_model_is_found_from_any_working_directory") {
+  const Scratch scratch;
+  const auto outcome = run("", "cd " + quoted(scratch.folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY");
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(fs::exists(scratch.folder / "viete.png"));
+}
+
+TEST_CASE("info_names_counts_and_goes_on_after_a_file_that_cannot_be_read") {
+  const auto outcome = run("info /nowhere/missing.obj " + quoted(dragon));
+  CHECK(outcome.code == 1);
+  CHECK(mentions(outcome, "/nowhere/missing.obj"));
+  CHECK(mentions(outcome, "vertices    50000"));
+}
+
+TEST_CASE("errors_name_file_and_reason_and_exit_with_1") {
+  const Scratch scratch;
+  const fs::path broken = scratch.folder / "broken.obj";
+  std::ofstream(broken) << "v 0 0 0\nf 1 2 3\n";
+  const fs::path out = scratch.folder / "out.png";
+  for (const std::string& line :
+       {"render " + quoted(broken) + " " + quoted(cage) + " -o " + quoted(out), "render " + quoted(dragon) + " " + quoted(broken) + " -o " + quoted(out),
+        "deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(broken) + " -o " + quoted(out)}) {
+    const auto outcome = run(line);
+    CHECK(outcome.code == 1);
+    CHECK(mentions(outcome, "broken.obj:2"));
+    CHECK_FALSE(fs::exists(out));
+  }
+  const auto unwritable = run("render " + quoted(dragon) + " " + quoted(cage) + " -o /nowhere/out.png");
+  CHECK(unwritable.code == 1);
+  CHECK(mentions(unwritable, "/nowhere/out.png"));
+}
+
+TEST_CASE("a_pose_with_another_number_of_vertices_is_refused_with_both_counts") {
+  const Scratch scratch;
+  const fs::path other = scratch.folder / "other.obj";
+  std::ofstream(other) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(other) + " -o " + quoted(scratch.folder / "o.obj"));
+  CHECK(outcome.code == 1);
+  CHECK(mentions(outcome, "other.obj"));
+  CHECK(mentions(outcome, "3"));
+}
+
+TEST_CASE("small_benchmarks_run_and_write_json") {
+  const Scratch scratch;
+  for (const char* what : {"exp", "eigen", "frame"}) {
+    const fs::path json = scratch.folder / (std::string(what) + ".json");
+    const auto outcome = run(std::string("bench ") + what + " --count 2000 --json " + quoted(json));
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    CHECK(mentions(outcome, "copy"));
+    CHECK(fs::file_size(json) > 100);
+  }
+}

@@ -1,0 +1,125 @@
+// Drives the real program offscreen with mouse and key events, as a person would.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "app/offscreen_viewer.h"
+#include "scene/commands.h"
+#include "scene/picking.h"
+#include "support/data.h"
+#include "ui/imgui_bridge.h"
+
+namespace viete::test {
+
+class Driver {
+ public:
+  explicit Driver(app::ViewerOptions options = default_options(),
+                  app::OffscreenContext::Kind kind = app::OffscreenContext::Kind::any)
+      : offscreen_(options, kind) {}
+
+  static app::ViewerOptions default_options() {
+    app::ViewerOptions options;
+    options.size = {1280, 800};
+    options.builtin_font = true;
+    options.probe = false;
+    return options;
+  }
+
+  app::Viewer& viewer() { return offscreen_.viewer(); }
+  scene::Workspace& workspace() { return viewer().workspace(); }
+  scene::Document& document() { return workspace().document; }
+  void settle() { offscreen_.settle(); }
+  render::Image picture() { return viewer().picture(); }
+
+  /// Every event gets frames of its own.
+  void frame(int count = 1) {
+    for (int i = 0; i < count; ++i) viewer().frame(1.0f / 60);
+  }
+  void send(app::InputEvent event, int frames = 1) {
+    viewer().input().push(std::move(event));
+    frame(frames);
+  }
+  void move(glm::vec2 to) { send(app::InputEvent::move(to)); }
+  void button(int code, bool down) { send(app::InputEvent::button(code, down)); }
+  void wheel(float steps) { send(app::InputEvent::scroll(steps)); }
+  void key(int code, bool down) { send(app::InputEvent::key(code, down)); }
+  void type(const std::string& text) { send(app::InputEvent::typed(text), 2); }
+  void press_key(int code, bool ctrl = false, bool shift = false) {
+    if (ctrl) key(left_ctrl, true);
+    if (shift) key(left_shift, true);
+    key(code, true);
+    key(code, false);
+    if (shift) key(left_shift, false);
+    if (ctrl) key(left_ctrl, false);
+  }
+  void press_key(scene::Key k, bool ctrl = false, bool shift = false) { press_key(ui::key_code(k), ctrl, shift); }
+
+  void click(glm::vec2 at, int b = 0) {
+    move(at);
+    button(b, true);
+    button(b, false);
+    frame();
+  }
+  void drag(glm::vec2 from, glm::vec2 to, int b = 0) {
+    press_and_move(from, to, b);
+    button(b, false);
+    frame();
+  }
+  void press_and_move(glm::vec2 from, glm::vec2 to, int b = 0) {
+    move(from);
+    button(b, true);
+    for (int i = 1; i <= 8; ++i) move(glm::floor(from + (to - from) * (static_cast<float>(i) / 8)));
+  }
+
+  /// Scrolls the column until the widget is visible, as a person would, and clicks its middle.
+  void click(const std::string& widget) { click(place_of(widget)); }
+  glm::vec2 place_of(const std::string& widget) {
+    for (int i = 0; i < 60; ++i) {
+      const auto rect = viewer().recorder().find(widget);
+      REQUIRE_MESSAGE(rect, "no widget named ", widget);
+      const bool whole = rect->visible && rect->y0 >= 0 && rect->y1 <= 770;
+      if (whole) return {0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)};
+      move({160, 400});
+      wheel(rect->y0 < 0 ? 2.0f : -2.0f);
+    }
+    FAIL("cannot scroll to " << widget);
+    return {};
+  }
+
+  glm::vec2 vertex(std::uint32_t i) {
+    const scene::Projector project(document().space, workspace().camera, workspace().viewport);
+    return glm::vec2(*project(document().pose.positions[i]));
+  }
+  /// A cage vertex near the camera (so that nothing hides it) that no other one is near on screen, and not far from the middle.
+  std::uint32_t free_vertex();
+
+  static constexpr int left_ctrl = 341, left_shift = 340;
+
+ private:
+  app::OffscreenViewer offscreen_;
+};
+
+inline std::uint32_t Driver::free_vertex() {
+  const auto& w = workspace();
+  const scene::Projector project(w.document.space, w.camera, w.viewport);
+  const glm::vec2 middle = w.viewport.origin + 0.5f * w.viewport.size;
+  std::uint32_t best = 0;
+  float best_score = -1e9f;
+  const auto& points = w.document.pose.positions;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const glm::vec3 projected = *project(points[i]);
+    const glm::vec2 at(projected);
+    float room = 1e9f;
+    for (std::uint32_t j = 0; j < points.size(); ++j) {
+      if (j != i) room = std::min(room, glm::distance(at, glm::vec2(*project(points[j]))));
+    }
+    const float score = std::min(room, 30.0f) - 0.02f * glm::distance(at, middle) - 40 * projected.z;
+    if (score > best_score) best = i, best_score = score;
+  }
+  return best;
+}
+
+}  // namespace viete::test

@@ -1,0 +1,342 @@
+// The hand at work: gizmo, typed numbers, edges and faces, orthographic view, axis widget, with real events.
+#include <cmath>
+
+#include "program/driver.h"
+#include "scene/edit.h"
+#include "scene/elements.h"
+#include "scene/pointer.h"
+
+using namespace viete;
+using scene::ElementKind;
+using test::Driver;
+using Kind = scene::Constraint::Kind;
+
+namespace {
+
+struct Hand : Driver {
+  Hand() {
+    const auto folder = test::assets_dir() / "dragon";
+    REQUIRE(scene::load_model(workspace(), folder / "dragon.ply", folder / "cage.obj"));
+    settle();
+  }
+  scene::Gizmo gizmo() {
+    const auto gizmo = scene::gizmo_of(workspace());
+    REQUIRE(gizmo);
+    return *gizmo;
+  }
+  const std::vector<mesh::Point>& pose() { return document().pose.positions; }
+  std::vector<mesh::Point> mesh() {
+    const auto p = viewer().deformer()->positions();
+    return {p.begin(), p.end()};
+  }
+  // A place on the ring's near side, and one a little further on it.
+  std::pair<glm::vec2, glm::vec2> on_ring(int axis, std::size_t further) {
+    const auto ring = gizmo().rings[axis];
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (ring[i].front && ring[(i + 5) % ring.size()].front && ring[(i + 20) % ring.size()].front) {
+        return {ring[(i + 5) % ring.size()].at, ring[(i + 5 + further) % ring.size()].at};
+      }
+    }
+    FAIL("the ring has no near side");
+    return {};
+  }
+  void select_whole_cage() {
+    press_key('A');
+    press_key('E');
+    frame(2);
+    CHECK(document().selection.size() == pose().size());
+  }
+};
+
+double distance(const mesh::Point& a, const mesh::Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+double largest_distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, distance(a[i], b[i]));
+  return largest;
+}
+
+// The points turned about a vertical line.
+std::vector<mesh::Point> turned(const std::vector<mesh::Point>& points, const glm::dvec3& center,
+                                double degrees) {
+  const double a = degrees * 3.14159265358979323846 / 180, c = std::cos(a), s = std::sin(a);
+  std::vector<mesh::Point> result;
+  for (const auto& p : points) {
+    const double x = p[0] - center.x, z = p[2] - center.z;
+    result.push_back({center.x + c * x + s * z, p[1], center.z - s * x + c * z});
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("an_arrow_of_the_gizmo_moves_along_its_axis_only_and_undo_takes_it_back") {
+  Hand d;
+  const auto rest = d.pose();
+  const auto v = d.free_vertex();
+  d.click(glm::round(d.vertex(v)));
+  const glm::vec2 tip = d.gizmo().arms[1].tip;
+  d.drag(tip, tip + glm::vec2(30, -60));
+  CHECK(d.pose()[v][0] == rest[v][0]);
+  CHECK(d.pose()[v][1] > rest[v][1]);
+  CHECK(d.pose()[v][2] == rest[v][2]);
+  CHECK(d.document().history.undo_count() == 1);
+  d.press_key('Z', true);
+  CHECK(d.pose() == rest);
+}
+
+TEST_CASE("a_ring_rotates_the_selection_about_its_centre_and_ctrl_snaps") {
+  Hand d;
+  d.select_whole_cage();
+  const auto rest = d.mesh();
+  const auto [from, to] = d.on_ring(1, 12);  // of 96 points: 45 degrees
+  const glm::dvec3 center = scene::selection_center(d.document());
+  d.press_and_move(from, to);
+  const double degrees = d.workspace().hand.drag->transform().degrees;
+  CHECK(std::abs(degrees) == doctest::Approx(45).epsilon(0.15));
+  d.key(Driver::left_ctrl, true);
+  CHECK(std::abs(d.workspace().hand.drag->transform().degrees) == 45);
+  d.button(0, false);
+  d.key(Driver::left_ctrl, false);
+  d.frame();
+  CHECK(largest_distance(d.mesh(), turned(rest, center, std::copysign(45, degrees))) < 1e-12);
+}
+
+TEST_CASE("the_whole_cage_turned_by_hand_twice_round_stays_rigid_and_its_turns_are_counted") {
+  Hand d;
+  d.select_whole_cage();
+  const auto rest = d.mesh();
+  const glm::dvec3 center = scene::selection_center(d.document());
+  d.press_key(scene::Key::pad7);  // from above the ring about Y is a circle
+  d.settle();
+  const glm::vec2 middle = d.gizmo().center;
+  const auto on_circle = [&](int i) {
+    const double a = (45 - i * 15) * 3.14159265358979323846 / 180;  // 45: where no other ring crosses
+    return middle + scene::gizmo_radius * glm::vec2(std::cos(a), std::sin(a));
+  };
+  d.move(on_circle(0));
+  REQUIRE(d.workspace().hand.handle == scene::Constraint{Kind::axis, 1});
+  d.button(0, true);
+  for (int i = 1; i <= 56; ++i) d.move(on_circle(i));
+  const double degrees = d.workspace().hand.drag->transform().degrees;
+  CHECK(degrees == doctest::Approx(840).epsilon(1e-3));
+  CHECK(d.workspace().hand.drag->readout().substr(0, 4) == "Y 84");
+  d.button(0, false);
+  d.frame();
+  CHECK(largest_distance(d.mesh(), turned(rest, center, degrees)) < 1e-12);
+  CHECK(d.document().pose.turns[0][1] ==
+        doctest::Approx(degrees * 3.14159265358979323846 / 180).epsilon(1e-9));
+  d.press_key('Z', true);
+  CHECK(d.mesh() == rest);
+  d.press_key('Z', true, true);
+  CHECK(d.document().pose.turns[0][1] ==
+        doctest::Approx(degrees * 3.14159265358979323846 / 180).epsilon(1e-9));
+}
+
+TEST_CASE("a_typed_angle_is_exact_and_enter_keeps_it") {
+  Hand d;
+  d.select_whole_cage();
+  const auto rest = d.mesh();
+  const glm::dvec3 center = scene::selection_center(d.document());
+  const auto [from, to] = d.on_ring(1, 6);
+  d.press_and_move(from, to);
+  d.type("450");
+  d.press_key(scene::Key::enter);
+  CHECK_FALSE(d.workspace().hand.drag);
+  d.move(to + glm::vec2(80, 80));
+  d.button(0, false);
+  d.frame();
+  CHECK(largest_distance(d.mesh(), turned(rest, center, 90)) < 1e-12);
+  CHECK(d.document().pose.turns[0][1] == doctest::Approx(2.5 * 3.14159265358979323846).epsilon(1e-9));
+  CHECK(d.document().history.undo_count() == 1);
+  d.press_key('Z', true);
+  CHECK(d.mesh() == rest);
+}
+
+TEST_CASE("a_typed_move_is_constrained_by_letters_and_its_keys_run_no_commands") {
+  Hand d;
+  const auto rest = d.pose();
+  const auto v = d.free_vertex();
+  const glm::vec2 at = glm::round(d.vertex(v));
+  d.press_and_move(at, at + glm::vec2(30, 30));
+  const auto axes = d.workspace().view.axes;
+  d.key('X', true);  // a key that is a command at other times
+  d.type("x");
+  d.key('X', false);
+  d.type("-0.125");
+  CHECK(d.workspace().view.axes == axes);
+  CHECK(d.pose()[v] == mesh::Point{rest[v][0] - 0.125, rest[v][1], rest[v][2]});
+  d.press_key(scene::Key::backspace);
+  CHECK(d.pose()[v][0] == rest[v][0] - 0.12);
+  d.press_key(scene::Key::escape);
+  d.button(0, false);
+  CHECK(d.pose() == rest);
+  CHECK_FALSE(d.document().history.can_undo());
+}
+
+TEST_CASE("esc_and_the_right_button_during_a_gizmo_drag_restore_exactly") {
+  for (const bool by_escape : {true, false}) {
+    Hand d;
+    d.select_whole_cage();
+    d.drag(d.on_ring(0, 10).first, d.on_ring(0, 10).second);
+    const auto pose = d.document().pose;
+    const auto mesh = d.mesh();
+    const auto [from, to] = d.on_ring(2, 10);
+    d.press_and_move(from, to);
+    CHECK(d.mesh() != mesh);
+    if (by_escape) {
+      d.press_key(scene::Key::escape);
+    } else {
+      d.button(1, true);
+      d.button(1, false);
+    }
+    d.move(from);
+    d.button(0, false);
+    d.frame();
+    CHECK(d.document().pose.positions == pose.positions);
+    CHECK(d.document().pose.turns == pose.turns);
+    CHECK(d.mesh() == mesh);
+    CHECK(d.document().history.undo_count() == 1);
+  }
+}
+
+TEST_CASE("a_scale_handle_scales_along_its_axis_and_the_middle_evenly") {
+  Hand d;
+  d.select_whole_cage();
+  d.press_key('R');
+  d.frame(2);
+  const auto rest = d.mesh();
+  const auto arm = d.gizmo().arms[0];
+  d.press_and_move(arm.tip, arm.tip + 0.5f * (arm.tip - d.gizmo().center));
+  const glm::dvec3 factors = d.workspace().hand.drag->transform().factors;
+  CHECK(factors.x == doctest::Approx(1.5).epsilon(0.02));
+  CHECK(factors.y == 1);
+  d.press_key(scene::Key::escape);
+  d.button(0, false);
+  d.frame();
+  CHECK(d.mesh() == rest);
+  const glm::vec2 middle = d.gizmo().center;
+  d.press_and_move(middle, middle + glm::vec2(60, 0));
+  CHECK(d.workspace().hand.drag->transform().factors == glm::dvec3(1.5));
+  d.button(0, false);
+}
+
+TEST_CASE("edges_and_faces_are_selected_by_keys_clicks_and_boxes") {
+  Hand d;
+  d.press_key('2');
+  CHECK(d.document().selection.kind() == ElementKind::edge);
+  const auto& edges = d.document().cage->edges;
+  // An edge at the free vertex: clicked a quarter of the way, so that no other is nearer.
+  const auto v = d.free_vertex();
+  std::uint32_t clicked = 0;
+  for (std::uint32_t e = 0; e < edges.size(); ++e) {
+    if (edges[e][0] == v || edges[e][1] == v) clicked = e;
+  }
+  const auto other = edges[clicked][0] == v ? edges[clicked][1] : edges[clicked][0];
+  const glm::vec2 at = glm::mix(d.vertex(v), d.vertex(other), 0.25f);
+  d.move(at);
+  REQUIRE(d.workspace().hand.hovered);
+  d.click(at);
+  REQUIRE(d.document().selection.size() == 1);
+  CHECK(scene::selected_vertices(*d.document().cage, d.document().selection).size() == 2);
+  d.press_key('3');
+  CHECK(d.document().selection.kind() == ElementKind::face);
+  CHECK(d.document().selection.empty());
+  d.drag({330, 10}, {1270, 760});
+  CHECK(d.document().selection.size() == d.document().cage->surface.polygon_count());
+  d.press_key('1');
+  CHECK(d.document().selection.size() == d.pose().size());
+  d.press_key('A', false, true);
+  CHECK(d.document().selection.empty());
+  d.move(d.vertex(v));
+  d.press_key('L');
+  CHECK(d.document().selection.size() == d.pose().size());
+}
+
+TEST_CASE("selected_edges_and_faces_are_drawn_in_the_selection_colour") {
+  for (const char key : {'2', '3'}) {
+    Hand d;
+    d.press_key('Q');
+    d.press_key(key);
+    d.press_key('A');
+    d.move({700, 20});
+    d.frame(2);
+    const auto& edge = d.document().cage->edges[0];
+    const glm::vec2 at = 0.5f * (d.vertex(edge[0]) + d.vertex(edge[1]));
+    const auto picture = d.picture();
+    int amber = 0;
+    for (int dy = -2; dy <= 2; ++dy) {
+      for (int dx = -2; dx <= 2; ++dx) {
+        const auto p = picture.pixel(static_cast<int>(at.x) + dx, static_cast<int>(at.y) + dy);
+        amber += p[0] > p[2] + 50;
+      }
+    }
+    CHECK(amber > 0);
+  }
+}
+
+TEST_CASE("in_an_orthographic_view_drags_follow_the_cursor_and_the_wheel_keeps_what_is_under_it") {
+  Hand d;
+  const auto v = d.free_vertex();
+  d.press_key('O');
+  CHECK(d.workspace().camera.pose().orthographic);
+  const glm::vec2 from = glm::round(d.vertex(v)), offset = d.vertex(v) - from;
+  d.drag(from, from + glm::vec2(40, -30));
+  CHECK(glm::distance(d.vertex(v), from + glm::vec2(40, -30) + offset) < 0.05f);
+  d.wheel(3);
+  CHECK(glm::distance(d.vertex(v), from + glm::vec2(40, -30) + offset) < 1);
+  d.press_key(scene::Key::home);
+  d.settle();
+  for (std::uint32_t i = 0; i < d.pose().size(); ++i) {
+    const glm::vec2 at = d.vertex(i);
+    CHECK_MESSAGE((at.x > 320 && at.x < 1280 && at.y > 0 && at.y < 774), "after Home all is in view");
+  }
+  d.press_key(scene::Key::pad5);
+  CHECK_FALSE(d.workspace().camera.pose().orthographic);
+}
+
+TEST_CASE("the_axis_widget_is_clicked_for_a_view_and_dragged_to_orbit") {
+  Hand d;
+  const auto balls = scene::axis_widget_of(d.workspace()).value().balls;
+  for (const auto& ball : balls) {
+    if (ball.axis == 0 && ball.positive) d.click(ball.at);
+  }
+  CHECK(d.workspace().camera.moving());
+  d.settle();
+  CHECK(d.workspace().camera.forward().x == doctest::Approx(-1));
+  const glm::vec2 middle = scene::axis_widget_of(d.workspace())->center;
+  d.drag(middle, middle + glm::vec2(-40, 20));
+  CHECK(d.workspace().camera.forward().x > -0.99f);
+  CHECK_FALSE(scene::differs_from_rest(d.document()));
+}
+
+TEST_CASE("numbers_are_typed_in_the_cage_panel") {
+  Hand d;
+  const auto v = d.free_vertex();
+  d.click(glm::round(d.vertex(v)));
+  const auto rest = d.pose();
+  const auto enter = [&](const char* field, const char* number) {
+    d.click(field);
+    d.press_key('A', true);
+    d.type(number);
+    d.press_key(scene::Key::enter);
+    d.frame(2);
+  };
+  enter("transform_y", "1.5");
+  CHECK(d.pose()[v] == mesh::Point{rest[v][0], 1.5, rest[v][2]});
+  CHECK(d.document().history.undo_count() == 1);
+  d.click("transform_x");
+  d.press_key(scene::Key::enter);
+  CHECK_MESSAGE(d.document().history.undo_count() == 1, "an Enter without a change is no edit");
+  d.click("undo");
+  d.click("select_all");
+  d.click("tool_rotate");
+  const auto before = d.mesh();
+  const glm::dvec3 center = scene::selection_center(d.document());
+  enter("transform_y", "90");
+  CHECK(largest_distance(d.mesh(), turned(before, center, 90)) < 1e-12);
+  d.click("undo");
+  CHECK(d.pose() == rest);
+}

@@ -1,0 +1,53 @@
+// What the program does when nothing, or very much, happens.
+#include "program/driver.h"
+
+using namespace viete;
+using test::Driver;
+
+TEST_CASE("the_viewer_rests_with_a_cage_without_one_and_with_nothing_open") {
+  const auto folder = test::assets_dir() / "dragon";
+  for (const int open : {0, 1, 2}) {
+    Driver d;
+    if (open == 1) REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", {}));
+    if (open == 2) REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+    d.settle();
+    d.frame(5);
+    CHECK_MESSAGE(!d.viewer().wants_frame(), open);
+  }
+}
+
+TEST_CASE("typed_text_arrives_in_a_few_frames_in_order") {
+  Driver d;
+  d.frame(3);
+  d.press_key(scene::key('O'), true);
+  d.frame(2);
+  REQUIRE(d.workspace().browser.open);
+  d.click("file_path");
+  d.press_key('A', true);
+  const std::string text = "/tmp/abcdefghijklmnopqrstuvwxyz.obj";
+  for (const char c : text) {
+    d.viewer().input().push(app::InputEvent::key(c, true));
+    d.viewer().input().push(app::InputEvent::typed(std::string(1, c)));
+    d.viewer().input().push(app::InputEvent::key(c, false));
+  }
+  d.frame(static_cast<int>(text.size()) + 4);
+  CHECK(d.viewer().input().empty());
+  CHECK(d.workspace().browser.path == text);
+}
+
+TEST_CASE("a_press_and_the_movement_after_it_are_not_mixed_up") {
+  Driver d;
+  const auto folder = test::assets_dir() / "dragon";
+  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+  d.settle();
+  const auto v = d.free_vertex();
+  const glm::vec2 from = glm::round(d.vertex(v)), to = from + glm::vec2(50, 20), offset = d.vertex(v) - from;
+  d.move(from);
+  auto& input = d.viewer().input();
+  input.push(app::InputEvent::button(0, true));  // all of this between two frames
+  input.push(app::InputEvent::move(from + glm::vec2(20, 10)));
+  input.push(app::InputEvent::move(to));
+  input.push(app::InputEvent::button(0, false));
+  d.frame(6);
+  CHECK(glm::distance(d.vertex(v), to + offset) < 0.05f);
+}

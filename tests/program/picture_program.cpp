@@ -1,0 +1,99 @@
+// Pictures of the program against pictures that someone looked at (tests/program/pictures).
+//
+// Tolerance: at most 2 levels per channel for 99.9 % of pixels, the panels masked, because versions of ImGui move text.
+// A missing reference, or VIETE_UPDATE_PICTURES=1, writes the picture instead: look at it before you commit it.
+#include <cstdlib>
+
+#include "program/driver.h"
+#include "render/image.h"
+
+using namespace viete;
+using test::Driver;
+namespace fs = std::filesystem;
+
+namespace {
+
+void mask_panels(render::Image& image, float scale) {
+  const int column = static_cast<int>(320 * scale), status = static_cast<int>(26 * scale);
+  for (int y = 0; y < image.height; ++y) {
+    const int end = y >= image.height - status ? image.width : column;
+    std::fill_n(image.rgba.begin() + 4 * std::ptrdiff_t(y) * image.width, 4 * end, std::uint8_t{0});
+  }
+}
+
+void compare(const std::string& name, render::Image picture, bool panels, float scale) {
+  if (panels) mask_panels(picture, scale);
+  const fs::path reference = test::source_dir() / "tests" / "program" / "pictures" / (name + ".png");
+  if (std::getenv("VIETE_UPDATE_PICTURES")) {
+    fs::create_directories(reference.parent_path());
+    render::write_png(reference, picture);
+    MESSAGE("wrote " << reference.string());
+    return;
+  }
+  REQUIRE_MESSAGE(fs::exists(reference), reference.string());
+  const double differing = render::difference(picture, render::read_png(reference), 2);
+  if (differing > 0.001) render::write_png(fs::path(VIETE_BUILD_DIR) / (name + "-now.png"), picture);
+  CHECK_MESSAGE(differing <= 0.001, name, ": compare with ", name, "-now.png in the build folder");
+}
+
+struct Scene {
+  const char* name;
+  const char* pose;
+  bool panels, dark;
+  float scale;
+};
+
+}  // namespace
+
+TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
+  const Scene scenes[] = {{"rest_dark", "", true, true, 1},
+                          {"rest_light_2x", "", true, false, 2},
+                          {"posed_dark", "pose_alert", false, true, 1}};
+  for (const auto& s : scenes) {
+    CAPTURE(s.name);
+    auto options = Driver::default_options();
+    options.size = {720, 480};
+    options.scale = s.scale;
+    Driver d(options);
+    d.workspace().view.panels = s.panels;
+    d.workspace().view.dark = s.dark;
+    d.workspace().view.hints = false;
+    d.workspace().view.axes = false;
+    const auto folder = test::assets_dir() / "dragon";
+    d.frame();
+    REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+    if (*s.pose) REQUIRE(scene::load_pose(d.workspace(), folder / (std::string(s.pose) + ".obj")));
+    d.settle();
+    compare(s.name, d.picture(), s.panels, s.scale);
+  }
+}
+
+TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
+  const struct {
+    const char* name;
+    const char* tool;
+    const char* kind;
+    bool dark;
+    float scale;
+  } hands[] = {{"hand_move_dark", "tool_move", "select_faces", true, 1},
+               {"hand_rotate_light_2x", "tool_rotate", "select_edges", false, 2}};
+  for (const auto& h : hands) {
+    CAPTURE(h.name);
+    auto options = Driver::default_options();
+    options.size = {720, 400};
+    options.scale = h.scale;
+    Driver d(options);
+    auto& w = d.workspace();
+    w.view.dark = h.dark;
+    w.view.hints = w.view.model = w.view.grid = false;
+    const auto folder = test::assets_dir() / "dragon";
+    d.frame();
+    REQUIRE(scene::load_model(w, folder / "dragon.ply", folder / "cage.obj"));
+    d.settle();
+    scene::run_command(w, h.kind);
+    scene::run_command(w, h.tool);
+    w.document.selection.apply(std::array<std::uint32_t, 3>{40, 41, 99}, scene::SelectMode::replace);
+    d.frame(2);
+    compare(h.name, d.picture(), true, h.scale);
+  }
+}

@@ -1,0 +1,35 @@
+// Every route to a picture gives the same picture.
+#include "base/error.h"
+#include "program/driver.h"
+
+using namespace viete;
+using test::Driver;
+using Kind = app::OffscreenContext::Kind;
+
+namespace {
+
+render::Image picture_by(Kind kind) {
+  Driver d(Driver::default_options(), kind);
+  const auto folder = test::assets_dir() / "dragon";
+  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+  d.workspace().view.panels = false;
+  d.settle();
+  return d.picture();
+}
+
+bool available(Kind kind) {
+  try {
+    app::OffscreenContext::create(kind);
+    return true;
+  } catch (const base::Error& error) {
+    MESSAGE("skipped: " << error.what());
+    return false;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("osmesa_and_egl_give_the_same_picture") {
+  if (!available(Kind::osmesa) || !available(Kind::egl)) return;
+  CHECK(render::difference(picture_by(Kind::osmesa), picture_by(Kind::egl), 2) < 0.001);
+}

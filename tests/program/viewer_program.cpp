@@ -1,0 +1,293 @@
+// A person at work in the viewer: drags, clicks, undoes, opens broken files.
+#include <cmath>
+#include <fstream>
+
+#include "program/driver.h"
+#include "scene/edit.h"
+
+using namespace viete;
+using test::Driver;
+
+namespace {
+
+void open_dragon(Driver& d) {
+  const auto folder = test::assets_dir() / "dragon";
+  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+  d.settle();
+  REQUIRE(d.viewer().deformer());
+}
+
+std::vector<mesh::Point> positions(Driver& d) {
+  const auto p = d.viewer().deformer()->positions();
+  return {p.begin(), p.end()};
+}
+
+bool finite(const std::vector<mesh::Point>& points) {
+  for (const auto& p : points) {
+    for (const double x : p) {
+      if (!std::isfinite(x)) return false;
+    }
+  }
+  return true;
+}
+
+double largest_distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, std::hypot(a[i][0] - b[i][0], a[i][1] - b[i][1], a[i][2] - b[i][2]));
+  }
+  return largest;
+}
+
+double diagonal(Driver& d) { return 2 / d.document().space.scale; }
+
+}  // namespace
+
+TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
+  Driver d;
+  open_dragon(d);
+  const auto rest = positions(d);
+  CHECK(largest_distance(rest, d.document().model.surface->positions) < 1e-13 * diagonal(d));
+  const auto picture_before = d.picture();
+
+  const auto v = d.free_vertex();
+  const glm::vec2 from = glm::round(d.vertex(v)), to = from + glm::vec2(60, -50);
+  const glm::vec2 offset = d.vertex(v) - from;
+  d.press_and_move(from, to);
+  const auto during = positions(d);
+  CHECK_MESSAGE(largest_distance(rest, during) > 0.005 * diagonal(d), "the mesh moved before the button was released");
+  CHECK(glm::distance(d.vertex(v), to + offset) < 0.05f);
+  d.button(0, false);
+  d.frame(2);
+  CHECK(finite(positions(d)));
+  CHECK(d.document().history.undo_count() == 1);
+
+  // Mesh pixels change where the deformer moved them: around the projected positions of the vertex that moved farthest.
+  const auto after = positions(d);
+  std::size_t farthest = 0;
+  const auto shift = [&](std::size_t i) { return std::hypot(after[i][0] - rest[i][0], after[i][1] - rest[i][1], after[i][2] - rest[i][2]); };
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (shift(i) > shift(farthest)) farthest = i;
+  }
+  const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+  const glm::vec2 at(*project(after[farthest]));
+  const auto picture = d.picture();
+  int changed = 0;
+  for (int dy = -12; dy <= 12; ++dy) {
+    for (int dx = -12; dx <= 12; ++dx) {
+      const int x = static_cast<int>(at.x) + dx, y = static_cast<int>(at.y) + dy;
+      changed += picture.pixel(x, y) != picture_before.pixel(x, y);
+    }
+  }
+  CHECK(changed > 20);
+}
+
+TEST_CASE("the_selected_vertex_is_drawn_in_the_selection_colour") {
+  Driver d;
+  open_dragon(d);
+  const auto v = d.free_vertex();
+  d.click(glm::round(d.vertex(v)));
+  CHECK(d.document().selection.indices() == std::vector<std::uint32_t>{v});
+  d.move({700, 20});
+  d.frame(2);
+  const glm::vec2 at = d.vertex(v);
+  const auto pixel = d.picture().pixel(static_cast<int>(at.x), static_cast<int>(at.y));
+  CHECK(pixel[0] > 170);          // amber: much red,
+  CHECK(pixel[0] > pixel[2] + 60);  // little blue
+}
+
+TEST_CASE("the_four_methods_are_clicked_and_agree") {
+  Driver d;
+  open_dragon(d);
+  const auto v = d.free_vertex();
+  d.drag(glm::round(d.vertex(v)), glm::round(d.vertex(v)) + glm::vec2(50, 40));
+  d.move({700, 20});
+  d.frame(3);
+  d.click("method_fast");
+  d.move({700, 20});
+  d.frame(2);
+  const auto reference = positions(d);
+  const auto picture = d.picture();
+  // Bounds: Diag is exact to rounding; SD loses up to 1e-4 on clustered eigenvalues, which most of a mesh near rest has.
+  const struct {
+    const char* widget;
+    sym3::Method method;
+    double bound;
+  } cases[] = {{"method_diag", sym3::Method::diag, 1e-12},
+               {"method_sd", sym3::Method::sd, 2e-4},
+               {"method_improved_sd", sym3::Method::improved_sd, 2e-4},
+               {"method_fast", sym3::Method::fast, 0}};
+  for (const auto& c : cases) {
+    d.click(c.widget);
+    CHECK(d.document().method == c.method);
+    d.move({700, 20});
+    d.frame(2);
+    const auto now = positions(d);
+    CHECK(finite(now));
+    CHECK_MESSAGE(largest_distance(now, reference) <= c.bound * diagonal(d), c.widget);
+    int differing = 0;
+    const auto now_picture = d.picture();
+    for (int y = 0; y < 760; ++y) {
+      for (int x = 330; x < 1280; ++x) {
+        const auto a = picture.pixel(x, y), b = now_picture.pixel(x, y);
+        for (int i = 0; i < 3; ++i) differing += std::abs(a[i] - b[i]) > 8;
+      }
+    }
+    CHECK_MESSAGE(differing < 950, c.widget);
+  }
+}
+
+TEST_CASE("undo_redo_and_cancel_by_keys_restore_exactly") {
+  Driver d;
+  open_dragon(d);
+  const auto rest = d.document().pose.positions;
+  const auto v = d.free_vertex();
+  const glm::vec2 at = glm::round(d.vertex(v));
+  d.drag(at, at + glm::vec2(40, 30));
+  const auto moved = d.document().pose.positions;
+  CHECK(moved != rest);
+  d.press_key(scene::key('Z'), true);
+  CHECK(d.document().pose.positions == rest);
+  d.press_key(scene::key('Z'), true, true);
+  CHECK(d.document().pose.positions == moved);
+  const auto mesh_before = positions(d);
+  const glm::vec2 again = glm::round(d.vertex(v));
+  d.press_and_move(again, again + glm::vec2(-70, 20));
+  d.press_key(scene::Key::escape);
+  d.button(0, false);
+  d.frame();
+  CHECK(d.document().pose.positions == moved);
+  CHECK(positions(d) == mesh_before);
+  CHECK(d.document().history.undo_count() == 1);
+  d.click("undo");
+  CHECK(d.document().pose.positions == rest);
+  d.click("redo");
+  d.click("reset_pose");
+  CHECK(d.document().pose.positions == rest);
+}
+
+TEST_CASE("a_box_selects_and_the_selection_moves_together") {
+  Driver d;
+  open_dragon(d);
+  d.drag({330, 10}, {1270, 760});
+  const std::size_t all = d.document().pose.positions.size();
+  CHECK(d.document().selection.size() == all);
+  const auto before = positions(d);
+  const auto v = d.free_vertex();
+  const glm::vec2 at = glm::round(d.vertex(v));
+  d.drag(at, at + glm::vec2(33, 21));
+  const auto after = positions(d);
+  // All of the cage moved by one translation: so did the mesh.
+  const mesh::Point t{after[0][0] - before[0][0], after[0][1] - before[0][1], after[0][2] - before[0][2]};
+  auto moved = before;
+  for (auto& p : moved) p = {p[0] + t[0], p[1] + t[1], p[2] + t[2]};
+  CHECK(largest_distance(moved, after) < 1e-12 * diagonal(d));
+  CHECK(std::hypot(t[0], t[1], t[2]) > 0.001 * diagonal(d));
+}
+
+TEST_CASE("a_broken_file_is_refused_through_the_file_panel_and_the_document_stays") {
+  Driver d;
+  open_dragon(d);
+  const auto v = d.free_vertex();
+  const glm::vec2 at = glm::round(d.vertex(v));
+  d.drag(at, at + glm::vec2(20, 20));
+  const auto pose = d.document().pose.positions;
+  const auto mesh_before = positions(d);
+  const auto broken = std::filesystem::temp_directory_path() / "viete-broken-program.obj";
+  std::ofstream(broken) << "v 0 0 0\nv 1 0 0\nf 1 2 9\n";
+
+  d.press_key(scene::key('O'), true);
+  d.frame(2);
+  REQUIRE(d.workspace().browser.open);
+  d.click("file_path");
+  d.press_key('A', true);
+  d.type(broken.string());
+  d.press_key(257);
+  d.settle();
+  CHECK_FALSE(d.workspace().browser.open);
+  CHECK(d.document().pose.positions == pose);
+  CHECK(positions(d) == mesh_before);
+  REQUIRE_FALSE(d.workspace().messages.all().empty());
+  const auto& message = d.workspace().messages.all().back();
+  CHECK(message.severity == scene::Severity::error);
+  CHECK(message.text.find("viete-broken-program.obj:3") != std::string::npos);
+  std::filesystem::remove(broken);
+}
+
+TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {
+  Driver d;
+  open_dragon(d);
+  d.click("coordinates_mvc");
+  d.settle();
+  REQUIRE(d.viewer().deformer());
+  CHECK(d.viewer().deformer()->matrices().empty());
+  d.place_of("method_diag");
+  CHECK_FALSE(d.viewer().recorder().find("method_diag")->enabled);
+  CHECK(largest_distance(positions(d), d.document().model.surface->positions) < 1e-12 * diagonal(d));
+  d.click("coordinates_face");
+  d.settle();
+  CHECK_FALSE(d.viewer().deformer()->matrices().empty());
+}
+
+TEST_CASE("the_camera_answers_wheel_middle_drag_and_keys") {
+  Driver d;
+  open_dragon(d);
+  const auto start = d.workspace().camera.pose();
+  d.move({800, 400});
+  d.wheel(2);
+  CHECK(d.workspace().camera.pose().distance < start.distance);
+  d.drag({800, 100}, {860, 130}, 2);
+  CHECK(d.workspace().camera.pose().yaw != start.yaw);
+  d.press_key(scene::Key::home);
+  d.settle();
+  for (std::uint32_t v = 0; v < d.document().pose.positions.size(); ++v) {
+    const glm::vec2 at = d.vertex(v);
+    CHECK_MESSAGE((at.x > 320 && at.x < 1280 && at.y > 0 && at.y < 774), "after Home all is in view");
+  }
+  d.press_key(scene::Key::pad3);
+  d.settle();
+  CHECK(d.workspace().camera.forward().x == doctest::Approx(-1));
+}
+
+TEST_CASE("the_wheel_over_the_panels_scrolls_them_and_not_the_camera") {
+  Driver d;
+  open_dragon(d);
+  const auto start = d.workspace().camera.pose();
+  d.move({160, 500});
+  d.wheel(-3);
+  d.drag({160, 300}, {160, 340}, 2);
+  CHECK(d.workspace().camera.pose() == start);
+}
+
+TEST_CASE("a_click_that_goes_down_and_up_within_one_frame_counts") {
+  Driver d;
+  open_dragon(d);
+  const glm::vec2 at = d.place_of("method_diag");
+  d.move(at);
+  for (int i = 0; i < 2; ++i) {
+    d.viewer().input().push(app::InputEvent::button(0, i == 0));
+  }
+  d.frame(3);
+  CHECK(d.document().method == sym3::Method::diag);
+}
+
+TEST_CASE("help_opens_with_f1_and_closes_with_esc") {
+  Driver d;
+  open_dragon(d);
+  d.press_key(scene::Key::f1);
+  CHECK(d.workspace().view.help);
+  d.press_key(scene::Key::escape);
+  CHECK_FALSE(d.workspace().view.help);
+}
+
+TEST_CASE("the_methods_are_measured_aside_and_shown") {
+  auto options = Driver::default_options();
+  options.probe = true;
+  Driver d(options);
+  open_dragon(d);
+  for (int i = 0; i < 2000 && d.workspace().methods.matrices == 0; ++i) d.frame();
+  const auto& stats = d.workspace().methods;
+  REQUIRE(stats.matrices == 2048);
+  for (const auto& sample : stats.samples) CHECK(sample.ns_per_matrix > 0);
+  CHECK(stats.samples[3].worst_error < 1e-14);
+}

@@ -1,0 +1,131 @@
+// The real window under a virtual display, with a real mouse: it does to the pixel what the offscreen program does.
+#include <chrono>
+#include <thread>
+
+#include "program/desktop.h"
+#include "program/driver.h"
+#include "scene/pointer.h"
+
+using namespace viete;
+using test::Child;
+using test::Desktop;
+using test::Driver;
+using test::wait_until;
+namespace fs = std::filesystem;
+
+namespace {
+
+void cut_panels(render::Image& image) {
+  for (int y = 0; y < image.height; ++y) {
+    const int end = y >= image.height - 26 || y < 40 ? image.width : 320;
+    std::fill_n(image.rgba.begin() + 4 * std::ptrdiff_t(y) * image.width, 4 * end, std::uint8_t{0});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_program_puts_it") {
+  if (test::no_desktop()) return;
+  auto options = Driver::default_options();
+  options.size = {1440, 900};
+  Driver d(options);
+  const auto folder = test::assets_dir() / "dragon";
+  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+  d.frame();
+  scene::frame_all(d.workspace(), false);
+  d.settle();
+  const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
+
+  Desktop desktop;
+  Child viewer(desktop.viete(""), desktop.folder / "viete.log");
+  desktop.xdotool("search --sync --onlyvisible --name Viete");
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  desktop.drag(from, to);
+  desktop.xdotool("mousemove 1430 20");
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  desktop.xdotool("key F12");
+  REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
+  auto real = render::read_png(*desktop.screenshot());
+  desktop.xdotool("key ctrl+q");
+  REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
+  CHECK(viewer.exit_code() == 0);
+
+  d.drag(from, to);
+  d.move({1430, 20});
+  d.frame(3);
+  auto offscreen = d.picture();
+  REQUIRE(real.width == offscreen.width);
+  REQUIRE(real.height == offscreen.height);
+  cut_panels(real);
+  cut_panels(offscreen);
+  const double differing = render::difference(real, offscreen, 2);
+  if (differing > 0.001) {
+    render::write_png(fs::path(VIETE_BUILD_DIR) / "window-real.png", real);
+    render::write_png(fs::path(VIETE_BUILD_DIR) / "window-offscreen.png", offscreen);
+  }
+  CHECK(differing <= 0.001);
+}
+
+TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
+  if (test::no_desktop()) return;
+  auto options = Driver::default_options();
+  options.size = {1440, 900};
+  Driver d(options);
+  const auto folder = test::assets_dir() / "dragon";
+  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+  d.frame();
+  scene::frame_all(d.workspace(), false);
+  d.settle();
+  d.workspace().document.selection.select_all(d.document().pose.positions.size());
+  const auto gizmo = *scene::gizmo_of(d.workspace());
+  d.workspace().document.selection.clear();
+  const glm::ivec2 tip(glm::round(gizmo.arms[1].tip)), end = tip + glm::ivec2(20, -60);
+  Desktop desktop;
+  Child viewer("env DISPLAY=" + desktop.display + " WAYLAND_DISPLAY= sh -c 'cd \"" + desktop.folder.string() + "\" && exec \"" +
+                   std::string(VIETE_BUILD_DIR) + "/viete\" --scale 1'",
+               desktop.folder / "viete.log");
+  desktop.xdotool("search --sync --onlyvisible --name Viete");
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  d.move({1000, 20});
+  d.press_key('A');
+  d.drag(tip, end);
+  d.press_key('E');
+  const glm::ivec2 ring(glm::round(scene::gizmo_of(d.workspace())->center + glm::vec2(scene::gizmo_view_ring, 0)));
+  d.press_and_move(ring, ring + glm::ivec2(0, -24));
+  d.type("30");
+  d.press_key(scene::Key::enter);
+  d.button(0, false);
+  d.move({1430, 20});
+  d.frame(3);
+
+  const auto at = [](glm::ivec2 p) { return std::to_string(p.x) + " " + std::to_string(p.y); };
+  desktop.xdotool("mousemove 1000 20");
+  desktop.xdotool("key a");
+  desktop.drag(tip, end);
+  desktop.xdotool("key e");
+  desktop.xdotool("mousemove " + at(ring));
+  desktop.xdotool("mousedown 1");
+  for (int i = 1; i <= 8; ++i) desktop.xdotool("mousemove " + at(ring + glm::ivec2(0, -24) * i / 8));
+  desktop.xdotool("type --delay 120 30");
+  desktop.xdotool("key Return");
+  desktop.xdotool("mouseup 1");
+  desktop.xdotool("mousemove 1430 20");
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  desktop.xdotool("key F12");
+  REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
+  auto real = render::read_png(*desktop.screenshot());
+  desktop.xdotool("key ctrl+q");
+  REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
+  CHECK(viewer.exit_code() == 0);
+
+  auto offscreen = d.picture();
+  REQUIRE(real.width == offscreen.width);
+  cut_panels(real);
+  cut_panels(offscreen);
+  const double differing = render::difference(real, offscreen, 2);
+  if (differing > 0.001) {
+    render::write_png(fs::path(VIETE_BUILD_DIR) / "window-gizmo-real.png", real);
+    render::write_png(fs::path(VIETE_BUILD_DIR) / "window-gizmo-offscreen.png", offscreen);
+  }
+  CHECK(differing <= 0.001);
+}

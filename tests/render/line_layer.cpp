@@ -1,0 +1,78 @@
+#include "render/line_layer.h"
+
+#include "base/error.h"
+#include "shapes.h"
+
+using namespace viete;
+using test::Point;
+
+TEST_CASE("line_has_the_asked_width_at_any_scale") {
+  test::Stage stage;
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, {-10, 0.03, 0}, {10, 0.03, 0});
+  for (const float scale : {1.0F, 2.0F}) {
+    stage.view.scale = scale;
+    render::LineStyle style;
+    style.width = 3;
+    const double area = test::lit_area(stage.picture([&] { lines.draw(stage.view, style); }));
+    const double width = 3 * scale, length = 200;
+    CHECK(area == doctest::Approx(length * width + M_PI * width * width / 4).epsilon(0.03));
+  }
+}
+
+TEST_CASE("hidden_part_of_a_line_is_fainter_than_the_visible_part") {
+  test::Stage stage;
+  const test::Wall wall(stage.gl);
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, {-12, 0, 0}, {12, 0, 0});
+  render::LineStyle style;
+  style.width = 4;
+  style.hidden_opacity = 0.25F;
+  const render::Image image = stage.picture([&] {
+    wall.draw(stage.view);
+    lines.draw(stage.view, style);
+  });
+  CHECK(image.pixel(100, 100)[0] == 255);
+  CHECK(image.pixel(220, 100)[0] == doctest::Approx(64).epsilon(0.05));
+}
+
+TEST_CASE("line_that_lies_on_a_surface_is_visible") {
+  test::Stage stage;
+  const test::Wall wall(stage.gl);
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, {2, -5, 1}, {12, 7, 1});
+  render::LineStyle style;
+  style.width = 4;
+  const render::Image image = stage.picture([&] {
+    wall.draw(stage.view);
+    lines.draw(stage.view, style);
+  });
+  const glm::ivec2 middle = stage.pixel_of({7, 1, 1});
+  CHECK(image.pixel(middle.x, middle.y)[0] == 255);
+}
+
+TEST_CASE("line_through_the_near_plane_is_cut_there") {
+  test::Stage stage;
+  stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
+  const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
+  CHECK(image.pixel(160, 195)[0] > 0);  // runs down to the lower border
+  for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);
+  test::set_line(lines, {-1, -1, 20}, {1, 1, 40});  // wholly behind
+  CHECK(test::count_not_black(stage.picture([&] { lines.draw(stage.view, {}); })) == 0);
+}
+
+TEST_CASE("each_segment_has_its_own_colour") {
+  test::Stage stage;
+  render::LineLayer lines(stage.gl);
+  const std::vector<render::Segment> segments{{0, 1}, {2, 3}};
+  lines.set_segments(segments, 4);
+  lines.set_positions(std::vector<Point>{{-10, 5, 0}, {10, 5, 0}, {-10, -5, 0}, {10, -5, 0}});
+  lines.set_colors(std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 1}});
+  render::LineStyle style;
+  style.width = 4;
+  const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
+  CHECK(image.pixel(160, 50) == render::Rgba8{255, 0, 0, 255});
+  CHECK(image.pixel(160, 150) == render::Rgba8{0, 255, 0, 255});
+}

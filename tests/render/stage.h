@@ -1,0 +1,105 @@
+// An offscreen context with a framebuffer and simple shapes, made afresh for each test.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <memory>
+#include <vector>
+
+#include "app/offscreen_context.h"
+#include "render/framebuffer.h"
+#include "render/view.h"
+
+namespace viete::test {
+
+using render::Point;
+
+inline render::Gl load(const app::OffscreenContext& context) {
+  return render::load_gl([&](const char* name) { return context.get_proc_address(name); });
+}
+
+struct Stage {
+  explicit Stage(app::OffscreenContext::Kind kind = app::OffscreenContext::Kind::any)
+      : context(app::OffscreenContext::create(kind)), gl(load(*context)), framebuffer(gl) {
+    view.size = {320, 200};
+    // Looks along -z from (0, 0, 10); the plane z = 0 is 20 units high on 200 pixels: 10 pixels a unit.
+    view.view = glm::lookAt(glm::dvec3(0, 0, 10), glm::dvec3(0), glm::dvec3(0, 1, 0));
+    view.projection = glm::ortho(-16.0, 16.0, -10.0, 10.0, 0.1, 100.0);
+  }
+
+  render::Image picture(const std::function<void()>& draw, int samples = 0) {
+    framebuffer.begin(view.size, samples);
+    draw();
+    framebuffer.resolve();
+    render::check_gl(gl, "test picture");
+    return framebuffer.read();
+  }
+
+  /// The pixel (from the top left) where a point of the world is seen.
+  glm::ivec2 pixel_of(const Point& point) const {
+    const glm::dvec4 clip = view.projection * view.view * glm::dvec4(point[0], point[1], point[2], 1);
+    const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
+    return {static_cast<int>((0.5 + 0.5 * ndc.x) * view.size.x),
+            static_cast<int>((0.5 - 0.5 * ndc.y) * view.size.y)};
+  }
+
+  std::unique_ptr<app::OffscreenContext> context;
+  render::Gl gl;
+  render::Framebuffer framebuffer;
+  render::View view;
+};
+
+struct Ball {
+  std::vector<Point> positions, normals;
+  std::vector<render::Triangle> triangles;
+};
+
+/// A closed ball around `center`: rings of latitude and longitude, counter-clockwise from outside.
+inline Ball ball(double radius, const Point& center = {0, 0, 0}, std::uint32_t rings = 48) {
+  Ball result;
+  const std::uint32_t columns = 2 * rings;
+  for (std::uint32_t i = 0; i <= rings; ++i) {
+    for (std::uint32_t j = 0; j < columns; ++j) {
+      const double polar = M_PI * i / rings, turn = 2 * M_PI * j / columns;
+      const Point n{std::sin(polar) * std::sin(turn), std::cos(polar), std::sin(polar) * std::cos(turn)};
+      result.normals.push_back(n);
+      result.positions.push_back(
+          {center[0] + radius * n[0], center[1] + radius * n[1], center[2] + radius * n[2]});
+    }
+  }
+  for (std::uint32_t i = 0; i < rings; ++i) {
+    for (std::uint32_t j = 0; j < columns; ++j) {
+      const std::uint32_t a = i * columns + j, b = i * columns + (j + 1) % columns;
+      result.triangles.push_back({a, a + columns, b});
+      result.triangles.push_back({b, a + columns, b + columns});
+    }
+  }
+  return result;
+}
+
+/// Sum of the three colour channels, 0 to 765.
+inline int brightness(const render::Rgba8& c) {
+  return c[0] + c[1] + c[2];
+}
+
+/// Sum over all pixels of the share (0 to 1) by which the brightest channel is lit: an area in pixels for
+/// white on black.
+inline double lit_area(const render::Image& image) {
+  double area = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) area += image.rgba[i] / 255.0;
+  return area;
+}
+
+inline std::size_t count_not_black(const render::Image& image) {
+  std::size_t count = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) count += brightness(image.pixel(x, y)) > 0 ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace viete::test

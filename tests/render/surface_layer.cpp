@@ -1,0 +1,200 @@
+#include "render/surface_layer.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.h"
+#include "render/palette.h"
+#include "stage.h"
+
+using namespace viete;
+using test::Point;
+
+namespace {
+
+struct Scene {
+  explicit Scene(const test::Ball& shape) : surface(stage.gl) {
+    surface.set_triangles(shape.triangles, shape.positions.size());
+    surface.set_positions(shape.positions, shape.normals);
+  }
+
+  render::Image picture(const render::SurfaceStyle& style = {}, int samples = 0) {
+    return stage.picture([&] { surface.draw(stage.view, theme, style); }, samples);
+  }
+
+  test::Stage stage;
+  render::SurfaceLayer surface;
+  render::Theme theme = render::dark_theme();
+};
+
+void move(std::vector<Point>& positions, double dx) {
+  for (Point& p : positions) p[0] += dx;
+}
+
+}  // namespace
+
+TEST_CASE("lit_ball_covers_its_projected_area") {
+  Scene scene(test::ball(7));  // 70 pixels of radius
+  const double area = static_cast<double>(test::count_not_black(scene.picture()));
+  CHECK(area == doctest::Approx(M_PI * 70 * 70).epsilon(0.01));
+}
+
+TEST_CASE("multisampled_and_plain_pictures_agree_on_area_and_light") {
+  Scene scene(test::ball(7));
+  const render::Image plain = scene.picture(), sampled = scene.picture({}, 4);
+  CHECK(test::lit_area(sampled) == doctest::Approx(test::lit_area(plain)).epsilon(0.01));
+  CHECK(render::difference(plain, sampled, 8) < 0.02);
+}
+
+TEST_CASE("key_light_comes_from_the_upper_left") {
+  Scene scene(test::ball(7));
+  const render::Image image = scene.picture();
+  const int upper_left = test::brightness(image.pixel(160 - 30, 100 - 40));
+  const int lower_right = test::brightness(image.pixel(160 + 40, 100 + 40));
+  CHECK(upper_left > lower_right + 100);
+  CHECK(lower_right > 40);  // nothing sinks into black
+}
+
+TEST_CASE("moved_positions_move_the_pixels") {
+  test::Ball ball = test::ball(3);
+  Scene scene(ball);
+  const render::Image before = scene.picture();
+  move(ball.positions, 8);
+  scene.surface.set_positions(ball.positions, ball.normals);
+  const render::Image after = scene.picture();
+  CHECK(test::brightness(before.pixel(160, 100)) > 0);
+  CHECK(test::brightness(after.pixel(160, 100)) == 0);
+  CHECK(after.pixel(240, 100) == before.pixel(160, 100));
+}
+
+TEST_CASE("model_far_from_the_origin_looks_the_same") {
+  Scene near_scene(test::ball(7));
+  const render::Image here = near_scene.picture();
+  const Point far{3e8, -2e8, 5e8};  // float steps are 32 units out there
+  Scene far_scene(test::ball(7, far));
+  far_scene.stage.view.view =
+      far_scene.stage.view.view * glm::translate(glm::dmat4(1), glm::dvec3(-far[0], -far[1], -far[2]));
+  CHECK(render::difference(here, far_scene.picture(), 2) < 0.001);
+}
+
+TEST_CASE("wireframe_darkens_edges_only") {
+  Scene scene(test::ball(9, {0, 0, 0}, 6));
+  render::SurfaceStyle wire;
+  wire.wireframe = 0.5F;
+  const render::Image plain = scene.picture(), wired = scene.picture(wire);
+  const double changed = render::difference(plain, wired, 8) * 320 * 200;
+  CHECK(changed > 500);
+  CHECK(changed < 0.3 * static_cast<double>(test::count_not_black(plain)));
+  CHECK(test::lit_area(wired) < test::lit_area(plain));
+}
+
+TEST_CASE("back_of_an_open_surface_is_lit_too") {
+  Scene scene(test::ball(7));
+  test::Ball inside_out = test::ball(7);
+  for (auto& t : inside_out.triangles) std::swap(t[1], t[2]);
+  for (auto& n : inside_out.normals) n = {-n[0], -n[1], -n[2]};
+  Scene flipped(inside_out);
+  const int front = test::brightness(scene.picture().pixel(140, 80));
+  const int back = test::brightness(flipped.picture().pixel(140, 80));
+  CHECK(back > front / 2);
+}
+
+TEST_CASE("skipping_the_backs_of_a_closed_surface_changes_nothing") {
+  Scene scene(test::ball(7));
+  render::SurfaceStyle closed;
+  closed.closed = true;
+  CHECK(render::difference(scene.picture(), scene.picture(closed), 1) < 0.001);
+}
+
+TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belongs") {
+  Scene scene(test::ball(4));
+  scene.stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+  const render::Image middle = scene.picture();
+  // The same frustum seen through a window moved half a picture to the right: the picture moves left by 80
+  // pixels.
+  const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(-0.5, 0, 0));
+  scene.stage.view.projection = shift * scene.stage.view.projection;
+  const render::Image shifted = scene.picture();
+  std::size_t differing = 0;
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 240; ++x) {
+      const int change = test::brightness(shifted.pixel(x, y)) - test::brightness(middle.pixel(x + 80, y));
+      differing += std::abs(change) > 6 ? 1 : 0;
+    }
+  }
+  CHECK(test::count_not_black(middle) > 5000);
+  CHECK(differing < 50);
+}
+
+TEST_CASE("occlusion_darkens") {
+  const test::Ball ball = test::ball(7);
+  Scene scene(ball);
+  const double open = test::lit_area(scene.picture());
+  scene.surface.set_occlusion(std::vector<float>(ball.positions.size(), 0.3F));
+  scene.surface.set_positions(ball.positions, ball.normals);
+  CHECK(test::lit_area(scene.picture()) < 0.9 * open);
+  render::SurfaceStyle unoccluded;
+  unoccluded.occlusion = 0;
+  CHECK(test::lit_area(scene.picture(unoccluded)) == doctest::Approx(open).epsilon(1e-6));
+}
+
+TEST_CASE("scalars_choose_the_palette_colour") {
+  const test::Ball ball = test::ball(7);
+  Scene scene(ball);
+  std::vector<float> values;
+  for (const Point& p : ball.positions) values.push_back(p[0] < 0 ? -5.0F : 5.0F);
+  scene.surface.set_scalars(values);
+  scene.surface.set_palette(render::diverging_palette());
+  scene.surface.set_positions(ball.positions, ball.normals);
+  render::SurfaceStyle style;
+  style.scalars = true;
+  style.scalar_low = -5;
+  style.scalar_high = 5;
+  const render::Image image = scene.picture(style);
+  const render::Rgba8 left = image.pixel(130, 100), right = image.pixel(190, 100);
+  CHECK(left[2] > left[0] + 30);    // blue
+  CHECK(right[0] > right[2] + 30);  // orange
+}
+
+TEST_CASE("non_finite_vertices_do_not_spread") {
+  test::Ball ball = test::ball(7);
+  ball.positions[2000] = {std::numeric_limits<double>::quiet_NaN(), 0,
+                          std::numeric_limits<double>::infinity()};
+  Scene scene(ball);
+  CHECK(static_cast<double>(test::count_not_black(scene.picture())) ==
+        doctest::Approx(M_PI * 4900).epsilon(0.02));
+}
+
+TEST_CASE("nothing_is_drawn_before_there_are_positions") {
+  test::Stage stage;
+  render::SurfaceLayer surface(stage.gl);
+  const auto draw = [&] { surface.draw(stage.view, render::dark_theme(), {}); };
+  CHECK(test::count_not_black(stage.picture(draw)) == 0);
+  surface.set_triangles({}, 0);
+  surface.set_positions({}, {});
+  CHECK(test::count_not_black(stage.picture(draw)) == 0);
+}
+
+TEST_CASE("surface_too_large_for_the_driver_is_refused") {
+  test::Stage stage;
+  stage.gl.max_texels = 8;
+  render::SurfaceLayer surface(stage.gl);
+  const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 2, 3}, {1, 2, 3}};
+  CHECK_THROWS_AS(surface.set_triangles(triangles, 4), base::Error);
+  CHECK_NOTHROW(surface.set_triangles(std::span(triangles).first(2), 4));
+}
+
+TEST_CASE("wrong_sizes_and_indices_are_refused") {
+  test::Stage stage;
+  render::SurfaceLayer surface(stage.gl);
+  const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 1, 3}};
+  CHECK_THROWS_WITH_AS(surface.set_triangles(triangles, 3),
+                       "surface triangles: element 1: names vertex 3, there are 3", base::Error);
+  surface.set_triangles(triangles, 4);
+  const std::vector<Point> three(3), four(4);
+  CHECK_THROWS_AS(surface.set_positions(three, three), base::Error);
+  CHECK_THROWS_AS(surface.set_positions(four, three), base::Error);
+  CHECK_THROWS_AS(surface.set_occlusion(std::vector<float>(3)), base::Error);
+  CHECK_THROWS_AS(surface.set_scalars(std::vector<float>(5)), base::Error);
+  CHECK_THROWS_AS(surface.set_palette(std::vector<glm::vec3>(1)), base::Error);
+}

@@ -1,0 +1,40 @@
+#include "render/view.h"
+
+#include <doctest/doctest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+using namespace viete;
+
+TEST_CASE("hexadecimal_colours_are_read_red_first") {
+  CHECK(render::rgb(0xff8000) == glm::vec3(1, 128.0F / 255.0F, 0));
+}
+
+TEST_CASE("eye_matrix_is_exact_far_from_the_origin") {
+  render::View view;
+  const render::Point origin{4e9, -3e9, 7e9};
+  view.view = glm::lookAt(glm::dvec3(origin[0], origin[1], origin[2] + 2),
+                          glm::dvec3(origin[0], origin[1], origin[2]), glm::dvec3(0, 1, 0));
+  const glm::vec4 seen = render::eye_matrix(view, origin) * glm::vec4(0.5F, 0.25F, 0, 1);
+  CHECK(seen.x == doctest::Approx(0.5).epsilon(1e-5));
+  CHECK(seen.y == doctest::Approx(0.25).epsilon(1e-5));
+  CHECK(seen.z == doctest::Approx(-2).epsilon(1e-5));
+}
+
+TEST_CASE("ray_through_a_pixel_hits_what_is_drawn_there") {
+  render::View view;
+  view.size = {640, 360};
+  view.projection = glm::frustum(-0.3, 0.5, -0.2, 0.25, 0.4, 50.0);  // off centre
+  const glm::dvec3 point(1.3, -0.7, -5);
+  const glm::dvec4 clip = view.projection * glm::dvec4(point, 1);
+  const glm::dvec2 pixel = (0.5 + 0.5 * glm::dvec2(clip) / clip.w) * glm::dvec2(view.size);
+  const glm::vec4 ray = render::eye_ray(view);
+  CHECK(ray.x * pixel.x + ray.z == doctest::Approx(point.x / -point.z).epsilon(1e-5));
+  CHECK(ray.y * pixel.y + ray.w == doctest::Approx(point.y / -point.z).epsilon(1e-5));
+}
+
+TEST_CASE("orthographic_rays_run_straight_ahead") {
+  render::View view;
+  view.projection = glm::ortho(-2.0, 2.0, -1.0, 1.0, 0.1, 10.0);
+  CHECK(render::eye_ray(view) == glm::vec4(0));
+}

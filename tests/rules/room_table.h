@@ -1,0 +1,87 @@
+// The table of rooms: which room may include which, and which packages it may name.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace viete::rules {
+
+struct Room {
+  std::set<std::string> knows;            ///< rooms whose headers it may include, besides its own
+  std::set<std::string> packages;         ///< third-party packages it may include anywhere
+  std::set<std::string> source_packages;  ///< and those that only its .cpp files may include
+};
+
+inline const std::map<std::string, Room>& rooms() {
+  static const std::map<std::string, Room> table = {
+      {"base", {{}, {}, {}}},
+      {"sym3", {{}, {"eigen", "highway"}, {}}},
+      {"mesh", {{"base"}, {}, {"openmesh"}}},
+      {"deform", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
+      {"scene", {{"base", "sym3", "mesh", "deform"}, {"glm", "json"}, {}}},
+      {"render", {{"base"}, {"gl", "glm"}, {"stb"}}},
+      {"ui", {{"base", "scene"}, {"imgui"}, {}}},
+      {"app",
+       {{"base", "sym3", "mesh", "deform", "scene", "render", "ui"},
+        {"glfw", "gl", "imgui", "imgui_backends", "cli11", "json", "glm"},
+        {}}},
+  };
+  return table;
+}
+
+/// The package that an include belongs to; none for the standard library and the system.
+inline std::optional<std::string> package_of(const std::string& include) {
+  static const std::vector<std::pair<std::string, std::string>> prefixes = {
+      {"Eigen/", "eigen"},       {"unsupported/Eigen/", "eigen"}, {"hwy/", "highway"},
+      {"OpenMesh/", "openmesh"}, {"glm/", "glm"},                 {"nlohmann/", "json"},
+      {"GL/", "gl"},             {"EGL/", "gl"},                  {"KHR/", "gl"},
+      {"GLES", "gl"},            {"stb", "stb"},                  {"backends/imgui", "imgui_backends"},
+      {"imgui", "imgui"},        {"GLFW/", "glfw"},               {"CLI/", "cli11"},
+      {"doctest/", "doctest"},   {"quadmath", "quadmath"},        {"mpfr", "mpfr"},
+      {"boost/", "boost"},       {"fmt/", "fmt"},                 {"X11/", "x11"},
+  };
+  for (const auto& [prefix, package] : prefixes) {
+    if (include.rfind(prefix, 0) == 0) return package;
+  }
+  return std::nullopt;
+}
+
+/// Every #include of a source text, in order; comments do not count.
+inline std::vector<std::string> includes_of(const std::string& text) {
+  static const std::regex line_pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, line_pattern)) found.push_back(match[1]);
+  }
+  return found;
+}
+
+/// Why a file of `room` may not include `include`, or nothing when it may.
+inline std::optional<std::string> violation(const std::string& room, bool is_header, const std::string& include) {
+  const Room& rules = rooms().at(room);
+  if (const auto package = package_of(include)) {
+    if (rules.packages.count(*package)) return std::nullopt;
+    if (rules.source_packages.count(*package)) {
+      if (!is_header) return std::nullopt;
+      return "package " + *package + " belongs in .cpp files of " + room;
+    }
+    return room + " may not use package " + *package;
+  }
+  if (include.find("..") != std::string::npos) return "relative include " + include;
+  const auto slash = include.find('/');
+  const std::string target = include.substr(0, slash);
+  if (slash != std::string::npos && rooms().count(target)) {
+    if (target == room || rules.knows.count(target)) return std::nullopt;
+    return room + " may not know " + target;
+  }
+  return std::nullopt;  // the standard library and the system
+}
+
+}  // namespace viete::rules

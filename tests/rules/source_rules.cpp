@@ -1,0 +1,48 @@
+// Rules about the text of the sources: ASCII only, a first line that says what a header is for.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "support/data.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+template <class Visit>
+void for_each_source(Visit visit) {
+  for (const char* top : {"src", "tests", "shaders", "third_party", "assets"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(viete::test::source_dir() / top)) {
+      const auto e = entry.path().extension();
+      if (e == ".h" || e == ".cpp" || e == ".vert" || e == ".frag" || e == ".glsl" || e == ".cmake" || e == ".sh" || e == ".inl") {
+        std::ifstream in(entry.path(), std::ios::binary);
+        visit(entry.path(), std::string(std::istreambuf_iterator<char>(in), {}));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("sources_are_ascii") {
+  for_each_source([](const fs::path& path, const std::string& text) {
+    std::size_t line = 1;
+    for (const char c : text) {
+      if (c == '\n') ++line;
+      if (static_cast<unsigned char>(c) >= 128) {
+        FAIL_CHECK(path.string() << ":" << line << ": a character outside ASCII");
+        break;
+      }
+    }
+  });
+}
+
+TEST_CASE("headers_say_in_their_first_line_what_they_are_for") {
+  for_each_source([](const fs::path& path, const std::string& text) {
+    if (path.extension() != ".h") return;
+    CHECK_MESSAGE(text.rfind("// ", 0) == 0, path.string());
+    CHECK_MESSAGE(text.find("#pragma once") != std::string::npos, path.string());
+  });
+}

@@ -1,0 +1,89 @@
+#include "scene/document.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "base/error.h"
+#include "mesh/write.h"
+#include "scene/cube.h"
+#include "scene/edit.h"
+
+using namespace viete;
+using namespace viete::scene;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Files {
+  fs::path folder = fs::temp_directory_path() / "viete-test-document";
+  fs::path model = folder / "model.obj", cage = folder / "cage.obj", pose = folder / "pose.obj", broken = folder / "broken.obj";
+
+  Files() {
+    fs::create_directories(folder);
+    mesh::write(model, test::cube(1));
+    mesh::write(cage, test::cube(1.5));
+    mesh::write(pose, test::cube(2));
+    std::ofstream(broken) << "v 0 0 0\nf 1 2 3\n";
+  }
+  ~Files() { fs::remove_all(folder); }
+};
+
+}  // namespace
+
+TEST_CASE("opening_a_model_and_a_cage_fills_a_document") {
+  const Files files;
+  const Document document = open_document(files.model, files.cage);
+  CHECK(document.model.facts.vertices == 8);
+  CHECK(document.has_cage());
+  CHECK_FALSE(differs_from_rest(document));
+  CHECK_FALSE(open_document(files.model, {}).has_cage());
+}
+
+TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
+  const Files files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  const auto* surface = w.document.model.surface.get();
+  w.document.pose.positions[0][0] += 1;
+  const auto pose = w.document.pose.positions;
+  const auto topology = w.document.topology;
+  CHECK_FALSE(load_model(w, files.broken, {}));
+  CHECK_FALSE(load_model(w, files.model, files.broken));
+  CHECK_FALSE(load_cage(w, files.broken));
+  CHECK_FALSE(load_cage(w, files.folder / "missing.obj"));
+  CHECK_FALSE(load_pose(w, files.broken));
+  CHECK(w.document.model.surface.get() == surface);
+  CHECK(w.document.pose.positions == pose);
+  CHECK(w.document.topology == topology);
+  CHECK(w.messages.all().back().severity == Severity::error);
+  CHECK(w.messages.all().front().text.find("broken.obj") != std::string::npos);
+}
+
+TEST_CASE("a_pose_is_one_undoable_edit") {
+  const Files files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(load_pose(w, files.pose));
+  CHECK(w.document.pose.positions == test::cube(2).positions);
+  undo(w.document);
+  CHECK_FALSE(differs_from_rest(w.document));
+}
+
+TEST_CASE("a_pose_or_a_cage_without_a_document_is_refused_with_advice") {
+  const Files files;
+  Workspace w;
+  CHECK_FALSE(load_cage(w, files.cage));
+  CHECK_FALSE(load_pose(w, files.pose));
+  CHECK(w.messages.all().back().text.find("open the cage first") != std::string::npos);
+}
+
+TEST_CASE("loading_keeps_method_and_coordinates") {
+  const Files files;
+  Workspace w;
+  w.document.method = sym3::Method::diag;
+  w.document.coordinates = deform::Coordinates::mean_value;
+  REQUIRE(load_model(w, files.model, files.cage));
+  CHECK(w.document.method == sym3::Method::diag);
+  CHECK(w.document.coordinates == deform::Coordinates::mean_value);
+}

@@ -1,0 +1,99 @@
+#include "scene/file_browser.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "support/folder.h"
+
+using namespace viete;
+using namespace viete::scene;
+namespace fs = std::filesystem;
+
+TEST_CASE("folders_come_first_and_only_surface_files_are_listed") {
+  const fs::path folder = fs::temp_directory_path() / "viete-test-browser";
+  fs::remove_all(folder);
+  fs::create_directories(folder / "zebra");
+  for (const char* name : {"b.OBJ", "a.ply", "notes.txt", ".hidden.obj"}) std::ofstream(folder / name) << "x";
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::cage, folder);
+  REQUIRE(browser.entries.size() == 3);
+  CHECK(browser.entries[0].name == "zebra");
+  CHECK(browser.entries[1].name == "a.ply");
+  CHECK(browser.entries[2].name == "b.OBJ");
+  enter(browser, folder / "missing");
+  CHECK(browser.folder == fs::weakly_canonical(folder));
+  CHECK(browser.problem.find("missing") != std::string::npos);
+  enter(browser, folder / "zebra");
+  CHECK(browser.entries.empty());
+  CHECK(browser.problem.empty());
+  fs::remove_all(folder);
+}
+
+namespace {
+
+void put_files(const test::TemporaryFolder& folder) {
+  fs::create_directories(folder / "Sub");
+  for (const char* name : {"Beta.obj", "alpha.ply", "gamma.viete"}) test::put_file(folder / name, "x");
+}
+
+std::string names(const FileBrowser& browser) {
+  std::string all;
+  for (const auto* entry : shown(browser)) all += entry->name + " ";
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("names_are_sorted_without_regard_to_case_and_sessions_are_listed_where_they_can_be_opened") {
+  const test::TemporaryFolder folder;
+  put_files(folder);
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::model, folder.path());
+  CHECK(names(browser) == "Sub alpha.ply Beta.obj gamma.viete ");
+  show(browser, FileBrowser::Purpose::pose, folder.path());
+  CHECK(names(browser) == "Sub alpha.ply Beta.obj ");
+  show(browser, FileBrowser::Purpose::save_session, folder.path());
+  CHECK(names(browser) == "Sub gamma.viete ");
+}
+
+TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {
+  const test::TemporaryFolder folder;
+  put_files(folder);
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::model, folder.path());
+  move_highlight(browser, 100);
+  CHECK(browser.highlighted == 3);
+  move_highlight(browser, -1);
+  CHECK(browser.highlighted == 2);
+  browser.filter = "PLY";
+  CHECK(names(browser) == "alpha.ply ");
+  move_highlight(browser, 1);
+  CHECK(browser.highlighted == 0);
+  browser.filter = "nothing";
+  move_highlight(browser, -1);
+  CHECK(browser.highlighted == 0);
+}
+
+TEST_CASE("the_file_to_save_gets_the_extension_it_lacks_and_an_existing_one_is_known") {
+  const test::TemporaryFolder folder;
+  put_files(folder);
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::save_session, folder.path(), "gamma.viete");
+  CHECK(browser.replaces());
+  browser.path = "walk";
+  CHECK(chosen_file(browser) == browser.folder / "walk.viete");
+  CHECK_FALSE(browser.replaces());
+  browser.path = "Sub";
+  CHECK_FALSE(browser.replaces());
+  show(browser, FileBrowser::Purpose::save_model, folder.path(), "Beta.obj");
+  CHECK(browser.replaces());
+  set_format(browser, "ply");
+  CHECK(chosen_file(browser) == browser.folder / "Beta.ply");
+  CHECK_FALSE(browser.replaces());
+  enter(browser, folder / "Sub");
+  CHECK(chosen_file(browser).filename() == "Beta.ply");
+  show(browser, FileBrowser::Purpose::model, folder.path());
+  browser.path = (folder / "alpha.ply").string();
+  CHECK_FALSE(browser.replaces());
+}

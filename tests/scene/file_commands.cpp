@@ -1,0 +1,57 @@
+#include "scene/file_commands.h"
+
+#include <doctest/doctest.h>
+
+#include "scene/commands.h"
+#include "scene/files.h"
+
+using namespace viete;
+using namespace viete::scene;
+using Purpose = FileBrowser::Purpose;
+
+TEST_CASE("save_asks_for_a_name_once_and_then_writes_there") {
+  const test::CubeFiles files;
+  Workspace w;
+  CHECK_FALSE(run_command(w, "save_session"));
+  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(run_command(w, "save_session"));
+  CHECK(w.browser.open);
+  CHECK(w.browser.purpose == Purpose::save_session);
+  CHECK(chosen_file(w.browser).filename() == "model.viete");
+  w.browser.open = false;
+  w.saved.session = files / "walk.viete";
+  REQUIRE(run_command(w, "save_session"));
+  CHECK_FALSE(w.browser.open);
+  CHECK(w.requests.save_session == files / "walk.viete");
+  REQUIRE(run_command(w, "save_session_as"));
+  CHECK(w.browser.open);
+  CHECK(chosen_file(w.browser).filename() == "walk.viete");
+}
+
+TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one_does_no_harm") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  run_command(w, "open_model");
+  CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
+  std::filesystem::create_directories(files / "other");
+  w.remembered.folder = files / "other";
+  run_command(w, "open_pose");
+  CHECK(w.browser.folder == std::filesystem::canonical(files.path()) / "other");
+  w.remembered.folder = files / "gone";
+  run_command(w, "open_cage");
+  CHECK(w.browser.folder == std::filesystem::canonical(std::filesystem::current_path()));
+  CHECK(w.browser.problem.empty());
+}
+
+TEST_CASE("leftovers_are_restored_discarded_and_put_off_one_at_a_time") {
+  Workspace w;
+  CHECK_FALSE(run_command(w, "restore_leftover"));
+  w.leftovers = {{"/a.viete", "a", 0}, {"/b.viete", "b", 0}};
+  REQUIRE(run_command(w, "restore_leftover"));
+  CHECK(w.requests.open->what == OpenRequest::What::recovery);
+  CHECK(w.requests.open->files.front() == "/a.viete");
+  REQUIRE(run_command(w, "put_off_leftover"));
+  REQUIRE(run_command(w, "discard_leftover"));
+  CHECK(w.requests.discard == "/b.viete");
+}

@@ -1,0 +1,90 @@
+#include "scene/gizmo.h"
+
+#include <doctest/doctest.h>
+
+using namespace viete::scene;
+using Kind = Constraint::Kind;
+
+namespace {
+
+const Viewport viewport{{1000, 800}, {320, 0}, {680, 774}};
+
+Camera camera(float yaw = 0.65f, float pitch = 0.32f, float distance = 4, bool orthographic = false) {
+  Camera c;
+  c.set_pose({{0, 0, 0}, distance, yaw, pitch, orthographic});
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("the_gizmo_has_the_same_size_in_pixels_at_every_distance_and_in_both_cameras") {
+  const auto reference = *make_gizmo(Tool::move, {0, 0, 0}, camera(), viewport);
+  for (const bool orthographic : {false, true}) {
+    for (const float distance : {0.05f, 1.0f, 200.0f}) {
+      const auto gizmo =
+          *make_gizmo(Tool::move, {0, 0, 0}, camera(0.65f, 0.32f, distance, orthographic), viewport);
+      for (int i = 0; i < 3; ++i) {
+        const float length = glm::distance(gizmo.center, gizmo.arms[i].tip);
+        // Perspective makes an arm that comes towards the viewer longer, by as much as it is nearer: a few
+        // per cent.
+        CHECK(length ==
+              doctest::Approx(glm::distance(reference.center, reference.arms[i].tip)).epsilon(0.06));
+      }
+    }
+  }
+}
+
+TEST_CASE("each_handle_is_hit_where_it_is_drawn") {
+  for (const Tool tool : {Tool::move, Tool::scale}) {
+    const auto gizmo = *make_gizmo(tool, {0.2, -0.1, 0.3}, camera(), viewport);
+    CHECK(pick_handle(gizmo, gizmo.center) == Constraint{});
+    for (int i = 0; i < 3; ++i) {
+      CHECK(pick_handle(gizmo, gizmo.arms[i].tip) == Constraint{Kind::axis, i});
+      CHECK(pick_handle(gizmo, 0.5f * (gizmo.arms[i].tip + gizmo.arms[i].end)) == Constraint{Kind::axis, i});
+      const auto& corners = gizmo.planes[i].corners;
+      CHECK(pick_handle(gizmo, 0.5f * (corners[0] + corners[2])) == Constraint{Kind::plane, i});
+    }
+    CHECK_FALSE(pick_handle(gizmo, gizmo.center + glm::vec2(200, 0)));
+  }
+}
+
+TEST_CASE("rings_are_hit_on_the_viewers_side_and_the_outer_one_all_around") {
+  const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, camera(), viewport);
+  for (int i = 0; i < 3; ++i) {
+    int front = 0;
+    for (const auto& point : gizmo.rings[i]) {
+      if (!point.front) continue;
+      ++front;
+      CHECK(pick_handle(gizmo, point.at));
+    }
+    CHECK(front >= 46);
+    CHECK(front <= 52);
+  }
+  for (const auto& d : {glm::vec2(1, 0), glm::vec2(0, -1), glm::vec2(-0.6f, 0.8f)}) {
+    CHECK(pick_handle(gizmo, gizmo.center + gizmo_view_ring * d) == Constraint{});
+  }
+  CHECK_FALSE(pick_handle(gizmo, gizmo.center + glm::vec2(130, 0)));
+}
+
+TEST_CASE("handles_that_point_at_the_viewer_fade_and_cannot_be_hit") {
+  const auto gizmo = *make_gizmo(Tool::move, {0, 0, 0}, camera(0, 0), viewport);
+  CHECK(gizmo.arms[2].opacity == 0);
+  CHECK(gizmo.arms[0].opacity == 1);
+  CHECK(gizmo.planes[2].opacity == 1);
+  CHECK(gizmo.planes[0].opacity == 0);
+  CHECK(pick_handle(gizmo, gizmo.arms[2].tip) == Constraint{});
+  CHECK(gizmo.far_to_near[2] == 2);
+}
+
+TEST_CASE("there_is_no_gizmo_for_the_select_tool_or_behind_the_eye") {
+  CHECK_FALSE(make_gizmo(Tool::select, {0, 0, 0}, camera(), viewport));
+  CHECK_FALSE(make_gizmo(Tool::move, {0, 0, 20}, camera(0, 0), viewport));
+  CHECK(make_gizmo(Tool::move, {0, 0, 20}, camera(0, 0, 4, true), viewport));
+}
+
+TEST_CASE("handles_have_names") {
+  CHECK(handle_name(Tool::move, {Kind::axis, 0}) == "Move along X");
+  CHECK(handle_name(Tool::move, {Kind::plane, 1}) == "Move in XZ");
+  CHECK(handle_name(Tool::rotate, {Kind::axis, 2}) == "Rotate about Z");
+  CHECK(handle_name(Tool::scale, {}) == "Scale evenly");
+}

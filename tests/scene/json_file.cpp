@@ -1,0 +1,76 @@
+#include "scene/json_file.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "base/error.h"
+#include "support/folder.h"
+
+using namespace viete;
+using namespace viete::scene;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string message_of(const auto& step) {
+  try {
+    step();
+  } catch (const base::Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("json_is_laid_out_one_key_or_point_a_line") {
+  const ordered_json value = {
+      {"b", {1, 2}}, {"a", {{"points", {{0.5, 1}, {2, 3}}}}}, {"none", ordered_json::array()}};
+  CHECK(readable(value, "f") ==
+        "{\n  \"b\": [1,2],\n  \"a\": {\n    \"points\": [\n      [0.5,1],\n      [2,3]\n    ]\n  },\n  "
+        "\"none\": []\n}\n");
+  CHECK(ordered_json::parse(readable(value, "f")) == value);
+}
+
+TEST_CASE("numbers_come_back_with_the_same_bits") {
+  const test::TemporaryFolder folder;
+  const std::vector<double> numbers = {
+      0.1, -0.0, 1e-300, 12345678.9, 1.0 / 3, 5e-324, 1.7976931348623157e308};
+  test::put_file(folder / "n", readable({{"n", numbers}}, "f"));
+  const json back = read_json(folder / "n");
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    CHECK(std::bit_cast<std::uint64_t>(back["n"][i].get<double>()) ==
+          std::bit_cast<std::uint64_t>(numbers[i]));
+  }
+}
+
+TEST_CASE("a_mistake_is_named_with_its_line_and_a_missing_file_as_such") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "broken", "{\n  \"a\": 1,\n  \"b\" 2\n}");
+  CHECK(message_of([&] { read_json(folder / "broken"); }).find("broken:3: this is not valid JSON") !=
+        std::string::npos);
+  test::put_file(folder / "huge", "{\"a\": 1e999}");
+  CHECK(message_of([&] { read_json(folder / "huge"); }).find("too large") != std::string::npos);
+  CHECK(message_of([&] { read_json(folder / "none"); }).find("no such file") != std::string::npos);
+  CHECK_THROWS_AS(readable({{"a", "\xff"}}, "f"), base::Error);
+}
+
+TEST_CASE("a_wrong_type_names_file_and_key_and_both_types") {
+  const json whole = {
+      {"camera", {{"distance", "far"}, {"target", {1, 2}}}}, {"list", {1, -2, 3.5}}, {"null", nullptr}};
+  const JsonReader json(whole, "s.viete");
+  CHECK(message_of([&] { json.at("camera").at("distance").number(); }) ==
+        "s.viete: camera.distance: found a text where a number belongs; correct it in the file");
+  CHECK(message_of([&] {
+          json.at("camera").at("target").numbers<3>();
+        }).find("camera.target: found a list of 2") != std::string::npos);
+  CHECK(message_of([&] { json.at("list").item(1).index(); }).find("list[1]") != std::string::npos);
+  CHECK(message_of([&] { json.at("list").item(2).index(); }).find("whole number") != std::string::npos);
+  CHECK(message_of([&] { json.at("list").boolean(); }).find("true or false") != std::string::npos);
+  CHECK(message_of([&] { json.at("gone"); }).find("\"gone\" is missing") != std::string::npos);
+  CHECK(message_of([&] { json.at("list").find("x"); }).find("an object") != std::string::npos);
+  CHECK_FALSE(json.find("null").has_value());
+  CHECK_FALSE(json.find("gone").has_value());
+}

@@ -1,0 +1,164 @@
+#include "scene/open.h"
+
+#include <doctest/doctest.h>
+
+#include "scene/edit.h"
+#include "scene/files.h"
+#include "scene/saving.h"
+
+using namespace viete;
+using namespace viete::scene;
+namespace fs = std::filesystem;
+using What = OpenRequest::What;
+
+namespace {
+
+bool drop(Workspace& w, std::vector<fs::path> files) {
+  return open_now(w, {What::dropped, std::move(files)});
+}
+
+bool said(const Workspace& w, const std::string& part) {
+  for (const auto& message : w.messages.all()) {
+    if (message.text.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("two_dropped_files_are_model_and_cage_in_either_order") {
+  const test::CubeFiles files;
+  for (const auto& pair : {std::vector{files.model, files.cage}, std::vector{files.cage, files.model}}) {
+    Workspace w;
+    REQUIRE(drop(w, pair));
+    CHECK(w.document.model.path == files.model);
+    CHECK(w.document.cage_file.path == files.cage);
+    CHECK(said(w, "Took model.obj as the model and cage.obj as its cage"));
+  }
+}
+
+TEST_CASE("the_surface_that_encloses_is_the_cage_even_with_more_vertices") {
+  const test::CubeFiles files;
+  mesh::write(files / "small.obj", test::cube(0.5));
+  Workspace w;
+  REQUIRE(drop(w, {files.model, files / "small.obj"}));
+  CHECK(w.document.cage_file.path == files.model);
+  CHECK(said(w, "encloses it"));
+}
+
+TEST_CASE("where_neither_encloses_the_one_with_fewer_vertices_is_the_cage_and_that_is_said") {
+  const test::CubeFiles files;
+  auto aside = test::cube(1.5);
+  for (auto& p : aside.positions) p[0] += 2;
+  mesh::write(files / "aside.obj", aside);
+  Workspace w;
+  REQUIRE(drop(w, {files / "aside.obj", files.model}));
+  CHECK(w.document.cage_file.path == files / "aside.obj");
+  CHECK(said(w, "does not enclose it"));
+}
+
+TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(drop(w, {files.pose}));
+  CHECK(w.document.model.path == files.model);
+  CHECK(w.document.pose.positions == test::cube(2).positions);
+  CHECK(said(w, "Took pose.obj as a pose"));
+  CHECK(w.document.history.undo_count() == 1);
+  CHECK_FALSE(has_unsaved_edits(w));
+}
+
+TEST_CASE("a_pose_over_unsaved_edits_stays_unsaved") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  w.document.pose.positions[0][0] -= 1;
+  CHECK(has_unsaved_edits(w));
+  REQUIRE(drop(w, {files.pose}));
+  CHECK(has_unsaved_edits(w));
+}
+
+TEST_CASE("a_dropped_surface_around_a_model_without_cage_is_its_cage_and_anything_else_a_model") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(drop(w, {files.model}));
+  CHECK(said(w, "Took model.obj as a new model"));
+  REQUIRE(drop(w, {files.cage}));
+  CHECK(w.document.model.path == files.model);
+  CHECK(w.document.cage_file.path == files.cage);
+  CHECK(said(w, "Took cage.obj as the cage"));
+  REQUIRE(drop(w, {files.model}));
+  CHECK_FALSE(w.document.has_cage());
+}
+
+TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(save_session(w, files / "a.viete"));
+  Workspace other;
+  REQUIRE(drop(other, {files / "a.viete"}));
+  CHECK(other.document.has_cage());
+  const auto* surface = other.document.model.surface.get();
+  CHECK_FALSE(drop(other, {files.model, files.cage, files.pose}));
+  CHECK(said(other, "3 files were dropped; drop one session"));
+  CHECK_FALSE(drop(other, {files / "a.viete", files.model}));
+  CHECK_FALSE(drop(other, {}));
+  CHECK_FALSE(drop(other, {files.broken}));
+  CHECK_FALSE(drop(other, {files.model, files.broken}));
+  CHECK(other.document.model.surface.get() == surface);
+}
+
+TEST_CASE("reading_can_be_cancelled_and_says_how_far_it_is") {
+  const test::CubeFiles files;
+  base::Progress progress;
+  open_files({What::model, {files.model, files.cage}}, {}, &progress);
+  CHECK(progress.done() > 0.5);
+  CHECK(progress.done() <= 0.8);
+  progress.cancel();
+  for (const What what : {What::model, What::dropped}) {
+    CHECK_THROWS_AS(open_files({what, {files.model}}, {}, &progress), base::Cancelled);
+  }
+}
+
+TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(open_now(w, {What::model, {files.model, files.cage, files.pose}}));
+  CHECK(w.document.pose.positions == test::cube(2).positions);
+  CHECK_FALSE(w.document.history.can_undo());
+  CHECK_FALSE(has_unsaved_edits(w));
+  CHECK_FALSE(open_now(w, {What::model, {files.model, {}, files.pose}}));
+  CHECK(said(w, "name the cage too"));
+}
+
+TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  w.document.pose.positions[0][0] -= 1;
+  w.saved.session = files / "mine.viete";
+  test::put_file(files / "r.viete", session_text(session_of(w), files / "r.viete", false));
+  Workspace back;
+  REQUIRE(open_now(back, {What::recovery, {files / "r.viete"}}));
+  CHECK(back.document.pose.positions == w.document.pose.positions);
+  CHECK(has_unsaved_edits(back));
+  CHECK(back.saved.session == fs::canonical(files.path()) / "mine.viete");
+  CHECK(back.recovered_from == files / "r.viete");
+  CHECK(back.remembered.recent.empty());
+  REQUIRE(save_session(back, back.saved.session));
+  CHECK_FALSE(has_unsaved_edits(back));
+}
+
+TEST_CASE("what_is_opened_comes_to_the_front_of_the_recent_files") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(load_model(w, files.cage, {}));
+  REQUIRE(save_session(w, files / "a.viete"));
+  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(w.remembered.recent.size() == 3);
+  CHECK(w.remembered.recent[0] == RecentFile{files.model, files.cage});
+  CHECK(w.remembered.recent[1] == RecentFile{files / "a.viete", {}});
+}

@@ -1,0 +1,138 @@
+#include "scene/picking.h"
+
+#include <doctest/doctest.h>
+
+#include "scene/cube.h"
+#include "scene/elements.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+TEST_CASE("the_vertex_under_the_cursor_is_picked_within_eight_pixels") {
+  const Workspace w = test::cube_workspace();
+  const Projector project(w.document.space, w.camera, w.viewport);
+  const auto& points = w.document.pose.positions;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const glm::vec2 at(*project(points[i]));
+    CHECK(pick_nearest(project, points, at) == i);
+    CHECK(pick_nearest(project, points, at + glm::vec2(0, 7.5f)) == i);
+    CHECK_FALSE(pick_nearest(project, points, at + glm::vec2(0, 8.5f)));
+  }
+}
+
+TEST_CASE("of_vertices_on_one_pixel_the_nearer_one_is_picked") {
+  Workspace w = test::cube_workspace();
+  w.camera.look(StandardView::front);
+  w.camera.animate(1);
+  CameraPose pose = w.camera.pose();
+  pose.distance = 900;  // so far that front and back vertices are less than 2 pixels apart
+  w.camera.set_pose(pose);
+  const Projector project(w.document.space, w.camera, w.viewport);
+  const std::vector<mesh::Point> points{{0, 0, -1}, {0, 0, 1}};
+  CHECK(pick_nearest(project, points, glm::vec2(*project(points[0]))) == 1u);
+}
+
+TEST_CASE("points_behind_the_camera_are_never_picked") {
+  const Workspace w = test::cube_workspace();
+  const Projector project(w.document.space, w.camera, w.viewport);
+  const glm::vec3 behind = w.camera.eye() - 3.0f * w.camera.forward();
+  const double s = w.document.space.scale;
+  const std::vector<mesh::Point> points{{behind.x / s, behind.y / s, behind.z / s}};
+  CHECK_FALSE(project(points[0]));
+  CHECK_FALSE(pick_nearest(project, points, {600, 390}, 1e6f));
+  CHECK(pick_box(project, points, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
+}
+
+TEST_CASE("a_box_picks_what_is_inside_whichever_corner_comes_first") {
+  const Workspace w = test::cube_workspace();
+  const Projector project(w.document.space, w.camera, w.viewport);
+  const auto& points = w.document.pose.positions;
+  const glm::vec2 at(*project(points[5]));
+  CHECK(pick_box(project, points, at + 2.0f, at - 2.0f) == std::vector<std::uint32_t>{5});
+  CHECK(pick_box(project, points, {0, 0}, {1000, 800}).size() == 8);
+}
+
+namespace {
+
+Workspace front_cube(ElementKind kind) {
+  Workspace w = test::cube_workspace();
+  w.document.selection = Selection(kind);
+  w.camera.look(StandardView::front);
+  w.camera.animate(1);
+  return w;
+}
+
+std::optional<Pick> pick(const Workspace& w, const glm::vec2& cursor) {
+  return pick_element(w.document, w.camera, w.viewport, cursor);
+}
+
+glm::vec2 pixel(const Workspace& w, const mesh::Point& p) {
+  return glm::vec2(*Projector(w.document.space, w.camera, w.viewport)(p));
+}
+
+bool has(const Workspace& w, std::uint32_t index, const mesh::Edge& edge) { return w.document.cage->edges[index] == edge; }
+
+}  // namespace
+
+TEST_CASE("the_edge_under_the_cursor_is_picked_within_eight_pixels_and_the_front_one_first") {
+  for (const bool orthographic : {false, true}) {
+    Workspace w = front_cube(ElementKind::edge);
+    w.camera.set_orthographic(orthographic);
+    const glm::vec2 middle = pixel(w, {0.2, 1.5, 1.5});  // of the upper edge in front, from vertex 6 to 7
+    for (const float off : {0.0f, -7.5f}) {
+      const auto found = pick(w, middle + glm::vec2(0, off));
+      REQUIRE(found);
+      CHECK(has(w, found->index, {6, 7}));
+    }
+    CHECK_FALSE(pick(w, middle + glm::vec2(0, -8.5f)));
+    CHECK(pick(w, middle)->depth == doctest::Approx(w.camera.depth(w.document.space.to_view({0, 1.5, 1.5}))));
+  }
+}
+
+TEST_CASE("the_face_in_front_is_picked_inside_and_eight_pixels_around_the_cage") {
+  for (const bool orthographic : {false, true}) {
+    Workspace w = front_cube(ElementKind::face);
+    w.camera.set_orthographic(orthographic);
+    CHECK(pick(w, pixel(w, {0.9, -0.9, 1.5}))->index == 2);  // the triangles of the front are 2 and 3
+    CHECK(pick(w, pixel(w, {0.9, 1.2, 1.5}))->index == 3);
+    const glm::vec2 top = pixel(w, {0.2, 1.5, 1.5});
+    CHECK(pick(w, top + glm::vec2(0, -7)));
+    CHECK_FALSE(pick(w, top + glm::vec2(0, -9)));
+  }
+}
+
+TEST_CASE("from_inside_the_cage_faces_are_still_picked") {
+  Workspace w = front_cube(ElementKind::face);
+  CameraPose pose = w.camera.pose();
+  pose.distance = 0.1f;
+  w.camera.set_pose(pose);
+  const auto found = pick(w, {630, 400});
+  REQUIRE(found);
+  CHECK(found->index < 2);  // the back
+}
+
+TEST_CASE("an_edge_that_begins_behind_the_eye_is_picked_by_its_visible_part") {
+  Workspace w = front_cube(ElementKind::edge);
+  CameraPose pose = w.camera.pose();
+  pose.distance = 0.5f;  // the front of the cage is behind the eye
+  w.camera.set_pose(pose);
+  const glm::vec2 at = pixel(w, {1.5, 1.5, -1.0});  // on the edge from 3, in the back, to 7
+  const auto found = pick(w, at);
+  REQUIRE(found);
+  CHECK(has(w, found->index, {3, 7}));
+}
+
+TEST_CASE("a_box_picks_edges_and_faces_that_lie_wholly_inside") {
+  Workspace w = front_cube(ElementKind::edge);
+  const glm::vec2 a = pixel(w, {-1.5, 1.5, 1.5}) - 3.0f, b = pixel(w, {1.5, 1.5, 1.5}) + glm::vec2(3, 100);
+  const auto in_box = [&] { return pick_elements_in_box(w.document, w.camera, w.viewport, a, b); };
+  bool front = false;
+  for (const auto e : in_box()) front |= has(w, e, {6, 7});
+  CHECK(front);
+  w.document.selection = Selection(ElementKind::face);
+  for (const auto f : in_box()) {
+    for (const auto v : element_vertices(*w.document.cage, ElementKind::face, f)) CHECK(w.document.pose.positions[v][1] == 1.5);
+  }
+  CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 12);
+  CHECK(pick_elements_in_box({}, w.camera, w.viewport, {0, 0}, {1000, 800}).empty());
+}

@@ -1,0 +1,313 @@
+#include "scene/pointer.h"
+
+#include <doctest/doctest.h>
+
+#include "scene/cube.h"
+#include "scene/edit.h"
+#include "scene/picking.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+namespace {
+
+struct Mouse {
+  Workspace w = test::cube_workspace();
+  Pointer pointer;
+  PointerInput input;
+
+  glm::vec2 vertex(std::uint32_t i) const {
+    return glm::vec2(*Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[i]));
+  }
+  void step() {
+    pointer.frame(w, input);
+    input.escape = false;
+    input.wheel = 0;
+  }
+  void move(glm::vec2 to) { input.position = to, step(); }
+  void press(int b = left_button) { input.down[b] = true, step(); }
+  void release(int b = left_button) { input.down[b] = false, step(); }
+  void click(glm::vec2 at) { move(at), press(), release(); }
+  void drag(glm::vec2 from, glm::vec2 to, int b = left_button) {
+    move(from), press(b);
+    for (int i = 1; i <= 8; ++i) move(from + (to - from) * (static_cast<float>(i) / 8));
+    release(b);
+  }
+  std::vector<std::uint32_t> selected() const { return w.document.selection.indices(); }
+};
+
+}  // namespace
+
+TEST_CASE("hovering_finds_the_vertex_and_panels_hide_it") {
+  Mouse m;
+  m.move(m.vertex(3));
+  CHECK(m.w.hand.hovered == 3u);
+  m.input.over_view = false;
+  m.step();
+  CHECK_FALSE(m.w.hand.hovered);
+}
+
+TEST_CASE("clicks_select_shift_adds_ctrl_removes_and_empty_space_clears") {
+  Mouse m;
+  m.click(m.vertex(3));
+  CHECK(m.selected() == std::vector<std::uint32_t>{3});
+  m.input.shift = true;
+  m.click(m.vertex(1));
+  CHECK(m.selected() == std::vector<std::uint32_t>{1, 3});
+  m.input.shift = false;
+  m.input.ctrl = true;
+  m.click(m.vertex(3));
+  CHECK(m.selected() == std::vector<std::uint32_t>{1});
+  m.input.ctrl = false;
+  m.click({210, 10});
+  CHECK(m.selected().empty());
+}
+
+TEST_CASE("a_dragged_vertex_follows_the_cursor_to_the_pixel") {
+  Mouse m;
+  const glm::vec2 from = m.vertex(7), to = from + glm::vec2(61, -47);
+  m.drag(from, to);
+  CHECK(glm::distance(m.vertex(7), to) < 0.01f);
+  CHECK(m.selected() == std::vector<std::uint32_t>{7});
+  CHECK(m.w.document.history.undo_count() == 1);
+  undo(m.w.document);
+  CHECK(m.w.document.pose.positions == m.w.document.cage->surface.positions);
+}
+
+TEST_CASE("the_whole_selection_moves_by_the_same_amount") {
+  Mouse m;
+  m.w.document.selection.select_all(8);
+  const auto before = m.w.document.pose.positions;
+  m.drag(m.vertex(2), m.vertex(2) + glm::vec2(25, 10));
+  const auto& after = m.w.document.pose.positions;
+  for (int v = 0; v < 8; ++v) {
+    for (int i = 0; i < 3; ++i) CHECK(after[v][i] - before[v][i] == doctest::Approx(after[0][i] - before[0][i]).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("less_than_four_pixels_is_a_click_and_moves_nothing") {
+  Mouse m;
+  m.drag(m.vertex(7), m.vertex(7) + glm::vec2(2, 2));
+  CHECK_FALSE(differs_from_rest(m.w.document));
+  CHECK(m.selected() == std::vector<std::uint32_t>{7});
+}
+
+TEST_CASE("esc_or_the_right_button_during_a_drag_restores_exactly") {
+  for (const bool by_escape : {true, false}) {
+    Mouse m;
+    m.click(m.vertex(1));
+    const auto before = m.w.document.pose.positions;
+    m.move(m.vertex(7));
+    m.press();
+    m.move(m.vertex(7) + glm::vec2(40, 40));
+    CHECK(m.w.document.pose.positions != before);
+    if (by_escape) {
+      m.input.escape = true;
+      m.step();
+    } else {
+      m.press(right_button);
+    }
+    CHECK(m.w.document.pose.positions == before);
+    CHECK(m.selected() == std::vector<std::uint32_t>{1});
+    m.move({500, 500});
+    m.release();
+    CHECK(m.w.document.pose.positions == before);
+    CHECK_FALSE(m.w.document.history.can_undo());
+  }
+}
+
+TEST_CASE("a_drag_on_empty_space_selects_a_box") {
+  Mouse m;
+  m.drag({205, 5}, {995, 775});
+  CHECK(m.selected().size() == 8);
+  CHECK_FALSE(m.w.hand.box);
+  m.input.ctrl = true;
+  const glm::vec2 v = m.vertex(7);
+  m.drag(v + glm::vec2(12, 12), v - glm::vec2(12, 12));
+  CHECK(m.selected().size() == 7);
+  CHECK_FALSE(differs_from_rest(m.w.document));
+}
+
+TEST_CASE("middle_right_and_alt_left_drags_orbit_shift_pans_ctrl_zooms") {
+  for (const int button : {middle_button, right_button}) {
+    Mouse m;
+    const CameraPose before = m.w.camera.pose();
+    m.drag({500, 300}, {560, 320}, button);
+    CHECK(m.w.camera.pose().yaw != before.yaw);
+    CHECK(m.w.camera.pose().distance == before.distance);
+    const float yaw = m.w.camera.pose().yaw;
+    m.input.shift = true;
+    m.drag({500, 300}, {560, 320}, button);
+    CHECK(m.w.camera.pose().yaw == yaw);
+    CHECK(m.w.camera.pose().target != before.target);
+    m.input.shift = false;
+    m.input.ctrl = true;
+    m.drag({500, 300}, {500, 260}, button);
+    CHECK(m.w.camera.pose().distance < before.distance);
+  }
+  Mouse m;
+  m.input.alt = true;
+  const float yaw = m.w.camera.pose().yaw;
+  m.drag(m.vertex(7), m.vertex(7) + glm::vec2(40, 0));
+  CHECK(m.w.camera.pose().yaw != yaw);
+  CHECK_FALSE(differs_from_rest(m.w.document));
+}
+
+TEST_CASE("a_drag_goes_on_over_panels") {
+  Mouse m;
+  const glm::vec2 from = m.vertex(7);
+  m.move(from);
+  m.press();
+  m.move(from - glm::vec2(20, 0));
+  m.input.over_view = false;
+  m.move({50, from.y});
+  m.release();
+  CHECK(m.vertex(7).x == doctest::Approx(50).epsilon(1e-3));
+}
+
+TEST_CASE("a_press_over_a_panel_begins_nothing") {
+  Mouse m;
+  m.input.over_view = false;
+  m.drag(m.vertex(7), m.vertex(7) + glm::vec2(50, 0));
+  CHECK_FALSE(differs_from_rest(m.w.document));
+  CHECK(m.selected().empty());
+}
+
+TEST_CASE("a_hidden_cage_cannot_be_grabbed") {
+  Mouse m;
+  m.w.view.cage = false;
+  m.drag(m.vertex(7), m.vertex(7) + glm::vec2(50, 0));
+  CHECK_FALSE(differs_from_rest(m.w.document));
+}
+
+TEST_CASE("edges_are_hovered_clicked_and_dragged") {
+  Mouse m;
+  m.w.document.selection = Selection(ElementKind::edge);
+  const glm::vec2 middle = 0.5f * (m.vertex(5) + m.vertex(7));
+  m.move(middle);
+  REQUIRE(m.w.hand.hovered);
+  CHECK(m.w.document.cage->edges[*m.w.hand.hovered] == mesh::Edge{5, 7});
+  m.drag(middle, middle + glm::vec2(30, 10));
+  CHECK(m.selected().size() == 1);
+  CHECK(glm::distance(0.5f * (m.vertex(5) + m.vertex(7)), middle + glm::vec2(30, 10)) < 2);
+  CHECK(m.w.document.history.undo_label() == "move an edge");
+}
+
+TEST_CASE("a_face_must_be_selected_before_it_is_dragged_and_a_drag_on_another_draws_a_box") {
+  Mouse m;
+  m.w.document.selection = Selection(ElementKind::face);
+  m.w.tool = Tool::select;
+  const glm::vec2 inside = (m.vertex(4) + m.vertex(5) + m.vertex(6)) / 3.0f;
+  m.drag(inside, inside + glm::vec2(30, 10));
+  CHECK_FALSE(differs_from_rest(m.w.document));
+  m.click(inside);
+  REQUIRE(m.selected().size() == 1);
+  m.drag(inside, inside + glm::vec2(30, 10));
+  CHECK(differs_from_rest(m.w.document));
+  CHECK(m.w.document.history.undo_label() == "move a face");
+}
+
+TEST_CASE("a_handle_of_the_gizmo_is_hovered_and_used_and_a_click_on_it_keeps_the_selection") {
+  Mouse m;
+  m.click(m.vertex(7));
+  const Gizmo gizmo = *gizmo_of(m.w);
+  m.move(gizmo.arms[1].tip);
+  CHECK(m.w.hand.handle == Constraint{Constraint::Kind::axis, 1});
+  CHECK_FALSE(m.w.hand.hovered);
+  m.click(gizmo.arms[1].tip);
+  CHECK(m.selected() == std::vector<std::uint32_t>{7});
+  m.drag(gizmo.arms[1].tip, gizmo.arms[1].tip + glm::vec2(20, -40));
+  const auto& p = m.w.document.pose.positions[7];
+  CHECK(p[0] == 1.5);
+  CHECK(p[1] > 1.6);
+  CHECK(p[2] == 1.5);
+}
+
+TEST_CASE("numbers_typed_during_a_drag_set_it_and_enter_keeps_it") {
+  Mouse m;
+  m.move(m.vertex(7));
+  m.press();
+  m.move(m.vertex(7) + glm::vec2(20, 20));
+  m.input.typed = "z.25";
+  m.step();
+  m.input.typed.clear();
+  CHECK(m.w.document.pose.positions[7] == mesh::Point{1.5, 1.5, 1.75});
+  m.input.enter = true;
+  m.step();
+  m.input.enter = false;
+  CHECK_FALSE(m.w.hand.drag);
+  m.move({300, 300});
+  m.release();
+  CHECK(m.w.document.pose.positions[7] == mesh::Point{1.5, 1.5, 1.75});
+  CHECK(m.w.document.history.undo_count() == 1);
+}
+
+TEST_CASE("ctrl_pressed_while_the_mouse_rests_snaps_at_once") {
+  Mouse m;
+  m.move(m.vertex(7));
+  m.press();
+  m.move(m.vertex(7) + glm::vec2(33, 7));
+  const auto free = m.w.document.pose.positions[7];
+  m.input.ctrl = true;
+  m.step();
+  CHECK(m.w.document.pose.positions[7] != free);
+  m.input.ctrl = false;
+  m.step();
+  CHECK(m.w.document.pose.positions[7] == free);
+}
+
+TEST_CASE("the_axis_widget_takes_clicks_for_views_and_drags_for_orbits") {
+  Mouse m;
+  const AxisWidget axes = *axis_widget_of(m.w);
+  m.move(axes.center);
+  CHECK(m.w.hand.over_axes);
+  for (const auto& ball : axes.balls) {
+    Mouse fresh;
+    fresh.click(ball.at);
+    fresh.w.camera.animate(1);
+    CHECK(fresh.w.camera.forward()[ball.axis] == doctest::Approx(ball.positive ? -1 : 1));
+  }
+  const float yaw = m.w.camera.pose().yaw;
+  m.drag(axes.center, axes.center + glm::vec2(-50, 0));
+  CHECK(m.w.camera.pose().yaw != yaw);
+  CHECK_FALSE(m.w.camera.moving());
+  m.w.view.axes = false;
+  CHECK_FALSE(axis_widget_of(m.w));
+}
+
+TEST_CASE("there_is_no_gizmo_without_selection_with_a_hidden_cage_or_the_select_tool") {
+  Mouse m;
+  CHECK_FALSE(gizmo_of(m.w));
+  m.w.document.selection.select_all(8);
+  CHECK(gizmo_of(m.w));
+  m.w.view.cage = false;
+  CHECK_FALSE(gizmo_of(m.w));
+  m.w.view.cage = true;
+  m.w.tool = Tool::select;
+  CHECK_FALSE(gizmo_of(m.w));
+}
+
+TEST_CASE("picking_and_dragging_work_the_same_in_an_orthographic_view") {
+  Mouse m;
+  m.w.camera.set_orthographic(true);
+  const glm::vec2 from = m.vertex(7), to = from + glm::vec2(61, -47);
+  m.drag(from, to);
+  CHECK(glm::distance(m.vertex(7), to) < 0.01f);
+  m.input.wheel = 2;
+  m.move(to);
+  CHECK(glm::distance(m.vertex(7), to) < 0.05f);
+}
+
+TEST_CASE("another_document_in_the_middle_of_a_gesture_ends_it") {
+  Mouse m;
+  m.move(m.vertex(7));
+  m.press();
+  m.move(m.vertex(7) + glm::vec2(30, 10));
+  m.w.document = test::cube_document();
+  m.w.document.topology = 1;
+  m.w.hand = {};
+  m.move({400, 400});
+  m.release();
+  CHECK_FALSE(differs_from_rest(m.w.document));
+  CHECK(m.selected().empty());
+}

@@ -1,0 +1,153 @@
+#include "scene/transform.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "scene/cube.h"
+#include "scene/edit.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+namespace {
+
+const std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5, 6, 7};
+
+Document selected_cube() {
+  Document document = test::cube_document();
+  document.selection.select_all(8);
+  return document;
+}
+
+Transform turn(double degrees, glm::dvec3 axis = {0, 1, 0}) {
+  Transform t;
+  t.axis = axis;
+  t.degrees = degrees;
+  return t;
+}
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+}  // namespace
+
+TEST_CASE("nothing_and_whole_turns_keep_every_bit") {
+  const std::vector<mesh::Point> from{{0.1, 0.2, 0.3}, {1e-9, 7e5, -0.7}};
+  const std::vector<std::uint32_t> both{0, 1};
+  for (const double degrees : {0.0, 360.0, -720.0, 3600.0}) {
+    auto to = from;
+    Transform t = turn(degrees, glm::normalize(glm::dvec3(1, 2, 3)));
+    t.pivot = {0.3, 0.1, 77};
+    apply(t, from, both, to);
+    CHECK(to == from);
+  }
+}
+
+TEST_CASE("quarter_turns_about_an_axis_are_exact_and_right_handed") {
+  const std::vector<mesh::Point> from{{1, 0, 0}};
+  const std::vector<std::uint32_t> one{0};
+  auto to = from;
+  apply(turn(90, {0, 0, 1}), from, one, to);
+  CHECK(to[0] == mesh::Point{0, 1, 0});
+  apply(turn(450, {0, 0, 1}), from, one, to);
+  CHECK(to[0] == mesh::Point{0, 1, 0});
+  apply(turn(-90, {0, 0, 1}), from, one, to);
+  CHECK(to[0] == mesh::Point{0, -1, 0});
+  apply(turn(180, {0, 1, 0}), from, one, to);
+  CHECK(to[0] == mesh::Point{-1, 0, 0});
+}
+
+TEST_CASE("turns_keep_lengths_and_scales_keep_the_pivot") {
+  const std::vector<mesh::Point> from{{1, 2, 3}, {4, 4, 4}};
+  const std::vector<std::uint32_t> both{0, 1};
+  auto to = from;
+  Transform t = turn(37, glm::normalize(glm::dvec3(1, -2, 0.5)));
+  apply(t, from, both, to);
+  CHECK(std::hypot(to[0][0], to[0][1], to[0][2]) == doctest::Approx(std::sqrt(14.0)).epsilon(1e-14));
+  Transform s;
+  s.pivot = {4, 4, 4};
+  s.factors = {2, 1, 0.5};
+  apply(s, from, both, to);
+  CHECK(to[0] == mesh::Point{-2, 2, 3.5});
+  CHECK(to[1] == from[1]);
+}
+
+TEST_CASE("the_centre_is_the_mean_of_the_selected_vertices") {
+  Document document = test::cube_document();
+  const std::uint32_t two[] = {0, 1};
+  document.selection.apply(two, SelectMode::replace);
+  CHECK(selection_center(document) == glm::dvec3(0, -1.5, -1.5));
+}
+
+TEST_CASE("the_whole_cage_turned_at_once_has_made_all_its_turns") {
+  for (const double degrees : {90.0, 200.0, 400.0, -1000.0}) {
+    Document document = selected_cube();
+    transform_selection(document, Tool::rotate, turn(degrees));
+    REQUIRE(document.pose.turns.size() == 1);
+    CHECK(document.pose.turns[0][1] == doctest::Approx(degrees * degree).epsilon(1e-12));
+    CHECK(document.pose.turns[0][0] == doctest::Approx(0).epsilon(1e-12));
+    undo(document);
+    CHECK_FALSE(differs_from_rest(document));
+  }
+}
+
+TEST_CASE("a_whole_turn_leaves_the_cage_at_rest_but_is_an_edit_that_can_be_undone") {
+  Document document = selected_cube();
+  transform_selection(document, Tool::rotate, turn(360));
+  CHECK(document.pose.positions == document.cage->surface.positions);
+  CHECK(document.pose.turns[0][1] == doctest::Approx(360 * degree));
+  CHECK(differs_from_rest(document));
+  CHECK(document.history.undo_label() == "rotate 8 vertices");
+  undo(document);
+  CHECK_FALSE(differs_from_rest(document));
+}
+
+TEST_CASE("turning_on_and_back_again_forgets_the_turns") {
+  Document document = selected_cube();
+  transform_selection(document, Tool::rotate, turn(500));
+  transform_selection(document, Tool::rotate, turn(-500));
+  CHECK(std::abs(document.pose.turns[0][1]) < 1e-12);
+}
+
+TEST_CASE("an_edit_that_moves_nothing_is_not_recorded") {
+  Document document = selected_cube();
+  transform_selection(document, Tool::move, {});
+  CHECK_FALSE(document.history.can_undo());
+}
+
+TEST_CASE("grid_snapping_suits_the_model_whatever_its_size") {
+  for (const double size : {1e-9, 1.0, 1e9}) {
+    const double cell = grid_cell(size);
+    CHECK(cell > size / 50);
+    CHECK(cell < size / 10);
+  }
+}
+
+TEST_CASE("absurd_amounts_neither_hang_nor_leave_the_range_of_numbers") {
+  Document document = selected_cube();
+  transform_selection(document, Tool::rotate, turn(1e15));
+  CHECK(document.pose.turns[0][1] == doctest::Approx(most_degrees * degree));
+  undo(document);
+  Transform grow;
+  grow.factors = {1e300, 1e300, 1e300};
+  transform_selection(document, Tool::scale, grow);
+  const auto large = document.pose.positions;
+  transform_selection(document, Tool::scale, grow);
+  CHECK(document.pose.positions == large);
+  CHECK(document.history.undo_count() == 1);
+}
+
+TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
+  const std::vector<std::uint32_t> upper{2, 3, 6, 7};
+  for (const double degrees : {170.0, 500.0, 1500.0}) {
+    Document at_once = test::cube_document(), slowly = test::cube_document();
+    at_once.selection.apply(upper, SelectMode::replace);
+    transform_selection(at_once, Tool::rotate, turn(degrees));
+    const deform::Pose before = slowly.pose;
+    for (double seen = 0; seen < degrees; seen += 10) {
+      place(slowly, before, upper, turn(seen + 10), seen - 30);  // a jump of 40: followed
+    }
+    CHECK(at_once.pose.positions == slowly.pose.positions);
+    for (int i = 0; i < 3; ++i) CHECK(at_once.pose.turns[0][i] == doctest::Approx(slowly.pose.turns[0][i]).epsilon(1e-9));
+  }
+}

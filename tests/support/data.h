@@ -1,0 +1,24 @@
+// Real meshes beside the checkout (../shared/data), used where they are present; a clone alone has none.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace viete::test {
+
+inline std::filesystem::path source_dir() { return VIETE_SOURCE_DIR; }
+
+inline std::filesystem::path assets_dir() { return source_dir() / "assets"; }
+
+/// The folder of real meshes, or an empty path: then the test says that it is skipped and passes.
+inline std::filesystem::path shared_data(const std::string& below = "") {
+  for (auto base : {source_dir().parent_path() / "shared" / "data", source_dir() / "shared" / "data"}) {
+    if (std::filesystem::exists(base / below)) return base / below;
+  }
+  MESSAGE("skipped: ../shared/data/" << below << " is not here");
+  return {};
+}
+
+}  // namespace viete::test

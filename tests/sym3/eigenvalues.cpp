@@ -1,0 +1,87 @@
+#include "sym3/eigenvalues.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "sym3/ensembles.h"
+#include "sym3/entries_of.h"
+#include "sym3/quad_reference.h"
+
+using namespace viete;
+using namespace viete::test;
+using sym3::Sym3;
+
+namespace {
+
+/// The worst error over the largest eigenvalue in size.
+template <class T>
+double worst_error(std::array<T, 3> (*method)(const Sym3<T>&), const std::vector<Sym3<T>>& matrices) {
+  double worst = 0;
+  for (const auto& s : matrices) {
+    auto exact = quad_eigen(to_quad(s)).values;
+    std::sort(exact.begin(), exact.end());
+    const Quad size = std::max(fabsq(exact[0]), fabsq(exact[2]));
+    const auto computed = method(s);
+    for (int k = 0; k < 3; ++k) {
+      const double error = static_cast<double>(fabsq(computed[k] - exact[k]) / size);
+      worst = std::max(worst, std::isnan(error) ? INFINITY : error);
+    }
+  }
+  return worst;
+}
+
+template <class T>
+std::vector<std::vector<Sym3<T>>> everything() {
+  std::vector<std::vector<Sym3<T>>> all = {paper_ensemble<T>(2000), spreads<T>(300, -100, 500)};
+  for (int digits = 1; digits <= 16; ++digits) {
+    all.push_back(pairs<T>(std::pow(10.0, -digits), 200));
+    all.push_back(triples<T>(std::pow(10.0, -digits), 200));
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("qr_errs_by_24_u_of_the_largest", T, double, float) {
+  for (const auto& m : everything<T>())
+    CHECK(worst_error(sym3::eigenvalues_qr<T>, m) <= 24 * unit_roundoff<T>);
+}
+
+TEST_CASE_TEMPLATE("viete_errs_by_4_cube_roots_of_u_of_the_largest", T, double, float) {
+  for (const auto& m : everything<T>()) {
+    CHECK(worst_error(sym3::eigenvalues_viete<T>, m) <= 4 * std::cbrt(unit_roundoff<T>));
+  }
+}
+
+TEST_CASE("viete_is_nearly_exact_where_eigenvalues_are_apart") {
+  Random random(41);
+  std::vector<Sym3<double>> apart;
+  for (int i = 0; i < 1000; ++i) apart.push_back(with_eigenvalues<double>({1, 2, 3}, random));
+  CHECK(worst_error(sym3::eigenvalues_viete<double>, apart) <= 100 * 0x1p-53);
+}
+
+TEST_CASE_TEMPLATE("eigenvalues_ascend", T, double, float) {
+  for (const auto& s : paper_ensemble<T>(500)) {
+    for (const auto method : {sym3::eigenvalues_qr<T>, sym3::eigenvalues_viete<T>}) {
+      const auto values = method(s);
+      CHECK(std::is_sorted(values.begin(), values.end()));
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("a_triple_eigenvalue_is_found", T, double, float) {
+  CHECK(sym3::eigenvalues_viete(diagonal(T(2), T(2), T(2))) == std::array<T, 3>{2, 2, 2});
+  CHECK(sym3::eigenvalues_viete(Sym3<T>{}) == std::array<T, 3>{0, 0, 0});
+  CHECK(sym3::eigenvalues_qr(Sym3<T>{}) == std::array<T, 3>{0, 0, 0});
+}
+
+TEST_CASE_TEMPLATE("eigenvalues_of_nan_and_infinity_are_nan", T, double, float) {
+  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()}) {
+    for (const auto method : {sym3::eigenvalues_qr<T>, sym3::eigenvalues_viete<T>}) {
+      for (const T value : method({1, 0, bad, 2, 0, 3})) CHECK(std::isnan(value));
+    }
+  }
+}

@@ -1,0 +1,112 @@
+#include "sym3/log.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "sym3/ensembles.h"
+#include "sym3/entries_of.h"
+#include "sym3/exp.h"
+#include "sym3/quad_reference.h"
+
+using namespace viete;
+using namespace viete::test;
+using sym3::Sym3;
+
+namespace {
+
+template <class T>
+constexpr double bar = sizeof(T) == 8 ? 24 : 1.5;
+
+/// Positive definite matrices of a given condition: clustered at either end, spread, and anything between.
+template <class T>
+std::vector<Sym3<T>> with_condition(double condition, double size, int count) {
+  Random random(51);
+  std::vector<Sym3<T>> all;
+  for (int i = 0; i < count; ++i) {
+    const double near = (condition - 1) * std::pow(10.0, uniform(random, -16, -1));
+    const double middle[] = {1, condition, 1 + near, condition - near, std::sqrt(condition)};
+    all.push_back(with_eigenvalues<T>({size, size * middle[i % 5], size * condition}, random));
+  }
+  return all;
+}
+
+template <class T>
+void check(const Sym3<T>& s) {
+  CHECK(error_in_u(sym3::log(s), quad_log(to_quad(s))) <= bar<T>);
+  CHECK(error_in_u(sym3::inv_sqrt(s), quad_inv_sqrt(to_quad(s))) <= bar<T>);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("log_and_inverse_root_keep_their_bars_at_every_condition_and_gap", T, double, float) {
+  for (const double condition : {1.0001, 1.1, 1.5, 2.0, 4.0, 7.0, 9.0, 12.0, 20.0, 1e2, 1e4, 1e6}) {
+    for (const double size : {1.0, 0.013, 700.0}) {
+      for (const auto& s : with_condition<T>(condition, size, 100)) check(s);
+    }
+  }
+}
+
+TEST_CASE("log_and_inverse_root_keep_their_bars_up_to_condition_1e15") {
+  for (const double condition : {1e8, 1e10, 1e12, 1e14, 1e15}) {
+    for (const auto& s : with_condition<double>(condition, 0.3, 200)) {
+      const auto values = quad_eigen(to_quad(s)).values;
+      if (*std::min_element(values.begin(), values.end()) > 0) check(s);
+    }
+  }
+}
+
+TEST_CASE("log_is_relatively_exact_near_the_identity") {
+  for (int digits = 1; digits <= 15; ++digits) {
+    Random random(52);
+    for (int i = 0; i < 50; ++i) {
+      const double size = std::pow(10.0, -digits);
+      Sym3<double> s = with_eigenvalues<double>({size, uniform(random, -size, size), -size}, random);
+      s.xx += 1, s.yy += 1, s.zz += 1;
+      CHECK(error_in_u(sym3::log(s), quad_log(to_quad(s))) <= bar<double>);
+    }
+  }
+}
+
+TEST_CASE("log_keeps_its_bar_across_the_border_of_near_the_identity") {
+  Random random(53);
+  for (int i = 0; i < 4000; ++i) {
+    const double off = uniform(random, 0.05, 0.3), d = std::pow(10.0, uniform(random, -4, -0.5));
+    const auto any = [&random](double size) { return uniform(random, -size, size); };
+    const Sym3<double> s = {1 + any(d), off, any(off), 1 + any(d), any(off) * (i % 2), 1 + any(d)};
+    CHECK(error_in_u(sym3::log(s), quad_log(to_quad(s))) <= bar<double>);
+  }
+}
+
+TEST_CASE_TEMPLATE("log_of_the_identity_is_exactly_zero", T, double, float) {
+  CHECK(sym3::log(sym3::identity<T>()) == Sym3<T>{});
+  CHECK(sym3::inv_sqrt(sym3::identity<T>()) == sym3::identity<T>());
+}
+
+TEST_CASE("log_undoes_exp") {
+  for (const auto& x : spreads<double>(4, -2, 300)) {
+    const QuadSym there_and_back = to_quad(sym3::log(sym3::exp(x)));
+    CHECK(static_cast<double>(quad_distance(there_and_back, to_quad(x))) <= 1000 * 0x1p-53);
+  }
+}
+
+TEST_CASE_TEMPLATE("matrices_that_are_not_positive_definite_give_six_nan", T, double, float) {
+  const T nan = std::numeric_limits<T>::quiet_NaN(), inf = std::numeric_limits<T>::infinity();
+  for (const auto& s :
+       {Sym3<T>{}, diagonal(T(1), T(1), T(0)), diagonal(T(1), T(-1), T(2)), Sym3<T>{1, 2, 0, 1, 0, 1},
+        Sym3<T>{1, 1, 1, 1, 1, 1}, diagonal(T(1), nan, T(1)), diagonal(inf, T(1), T(1))}) {
+    CHECK(all_nan(sym3::log(s)));
+    CHECK(all_nan(sym3::inv_sqrt(s)));
+  }
+}
+
+TEST_CASE("very_large_and_very_small_matrices_keep_the_bars") {
+  for (const double size : {1e-290, 1e-160, 1e160, 1e290}) {
+    for (const double condition : {3.0, 1e6}) {
+      for (const auto& s : with_condition<double>(condition, size, 50)) check(s);
+    }
+  }
+  CHECK(sym3::inv_sqrt(diagonal(1e300, 1.0, 1e-300)).zz == doctest::Approx(1e150).epsilon(1e-15));
+}

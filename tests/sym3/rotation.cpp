@@ -1,0 +1,153 @@
+#include "sym3/rotation.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "sym3/ensembles.h"
+#include "sym3/quad_reference.h"
+
+using namespace viete;
+using namespace viete::test;
+using sym3::Mat3;
+using sym3::Vec3;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using QuadVec = std::array<Quad, 3>;
+
+Quad length(const QuadVec& v) {
+  return sqrtq(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+template <class T>
+QuadVec to_quad(const Vec3<T>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// A direction: along an axis, in a plane of two, or anywhere; scaled to the angle.
+template <class T>
+Vec3<T> vector_of_angle(double angle, int i, Random& random) {
+  const auto f = random_frame(random);
+  if (i % 4 == 0) {
+    Vec3<T> w{};
+    w[i / 4 % 3] = T(i % 8 ? angle : -angle);
+    return w;
+  }
+  if (i % 4 == 1) return {T(0), T(angle * std::cos(double(i))), T(angle * std::sin(double(i)))};
+  return {T(f[0][0] * angle), T(f[1][0] * angle), T(f[2][0] * angle)};
+}
+
+/// |R - exact| in u.
+template <class T>
+double exp_error(const Vec3<T>& w) {
+  const auto exact = quad_rotation(to_quad(w));
+  const auto computed = sym3::exp_rotation(w);
+  Quad sum = 0;
+  for (int k = 0; k < 9; ++k) sum += (computed[k] - exact[k]) * (computed[k] - exact[k]);
+  return static_cast<double>(sqrtq(sum)) / unit_roundoff<T>;
+}
+
+template <class T>
+Mat3<T> rounded_rotation(const Vec3<T>& w) {
+  const auto exact = quad_rotation(to_quad(w));
+  Mat3<T> rounded;
+  for (int k = 0; k < 9; ++k) rounded[k] = static_cast<T>(exact[k]);
+  return rounded;
+}
+
+/// Distance to w or, for half a turn as near as rounding lets one see, to its other name w - 2 pi w / |w|.
+template <class T>
+double log_error(const Vec3<T>& computed, const Vec3<T>& w) {
+  const QuadVec x = to_quad(computed), y = to_quad(w);
+  const Quad angle = length(y);
+  const Quad turn = angle > 3.14159 ? 1 - 2 * acosq(Quad(-1)) / angle : Quad(1);
+  const QuadVec direct = {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+  const QuadVec other = {x[0] - turn * y[0], x[1] - turn * y[1], x[2] - turn * y[2]};
+  return static_cast<double>(std::min(length(direct), length(other))) / unit_roundoff<T>;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("exp_rotation_keeps_its_bar_at_every_angle", T, double, float) {
+  Random random(61);
+  for (const double angle : {1e-30,     1e-9, 1e-4, 0.1,  0.5,  1.0, 1.5,    2.0,  2.5,   3.0,
+                             pi - 1e-6, pi,   3.2,  3.24, 3.25, 4.0, 2 * pi, 10.0, 100.0, 1e4}) {
+    for (int i = 0; i < 300; ++i) CHECK(exp_error(vector_of_angle<T>(angle, i, random)) <= 8 + 5 * angle);
+  }
+}
+
+TEST_CASE_TEMPLATE("zero_vector_and_identity_belong_together_exactly", T, double, float) {
+  CHECK(sym3::exp_rotation(Vec3<T>{}) == Mat3<T>{1, 0, 0, 0, 1, 0, 0, 0, 1});
+  CHECK(sym3::log_rotation(Mat3<T>{1, 0, 0, 0, 1, 0, 0, 0, 1}) == Vec3<T>{});
+}
+
+TEST_CASE_TEMPLATE("log_rotation_keeps_its_bar_up_to_half_a_turn", T, double, float) {
+  Random random(62);
+  for (const double angle : {1e-30, 1e-12, 1e-6, 1e-3, 0.1, 0.7, 1.5, 2.0, 2.2, 2.5, 3.0, 3.1, pi - 1e-3,
+                             pi - 1e-6, pi - 1e-9, pi - 1e-12, pi}) {
+    for (int i = 0; i < 300; ++i) {
+      const auto w = vector_of_angle<T>(angle, i, random);
+      CHECK(log_error(sym3::log_rotation(rounded_rotation(w)), w) <= 6 * angle);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("at_exactly_half_a_turn_the_first_component_is_positive", T, double, float) {
+  Random random(63);
+  const double h = std::numbers::sqrt2 / 2;
+  for (const std::array<double, 3> axis : {std::array{1., 0., 0.},
+                                           {0., 1., 0.},
+                                           {0., 0., 1.},
+                                           {-1., 0., 0.},
+                                           {0., -1., 0.},
+                                           {0., 0., -1.},
+                                           {h, -h, 0.},
+                                           {-h, h, 0.},
+                                           {0., -h, h},
+                                           {-0.6, 0., 0.8}}) {
+    const auto [x, y, z] = std::array{T(axis[0]), T(axis[1]), T(axis[2])};
+    const Mat3<T> r = {2 * x * x - 1, 2 * x * y, 2 * x * z, 2 * x * y,    2 * y * y - 1,
+                       2 * y * z,     2 * x * z, 2 * y * z, 2 * z * z - 1};
+    const auto w = sym3::log_rotation(r);
+    const T first = w[0] != 0 ? w[0] : w[1] != 0 ? w[1] : w[2];
+    CHECK(first > 0);
+    const T sign = (x != 0 ? x : y != 0 ? y : z) > 0 ? T(pi) : -T(pi);
+    CHECK(std::fabs(w[0] - sign * x) + std::fabs(w[1] - sign * y) + std::fabs(w[2] - sign * z) <
+          32 * unit_roundoff<T>);
+  }
+}
+
+TEST_CASE_TEMPLATE("log_rotation_undoes_exp_rotation", T, double, float) {
+  Random random(64);
+  for (int i = 0; i < 2000; ++i) {
+    const double angle = uniform(random, 0, 3.14);
+    const auto w = vector_of_angle<T>(angle, i, random);
+    CHECK(log_error(sym3::log_rotation(sym3::exp_rotation(w)), w) <= 8 + 15 * angle);
+  }
+}
+
+TEST_CASE_TEMPLATE("rotations_from_nan_and_infinity_are_nan", T, double, float) {
+  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()}) {
+    for (int i = 0; i < 3; ++i) {
+      Vec3<T> w = {1, 2, 3};
+      w[i] = bad;
+      for (const T x : sym3::exp_rotation(w)) CHECK(std::isnan(x));
+    }
+  }
+  for (int i = 0; i < 9; ++i) {
+    Mat3<T> r = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    r[i] = std::numeric_limits<T>::quiet_NaN();
+    for (const T x : sym3::log_rotation(r)) CHECK(std::isnan(x));
+  }
+}
+
+TEST_CASE("huge_angles_still_give_a_rotation") {
+  const auto r = sym3::exp_rotation(Vec3<double>{1e200, -2e200, 5e199});
+  const double det = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
+                     r[2] * (r[3] * r[7] - r[4] * r[6]);
+  CHECK(det == doctest::Approx(1).epsilon(1e-14));
+}

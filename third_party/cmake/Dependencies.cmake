@@ -1,0 +1,48 @@
+# One name per dependency, dep::*. Everything comes from the distribution's packages: nothing is fetched or vendored.
+set(DEP_HINT "run third_party/setup.sh deps")
+
+function(dep name)
+  add_library(dep::${name} INTERFACE IMPORTED GLOBAL)
+  target_link_libraries(dep::${name} INTERFACE ${ARGN})
+endfunction()
+
+# Eigen: asked for without a version, because Eigen 5 refuses a request for 3.x.
+find_package(Eigen3 REQUIRED NO_MODULE)
+dep(eigen Eigen3::Eigen)
+find_package(Threads REQUIRED)
+dep(threads Threads::Threads)
+
+if(VIETE_BUILD_VIEWER)
+  find_package(PkgConfig REQUIRED)
+
+  # Types only: no OpenGL library is ever linked, entry points are looked up at run time (render/gl.h).
+  find_path(GL_HEADER_DIR GL/glcorearb.h)
+  find_path(EGL_HEADER_DIR EGL/eglext.h)
+  if(NOT GL_HEADER_DIR OR NOT EGL_HEADER_DIR)
+    message(FATAL_ERROR "OpenGL or EGL headers not found: ${DEP_HINT}")
+  endif()
+  dep(gl)
+  target_include_directories(dep::gl SYSTEM INTERFACE ${GL_HEADER_DIR} ${EGL_HEADER_DIR})
+
+  find_package(glfw3 3.3 REQUIRED)
+  dep(glfw glfw)
+  target_compile_definitions(dep::glfw INTERFACE GLFW_INCLUDE_NONE)
+  find_package(glm REQUIRED)
+  dep(glm glm::glm)
+  target_compile_definitions(dep::glm INTERFACE GLM_ENABLE_EXPERIMENTAL)
+  pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET GLOBAL imgui>=1.86)
+  dep(imgui PkgConfig::IMGUI)
+  pkg_check_modules(STB REQUIRED IMPORTED_TARGET GLOBAL stb)
+  dep(stb PkgConfig::STB)
+  find_package(OpenMesh REQUIRED)
+  dep(openmesh OpenMeshCore OpenMeshTools)
+  find_package(CLI11 REQUIRED)
+  dep(cli11 CLI11::CLI11)
+  find_package(nlohmann_json REQUIRED)
+  dep(json nlohmann_json::nlohmann_json)
+endif()
+
+if(VIETE_BUILD_TESTS)
+  find_package(doctest REQUIRED)
+  dep(doctest doctest::doctest)
+endif()

@@ -1,0 +1,28 @@
+# How every target of the project is compiled, and how a room becomes a library.
+
+# Contraction is off everywhere: a*b+c means two roundings unless fma is written out, so that results
+# are the same at every optimisation level, in every kernel and on every machine.
+add_library(viete_compile INTERFACE)
+target_compile_features(viete_compile INTERFACE cxx_std_20)
+target_compile_options(viete_compile INTERFACE
+  -Wall -Wextra -Wconversion -Wno-sign-conversion -ffp-contract=off)
+# GCC 12 warns of std::string's own + (its bug 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(viete_compile INTERFACE -Wno-restrict)
+endif()
+if(VIETE_SANITIZE)
+  target_compile_options(viete_compile INTERFACE -fsanitize=${VIETE_SANITIZE} -fno-omit-frame-pointer -g)
+  target_link_options(viete_compile INTERFACE -fsanitize=${VIETE_SANITIZE})
+endif()
+
+# viete_room(deform SOURCES a.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
+# makes target viete::deform with include prefix "deform/".
+function(viete_room room)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  add_library(viete_${room} STATIC ${ARG_SOURCES})
+  add_library(viete::${room} ALIAS viete_${room})
+  set_target_properties(viete_${room} PROPERTIES EXPORT_NAME ${room} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(viete_${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  target_compile_features(viete_${room} PUBLIC cxx_std_20)
+  target_link_libraries(viete_${room} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE_USES} $<BUILD_INTERFACE:viete_compile>)
+endfunction()
