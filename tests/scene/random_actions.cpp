@@ -1,0 +1,164 @@
+// Whatever a person does can be undone: to the start and forth again, to the last bit.
+#include <doctest/doctest.h>
+
+#include <random>
+#include <string>
+
+#include "scene/commands.h"
+#include "scene/cube.h"
+#include "scene/edit.h"
+#include "scene/pointer.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+namespace {
+
+// A person without a plan: mouse, modifiers, keys and commands, some of them in the middle of a drag.
+class RandomPerson {
+public:
+  explicit RandomPerson(unsigned seed) : random_(seed) { select_all_now_and_then(); }
+
+  Workspace w = test::cube_workspace();
+
+  void act() {
+    switch (below(10)) {
+      case 0: return click();
+      case 1: return run_any_command();
+      case 2: return select_all_now_and_then();
+      case 3: return drag(below(2) == 0 ? middle_button : right_button, anywhere(), anywhere());
+      case 4: return turn_wheel();
+      case 5: return drag(left_button, anywhere(), anywhere());
+      case 6: return drag(left_button, near_vertex(), anywhere());
+      default: return use_gizmo();
+    }
+  }
+
+private:
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+  bool once_in(int n) { return below(n) == 0; }
+
+  glm::vec2 anywhere() { return {200 + below(800), below(780)}; }
+  glm::vec2 near_vertex() {
+    const Projector project(w.document.space, w.camera, w.viewport);
+    const auto at = project(w.document.pose.positions[static_cast<std::size_t>(below(8))]);
+    return at ? glm::vec2(*at) + glm::vec2(below(7) - 3, below(7) - 3) : anywhere();
+  }
+
+  void step() {
+    pointer_.frame(w, input_);
+    input_.escape = input_.enter = input_.backspace = false;
+    input_.wheel = 0;
+    input_.typed.clear();
+  }
+  void press_modifiers() {
+    input_.shift = once_in(4);
+    input_.ctrl = once_in(4);
+    input_.alt = once_in(12);
+  }
+  void click() {
+    press_modifiers();
+    input_.position = once_in(2) ? near_vertex() : anywhere();
+    step();
+    input_.down[left_button] = true;
+    step();
+    input_.down[left_button] = false;
+    step();
+  }
+  void turn_wheel() {
+    input_.position = anywhere();
+    input_.wheel = static_cast<float>(below(5) - 2);
+    step();
+  }
+  void drag(int button, glm::vec2 from, glm::vec2 to) {
+    press_modifiers();
+    input_.position = from;
+    step();
+    input_.down[static_cast<std::size_t>(button)] = true;
+    step();
+    for (int i = 1; i <= 5; ++i) {
+      input_.position = from + (to - from) * (static_cast<float>(i) / 5);
+      disturb();
+      step();
+    }
+    if (once_in(8)) cancel();
+    input_.down = {};
+    step();
+  }
+  // What hands do on the keyboard meanwhile.
+  void disturb() {
+    static const std::string keys = "xyzXYZ0123456789.-";
+    if (once_in(6)) input_.typed = keys[static_cast<std::size_t>(below(static_cast<int>(keys.size())))];
+    if (once_in(20)) input_.backspace = true;
+    if (once_in(20)) input_.enter = true;
+    if (once_in(30)) input_.escape = true;
+    if (once_in(10)) press_modifiers();
+    if (once_in(30)) run_any_command();
+  }
+  void cancel() {
+    if (once_in(2)) {
+      input_.escape = true;
+    } else {
+      input_.down[right_button] = true;
+    }
+    step();
+  }
+  void use_gizmo() {
+    const auto gizmo = gizmo_of(w);
+    if (!gizmo) return select_all_now_and_then();
+    const glm::vec2 ring(gizmo_view_ring, 0);
+    const auto& arm = gizmo->arms[static_cast<std::size_t>(below(3))];
+    const glm::vec2 from = w.tool == Tool::rotate ? gizmo->center + ring : once_in(4) ? gizmo->center : arm.tip;
+    drag(left_button, glm::round(from), from + glm::vec2(below(201) - 100, below(201) - 100));
+  }
+  void select_all_now_and_then() {
+    run_command(w, once_in(3) ? "select_all" : "select_linked");
+    static const char* const tools[] = {"tool_move", "tool_rotate", "tool_scale"};
+    run_command(w, tools[below(3)]);
+    w.view.cage = true;
+  }
+  void run_any_command() {
+    const auto all = commands();
+    const Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
+    if (command.enabled(w)) command.run(w);
+    w.requests = {};  // no program around fulfils them
+  }
+
+  std::mt19937 random_;
+  Pointer pointer_;
+  PointerInput input_;
+};
+
+struct Everything {
+  std::vector<mesh::Point> positions;
+  std::vector<deform::Vec3> turns;
+  bool operator==(const Everything&) const = default;
+};
+
+Everything of(const Document& document) { return {document.pose.positions, document.pose.turns}; }
+
+}  // namespace
+
+TEST_CASE("ten_thousand_random_actions_are_undone_to_the_last_bit_and_redone_as_well") {
+  std::size_t edits = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    CAPTURE(seed);
+    RandomPerson person(seed);
+    Document& document = person.w.document;
+    const Everything start = of(document);
+    for (int i = 0; i < 1000; ++i) person.act();
+    const Everything end = of(document);
+    for (const auto& p : document.pose.positions) {
+      for (const double x : p) REQUIRE(std::isfinite(x));
+    }
+    const std::size_t count = document.history.undo_count();
+    edits += count;
+    while (document.history.can_undo()) undo(document);
+    CHECK(of(document) == start);
+    CHECK_FALSE(differs_from_rest(document));
+    while (document.history.can_redo()) redo(document);
+    CHECK(of(document) == end);
+    CHECK(document.history.undo_count() == count);
+  }
+  CHECK_MESSAGE(edits > 1000, "the actions must reach the document: ", edits);
+}
