@@ -20,6 +20,10 @@ bool is_shift(int code) { return code == 340 || code == 344; }
 bool is_ctrl(int code) { return code == 341 || code == 345; }
 bool is_alt(int code) { return code == 342 || code == 346; }
 
+bool is_modifier(const InputEvent& e) {
+  return e.kind == Kind::key && (is_shift(e.code) || is_ctrl(e.code) || is_alt(e.code));
+}
+
 #if IMGUI_VERSION_NUM >= 18700
 
 void feed(ImGuiIO& io, const InputEvent& e) {
@@ -78,19 +82,25 @@ void InputQueue::configure() {
 #endif
 }
 
-// One frame takes many events, but never two changes of one key or button, and no movement after a button: ImGui
-// looks once a frame, and would see neither the short press nor where the button went down.
+// One frame takes many events, but never two changes of one key or button, no movement after a button, no change of a
+// modifier after a key or button, and, unless text is being typed, no second key: ImGui looks once a frame, and would
+// see neither the short press, nor where the button went down, nor that Ctrl was held when the key was, nor which key
+// came first.
 void InputQueue::feed_frame() {
   ImGuiIO& io = ImGui::GetIO();
   std::vector<std::pair<Kind, int>> changed;
-  bool button_changed = false;
+  bool button_changed = false, stroke = false;
   while (!events_.empty()) {
     const InputEvent& event = events_.front();
     const bool switches = event.kind == Kind::button || event.kind == Kind::key;
     const std::pair what{event.kind, event.code};
     if (switches && std::find(changed.begin(), changed.end(), what) != changed.end()) return;
     if (button_changed && event.kind != Kind::key) return;
+    const bool strokes = switches && !is_modifier(event);
+    if (stroke && is_modifier(event)) return;
+    if (stroke && strokes && event.down && !io.WantTextInput) return;
     if (switches) changed.push_back(what);
+    stroke |= strokes;
     button_changed |= event.kind == Kind::button;
     feed(io, event);
     events_.pop_front();

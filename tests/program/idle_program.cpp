@@ -51,3 +51,27 @@ TEST_CASE("a_press_and_the_movement_after_it_are_not_mixed_up") {
   d.frame(6);
   CHECK(glm::distance(d.vertex(v), to + offset) < 0.05f);
 }
+
+TEST_CASE("keys_of_one_frame_keep_their_modifiers_and_their_order") {
+  Driver d;
+  d.settle();
+  const int g = 'G', x = 'X', t = 'T';
+  auto& input = d.viewer().input();
+  const auto view = d.workspace().view;
+  d.key(Driver::left_shift, true);
+  for (const auto& [code, down] : {std::pair{t, true}, {Driver::left_shift, false}, {t, false}}) {
+    input.push(app::InputEvent::key(code, down));  // Shift is let go before the key: still Shift+T, which is no command
+  }
+  d.frame(4);
+  CHECK(d.workspace().view == view);
+  for (const int code : {g, x}) {
+    input.push(app::InputEvent::key(code, true));
+  }
+  for (const int code : {g, x}) {
+    input.push(app::InputEvent::key(code, false));
+  }
+  d.frame(4);
+  CHECK(d.workspace().view.grid != view.grid);
+  CHECK(d.workspace().view.axes != view.axes);
+  CHECK(input.empty());
+}
