@@ -4,8 +4,8 @@
 #include <cassert>
 #include <type_traits>
 
+#include "sym3/call_kernel.h"
 #include "sym3/exp_paper.h"
-#include "sym3/kernel.h"
 
 namespace viete::sym3 {
 
@@ -18,22 +18,10 @@ constexpr std::array<std::string_view, 5> names = {"diag", "sd", "improved_sd", 
 static_assert(sizeof(Sym3<double>) == 6 * sizeof(double) && sizeof(Sym3<float>) == 6 * sizeof(float));
 static_assert(std::is_standard_layout_v<Sym3<double>> && std::is_standard_layout_v<Sym3<float>>);
 
-void run(const Kernel& k, const double* in, double* out, std::size_t count) {
-  k.exp_double(in, out, count);
-}
-void run(const Kernel& k, const float* in, float* out, std::size_t count) {
-  k.exp_float(in, out, count);
-}
-
-template <class T>
-void exp_fast(const Sym3<T>* in, Sym3<T>* out, std::size_t count) {
-  run(kernel(), reinterpret_cast<const T*>(in), reinterpret_cast<T*>(out), count);
-}
-
 template <class T>
 Sym3<T> exp_fast(const Sym3<T>& s) {
   Sym3<T> out;
-  exp_fast(&s, &out, 1);
+  call_one(&KernelTable::exp, &s.xx, &out.xx);
   return out;
 }
 
@@ -77,9 +65,17 @@ Sym3<T> exp(const Sym3<T>& s, Method method) {
 template <class T>
 void exp(std::span<const Sym3<T>> in, std::span<Sym3<T>> out, Method method) {
   assert(in.size() == out.size());
-  if (method == Method::fast) return exp_fast(in.data(), out.data(), in.size());
+  if (method == Method::fast) return exp(packed(in.data()), packed(out.data()), in.size());
   const auto one = one_by<T>(method);
   for (std::size_t i = 0; i < in.size(); ++i) out[i] = one(in[i]);
+}
+
+void exp(const SymView<const double>& in, const SymView<double>& out, std::size_t count, const Batch& batch) {
+  call_many(&KernelTable::exp, in, out, count, batch);
+}
+
+void exp(const SymView<const float>& in, const SymView<float>& out, std::size_t count, const Batch& batch) {
+  call_many(&KernelTable::exp, in, out, count, batch);
 }
 
 template Sym3<float> exp(const Sym3<float>&, Method);

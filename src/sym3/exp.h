@@ -10,7 +10,9 @@
 #include <span>
 #include <string_view>
 
+#include "sym3/batch.h"
 #include "sym3/sym3.h"
+#include "sym3/view.h"
 
 namespace viete::sym3 {
 
@@ -38,7 +40,7 @@ enum class Method {
   /// and for some with close ones. For comparison only.
   improved_sd_faithful,
 
-  /// Shift by the mean eigenvalue, then a recurrence in two invariants (exp_kernel-inl.h). Error <= (6 + 2
+  /// Shift by the mean eigenvalue, then a recurrence in two invariants (exp-inl.h). Error <= (6 + 2
   /// spread) u with fused multiply-add, (8 + 2.5 spread) u without, at any trace and any gap; <= 6 u for
   /// spread <= 3 and <= 8 u on the paper's ensemble with it. Finite input never gives NaN: where an entry
   /// overflows, that entry alone is a signed infinity, diag(710, 0, 0) -> (inf, 1, 1); underflow is
@@ -59,5 +61,11 @@ Sym3<T> exp(const Sym3<T>& s, Method method = Method::fast);
 /// has the same bits as the single call.
 template <class T>
 void exp(std::span<const Sym3<T>> in, std::span<Sym3<T>> out, Method method = Method::fast);
+
+/// exp of `count` matrices by method `fast`, from any layout of view.h to any (the same one is faster). In place
+/// where `in` and `out` are the same view; else they must not overlap. Each answer has the bits of the single
+/// call under that kernel, wherever it stands and on however many threads.
+void exp(const SymView<const double>& in, const SymView<double>& out, std::size_t count, const Batch& batch = {});
+void exp(const SymView<const float>& in, const SymView<float>& out, std::size_t count, const Batch& batch = {});
 
 }  // namespace viete::sym3

@@ -1,9 +1,10 @@
+#include "sym3/exp_by_jacobi.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "sym3/double_double.h"
 #include "sym3/entries.h"
-#include "sym3/exp_kernels.h"
 #include "sym3/jacobi.h"
 
 namespace viete::sym3 {

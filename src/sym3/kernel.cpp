@@ -2,39 +2,89 @@
 
 #include <cstdlib>
 
-#include "sym3/exp_kernels.h"
+#include "sym3/highway_targets.h"
+#include "sym3/kernel_table.h"
+#define HWY_TARGET_INCLUDE "sym3/kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
+// What each instruction set compiled, in its namespace.
+namespace viete::sym3::HWY_NAMESPACE {
+
+#define VIETE_FUNCTION(name, N, M)              \
+  extern const Function<double, N, M> name##_double; \
+  extern const Function<float, N, M> name##_float;
+VIETE_FUNCTION(exp, 6, 6)
+VIETE_FUNCTION(exp_rotation, 3, 9)
+#undef VIETE_FUNCTION
+
+#define VIETE_BOTH(name) {&name##_double, &name##_float}
+static const KernelTable table = {VIETE_BOTH(exp), VIETE_BOTH(exp_rotation)};
+#undef VIETE_BOTH
+
+}  // namespace viete::sym3::HWY_NAMESPACE
+
+#if HWY_ONCE
 namespace viete::sym3 {
 
 namespace {
 
-bool machine_has_fma() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2");
-#else
-  return true;
+constexpr Kernel compiled[] = {
+#if HWY_TARGETS & HWY_AVX3
+    {"avx512", true, HWY_AVX3, &N_AVX3::table},
 #endif
+#if HWY_TARGETS & HWY_AVX2
+    {"avx2", true, HWY_AVX2, &N_AVX2::table},
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    {"sse4", false, HWY_SSE4, &N_SSE4::table},
+#endif
+#if HWY_TARGETS & HWY_NEON
+    {"neon", true, HWY_NEON, &N_NEON::table},
+#endif
+    {"scalar", false, HWY_SCALAR, &N_SCALAR::table},
+};
+
+bool machine_can_run(const Kernel& k) {
+#if defined(__x86_64__) || defined(__i386__)
+  const bool sse4 = __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul");
+  const bool avx2 = sse4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                    __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("bmi");
+  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+  if (k.highway_target == HWY_AVX3) return avx512;
+  if (k.highway_target == HWY_AVX2) return avx2;
+  if (k.highway_target == HWY_SSE4) return sse4;
+#endif
+  return k.highway_target == HWY_SCALAR || k.highway_target == HWY_NEON;
 }
 
-bool can_run_fma() {
-  return fma::compiled && machine_has_fma();
+// Better kernels first, and a machine that can run one can run those after it.
+std::span<const Kernel> find() {
+  const std::span<const Kernel> all(compiled);
+  std::size_t skipped = 0;
+  while (!machine_can_run(all[skipped])) ++skipped;
+  return all.subspan(skipped);
 }
 
 const Kernel& choose() {
-  if (const char* wanted = std::getenv("VIETE_KERNEL")) {
-    for (const Kernel& k : kernels()) {
-      if (k.name == wanted) return k;
-    }
-  }
-  return kernels().front();
+  const char* wanted = std::getenv("VIETE_KERNEL");
+  const Kernel* k = wanted ? kernel_from_name(wanted) : nullptr;
+  return k ? *k : kernels().front();
 }
 
 }  // namespace
 
 std::span<const Kernel> kernels() {
-  static const Kernel all[] = {{"fma", fma::exp, fma::exp}, {"portable", portable::exp, portable::exp}};
-  static const std::size_t skipped = can_run_fma() ? 0 : 1;
-  return std::span(all).subspan(skipped);
+  static const std::span<const Kernel> all = find();
+  return all;
+}
+
+const Kernel* kernel_from_name(std::string_view name) {
+  for (const Kernel& k : kernels()) {
+    if (k.name == name) return &k;
+  }
+  return nullptr;
 }
 
 const Kernel& kernel() {
@@ -47,3 +97,4 @@ std::string_view kernel_name() {
 }
 
 }  // namespace viete::sym3
+#endif

@@ -2,52 +2,12 @@
 
 #include <cmath>
 
+#include "sym3/call_kernel.h"
+#include "sym3/rotation_tables.h"
+
 namespace viete::sym3 {
 
 namespace {
-
-// cos(sqrt h) and sin(sqrt h) / (2 sqrt h) on 0 <= h <= 2.63: minimax, first coefficient kept exact, the
-// others rounded one after the other with a refit of the rest. Error 0.07 u and 0.002 u in double, 1.3 u and
-// 0.1 u in float (u = unit roundoff).
-constexpr double half_angle_limit = 2.63;
-
-template <class T>
-struct Tables;
-
-template <>
-struct Tables<double> {
-  static constexpr double cosine[] = {1,
-                                      -0x1.ffffffffffffbp-2,
-                                      0x1.555555555535fp-5,
-                                      -0x1.6c16c16c060c9p-10,
-                                      0x1.a01a0197888c5p-16,
-                                      -0x1.27e4f90a36103p-22,
-                                      0x1.1eecc1ff6300ap-29,
-                                      -0x1.9348c9b978ad7p-37,
-                                      0x1.9e4b50f4cbd6ep-45};
-  static constexpr double sine[] = {0.5,
-                                    -0x1.5555555555555p-4,
-                                    0x1.11111111110bep-8,
-                                    -0x1.a01a01a013efcp-14,
-                                    0x1.71de3a52246f8p-20,
-                                    -0x1.ae6454932cf3cp-27,
-                                    0x1.6123bb08176d3p-34,
-                                    -0x1.ae3e84226c1b0p-42,
-                                    0x1.87a537e1c6d70p-50};
-};
-
-template <>
-struct Tables<float> {
-  static constexpr float cosine[] = {1, -0x1.ffffc6p-2f, 0x1.554e94p-5f, -0x1.6b1c82p-10f, 0x1.836f3ap-16f};
-  static constexpr float sine[] = {0.5, -0x1.55554ap-4f, 0x1.110e82p-8f, -0x1.9f5faap-14f, 0x1.5cc5e0p-20f};
-};
-
-template <class T, std::size_t N>
-T horner(const T (&c)[N], T x) {
-  T sum = c[N - 1];
-  for (std::size_t k = N - 1; k-- > 0;) sum = sum * x + c[k];
-  return sum;
-}
 
 /// 0, or NaN if an entry is NaN or infinite. (Three-argument std::hypot loses a NaN.)
 template <class Entries>
@@ -64,26 +24,10 @@ struct Quaternion {
 };
 
 template <class T>
-Quaternion<T> exp_quaternion(const Vec3<T>& w) {
-  const T h = (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / 4;
-  T c, s;
-  if (h <= T(half_angle_limit)) {
-    c = horner(Tables<T>::cosine, h);
-    s = horner(Tables<T>::sine, h);
-  } else {
-    const T angle = std::hypot(w[0], w[1], w[2]) + zero_if_finite(w);
-    c = std::cos(angle / 2);
-    s = std::sin(angle / 2) / angle;
-  }
-  return {c, s * w[0], s * w[1], s * w[2]};
-}
-
-template <class T>
-Mat3<T> to_matrix(const Quaternion<T>& q) {
-  const T xx = 2 * q.x * q.x, yy = 2 * q.y * q.y, zz = 2 * q.z * q.z;
-  const T xy = 2 * q.x * q.y, xz = 2 * q.x * q.z, yz = 2 * q.y * q.z;
-  const T wx = 2 * q.w * q.x, wy = 2 * q.w * q.y, wz = 2 * q.w * q.z;
-  return {1 - (yy + zz), xy - wz, xz + wy, xy + wz, 1 - (xx + zz), yz - wx, xz - wy, yz + wx, 1 - (xx + yy)};
+void any_half_angle(const T* w, T* cosine_and_sine) {
+  const T angle = std::hypot(w[0], w[1], w[2]) + zero_if_finite(Vec3<T>{w[0], w[1], w[2]});
+  cosine_and_sine[0] = std::cos(angle / 2);
+  cosine_and_sine[1] = std::sin(angle / 2) / angle;
 }
 
 /// Four times the products of w, x, y, z with the one of them that is largest (Shepperd 1978), so that
@@ -110,9 +54,27 @@ bool is_wrong_half(const Quaternion<T>& q) {
 
 }  // namespace
 
+void half_angle(const double* w, double* cosine_and_sine) {
+  any_half_angle(w, cosine_and_sine);
+}
+
+void half_angle(const float* w, float* cosine_and_sine) {
+  any_half_angle(w, cosine_and_sine);
+}
+
 template <class T>
 Mat3<T> exp_rotation(const Vec3<T>& w) {
-  return to_matrix(exp_quaternion(w));
+  Mat3<T> r;
+  call_one(&KernelTable::exp_rotation, w.data(), r.data());
+  return r;
+}
+
+void exp_rotation(const VecView<const double>& in, const MatView<double>& out, std::size_t count, const Batch& batch) {
+  call_many(&KernelTable::exp_rotation, in, out, count, batch);
+}
+
+void exp_rotation(const VecView<const float>& in, const MatView<float>& out, std::size_t count, const Batch& batch) {
+  call_many(&KernelTable::exp_rotation, in, out, count, batch);
 }
 
 template <class T>

@@ -2,6 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+
+#include "sym3/batch.h"
+#include "sym3/view.h"
 
 namespace viete::sym3 {
 
@@ -18,6 +22,13 @@ using Mat3 = std::array<T, 9>;
 /// NaN.
 template <class T>
 Mat3<T> exp_rotation(const Vec3<T>& w);
+
+/// The same for `count` vectors, from any layout but `full` to any; planes are fastest. `in` and `out` must not
+/// overlap. Each answer has the bits of the single call under that kernel.
+void exp_rotation(const VecView<const double>& in, const MatView<double>& out, std::size_t count,
+                  const Batch& batch = {});
+void exp_rotation(const VecView<const float>& in, const MatView<float>& out, std::size_t count,
+                  const Batch& batch = {});
 
 /// The rotation vector w, |w| <= pi, with exp_rotation(w) = R. At exactly 180 degrees, where w and -w are
 /// both right, the first non-zero component of w is positive. R is assumed to be a rotation up to rounding.

@@ -1,8 +1,9 @@
 // The way out of the kernels, called directly: right on ordinary matrices too.
+#include "sym3/exp_by_jacobi.h"
+
 #include <doctest/doctest.h>
 
 #include "sym3/ensembles.h"
-#include "sym3/exp_kernels.h"
 #include "sym3/quad_reference.h"
 
 using namespace viete;

@@ -38,7 +38,7 @@ void check_bar(const std::string& what, const std::vector<Sym3<T>>& matrices, do
     const auto& kernel = sym3::kernels()[k];
     CAPTURE(kernel.name);
     CAPTURE(what);
-    CHECK(worst[k] <= (is_fused(kernel) ? fused_bar : plain_bar));
+    CHECK(worst[k] <= (kernel.fused ? fused_bar : plain_bar));
   }
 }
 

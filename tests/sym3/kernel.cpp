@@ -14,12 +14,16 @@ using namespace viete;
 using namespace viete::test;
 using sym3::Sym3;
 
-TEST_CASE("kernels_have_names_and_the_last_is_portable") {
+TEST_CASE("kernels_have_names_and_the_last_is_scalar") {
   std::set<std::string_view> names;
-  for (const auto& kernel : sym3::kernels()) names.insert(kernel.name);
+  for (const auto& kernel : sym3::kernels()) {
+    names.insert(kernel.name);
+    CHECK(sym3::kernel_from_name(kernel.name) == &kernel);
+  }
   CHECK(names.size() == sym3::kernels().size());
-  CHECK(sym3::kernels().back().name == "portable");
+  CHECK(sym3::kernels().back().name == "scalar");
   CHECK(names.count(sym3::kernel_name()));
+  CHECK(sym3::kernel_from_name("fastest") == nullptr);
 }
 
 TEST_CASE("the_environment_can_choose_the_kernel") {
@@ -28,27 +32,22 @@ TEST_CASE("the_environment_can_choose_the_kernel") {
 }
 
 #if defined(__x86_64__)
-TEST_CASE("a_processor_with_fused_multiply_add_has_the_fma_kernel") {
-  const bool has = __builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2");
-  CHECK((sym3::kernels().front().name == "fma") == has);
+TEST_CASE("a_processor_has_the_kernels_of_its_instruction_sets") {
+  const auto has = [](std::string_view name) { return sym3::kernel_from_name(name) != nullptr; };
+  CHECK(has("sse4") == bool(__builtin_cpu_supports("sse4.2")));
+  CHECK(has("avx2") == (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")));
+  CHECK(has("avx512") == (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                          __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw")));
 }
 #endif
 
-TEST_CASE_TEMPLATE("any_count_and_position_gives_the_same_bits", T, double, float) {
-  auto matrices = paper_ensemble<T>(40);
-  const auto wide = spreads<T>(40, -20, 20);
-  matrices.insert(matrices.begin() + 7, wide.begin(), wide.end());
-  for (const auto& kernel : sym3::kernels()) {
-    std::vector<T> flat;
-    for (const auto& s : matrices) flat.insert(flat.end(), {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz});
-    for (std::size_t count = 0; count <= matrices.size(); ++count) {
-      std::vector<T> out(6 * matrices.size(), T(-1));
-      run(kernel, flat.data(), out.data(), count);
-      for (std::size_t i = 0; i < matrices.size(); ++i) {
-        const T* e = &out[6 * i];
-        const Sym3<T> expected =
-            i < count ? exp_with(kernel, matrices[i]) : Sym3<T>{T(-1), T(-1), T(-1), T(-1), T(-1), T(-1)};
-        REQUIRE(Sym3<T>{e[0], e[1], e[2], e[3], e[4], e[5]} == expected);
+TEST_CASE("fused_kernels_agree_in_every_bit_and_so_do_the_others") {
+  for (const double spread : {0.0, 1e-9, 3.0, 6.0, 40.0, 700.0, 1500.0}) {
+    for (const auto& s : spreads<double>(spread, -0.5 * spread, 100)) {
+      for (const auto& a : sym3::kernels()) {
+        for (const auto& b : sym3::kernels()) {
+          if (a.fused == b.fused) CHECK(exp_with(a, s) == exp_with(b, s));
+        }
       }
     }
   }

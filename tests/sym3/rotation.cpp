@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "sym3/ensembles.h"
+#include "sym3/kernel.h"
 #include "sym3/quad_reference.h"
 
 using namespace viete;
@@ -150,4 +152,31 @@ TEST_CASE("huge_angles_still_give_a_rotation") {
   const double det = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
                      r[2] * (r[3] * r[7] - r[4] * r[6]);
   CHECK(det == doctest::Approx(1).epsilon(1e-14));
+}
+
+TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_rotations_gives_the_bits_of_one", T, double, float) {
+  Random random(65);
+  std::vector<T> w(3 * 150);
+  for (T& x : w) x = T(uniform(random, -1.5, 1.5));
+  for (const std::size_t i : {7, 40, 41, 90}) w[3 * i] = T(50);
+  for (const auto& kernel : sym3::kernels()) {
+    for (std::size_t count = 0; count <= 150; count += count < 70 ? 1 : 40) {
+      std::vector<T> r(9 * 150 + 1, T(-7)), planes(3 * 150), out_planes(9 * 150, T(-7));
+      for (std::size_t i = 0; i < 150; ++i) {
+        for (int k = 0; k < 3; ++k) planes[k * 150 + i] = w[3 * i + k];
+      }
+      sym3::exp_rotation(sym3::VecView<const T>(sym3::Layout::packed, w.data()),
+                         sym3::MatView<T>(sym3::Layout::packed, r.data()), count, {&kernel});
+      sym3::exp_rotation(sym3::VecView<const T>(planes.data(), 150), sym3::MatView<T>(out_planes.data(), 150), count,
+                         {&kernel});
+      bool same = r[9 * count] == T(-7);
+      for (std::size_t i = 0; i < count; ++i) {
+        T one[9];
+        sym3::exp_rotation(sym3::VecView<const T>(sym3::Layout::packed, &w[3 * i]),
+                           sym3::MatView<T>(sym3::Layout::packed, one), 1, {&kernel});
+        for (int k = 0; k < 9; ++k) same = same && r[9 * i + k] == one[k] && out_planes[k * 150 + i] == one[k];
+      }
+      CHECK(same);
+    }
+  }
 }

@@ -9,6 +9,13 @@ endfunction()
 # Eigen: asked for without a version, because Eigen 5 refuses a request for 3.x.
 find_package(Eigen3 REQUIRED NO_MODULE)
 dep(eigen Eigen3::Eigen)
+# Highway: its headers only; which instruction set runs is decided in sym3/kernel.cpp.
+find_path(HWY_HEADER_DIR hwy/highway.h)
+if(NOT HWY_HEADER_DIR)
+  message(FATAL_ERROR "Highway (hwy/highway.h) not found: ${DEP_HINT}")
+endif()
+dep(hwy)
+target_include_directories(dep::hwy SYSTEM INTERFACE ${HWY_HEADER_DIR})
 find_package(Threads REQUIRED)
 dep(threads Threads::Threads)
 

@@ -1,0 +1,36 @@
+// The functions that every instruction set compiles. Internal; no inline functions here (exp_by_jacobi.h).
+#pragma once
+
+#include <cstddef>
+
+namespace viete::sym3 {
+
+template <class T, int N>
+struct View;
+
+/// Items [begin, end) of a batch; begin is a multiple of 64.
+struct Range {
+  std::size_t begin, end;
+  bool stream;  ///< with non-temporal stores
+};
+
+/// From N numbers to M.
+template <class T, int N, int M>
+struct Function {
+  void (*one)(const T* in, T* out);
+  void (*many)(const View<const T, N>& in, const View<T, M>& out, const Range& range);
+};
+
+/// In both precisions.
+template <int N, int M>
+struct Functions {
+  const Function<double, N, M>* in_double;
+  const Function<float, N, M>* in_float;
+};
+
+struct KernelTable {
+  Functions<6, 6> exp;
+  Functions<3, 9> exp_rotation;
+};
+
+}  // namespace viete::sym3

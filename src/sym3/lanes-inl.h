@@ -1,0 +1,127 @@
+// Matrices in vector registers: one lane a matrix, one register an entry. Included once per instruction set.
+// (No #pragma once: Highway's foreach_target includes this text again for each target.)
+#if defined(VIETE_SYM3_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VIETE_SYM3_LANES_INL_H
+#undef VIETE_SYM3_LANES_INL_H
+#else
+#define VIETE_SYM3_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace viete::sym3::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Symmetric matrices, one a lane.
+template <class V>
+struct Six {
+  V xx, xy, xz, yy, yz, zz;
+};
+
+/// Vectors of three, one a lane.
+template <class V>
+struct Three {
+  V x, y, z;
+};
+
+/// General matrices, one a lane, entries by rows.
+template <class V>
+struct Nine {
+  V xx, xy, xz, yx, yy, yz, zx, zy, zz;
+};
+
+template <class V>
+static HWY_INLINE Six<V> times(const Six<V>& m, V s) {
+  return {hn::Mul(m.xx, s), hn::Mul(m.xy, s), hn::Mul(m.xz, s),
+          hn::Mul(m.yy, s), hn::Mul(m.yz, s), hn::Mul(m.zz, s)};
+}
+
+/// Lane by lane: `yes` where the mask is set, else `no`.
+template <class M, class V>
+static HWY_INLINE Six<V> select(M mask, const Six<V>& yes, const Six<V>& no) {
+  return {hn::IfThenElse(mask, yes.xx, no.xx), hn::IfThenElse(mask, yes.xy, no.xy),
+          hn::IfThenElse(mask, yes.xz, no.xz), hn::IfThenElse(mask, yes.yy, no.yy),
+          hn::IfThenElse(mask, yes.yz, no.yz), hn::IfThenElse(mask, yes.zz, no.zz)};
+}
+
+/// a b + c d + e f.
+template <class V>
+static HWY_INLINE V sum_of_products(V a, V b, V c, V d, V e, V f) {
+  return hn::MulAdd(a, b, hn::MulAdd(c, d, hn::Mul(e, f)));
+}
+
+template <class V>
+static HWY_INLINE Six<V> square(const Six<V>& m) {
+  return {sum_of_products(m.xx, m.xx, m.xy, m.xy, m.xz, m.xz),
+          sum_of_products(m.xx, m.xy, m.xy, m.yy, m.xz, m.yz),
+          sum_of_products(m.xx, m.xz, m.xy, m.yz, m.xz, m.zz),
+          sum_of_products(m.yy, m.yy, m.xy, m.xy, m.yz, m.yz),
+          sum_of_products(m.xy, m.xz, m.yy, m.yz, m.yz, m.zz),
+          sum_of_products(m.zz, m.zz, m.xz, m.xz, m.yz, m.yz)};
+}
+
+/// a b - c d.
+template <class V>
+static HWY_INLINE V difference_of_products(V a, V b, V c, V d) {
+  return hn::MulSub(a, b, hn::Mul(c, d));
+}
+
+template <class V>
+static HWY_INLINE Six<V> adjugate(const Six<V>& a) {
+  return {difference_of_products(a.yy, a.zz, a.yz, a.yz), difference_of_products(a.xz, a.yz, a.xy, a.zz),
+          difference_of_products(a.xy, a.yz, a.xz, a.yy), difference_of_products(a.xx, a.zz, a.xz, a.xz),
+          difference_of_products(a.xy, a.xz, a.xx, a.yz), difference_of_products(a.xx, a.yy, a.xy, a.xy)};
+}
+
+/// Set where every entry is finite.
+template <class D, class V>
+static HWY_INLINE hn::Mask<D> is_finite(D d, const Six<V>& m) {
+  const V zero = hn::Zero(d);
+  const V a = hn::MulAdd(m.xx, zero, hn::MulAdd(m.xy, zero, hn::Mul(m.xz, zero)));
+  const V b = hn::MulAdd(m.yy, zero, hn::MulAdd(m.yz, zero, hn::Mul(m.zz, zero)));
+  return hn::Eq(hn::Add(a, b), zero);
+}
+
+template <class D, class V>
+static HWY_INLINE hn::Mask<D> is_diagonal(D d, const Six<V>& m) {
+  const V zero = hn::Zero(d);
+  return hn::And(hn::Eq(m.xy, zero), hn::And(hn::Eq(m.xz, zero), hn::Eq(m.yz, zero)));
+}
+
+/// c_0 + c_1 x + ... times scale, where the products c_k scale are the compiler's.
+template <class D, class T, std::size_t N, class V = hn::Vec<D>>
+static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
+  V sum = hn::Set(d, c[N - 1] * scale);
+#pragma GCC unroll 32
+  for (int k = static_cast<int>(N) - 2; k >= 0; --k) sum = hn::MulAdd(sum, x, hn::Set(d, c[k] * scale));
+  return sum;
+}
+
+/// Lane by lane through memory: calls one(in, out) with six numbers each for the lanes of the mask.
+template <class D, class V, class One>
+static HWY_INLINE Six<V> replace_lanes(D d, hn::Mask<D> mask, const Six<V>& in, const Six<V>& out, One one) {
+  using T = hn::TFromD<D>;
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  HWY_ALIGN T from[6][lanes], to[6][lanes], flag[lanes];
+  hn::Store(in.xx, d, from[0]), hn::Store(in.xy, d, from[1]), hn::Store(in.xz, d, from[2]);
+  hn::Store(in.yy, d, from[3]), hn::Store(in.yz, d, from[4]), hn::Store(in.zz, d, from[5]);
+  hn::Store(out.xx, d, to[0]), hn::Store(out.xy, d, to[1]), hn::Store(out.xz, d, to[2]);
+  hn::Store(out.yy, d, to[3]), hn::Store(out.yz, d, to[4]), hn::Store(out.zz, d, to[5]);
+  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, T(1))), d, flag);
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+    if (flag[i] == 0) continue;
+    T a[6], b[6];
+    for (int k = 0; k < 6; ++k) a[k] = from[k][i];
+    one(a, b);
+    for (int k = 0; k < 6; ++k) to[k][i] = b[k];
+  }
+  return {hn::Load(d, to[0]), hn::Load(d, to[1]), hn::Load(d, to[2]),
+          hn::Load(d, to[3]), hn::Load(d, to[4]), hn::Load(d, to[5])};
+}
+
+}  // namespace viete::sym3::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,159 @@
+// From the layouts of view.h to registers and back. Included once per instruction set. Internal.
+// (No #pragma once: Highway's foreach_target includes this text again for each target.)
+#if defined(VIETE_SYM3_LAYOUTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VIETE_SYM3_LAYOUTS_INL_H
+#undef VIETE_SYM3_LAYOUTS_INL_H
+#else
+#define VIETE_SYM3_LAYOUTS_INL_H
+#endif
+
+#include <hwy/cache_control.h>
+
+#include "sym3/kernel_table.h"
+#include "sym3/lanes-inl.h"
+#include "sym3/view.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace viete::sym3::HWY_NAMESPACE {
+
+template <bool streaming, class D, class V, class T>
+static HWY_INLINE void put(D d, V v, T* p) {
+  if constexpr (streaming) {
+    hn::Stream(v, d, p);
+  } else {
+    hn::StoreU(v, d, p);
+  }
+}
+
+/// Entry k of matrices i, i + 1, ... at from(k) on.
+template <class D, class From, class V = hn::Vec<D>>
+static HWY_INLINE Six<V> load_six(D d, From from) {
+  return {hn::LoadU(d, from(0)), hn::LoadU(d, from(1)), hn::LoadU(d, from(2)),
+          hn::LoadU(d, from(3)), hn::LoadU(d, from(4)), hn::LoadU(d, from(5))};
+}
+
+template <bool streaming, class D, class To, class V>
+static HWY_INLINE void store_six(D d, const Six<V>& m, To to) {
+  put<streaming>(d, m.xx, to(0)), put<streaming>(d, m.xy, to(1)), put<streaming>(d, m.xz, to(2));
+  put<streaming>(d, m.yy, to(3)), put<streaming>(d, m.yz, to(4)), put<streaming>(d, m.zz, to(5));
+}
+
+/// How matrices [i, i + lanes) come and go, i a multiple of the lanes.
+struct InPlanes {
+  static constexpr bool can_stream = true;
+
+  template <class D, class T>
+  static HWY_INLINE Six<hn::Vec<D>> load(D d, const View<const T, 6>& v, std::size_t i) {
+    return load_six(d, [&](int k) HWY_ATTR { return v.plane[k] + i; });
+  }
+  template <bool streaming, class D, class T, class V>
+  static HWY_INLINE void store(D d, const Six<V>& m, const View<T, 6>& v, std::size_t i) {
+    store_six<streaming>(d, m, [&](int k) HWY_ATTR { return v.plane[k] + i; });
+  }
+  template <class T>
+  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t) {}
+};
+
+struct InBlocks {
+  static constexpr bool can_stream = true;
+
+  template <class T>
+  static HWY_INLINE std::size_t offset(std::size_t i) {
+    constexpr std::size_t line = 64 / sizeof(T);
+    return i / line * (6 * line) + i % line;
+  }
+  template <class D, class T>
+  static HWY_INLINE Six<hn::Vec<D>> load(D d, const View<const T, 6>& v, std::size_t i) {
+    const T* data = v.plane[0] + offset<T>(i);
+    return load_six(d, [=](int k) HWY_ATTR { return data + k * (64 / sizeof(T)); });
+  }
+  template <bool streaming, class D, class T, class V>
+  static HWY_INLINE void store(D d, const Six<V>& m, const View<T, 6>& v, std::size_t i) {
+    T* data = v.plane[0] + offset<T>(i);
+    store_six<streaming>(d, m, [=](int k) HWY_ATTR { return data + k * (64 / sizeof(T)); });
+  }
+  template <class T>
+  static HWY_INLINE void prefetch(const View<const T, 6>& v, std::size_t i) {
+    constexpr std::size_t line = 64 / sizeof(T), ahead = 5;  // blocks
+    const T* data = v.plane[0] + offset<T>(i) + ahead * 6 * line;
+    for (int k = 0; k < 6; ++k) hwy::Prefetch(data + k * line);
+  }
+};
+
+/// Two matrices' entries 0 and 3, alternating in a register, from and to one register for each entry.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]] V& b) {
+#if HWY_TARGET != HWY_SCALAR
+  const V even = hn::OddEven(hn::DupEven(b), a), odd = hn::OddEven(b, hn::DupOdd(a));
+  a = even, b = odd;
+#endif
+}
+
+/// Six numbers are two triples: three-way interleaving gives entries 0, 1, 2 alternating with 3, 4, 5.
+struct InPacked {
+  static constexpr bool can_stream = false;
+
+  template <class D, class T>
+  static HWY_INLINE Six<hn::Vec<D>> load(D d, const View<const T, 6>& v, std::size_t i) {
+    const T* data = v.plane[0] + 6 * i;
+    Six<hn::Vec<D>> m;
+    hn::LoadInterleaved3(d, data, m.xx, m.xy, m.xz);
+    hn::LoadInterleaved3(d, data + 3 * hn::Lanes(d), m.yy, m.yz, m.zz);
+    transpose_pairs(d, m.xx, m.yy), transpose_pairs(d, m.xy, m.yz), transpose_pairs(d, m.xz, m.zz);
+    return m;
+  }
+  template <bool streaming, class D, class T, class V>
+  static HWY_INLINE void store(D d, Six<V> m, const View<T, 6>& v, std::size_t i) {
+    T* data = v.plane[0] + 6 * i;
+    transpose_pairs(d, m.xx, m.yy), transpose_pairs(d, m.xy, m.yz), transpose_pairs(d, m.xz, m.zz);
+    hn::StoreInterleaved3(m.xx, m.xy, m.xz, d, data);
+    hn::StoreInterleaved3(m.yy, m.yz, m.zz, d, data + 3 * hn::Lanes(d));
+  }
+  template <class T>
+  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t) {}
+};
+
+/// Where entry k of item i is, in any layout.
+template <class T, int N>
+static HWY_INLINE T* address(const View<T, N>& v, int k, std::size_t i) {
+  constexpr std::size_t line = 64 / sizeof(T);
+  constexpr int in_full[] = {0, 1, 2, 4, 5, 8, 0, 0, 0};
+  switch (v.layout) {
+    case Layout::planes:
+      return v.plane[k] + i;
+    case Layout::blocks:
+      return v.plane[0] + (i / line * N + k) * line + i % line;
+    case Layout::packed:
+      return v.plane[0] + N * i + k;
+    case Layout::full:
+      break;
+  }
+  return v.plane[0] + 9 * i + in_full[k];
+}
+
+/// Items [i, i + count) one by one into rows of `stride` numbers.
+template <class T, int N>
+static HWY_NOINLINE void gather(const View<const T, N>& v, std::size_t i, std::size_t count, T* rows,
+                                std::size_t stride) {
+  for (int k = 0; k < N; ++k) {
+    for (std::size_t j = 0; j < count; ++j) rows[k * stride + j] = *address(v, k, i + j);
+  }
+}
+
+template <class T, int N>
+static HWY_NOINLINE void scatter(const T* rows, std::size_t stride, std::size_t count, const View<T, N>& v,
+                                 std::size_t i) {
+  for (int k = 0; k < N; ++k) {
+    for (std::size_t j = 0; j < count; ++j) *address(v, k, i + j) = rows[k * stride + j];
+  }
+  if (v.layout != Layout::full) return;
+  for (std::size_t j = 0; j < count; ++j) {
+    T* m = v.plane[0] + 9 * (i + j);
+    m[3] = m[1], m[6] = m[2], m[7] = m[5];
+  }
+}
+
+}  // namespace viete::sym3::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

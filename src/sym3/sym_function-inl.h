@@ -1,0 +1,121 @@
+// From a function of registers to a function of batches, in every layout. Included once per instruction set.
+// (No #pragma once: Highway's foreach_target includes this text again for each target.) Internal.
+#if defined(VIETE_SYM3_SYM_FUNCTION_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VIETE_SYM3_SYM_FUNCTION_INL_H
+#undef VIETE_SYM3_SYM_FUNCTION_INL_H
+#else
+#define VIETE_SYM3_SYM_FUNCTION_INL_H
+#endif
+
+#include "sym3/layouts-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace viete::sym3::HWY_NAMESPACE {
+
+// F is a function of symmetric matrices: F::quick(d, six) -> {e, ok}, right in the lanes of ok, and
+// F::general(d, six, quick) -> six, right in all.
+
+template <class F, class D, class V = hn::Vec<D>>
+static HWY_INLINE Six<V> apply(D d, const Six<V>& s) {
+  const auto quick = F::quick(d, s);
+  return HWY_LIKELY(hn::AllTrue(d, quick.ok)) ? quick.e : F::general(d, s, quick);
+}
+
+/// Fewer matrices than lanes, through a register's worth of zeros.
+template <class F, class D, class T>
+static HWY_NOINLINE void apply_rest(D d, const View<const T, 6>& in, const View<T, 6>& out, std::size_t i,
+                                    std::size_t count) {
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  HWY_ALIGN T rows[6 * lanes] = {};
+  gather(in, i, count, rows, lanes);
+  const auto at = [&](int k) HWY_ATTR { return rows + k * lanes; };
+  store_six<false>(d, apply<F>(d, load_six(d, at)), at);
+  scatter(rows, lanes, count, out, i);
+}
+
+/// Two registers' worth at a time: independent work hides the latencies. All of an input group is read before
+/// any of its output is written, so in == out is fine.
+template <class F, class From, class To, bool streaming, class D, class T>
+static HWY_INLINE void apply_groups(D d, View<const T, 6> in, View<T, 6> out, std::size_t begin,
+                                    std::size_t end) {
+  const std::size_t lanes = hn::Lanes(d);
+  std::size_t i = begin;
+  for (; i + 2 * lanes <= end; i += 2 * lanes) {
+    if constexpr (streaming) From::prefetch(in, i);
+    auto a = F::quick(d, From::load(d, in, i)), b = F::quick(d, From::load(d, in, i + lanes));
+    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::And(a.ok, b.ok)))) {
+      a.e = F::general(d, From::load(d, in, i), a), b.e = F::general(d, From::load(d, in, i + lanes), b);
+    }
+    To::template store<streaming>(d, a.e, out, i);
+    To::template store<streaming>(d, b.e, out, i + lanes);
+  }
+  if (i + lanes <= end) {
+    To::template store<streaming>(d, apply<F>(d, From::load(d, in, i)), out, i);
+    i += lanes;
+  }
+  if (i < end) apply_rest<F>(d, in, out, i, end - i);
+}
+
+template <class F, class Way, class D, class T>
+static HWY_NOINLINE void apply_direct(D d, const View<const T, 6>& in, const View<T, 6>& out,
+                                      const Range& range, bool aligned) {
+  if constexpr (Way::can_stream && hn::MaxLanes(D()) > 1) {
+    if (range.stream && aligned) {
+      apply_groups<F, Way, Way, true>(d, in, out, range.begin, range.end);
+      return hwy::FlushStream();
+    }
+  }
+  apply_groups<F, Way, Way, false>(d, in, out, range.begin, range.end);
+}
+
+/// Any layout to any other, through a tile of planes that stays in the first cache.
+template <class F, class D, class T>
+static HWY_NOINLINE void apply_tiles(D d, const View<const T, 6>& in, const View<T, 6>& out,
+                                     const Range& range) {
+  constexpr std::size_t tile = 64, stride = tile + 64 / sizeof(T);
+  alignas(64) T rows[6 * stride];
+  View<T, 6> planes;
+  planes.layout = Layout::planes;
+  for (int k = 0; k < 6; ++k) planes.plane[k] = rows + k * stride;
+  View<const T, 6> same;
+  same.layout = Layout::planes;
+  for (int k = 0; k < 6; ++k) same.plane[k] = rows + k * stride;
+  for (std::size_t i = range.begin; i < range.end; i += tile) {
+    const std::size_t count = range.end - i < tile ? range.end - i : tile;
+    gather(in, i, count, rows, stride);
+    apply_groups<F, InPlanes, InPlanes, false>(d, same, planes, 0, count);
+    scatter(rows, stride, count, out, i);
+  }
+}
+
+template <class T, int N>
+static HWY_INLINE bool is_aligned(const View<T, N>& v) {
+  std::size_t bits = reinterpret_cast<std::size_t>(v.plane[0]);
+  if (v.layout == Layout::planes) {
+    for (int k = 1; k < N; ++k) bits |= reinterpret_cast<std::size_t>(v.plane[k]);
+  }
+  return bits % 64 == 0;
+}
+
+template <class F, class T>
+struct Batched {
+  static void one(const T* in, T* out) {
+    const hn::CappedTag<T, 1> d;
+    const auto e = apply<F>(d, load_six(d, [=](int k) HWY_ATTR { return in + k; }));
+    store_six<false>(d, e, [=](int k) HWY_ATTR { return out + k; });
+  }
+
+  static void many(const View<const T, 6>& in, const View<T, 6>& out, const Range& range) {
+    const hn::ScalableTag<T> d;
+    if (in.layout != out.layout || in.layout == Layout::full) return apply_tiles<F>(d, in, out, range);
+    const bool aligned = is_aligned(out);
+    if (in.layout == Layout::planes) return apply_direct<F, InPlanes>(d, in, out, range, aligned);
+    if (in.layout == Layout::blocks) return apply_direct<F, InBlocks>(d, in, out, range, aligned);
+    return apply_direct<F, InPacked>(d, in, out, range, aligned);
+  }
+};
+
+}  // namespace viete::sym3::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

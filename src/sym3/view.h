@@ -1,0 +1,81 @@
+// How many small matrices lie in memory: four layouts under one type. Shapes only; nothing is owned.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "sym3/sym3.h"
+
+namespace viete::sym3 {
+
+enum class Layout : unsigned char {
+  planes,  ///< structure of arrays: entry k of item i at plane[k][i]
+  blocks,  ///< of 64 bytes: entry k of item i at data[(i / L * N + k) * L + i % L], L = 64 / sizeof(T)
+  packed,  ///< array of structures: entry k of item i at data[N i + k]
+  full,    ///< symmetric matrices with all nine entries: data[9 i + k], by rows or by columns
+};
+
+/// Where N numbers of type T (which may be const) for each of many items are. N = 6: symmetric matrices in the
+/// order of Sym3. N = 9: general matrices by rows. N = 3: vectors. No alignment is needed; planes must not
+/// overlap each other. The last block of `blocks` is whole in memory; what lies beyond the count is neither
+/// read nor written. Symmetric matrices in `full` are read at 0 1 2 4 5 8 and written everywhere.
+/// Speed: blocks and planes are fastest; strides between planes that are multiples of 4096 bytes are slow
+/// (they share cache sets: see padded_stride).
+template <class T, int N>
+struct View {
+  Layout layout = Layout::packed;
+  T* plane[N] = {};  ///< all N for `planes`, else the first one: the data
+
+  constexpr View() = default;
+  constexpr View(Layout layout, T* data) : layout(layout) { plane[0] = data; }
+  /// The n-th plane starts at data + n stride.
+  constexpr View(T* data, std::size_t stride) : layout(Layout::planes) {
+    for (int k = 0; k < N; ++k) plane[k] = data + k * stride;
+  }
+  constexpr explicit View(const std::array<T*, N>& planes) : layout(Layout::planes) {
+    for (int k = 0; k < N; ++k) plane[k] = planes[k];
+  }
+  /// Read-only from writable.
+  template <class U>
+    requires(sizeof(U) == sizeof(T))
+  constexpr View(const View<U, N>& v) : layout(v.layout) {
+    for (int k = 0; k < N; ++k) plane[k] = v.plane[k];
+  }
+};
+
+/// Symmetric matrices.
+template <class T>
+using SymView = View<T, 6>;
+/// General matrices, entries by rows.
+template <class T>
+using MatView = View<T, 9>;
+/// Vectors.
+template <class T>
+using VecView = View<T, 3>;
+
+template <class T>
+SymView<T> packed(Sym3<T>* data) {
+  return {Layout::packed, reinterpret_cast<T*>(data)};
+}
+template <class T>
+SymView<const T> packed(const Sym3<T>* data) {
+  return {Layout::packed, reinterpret_cast<const T*>(data)};
+}
+
+/// The smallest stride for planes of `count` numbers that starts each at 64 bytes and off the others' cache
+/// sets: an odd multiple of 64 bytes.
+template <class T>
+constexpr std::size_t padded_stride(std::size_t count) {
+  constexpr std::size_t line = 64 / sizeof(T);
+  return ((count + line - 1) / line | 1) * line;
+}
+
+/// Numbers that blocks of `count` items of N entries take.
+template <class T, int N = 6>
+constexpr std::size_t block_size(std::size_t count) {
+  constexpr std::size_t line = 64 / sizeof(T);
+  return (count + line - 1) / line * line * N;
+}
+
+}  // namespace viete::sym3

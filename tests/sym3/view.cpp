@@ -1,0 +1,210 @@
+// Layouts, lengths, positions, neighbours, threads: the answer of a batch depends on none of them.
+#include "sym3/view.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "sym3/each_kernel.h"
+#include "sym3/ensembles.h"
+#include "sym3/entries_of.h"
+
+using namespace viete;
+using namespace viete::test;
+using sym3::Layout;
+using sym3::Sym3;
+using sym3::SymView;
+
+namespace {
+
+constexpr Layout layouts[] = {Layout::planes, Layout::blocks, Layout::packed, Layout::full};
+constexpr int in_full[6] = {0, 1, 2, 4, 5, 8};
+
+/// Matrices in one layout, `offset` numbers off 64 bytes, with a guard behind that nothing may touch.
+template <class T>
+class Arranged {
+ public:
+  Arranged(Layout layout, std::size_t count, std::size_t offset) : layout_(layout), count_(count) {
+    stride_ = sym3::padded_stride<T>(count);
+    const std::size_t whole = std::max({6 * stride_, 9 * count, sym3::block_size<T>(count)});
+    memory_.assign(whole + 128, guard);
+    const auto bytes = reinterpret_cast<std::uintptr_t>(memory_.data());
+    data_ = memory_.data() + (64 - bytes % 64) % 64 / sizeof(T) + offset;
+  }
+
+  SymView<T> view() { return layout_ == Layout::planes ? SymView<T>(data_, stride_) : SymView<T>(layout_, data_); }
+
+  T& entry(int k, std::size_t i) {
+    constexpr std::size_t line = 64 / sizeof(T);
+    if (layout_ == Layout::planes) return data_[k * stride_ + i];
+    if (layout_ == Layout::blocks) return data_[(i / line * 6 + k) * line + i % line];
+    if (layout_ == Layout::packed) return data_[6 * i + k];
+    return data_[9 * i + in_full[k]];
+  }
+
+  void set(std::size_t i, const Sym3<T>& s) {
+    const auto e = entries_of(s);
+    for (int k = 0; k < 6; ++k) entry(k, i) = e[k];
+  }
+
+  Sym3<T> get(std::size_t i) {
+    return {entry(0, i), entry(1, i), entry(2, i), entry(3, i), entry(4, i), entry(5, i)};
+  }
+
+  bool is_symmetric(std::size_t i) {
+    const T* m = data_ + 9 * i;
+    const auto same = [](T a, T b) { return std::memcmp(&a, &b, sizeof(T)) == 0; };
+    return layout_ != Layout::full || (same(m[1], m[3]) && same(m[2], m[6]) && same(m[5], m[7]));
+  }
+
+  std::size_t untouched() const { return std::count(memory_.begin(), memory_.end(), guard); }
+
+  static constexpr T guard = T(-12345);
+
+ private:
+  Layout layout_;
+  std::size_t count_, stride_;
+  std::vector<T> memory_;
+  T* data_;
+};
+
+/// Ordinary ones, and every so often one that leaves the fast path.
+template <class T>
+std::vector<Sym3<T>> mixture(std::size_t count) {
+  auto all = paper_ensemble<T>(static_cast<int>(count), 5);
+  const auto wide = spreads<T>(30, -20, static_cast<int>(count));
+  for (std::size_t i = 5; i < count; i += 11) all[i] = wide[i];
+  for (std::size_t i = 9; i < count; i += 31) all[i] = diagonal(T(1000), T(-1000), T(0.5));
+  for (std::size_t i = 13; i < count; i += 47) all[i].xy = std::numeric_limits<T>::quiet_NaN();
+  return all;
+}
+
+template <class T>
+bool same_bits(const Sym3<T>& a, const Sym3<T>& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0 || (all_nan(a) && all_nan(b));
+}
+
+template <class T>
+struct Case {
+  const sym3::Kernel& kernel;
+  const std::vector<Sym3<T>>&in, &expected;
+};
+
+template <class T>
+void check(const Case<T>& c, Layout from, Layout to, std::size_t count, std::size_t offset, sym3::Stores stores) {
+  Arranged<T> in(from, count, offset), out(to, count, to == from ? offset : 0);
+  for (std::size_t i = 0; i < count; ++i) in.set(i, c.in[i]);
+  const std::size_t before = out.untouched();
+  sym3::exp(SymView<const T>(in.view()), out.view(), count, {&c.kernel, nullptr, stores});
+  bool same = true;
+  for (std::size_t i = 0; i < count; ++i) same = same && same_bits(out.get(i), c.expected[i]) && out.is_symmetric(i);
+  CAPTURE(c.kernel.name);
+  CAPTURE(int(from));
+  CAPTURE(int(to));
+  CAPTURE(count);
+  CAPTURE(offset);
+  CHECK(same);
+  CHECK(out.untouched() == before - count * (to == Layout::full ? 9 : 6));
+}
+
+template <class T>
+std::vector<Sym3<T>> one_by_one(const sym3::Kernel& kernel, const std::vector<Sym3<T>>& in) {
+  std::vector<Sym3<T>> out;
+  for (const auto& s : in) out.push_back(exp_with(kernel, s));
+  return out;
+}
+
+void run_on_threads(void*, std::size_t tasks, void (*task)(void*, std::size_t), void* context) {
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < tasks; ++i) threads.emplace_back(task, context, i);
+  for (auto& t : threads) t.join();
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("every_length_and_layout_of_a_batch_gives_the_bits_of_the_single_call", T, double, float) {
+  const auto in = mixture<T>(100);
+  for (const auto& kernel : sym3::kernels()) {
+    const auto expected = one_by_one(kernel, in);
+    const Case<T> c{kernel, in, expected};
+    for (const Layout layout : layouts) {
+      for (std::size_t count = 0; count <= 70; ++count) check(c, layout, layout, count, 0, sym3::Stores::automatic);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("any_alignment_and_any_stores_of_a_batch_give_the_same_bits", T, double, float) {
+  const auto in = mixture<T>(100);
+  for (const auto& kernel : sym3::kernels()) {
+    const auto expected = one_by_one(kernel, in);
+    const Case<T> c{kernel, in, expected};
+    for (const Layout layout : layouts) {
+      for (std::size_t offset = 0; offset < 16; ++offset) {
+        check(c, layout, layout, 67, offset, sym3::Stores::ordinary);
+        check(c, layout, layout, 67, offset, sym3::Stores::streaming);
+      }
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("a_batch_goes_from_any_layout_to_any", T, double, float) {
+  const auto in = mixture<T>(200);
+  for (const auto& kernel : sym3::kernels()) {
+    const auto expected = one_by_one(kernel, in);
+    for (const Layout from : layouts) {
+      for (const Layout to : layouts) check(Case<T>{kernel, in, expected}, from, to, 197, 1, sym3::Stores::automatic);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("a_batch_may_be_done_in_place_in_every_layout", T, double, float) {
+  const auto in = mixture<T>(100);
+  for (const auto& kernel : sym3::kernels()) {
+    const auto expected = one_by_one(kernel, in);
+    for (const Layout layout : layouts) {
+      for (const auto stores : {sym3::Stores::automatic, sym3::Stores::streaming}) {
+        Arranged<T> m(layout, in.size(), 0);
+        for (std::size_t i = 0; i < in.size(); ++i) m.set(i, in[i]);
+        sym3::exp(SymView<const T>(m.view()), m.view(), in.size(), {&kernel, nullptr, stores});
+        for (std::size_t i = 0; i < in.size(); ++i) CHECK(same_bits(m.get(i), expected[i]));
+      }
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("threads_do_not_change_a_bit_of_a_batch", T, double, float) {
+  const auto in = mixture<T>(20011);
+  std::vector<Sym3<T>> alone(in.size()), together(in.size());
+  sym3::exp(sym3::packed(in.data()), sym3::packed(alone.data()), in.size());
+  for (const std::size_t threads : {1, 2, 3, 4, 100}) {
+    const sym3::Executor executor = {run_on_threads, nullptr, threads};
+    std::fill(together.begin(), together.end(), Sym3<T>{});
+    sym3::exp(sym3::packed(in.data()), sym3::packed(together.data()), in.size(), {nullptr, &executor});
+    for (std::size_t i = 0; i < in.size(); ++i) REQUIRE(same_bits(together[i], alone[i]));
+  }
+}
+
+TEST_CASE("an_executor_is_asked_for_chunks_of_at_least_4096") {
+  std::size_t asked = 0;
+  const auto count_tasks = [](void* self, std::size_t tasks, void (*task)(void*, std::size_t), void* context) {
+    *static_cast<std::size_t*>(self) = tasks;
+    for (std::size_t i = 0; i < tasks; ++i) task(context, i);
+  };
+  const sym3::Executor executor = {count_tasks, &asked, 8};
+  std::vector<Sym3<float>> m(3 * 4096 + 7);
+  sym3::exp(sym3::packed(m.data()), sym3::packed(m.data()), m.size(), {nullptr, &executor});
+  CHECK(asked == 3);
+  CHECK(std::ranges::all_of(m, [](const auto& s) { return s == sym3::identity<float>(); }));
+}
+
+TEST_CASE("padded_strides_are_odd_multiples_of_64_bytes") {
+  for (const std::size_t count : {1, 8, 9, 4096, 1000000}) {
+    CHECK(sym3::padded_stride<double>(count) >= count);
+    CHECK(sym3::padded_stride<double>(count) % 16 == 8);
+    CHECK(sym3::padded_stride<float>(count) % 32 == 16);
+  }
+}
