@@ -1,9 +1,10 @@
-// viete info FILE...: what a surface file holds.
+// viete info [FILE...]: what a surface file holds.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <vector>
 
+#include "app/assets.h"
 #include "app/command_line.h"
 #include "base/error.h"
 #include "mesh/facts.h"
@@ -59,8 +60,14 @@ int info(const std::vector<std::filesystem::path>& files) {
 void add_info_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("info", "Say what surface files hold");
   auto files = std::make_shared<std::vector<std::filesystem::path>>();
-  command->add_option("FILE", *files, "OBJ, PLY, OFF or STL files")->required();
-  command->callback([files, &action] { action = [files] { return info(*files); }; });
+  command->add_option("FILE", *files, "OBJ, PLY, OFF or STL files (default: the bundled model and its cage)");
+  command->callback([files, &action] {
+    action = [files] {
+      if (!files->empty()) return info(*files);
+      const auto [model, cage] = bundled_model();
+      return info({model, cage});
+    };
+  });
 }
 
 }  // namespace viete::app

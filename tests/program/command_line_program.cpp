@@ -70,7 +70,6 @@ TEST_CASE("a_wrong_command_line_exits_with_2_and_says_what_is_wrong") {
   CHECK(run("deform a b").code == 2);
   CHECK(run("render a b -o x.png --size 12").code == 2);
   CHECK(run("render a b -o x.png --method best").code == 2);
-  CHECK(run("info").code == 2);
   CHECK(run("bench nothing").code == 2);
 }
 
@@ -127,6 +126,13 @@ TEST_CASE("the_bundled_model_is_found_from_any_working_directory") {
   const auto outcome = run("", "cd " + quoted(scratch.folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY");
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
   CHECK(fs::exists(scratch.folder / "viete.png"));
+}
+
+TEST_CASE("info_of_no_file_is_of_the_bundled_model_and_its_cage") {
+  const auto outcome = run("info");
+  CHECK(outcome.code == 0);
+  CHECK(mentions(outcome, "dragon/dragon.ply"));
+  CHECK(mentions(outcome, "dragon/cage.obj"));
 }
 
 TEST_CASE("info_names_counts_and_goes_on_after_a_file_that_cannot_be_read") {

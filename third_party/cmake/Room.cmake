@@ -19,6 +19,8 @@ endif()
 # makes target viete::deform with include prefix "deform/".
 function(viete_room room)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  # What a library uses inside is no business of who finds it installed.
+  list(TRANSFORM ARG_PRIVATE_USES REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")
   add_library(viete_${room} STATIC ${ARG_SOURCES})
   add_library(viete::${room} ALIAS viete_${room})
   set_target_properties(viete_${room} PROPERTIES EXPORT_NAME ${room} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)

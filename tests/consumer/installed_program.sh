@@ -1,0 +1,15 @@
+#!/bin/sh
+# installed_program.sh PROGRAM ASSETS: the installed program finds the model beside itself, wherever the tree is moved to, and
+# draws it with no other file.
+set -eu
+unset VIETE_ASSETS
+"$1" info | grep -F "$2/dragon/dragon.ply"
+
+moved=$(mktemp -d)
+trap 'rm -rf "$moved"' EXIT
+cp -r "$(dirname "$(dirname "$1")")"/. "$moved"
+cd /
+"$moved/bin/viete" info | grep -F "$moved/share/viete/dragon/dragon.ply"
+"$moved/bin/viete" render "$moved/share/viete/dragon/dragon.ply" "$moved/share/viete/dragon/cage.obj" \
+  --pose "$moved/share/viete/dragon/pose_alert.obj" --size 320x200 -o "$moved/picture.png"
+test -s "$moved/picture.png"

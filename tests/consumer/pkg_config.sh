@@ -1,0 +1,10 @@
+#!/bin/sh
+# pkg_config.sh PKGCONFIG_DIR COMPILER SOURCE: builds and runs the example as a Makefile would.
+set -eu
+export PKG_CONFIG_PATH="$1"
+program=$(mktemp)
+trap 'rm -f "$program"' EXIT
+# Unquoted: these are words.
+$2 -std=c++20 "$3" $(pkg-config --cflags viete) $(pkg-config --libs viete) -o "$program"
+"$program"
+pkg-config --atleast-version=0.1 viete
