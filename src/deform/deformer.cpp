@@ -23,8 +23,8 @@ std::span<T> part(std::vector<T>& all, std::size_t begin, std::size_t end) {
 }  // namespace
 
 std::string_view name(Link link) {
-  static constexpr std::array<std::string_view, link_count> names = {"face maps", "log maps", "blend",
-                                                                     "exp",       "apply",    "normals"};
+  static constexpr std::array<std::string_view, link_count> names = {
+      "face maps", "log maps", "blend", "exp", "apply", "fused", "normals"};
   return names[static_cast<std::size_t>(link)];
 }
 
@@ -56,14 +56,17 @@ std::span<const sym3::Sym3<double>> Deformer::matrices() const {
   return sums_.stretch;
 }
 
+void check_pose(const Cage& cage, const Pose& pose) {
+  const std::size_t expected = cage.surface.positions.size();
+  if (pose.positions.size() == expected) return;
+  throw base::Error("",
+                    "the pose has " + std::to_string(pose.positions.size()) + " vertices, the cage " +
+                        std::to_string(expected),
+                    "use a pose of this cage");
+}
+
 void Deformer::deform(const Pose& pose, sym3::Method method) {
-  const std::size_t expected = cage_->surface.positions.size();
-  if (pose.positions.size() != expected) {
-    throw base::Error("",
-                      "the pose has " + std::to_string(pose.positions.size()) + " vertices, the cage " +
-                          std::to_string(expected),
-                      "use a pose of this cage");
-  }
+  check_pose(*cage_, pose);
   times_ = {};
   if (binding_->coordinates == Coordinates::mean_value) {
     deform_mean_value(pose);

@@ -17,8 +17,9 @@
 
 namespace viete::deform {
 
-enum class Link { face_maps, log_maps, blend, exp, apply, normals };
-inline constexpr std::size_t link_count = 6;
+/// `fused` stands for blend, exp and apply where they are one pass.
+enum class Link { face_maps, log_maps, blend, exp, apply, fused, normals };
+inline constexpr std::size_t link_count = 7;
 std::string_view name(Link link);
 
 /// Wall milliseconds of each link in one frame; links that the coordinates do not use stay 0.
@@ -29,6 +30,9 @@ struct LinkTimes {
   double operator[](Link link) const { return ms[static_cast<std::size_t>(link)]; }
   double total() const;
 };
+
+/// Throws base::Error if the pose has not one position per cage vertex.
+void check_pose(const Cage& cage, const Pose& pose);
 
 /// Owns the buffers of one bound model. Cage and binding are shared and constant, so that a new binding can
 /// be made elsewhere while this one is in use. Not thread-safe; everything that grows with the model is

@@ -13,7 +13,7 @@ using viete::sym3::Method;
 TEST_CASE("links_have_different_names") {
   std::set<std::string_view> names;
   for (const auto link :
-       {Link::face_maps, Link::log_maps, Link::blend, Link::exp, Link::apply, Link::normals})
+       {Link::face_maps, Link::log_maps, Link::blend, Link::exp, Link::apply, Link::fused, Link::normals})
     names.insert(name(link));
   CHECK(names.size() == link_count);
 }
@@ -25,10 +25,13 @@ TEST_CASE("before_the_first_frame_the_model_is_at_rest_with_normals") {
   CHECK(b.deformer.report().turns.size() == 1);
 }
 
-TEST_CASE("face_coordinates_time_every_link_and_mean_values_only_theirs") {
+TEST_CASE("face_coordinates_time_every_staged_link_and_mean_values_only_theirs") {
   Bound face(tube(60, 30, 0.3, 1.5), box()), mvc(tube(60, 30, 0.3, 1.5), box(), Coordinates::mean_value);
   face.deform(face.pose(shear()));
-  for (const double ms : face.deformer.times().ms) CHECK(ms > 0);
+  for (const auto link :
+       {Link::face_maps, Link::log_maps, Link::blend, Link::exp, Link::apply, Link::normals})
+    CHECK(face.deformer.times()[link] > 0);
+  CHECK(face.deformer.times()[Link::fused] == 0);
   CHECK(face.deformer.matrices().size() == face.model.positions.size());
   mvc.deform(mvc.pose(shear()));
   const auto& t = mvc.deformer.times();

@@ -1,0 +1,31 @@
+// The fused frame, compiled once per instruction set.
+#include "deform/frame_kernel.h"
+
+#include "deform/kernel_choice.h"
+#include "sym3/highway_targets.h"
+#define HWY_TARGET_INCLUDE "deform/frame_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include "deform/frame_kernel-inl.h"
+#include "deform/ring_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace viete::deform::HWY_NAMESPACE {
+
+static const FrameKernel frame = {{blend_tiles<float>, deform_tiles<float>, move_tiles<float>},
+                                  {blend_tiles<double>, deform_tiles<double>, move_tiles<double>},
+                                  ring_vertices,
+                                  ring_hub};
+
+}  // namespace viete::deform::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace viete::deform {
+
+const FrameKernel& frame_kernel(const sym3::Kernel& kernel) {
+  VIETE_RETURN_COMPILED(frame, kernel.highway_target);
+}
+
+}  // namespace viete::deform
+#endif

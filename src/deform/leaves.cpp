@@ -1,0 +1,58 @@
+#include "deform/leaves.h"
+
+#include <numeric>
+
+namespace viete::deform {
+
+namespace {
+
+using Run = std::span<std::uint32_t>;
+
+int longest_side(std::span<const mesh::Point> positions, Run run) {
+  mesh::Point low = positions[run[0]], high = low;
+  for (const auto v : run) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], positions[v][i]);
+      high[i] = std::max(high[i], positions[v][i]);
+    }
+  }
+  int side = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (high[i] - low[i] > high[side] - low[side]) side = i;
+  }
+  return side;
+}
+
+void sort_run(std::span<const mesh::Point> positions, Run run) {
+  if (run.size() <= leaf_slots) return;
+  const int side = longest_side(positions, run);
+  const std::size_t half = (run.size() / 2 + leaf_slots - 1) / leaf_slots * leaf_slots;
+  std::nth_element(run.begin(), run.begin() + static_cast<std::ptrdiff_t>(half), run.end(),
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     const double x = positions[a][side], y = positions[b][side];
+                     return x != y ? x < y : a < b;
+                   });
+  sort_run(positions, run.first(half));
+  sort_run(positions, run.subspan(half));
+}
+
+}  // namespace
+
+Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around) {
+  Leaves leaves;
+  leaves.vertices = positions.size();
+  leaves.order.resize(positions.size());
+  std::iota(leaves.order.begin(), leaves.order.end(), 0u);
+  sort_run(positions, leaves.order);
+  for (std::size_t s = 0; s < positions.size(); s += leaf_slots) {
+    const auto leaf = Run(leaves.order).subspan(s, std::min(leaf_slots, positions.size() - s));
+    std::sort(leaf.begin(), leaf.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const auto x = triangles_around[a], y = triangles_around[b];
+      return x != y ? x < y : a < b;
+    });
+  }
+  leaves.order.resize((positions.size() + slot_block - 1) / slot_block * slot_block, leaves.order.back());
+  return leaves;
+}
+
+}  // namespace viete::deform

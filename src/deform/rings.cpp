@@ -1,0 +1,165 @@
+#include "deform/rings.h"
+
+#include <array>
+
+#include "mesh/normals.h"
+
+namespace viete::deform {
+
+namespace {
+
+using Step = std::array<std::uint32_t, 2>;  // a triangle seen from one of its corners: the other two
+
+constexpr std::size_t crowd = 96;  // triangles around a hub; 512 vertices with fewer have places for 16 bits
+
+// The steps around a vertex, in an order in which they hang together as far as they can.
+class Walker {
+public:
+  void add(const Step& step) { steps_.push_back(step); }
+  std::size_t size() const { return steps_.size(); }
+
+  // Takes the steps.
+  void walk(std::uint32_t self, std::vector<std::uint32_t>& out) {
+    out.clear();
+    while (!steps_.empty()) {
+      if (!out.empty()) out.push_back(self);
+      Step step = take(start());
+      out.insert(out.end(), step.begin(), step.end());
+      for (std::size_t next; (next = leaving(step[1])) < steps_.size();) {
+        step = take(next);
+        out.push_back(step[1]);
+      }
+    }
+  }
+
+  // The same without order, where ordering would take too long.
+  void walk_each(std::uint32_t self, std::vector<std::uint32_t>& out) {
+    out.clear();
+    for (const Step& step : steps_) out.insert(out.end(), {step[0], step[1], self});
+    steps_.clear();
+  }
+
+private:
+  Step take(std::size_t index) {
+    const Step step = steps_[index];
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(index));
+    return step;
+  }
+
+  std::size_t leaving(std::uint32_t corner) const {
+    std::size_t i = 0;
+    while (i < steps_.size() && steps_[i][0] != corner) ++i;
+    return i;
+  }
+
+  // A step that no other leads to, where a fan begins; any one of a closed ring.
+  std::size_t start() const {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      std::size_t j = 0;
+      while (j < steps_.size() && steps_[j][1] != steps_[i][0]) ++j;
+      if (j == steps_.size()) return i;
+    }
+    return 0;
+  }
+
+  std::vector<Step> steps_;
+};
+
+class Builder {
+public:
+  Builder(const Leaves& leaves, std::span<const mesh::Triangle> triangles)
+      : leaves_(leaves),
+        triangles_(triangles),
+        around_(mesh::vertex_triangles(leaves.vertices, triangles)),
+        slot_of_(leaves.vertices),
+        local_(leaves.slot_count(), outside) {
+    for (std::uint32_t s = 0; s < leaves.vertices; ++s) slot_of_[leaves.order[s]] = s;
+  }
+
+  Rings build() {
+    rings_.lengths.assign(leaves_.slot_count(), 0);
+    rings_.walk.reserve(3 * triangles_.size() + leaves_.vertices);
+    rings_.places.push_back(0);
+    rings_.walk_starts.push_back(0);
+    for (std::size_t leaf = 0; leaf < leaves_.count(); ++leaf) add_leaf(leaf);
+    slots_to_places();
+    return std::move(rings_);
+  }
+
+private:
+  static constexpr std::uint32_t outside = ~0u;
+
+  void collect(std::uint32_t slot) {
+    const std::uint32_t vertex = leaves_.order[slot];
+    for (std::uint32_t i = around_.starts[vertex]; i < around_.starts[vertex + 1]; ++i) {
+      const mesh::Triangle& t = triangles_[around_.triangles[i]];
+      if (mesh::repeats_corner(t)) continue;
+      const int corner = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
+      walker_.add({slot_of_[t[(corner + 1) % 3]], slot_of_[t[(corner + 2) % 3]]});
+    }
+  }
+
+  // Number of a slot among the leaf's places, a new one of the halo if it is seen for the first time.
+  std::uint16_t local(std::uint32_t slot, std::size_t begin, std::size_t end) {
+    if (slot >= begin && slot < end) return static_cast<std::uint16_t>(slot - begin);
+    if (local_[slot] == outside) {
+      local_[slot] = static_cast<std::uint32_t>(end - begin + rings_.halo.size() - halo_begin_);
+      rings_.halo.push_back(slot);
+    }
+    return static_cast<std::uint16_t>(local_[slot]);
+  }
+
+  void add_leaf(std::size_t leaf) {
+    const std::size_t begin = leaves_.begin(leaf), end = leaves_.end(leaf);
+    halo_begin_ = rings_.halo.size();
+    for (std::size_t s = begin; s < std::min(end, leaves_.vertices); ++s) {
+      const auto slot = static_cast<std::uint32_t>(s);
+      collect(slot);
+      if (walker_.size() > crowd) {
+        rings_.hubs.push_back({slot, 0, {}});
+        walker_.walk_each(slot, rings_.hubs.back().walk);
+        continue;
+      }
+      walker_.walk(slot, walk_);
+      for (const auto neighbour : walk_) rings_.walk.push_back(local(neighbour, begin, end));
+      rings_.lengths[s] = static_cast<std::uint16_t>(walk_.size());
+    }
+    for (std::size_t i = halo_begin_; i < rings_.halo.size(); ++i) local_[rings_.halo[i]] = outside;
+    rings_.places.push_back(static_cast<std::uint32_t>(end + rings_.halo.size()));
+    rings_.walk_starts.push_back(static_cast<std::uint32_t>(rings_.walk.size()));
+  }
+
+  std::uint32_t place_of(std::uint32_t slot) const {
+    const std::size_t leaf = slot / leaf_slots;
+    return static_cast<std::uint32_t>(rings_.places[leaf] + slot - leaves_.begin(leaf));
+  }
+
+  void slots_to_places() {
+    for (auto& slot : rings_.halo) slot = place_of(slot);
+    for (auto& hub : rings_.hubs) {
+      hub.place = place_of(hub.slot);
+      for (auto& slot : hub.walk) slot = place_of(slot);
+    }
+  }
+
+  const Leaves& leaves_;
+  std::span<const mesh::Triangle> triangles_;
+  mesh::VertexTriangles around_;
+  std::vector<std::uint32_t> slot_of_, local_, walk_;
+  std::size_t halo_begin_ = 0;
+  Walker walker_;
+  Rings rings_;
+};
+
+}  // namespace
+
+std::size_t Rings::bytes() const {
+  return sizeof(std::uint32_t) * (places.size() + halo.size() + walk_starts.size()) +
+         sizeof(std::uint16_t) * (walk.size() + lengths.size());
+}
+
+Rings make_rings(const Leaves& leaves, std::span<const mesh::Triangle> triangles) {
+  return Builder(leaves, triangles).build();
+}
+
+}  // namespace viete::deform

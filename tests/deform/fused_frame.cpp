@@ -1,0 +1,142 @@
+#include "deform/fused_frame.h"
+
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+#include "deform/bound.h"
+
+using namespace viete::test;
+using viete::sym3::Method;
+
+namespace {
+
+// The fused frame beside the staged one.
+struct Fused {
+  explicit Fused(Bound& staged, int threads = 1, const viete::sym3::Kernel& kernel = viete::sym3::kernel())
+      : pool(threads),
+        binding(std::make_shared<const TiledBinding>(
+            bind_tiles(staged.model, *staged.cage, staged.binding->coordinates, pool))),
+        frame(staged.cage, binding, pool, kernel) {}
+
+  std::vector<viete::mesh::Point> positions() const {
+    std::vector<viete::mesh::Point> result;
+    for (const auto& v : frame.vertices())
+      result.push_back(frame.origin() + Vec3{v.position[0], v.position[1], v.position[2]});
+    return result;
+  }
+  std::vector<viete::mesh::Point> normals() const {
+    std::vector<viete::mesh::Point> result;
+    for (const auto& v : frame.vertices()) result.push_back({v.normal[0], v.normal[1], v.normal[2]});
+    return result;
+  }
+
+  viete::base::WorkerPool pool;
+  std::shared_ptr<const TiledBinding> binding;
+  FusedFrame frame;
+};
+
+constexpr Coordinates both[] = {Coordinates::face, Coordinates::mean_value};
+
+// 1,802 vertices: three full leaves and one that is not.
+viete::mesh::Surface model() {
+  return tube(60, 30, 0.3, 1.5);
+}
+
+}  // namespace
+
+TEST_CASE("fused_frame_agrees_with_the_staged_one_within_1e_6_of_the_diagonal") {
+  for (const auto c : both) {
+    Bound staged(model(), box({1, 1.3, 1}), c);
+    Fused fused(staged);
+    const double diagonal = staged.cage->diagonal;
+    const auto check = [&](const Pose& pose) {
+      staged.deform(pose);
+      fused.frame.deform(pose);
+      CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * diagonal);
+      CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 2e-4);
+      CHECK(fused.frame.report().turns == staged.deformer.report().turns);
+    };
+    check(rest_pose(*staged.cage));
+    check(staged.pose(shear()));
+    for (int angle = 30; angle <= 690; angle += 60) {
+      check(staged.pose(Twist{2, {0, 0, 0}, -1, 1, -0.5 * angle * degree, 0.5 * angle * degree}));
+      check(staged.pose(similarity({1, 2, 3}, angle * degree, 1.5, {3, 0, -1}), {{angle * degree, 0, 0}}));
+    }
+  }
+}
+
+TEST_CASE("fused_frame_is_as_exact_far_from_the_origin_and_at_any_size") {
+  for (const double size : {1e-9, 1e-3, 1e4, 1e12}) {
+    const auto scaled = [&](viete::mesh::Surface s) {
+      for (auto& p : s.positions) p = size * (p + Vec3{300, -200, 100});
+      return s;
+    };
+    Bound staged(scaled(model()), scaled(box()));
+    Fused fused(staged);
+    Random random(7);
+    Pose pose = rest_pose(*staged.cage);
+    for (auto& p : pose.positions) p = p + random.vector(0.2 * size);
+    staged.deform(pose);
+    fused.frame.deform(pose);
+    CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
+    CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 1e-3);
+  }
+}
+
+TEST_CASE("fused_frames_have_the_same_bits_for_any_number_of_threads") {
+  for (const auto c : both) {
+    Bound staged(model(), box(), c);
+    Fused one(staged, 1), four(staged, 4);
+    const Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, 0, 150 * degree});
+    one.frame.deform(pose);
+    four.frame.deform(pose);
+    CHECK(one.binding->weights == four.binding->weights);
+    CHECK(one.positions() == four.positions());
+    CHECK(one.normals() == four.normals());
+  }
+}
+
+TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set") {
+  Bound staged(model(), box());
+  const Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, 0, 250 * degree});
+  staged.deform(pose);
+  const auto first_with = [&](bool fused_arithmetic) {
+    const auto all = viete::sym3::kernels();
+    return std::find_if(all.begin(), all.end(), [&](const auto& k) { return k.fused == fused_arithmetic; });
+  };
+  for (const auto& kernel : viete::sym3::kernels()) {
+    CAPTURE(kernel.name);
+    Fused fused(staged, 1, kernel), alike(staged, 1, *first_with(kernel.fused));
+    fused.frame.deform(pose);
+    alike.frame.deform(pose);
+    CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
+    CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 2e-4);
+    CHECK(fused.positions() == alike.positions());
+  }
+}
+
+TEST_CASE("fused_normals_are_those_of_any_triangles") {
+  // An open strip, a fan that 200 triangles share, two cones that touch in their tips, a stray vertex, a triangle
+  // that repeats a corner, an edge with three triangles.
+  auto p = tube(4, 200, 0.4, 1).positions;
+  auto t = tube(4, 200, 0.4, 1).triangles;
+  t.resize(t.size() - 7);
+  p.insert(p.end(), {{0, 0, 0.9}, {0.1, 0, 0.7}, {0, 0.1, 0.7}, {-0.1, 0, 0.7}, {0.7, 0.7, 0.7}});
+  const auto n = static_cast<std::uint32_t>(p.size());
+  t.insert(t.end(), {{n - 5, n - 4, n - 3}, {n - 5, n - 3, n - 2}, {n - 5, n - 2, 0}, {n - 5, 1, 2}, {3, 3, 4}, {0, 1, 9}});
+  Bound staged(viete::mesh::from_triangles(p, t), box());
+  Fused fused(staged);
+  CHECK_FALSE(fused.binding->rings.hubs.empty());
+  const Pose pose = staged.pose(shear());
+  staged.deform(pose);
+  fused.frame.deform(pose);
+  CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 1e-4);
+}
+
+TEST_CASE("fused_frame_refuses_a_pose_with_another_number_of_vertices") {
+  Bound staged(model(), box());
+  Fused fused(staged);
+  Pose pose = rest_pose(*staged.cage);
+  pose.positions.pop_back();
+  CHECK_THROWS_AS(fused.frame.deform(pose), viete::base::Error);
+}
