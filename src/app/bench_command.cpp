@@ -6,13 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "app/assets.h"
 #include "app/bench_table.h"
 #include "app/command_line.h"
-#include "base/error.h"
-#include "base/worker_pool.h"
-#include "deform/deformer.h"
-#include "scene/document.h"
+#include "app/frame_bench.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
@@ -92,58 +88,6 @@ int bench_eigen(const BenchOptions& options) {
   return exit_ok;
 }
 
-// The bundled model, or its first vertices.
-mesh::Surface benchmark_model(std::size_t count) {
-  mesh::Surface model = *scene::open_document(bundled_model().model, {}).model.surface;
-  if (count == 0 || count >= model.positions.size()) return model;
-  std::vector<mesh::Triangle> kept;
-  for (const auto& t : model.triangles) {
-    if (t[0] < count && t[1] < count && t[2] < count) kept.push_back(t);
-  }
-  model.positions.resize(std::max<std::size_t>(count, 3));
-  return mesh::from_triangles(std::move(model.positions), kept);
-}
-
-int bench_frame(const BenchOptions& options) {
-  const mesh::Surface model = benchmark_model(options.count);
-  scene::Document document = scene::open_document(bundled_model().model, bundled_model().cage);
-  scene::open_pose(document, assets_folder() / "dragon" / "pose_alert.obj");
-  base::WorkerPool pool(1);
-  const auto binding =
-      std::make_shared<const deform::Binding>(deform::bind(model, *document.cage, deform::Coordinates::face, pool));
-  deform::Deformer deformer(document.cage, binding, pool);
-  std::array<std::array<std::vector<double>, deform::link_count>, methods.size()> links;
-  std::vector<BenchCase> cases;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    cases.push_back({std::string(sym3::name(methods[m])), [&, m](std::size_t) {
-                       deformer.deform(document.pose, methods[m]);
-                       for (std::size_t l = 0; l < deform::link_count; ++l) links[m][l].push_back(deformer.times().ms[l]);
-                     }});
-  }
-  std::vector<mesh::Point> from(deformer.positions().begin(), deformer.positions().end()), to(from.size());
-  cases.push_back({"copy", [&](std::size_t) { std::memcpy(to.data(), from.data(), from.size() * sizeof(mesh::Point)); }});
-  const auto results = interleave(cases, 5, model.positions.size(), 5);
-  print_table("frame: " + std::to_string(model.positions.size()) + " vertices, " + std::to_string(document.cage->element_count()) +
-                  " cage triangles, one thread, ns per vertex",
-              results, "diag", "copy");
-  std::printf("\n  ms per link (wall)");
-  for (std::size_t l = 0; l < deform::link_count; ++l) std::printf(" %10s", std::string(deform::name(deform::Link(l))).c_str());
-  nlohmann::json json = {{"figure", "frame"}, {"vertices", model.positions.size()}, {"results", to_json(results)}};
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    std::printf("\n  %-18s", std::string(sym3::name(methods[m])).c_str());
-    for (std::size_t l = 0; l < deform::link_count; ++l) {
-      auto& samples = links[m][l];
-      std::nth_element(samples.begin(), samples.begin() + std::ptrdiff_t(samples.size() / 2), samples.end());
-      const double ms = samples[samples.size() / 2];
-      std::printf(" %10.3f", ms);
-      json["links_ms"][std::string(sym3::name(methods[m]))][std::string(deform::name(deform::Link(l)))] = ms;
-    }
-  }
-  std::printf("\n");
-  write_json(options.json, json);
-  return exit_ok;
-}
-
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
@@ -155,8 +99,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     const char* count;
     int (*run)(const BenchOptions&);
   } figures[] = {{"exp", "exp by method", "Matrices (default 10,000,000)", bench_exp},
-                 {"eigen", "Eigenvalues by QR and by Viete's formula", "Matrices (default 10,000,000)", bench_eigen},
-                 {"frame", "A frame of the bundled model by method", "Vertices (default: all 50,000)", bench_frame}};
+                 {"eigen", "Eigenvalues by QR and by Viete's formula", "Matrices (default 10,000,000)", bench_eigen}};
   for (const auto& figure : figures) {
     auto* sub = command->add_subcommand(figure.name, figure.text);
     auto options = std::make_shared<BenchOptions>();
@@ -164,6 +107,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     sub->add_option("--json", options->json, "Also write the numbers to this file");
     sub->callback([options, &action, run = figure.run] { action = [options, run] { return run(*options); }; });
   }
+  add_frame_bench(*command, action);
 }
 
 }  // namespace viete::app

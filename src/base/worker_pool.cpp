@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/clock.h"
+
 namespace viete::base {
 
 struct WorkerPool::State {
@@ -18,12 +20,21 @@ struct WorkerPool::State {
   int busy = 0;
   bool stop = false;
   std::exception_ptr error;
+  Cost cost;
+  double longest = 0;  // seconds of processor time of the slowest thread in this loop
 
   std::size_t count = 0, block = 1;
   const std::function<void(std::size_t, std::size_t)>* body = nullptr;
 
+  // Returns the processor time it took.
+  double work(std::size_t t, std::size_t n) {
+    const double begun = thread_seconds();
+    work_on_blocks(t, n);
+    return thread_seconds() - begun;
+  }
+
   // Thread t of n takes a contiguous run of blocks: neighbours in memory stay on one core.
-  void work(std::size_t t, std::size_t n) {
+  void work_on_blocks(std::size_t t, std::size_t n) {
     const std::size_t blocks = (count + block - 1) / block;
     try {
       for (std::size_t b = blocks * t / n; b < blocks * (t + 1) / n; ++b) {
@@ -44,8 +55,9 @@ struct WorkerPool::State {
         if (stop) return;
         seen = generation;
       }
-      work(index, threads.size() + 1);
+      const double seconds = work(index, threads.size() + 1);
       const std::lock_guard lock(mutex);
+      longest = std::max(longest, seconds);
       if (--busy == 0) finished.notify_one();
     }
   }
@@ -70,6 +82,8 @@ WorkerPool::~WorkerPool() {
 
 int WorkerPool::threads() const { return static_cast<int>(state_->threads.size()) + 1; }
 
+WorkerPool::Cost WorkerPool::cost() const { return state_->cost; }
+
 void WorkerPool::for_blocks(std::size_t count, std::size_t block,
                             const std::function<void(std::size_t, std::size_t)>& body) {
   if (count == 0) return;
@@ -80,13 +94,16 @@ void WorkerPool::for_blocks(std::size_t count, std::size_t block,
     s.block = std::max<std::size_t>(1, block);
     s.body = &body;
     s.error = nullptr;
+    s.longest = 0;
     s.busy = static_cast<int>(s.threads.size());
     ++s.generation;
   }
   s.wake.notify_all();
-  s.work(0, s.threads.size() + 1);
+  const double seconds = s.work(0, s.threads.size() + 1);
   std::unique_lock lock(s.mutex);
   s.finished.wait(lock, [&] { return s.busy == 0; });
+  s.cost.caller += seconds;
+  s.cost.longest += std::max(seconds, s.longest);
   if (s.error) std::rethrow_exception(s.error);
 }
 

@@ -19,6 +19,13 @@ class WorkerPool {
 
   int threads() const;
 
+  /// Seconds of processor time in all loops so far: of the thread that called for_blocks, and of whichever
+  /// thread took longest in each. What a loop would take on a machine that does nothing else is the second.
+  struct Cost {
+    double caller = 0, longest = 0;
+  };
+  Cost cost() const;
+
   /// Calls body(begin, end) for consecutive blocks that cover [0, count), on all threads; returns when all
   /// are done. The first exception that a body throws is rethrown here. Only one thread may call it at a time; not reentrant.
   void for_blocks(std::size_t count, std::size_t block,

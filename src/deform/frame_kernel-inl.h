@@ -7,8 +7,6 @@
 #define VIETE_DEFORM_FRAME_KERNEL_INL_H
 #endif
 
-#include <hwy/cache_control.h>
-#include <hwy/highway.h>
 
 #include "deform/frame_kernel.h"
 #include "sym3/exp-inl.h"

@@ -7,10 +7,9 @@
 #define VIETE_DEFORM_RING_KERNEL_INL_H
 #endif
 
-#include <hwy/cache_control.h>
-#include <hwy/highway.h>
 
 #include "deform/frame_kernel.h"
+#include "sym3/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {

@@ -36,3 +36,14 @@ TEST_CASE("an_exception_reaches_the_caller_and_the_pool_lives_on") {
   pool.for_blocks(100, 3, [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
   CHECK(sum == 100);
 }
+
+TEST_CASE("the_cost_of_loops_is_the_callers_and_the_longest") {
+  WorkerPool pool(2);
+  CHECK(pool.cost().longest == 0);
+  std::atomic<long> sum{0};
+  pool.for_blocks(2, 1, [&](std::size_t begin, std::size_t) {
+    for (int i = 0; i < (begin == 0 ? 1'000 : 3'000'000); ++i) sum += i;
+  });
+  CHECK(pool.cost().caller > 0);
+  CHECK(pool.cost().longest > pool.cost().caller);  // the second block is the other thread's
+}
