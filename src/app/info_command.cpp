@@ -1,4 +1,4 @@
-// viete info [FILE...]: what a surface file holds.
+// viete info [FILE...] [--cage CAGE]: what surface files hold, and what is odd about them.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -7,18 +7,23 @@
 #include "app/assets.h"
 #include "app/command_line.h"
 #include "base/error.h"
-#include "mesh/facts.h"
 #include "mesh/read.h"
+#include "scene/checks.h"
+#include "scene/elements.h"
 
 namespace viete::app {
 
 namespace {
 
-void print(const std::filesystem::path& path, const mesh::ReadResult& read) {
-  const mesh::Facts f = mesh::facts(read.surface);
-  const mesh::Bounds box = mesh::used_bounds(read.surface);
-  std::printf("%s\n", path.string().c_str());
-  std::printf("  format      %s\n", read.format.c_str());
+namespace fs = std::filesystem;
+
+constexpr std::size_t named = 12;  // elements of a finding
+
+void print(const scene::OpenedSurface& surface) {
+  const mesh::Facts& f = surface.facts;
+  const mesh::Bounds& box = surface.bounds;
+  std::printf("%s\n", surface.path.string().c_str());
+  std::printf("  format      %s\n", surface.format.c_str());
   std::printf("  vertices    %zu\n  polygons    %zu\n  triangles   %zu\n", f.vertices, f.polygons, f.triangles);
   std::printf("  parts       %zu\n", f.parts);
   std::printf("  surface     %s, %s, %s\n", f.closed() ? "closed" : "open", f.manifold() ? "manifold" : "not manifold",
@@ -27,26 +32,34 @@ void print(const std::filesystem::path& path, const mesh::ReadResult& read) {
               box.high[1], box.high[2], box.diagonal());
   std::printf("  area        %g\n", f.area);
   if (f.closed()) std::printf("  volume      %g\n", f.volume);
-  const struct {
-    const char* what;
-    std::size_t count;
-  } oddities[] = {{"boundary edges", f.boundary_edges.size()},
-                  {"non-manifold edges", f.nonmanifold_edges.size()},
-                  {"misoriented edges", f.misoriented_edges.size()},
-                  {"unused vertices", f.unused_vertices.size()},
-                  {"degenerate triangles", f.degenerate_triangles.size()}};
-  for (const auto& oddity : oddities) {
-    if (oddity.count > 0) std::printf("  %-20s %zu\n", oddity.what, oddity.count);
+  for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
+}
+
+void print(const std::vector<scene::Finding>& findings) {
+  if (findings.empty()) std::printf("  findings    none\n");
+  for (const auto& finding : findings) {
+    const bool cage = finding.subject == scene::Subject::cage;
+    std::printf("  %s%s%s\n", scene::matters(finding) ? "finding     " : "note        ", cage ? "cage: " : "",
+                scene::title(finding).c_str());
+    std::printf("              %s\n", scene::meaning(finding).c_str());
+    std::printf("              %s %s\n", scene::element_name(finding.kind).c_str(),
+                scene::first_elements(finding, named).c_str());
   }
-  for (const auto& warning : read.warnings) std::printf("  note        %s\n", warning.c_str());
 }
 
 // Every file is looked at, also after one that cannot be read.
-int info(const std::vector<std::filesystem::path>& files) {
+int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
+  scene::OpenedSurface cage;
+  if (!cage_file.empty()) {
+    cage = scene::open_surface(cage_file);
+    print(cage);
+  }
   int code = exit_ok;
   for (const auto& file : files) {
     try {
-      print(file, mesh::read(file));
+      const scene::OpenedSurface model = scene::open_surface(file);
+      print(model);
+      print(scene::check(model, cage));
     } catch (const base::Error& error) {
       std::fprintf(stderr, "viete: %s\n", error.what());
       code = exit_failed;
@@ -58,14 +71,16 @@ int info(const std::vector<std::filesystem::path>& files) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("info", "Say what surface files hold");
-  auto files = std::make_shared<std::vector<std::filesystem::path>>();
-  command->add_option("FILE", *files, "OBJ, PLY, OFF or STL files (default: the bundled model and its cage)");
-  command->callback([files, &action] {
-    action = [files] {
-      if (!files->empty()) return info(*files);
-      const auto [model, cage] = bundled_model();
-      return info({model, cage});
+  auto* command = app.add_subcommand("info", "Say what surface files hold, and what is odd about them");
+  auto files = std::make_shared<std::vector<fs::path>>();
+  auto cage = std::make_shared<fs::path>();
+  command->add_option("FILE", *files, "OBJ, PLY, OFF or STL files (default: the bundled model in its cage)");
+  command->add_option("--cage", *cage, "Check this cage around them too");
+  command->callback([files, cage, &action] {
+    action = [files, cage] {
+      if (!files->empty()) return info(*files, *cage);
+      const auto bundled = bundled_model();
+      return info({bundled.model}, bundled.cage);
     };
   });
 }

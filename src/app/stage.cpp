@@ -25,7 +25,7 @@ render::Theme theme_of(const scene::Workspace& w) { return w.view.dark ? render:
 }  // namespace
 
 Stage::Stage(const render::Gl& gl)
-    : gl_(gl), backdrop_(gl), grid_(gl), model_(gl), cage_faces_(gl), cage_lines_(gl), ghost_lines_(gl), cage_vertices_(gl), marks_(gl) {}
+    : gl_(gl), backdrop_(gl), grid_(gl), model_(gl), cage_faces_(gl), cage_lines_(gl), ghost_lines_(gl), cage_vertices_(gl), marks_(gl), findings_(gl) {}
 
 void Stage::set_document(const scene::Document& document, const ModelLook& look) {
   const mesh::Surface& model = *document.model.surface;
@@ -86,7 +86,11 @@ void Stage::draw(const scene::Workspace& w, glm::ivec2 size, float scale) const 
     const auto& c = document.space.center;
     grid_.draw(view, theme, {{c[0], ground_, c[2]}, scene::grid_cell(diagonal), 1.6 * diagonal, 1, 1});
   }
-  if (!document.has_cage() || !w.view.cage) return;
+  if (document.has_cage() && w.view.cage) draw_cage(w, view, theme);
+  findings_.draw(view, theme);
+}
+
+void Stage::draw_cage(const scene::Workspace& w, const render::View& view, const render::Theme& theme) const {
   if (w.view.ghost) ghost_lines_.draw(view, {1, 0.15f, 0.5f});
   cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
   cage_lines_.draw(view, {1.25f, 0.9f, 0.25f});

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/cage_marks.h"
+#include "app/finding_marks.h"
 #include "app/model_look.h"
 #include "render/backdrop.h"
 #include "render/disc_layer.h"
@@ -26,11 +27,17 @@ class Stage {
   /// The posed cage and how its vertices look now.
   void set_cage(const scene::Workspace& workspace);
   void set_hand(const scene::Workspace& workspace);
+  /// What the checks found; see FindingMarks::set().
+  void set_findings(const scene::Workspace& workspace, std::span<const mesh::Point> model_positions, bool moved) {
+    findings_.set(workspace, model_positions, moved);
+  }
 
   /// Into the bound framebuffer of `size` device pixels.
   void draw(const scene::Workspace& workspace, glm::ivec2 size, float scale) const;
 
  private:
+  void draw_cage(const scene::Workspace& workspace, const render::View& view, const render::Theme& theme) const;
+
   const render::Gl& gl_;
   render::Backdrop backdrop_;
   render::Grid grid_;
@@ -39,6 +46,7 @@ class Stage {
   render::LineLayer cage_lines_, ghost_lines_;
   render::DiscLayer cage_vertices_;
   CageMarks marks_;
+  FindingMarks findings_;
   double ground_ = 0;  ///< height of the lowest point of the model at rest
 };
 

@@ -95,8 +95,9 @@ bool Viewer::wants_refinement() const {
 
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
-  if (files_.loading() && base::wall_seconds() - last_frame_ > progress_seconds) return true;
-  return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due();
+  const bool reports = files_.loading() || checks_.running();
+  if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
+  return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due() || checks_.has_result();
 }
 
 bool Viewer::changing() const {
@@ -111,6 +112,7 @@ void Viewer::take_requests() {
   files_.take_requests(workspace_, deformer_ ? deformer_->positions() : std::span<const mesh::Point>(),
                        !pointer_.active());
   take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
+  if (std::exchange(workspace_.requests.frame_finding, false)) frame_finding();
 }
 
 // New topology: everything that was derived from the old one goes, and a new binding is begun.
@@ -128,6 +130,8 @@ void Viewer::follow_document() {
     posed_seen_ = document.posed - 1;
     if (document.has_cage()) binder_.start(document.model.surface, document.cage, document.coordinates);
   }
+  if (checked_model_ != document.model.surface || checked_cage_ != document.cage_file.surface) start_checks();
+  take_checks(false);
   take_binding(false);
   workspace_.binding = {binder_.running(), binder_.done()};
 }
@@ -139,6 +143,43 @@ void Viewer::take_binding(bool wait) {
   for (const auto& warning : result->binding->warnings) workspace_.messages.warn(warning);
   deformer_ = std::make_unique<deform::Deformer>(result->cage, result->binding, pool_);
   posed_seen_ = workspace_.document.posed - 1;
+}
+
+// Of the surfaces as they were read: poses do not matter, nor what they are bound by.
+void Viewer::start_checks() {
+  const scene::Document& document = workspace_.document;
+  checked_model_ = document.model.surface;
+  checked_cage_ = document.cage_file.surface;
+  checks_.start([model = document.model, cage = document.cage_file](base::Progress& progress) {
+    return scene::check(model, cage, &progress);
+  });
+}
+
+void Viewer::take_checks(bool wait) {
+  auto result = checks_.poll(wait);
+  workspace_.checks.running = checks_.running();
+  workspace_.checks.done = checks_.done();
+  if (!result) return;
+  settle_frames_ = std::max(settle_frames_, 3u);
+  if (!result->value) return workspace_.messages.error("The checks came to no end: " + result->problem);
+  scene::take_findings(workspace_.checks, *std::move(result->value));
+}
+
+void Viewer::finish_checks() {
+  follow_document();
+  if (checks_.running()) take_checks(true);
+}
+
+std::span<const mesh::Point> Viewer::model_positions() const {
+  if (deformer_) return deformer_->positions();
+  return workspace_.document.model.surface->positions;
+}
+
+void Viewer::frame_finding() {
+  const auto& checks = workspace_.checks;
+  if (!checks.shown) return;
+  const bool of_cage = checks.findings[*checks.shown].subject == scene::Subject::cage;
+  scene::frame_finding(workspace_, of_cage ? workspace_.document.pose.positions : model_positions());
 }
 
 void Viewer::finish_binding() {
@@ -161,6 +202,7 @@ void Viewer::upload(scene::FrameTimes& times) {
   const scene::Document& document = workspace_.document;
   if (!document.model.surface) return;
   base::Stopwatch watch;
+  stage_.set_findings(workspace_, model_positions(), deformed_ || posed_drawn_ != document.posed);
   if (document.has_cage()) {
     if (posed_drawn_ != document.posed) stage_.set_cage(workspace_);
     stage_.set_hand(workspace_);

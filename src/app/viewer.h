@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/background_job.h"
 #include "app/binder.h"
 #include "app/file_desk.h"
 #include "app/imgui_renderer.h"
@@ -59,6 +60,10 @@ class Viewer {
   void finish_loading() { files_.finish_loading(workspace_); }
   /// Waits until the model is bound, without drawing: the next frame deforms it.
   void finish_binding();
+  /// True while model and cage are being checked aside.
+  bool checking() const { return checks_.running(); }
+  /// Waits until they are.
+  void finish_checks();
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
   render::Image picture() { return framebuffer_.read(); }
@@ -71,6 +76,10 @@ class Viewer {
   void take_requests();
   void follow_document();
   void take_binding(bool wait);
+  void start_checks();
+  void take_checks(bool wait);
+  std::span<const mesh::Point> model_positions() const;
+  void frame_finding();
   void deform(scene::FrameTimes& times);
   void upload(scene::FrameTimes& times);
   void draw(scene::FrameTimes& times);
@@ -98,6 +107,8 @@ class Viewer {
   base::WorkerPool pool_;
   Binder binder_;
   MethodProbe method_probe_;
+  BackgroundJob<std::vector<scene::Finding>> checks_;
+  std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
   std::unique_ptr<deform::Deformer> deformer_;
 
   // What the derived state was derived from; compared once a frame.

@@ -27,6 +27,7 @@ Theme dark_theme() {
   theme.cage = rgb(0x3fb8af);
   theme.selection = rgb(0xffb224);
   theme.hover = rgb(0xffffff);
+  theme.finding = rgb(0xff5c8a);
   theme.outline = rgb(0x101317);
   theme.exposure = 1.0F;
   return theme;
@@ -42,6 +43,7 @@ Theme light_theme() {
   theme.cage = rgb(0x12857d);
   theme.selection = rgb(0xf59a00);
   theme.hover = rgb(0x1d2733);
+  theme.finding = rgb(0xc4124f);
   theme.outline = rgb(0x1d2733);
   theme.exposure = 1.15F;
   return theme;

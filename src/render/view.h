@@ -60,6 +60,7 @@ struct Theme {
   glm::vec3 cage;       ///< cage lines and vertices at rest
   glm::vec3 selection;  ///< what is selected
   glm::vec3 hover;      ///< the ring under the cursor
+  glm::vec3 finding;    ///< what the checks found
   glm::vec3 outline;    ///< thin edge around discs, so that they read on any ground
   float exposure;       ///< brightness of the lights, 1 = neutral
 };

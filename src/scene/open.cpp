@@ -195,6 +195,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.hand = {};
   w.stats.clear();
   w.methods = {};
+  forget_findings(w.checks);
   ++w.opened;
 }
 

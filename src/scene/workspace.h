@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/check_view.h"
 #include "scene/document.h"
 #include "scene/file_browser.h"
 #include "scene/frame_stats.h"
@@ -67,6 +68,7 @@ struct Requests {
   bool quit = false;
   bool screenshot = false;
   bool stop_loading = false;
+  bool frame_finding = false;  ///< move the camera to the finding that is shown
   std::optional<OpenRequest> open;
   std::optional<std::filesystem::path> save_session, save_pose, save_model;
   std::optional<std::filesystem::path> discard;  ///< a leftover
@@ -106,6 +108,7 @@ struct Workspace {
   MethodStats methods;
   BindState binding;
   LoadState loading;
+  CheckState checks;
   Saved saved;
   Remembered remembered;
   std::vector<Leftover> leftovers;       ///< unsaved work that can be brought back, newest first

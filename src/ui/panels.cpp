@@ -14,6 +14,7 @@ void column(const Context& ui) {
   panel_messages(ui);
   panel_model(ui);
   panel_cage(ui);
+  panel_checks(ui);
   panel_method(ui);
   panel_coordinates(ui);
   panel_timings(ui);

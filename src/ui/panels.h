@@ -10,6 +10,7 @@ void draw_panels(const Context& ui);
 
 void panel_model(const Context& ui);
 void panel_cage(const Context& ui);
+void panel_checks(const Context& ui);
 void panel_method(const Context& ui);
 void panel_coordinates(const Context& ui);
 void panel_timings(const Context& ui);

@@ -27,14 +27,22 @@ void record(const Context& ui, const std::string& name, bool enabled) {
   ui.recorder->add(name, {low.x, low.y, high.x, high.y, ImGui::IsItemVisible(), enabled});
 }
 
-bool section(const Context& ui, const char* title) {
+bool section(const Context& ui, const char* title, bool open_at_first) {
   ImGui::PushFont(ui.fonts.strong);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 3});
-  const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+  const bool open = ImGui::CollapsingHeader(title, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
   ImGui::PopStyleVar();
   ImGui::PopFont();
   record(ui, std::string("section/") + title);
   return open;
+}
+
+void section_note(const Context& ui, const std::string& text, ImU32 color) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  ImGui::GetWindowDrawList()->AddText({right - size.x, 0.5f * (low.y + high.y - size.y)},
+                                      color ? color : ui.colors.faint, text.c_str());
 }
 
 void hint(const std::string& text) {

@@ -13,7 +13,9 @@ namespace viete::ui {
 void record(const Context& ui, const std::string& name, bool enabled = true);
 
 /// A collapsible section; true when open. Calls nothing to end.
-bool section(const Context& ui, const char* title);
+bool section(const Context& ui, const char* title, bool open_at_first = true);
+/// A few quiet words at the right of the section's line, to be read while it is closed too.
+void section_note(const Context& ui, const std::string& text, ImU32 color = 0);
 
 /// A button that runs a command: its label, its hint and key as tooltip, disabled when the command is.
 void command_button(const Context& ui, std::string_view command, float width = 0);

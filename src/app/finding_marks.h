@@ -1,0 +1,35 @@
+// What the checks found, drawn over model and cage.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/disc_layer.h"
+#include "render/face_layer.h"
+#include "render/line_layer.h"
+#include "scene/workspace.h"
+
+namespace viete::app {
+
+class FindingMarks {
+public:
+  explicit FindingMarks(const render::Gl& gl) : faces_(gl), edges_(gl), vertices_(gl) {}
+
+  /// Every frame: follows what the workspace shows. moved: the positions are others than in the last frame.
+  /// model_positions are those that are drawn.
+  void set(const scene::Workspace& workspace, std::span<const mesh::Point> model_positions, bool moved);
+  /// After everything else: it shines through what hides it.
+  void draw(const render::View& view, const render::Theme& theme) const;
+
+private:
+  void collect(const scene::Workspace& workspace);
+
+  render::FaceLayer faces_;
+  render::LineLayer edges_;
+  render::DiscLayer vertices_;
+  std::vector<std::uint32_t> used_;  // the surface's vertices that the layers hold, in their order
+  unsigned long revision_ = 0;
+  bool dark_ = true;
+};
+
+}  // namespace viete::app

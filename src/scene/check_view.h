@@ -1,0 +1,45 @@
+// Which finding of the checks is shown in the view, and stepping through its elements.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/checks.h"
+
+namespace viete::scene {
+
+struct Workspace;
+
+/// What the checks have found about the open document, and what of it is shown.
+struct CheckState {
+  bool running = false;
+  double done = 0;  ///< in [0, 1]
+  std::vector<Finding> findings;
+  std::optional<std::size_t> shown;    ///< a finding, highlighted in the view
+  std::optional<std::size_t> element;  ///< one element of it; nothing: all
+  unsigned long revision = 0;          ///< grows with each change of findings or of what is shown
+  bool fresh = false;                  ///< the findings have not been on screen yet
+};
+
+/// Nothing is known any more, as when another document is opened.
+void forget_findings(CheckState& checks);
+
+/// New findings, nothing shown.
+void take_findings(CheckState& checks, std::vector<Finding> findings);
+
+/// Highlights a finding and asks the program to frame it; the one that is shown is hidden again.
+void toggle_finding(Workspace& workspace, std::size_t index);
+
+/// The next (1) or previous (-1) element of the finding that is shown, alone; round and round.
+void step_element(Workspace& workspace, int step);
+
+/// The elements that are shown, as numbers of the finding's elements: at most so many, evenly spread.
+std::vector<std::size_t> shown_elements(const CheckState& checks, std::size_t most);
+
+/// Moves the camera to what is shown. `positions` are those of the finding's surface as it is seen now, in the
+/// file's units.
+void frame_finding(Workspace& workspace, std::span<const mesh::Point> positions);
+
+}  // namespace viete::scene

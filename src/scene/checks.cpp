@@ -1,0 +1,168 @@
+#include "scene/checks.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "mesh/oddities.h"
+#include "mesh/repair.h"
+#include "mesh/self_intersection.h"
+#include "mesh/winding_number.h"
+
+namespace viete::scene {
+
+namespace {
+
+using Elements = std::vector<std::uint32_t>;
+
+void add(std::vector<Finding>& all, Oddity oddity, Subject subject, ElementKind kind, Elements elements) {
+  if (!elements.empty()) all.push_back({oddity, subject, kind, std::move(elements), {}});
+}
+
+void add_edges(std::vector<Finding>& all, Oddity oddity, Subject subject, const std::vector<mesh::Edge>& edges) {
+  if (!edges.empty()) all.push_back({oddity, subject, ElementKind::edge, {}, edges});
+}
+
+// The polygons that these triangles were cut from, each once.
+Elements faces_of(const mesh::Surface& surface, Elements triangles) {
+  for (auto& t : triangles) t = surface.triangle_polygon[t];
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
+
+bool inside_out(const mesh::Facts& facts) {
+  return facts.closed() && facts.manifold() && facts.oriented() && facts.volume < 0;
+}
+
+// What edges tell, and which faces have no area. `surface` as the edges are to be judged.
+void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Facts& facts,
+                 Subject subject) {
+  add_edges(found, Oddity::open, subject, facts.boundary_edges);
+  add_edges(found, Oddity::nonmanifold_edge, subject, facts.nonmanifold_edges);
+  add(found, Oddity::pinched_vertex, subject, ElementKind::vertex, mesh::pinched_vertices(surface));
+  add_edges(found, Oddity::misoriented, subject, facts.misoriented_edges);
+  if (inside_out(facts)) {
+    Elements all(surface.polygon_count());
+    std::iota(all.begin(), all.end(), 0u);
+    add(found, Oddity::inside_out, subject, ElementKind::face, std::move(all));
+  }
+  add(found, Oddity::degenerate, subject, ElementKind::face, faces_of(surface, facts.degenerate_triangles));
+}
+
+std::string with_thousands(std::size_t n) {
+  std::string digits = std::to_string(n);
+  for (auto i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
+void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+}  // namespace
+
+std::string title(const Finding& finding) {
+  const bool one = finding.size() == 1;
+  const auto name = [&]() -> const char* {
+    switch (finding.oddity) {
+      case Oddity::vertices_outside: return one ? "vertex outside the cage" : "vertices outside the cage";
+      case Oddity::self_intersection: return one ? "face cut by another" : "faces that cut each other";
+      case Oddity::open: return one ? "open edge" : "open edges";
+      case Oddity::nonmanifold_edge: return one ? "edge of three or more faces" : "edges of three or more faces";
+      case Oddity::pinched_vertex: return one ? "vertex where parts only touch" : "vertices where parts only touch";
+      case Oddity::misoriented: return one ? "edge between faces that disagree" : "edges between faces that disagree";
+      case Oddity::inside_out: return one ? "face, turned inside out" : "faces, all turned inside out";
+      case Oddity::degenerate: return one ? "face without area" : "faces without area";
+      case Oddity::thin: return one ? "very thin face" : "very thin faces";
+      case Oddity::doubled_vertex: return one ? "vertex on top of another" : "vertices on top of others";
+      case Oddity::unused_vertex: return one ? "vertex without a face" : "vertices without a face";
+    }
+    return "";
+  };
+  return with_thousands(finding.size()) + ' ' + name();
+}
+
+std::string first_elements(const Finding& finding, std::size_t most) {
+  std::string text;
+  const std::size_t shown = std::min(most, finding.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += ", ";
+    if (finding.kind == ElementKind::edge) {
+      text += std::to_string(finding.edges[i][0]) + '-' + std::to_string(finding.edges[i][1]);
+    } else {
+      text += std::to_string(finding.elements[i]);
+    }
+  }
+  if (shown == finding.size()) return text;
+  return text + " and " + with_thousands(finding.size() - shown) + " more";
+}
+
+std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface, std::size_t element) {
+  if (finding.kind == ElementKind::edge) return {finding.edges[element][0], finding.edges[element][1]};
+  const auto index = finding.elements[element];
+  if (finding.kind == ElementKind::vertex) return {index};
+  const auto begin = surface.corners.begin();
+  return {begin + surface.polygon_starts[index], begin + surface.polygon_starts[index + 1]};
+}
+
+std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Facts& facts) {
+  std::vector<Finding> found;
+  check_edges(found, model, facts, Subject::model);
+  add(found, Oddity::doubled_vertex, Subject::model, ElementKind::vertex, mesh::doubled_vertices(model));
+  add(found, Oddity::unused_vertex, Subject::model, ElementKind::vertex, facts.unused_vertices);
+  return found;
+}
+
+std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progress) {
+  constexpr double thin = 1e-3;
+  std::vector<Finding> found;
+  add(found, Oddity::self_intersection, Subject::cage, ElementKind::face,
+      faces_of(cage, mesh::self_intersecting_triangles(cage, progress)));
+  const mesh::Surface joined = mesh::welded(cage);
+  const mesh::Facts facts = mesh::facts(joined);
+  check_edges(found, joined, facts, Subject::cage);
+  add(found, Oddity::thin, Subject::cage, ElementKind::face, faces_of(cage, mesh::thin_triangles(cage, thin)));
+  const auto doubled = mesh::doubled_vertices(cage);
+  add(found, Oddity::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
+  // Joined to another one a vertex is not without a face.
+  Elements unused;
+  std::set_difference(facts.unused_vertices.begin(), facts.unused_vertices.end(), doubled.begin(), doubled.end(),
+                      std::back_inserter(unused));
+  add(found, Oddity::unused_vertex, Subject::cage, ElementKind::vertex, std::move(unused));
+  return found;
+}
+
+// In portions, so that it can be stopped.
+std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Surface& model,
+                                       base::Progress* progress) {
+  const mesh::Surface around = mesh::consistently_oriented(mesh::welded(cage));
+  const std::span<const mesh::Point> points = model.positions;
+  const std::size_t portion = std::max<std::size_t>(64, 2'000'000 / std::max<std::size_t>(cage.triangles.size(), 1));
+  Elements outside;
+  for (std::size_t begin = 0; begin < points.size(); begin += portion) {
+    if (progress) progress->report(static_cast<double>(begin) / static_cast<double>(points.size()));
+    const auto part = points.subspan(begin, std::min(portion, points.size() - begin));
+    for (const auto i : mesh::points_outside(around, part)) outside.push_back(static_cast<std::uint32_t>(begin + i));
+  }
+  if (outside.empty()) return std::nullopt;
+  return Finding{Oddity::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};
+}
+
+std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage, base::Progress* progress) {
+  std::vector<Finding> found;
+  if (cage.surface) {
+    if (progress) progress->section(0, 0.1);
+    append(found, check_cage(*cage.surface, progress));
+    if (progress) progress->section(0.1, 0.9);
+    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress)) found.push_back(*std::move(outside));
+  }
+  if (progress) progress->section(0.9, 1);
+  append(found, check_model(*model.surface, model.facts));
+  std::stable_partition(found.begin(), found.end(), matters);
+  return found;
+}
+
+}  // namespace viete::scene

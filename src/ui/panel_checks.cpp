@@ -1,0 +1,132 @@
+#include <algorithm>
+
+#include "scene/elements.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr std::size_t named = 6;  // elements in a card
+constexpr float inset = 10;
+
+std::size_t mattering(const scene::CheckState& checks) {
+  return static_cast<std::size_t>(std::count_if(checks.findings.begin(), checks.findings.end(), scene::matters));
+}
+
+// "2 findings", "all is well": what can be read while the section is closed.
+std::string summary(const scene::CheckState& checks) {
+  if (checks.running) return "checking " + std::to_string(static_cast<int>(100 * checks.done)) + " %";
+  const std::size_t n = checks.findings.size();
+  if (n == 0) return "all is well";
+  if (mattering(checks) == 0) return n == 1 ? "1 note" : count(n) + " notes";
+  return n == 1 ? "1 finding" : count(n) + " findings";
+}
+
+float wrapped_height(const std::string& text, float width) {
+  return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
+}
+
+std::string elements_text(const scene::Finding& finding) {
+  return scene::element_name(finding.kind) + ' ' + scene::first_elements(finding, named);
+}
+
+// Title, what it means, and the first elements; a click shows them in the view.
+void card(const Context& ui, std::size_t index) {
+  auto& checks = ui.workspace.checks;
+  const scene::Finding& finding = checks.findings[index];
+  const bool shown = checks.shown == index;
+  const std::string means = scene::meaning(finding), elements = elements_text(finding);
+  const float width = ImGui::GetContentRegionAvail().x, wrap = width - 2 * inset;
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const float middle = wrapped_height(means, wrap);
+  ImGui::PushFont(ui.fonts.numbers);
+  const float bottom = wrapped_height(elements, wrap);
+  ImGui::PopFont();
+
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 7 + line + middle + 4 + bottom + 8};
+  const std::string name = "finding/" + std::to_string(index);
+  const bool clicked = ImGui::InvisibleButton(name.c_str(), size);
+  record(ui, name);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + size.x, at.y + size.y};
+  draw.AddRectFilled(at, end, shown ? ui.colors.card_active : hovered ? ui.colors.card_hover : ui.colors.card, 6);
+  if (shown) draw.AddRect(at, end, ui.colors.accent, 6, 0, 1.5f);
+
+  const float x = at.x + inset;
+  float y = at.y + 7;
+  const ImU32 color = scene::matters(finding) ? ui.colors.warn : ui.colors.text;
+  ImGui::PushFont(ui.fonts.strong);
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, color, scene::title(finding).c_str(), nullptr, wrap);
+  ImGui::PopFont();
+  y += line;
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.faint, means.c_str(), nullptr, wrap);
+  y += middle + 4;
+  ImGui::PushFont(ui.fonts.numbers);
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.text, elements.c_str(), nullptr, wrap);
+  ImGui::PopFont();
+  hint(shown ? "Click to hide them again." : "Click to see them in the view.");
+  if (clicked) scene::toggle_finding(ui.workspace, index);
+}
+
+// "< 3 of 17: edge 5-8 >": one element after the other.
+void stepper(const Context& ui) {
+  auto& checks = ui.workspace.checks;
+  const scene::Finding& finding = checks.findings[*checks.shown];
+  if (finding.size() < 2) return;
+  const float button = 34, width = ImGui::GetContentRegionAvail().x;
+  const float left = ImGui::GetCursorPosX();
+  const auto step = [&](const char* label, const char* name, int by, const char* tip) {
+    if (ImGui::Button(label, {button, 0})) scene::step_element(ui.workspace, by);
+    record(ui, name);
+    hint(tip);
+  };
+  step("<##finding", "finding_previous", -1, "Show the one before alone.");
+  const std::string text = checks.element
+                               ? count(*checks.element + 1) + " of " + count(finding.size())
+                               : "all " + count(finding.size());
+  ImGui::SameLine(left + 0.5f * (width - ImGui::CalcTextSize(text.c_str()).x));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::SameLine(left + width - button);
+  step(">##finding", "finding_next", 1, "Show the next one alone.");
+}
+
+// The cage's before the model's: what matters has come first anyway.
+void group(const Context& ui, scene::Subject subject, const char* heading) {
+  const auto& checks = ui.workspace.checks;
+  bool first = true;
+  for (std::size_t i = 0; i < checks.findings.size(); ++i) {
+    if (checks.findings[i].subject != subject) continue;
+    if (first) note(ui, heading);
+    first = false;
+    card(ui, i);
+    if (checks.shown == i) stepper(ui);
+  }
+}
+
+}  // namespace
+
+void panel_checks(const Context& ui) {
+  auto& checks = ui.workspace.checks;
+  if (!ui.workspace.document.model.surface) return;
+  const std::size_t matter = checks.running ? 0 : mattering(checks);
+  if (checks.fresh) ImGui::SetNextItemOpen(matter > 0);
+  checks.fresh = false;
+  const bool open = section(ui, "Checks", false);
+  section_note(ui, summary(checks), matter > 0 ? ui.colors.warn : 0);
+  if (!open) return;
+  if (checks.running) return note(ui, "Model and cage are being looked through.");
+  if (checks.findings.empty()) {
+    note(ui, ui.workspace.document.has_cage()
+                 ? "Model and cage are closed, oriented manifolds; the cage does not cut itself and encloses the model."
+                 : "The model is a closed, oriented manifold.");
+  }
+  group(ui, scene::Subject::cage, "Cage");
+  group(ui, scene::Subject::model, "Model");
+}
+
+}  // namespace viete::ui

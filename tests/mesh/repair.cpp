@@ -1,0 +1,62 @@
+#include "mesh/repair.h"
+
+#include <doctest/doctest.h>
+
+#include "mesh/facts.h"
+#include "mesh/shapes.h"
+
+using namespace viete;
+using namespace viete::mesh;
+
+TEST_CASE("welding_closes_a_soup_of_triangles_and_keeps_its_numbers") {
+  const Surface whole = test::sphere(2);
+  std::vector<Point> positions;
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : whole.triangles) {
+    for (const auto v : t) positions.push_back(whole.positions[v]);
+    const auto n = static_cast<std::uint32_t>(positions.size());
+    triangles.push_back({n - 3, n - 2, n - 1});
+  }
+  const Surface soup = from_triangles(positions, triangles), joined = welded(soup);
+  CHECK(facts(soup).boundary_edges.size() == 3 * whole.triangles.size());
+  CHECK(facts(joined).closed());
+  CHECK(joined.positions == soup.positions);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      CHECK(joined.triangles[t][i] <= triangles[t][i]);
+      CHECK(positions[joined.triangles[t][i]] == positions[triangles[t][i]]);
+    }
+  }
+}
+
+TEST_CASE("faces_that_disagree_are_turned_to_the_side_of_most") {
+  for (const Surface& sound : {test::sphere(2), test::torus(12, 8), test::torus(12, 8, true)}) {
+    Surface s = sound;
+    for (const std::size_t t : {3u, 4u, 17u, 30u}) std::swap(s.triangles[t][0], s.triangles[t][1]);
+    const Facts before = facts(s), after = facts(consistently_oriented(s));
+    CHECK(!before.oriented());
+    CHECK(after.oriented());
+    CHECK(after.volume == doctest::Approx(facts(sound).volume).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("an_inside_out_surface_stays_so_and_parts_are_turned_apart") {
+  Surface s = test::sphere(2);
+  for (auto& t : s.triangles) std::swap(t[0], t[1]);
+  CHECK(consistently_oriented(s).triangles == s.triangles);
+}
+
+TEST_CASE("a_moebius_strip_is_left_as_it_is") {
+  // Six rungs, the last joined to the first upside down.
+  std::vector<Point> positions;
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    for (int j = 0; j < 2; ++j) positions.push_back({std::cos(1.0 * i), std::sin(1.0 * i), 1.0 * j});
+    const std::uint32_t a = 2 * i, b = a + 1, c = i < 5 ? a + 2 : 1, d = i < 5 ? a + 3 : 0;
+    triangles.push_back({a, c, b});
+    triangles.push_back({b, c, d});
+  }
+  const Surface strip = from_triangles(positions, triangles);
+  CHECK(!facts(strip).oriented());
+  CHECK(consistently_oriented(strip).triangles == strip.triangles);
+}

@@ -1,0 +1,156 @@
+// Broken cages in the real program: what is wrong is found, said, and shown where it is.
+#include <fstream>
+
+#include "mesh/write.h"
+#include "program/driver.h"
+#include "support/folder.h"
+
+using namespace viete;
+using test::Driver;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path dragon() {
+  return test::assets_dir() / "dragon" / "dragon.ply";
+}
+const fs::path sound_cage() {
+  return test::assets_dir() / "dragon" / "cage.obj";
+}
+
+// The bundled cage without its first face.
+fs::path open_cage(const fs::path& folder) {
+  std::ifstream in(sound_cage());
+  const fs::path path = folder / "open.obj";
+  std::ofstream out(path);
+  bool left_out = false;
+  for (std::string line; std::getline(in, line);) {
+    const bool face = line.rfind("f ", 0) == 0;
+    if (face && !left_out) {
+      left_out = true;
+    } else {
+      out << line << '\n';
+    }
+  }
+  return path;
+}
+
+// Pixels of the highlight in the view: much red, little green, as no model, cage or selection has it.
+int highlighted(Driver& d) {
+  const auto picture = d.picture();
+  int count = 0;
+  for (int y = 0; y < 760; ++y) {
+    for (int x = 330; x < 1280; ++x) {
+      const auto p = picture.pixel(x, y);
+      count += p[0] > 190 && p[1] < 130 && p[2] > 90;
+    }
+  }
+  return count;
+}
+
+const scene::Finding* find(Driver& d, scene::Oddity oddity) {
+  for (const auto& finding : d.workspace().checks.findings) {
+    if (finding.oddity == oddity) return &finding;
+  }
+  return nullptr;
+}
+
+std::string widget_of(Driver& d, const scene::Finding* finding) {
+  return "finding/" + std::to_string(finding - d.workspace().checks.findings.data());
+}
+
+}  // namespace
+
+TEST_CASE("a_sound_model_and_cage_show_no_finding") {
+  Driver d;
+  d.workspace().view.axes = false;
+  REQUIRE(scene::load_model(d.workspace(), dragon(), sound_cage()));
+  d.settle();
+  CHECK(!d.workspace().checks.running);
+  CHECK(d.workspace().checks.findings.empty());
+  CHECK(!d.viewer().recorder().find("finding/0"));
+}
+
+TEST_CASE("an_open_cage_is_found_and_a_click_shows_where") {
+  const test::TemporaryFolder scratch;
+  Driver d;
+  d.workspace().view.axes = false;
+  REQUIRE(scene::load_model(d.workspace(), dragon(), open_cage(scratch.path())));
+  d.settle();
+  const auto* open = find(d, scene::Oddity::open);
+  REQUIRE(open);
+  CHECK(open->edges.size() == 3);
+  const auto before = d.workspace().camera.pose();
+  CHECK(highlighted(d) == 0);
+  d.click(widget_of(d, open));
+  d.settle();
+  CHECK(d.workspace().camera.pose().distance < before.distance);
+  CHECK(highlighted(d) > 200);
+
+  // One edge after the other, alone; and hidden again.
+  const int all = highlighted(d);
+  d.click("finding_next");
+  d.settle();
+  CHECK(d.workspace().checks.element == 0u);
+  CHECK(highlighted(d) > 50);
+  CHECK(highlighted(d) != all);
+  d.click(widget_of(d, open));
+  d.settle();
+  CHECK(highlighted(d) == 0);
+}
+
+TEST_CASE("the_highlight_follows_the_cage_when_it_is_dragged") {
+  const test::TemporaryFolder scratch;
+  Driver d;
+  d.workspace().view.axes = false;
+  REQUIRE(scene::load_model(d.workspace(), dragon(), open_cage(scratch.path())));
+  d.settle();
+  d.click(widget_of(d, find(d, scene::Oddity::open)));
+  d.settle();
+  const auto edge = find(d, scene::Oddity::open)->edges[0];
+  d.move({700, 20});
+  const auto shot = [&] { return d.picture().pixel(static_cast<int>(d.vertex(edge[0]).x), static_cast<int>(d.vertex(edge[0]).y)); };
+  auto& pose = d.document().pose.positions;
+  for (auto& p : pose) p[1] += 0.02 * d.document().space.diagonal();
+  ++d.document().posed;
+  d.frame(3);
+  CHECK(shot()[0] > 150);
+  CHECK(shot()[1] < 150);
+}
+
+TEST_CASE("vertices_outside_are_counted_and_shown_and_go_with_the_cage") {
+  const test::TemporaryFolder scratch;
+  auto cage = *scene::open_surface(sound_cage()).surface;
+  for (auto& p : cage.positions) p[1] -= 0.3;
+  const fs::path low = scratch / "low.obj";
+  mesh::write(low, cage);
+  Driver d;
+  d.workspace().view.axes = false;
+  REQUIRE(scene::load_model(d.workspace(), dragon(), low));
+  d.settle();
+  const auto* outside = find(d, scene::Oddity::vertices_outside);
+  REQUIRE(outside);
+  CHECK(outside->size() > 100);
+  d.click(widget_of(d, outside));
+  d.settle();
+  CHECK(highlighted(d) > 500);
+  REQUIRE(scene::load_cage(d.workspace(), sound_cage()));
+  d.frame();
+  CHECK(d.workspace().checks.findings.empty());
+  CHECK(!d.workspace().checks.shown);
+  d.settle();
+  CHECK(d.workspace().checks.findings.empty());
+  CHECK(highlighted(d) == 0);
+}
+
+TEST_CASE("checks_run_aside_while_frames_go_on") {
+  Driver d;
+  d.workspace().view.axes = false;
+  REQUIRE(scene::load_model(d.workspace(), dragon(), sound_cage()));
+  d.frame();
+  // The frame that began them did not wait for them, or they were quick: both are fine, waiting is not.
+  for (int i = 0; i < 4000 && d.viewer().checking(); ++i) d.frame();
+  CHECK(!d.viewer().checking());
+  CHECK(!d.workspace().checks.running);
+}
