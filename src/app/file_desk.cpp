@@ -36,7 +36,7 @@ FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace)
 void FileDesk::take_requests(scene::Workspace& w, std::span<const mesh::Point> positions, bool hand_is_free) {
   auto& r = w.requests;
   if (const auto request = std::exchange(r.open, std::nullopt)) loader_.start(*request, w.document);
-  if (std::exchange(r.stop_loading, false)) loader_.stop();
+  if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) scene::save_session(w, *file);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt)) {
@@ -56,11 +56,14 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
   if (!result) return;
   if (result->opened) {
     if (result->look.surface) look_ = std::move(result->look);
+    if (result->bound.binding) bound_ = std::move(result->bound);
     autosave_.follow(w);  // an edit that ended in this very frame is kept before its document goes
     scene::take(w, *std::move(result->opened));
   } else {
+    const char* stopped = result->was_binding ? "Stopped binding; everything is as it was."
+                                              : "Stopped reading; everything is as it was.";
     w.messages.say(result->problem.empty() ? scene::Severity::info : scene::Severity::error,
-                   result->problem.empty() ? "Stopped reading; everything is as it was." : result->problem);
+                   result->problem.empty() ? stopped : result->problem);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <span>
+#include <utility>
 
 #include "app/autosave.h"
 #include "app/errands.h"
@@ -31,6 +32,8 @@ public:
   void finish_loading(scene::Workspace& workspace) { take_loaded(workspace, true); }
   /// The look of the model that was read last.
   ModelLook& look() { return look_; }
+  /// What was bound with the document that was taken last; once.
+  Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:
   void take_loaded(scene::Workspace& workspace, bool wait);
@@ -40,6 +43,7 @@ private:
   std::filesystem::path state_;
   Loader loader_;
   ModelLook look_;
+  Bound bound_;
   Errands errands_;
   Autosave autosave_;
   scene::Remembered written_;

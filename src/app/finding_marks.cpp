@@ -72,8 +72,8 @@ void FindingMarks::set(const scene::Workspace& w, std::span<const mesh::Point> m
 void FindingMarks::draw(const render::View& view, const render::Theme& theme) const {
   if (used_.empty()) return;
   faces_.draw(view, {theme.finding, 0.30F, 0.05F, false});
-  edges_.draw(view, {2.5F, 1, 0.45F});
-  vertices_.draw(view, {theme.outline, theme.hover, 1, 0.45F});
+  edges_.draw(view, {2.5F, 1, 0.7F});
+  vertices_.draw(view, {theme.outline, theme.hover, 1, 0.7F});
 }
 
 }  // namespace viete::app

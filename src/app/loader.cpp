@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "scene/binding_plan.h"
 
 namespace viete::app {
 
@@ -14,6 +15,7 @@ scene::Document without_history(const scene::Document& document) {
   copy.model = document.model;
   copy.cage_file = document.cage_file;
   copy.cage = document.cage;
+  copy.coordinates = document.coordinates;
   return copy;
 }
 
@@ -25,20 +27,39 @@ void Loader::start(const scene::OpenRequest& request, const scene::Document& cur
   job_->request = request;
   job_->current = without_history(current);
   job_->begun = base::wall_seconds();
+  const auto& files = request.files;
+  job_->begin_part("Reading " + (files.empty() ? "" : files.front().filename().string()));
   job_->thread = std::thread([job = job_.get()] { work(*job); });
+}
+
+void Loader::Job::begin_part(std::string name) {
+  const std::lock_guard lock(mutex);
+  what = std::move(name);
+  part_begun = base::wall_seconds();
+}
+
+void Loader::open(Job& job) {
+  scene::Opened opened = scene::open_files(job.request, job.current, &job.progress);
+  if (opened.document && opened.document->model.surface != job.current.model.surface) {
+    job.progress.section(0.8, 1);
+    job.result.look = look_of(opened.document->model.surface);
+  }
+  job.progress.section(1, 1);
+  if (opened.document && opened.document->has_cage()) {
+    const scene::Document& document = *opened.document;
+    const auto coordinates = opened.session ? document.coordinates : job.current.coordinates;
+    job.result.was_binding = true;
+    job.begin_part(scene::text(scene::binding_plan(document, coordinates)));
+    job.progress.section(0, 1);
+    job.result.bound = bind(document.model.surface, document.cage, coordinates, job.progress);
+  }
+  job.result.opened = std::move(opened);
 }
 
 void Loader::work(Job& job) {
   try {
-    scene::Opened opened = scene::open_files(job.request, job.current, &job.progress);
-    if (opened.document && opened.document->model.surface != job.current.model.surface) {
-      job.progress.section(0.8, 1);
-      job.result.look = look_of(opened.document->model.surface);
-    }
-    job.progress.section(1, 1);
-    job.result.opened = std::move(opened);
+    open(job);
   } catch (const base::Cancelled&) {
-    job.result = {};
   } catch (const std::exception& error) {
     job.result.problem = error.what();
   }
@@ -56,11 +77,11 @@ void Loader::cancel() {
   job_.reset();
 }
 
-scene::LoadState Loader::state() const {
+scene::WorkState Loader::state() const {
   if (!job_) return {};
-  const auto& files = job_->request.files;
-  const std::string name = files.empty() ? "" : files.front().filename().string();
-  return {true, "Reading " + name, job_->progress.done(), base::wall_seconds() - job_->begun};
+  const std::lock_guard lock(job_->mutex);
+  const double now = base::wall_seconds();
+  return {true, job_->what, job_->progress.done(), now - job_->part_begun, now - job_->begun};
 }
 
 std::optional<Loader::Result> Loader::poll(bool wait) {

@@ -74,6 +74,9 @@ int render(const RenderOptions& options) {
   set_up(workspace, std::move(opened), options);
   aim(offscreen.viewer(), has_camera, options);
   offscreen.settle();
+  if (const auto& cage = workspace.document.cage) {
+    for (const auto& warning : cage->warnings) std::fprintf(stderr, "viete: note: %s\n", warning.c_str());
+  }
   const auto& messages = workspace.messages.all();
   for (const auto& message : messages) {
     if (message.severity == scene::Severity::error) throw base::Error("", message.text);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "scene/binding_plan.h"
 #include "scene/pose_notes.h"
 #include "sym3/kernel.h"
 #include "ui/input.h"
@@ -95,16 +96,17 @@ bool Viewer::wants_refinement() const {
 
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
-  const bool reports = files_.loading() || checks_.running();
+  const bool reports = files_.loading() || binder_.running() || checks_.running();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
-  return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due() || checks_.has_result();
+  return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due() || binder_.has_result() ||
+         checks_.has_result();
 }
 
 bool Viewer::changing() const {
   const scene::Document& document = workspace_.document;
   const bool cage_moved = document.has_cage() && posed_drawn_ != document.posed;
   const bool model_waits = deformer_ && posed_seen_ != document.posed;
-  return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || binder_.running() || cage_moved ||
+  return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
          model_waits || topology_seen_ != document.topology;
 }
 
@@ -112,37 +114,71 @@ void Viewer::take_requests() {
   files_.take_requests(workspace_, deformer_ ? deformer_->positions() : std::span<const mesh::Point>(),
                        !pointer_.active());
   take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
+  const bool stop = std::exchange(workspace_.requests.stop_work, false);
+  if (stop && binder_.running()) stop_binding("Stopped binding; everything is as it was.", scene::Severity::info);
   if (std::exchange(workspace_.requests.frame_finding, false)) frame_finding();
 }
 
-// New topology: everything that was derived from the old one goes, and a new binding is begun.
 void Viewer::follow_document() {
   const scene::Document& document = workspace_.document;
   if (topology_seen_ != document.topology) {
     topology_seen_ = document.topology;
     settle_frames_ = 3;
-    deformer_.reset();
-    workspace_.pose_notes.clear();
-    binder_.cancel();
-    if (files_.look().surface != document.model.surface) files_.look() = look_of(document.model.surface);
-    stage_.set_document(document, files_.look());
-    posed_drawn_ = document.posed - 1;
-    posed_seen_ = document.posed - 1;
-    if (document.has_cage()) binder_.start(document.model.surface, document.cage, document.coordinates);
+    follow_topology();
   }
   if (checked_model_ != document.model.surface || checked_cage_ != document.cage_file.surface) start_checks();
   take_checks(false);
   take_binding(false);
-  workspace_.binding = {binder_.running(), binder_.done()};
+  workspace_.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(), binder_.seconds()};
+}
+
+// New model or cage: everything that was derived from the old ones goes. New coordinates: the old ones serve
+// until the new ones are there.
+void Viewer::follow_topology() {
+  const scene::Document& document = workspace_.document;
+  binder_.cancel();
+  if (!bound_.binds(document)) {
+    deformer_.reset();
+    bound_ = {};
+    workspace_.pose_notes.clear();
+    if (files_.look().surface != document.model.surface) files_.look() = look_of(document.model.surface);
+    stage_.set_document(document, files_.look());
+    posed_drawn_ = document.posed - 1;
+    posed_seen_ = document.posed - 1;
+    if (Bound bound = files_.take_bound(); bound.binds(document)) install(std::move(bound));
+  }
+  if (document.has_cage() && !(deformer_ && bound_.binding->coordinates == document.coordinates)) start_binding();
+}
+
+void Viewer::start_binding() {
+  const scene::Document& document = workspace_.document;
+  binding_text_ = scene::text(scene::binding_plan(document, document.coordinates));
+  binder_.start([model = document.model.surface, cage = document.cage,
+                 coordinates = document.coordinates](base::Progress& progress) {
+    return bind(model, cage, coordinates, progress);
+  });
 }
 
 void Viewer::take_binding(bool wait) {
-  const auto result = binder_.poll(wait);
+  auto result = binder_.poll(wait);
   if (!result) return;
-  if (!result->binding) return workspace_.messages.error(result->problem);
-  for (const auto& warning : result->binding->warnings) workspace_.messages.warn(warning);
-  deformer_ = std::make_unique<deform::Deformer>(result->cage, result->binding, pool_);
+  if (!result->value) return stop_binding(result->problem, scene::Severity::error);
+  install(*std::move(result->value));
+}
+
+void Viewer::install(Bound bound) {
+  for (const auto& warning : bound.binding->warnings) workspace_.messages.warn(warning);
+  deformer_ = std::make_unique<deform::Deformer>(bound.cage, bound.binding, pool_);
+  bound_ = std::move(bound);
   posed_seen_ = workspace_.document.posed - 1;
+}
+
+// The coordinates are again those that the deformer has.
+void Viewer::stop_binding(const std::string& why, scene::Severity severity) {
+  binder_.cancel();
+  if (deformer_) workspace_.document.coordinates = bound_.binding->coordinates;
+  workspace_.messages.say(severity, why);
+  settle_frames_ = 3;
 }
 
 // Of the surfaces as they were read: poses do not matter, nor what they are bound by.

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/background_job.h"
-#include "app/binder.h"
+#include "app/bound.h"
 #include "app/file_desk.h"
 #include "app/imgui_renderer.h"
 #include "app/input_queue.h"
@@ -54,8 +54,10 @@ class Viewer {
   bool measuring() const { return method_probe_.busy(); }
   /// True while edits are unsaved and kept for the next start.
   bool keeping() const { return files_.keeping(); }
-  /// True while files are being read aside.
+  /// True while files are being read, and what they hold is bound, aside.
   bool loading() const { return files_.loading(); }
+  /// True while something is read or bound aside that a person waits for.
+  bool working() const { return loading() || binder_.running(); }
   /// Waits for the files that are being read.
   void finish_loading() { files_.finish_loading(workspace_); }
   /// Waits until the model is bound, without drawing: the next frame deforms it.
@@ -75,7 +77,11 @@ class Viewer {
   bool wants_refinement() const;
   void take_requests();
   void follow_document();
+  void follow_topology();
+  void start_binding();
   void take_binding(bool wait);
+  void install(Bound bound);
+  void stop_binding(const std::string& why, scene::Severity severity);
   void start_checks();
   void take_checks(bool wait);
   std::span<const mesh::Point> model_positions() const;
@@ -105,10 +111,12 @@ class Viewer {
   render::Framebuffer framebuffer_;
   Stage stage_;
   base::WorkerPool pool_;
-  Binder binder_;
+  BackgroundJob<Bound> binder_;
+  std::string binding_text_;
   MethodProbe method_probe_;
   BackgroundJob<std::vector<scene::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
+  Bound bound_;  // what the deformer is made of; nothing while there is none
   std::unique_ptr<deform::Deformer> deformer_;
 
   // What the derived state was derived from; compared once a frame.

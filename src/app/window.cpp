@@ -198,7 +198,7 @@ void Window::run(int frames) {
   for (int drawn = 0; frames == 0 || drawn < frames;) {
     glfwPollEvents();
     const bool needed = exposed_ || viewer_->wants_frame();
-    if (!needed) glfwWaitEventsTimeout(viewer_->loading() ? 0.02 : 0.1);
+    if (!needed) glfwWaitEventsTimeout(viewer_->working() ? 0.02 : 0.1);
     if (glfwWindowShouldClose(window_) || viewer_->workspace().requests.quit) return;
     if (!exposed_ && !viewer_->wants_frame() && frames == 0) continue;
     exposed_ = false;

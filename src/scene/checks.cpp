@@ -10,6 +10,7 @@
 #include "mesh/repair.h"
 #include "mesh/self_intersection.h"
 #include "mesh/winding_number.h"
+#include "scene/quantity.h"
 
 namespace viete::scene {
 
@@ -50,12 +51,6 @@ void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, cons
     add(found, Oddity::inside_out, subject, ElementKind::face, std::move(all));
   }
   add(found, Oddity::degenerate, subject, ElementKind::face, faces_of(surface, facts.degenerate_triangles));
-}
-
-std::string with_thousands(std::size_t n) {
-  std::string digits = std::to_string(n);
-  for (auto i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
-  return digits;
 }
 
 void append(std::vector<Finding>& all, std::vector<Finding>&& more) {

@@ -17,7 +17,7 @@ bool uses_method(const Workspace& w) { return w.document.coordinates == deform::
 bool has_model(const Workspace& w) { return w.document.model.surface != nullptr; }
 bool has_cage(const Workspace& w) { return w.document.has_cage(); }
 bool has_selection(const Workspace& w) { return !w.document.selection.empty(); }
-bool is_loading(const Workspace& w) { return w.loading.running; }
+bool is_working(const Workspace& w) { return w.loading.running || w.binding.running; }
 bool has_leftover(const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; }
 bool can_undo(const Workspace& w) { return w.document.history.can_undo() && !w.hand.drag; }
 bool can_redo(const Workspace& w) { return w.document.history.can_redo() && !w.hand.drag; }
@@ -93,8 +93,8 @@ const std::vector<Command>& table() {
        browse_to_save_pose},
       {"save_model", "Export", "Write the deformed mesh to a file.", "File", {key('E'), true}, {}, has_cage,
        browse_to_save_model},
-      {"stop_loading", "Cancel", "Stop reading; everything stays as it is.", "File", {Key::escape}, {}, is_loading,
-       [](Workspace& w) { w.requests.stop_loading = true; }},
+      {"stop_work", "Cancel", "Stop reading or binding; everything stays as it is.", "File", {Key::escape}, {}, is_working,
+       [](Workspace& w) { w.requests.stop_work = true; }},
       {"restore_leftover", "Restore", "Bring unsaved edits back.", "File", {key('B'), true}, {}, has_leftover,
        restore_leftover},
       {"discard_leftover", "Discard", "Remove unsaved edits for good.", "File", {}, {}, has_leftover, discard_leftover},

@@ -19,11 +19,10 @@ void append(std::vector<std::string>& all, const std::vector<std::string>& more)
   all.insert(all.end(), more.begin(), more.end());
 }
 
+// What is odd about the surfaces themselves is left to the checks.
 void take_warnings(Opened& opened) {
   append(opened.warnings, opened.document->model.warnings);
-  if (!opened.document->has_cage()) return;
   append(opened.warnings, opened.document->cage_file.warnings);
-  append(opened.warnings, opened.document->cage->warnings);
 }
 
 Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) {
@@ -44,7 +43,6 @@ Opened open_cage(OpenedSurface cage, const Document& current) {
   opened.document = document_of(current.model);
   set_cage(*opened.document, std::move(cage));
   append(opened.warnings, opened.document->cage_file.warnings);
-  append(opened.warnings, opened.document->cage->warnings);
   return opened;
 }
 

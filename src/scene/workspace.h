@@ -67,19 +67,20 @@ struct OpenRequest {
 struct Requests {
   bool quit = false;
   bool screenshot = false;
-  bool stop_loading = false;
+  bool stop_work = false;  ///< reading or binding
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   std::optional<OpenRequest> open;
   std::optional<std::filesystem::path> save_session, save_pose, save_model;
   std::optional<std::filesystem::path> discard;  ///< a leftover
 };
 
-/// How far the reading of files is, while they are being read.
-struct LoadState {
+/// How far work is that is done aside and that a person waits for.
+struct WorkState {
   bool running = false;
-  std::string what;    ///< "Reading dragon.ply"
+  std::string what;    ///< "Reading dragon.ply", "Binding 50,000 vertices to 148 faces, 72 MB"
   double done = 0;     ///< in [0, 1]
-  double seconds = 0;  ///< since it began
+  double seconds = 0;  ///< since this part of the work began
+  double age = 0;      ///< since all of it began
 };
 
 /// What is safe in files of the user's: edits that led away from it are unsaved.
@@ -87,12 +88,6 @@ struct Saved {
   std::filesystem::path session;       ///< where Save writes; empty until there is one
   std::vector<mesh::Point> positions;  ///< the pose that was opened or saved last; empty for recovered work
   unsigned long revision = 0;          ///< grows with each change
-};
-
-/// How far the binding is, while it is being made.
-struct BindState {
-  bool running = false;
-  double done = 0;  ///< in [0, 1]
 };
 
 struct Workspace {
@@ -106,8 +101,8 @@ struct Workspace {
   Requests requests;
   FrameStats stats;
   MethodStats methods;
-  BindState binding;
-  LoadState loading;
+  WorkState loading;  ///< opening files: reading them, then binding
+  WorkState binding;  ///< of what is open, to other coordinates
   CheckState checks;
   Saved saved;
   Remembered remembered;

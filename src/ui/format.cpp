@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "scene/quantity.h"
+
 namespace viete::ui {
 
 namespace {
@@ -30,9 +32,7 @@ std::string nanoseconds(double ns) {
 }
 
 std::string count(std::size_t n) {
-  std::string digits = std::to_string(n);
-  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
-  return digits;
+  return scene::with_thousands(n);
 }
 
 std::string error(double relative) {

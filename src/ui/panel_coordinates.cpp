@@ -1,3 +1,6 @@
+#include <string>
+
+#include "scene/binding_plan.h"
 #include "scene/edit.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -10,7 +13,10 @@ void choice(const Context& ui, const char* label, const char* name, deform::Coor
   auto& document = ui.workspace.document;
   if (ImGui::RadioButton(label, document.coordinates == value)) scene::set_coordinates(document, value);
   record(ui, name);
-  hint(tip);
+  const bool bound = document.coordinates == value;
+  const std::string cost =
+      document.has_cage() && !bound ? "\n\n" + scene::text(scene::binding_plan(document, value)) + " of memory." : "";
+  hint(tip + cost);
 }
 
 }  // namespace

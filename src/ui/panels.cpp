@@ -33,7 +33,7 @@ void draw_panels(const Context& ui) {
     status_bar(ui);
   }
   notice_bar(ui);
-  loading_bar(ui);
+  work_bar(ui);
   if (ui.workspace.view.help) help_overlay(ui);
   if (ui.workspace.browser.open) file_panel(ui);
 }

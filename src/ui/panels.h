@@ -19,11 +19,11 @@ void panel_messages(const Context& ui);
 void status_bar(const Context& ui);
 void help_overlay(const Context& ui);
 void file_panel(const Context& ui);
-void loading_bar(const Context& ui);  ///< what is being read, how far, and Cancel
+void work_bar(const Context& ui);    ///< what is being read or bound, how far, and Cancel
 void notice_bar(const Context& ui);   ///< unsaved work that can be brought back
 void transform_fields(const Context& ui);  ///< a part of the cage's panel
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
-void view_overlay(const Context& ui);  ///< box selection, first-start hints, binding progress
+void view_overlay(const Context& ui);  ///< box selection, first-start hints
 
 }  // namespace viete::ui

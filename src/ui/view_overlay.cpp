@@ -31,25 +31,13 @@ void hints(const Context& ui) {
   centered(ui, bottom - 34, "Drag a vertex of the cage     Switch the method at the left     F1 shows every key", faded(ui.colors.text, 0.75f));
 }
 
-void progress(const Context& ui) {
-  const auto& v = ui.workspace.viewport;
-  const float width = std::min(280.0f, 0.6f * v.size.x);
-  const float x = v.origin.x + 0.5f * (v.size.x - width), y = v.origin.y + v.size.y - 64;
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  centered(ui, y - 24, "Binding the model to the cage", ui.colors.text);
-  draw.AddRectFilled({x, y}, {x + width, y + 6}, ui.colors.card, 3);
-  const float done = static_cast<float>(std::clamp(ui.workspace.binding.done, 0.02, 1.0));
-  draw.AddRectFilled({x, y}, {x + done * width, y + 6}, ui.colors.accent, 3);
-}
-
 }  // namespace
 
 void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (w.hand.box) selection_box(ui, *w.hand.box);
-  if (w.binding.running) {
-    progress(ui);
-  } else if (w.view.hints && w.document.has_cage() && w.view.panels && !w.hand.drag) {
+  if (w.binding.running || w.loading.running) return;  // their bar is there
+  if (w.view.hints && w.document.has_cage() && w.view.panels && !w.hand.drag) {
     hints(ui);
   }
 }

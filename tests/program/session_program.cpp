@@ -521,7 +521,7 @@ bool sees_loading_bar(Driver& d) {
   const bool ended = wait_until(
       [&] {
         d.frame();
-        seen = d.viewer().recorder().find("stop_loading").has_value();
+        seen = d.viewer().recorder().find("stop_work").has_value();
         return seen || !d.viewer().loading();
       },
       60);

@@ -8,12 +8,12 @@ namespace viete::ui {
 
 namespace {
 
-constexpr double silent_seconds = 0.2;  // what is read sooner shows no bar
+constexpr double silent_seconds = 0.2;  // what is done sooner shows no bar
 
 // From how long the part that is done took; nothing while that says little.
-std::string time_left(const scene::LoadState& loading) {
-  if (loading.seconds < 0.5 || loading.done < 0.02) return "";
-  const double left = loading.seconds * (1 - loading.done) / loading.done;
+std::string time_left(const scene::WorkState& work) {
+  if (work.seconds < 0.5 || work.done < 0.02) return "";
+  const double left = work.seconds * (1 - work.done) / work.done;
   return left < 1 ? "a moment" : std::to_string(static_cast<int>(std::ceil(left))) + " s left";
 }
 
@@ -28,23 +28,24 @@ void bar(const Context& ui, float width, double done) {
 
 }  // namespace
 
-void loading_bar(const Context& ui) {
-  const auto& loading = ui.workspace.loading;
-  if (!loading.running || loading.seconds < silent_seconds) return;
+void work_bar(const Context& ui) {
+  const auto& w = ui.workspace;
+  const scene::WorkState& work = w.loading.running ? w.loading : w.binding;
+  if (!work.running || work.age < silent_seconds) return;
   const auto& v = ui.workspace.viewport;
-  const float width = std::min(320.0f, 0.8f * v.size.x);
+  const float width = std::min(420.0f, 0.8f * v.size.x);
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + v.size.y - 16}, ImGuiCond_Always,
                           {0.5f, 1});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::Begin("Loading", nullptr,
+  ImGui::Begin("Work", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNav);
   const float right = ImGui::GetCursorScreenPos().x + width;
-  text_right(ui, right, time_left(loading), ui.colors.faint);
-  ImGui::TextUnformatted(loading.what.c_str());
-  bar(ui, width, loading.done);
-  command_button(ui, "stop_loading");
+  text_right(ui, right, time_left(work), ui.colors.faint);
+  ImGui::TextUnformatted(work.what.c_str());
+  bar(ui, width, work.done);
+  command_button(ui, "stop_work");
   ImGui::End();
   ImGui::PopStyleVar();
 }

@@ -1,0 +1,187 @@
+// Binding aside: the view stays live, and a binding that is cancelled or does not fit changes nothing.
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "mesh/shapes.h"
+#include "mesh/write.h"
+#include "program/driver.h"
+#include "scene/binding_plan.h"
+#include "scene/edit.h"
+#include "support/folder.h"
+
+using namespace viete;
+using test::Driver;
+using What = scene::OpenRequest::What;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path dragon = test::assets_dir() / "dragon" / "dragon.ply",
+               dragon_cage = test::assets_dir() / "dragon" / "cage.obj";
+
+// 8 * 4^levels triangles around the dragon.
+fs::path ball_cage(const fs::path& folder, int levels) {
+  const fs::path path = folder / ("ball" + std::to_string(levels) + ".ply");
+  mesh::write(path, test::moved(test::sphere(levels), 5));
+  return path;
+}
+
+// Frames until the condition holds; false after a minute.
+template <class Condition>
+bool frames_until(Driver& d, Condition condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    d.frame();
+  }
+  return true;
+}
+
+std::vector<mesh::Point> positions(Driver& d) {
+  const auto p = d.viewer().deformer()->positions();
+  return {p.begin(), p.end()};
+}
+
+void open_dragon(Driver& d) {
+  REQUIRE(scene::load_model(d.workspace(), dragon, dragon_cage));
+  d.settle();
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.drag(at, at + glm::vec2(40, 20));
+}
+
+// Bytes of memory that are free now, as the system says.
+double free_memory() {
+  std::ifstream in("/proc/meminfo");
+  std::string key, rest;
+  double kilobytes = 0;
+  while (in >> key >> kilobytes && key != "MemAvailable:") std::getline(in, rest);
+  return 1024 * kilobytes;
+}
+
+app::ViewerOptions small_window() {
+  auto options = Driver::default_options();
+  options.size = {640, 400};
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") {
+  const test::TemporaryFolder folder;
+  Driver d(small_window());
+  open_dragon(d);
+  // 51 MB and half a second; a machine that binds it in a moment gets more.
+  for (int levels = 2;; ++levels) {
+    REQUIRE_MESSAGE(levels < 5, "a fifth of a billion weights came at once");
+    const auto* cage = d.document().cage.get();
+    const auto before = positions(d);
+    const auto pose = d.document().pose.positions;
+    d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), levels)}};
+    bool bound = false, wrong = false;
+    REQUIRE(frames_until(d, [&] {
+      const auto& loading = d.workspace().loading;
+      bound = loading.running && loading.what.rfind("Binding 50,000 vertices to ", 0) == 0;
+      wrong |= loading.running && d.document().cage.get() != cage;
+      return bound || (!loading.running && !d.workspace().requests.open);
+    }));
+    CHECK(!wrong);
+    if (bound) {
+      CHECK(d.workspace().loading.what.find(" MB") != std::string::npos);
+      d.press_key(scene::Key::escape);
+    }
+    REQUIRE(frames_until(d, [&] { return !d.viewer().loading(); }));
+    if (d.document().cage.get() != cage) {
+      REQUIRE(scene::load_model(d.workspace(), dragon, dragon_cage));
+      d.settle();
+      continue;  // it was there before the key was
+    }
+    CHECK(d.document().pose.positions == pose);
+    CHECK(d.document().history.undo_count() == 1);
+    CHECK(positions(d) == before);
+    CHECK(d.workspace().messages.all().back().text.find("Stopped binding") != std::string::npos);
+    break;
+  }
+}
+
+TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
+  const test::TemporaryFolder folder;
+  Driver d(small_window());
+  open_dragon(d);
+  const auto* cage = d.document().cage.get();
+  d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 1)}};
+  REQUIRE(frames_until(d, [&] {
+    // Never a document without what deforms it.
+    REQUIRE(d.viewer().deformer());
+    return d.document().cage.get() != cage;
+  }));
+  CHECK(d.document().cage->element_count() == 32);
+  CHECK(d.viewer().deformer()->matrices().size() == 50000);
+}
+
+TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_stays") {
+  const double needed = static_cast<double>(deform::binding_bytes(50000, 8u << 16));
+  if (0.9 * free_memory() > needed) {
+    MESSAGE("this machine has room for it: not tested");
+    return;
+  }
+  const test::TemporaryFolder folder;
+  Driver d(small_window());
+  open_dragon(d);
+  const auto* cage = d.document().cage.get();
+  const auto before = positions(d);
+  d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 8)}};
+  d.frame();
+  REQUIRE(frames_until(d, [&] { return !d.viewer().loading(); }));
+  CHECK(d.document().cage.get() == cage);
+  CHECK(positions(d) == before);
+  CHECK(d.document().history.undo_count() == 1);
+  const auto& message = d.workspace().messages.all().back();
+  CHECK(message.severity == scene::Severity::error);
+  for (const char* part : {"50000 vertices", "524288 cage elements", " GB of memory", "are free", "coarser cage"}) {
+    CHECK_MESSAGE(message.text.find(part) != std::string::npos, message.text);
+  }
+}
+
+TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_keeps_them") {
+  const test::TemporaryFolder folder;
+  Driver d(small_window());
+  for (int levels = 2;; ++levels) {
+    REQUIRE_MESSAGE(levels < 5, "mean value coordinates of 2048 triangles came at once");
+    REQUIRE(scene::load_model(d.workspace(), dragon, ball_cage(folder.path(), levels)));
+    d.settle();
+    const auto rest = positions(d);
+    scene::set_coordinates(d.document(), deform::Coordinates::mean_value);
+    d.frame();
+    if (!d.workspace().binding.running) continue;
+    CHECK(d.workspace().binding.what.rfind("Binding 50,000 vertices to ", 0) == 0);
+    const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+    d.press_and_move(at, at + glm::vec2(30, 10));
+    const bool live = d.workspace().binding.running;
+    const auto during = positions(d);
+    d.button(0, false);
+    if (!live) continue;
+    CHECK_MESSAGE(during != rest, "the mesh follows while it is bound anew");
+    const auto moved = positions(d);
+    d.press_key(scene::Key::escape);
+    if (d.document().coordinates == deform::Coordinates::mean_value) continue;
+    CHECK(!d.workspace().binding.running);
+    CHECK(d.document().coordinates == deform::Coordinates::face);
+    CHECK(positions(d) == moved);
+    CHECK(!d.viewer().deformer()->matrices().empty());
+    break;
+  }
+  scene::set_coordinates(d.document(), deform::Coordinates::mean_value);
+  d.settle();
+  CHECK(d.viewer().deformer()->matrices().empty());
+}
+
+TEST_CASE("what_a_binding_takes_is_known_before") {
+  Driver d(small_window());
+  open_dragon(d);
+  const auto plan = scene::binding_plan(d.document(), deform::Coordinates::mean_value);
+  CHECK(plan.handles == d.document().pose.positions.size());
+  CHECK(plan.bytes == deform::binding_bytes(50000, plan.handles));
+  CHECK(scene::text(plan).rfind("Binding 50,000 vertices to 76 vertices, ", 0) == 0);
+}
