@@ -17,6 +17,10 @@ constexpr const char* footer =
     "Exit codes: 0 done; 1 a file could not be read or written, or the work failed (the reason is on stderr); 2 wrong "
     "command line.";
 
+std::string usage_error(const CLI::App* app, const CLI::Error& error) {
+  return "viete: " + std::string(error.what()) + "\nRun " + app->get_name() + " --help for more.\n";
+}
+
 // `viete`, `viete MODEL CAGE` and `viete --pose P MODEL CAGE` mean `viete view ...`.
 std::vector<std::string> with_default_command(int argc, char** argv, const CLI::App& app) {
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -30,6 +34,7 @@ int run(int argc, char** argv) {
   CLI::App app("Viete: deform a mesh by its cage, through the exponential of symmetric 3x3 matrices", "viete");
   app.set_version_flag("--version", "viete " VIETE_VERSION);
   app.footer(footer);
+  app.failure_message(usage_error);
   app.require_subcommand(1);
   Action action;
   add_view_command(app, action);

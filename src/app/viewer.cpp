@@ -81,11 +81,22 @@ void Viewer::frame(float seconds) {
   draw(times);
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
-  if (deformed_) workspace_.stats.add(times);
+  count(times);
   files_.keep(workspace_);
   if (options_.probe) probe();
   if (take_screenshot_) save_screenshot();
   if (settle_frames_ > 0) --settle_frames_;
+}
+
+// The first frame after a binding fills caches and compiles shaders: it says nothing of the frames to come, so it is made
+// once more.
+void Viewer::count(const scene::FrameTimes& times) {
+  if (!deformed_) return;
+  if (std::exchange(warming_up_, false)) {
+    posed_seen_ = workspace_.document.posed - 1;
+  } else {
+    workspace_.stats.add(times);
+  }
 }
 
 // A software rasteriser draws moving pictures without multisampling and the picture at rest with it.
@@ -170,6 +181,7 @@ void Viewer::install(Bound bound) {
   for (const auto& warning : bound.binding->warnings) workspace_.messages.warn(warning);
   deformer_ = std::make_unique<deform::Deformer>(bound.cage, bound.binding, pool_);
   bound_ = std::move(bound);
+  warming_up_ = true;
   posed_seen_ = workspace_.document.posed - 1;
 }
 

@@ -71,6 +71,7 @@ TEST_CASE("a_wrong_command_line_exits_with_2_and_says_what_is_wrong") {
   CHECK(run("render a b -o x.png --size 12").code == 2);
   CHECK(run("render a b -o x.png --method best").code == 2);
   CHECK(run("bench nothing").code == 2);
+  CHECK(mentions(run("deform a b"), "viete: --"));
 }
 
 TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model") {

@@ -1,0 +1,45 @@
+// A scan of half a million vertices loads, binds and follows the hand.
+#include "program/desktop.h"
+#include "program/driver.h"
+
+using namespace viete;
+using test::Driver;
+
+TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged") {
+  const auto folder = test::shared_data("igea-1m");
+  if (folder.empty()) return;
+  auto options = Driver::default_options();
+  options.size = {640, 400};
+  Driver d(options);
+  d.workspace().requests.open =
+      scene::OpenRequest{scene::OpenRequest::What::model, {folder / "mesh.ply", folder / "cage.obj"}};
+  REQUIRE(test::wait_until(
+      [&] {
+        d.frame();
+        return d.document().has_cage() && !d.viewer().loading();
+      },
+      120));
+  CHECK(d.document().model.facts.vertices == 537374);
+  d.settle();
+  REQUIRE(d.viewer().deformer()->positions().size() == 537374);
+
+  const std::vector<mesh::Point> rest(d.viewer().deformer()->positions().begin(), d.viewer().deformer()->positions().end());
+  const glm::vec2 from = glm::round(d.vertex(d.free_vertex()));
+  d.move(from);
+  d.button(0, true);
+  for (int i = 1; i <= 3; ++i) d.move(from + glm::vec2(12, -8) * static_cast<float>(i));
+  d.button(0, false);
+  d.frame(2);
+  const auto posed = d.viewer().deformer()->positions();
+  std::size_t moved = 0, broken = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    moved += posed[i] != rest[i];
+    for (const double x : posed[i]) broken += !std::isfinite(x);
+  }
+  CHECK(moved > rest.size() / 2);
+  CHECK(broken == 0);
+
+  d.press_key('Z', true);
+  d.frame(2);
+  CHECK(std::equal(rest.begin(), rest.end(), d.viewer().deformer()->positions().begin()));
+}
