@@ -31,8 +31,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   fonts_ = ui::add_fonts(options.scale, options.builtin_font);
   imgui_renderer_.upload_fonts();
   InputQueue::configure();
-  workspace_.renderer = gl.renderer;
-  workspace_.kernel = sym3::kernel_name();
+  workspace_.about = {VIETE_VERSION, VIETE_BUILD, std::string(sym3::kernel_name()), gl.renderer};
   place_viewport();
 }
 

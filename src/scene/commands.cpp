@@ -12,16 +12,33 @@ namespace viete::scene {
 
 namespace {
 
-bool always(const Workspace&) { return true; }
-bool uses_method(const Workspace& w) { return w.document.coordinates == deform::Coordinates::face; }
-bool has_model(const Workspace& w) { return w.document.model.surface != nullptr; }
-bool has_cage(const Workspace& w) { return w.document.has_cage(); }
-bool has_selection(const Workspace& w) { return !w.document.selection.empty(); }
-bool is_working(const Workspace& w) { return w.loading.running || w.binding.running; }
-bool has_leftover(const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; }
-bool can_undo(const Workspace& w) { return w.document.history.can_undo() && !w.hand.drag; }
-bool can_redo(const Workspace& w) { return w.document.history.can_redo() && !w.hand.drag; }
-bool is_posed(const Workspace& w) { return !w.hand.drag && differs_from_rest(w.document); }
+constexpr Condition always{[](const Workspace&) { return true; }, ""};
+constexpr Condition uses_method{
+    [](const Workspace& w) { return w.document.coordinates == deform::Coordinates::face; },
+    "Mean value coordinates use no exponential; choose Faces first."};
+constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
+                              "Open a model first."};
+constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); }, "Open a cage first."};
+constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
+                                  "Nothing is selected."};
+constexpr Condition has_selection_or_hover{
+    [](const Workspace& w) { return has_cage(w) && (has_selection(w) || w.hand.hovered); },
+    "Select something first, or point at it."};
+constexpr Condition is_working{[](const Workspace& w) { return w.loading.running || w.binding.running; },
+                               "Nothing is being read or bound."};
+constexpr Condition has_leftover{
+    [](const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; },
+    "There are no unsaved edits of an earlier run."};
+constexpr Condition can_undo{
+    [](const Workspace& w) { return w.document.history.can_undo() && !w.hand.drag; },
+    "There is no edit to take back."};
+constexpr Condition can_redo{
+    [](const Workspace& w) { return w.document.history.can_redo() && !w.hand.drag; },
+    "No edit was taken back."};
+constexpr Condition is_posed{[](const Workspace& w) { return !w.hand.drag && differs_from_rest(w.document); },
+                             "The cage is at rest."};
+constexpr Condition has_posed_selection{[](const Workspace& w) { return has_selection(w) && is_posed(w); },
+                                        "Nothing that is selected has moved."};
 
 template <bool ViewOptions::*Option>
 void toggle(Workspace& w) {
@@ -43,8 +60,6 @@ std::size_t selectable(const Workspace& w) { return element_count(*w.document.ca
 void select_everything(Workspace& w) { w.document.selection.select_all(selectable(w)); }
 void select_nothing(Workspace& w) { w.document.selection.clear(); }
 void invert_selection(Workspace& w) { w.document.selection.invert(selectable(w)); }
-
-bool has_selection_or_hover(const Workspace& w) { return has_cage(w) && (has_selection(w) || w.hand.hovered); }
 
 void select_linked(Workspace& w) {
   Selection& selection = w.document.selection;
@@ -112,7 +127,7 @@ const std::vector<Command>& table() {
       {"reset_pose", "Reset pose", "Put the whole cage back to rest.", "Edit", {key('R'), true}, {}, is_posed,
        [](Workspace& w) { reset_pose(w.document); }},
       {"reset_selected", "Reset selected", "Put what is selected back to rest.", "Edit", {Key::delete_key}, {},
-       [](const Workspace& w) { return has_selection(w) && is_posed(w); },
+       has_posed_selection,
        [](Workspace& w) { reset_selected(w.document); }},
 
       {"select_vertices", "Vertices", "Select vertices of the cage.", "Select", {key('1')}, {}, always,

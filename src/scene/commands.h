@@ -40,13 +40,20 @@ struct Shortcut {
 /// "Ctrl+Shift+Z"; empty for none.
 std::string text(const Shortcut& shortcut);
 
+/// When a command can run, and what to do first where it cannot.
+struct Condition {
+  bool (*holds)(const Workspace&);
+  std::string_view otherwise;
+  bool operator()(const Workspace& workspace) const { return holds(workspace); }
+};
+
 struct Command {
   std::string_view name;   ///< stable, for scripts and tests: "undo"
   std::string_view label;  ///< on buttons: "Undo"
   std::string_view hint;   ///< one sentence: what it does
   std::string_view group;  ///< heading in the help
   Shortcut shortcut, alternative;
-  bool (*enabled)(const Workspace&);
+  Condition enabled;
   void (*run)(Workspace&);
 };
 

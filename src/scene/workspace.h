@@ -90,6 +90,14 @@ struct Saved {
   unsigned long revision = 0;          ///< grows with each change
 };
 
+/// What runs, for the status bar and the help.
+struct About {
+  std::string version;   ///< "0.1.0"
+  std::string build;     ///< build type and compiler
+  std::string kernel;    ///< of the exponential
+  std::string renderer;  ///< of OpenGL
+};
+
 struct Workspace {
   Document document;
   Camera camera;
@@ -111,8 +119,7 @@ struct Workspace {
   Revision opened = 0;                   ///< another document was opened
   std::vector<std::string> pose_notes;  ///< what the deformer had to decide in this pose, one line each
   FileBrowser browser;
-  std::string renderer;  ///< name of the OpenGL renderer, for the About section
-  std::string kernel;    ///< name of the exponential kernel that runs
+  About about;
 };
 
 /// Opens at once, without reading aside. On failure everything stays as it was and a message says why. Returns success.

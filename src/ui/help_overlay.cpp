@@ -56,6 +56,14 @@ void group_lines(const Context& ui, std::string_view group) {
   }
 }
 
+void about(const Context& ui) {
+  const scene::About& about = ui.workspace.about;
+  heading(ui, "About");
+  line(ui, "Viete", (about.version + ", " + about.build).c_str());
+  line(ui, "Kernel", about.kernel.c_str());
+  line(ui, "OpenGL", about.renderer.c_str());
+}
+
 template <class Lines>
 void column(const char* name, Lines lines) {
   ImGui::BeginGroup();
@@ -85,6 +93,7 @@ void help_overlay(const Context& ui) {
   ImGui::SameLine(0, 32);
   column("right", [&] {
     for (const char* group : {"Tool", "Method", "View"}) group_lines(ui, group);
+    about(ui);
   });
   ImGui::End();
   ImGui::PopStyleVar();

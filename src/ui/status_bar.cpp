@@ -29,7 +29,7 @@ std::string mouse_text(const scene::Workspace& w) {
 std::string numbers_text(const scene::Workspace& w) {
   const auto median = w.stats.median();
   const std::string frame = median ? milliseconds(median->frame) + " a frame" : "";
-  const std::string kernel = w.kernel.empty() ? "" : "kernel " + w.kernel;
+  const std::string kernel = w.about.kernel.empty() ? "" : "kernel " + w.about.kernel;
   return frame + (frame.empty() || kernel.empty() ? "" : "   ") + kernel;
 }
 

@@ -8,9 +8,11 @@ namespace viete::ui {
 
 namespace {
 
-std::string hint_of(const scene::Command& command) {
+// What it does, its key, and why it cannot run now.
+std::string hint_of(const Context& ui, const scene::Command& command) {
   const std::string keys = scene::text(command.shortcut);
-  return std::string(command.hint) + (keys.empty() ? "" : "  (" + keys + ")");
+  const std::string what = std::string(command.hint) + (keys.empty() ? "" : "  (" + keys + ")");
+  return command.enabled(ui.workspace) ? what : what + "\n" + std::string(command.enabled.otherwise);
 }
 
 const scene::Command& require(std::string_view name) {
@@ -62,7 +64,7 @@ void command_button(const Context& ui, std::string_view name, float width) {
   if (ImGui::Button(label.c_str(), {width, 0})) command.run(ui.workspace);
   record(ui, std::string(name), enabled);
   ImGui::EndDisabled();
-  hint(hint_of(command));
+  hint(hint_of(ui, command));
 }
 
 void command_row(const Context& ui, std::initializer_list<std::string_view> commands) {
@@ -92,7 +94,7 @@ void command_toggle(const Context& ui, std::string_view name, bool value) {
   const std::string label = std::string(command.label) + "##" + std::string(name);
   if (ImGui::Checkbox(label.c_str(), &value)) command.run(ui.workspace);
   record(ui, std::string(name));
-  hint(hint_of(command));
+  hint(hint_of(ui, command));
 }
 
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color) {

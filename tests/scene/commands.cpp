@@ -93,3 +93,12 @@ TEST_CASE("tools_and_the_camera_are_switched_by_commands") {
   CHECK(run_command(w, "toggle_orthographic"));
   CHECK_FALSE(w.camera.pose().orthographic);
 }
+
+TEST_CASE("a_command_that_cannot_run_says_what_to_do_first") {
+  const Workspace nothing_open;
+  for (const auto& command : commands()) {
+    CAPTURE(command.name);
+    if (!command.enabled(nothing_open)) CHECK(command.enabled.otherwise.ends_with('.'));
+  }
+  CHECK(find_command("save_pose")->enabled.otherwise == "Open a cage first.");
+}
