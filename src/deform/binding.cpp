@@ -1,14 +1,14 @@
 #include "deform/binding.h"
 
 #include <atomic>
-#include <cstdio>
-#include <fstream>
-#include <limits>
 #include <new>
+#include <stdexcept>
 
 #include "base/error.h"
 #include "deform/face_maps.h"
 #include "deform/mean_value.h"
+#include "deform/memory.h"
+#include "deform/tiled_binding.h"
 #include "deform/vec3.h"
 #include "deform/weights.h"
 
@@ -18,44 +18,16 @@ namespace {
 
 constexpr std::size_t rows_per_block = 64;
 
-// What the system can give without swapping; nothing where it does not say.
-std::optional<double> free_bytes() {
-  std::ifstream in("/proc/meminfo");
-  std::string key, unit;
-  double kilobytes = 0;
-  while (in >> key >> kilobytes) {
-    if (key == "MemAvailable:") return kilobytes * 1024;
-    std::getline(in, unit);
-  }
-  return std::nullopt;
-}
-
-std::string gigabytes(double bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f GB", bytes / 1e9);
-  return text;
-}
-
-base::Error too_large(const Binding& b, std::optional<double> available) {
-  const auto bytes = static_cast<double>(binding_bytes(b.vertices, b.handles));
-  const std::string rest = available ? ", of which " + gigabytes(*available) + " are free" : "";
-  return base::Error("",
-                     "binding " + std::to_string(b.vertices) + " vertices to " + std::to_string(b.handles) +
-                         " cage elements takes " + gigabytes(bytes) + " of memory" + rest,
-                     "use a coarser cage or a coarser model");
-}
-
 void allocate(Binding& binding) {
-  const auto available = free_bytes();
   const auto bytes = static_cast<double>(binding_bytes(binding.vertices, binding.handles));
-  if (available && bytes > 0.9 * *available) throw too_large(binding, available);
+  require_memory(bytes, binding.vertices, binding.handles);
   try {
     binding.weights.resize(binding.vertices * binding.handles);
     binding.offsets.resize(binding.vertices);
   } catch (const std::bad_alloc&) {
-    throw too_large(binding, available);
+    refuse_memory(bytes, binding.vertices, binding.handles);
   } catch (const std::length_error&) {
-    throw too_large(binding, available);
+    refuse_memory(bytes, binding.vertices, binding.handles);
   }
 }
 
@@ -133,16 +105,29 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles) {
 
 Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,
              base::Progress* progress) {
+  return bind(model, cage, coordinates, Path::staged, nullptr, pool, progress);
+}
+
+Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, Path path, const Binding* known,
+             base::WorkerPool& pool, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   Binding binding;
   binding.coordinates = coordinates;
   binding.vertices = model.positions.size();
   binding.handles = coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
-  allocate(binding);
+  if (path == Path::staged) allocate(binding);
   binding.rest = model.positions;
   binding.triangles = model.triangles;
   binding.around = mesh::vertex_triangles(binding.vertices, model.triangles);
-  const std::size_t failed = fill(cage, binding, pool, progress);
+  if (known) binding.tiles = known->tiles;
+  std::size_t failed = 0;
+  if (path == Path::staged) {
+    failed = fill(cage, binding, pool, progress);
+  } else if (!binding.tiles) {
+    binding.tiles = std::make_shared<const TiledBinding>(
+        bind_tiles(model, cage, coordinates, pool, usual_tolerance, progress));
+    failed = binding.tiles->failed;
+  }
   warn(cage, failed, binding);
   return binding;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,11 +23,17 @@ enum class Coordinates {
 std::string_view name(Coordinates coordinates);  ///< "face", "mvc": the words of the command line
 std::optional<Coordinates> coordinates_from_name(std::string_view name);
 
+struct TiledBinding;
+
+/// Which frames a binding is for: the links of the chain one by one, in double, or the fused frame.
+enum class Path { staged, fused };
+
 /// n vertices, k handles (cage triangles or cage vertices).
 struct Binding {
   Coordinates coordinates = Coordinates::face;
   std::size_t vertices = 0, handles = 0;
-  std::vector<double> weights;    ///< n rows of k, each summing to 1
+  std::shared_ptr<const TiledBinding> tiles;  ///< for the fused frame; null where it is not for that
+  std::vector<double> weights;    ///< n rows of k, each summing to 1; empty where it is not for the staged frame
   std::vector<mesh::Point> rest;  ///< x, the model's positions
   /// Face: x - sum w c, which exp(Y) exp(X) acts on. Mean value: x - sum w p, what the weights cannot
   /// reproduce, ~0 for closed cages.
@@ -39,10 +46,14 @@ struct Binding {
 /// Bytes that bind() will hold for n vertices and k handles; at most 2^63.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles);
 
-/// Cost O(n k), shared over the pool; the result does not depend on the number of threads. Throws
+/// For the staged frame. Cost O(n k), shared over the pool; the result does not depend on the number of threads. Throws
 /// base::Cancelled; throws base::Error when the memory that is free now would not suffice, or when the model
 /// has no vertices.
 Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
+
+/// For the path; of `known`, a binding of the same model and cage or null, what fits is shared. As bind().
+Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, Path path, const Binding* known,
+             base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

@@ -1,18 +1,23 @@
 #include "deform/deformer.h"
 
+#include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <string>
 #include <utility>
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "deform/fused_frame.h"
 #include "deform/vec3.h"
+#include "deform/weigher.h"
 
 namespace viete::deform {
 
 namespace {
 
 constexpr std::size_t vertices_per_block = 256;
+constexpr std::size_t sample_limit = 2048;
 
 // A block of a vector, for links that take spans.
 template <class T>
@@ -24,7 +29,7 @@ std::span<T> part(std::vector<T>& all, std::size_t begin, std::size_t end) {
 
 std::string_view name(Link link) {
   static constexpr std::array<std::string_view, link_count> names = {
-      "face maps", "log maps", "blend", "exp", "apply", "fused", "normals"};
+      "face maps", "log maps", "blend", "exp", "apply", "skeleton", "fused", "normals"};
   return names[static_cast<std::size_t>(link)];
 }
 
@@ -40,20 +45,82 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
       positions_(binding_->rest),
       normals_(binding_->vertices) {
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});
-  if (binding_->coordinates == Coordinates::mean_value) {
-    posed_.resize(binding_->handles);
-  } else {
-    maps_.resize(binding_->handles);
-    logs_.resize(binding_->handles);
-    sums_ = {std::vector<sym3::Sym3<double>>(binding_->vertices), std::vector<Vec3>(binding_->vertices),
-             std::vector<Vec3>(binding_->vertices)};
-    stretches_.resize(binding_->vertices);
+  if (binding_->tiles) {
+    fused_ = std::make_unique<FusedFrame>(cage_, binding_->tiles, pool_);
+    weigher_ = std::make_unique<Weigher>(*cage_, binding_->coordinates);
   }
+  if (!binding_->weights.empty()) allocate_staged();
   compute_normals();
 }
 
+Deformer::~Deformer() = default;
+
+void Deformer::allocate_staged() {
+  if (binding_->coordinates == Coordinates::mean_value) {
+    posed_.resize(binding_->handles);
+    return;
+  }
+  maps_.resize(binding_->handles);
+  logs_.resize(binding_->handles);
+  sums_ = {std::vector<sym3::Sym3<double>>(binding_->vertices), std::vector<Vec3>(binding_->vertices),
+           std::vector<Vec3>(binding_->vertices)};
+  stretches_.resize(binding_->vertices);
+}
+
 std::span<const sym3::Sym3<double>> Deformer::matrices() const {
-  return sums_.stretch;
+  if (!fused_ran_) return sums_.stretch;
+  if (!std::exchange(matrices_sampled_, true)) sample_matrices();
+  return sample_;
+}
+
+std::span<const mesh::Point> Deformer::positions() const {
+  if (!std::exchange(vertices_taken_, true)) take_vertices();
+  return positions_;
+}
+
+std::span<const mesh::Point> Deformer::normals() const {
+  if (!std::exchange(vertices_taken_, true)) take_vertices();
+  return normals_;
+}
+
+void Deformer::take_vertices() const {
+  const auto vertices = fused_->vertices();
+  const Vec3& origin = fused_->origin();
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto &p = vertices[i].position, &n = vertices[i].normal;
+    positions_[i] = origin + Vec3{p[0], p[1], p[2]};
+    normals_[i] = {n[0], n[1], n[2]};
+  }
+}
+
+// Weights of a few vertices are soon made anew.
+void Deformer::sample_matrices() const {
+  const auto logs = fused_->logs();
+  const std::size_t count = std::min(binding_->vertices, sample_limit);
+  sample_.assign(logs.empty() ? 0 : count, {});
+  std::vector<double> weights(bind_lanes * logs.size());
+  for (std::size_t s = 0; s < sample_.size(); s += bind_lanes) {
+    std::array<mesh::Point, bind_lanes> points;
+    for (std::size_t l = 0; l < bind_lanes; ++l) {
+      points[l] = binding_->rest[std::min(s + l, count - 1) * binding_->vertices / count];
+    }
+    weigher_->weigh(points, weights);
+    for (std::size_t l = 0; l < std::min(bind_lanes, count - s); ++l) {
+      auto& m = sample_[s + l];
+      for (std::size_t j = 0; j < logs.size(); ++j) {
+        const double w = weights[j * bind_lanes + l];
+        const auto& x = logs[j].stretch;
+        m = {m.xx + w * x.xx, m.xy + w * x.xy, m.xz + w * x.xz, m.yy + w * x.yy, m.yz + w * x.yz, m.zz + w * x.zz};
+      }
+    }
+  }
+}
+
+std::optional<Path> Deformer::path(sym3::Method method) const {
+  const bool any_method = binding_->coordinates == Coordinates::mean_value;
+  if (fused_ && (any_method || method == sym3::Method::fast)) return Path::fused;
+  if (!binding_->weights.empty()) return Path::staged;
+  return std::nullopt;
 }
 
 void check_pose(const Cage& cage, const Pose& pose) {
@@ -67,6 +134,16 @@ void check_pose(const Cage& cage, const Pose& pose) {
 
 void Deformer::deform(const Pose& pose, sym3::Method method) {
   check_pose(*cage_, pose);
+  fused_ran_ = path(method) == Path::fused;
+  if (fused_ran_) {
+    fused_->deform(pose);
+    vertices_taken_ = matrices_sampled_ = false;
+    times_ = fused_->times();
+    report_ = fused_->report();
+    return;
+  }
+  assert(path(method));
+  vertices_taken_ = true;
   times_ = {};
   if (binding_->coordinates == Coordinates::mean_value) {
     deform_mean_value(pose);

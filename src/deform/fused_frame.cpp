@@ -1,46 +1,75 @@
 #include "deform/fused_frame.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/clock.h"
-#include "base/error.h"
 #include "deform/vec3.h"
 
 namespace viete::deform {
+
+namespace {
+
+constexpr std::size_t lanes = tile_lanes<float>;
+constexpr double origin_slack = 0.1;         // of the pose's diagonal
+constexpr std::size_t few = 4;               // of the elements, at most one in so many is few
+constexpr std::size_t skeleton_block = 256;  // slots that one thread blends at once
+
+bool subset(const std::vector<std::uint32_t>& part, const std::vector<std::uint32_t>& whole) {
+  return std::includes(whole.begin(), whole.end(), part.begin(), part.end());
+}
+
+// Sums [tile][12][lane] of slots [begin, end) as rows of a table.
+void to_rows(const float* sums, std::size_t begin, std::size_t end, float* table) {
+  for (std::size_t s = begin; s < end; ++s) {
+    const float* from = sums + s / lanes * lanes * log_size + s % lanes;
+    for (std::size_t c = 0; c < log_size; ++c) table[s * log_size + c] = from[c * lanes];
+  }
+}
+
+}  // namespace
 
 FusedFrame::FusedFrame(std::shared_ptr<const Cage> cage, std::shared_ptr<const TiledBinding> binding,
                        base::WorkerPool& pool, const sym3::Kernel& kernel)
     : kernel_(frame_kernel(kernel)),
       cage_(std::move(cage)),
       binding_(std::move(binding)),
-      pool_(pool) {
+      pool_(pool),
+      columns_(binding_->coordinates == Coordinates::face ? log_size : position_size) {
   if (binding_->coordinates == Coordinates::face) {
     maps_.resize(binding_->handles);
     logs_.resize(binding_->handles);
   }
-  table_.resize(binding_->handles * log_size);
+  table_.assign(binding_->handles * columns_, 0.0f);
+  skeleton_sums_.resize(binding_->skeleton_slots() * log_size);
+  skeleton_table_.resize(binding_->skeleton_slots() * log_size);
   positions_.resize(binding_->rings.place_count() * 4);
   vertices_.resize(binding_->leaves.vertices);
+}
+
+std::size_t FusedFrame::bytes() const {
+  if (!dragging_) return binding_->bytes();
+  return sizeof(float) * (held_.sums.size() + held_.weights.size() + binding_->offsets.size());
 }
 
 void FusedFrame::deform(const Pose& pose) {
   check_pose(*cage_, pose);
   times_ = {};
-  origin_ = pose_origin(pose.positions);
   base::Stopwatch watch;
+  choose_origin(pose);
   if (binding_->coordinates == Coordinates::face) {
     face_maps(*cage_, pose.positions, maps_);
     times_[Link::face_maps] = watch.lap_ms();
     log_maps(*cage_, maps_, pose.turns, logs_, report_);
     times_[Link::log_maps] = watch.lap_ms();
-    fill_table();
   } else {
     report_ = {pose.turns, {}, {}};
-    for (std::size_t j = 0; j < binding_->handles; ++j) {
-      for (int i = 0; i < 3; ++i) {
-        table_[3 * j + i] = static_cast<float>((pose.positions[j][i] - origin_[i]) / binding_->unit);
-      }
-    }
+  }
+  fill_table(pose);
+  follow_drag();
+  if (binding_->compressed() && !dragging_) {
+    blend_skeleton(table_.data());
+    times_[Link::skeleton] = watch.lap_ms();
   }
   place_vertices();
   times_[Link::fused] = watch.lap_ms();
@@ -48,24 +77,143 @@ void FusedFrame::deform(const Pose& pose) {
   times_[Link::normals] = watch.lap_ms();
 }
 
-void FusedFrame::fill_table() {
+// Where the pose goes elements go, but it need not be measured from its very middle: a drag would change it.
+void FusedFrame::choose_origin(const Pose& pose) {
+  const Vec3 middle = pose_origin(pose.positions);
+  const double diagonal = mesh::bounds(pose.positions).diagonal();
+  if (started_ && norm(middle - origin_) <= origin_slack * diagonal) return;
+  origin_ = middle;
+  held_ = {};
+}
+
+void FusedFrame::fill_table(const Pose& pose) {
+  std::swap(table_, before_);
+  table_.resize(binding_->handles * columns_);
+  const double scale = 1 / binding_->unit;
+  if (binding_->coordinates == Coordinates::mean_value) {
+    for (std::size_t j = 0; j < binding_->handles; ++j) {
+      const Vec3 p = scale * (pose.positions[j] - origin_);
+      for (int i = 0; i < 3; ++i) table_[position_size * j + i] = static_cast<float>(p[i]);
+    }
+    return;
+  }
   for (std::size_t j = 0; j < logs_.size(); ++j) {
-    const auto& [x, y, c] = logs_[j];
-    const double entry[log_size] = {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz, y[0], y[1], y[2],
-                                    c[0] / binding_->unit, c[1] / binding_->unit, c[2] / binding_->unit};
+    const auto& [x, y, unused] = logs_[j];
+    const auto& t = cage_->surface.triangles[j];
+    const auto& p = pose.positions;
+    const Vec3 c = (scale / 3) * ((p[t[0]] - origin_) + (p[t[1]] - origin_) + (p[t[2]] - origin_));
+    const double entry[log_size] = {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz, y[0], y[1], y[2], c[0], c[1], c[2]};
     for (std::size_t i = 0; i < log_size; ++i) table_[log_size * j + i] = static_cast<float>(entry[i]);
   }
 }
 
+FusedFrame::Elements FusedFrame::changed_since(const AlignedVector<float>& table) const {
+  Elements changed;
+  for (std::size_t j = 0; j < binding_->handles; ++j) {
+    const auto row = table_.begin() + static_cast<std::ptrdiff_t>(j * columns_);
+    const auto other = table.begin() + static_cast<std::ptrdiff_t>(j * columns_);
+    if (!std::equal(row, row + static_cast<std::ptrdiff_t>(columns_), other)) {
+      changed.push_back(static_cast<std::uint32_t>(j));
+    }
+  }
+  return changed;
+}
+
+// Decides whether this frame adds to sums that are kept, and fills what it adds.
+void FusedFrame::follow_drag() {
+  dragging_ = false;
+  if (!std::exchange(started_, true) || binding_->coordinates != Coordinates::face) return;
+  Elements moved = changed_since(before_);
+  const bool held = !held_.moving.empty() && subset(changed_since(held_.table), held_.moving);
+  const bool same = !moved.empty() && few * moved.size() <= binding_->handles && subset(moved, moved_);
+  if (!held && same) hold(moved_);
+  if (!moved.empty()) moved_ = std::move(moved);
+  dragging_ = held || same;
+  if (!dragging_) return;
+  for (std::size_t m = 0; m < held_.moving.size(); ++m) {
+    std::copy_n(table_.begin() + static_cast<std::ptrdiff_t>(held_.moving[m] * log_size), log_size,
+                held_.rows.begin() + static_cast<std::ptrdiff_t>(m * log_size));
+  }
+}
+
+void FusedFrame::hold(const Elements& moving) {
+  const std::size_t slots = binding_->leaves.slot_count();
+  held_.moving = moving;
+  held_.table = table_;
+  held_.sums.resize(slots * log_size);
+  held_.weights.resize(slots * held_.row_count());
+  held_.rows.assign(held_.row_count() * log_size, 0.0f);
+  AlignedVector<float> others = table_;
+  for (const auto j : moving) std::fill_n(others.begin() + static_cast<std::ptrdiff_t>(j * log_size), log_size, 0.0f);
+  blend_skeleton(others.data());
+  for_leaves([&](std::size_t leaf) {
+    kernel_.in_float.blend(leaf_run(leaf, others.data()), held_.sums.data() + binding_->leaves.begin(leaf) * log_size);
+    AlignedVector<float> scratch(leaf_slots * log_size);
+    pack_weights(leaf, scratch.data());
+  });
+}
+
+// The columns of the moving elements: copied, or, where the leaf has factors, blended of its pivots' like logs.
+void FusedFrame::pack_weights(std::size_t leaf, float* scratch) {
+  const TiledBinding& b = *binding_;
+  const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
+  const std::size_t count = held_.row_count();
+  TileRun<float> run = leaf_run(leaf, nullptr);
+  AlignedVector<float> pivots(run.rows * log_size);
+  const bool factored = b.compressed() && !b.factored[leaf].dense;
+  float* out = held_.weights.data() + begin * count;
+  for (std::size_t m = 0; m < count; m += log_size) {
+    for (std::size_t r = 0; r < run.rows; ++r) {
+      for (std::size_t c = 0; c < log_size; ++c) {
+        float entry = 0;
+        if (m + c < held_.moving.size()) {
+          const std::size_t j = held_.moving[m + c];
+          const std::size_t slot = factored ? b.factored[leaf].pivots + r : 0;
+          entry = factored ? b.skeleton[slot / lanes * lanes * b.handles + j * lanes + slot % lanes] : r == j;
+        }
+        pivots[r * log_size + c] = entry;
+      }
+    }
+    run.table = pivots.data();
+    kernel_.in_float.blend(run, scratch);
+    for (std::size_t t = 0; t < tiles; ++t) {
+      std::copy_n(scratch + t * log_size * lanes, log_size * lanes, out + (t * count + m) * lanes);
+    }
+  }
+}
+
+void FusedFrame::blend_skeleton(const float* table) {
+  const TiledBinding& b = *binding_;
+  pool_.for_blocks(b.skeleton_slots(), skeleton_block, [&](std::size_t begin, std::size_t end) {
+    float* sums = skeleton_sums_.data() + begin * log_size;
+    kernel_.in_float.blend({(end - begin) / lanes, b.handles, b.skeleton.data() + begin * b.handles, table, nullptr},
+                           sums);
+    to_rows(sums, 0, end - begin, skeleton_table_.data() + begin * log_size);
+  });
+}
+
+TileRun<float> FusedFrame::leaf_run(std::size_t leaf, const float* table) const {
+  const TiledBinding& b = *binding_;
+  const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
+  if (!b.compressed()) return {tiles, b.handles, b.weights.data() + begin * b.handles, table, nullptr};
+  const LeafFactors& f = b.factored[leaf];
+  const float* rows = f.dense ? table : skeleton_table_.data() + f.pivots * log_size;
+  return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
+}
+
 void FusedFrame::place_vertices() {
   const TiledBinding& b = *binding_;
+  const auto& tiles = kernel_.in_float;
   for_leaves([&](std::size_t leaf) {
-    const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
-    const TileRun<float> run{slots / tile_lanes<float>, b.handles, b.weights.data() + begin * b.handles,
-                             table_.data(), nullptr};
-    const float* offsets = b.offsets.data() + begin * 3;
+    const std::size_t begin = b.leaves.begin(leaf);
+    TileRun<float> run = leaf_run(leaf, table_.data());
+    if (dragging_) {
+      const std::size_t rows = held_.row_count();
+      run = {run.tiles, rows, held_.weights.data() + begin * rows, held_.rows.data(),
+             held_.sums.data() + begin * log_size};
+    }
+    const float* offsets = b.offsets.data() + begin * position_size;
     float* out = positions_.data() + 4 * std::size_t(b.rings.places[leaf]);
-    const auto& tiles = kernel_.in_float;
     b.coordinates == Coordinates::face ? tiles.deform(run, offsets, out) : tiles.move(run, offsets, out);
   });
 }
@@ -77,22 +225,20 @@ void FusedFrame::compute_normals() {
     const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
     const std::size_t first = r.places[leaf];
     kernel_.ring_vertices({positions_.data(), first, slots, r.places[leaf + 1] - first,
-                   std::min(slots, b.leaves.vertices - begin), r.halo.data() + (first - begin),
-                   b.leaves.order.data() + begin, r.walk.data() + r.walk_starts[leaf], r.lengths.data() + begin,
-                   static_cast<float>(b.unit)},
-                  vertices_.data());
+                           std::min(slots, b.leaves.vertices - begin), r.halo.data() + (first - begin),
+                           b.leaves.order.data() + begin, r.walk.data() + r.walk_starts[leaf],
+                           r.lengths.data() + begin, static_cast<float>(b.unit)},
+                          vertices_.data());
   });
   for (const auto& hub : r.hubs) {
     kernel_.ring_hub(positions_.data(), hub.walk.data(), hub.walk.size(), hub.place,
-             vertices_[b.leaves.order[hub.slot]]);
+                     vertices_[b.leaves.order[hub.slot]]);
   }
 }
 
 template <class Body>
 void FusedFrame::for_leaves(const Body& body) {
-  pool_.for_blocks(binding_->leaves.count(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t leaf = begin; leaf < end; ++leaf) body(leaf);
-  });
+  pool_.for_blocks(binding_->leaves.count(), 1, [&](std::size_t leaf, std::size_t) { body(leaf); });
 }
 
 }  // namespace viete::deform

@@ -11,9 +11,15 @@
 namespace viete::deform {
 
 /// The links of Deformer's frame, method `fast`, in float: from the blend to the positions in one pass over the
-/// weights, the sums staying in registers. Agrees with the staged frame to 1e-6 of the diagonal. Not
-/// thread-safe; everything that grows with the model is allocated in the constructor. Results are bit-identical
-/// for any number of threads.
+/// weights, the sums staying in registers. Agrees with the staged frame to 1e-6 of the diagonal, and to the
+/// binding's tolerance where that is compressed.
+///
+/// Dragging costs what moved: when a second frame in a row moves the same few elements, the sums of all others are
+/// formed once and kept, and from then on only the columns that move are added. Nothing accumulates.
+///
+/// Not thread-safe; everything that grows with the model is allocated in the constructor, or when a drag begins.
+/// Results are bit-identical for any number of threads. They depend on the frames before by the rounding of float,
+/// since lengths are measured from an origin that stays while the pose stays near it.
 class FusedFrame {
 public:
   /// cage and binding must not be null and belong together.
@@ -26,12 +32,26 @@ public:
   /// Of the last frame, in the file's order: positions relative to origin(), normals.
   std::span<const FrameVertex> vertices() const { return vertices_; }
   const Vec3& origin() const { return origin_; }
+  /// The cage's logs; empty for mean value coordinates.
+  std::span<const MapLog> logs() const { return logs_; }
   const LinkTimes& times() const { return times_; }
   const LogReport& report() const { return report_; }
+  /// True if the last frame added the moved elements alone.
+  bool dragging() const { return dragging_; }
+  /// Bytes that the last frame read once: weights, or what stood for them.
+  std::size_t bytes() const;
 
 private:
-  void log_cage(const Pose& pose);
-  void fill_table();
+  using Elements = std::vector<std::uint32_t>;
+
+  void choose_origin(const Pose& pose);
+  void fill_table(const Pose& pose);
+  Elements changed_since(const AlignedVector<float>& table) const;
+  void follow_drag();
+  void hold(const Elements& moving);
+  void pack_weights(std::size_t leaf, float* scratch);
+  void blend_skeleton(const float* table);
+  TileRun<float> leaf_run(std::size_t leaf, const float* table) const;
   void place_vertices();
   void compute_normals();
   template <class Body>
@@ -41,14 +61,29 @@ private:
   std::shared_ptr<const Cage> cage_;
   std::shared_ptr<const TiledBinding> binding_;
   base::WorkerPool& pool_;
+  std::size_t columns_;
   std::vector<FaceMap> maps_;
   std::vector<MapLog> logs_;
-  AlignedVector<float> table_;      // [handle][column]
-  AlignedVector<float> positions_;  // [place] of the rings, x y z x in units
+  AlignedVector<float> table_, before_;  // [handle][column], of this frame and the last
+  AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
+  AlignedVector<float> skeleton_table_;  // [pivot][column]
+  AlignedVector<float> positions_;       // [place] of the rings, x y z x in units
   std::vector<FrameVertex> vertices_;
   Vec3 origin_{0, 0, 0};
+  bool started_ = false, dragging_ = false;
   LinkTimes times_;
   LogReport report_;
+
+  Elements moved_;  // in the last frame
+  /// While a few elements move: what the others amount to.
+  struct Held {
+    Elements moving;
+    AlignedVector<float> table;    // when it was formed
+    AlignedVector<float> sums;     // [tile][column][lane], of the elements that do not move
+    AlignedVector<float> weights;  // [tile][row][lane], of those that do
+    AlignedVector<float> rows;     // their part of the table
+    std::size_t row_count() const { return (moving.size() + log_size - 1) / log_size * log_size; }
+  } held_;
 };
 
 }  // namespace viete::deform

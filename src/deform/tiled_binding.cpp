@@ -3,17 +3,20 @@
 #include <atomic>
 #include <cmath>
 
-#include "deform/face_maps.h"
+#include "base/error.h"
+#include "deform/factoring.h"
 #include "deform/frame_kernel.h"
-#include "deform/mean_value.h"
+#include "deform/memory.h"
 #include "deform/vec3.h"
-#include "deform/weights.h"
+#include "deform/weigher.h"
 
 namespace viete::deform {
 
 namespace {
 
 constexpr std::size_t lanes = tile_lanes<float>;
+constexpr std::size_t fewest_handles = 32;  // to compress
+constexpr double worth_factoring = 0.7;     // of the dense frame's multiply-adds
 
 std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   std::vector<std::uint32_t> counts(model.positions.size());
@@ -23,52 +26,216 @@ std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   return counts;
 }
 
-void bind_leaf(const mesh::Surface& model, const Cage& cage, std::size_t leaf, TiledBinding& b) {
-  const auto& handles = b.coordinates == Coordinates::mean_value ? cage.surface.positions : cage.centers;
-  const Vec3 origin = pose_origin(cage.surface.positions);
-  std::vector<double> row(b.handles);
-  for (std::size_t s = b.leaves.begin(leaf); s < b.leaves.end(leaf); ++s) {
-    const mesh::Point& x = model.positions[b.leaves.order[s]];
-    if (b.coordinates == Coordinates::mean_value) {
-      mean_value_weights(cage, x, row);
-    } else {
-      inverse_distance_weights(cage, x, row);
-    }
-    float* weights = b.weights.data() + s / lanes * lanes * b.handles + s % lanes;
-    Vec3 sum{0, 0, 0};
-    for (std::size_t j = 0; j < b.handles; ++j) {
-      weights[j * lanes] = static_cast<float>(row[j]);
-      sum = sum + weights[j * lanes] * (handles[j] - origin);
-    }
-    const Vec3 offset = (x - origin) - sum;
-    float* offsets = b.offsets.data() + s / lanes * lanes * 3 + s % lanes;
-    for (int i = 0; i < 3; ++i) offsets[i * lanes] = static_cast<float>(offset[i] / b.unit);
+/// What one leaf needs while it is being bound.
+struct LeafWeights {
+  AlignedVector<float> rows;  // [tile][handle][lane]
+  std::vector<Vec3> sums;     // of weight times handle position, a slot
+};
+
+struct LeafResult {
+  Factors factors;
+  std::vector<float> pivot_rows;  // [pivot][handle]
+};
+
+class Binder {
+public:
+  Binder(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,
+         base::Progress* progress)
+      : model_(model), weigher_(cage, coordinates), pool_(pool), progress_(progress) {
+    b_.coordinates = coordinates;
+    b_.handles = weigher_.handles();
+    b_.leaves = make_leaves(model.positions, triangle_counts(model));
+    b_.rings = make_rings(b_.leaves, model.triangles);
+    b_.unit = std::exp2(std::round(std::log2(cage.diagonal)));
+    b_.offsets.resize(b_.leaves.slot_count() * position_size);
   }
-}
+
+  TiledBinding bind(double tolerance) {
+    const double share = worth_sampling(tolerance) ? sampled_share(tolerance) : 1;
+    const bool compress = share < worth_factoring;
+    require(compress ? 2 * share : 1);
+    if (compress) {
+      b_.tolerance = tolerance;
+      bind_factors(tolerance);
+    } else {
+      bind_dense();
+    }
+    return std::move(b_);
+  }
+
+private:
+  std::size_t slots(std::size_t leaf) const { return b_.leaves.end(leaf) - b_.leaves.begin(leaf); }
+  std::size_t vertices(std::size_t leaf) const {
+    return std::min(slots(leaf), b_.leaves.vertices - b_.leaves.begin(leaf));
+  }
+
+  void require(double share) const {
+    const double dense = 4.0 * static_cast<double>(b_.leaves.slot_count()) * static_cast<double>(b_.handles);
+    require_memory(share * dense + 100.0 * static_cast<double>(b_.leaves.slot_count()), b_.leaves.vertices, b_.handles);
+  }
+
+  template <class Body>
+  void for_leaves(const Body& body) {
+    std::atomic<std::size_t> done{0};
+    pool_.for_blocks(b_.leaves.count(), 1, [&](std::size_t leaf, std::size_t) {
+      body(leaf);
+      const auto count = static_cast<double>(++done);
+      if (progress_) progress_->report(count / static_cast<double>(b_.leaves.count()));
+    });
+  }
+
+  // Weights of a leaf as floats; rows has room for them. Returns how many vertices have no mean value coordinates.
+  std::size_t weigh(std::size_t leaf, float* rows, std::vector<Vec3>& sums) const {
+    std::size_t failed = 0;
+    std::vector<double> scratch(bind_lanes * b_.handles);
+    sums.resize(slots(leaf));
+    for (std::size_t s = 0; s < slots(leaf); s += bind_lanes) {
+      std::array<mesh::Point, bind_lanes> points;
+      for (std::size_t l = 0; l < bind_lanes; ++l) {
+        points[l] = model_.positions[b_.leaves.order[b_.leaves.begin(leaf) + s + l]];
+      }
+      double lane_sums[3 * bind_lanes];
+      const unsigned lost =
+          weigher_.weigh_rows(points, scratch, rows + s / lanes * lanes * b_.handles + s % lanes, lane_sums);
+      for (std::size_t l = 0; l < bind_lanes; ++l) {
+        sums[s + l] = {lane_sums[l], lane_sums[bind_lanes + l], lane_sums[2 * bind_lanes + l]};
+        failed += s + l < vertices(leaf) && (lost >> l & 1);
+      }
+    }
+    return failed;
+  }
+
+  void set_offset(std::size_t slot, const Vec3& sum) {
+    const Vec3 offset = (model_.positions[b_.leaves.order[slot]] - weigher_.origin()) - sum;
+    float* out = b_.offsets.data() + slot / lanes * lanes * position_size + slot % lanes;
+    for (int i = 0; i < 3; ++i) out[i * lanes] = static_cast<float>(offset[i] / b_.unit);
+  }
+
+  void bind_dense() {
+    b_.weights.resize(b_.leaves.slot_count() * b_.handles);
+    std::atomic<std::size_t> failed{0};
+    for_leaves([&](std::size_t leaf) {
+      const std::size_t begin = b_.leaves.begin(leaf);
+      std::vector<Vec3> sums;
+      failed += weigh(leaf, b_.weights.data() + begin * b_.handles, sums);
+      for (std::size_t s = 0; s < slots(leaf); ++s) set_offset(begin + s, sums[s]);
+    });
+    b_.failed = failed;
+  }
+
+  // Mean value coordinates blend positions alone: a quarter of the work, for which factors do not pay.
+  bool worth_sampling(double tolerance) const {
+    return tolerance > 0 && b_.coordinates == Coordinates::face && b_.handles >= fewest_handles &&
+           b_.leaves.slot_count() >= leaf_slots;
+  }
+
+  LeafResult factor(std::size_t leaf, double tolerance, LeafWeights& w) const {
+    const auto& kernel = bind_kernel(sym3::kernel());
+    w.rows.resize(slots(leaf) * b_.handles);
+    weigh(leaf, w.rows.data(), w.sums);
+    AlignedVector<float> left = w.rows;
+    LeafResult result;
+    const std::size_t most = std::min(b_.handles, slots(leaf)) / 2;
+    result.factors = factor_rows({left.data(), slots(leaf) / lanes, b_.handles}, vertices(leaf), tolerance, most, kernel);
+    for (const auto p : result.factors.pivots) {
+      const float* row = w.rows.data() + p / lanes * lanes * b_.handles + p % lanes;
+      for (std::size_t j = 0; j < b_.handles; ++j) result.pivot_rows.push_back(row[j * lanes]);
+    }
+    return result;
+  }
+
+  // Multiply-adds of a compressed frame over those of a dense one, from up to eight leaves.
+  double sampled_share(double tolerance) const {
+    const std::size_t count = std::min<std::size_t>(8, b_.leaves.count());
+    std::atomic<std::size_t> work{0}, dense{0};
+    pool_.for_blocks(count, 1, [&](std::size_t n, std::size_t) {
+      const std::size_t leaf = n * b_.leaves.count() / count;
+      LeafWeights weights;
+      const std::size_t rank = factor(leaf, tolerance, weights).factors.pivots.size();
+      work += rank ? rank * (slots(leaf) + b_.handles) : slots(leaf) * b_.handles;
+      dense += slots(leaf) * b_.handles;
+    });
+    return static_cast<double>(work) / static_cast<double>(dense);
+  }
+
+  void bind_factors(double tolerance) {
+    std::vector<LeafResult> results(b_.leaves.count());
+    b_.factored.resize(b_.leaves.count());
+    for_leaves([&](std::size_t leaf) {
+      LeafWeights w;
+      results[leaf] = factor(leaf, tolerance, w);
+      auto& f = b_.factored[leaf];
+      f.dense = results[leaf].factors.pivots.empty();
+      f.rank = static_cast<std::uint32_t>(f.dense ? b_.handles : results[leaf].factors.pivots.size());
+      if (f.dense) results[leaf].factors.factors = w.rows;
+      set_factored_offsets(leaf, results[leaf], w);
+    });
+    place_factors(results);
+  }
+
+  // Of the weights that the factors give, so that a cage at rest gives the model at rest.
+  void set_factored_offsets(std::size_t leaf, const LeafResult& r, const LeafWeights& w) {
+    const std::size_t begin = b_.leaves.begin(leaf), rank = r.factors.pivots.size();
+    for (std::size_t s = 0; s < slots(leaf); ++s) {
+      Vec3 sum = w.sums[s];
+      if (rank > 0) {
+        sum = {0, 0, 0};
+        const float* factor = r.factors.factors.data() + s / lanes * lanes * rank + s % lanes;
+        for (std::size_t t = 0; t < rank; ++t) sum = sum + factor[t * lanes] * w.sums[r.factors.pivots[t]];
+      }
+      set_offset(begin + s, sum);
+    }
+  }
+
+  void place_factors(std::vector<LeafResult>& results) {
+    std::size_t size = 0, pivots = 0;
+    for (std::size_t leaf = 0; leaf < results.size(); ++leaf) {
+      auto& f = b_.factored[leaf];
+      f.first = size;
+      f.pivots = static_cast<std::uint32_t>(pivots);
+      size += results[leaf].factors.factors.size();
+      pivots += results[leaf].factors.pivots.size();
+    }
+    b_.factors.resize(size);
+    const std::size_t skeleton_slots = (pivots + slot_block - 1) / slot_block * slot_block;
+    b_.skeleton.assign(skeleton_slots * b_.handles, 0.0f);
+    for (std::size_t leaf = 0; leaf < results.size(); ++leaf) {
+      place_leaf(b_.factored[leaf], results[leaf]);
+      results[leaf] = {};
+    }
+  }
+
+  void place_leaf(const LeafFactors& f, const LeafResult& r) {
+    std::copy(r.factors.factors.begin(), r.factors.factors.end(),
+              b_.factors.begin() + static_cast<std::ptrdiff_t>(f.first));
+    for (std::size_t t = 0; t < r.factors.pivots.size(); ++t) {
+      const std::size_t slot = f.pivots + t;
+      float* row = b_.skeleton.data() + slot / lanes * lanes * b_.handles + slot % lanes;
+      for (std::size_t j = 0; j < b_.handles; ++j) row[j * lanes] = r.pivot_rows[t * b_.handles + j];
+    }
+  }
+
+  const mesh::Surface& model_;
+  Weigher weigher_;
+  base::WorkerPool& pool_;
+  base::Progress* progress_;
+  TiledBinding b_;
+};
 
 }  // namespace
 
 std::size_t TiledBinding::bytes() const {
-  return sizeof(float) * (weights.size() + offsets.size());
+  return sizeof(float) * (weights.size() + offsets.size() + factors.size() + skeleton.size());
+}
+
+std::size_t TiledBinding::dense_bytes() const {
+  return sizeof(float) * (leaves.slot_count() * handles + offsets.size());
 }
 
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Coordinates coordinates,
-                        base::WorkerPool& pool, base::Progress* progress) {
-  TiledBinding b;
-  b.coordinates = coordinates;
-  b.handles = coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
-  b.leaves = make_leaves(model.positions, triangle_counts(model));
-  b.rings = make_rings(b.leaves, model.triangles);
-  b.unit = std::exp2(std::round(std::log2(cage.diagonal)));
-  b.weights.resize(b.leaves.slot_count() * b.handles);
-  b.offsets.resize(b.leaves.slot_count() * 3);
-  std::atomic<std::size_t> done{0};
-  pool.for_blocks(b.leaves.count(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t leaf = begin; leaf < end; ++leaf) bind_leaf(model, cage, leaf, b);
-    done += end - begin;
-    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(b.leaves.count()));
-  });
-  return b;
+                        base::WorkerPool& pool, double tolerance, base::Progress* progress) {
+  if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
+  return Binder(model, cage, coordinates, pool, progress).bind(tolerance);
 }
 
 }  // namespace viete::deform

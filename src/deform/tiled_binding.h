@@ -13,6 +13,19 @@
 
 namespace viete::deform {
 
+/// What compression may change: largest distance of a vertex's weights from what stands for them, root of the sum of
+/// squares. Positions then move by a tenth to a half as many diagonals.
+inline constexpr double usual_tolerance = 3e-5;
+
+/// The weights of a leaf as factors of those of some of its vertices, its pivots: the logs of the pivots are blended
+/// first, and those of the others are blended of them. (Block low rank by row interpolative decomposition.)
+struct LeafFactors {
+  std::size_t first = 0;      ///< in TiledBinding::factors, [tile][rank][lane]
+  std::uint32_t rank = 0;
+  std::uint32_t pivots = 0;   ///< first of its rows in TiledBinding::skeleton
+  bool dense = false;         ///< its factors are the weights themselves, rank the number of handles
+};
+
 /// Everything per slot of the leaves. Weights and offsets are those of Binding, in float: the sums lose about
 /// 1e-7 of the cage's diagonal by it.
 struct TiledBinding {
@@ -20,16 +33,27 @@ struct TiledBinding {
   std::size_t handles = 0;
   Leaves leaves;
   Rings rings;
-  double unit = 1;  ///< a power of two near the cage's diagonal: lengths are stored as multiples of it
-  AlignedVector<float> weights;  ///< [tile][handle][lane]
+  std::size_t failed = 0;  ///< vertices that have no mean value coordinates
+  double unit = 1;      ///< a power of two near the cage's diagonal: lengths are stored as multiples of it
+  double tolerance = 0;  ///< of the compression; 0: none
   AlignedVector<float> offsets;  ///< [tile][3][lane], in units
+  AlignedVector<float> weights;  ///< [tile][handle][lane]; empty if compressed
+  std::vector<LeafFactors> factored;  ///< one a leaf; empty if not compressed
+  AlignedVector<float> factors;
+  AlignedVector<float> skeleton;  ///< the pivots' weights, [tile][handle][lane], an even number of tiles
 
-  std::size_t bytes() const;  ///< of weights and what stands for them
+  bool compressed() const { return !factored.empty(); }
+  std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
+  std::size_t bytes() const;       ///< of weights and what stands for them: read once a frame
+  std::size_t dense_bytes() const;  ///< what they would take without compression
 };
 
-/// Weights leaf by leaf, in parallel; the full matrix of doubles never exists. The same bits for any number of
-/// threads. Throws base::Cancelled.
+/// Weights leaf by leaf, in parallel; the full matrix of doubles never exists, nor, compressed, that of floats.
+/// Compressed by `tolerance` (0: never) where a sample of leaves says that frames become cheaper by it. The same bits
+/// for any number of threads. Throws base::Cancelled; throws base::Error when the memory that is free now would not
+/// suffice, or when the model has no vertices.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Coordinates coordinates,
-                        base::WorkerPool& pool, base::Progress* progress = nullptr);
+                        base::WorkerPool& pool, double tolerance = usual_tolerance,
+                        base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

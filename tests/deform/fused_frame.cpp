@@ -12,10 +12,11 @@ namespace {
 
 // The fused frame beside the staged one.
 struct Fused {
-  explicit Fused(Bound& staged, int threads = 1, const viete::sym3::Kernel& kernel = viete::sym3::kernel())
+  explicit Fused(const Bound& staged, int threads = 1, const viete::sym3::Kernel& kernel = viete::sym3::kernel(),
+                 double tolerance = 0)
       : pool(threads),
         binding(std::make_shared<const TiledBinding>(
-            bind_tiles(staged.model, *staged.cage, staged.binding->coordinates, pool))),
+            bind_tiles(staged.model, *staged.cage, staged.binding->coordinates, pool, tolerance))),
         frame(staged.cage, binding, pool, kernel) {}
 
   std::vector<viete::mesh::Point> positions() const {
@@ -131,6 +132,74 @@ TEST_CASE("fused_normals_are_those_of_any_triangles") {
   staged.deform(pose);
   fused.frame.deform(pose);
   CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 1e-4);
+}
+
+TEST_CASE("compressed_weights_move_vertices_by_less_than_their_tolerance") {
+  Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
+  for (const double tolerance : {1e-3, 1e-4, 3e-5}) {
+    Fused one(staged, 1, viete::sym3::kernel(), tolerance), three(staged, 3, viete::sym3::kernel(), tolerance);
+    REQUIRE(one.binding->compressed());
+    CHECK(2 * one.binding->bytes() < one.binding->dense_bytes());
+    CHECK(one.binding->factors == three.binding->factors);
+    for (const Pose& pose : {rest_pose(*staged.cage), staged.pose(shear()),
+                             staged.pose(Twist{2, {0, 0, 0}, -1, 1, -100 * degree, 100 * degree})}) {
+      staged.deform(pose);
+      one.frame.deform(pose);
+      three.frame.deform(pose);
+      CHECK(largest_distance(one.positions(), staged.deformer.positions()) < tolerance * staged.cage->diagonal);
+      CHECK(one.positions() == three.positions());
+    }
+    one.frame.deform(rest_pose(*staged.cage));
+    CHECK(largest_distance(one.positions(), staged.model.positions) < 1e-6 * staged.cage->diagonal);
+  }
+}
+
+TEST_CASE("weights_that_factors_do_not_pay_for_stay_dense") {
+  const Bound small_cage(tube(120, 60, 0.3, 1.5), box());
+  CHECK_FALSE(Fused(small_cage, 1, viete::sym3::kernel(), 1e-4).binding->compressed());
+  const Bound few_vertices(tube(4, 12, 0.3, 1.5), tube(7, 12, 0.6, 2));
+  CHECK_FALSE(Fused(few_vertices, 1, viete::sym3::kernel(), 1e-4).binding->compressed());
+}
+
+TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
+  Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
+  for (const double tolerance : {0.0, 3e-5}) {
+    Fused dragged(staged, 1, viete::sym3::kernel(), tolerance);
+    const double bound = std::max(1e-6, tolerance) * staged.cage->diagonal;
+    Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -50 * degree, 50 * degree});
+    dragged.frame.deform(pose);
+    CHECK_FALSE(dragged.frame.dragging());
+    Random random(11);
+    for (const std::size_t vertex : {5u, 40u}) {
+      for (int step = 0; step < 12; ++step) {
+        pose.positions[vertex] = pose.positions[vertex] + random.vector(0.02);
+        dragged.frame.deform(pose);
+        CHECK(dragged.frame.dragging() == (step > 0));
+        staged.deform(pose);
+        CHECK(largest_distance(dragged.positions(), staged.deformer.positions()) < bound);
+      }
+    }
+    CHECK(dragged.frame.bytes() < dragged.binding->dense_bytes());
+    for (auto& p : pose.positions) p = p + Vec3{0.1, 0, 0};
+    dragged.frame.deform(pose);
+    CHECK_FALSE(dragged.frame.dragging());
+    staged.deform(pose);
+    CHECK(largest_distance(dragged.positions(), staged.deformer.positions()) < bound);
+  }
+}
+
+TEST_CASE("a_drag_that_turns_the_logs_of_others_is_a_full_frame") {
+  // One element is turned over until its neighbours take other branches, or are raised with the pose's mean stretch.
+  Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
+  Fused dragged(staged);
+  Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -170 * degree, 170 * degree});
+  for (int step = 0; step < 30; ++step) {
+    const double angle = 24.0 * step * degree;
+    pose.positions[30] = pose.positions[30] + 0.3 * Vec3{std::cos(angle), std::sin(angle), std::cos(2 * angle)};
+    dragged.frame.deform(pose);
+    staged.deform(pose);
+    CHECK(largest_distance(dragged.positions(), staged.deformer.positions()) < 2e-6 * staged.cage->diagonal);
+  }
 }
 
 TEST_CASE("fused_frame_refuses_a_pose_with_another_number_of_vertices") {

@@ -1,0 +1,27 @@
+// Binding, compiled once per instruction set.
+#include "deform/bind_kernel.h"
+
+#include "deform/kernel_choice.h"
+#include "sym3/highway_targets.h"
+#define HWY_TARGET_INCLUDE "deform/bind_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include "deform/bind_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace viete::deform::HWY_NAMESPACE {
+
+static const BindKernel bind = {inverse_distance, to_rows, take_out, solve};
+
+}  // namespace viete::deform::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace viete::deform {
+
+const BindKernel& bind_kernel(const sym3::Kernel& kernel) {
+  VIETE_RETURN_COMPILED(bind, kernel.highway_target);
+}
+
+}  // namespace viete::deform
+#endif

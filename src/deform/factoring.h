@@ -1,0 +1,23 @@
+// The weights of a leaf as factors of a few of its rows.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "deform/aligned.h"
+#include "deform/bind_kernel.h"
+
+namespace viete::deform {
+
+struct Factors {
+  std::vector<std::size_t> pivots;  ///< slots of the leaf; empty if there is no point in it
+  AlignedVector<float> factors;     ///< [tile][pivot][lane]: row = sum of factor times the pivot's row
+};
+
+/// Row interpolative decomposition with pivoting: takes out the largest row of what is left until none is longer than
+/// `tolerance`, and gives up after `most` of them. rows [tile][column][lane] is destroyed; the first `vertices` slots
+/// count.
+Factors factor_rows(const LeafRows& rows, std::size_t vertices, double tolerance, std::size_t most,
+                    const BindKernel& kernel);
+
+}  // namespace viete::deform
