@@ -31,6 +31,7 @@ struct Options {
   std::size_t count = 0;  ///< vertices: the bundled model is cut off or subdivided; 0: as it is
   std::vector<std::size_t> faces = {50, 100, 300, 600};
   int rounds = 11;
+  double tolerance = deform::usual_tolerance;
   std::filesystem::path json;
 };
 
@@ -96,15 +97,20 @@ double distance(std::span<const mesh::Point> expected, const deform::FusedFrame&
 /// One model in one cage: everything that is compared, bound and ready.
 class Contest {
  public:
-  Contest(const mesh::Surface& model, std::size_t faces)
+  Contest(const mesh::Surface& model, std::size_t faces, double tolerance)
       : cage_(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, faces)))),
         pose_(moderate_pose(*cage_)) {
     bind_staged(model);
-    tiles_ = std::make_shared<const deform::TiledBinding>(
-        deform::bind_tiles(model, *cage_, deform::Coordinates::face, all_));
+    dense_ = bind_fused(model, 0);
+    compressed_ = bind_fused(model, tolerance);
     if (staged_) add_staged();
-    add_fused("fused, dense", one_);
-    if (all_.threads() > 1) add_fused("fused, dense, " + std::to_string(all_.threads()) + " threads", all_);
+    for (auto* pool : {&one_, &all_}) {
+      if (pool == &all_ && all_.threads() == 1) continue;
+      const std::string threads = pool == &one_ ? "" : ", " + std::to_string(all_.threads()) + " threads";
+      add_fused("fused, dense" + threads, dense_, *pool, false);
+      if (compressed_->compressed()) add_fused("fused, compressed" + threads, compressed_, *pool, false);
+      add_fused("one vertex dragged" + threads, compressed_, *pool, true);
+    }
     add_floors();
   }
 
@@ -141,18 +147,38 @@ class Contest {
     }
   }
 
-  void add_fused(const std::string& name, base::WorkerPool& pool) {
-    frames_.push_back(std::make_unique<deform::FusedFrame>(cage_, tiles_, pool));
+  std::shared_ptr<const deform::TiledBinding> bind_fused(const mesh::Surface& model, double tolerance) {
+    const double start = base::thread_seconds();
+    auto tiles = std::make_shared<const deform::TiledBinding>(
+        deform::bind_tiles(model, *cage_, deform::Coordinates::face, one_, tolerance));
+    bind_ms_.push_back(1e3 * (base::thread_seconds() - start));
+    return tiles;
+  }
+
+  void add_fused(const std::string& name, std::shared_ptr<const deform::TiledBinding> tiles, base::WorkerPool& pool, bool drag) {
+    frames_.push_back(std::make_unique<deform::FusedFrame>(cage_, std::move(tiles), pool));
     auto* frame = frames_.back().get();
-    Case c{name, &pool, [this, frame] { frame->deform(pose_); }, [frame] { return frame->times(); }, {}, tiles_->bytes()};
-    if (staged_) c.error = [this, frame] { return distance(expected_, *frame) / cage_->diagonal; };
+    const auto run = [this, frame, drag] {
+      if (!drag) return frame->deform(pose_);
+      deform::Pose pose = pose_;
+      pose.positions[0][0] += 1e-3 * cage_->diagonal * (++step_ % 16);
+      frame->deform(pose);
+    };
+    for (int warm = 0; warm < 3; ++warm) run();  // the third frame of a drag adds what moved
+    Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->bytes()};
+    if (staged_) {
+      c.error = [this, frame, drag] {
+        if (drag) frame->deform(pose_);
+        return distance(expected_, *frame) / cage_->diagonal;
+      };
+    }
     cases_.push_back(std::move(c));
   }
 
   void add_floors() {
-    const auto& w = tiles_->weights;
+    const auto& w = dense_->weights;
     cases_.push_back({"floor: reading", &one_, [this, &w] { sink_ = sink_ + deform::read_floor(w.data(), w.size()); }, {}, {},
-                      tiles_->bytes()});
+                      dense_->bytes()});
     const std::size_t sums = 12 * w.size();
     cases_.push_back({"floor: multiply-adds", &one_, [this, sums] { sink_ = sink_ + deform::multiply_add_floor(sums); }, {}, {}, 0});
   }
@@ -161,7 +187,9 @@ class Contest {
   deform::Pose pose_;
   base::WorkerPool one_{1}, all_{0};
   std::shared_ptr<const deform::Binding> binding_;
-  std::shared_ptr<const deform::TiledBinding> tiles_;
+  std::shared_ptr<const deform::TiledBinding> dense_, compressed_;
+  std::vector<double> bind_ms_;
+  int step_ = 0;
   std::unique_ptr<deform::Deformer> staged_;
   std::unique_ptr<ReferenceFrame> reference_;
   std::vector<std::unique_ptr<deform::FusedFrame>> frames_;
@@ -173,10 +201,10 @@ class Contest {
 nlohmann::json Contest::report() const {
   const double reference = reference_ ? median(cases_.front().cpu_ms) : 0;
   std::printf("\n%zu vertices, %zu cage triangles; ms a frame: processor time (of the slower thread), wall; links: wall\n",
-              tiles_->leaves.vertices, cage_->element_count());
+              dense_->leaves.vertices, cage_->element_count());
   std::printf("  %-24s %9s %9s %8s %9s %8s ", "", "cpu", "wall", "faster", "error", "MB");
   for (std::size_t l = 0; l < deform::link_count; ++l) std::printf(" %9s", std::string(deform::name(Link(l))).c_str());
-  nlohmann::json json = {{"vertices", tiles_->leaves.vertices}, {"faces", cage_->element_count()}};
+  nlohmann::json json = {{"vertices", dense_->leaves.vertices}, {"faces", cage_->element_count()}};
   for (const Case& c : cases_) {
     const double cpu = median(c.cpu_ms), wall = median(c.wall_ms), error = c.error ? c.error() : 0;
     std::printf("\n  %-24s %9.3f %9.3f %7.1fx", c.name.c_str(), cpu, wall, reference / cpu);
@@ -190,7 +218,9 @@ nlohmann::json Contest::report() const {
     }
     json["results"].push_back(std::move(entry));
   }
-  std::printf("\n");
+  std::printf("\n  bound in %.0f ms dense, %.0f ms compressed%s (processor time, one thread)\n", bind_ms_[0], bind_ms_[1],
+              compressed_->compressed() ? "" : " (which does not pay here)");
+  json["bind_ms"] = {{"dense", bind_ms_[0]}, {"compressed", bind_ms_[1]}};
   return json;
 }
 
@@ -199,7 +229,7 @@ int bench_frame(const Options& options) {
   std::printf("frame: kernel %s\n", std::string(sym3::kernel_name()).c_str());
   nlohmann::json json = {{"figure", "frame"}, {"results", nlohmann::json::array()}};
   for (const std::size_t faces : options.faces) {
-    Contest contest(model, faces);
+    Contest contest(model, faces, options.tolerance);
     contest.run(options.rounds);
     json["results"].push_back(contest.report());
   }
@@ -216,6 +246,8 @@ void add_frame_bench(CLI::App& bench, Action& action) {
       ->check(CLI::PositiveNumber);
   command->add_option("--faces", options->faces, "Cage triangles (default: 50 100 300 600)")->check(CLI::Range(8, 10000));
   command->add_option("--rounds", options->rounds, "Repetitions (default 11)")->check(CLI::PositiveNumber);
+  command->add_option("--tolerance", options->tolerance, "Of compressed weights (default 3e-5)")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--json", options->json, "Also write the numbers to this file");
   command->callback([options, &action] { action = [options] { return bench_frame(*options); }; });
 }
