@@ -18,6 +18,8 @@ namespace viete::app {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t benchmark_count = 1 << 18;  // some seconds, and more than caches hold
+
 Viewer::ImGuiOwner::ImGuiOwner() {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -73,6 +75,7 @@ void Viewer::frame(float seconds) {
   workspace_.camera.animate(seconds);
   place_viewport();
   take_requests();
+  follow_benchmark();
   follow_document();
   deform(times);
   upload(times);
@@ -106,10 +109,10 @@ bool Viewer::wants_refinement() const {
 
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
-  const bool reports = files_.loading() || binder_.running() || checks_.running();
+  const bool reports = files_.loading() || binder_.running() || checks_.running() || bench_.running();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
   return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due() || binder_.has_result() ||
-         checks_.has_result();
+         checks_.has_result() || bench_.has_result();
 }
 
 bool Viewer::changing() const {
@@ -123,10 +126,25 @@ bool Viewer::changing() const {
 void Viewer::take_requests() {
   files_.take_requests(workspace_, deformer_ ? deformer_->positions() : std::span<const mesh::Point>(),
                        !pointer_.active());
+  if (std::exchange(workspace_.requests.run_benchmark, false)) {
+    bench_.start([](base::Progress& progress) { return measure_exp(benchmark_count, false, progress); });
+  }
+  if (std::exchange(workspace_.requests.stop_benchmark, false)) bench_.cancel();
   take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
   const bool stop = std::exchange(workspace_.requests.stop_work, false);
   if (stop && binder_.running()) stop_binding("Stopped binding; everything is as it was.", scene::Severity::info);
   if (std::exchange(workspace_.requests.frame_finding, false)) frame_finding();
+}
+
+void Viewer::follow_benchmark() {
+  scene::Benchmark& shown = workspace_.benchmark;
+  if (const auto result = bench_.poll()) {
+    if (result->value) shown = shown_benchmark(*result->value);
+    if (!result->problem.empty()) workspace_.messages.error("The benchmark failed: " + result->problem);
+    settle_frames_ = 3;
+  }
+  shown.running = bench_.running();
+  shown.done = bench_.done();
 }
 
 void Viewer::follow_document() {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/background_job.h"
+#include "app/bench_exp.h"
 #include "app/bound.h"
 #include "app/file_desk.h"
 #include "app/imgui_renderer.h"
@@ -93,6 +94,7 @@ class Viewer {
   void panels(scene::FrameTimes& times);
   bool probe_is_due() const;
   void probe();
+  void follow_benchmark();
   void place_viewport();
   void save_screenshot();
 
@@ -115,6 +117,7 @@ class Viewer {
   BackgroundJob<Bound> binder_;
   std::string binding_text_;
   MethodProbe method_probe_;
+  BackgroundJob<ExpBench> bench_;
   BackgroundJob<std::vector<scene::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
   Bound bound_;  // what the deformer is made of; nothing while there is none

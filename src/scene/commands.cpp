@@ -26,6 +26,10 @@ constexpr Condition has_selection_or_hover{
     "Select something first, or point at it."};
 constexpr Condition is_working{[](const Workspace& w) { return w.loading.running || w.binding.running; },
                                "Nothing is being read or bound."};
+constexpr Condition is_measuring{[](const Workspace& w) { return w.benchmark.running; },
+                                 "Nothing is being measured."};
+constexpr Condition is_not_measuring{[](const Workspace& w) { return !w.benchmark.running; },
+                                     "A measurement is running; cancel it first."};
 constexpr Condition has_leftover{
     [](const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; },
     "There are no unsaved edits of an earlier run."};
@@ -161,6 +165,11 @@ const std::vector<Command>& table() {
        "Method", {key('3'), false, true}, {}, uses_method, use_method<M::improved_sd>},
       {"method_fast", "Fast", "A recurrence in two invariants, without eigenvalues.", "Method",
        {key('4'), false, true}, {}, uses_method, use_method<M::fast>},
+
+      {"run_benchmark", "Measure", "Measure every method on random matrices, beside the view.", "Method", {}, {},
+       is_not_measuring, [](Workspace& w) { w.requests.run_benchmark = true; }},
+      {"stop_benchmark", "Cancel", "Stop measuring; what was measured before stays.", "Method", {}, {},
+       is_measuring, [](Workspace& w) { w.requests.stop_benchmark = true; }},
 
       {"frame_all", "Frame all", "See the whole model and cage.", "View", {Key::home}, {}, has_model,
        [](Workspace& w) { frame_all(w, true); }},

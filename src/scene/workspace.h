@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/benchmark.h"
 #include "scene/camera.h"
 #include "scene/check_view.h"
 #include "scene/document.h"
@@ -69,6 +70,7 @@ struct Requests {
   bool screenshot = false;
   bool stop_work = false;  ///< reading or binding
   bool frame_finding = false;  ///< move the camera to the finding that is shown
+  bool run_benchmark = false, stop_benchmark = false;
   std::optional<OpenRequest> open;
   std::optional<std::filesystem::path> save_session, save_pose, save_model;
   std::optional<std::filesystem::path> discard;  ///< a leftover
@@ -112,6 +114,7 @@ struct Workspace {
   WorkState loading;  ///< opening files: reading them, then binding
   WorkState binding;  ///< of what is open, to other coordinates
   CheckState checks;
+  Benchmark benchmark;
   Saved saved;
   Remembered remembered;
   std::vector<Leftover> leftovers;       ///< unsaved work that can be brought back, newest first

@@ -19,6 +19,7 @@ void column(const Context& ui) {
   panel_coordinates(ui);
   panel_timings(ui);
   panel_view(ui);
+  panel_benchmark(ui);
   ImGui::End();
 }
 

@@ -15,6 +15,7 @@ void panel_method(const Context& ui);
 void panel_coordinates(const Context& ui);
 void panel_timings(const Context& ui);
 void panel_view(const Context& ui);
+void panel_benchmark(const Context& ui);
 void panel_messages(const Context& ui);
 void status_bar(const Context& ui);
 void help_overlay(const Context& ui);

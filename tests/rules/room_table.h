@@ -29,7 +29,7 @@ inline const std::map<std::string, Room>& rooms() {
       {"app",
        {{"base", "sym3", "mesh", "deform", "scene", "render", "ui"},
         {"glfw", "gl", "imgui", "imgui_backends", "cli11", "json", "glm"},
-        {}}},
+        {"eigen"}}},
   };
   return table;
 }

@@ -1,11 +1,10 @@
-# readme_example(cpp out.cpp): the first block of that language in the README, to be built and run as it stands there.
-function(readme_example language output)
-  set(readme ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../README.md)
+# readme_example(README.md cpp out.cpp): the first block of that language, to be built and run as it stands there.
+function(readme_example readme language output)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${readme})
   file(READ ${readme} text)
   string(FIND "${text}" "```${language}\n" begin)
   if(begin EQUAL -1)
-    message(FATAL_ERROR "README.md holds no block of ${language}")
+    message(FATAL_ERROR "${readme} holds no block of ${language}")
   endif()
   string(SUBSTRING "${text}" ${begin} -1 text)
   string(REGEX REPLACE "^```${language}\n" "" text "${text}")

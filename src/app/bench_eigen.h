@@ -1,0 +1,22 @@
+// What eigenvalues cost: by QR, by Eigen's closed form, and by Viete's formula.
+#pragma once
+
+#include "app/bench_plot.h"
+#include "app/bench_rounds.h"
+#include "base/progress.h"
+
+namespace viete::app {
+
+struct EigenBench {
+  std::size_t count = 0;
+  std::vector<BenchResult> results;
+};
+
+/// The paper's ensemble in double, one thread, processor time, medians. Throws base::Cancelled.
+EigenBench measure_eigen(std::size_t count, base::Progress& progress);
+
+void print(const EigenBench& bench);
+nlohmann::json to_json(const EigenBench& bench);
+Plot plot_of(const EigenBench& bench);
+
+}  // namespace viete::app
