@@ -1,10 +1,11 @@
-// viete bench exp|eigen|frame|accuracy: the paper's figures, and its future work, on this machine.
+// viete bench exp|eigen|frame|accuracy|sym3: the paper's figures, and its future work, on this machine.
 #include <cstdio>
 #include <memory>
 
 #include "app/bench_accuracy.h"
 #include "app/bench_eigen.h"
 #include "app/bench_exp.h"
+#include "app/bench_sym3.h"
 #include "app/command_line.h"
 #include "app/frame_bench.h"
 #include "base/atomic_file.h"
@@ -66,7 +67,9 @@ void add_bench_command(CLI::App& app, Action& action) {
       {"exp", "Time of exp by method, layout and size", "Matrices (default 10,000,000)", true, true, bench_exp},
       {"eigen", "Time of eigenvalues by QR and by Viete's formula", "Matrices (default 10,000,000)", true, false, bench_eigen},
       {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row (default 4,096)", false, true,
-       bench_accuracy}};
+       bench_accuracy},
+      {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory (default 10,000,000)", false, false,
+       [](const BenchOptions& o) { return bench_sym3(o.count, o.json); }}};
   for (const auto& bench : benches) {
     auto* sub = command->add_subcommand(bench.name, bench.text);
     auto options = std::make_shared<BenchOptions>();

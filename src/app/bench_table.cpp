@@ -16,14 +16,14 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+}  // namespace
+
 double time_of(const std::vector<BenchResult>& results, const std::string& name) {
   for (const auto& r : results) {
     if (r.name == name) return r.ns_per_item;
   }
   return 0;
 }
-
-}  // namespace
 
 std::vector<BenchResult> interleave(const std::vector<BenchCase>& cases, std::size_t pieces, std::size_t items_per_piece,
                                     int passes) {
@@ -32,8 +32,9 @@ std::vector<BenchResult> interleave(const std::vector<BenchCase>& cases, std::si
     for (std::size_t piece = 0; piece < pieces; ++piece) {
       for (std::size_t c = 0; c < cases.size(); ++c) {
         const double start = base::thread_seconds();
-        cases[c].run(piece);
-        times[c].push_back(1e9 * (base::thread_seconds() - start) / static_cast<double>(items_per_piece));
+        for (int r = 0; r < cases[c].repeats; ++r) cases[c].run(piece);
+        const double seconds = (base::thread_seconds() - start) / cases[c].repeats;
+        times[c].push_back(1e9 * seconds / static_cast<double>(items_per_piece));
       }
     }
   }

@@ -13,6 +13,7 @@ namespace viete::app {
 struct BenchCase {
   std::string name;
   std::function<void(std::size_t piece)> run;
+  int repeats = 1;  ///< times in a row, for what is too short to time; the time is of one
 };
 
 struct BenchResult {
@@ -22,6 +23,9 @@ struct BenchResult {
 
 /// For each piece in turn every case runs once (so that a disturbance hits all alike); `passes` times over.
 std::vector<BenchResult> interleave(const std::vector<BenchCase>& cases, std::size_t pieces, std::size_t items_per_piece, int passes);
+
+/// The time of the case of that name; 0 if there is none.
+double time_of(const std::vector<BenchResult>& results, const std::string& name);
 
 /// name, ns per item, and how many times the time of `copy` and how much faster than `reference`.
 void print_table(const std::string& title, const std::vector<BenchResult>& results, const std::string& reference, const std::string& copy);

@@ -9,8 +9,8 @@
 //   namespace viete::room::HWY_NAMESPACE {
 //   namespace lanes = viete::sym3::HWY_NAMESPACE;
 //   ... const hn::ScalableTag<float> d;  lanes::Six<hn::Vec<decltype(d)>> e = lanes::exp_lanes(d, s); ...
-// Link viete::sym3; compile with -ffp-contract=off. Each lane has the bits of the single call sym3::exp under the
-// kernel of that target, whatever the other lanes hold. Bounds and special values: exp.h, method `fast`.
+// Link viete::sym3; compile with -ffp-contract=off. Each lane has the bits of the single call sym3::exp under
+// the kernel of that target, whatever the other lanes hold. Bounds and special values: exp.h, method `fast`.
 //
 // Algorithm: S = (m + e) I + A with A traceless; for a polynomial f(x) = sum a_k x^k,
 //   f(A) = z_0 I + z_1 A + z_2 adj A,   z_k = a_k + p z_{k+2} + q z_{k+3},
@@ -69,18 +69,25 @@ struct Coefficients {
   V z0, z1, z2;
 };
 
-template <class D, class T, std::size_t N, class V = hn::Vec<D>>
-static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q) {
+/// For G registers at a time: their chains of dependent steps hide each other's latencies.
+template <int G, class D, class T, std::size_t N, class V = hn::Vec<D>>
+static HWY_INLINE void recurrence(D d, const T (&a)[N], const Invariants<V> (&v)[G],
+                                  Coefficients<V> (&z)[G]) {
   constexpr int degree = static_cast<int>(N) - 1;
-  const V c1 = hn::Set(d, a[degree - 1]);
-  V z0 = hn::NegMulAdd(minus_p, c1, hn::Add(q, hn::Set(d, a[degree - 3])));
-  V z1 = hn::Sub(hn::Set(d, a[degree - 2]), minus_p), z2 = c1;
+  const V c1 = hn::Set(d, a[degree - 1]), c2 = hn::Set(d, a[degree - 2]), c3 = hn::Set(d, a[degree - 3]);
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) {
+    z[g] = {hn::NegMulAdd(v[g].minus_p, c1, hn::Add(v[g].q, c3)), hn::Sub(c2, v[g].minus_p), c1};
+  }
 #pragma GCC unroll 64
   for (int k = degree - 4; k >= 0; --k) {
-    const V next = hn::NegMulAdd(minus_p, z1, hn::MulAdd(q, z2, hn::Set(d, a[k])));
-    z2 = z1, z1 = z0, z0 = next;
+    const V c = hn::Set(d, a[k]);
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) {
+      const V next = hn::NegMulAdd(v[g].minus_p, z[g].z1, hn::MulAdd(v[g].q, z[g].z2, c));
+      z[g] = {next, z[g].z0, z[g].z1};
+    }
   }
-  return {z0, z1, z2};
 }
 
 template <class V>
@@ -114,8 +121,7 @@ template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V add_to_exponent(D d, V x, V shifted) {
   const hn::RebindToUnsigned<D> du;
   constexpr int mantissa_bits = ExpTables<hn::TFromD<D>>::mantissa_bits;
-  return hn::BitCast(
-      d, hn::Add(hn::BitCast(du, x), hn::ShiftLeft<mantissa_bits>(hn::BitCast(du, shifted))));
+  return hn::BitCast(d, hn::Add(hn::BitCast(du, x), hn::ShiftLeft<mantissa_bits>(hn::BitCast(du, shifted))));
 }
 
 /// The answer of the fast path, right in the lanes of `ok`.
@@ -126,17 +132,39 @@ struct Quick {
 };
 
 /// Spreads up to 4.9 (float 6.9) at any trace that leaves exp in the normal range; anything else not ok.
-template <class D, class V = hn::Vec<D>>
-static HWY_INLINE Quick<D> exp_quick(D d, const Six<V>& s) {
-  using C = ExpTables<hn::TFromD<D>>;
-  const Split<V> m = split(d, s);
-  const Invariants<V> v = invariants(m.a);
-  const auto ok = hn::And(hn::Ge(v.minus_p, hn::Set(d, -C::p_limit)),
-                          hn::Le(hn::Abs(m.trace), hn::Set(d, C::trace_limit)));
-  const Reduced<V> e = reduce(d, m.mean);
-  const V factor = add_to_exponent(d, horner(d, C::exp_table, hn::Add(e.r, m.rest), C::lead), e.shifted);
-  const Coefficients<V> z = recurrence(d, C::taylor, v.minus_p, v.q);
-  return {combine({hn::Mul(z.z0, factor), hn::Mul(z.z1, factor), hn::Mul(z.z2, factor)}, v.a, v.c), ok};
+template <int G, class D, class V = hn::Vec<D>>
+static HWY_INLINE void exp_quick(D d, const Six<V> (&s)[G], Quick<D> (&out)[G]) {
+  using T = hn::TFromD<D>;
+  using C = ExpTables<T>;
+  Invariants<V> v[G];
+  V r[G], shifted[G], factor[G];
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) {
+    const Split<V> m = split(d, s[g]);
+    v[g] = invariants(m.a);
+    out[g].ok = hn::And(hn::Ge(v[g].minus_p, hn::Set(d, -C::p_limit)),
+                        hn::Le(hn::Abs(m.trace), hn::Set(d, C::trace_limit)));
+    const Reduced<V> e = reduce(d, m.mean);
+    r[g] = hn::Add(e.r, m.rest), shifted[g] = e.shifted;
+  }
+  constexpr int degree = sizeof(C::exp_table) / sizeof(T) - 1;
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) factor[g] = hn::Set(d, C::exp_table[degree] * C::lead);
+#pragma GCC unroll 32
+  for (int k = degree - 1; k >= 0; --k) {
+    const V c = hn::Set(d, C::exp_table[k] * C::lead);
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) factor[g] = hn::MulAdd(factor[g], r[g], c);
+  }
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) factor[g] = add_to_exponent(d, factor[g], shifted[g]);
+  Coefficients<V> z[G];
+  recurrence<G>(d, C::taylor, v, z);
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) {
+    const V f = factor[g];
+    out[g].e = combine({hn::Mul(z[g].z0, f), hn::Mul(z[g].z1, f), hn::Mul(z[g].z2, f)}, v[g].a, v[g].c);
+  }
 }
 
 /// m e^(x + rest) for any x; over- and underflow entry by entry. Four factors, because 2^n alone may be out
@@ -172,10 +200,12 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s, const Quick<D>& qui
     squarings = hn::Add(squarings, hn::IfThenElseZero(large, hn::Set(d, T(1))));
   }
   const auto in_reach = hn::AndNot(is_diagonal(d, s), hn::Le(p, limit));
-  const Invariants<V> v = invariants(times(m.a, scale));
-  const Coefficients<V> z = recurrence(d, C::taylor, v.minus_p, v.q);
+  const Invariants<V> v[1] = {invariants(times(m.a, scale))};
+  Coefficients<V> z[1];
+  recurrence<1>(d, C::taylor, v, z);
   const V lead = hn::Set(d, C::lead);
-  Six<V> e = combine({hn::Mul(z.z0, lead), hn::Mul(z.z1, lead), hn::Mul(z.z2, lead)}, v.a, v.c);
+  Six<V> e =
+      combine({hn::Mul(z[0].z0, lead), hn::Mul(z[0].z1, lead), hn::Mul(z[0].z2, lead)}, v[0].a, v[0].c);
   for (int j = 0; j < C::max_squarings; ++j) {
     const auto more = hn::Gt(squarings, hn::Set(d, T(j)));
     if (hn::AllFalse(d, more)) break;
@@ -190,9 +220,11 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s, const Quick<D>& qui
 /// exp of one matrix a lane. T = float or double; any number of lanes.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_lanes(D d, const Six<V>& s) {
-  const Quick<D> quick = exp_quick(d, s);
-  if (HWY_LIKELY(hn::AllTrue(d, quick.ok))) return quick.e;
-  return exp_general(d, s, quick);
+  const Six<V> in[1] = {s};
+  Quick<D> quick[1];
+  exp_quick<1>(d, in, quick);
+  if (HWY_LIKELY(hn::AllTrue(d, quick[0].ok))) return quick[0].e;
+  return exp_general(d, s, quick[0]);
 }
 
 }  // namespace viete::sym3::HWY_NAMESPACE

@@ -11,15 +11,25 @@
 // What each instruction set compiled, in its namespace.
 namespace viete::sym3::HWY_NAMESPACE {
 
-#define VIETE_FUNCTION(name, N, M)              \
+#define VIETE_FUNCTION(name, N, M)                   \
   extern const Function<double, N, M> name##_double; \
   extern const Function<float, N, M> name##_float;
 VIETE_FUNCTION(exp, 6, 6)
+VIETE_FUNCTION(log, 6, 6)
+VIETE_FUNCTION(sqrt, 6, 6)
+VIETE_FUNCTION(inv_sqrt, 6, 6)
+VIETE_FUNCTION(eigenvalues, 6, 3)
 VIETE_FUNCTION(exp_rotation, 3, 9)
+VIETE_FUNCTION(polar, 9, 9)
 #undef VIETE_FUNCTION
 
-#define VIETE_BOTH(name) {&name##_double, &name##_float}
-static const KernelTable table = {VIETE_BOTH(exp), VIETE_BOTH(exp_rotation)};
+extern const PowFunctions pow_functions;
+
+#define VIETE_BOTH(name) \
+  { &name##_double, &name##_float }
+static const KernelTable table = {VIETE_BOTH(exp),      VIETE_BOTH(log),         VIETE_BOTH(sqrt),
+                                  VIETE_BOTH(inv_sqrt), VIETE_BOTH(eigenvalues), VIETE_BOTH(exp_rotation),
+                                  VIETE_BOTH(polar),    &pow_functions};
 #undef VIETE_BOTH
 
 }  // namespace viete::sym3::HWY_NAMESPACE

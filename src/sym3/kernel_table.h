@@ -28,9 +28,20 @@ struct Functions {
   const Function<float, N, M>* in_float;
 };
 
+/// S^exponent.
+struct PowFunctions {
+  void (*in_double)(const View<const double, 6>& in, const View<double, 6>& out, const Range& range,
+                    double exponent);
+  void (*in_float)(const View<const float, 6>& in, const View<float, 6>& out, const Range& range,
+                   double exponent);
+};
+
 struct KernelTable {
-  Functions<6, 6> exp;
+  Functions<6, 6> exp, log, sqrt, inv_sqrt;
+  Functions<6, 3> eigenvalues;
   Functions<3, 9> exp_rotation;
+  Functions<9, 9> polar;
+  const PowFunctions* pow;
 };
 
 }  // namespace viete::sym3

@@ -113,39 +113,56 @@ struct InPacked {
   static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t) {}
 };
 
-/// Where entry k of item i is, in any layout.
-template <class T, int N>
-static HWY_INLINE T* address(const View<T, N>& v, int k, std::size_t i) {
+/// Moves one number; the layouts below know where from and where to.
+template <class T>
+struct Into {
+  static HWY_INLINE void move(const T* item, T* row) { *row = *item; }
+};
+template <class T>
+struct OutOf {
+  static HWY_INLINE void move(T* item, const T* row) { *item = *row; }
+};
+
+/// Items [i, i + count) one by one between a view and rows of `stride` numbers.
+template <class Way, class T, int N, class Row>
+static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
+                                std::size_t stride) {
   constexpr std::size_t line = 64 / sizeof(T);
   constexpr int in_full[] = {0, 1, 2, 4, 5, 8, 0, 0, 0};
-  switch (v.layout) {
-    case Layout::planes:
-      return v.plane[k] + i;
-    case Layout::blocks:
-      return v.plane[0] + (i / line * N + k) * line + i % line;
-    case Layout::packed:
-      return v.plane[0] + N * i + k;
-    case Layout::full:
-      break;
+  if (v.layout == Layout::planes) {
+    for (int k = 0; k < N; ++k) {
+      for (std::size_t j = 0; j < count; ++j) Way::move(v.plane[k] + i + j, rows + k * stride + j);
+    }
+  } else if (v.layout == Layout::blocks) {
+    for (std::size_t j = 0; j < count; ++j) {
+      T* item = v.plane[0] + (i + j) / line * N * line + (i + j) % line;
+      for (int k = 0; k < N; ++k) Way::move(item + k * line, rows + k * stride + j);
+    }
+  } else if (v.layout == Layout::packed) {
+    for (std::size_t j = 0; j < count; ++j) {
+      T* item = v.plane[0] + N * (i + j);
+#pragma GCC unroll 16
+      for (int k = 0; k < N; ++k) Way::move(item + k, rows + k * stride + j);
+    }
+  } else {
+    for (std::size_t j = 0; j < count; ++j) {
+      T* item = v.plane[0] + 9 * (i + j);
+#pragma GCC unroll 16
+      for (int k = 0; k < N; ++k) Way::move(item + in_full[k], rows + k * stride + j);
+    }
   }
-  return v.plane[0] + 9 * i + in_full[k];
 }
 
-/// Items [i, i + count) one by one into rows of `stride` numbers.
 template <class T, int N>
 static HWY_NOINLINE void gather(const View<const T, N>& v, std::size_t i, std::size_t count, T* rows,
                                 std::size_t stride) {
-  for (int k = 0; k < N; ++k) {
-    for (std::size_t j = 0; j < count; ++j) rows[k * stride + j] = *address(v, k, i + j);
-  }
+  transfer<Into<T>>(v, i, count, rows, stride);
 }
 
 template <class T, int N>
 static HWY_NOINLINE void scatter(const T* rows, std::size_t stride, std::size_t count, const View<T, N>& v,
                                  std::size_t i) {
-  for (int k = 0; k < N; ++k) {
-    for (std::size_t j = 0; j < count; ++j) *address(v, k, i + j) = rows[k * stride + j];
-  }
+  transfer<OutOf<T>>(v, i, count, rows, stride);
   if (v.layout != Layout::full) return;
   for (std::size_t j = 0; j < count; ++j) {
     T* m = v.plane[0] + 9 * (i + j);

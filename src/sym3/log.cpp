@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "sym3/by_jacobi.h"
+#include "sym3/call_kernel.h"
 #include "sym3/double_double.h"
 #include "sym3/entries.h"
 #include "sym3/jacobi.h"
@@ -16,27 +19,40 @@ namespace {
 constexpr double wide = 8;
 
 struct LogOf {
-  static double at(double x) { return std::log(x); }
-  static double at(const DoubleDouble& x) { return std::log(x.hi) + x.lo / x.hi; }
+  double operator()(double x) const { return std::log(x); }
+  double operator()(const DoubleDouble& x) const { return std::log(x.hi) + x.lo / x.hi; }
 };
 
 struct Log1pOf {
-  static double at(double x) { return std::log1p(x); }
+  double operator()(double x) const { return std::log1p(x); }
 };
 
 struct InvSqrtOf {
-  static double at(double x) { return 1 / std::sqrt(x); }
-  static double at(const DoubleDouble& x) { return 1 / std::sqrt(x.hi); }
+  double operator()(double x) const { return 1 / std::sqrt(x); }
+  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
 };
 
-/// V f(values) V^T.
+/// What rounding made negative counts as zero.
+struct SqrtOf {
+  double operator()(double x) const { return x > 0 ? std::sqrt(x) : 0; }
+  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
+};
+
+struct PowOf {
+  double exponent;
+  double operator()(double x) const { return std::pow(x, exponent); }
+  double operator()(const DoubleDouble& x) const { return (*this)(x.hi) * (1 + exponent * (x.lo / x.hi)); }
+};
+
+/// V f(values) V^T. Terms that are zero do not count: an overflow stays in its own block of the matrix.
 template <class F, class Real>
-Sym3<double> recompose(const Eigen3<Real>& e) {
-  const double f[3] = {F::at(e.values[0]), F::at(e.values[1]), F::at(e.values[2])};
+Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
+  const double f[3] = {at(e.values[0]), at(e.values[1]), at(e.values[2])};
   const auto entry = [&](int i, int j) {
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
-      sum += f[k] * jacobi::leading(e.vectors[i][k]) * jacobi::leading(e.vectors[j][k]);
+      const double weight = jacobi::leading(e.vectors[i][k]) * jacobi::leading(e.vectors[j][k]);
+      if (weight != 0) sum += f[k] * weight;
     }
     return sum;
   };
@@ -62,16 +78,21 @@ Eigen3<Real> eigen_of(const Sym3<double>& s, double scale) {
   return e;
 }
 
-/// f(S) for positive definite S, else NaN.
+/// f(S) for S all of whose eigenvalues are above `least` times its largest entry, else NaN.
 template <class F>
-Sym3<double> of_positive(const Sym3<double>& s) {
-  const double scale = comfortable_scale(s);
+Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) {
+  const double scale = comfortable_scale(s), bound = least * largest_entry(s);
   const auto quick = eigen_of<double>(s, scale);
   const double low = smallest(quick);
-  if (!(low > 0) && is_diagonal(s)) return nan_matrix<double>();
-  if (low * wide >= largest_entry(s) || is_diagonal(s)) return recompose<F>(quick);
+  if (is_diagonal(s)) return low > bound ? recompose(f, quick) : nan_matrix<double>();
+  if (low * wide >= largest_entry(s)) return recompose(f, quick);
   const auto exact = eigen_of<DoubleDouble>(s, scale);
-  return smallest(exact) > 0 ? recompose<F>(exact) : nan_matrix<double>();
+  return smallest(exact) > bound ? recompose(f, exact) : nan_matrix<double>();
+}
+
+template <class F>
+Sym3<double> of_positive(const F& f, const Sym3<double>& s) {
+  return of_spectrum_above(0, f, s);
 }
 
 /// Where S - I is exact, and its eigenvalues keep the digits that those of S would lose.
@@ -88,13 +109,54 @@ bool is_usable(const Sym3<double>& s) {
 Sym3<double> log_in_double(const Sym3<double>& s) {
   if (!is_usable(s)) return nan_matrix<double>();
   if (is_near_identity(s)) {
-    return recompose<Log1pOf>(eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
+    return recompose(Log1pOf(), eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
   }
-  return of_positive<LogOf>(s);
+  return of_positive(LogOf(), s);
 }
 
 Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
-  return is_usable(s) ? of_positive<InvSqrtOf>(s) : nan_matrix<double>();
+  return is_usable(s) ? of_positive(InvSqrtOf(), s) : nan_matrix<double>();
+}
+
+Sym3<double> pow_in_double(const Sym3<double>& s, double exponent) {
+  return is_usable(s) ? of_positive(PowOf{exponent}, s) : nan_matrix<double>();
+}
+
+/// An eigenvalue this far below zero, relative to the largest entry, is rounding in the entries of S.
+template <class T>
+constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::epsilon());
+
+template <class T>
+Sym3<double> sqrt_in_double(const Sym3<double>& s) {
+  if (!is_finite(s)) return nan_matrix<double>();
+  return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, SqrtOf(), s) : Sym3<double>{};
+}
+
+template <class T>
+Sym3<T> from_six(const T* in) {
+  return {in[0], in[1], in[2], in[3], in[4], in[5]};
+}
+
+template <class T>
+void to_six(const Sym3<T>& s, T* out) {
+  out[0] = s.xx, out[1] = s.xy, out[2] = s.xz, out[3] = s.yy, out[4] = s.yz, out[5] = s.zz;
+}
+
+void call_pow(const SymView<const double>& in, double exponent, const SymView<double>& out,
+              const Range& range, const KernelTable& table) {
+  table.pow->in_double(in, out, range, exponent);
+}
+void call_pow(const SymView<const float>& in, double exponent, const SymView<float>& out, const Range& range,
+              const KernelTable& table) {
+  table.pow->in_float(in, out, range, exponent);
+}
+
+template <class T>
+void pow_many(const SymView<const T>& in, double exponent, const SymView<T>& out, std::size_t count,
+              const Batch& batch) {
+  const KernelTable& table = *(batch.kernel ? *batch.kernel : kernel()).table;
+  run_batch([&](const Range& range) { call_pow(in, exponent, out, range, table); }, count,
+            12 * sizeof(T) * count, in.plane[0] == out.plane[0], batch);
 }
 
 }  // namespace
@@ -109,9 +171,45 @@ Sym3<T> inv_sqrt(const Sym3<T>& s) {
   return convert<T>(inv_sqrt_in_double(convert<double>(s)));
 }
 
-template Sym3<float> log(const Sym3<float>&);
-template Sym3<double> log(const Sym3<double>&);
-template Sym3<float> inv_sqrt(const Sym3<float>&);
-template Sym3<double> inv_sqrt(const Sym3<double>&);
+template <class T>
+Sym3<T> sqrt(const Sym3<T>& s) {
+  return convert<T>(sqrt_in_double<T>(convert<double>(s)));
+}
+
+template <class T>
+Sym3<T> pow(const Sym3<T>& s, double exponent) {
+  return convert<T>(pow_in_double(convert<double>(s), exponent));
+}
+
+#define VIETE_FOR(T)                                                                                        \
+  template Sym3<T> log(const Sym3<T>&);                                                                     \
+  template Sym3<T> sqrt(const Sym3<T>&);                                                                    \
+  template Sym3<T> inv_sqrt(const Sym3<T>&);                                                                \
+  template Sym3<T> pow(const Sym3<T>&, double);                                                             \
+  void log_by_jacobi(const T* in, T* out) {                                                                 \
+    to_six(log(from_six(in)), out);                                                                         \
+  }                                                                                                         \
+  void sqrt_by_jacobi(const T* in, T* out) {                                                                \
+    to_six(sqrt(from_six(in)), out);                                                                        \
+  }                                                                                                         \
+  void inv_sqrt_by_jacobi(const T* in, T* out) {                                                            \
+    to_six(inv_sqrt(from_six(in)), out);                                                                    \
+  }                                                                                                         \
+  void log(const SymView<const T>& in, const SymView<T>& out, std::size_t count, const Batch& batch) {      \
+    call_many(&KernelTable::log, in, out, count, batch);                                                    \
+  }                                                                                                         \
+  void sqrt(const SymView<const T>& in, const SymView<T>& out, std::size_t count, const Batch& batch) {     \
+    call_many(&KernelTable::sqrt, in, out, count, batch);                                                   \
+  }                                                                                                         \
+  void inv_sqrt(const SymView<const T>& in, const SymView<T>& out, std::size_t count, const Batch& batch) { \
+    call_many(&KernelTable::inv_sqrt, in, out, count, batch);                                               \
+  }                                                                                                         \
+  void pow(const SymView<const T>& in, double exponent, const SymView<T>& out, std::size_t count,           \
+           const Batch& batch) {                                                                            \
+    pow_many(in, exponent, out, count, batch);                                                              \
+  }
+VIETE_FOR(float)
+VIETE_FOR(double)
+#undef VIETE_FOR
 
 }  // namespace viete::sym3

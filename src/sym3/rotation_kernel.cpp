@@ -13,7 +13,7 @@ struct ExpRotation {
   static constexpr int in = 3, out = 9;
 
   template <class D, class V>
-  static HWY_INLINE void run(D d, const V* w, V* r) {
+  HWY_INLINE void run(D d, const V* w, V* r) const {
     const Nine<V> m = exp_rotation_lanes(d, Three<V>{w[0], w[1], w[2]});
     r[0] = m.xx, r[1] = m.xy, r[2] = m.xz;
     r[3] = m.yx, r[4] = m.yy, r[5] = m.yz;

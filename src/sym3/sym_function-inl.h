@@ -17,8 +17,10 @@ namespace viete::sym3::HWY_NAMESPACE {
 
 template <class F, class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> apply(D d, const Six<V>& s) {
-  const auto quick = F::quick(d, s);
-  return HWY_LIKELY(hn::AllTrue(d, quick.ok)) ? quick.e : F::general(d, s, quick);
+  const Six<V> in[1] = {s};
+  typename F::template Quick<D> quick[1];
+  F::template quick<1>(d, in, quick);
+  return HWY_LIKELY(hn::AllTrue(d, quick[0].ok)) ? quick[0].e : F::general(d, s, quick[0]);
 }
 
 /// Fewer matrices than lanes, through a register's worth of zeros.
@@ -39,17 +41,25 @@ template <class F, class From, class To, bool streaming, class D, class T>
 static HWY_INLINE void apply_groups(D d, View<const T, 6> in, View<T, 6> out, std::size_t begin,
                                     std::size_t end) {
   const std::size_t lanes = hn::Lanes(d);
+  constexpr int G = 2;
   std::size_t i = begin;
-  for (; i + 2 * lanes <= end; i += 2 * lanes) {
+  for (; i + G * lanes <= end; i += G * lanes) {
     if constexpr (streaming) From::prefetch(in, i);
-    auto a = F::quick(d, From::load(d, in, i)), b = F::quick(d, From::load(d, in, i + lanes));
-    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::And(a.ok, b.ok)))) {
-      a.e = F::general(d, From::load(d, in, i), a), b.e = F::general(d, From::load(d, in, i + lanes), b);
+    Six<hn::Vec<D>> s[G];
+    typename F::template Quick<D> quick[G];
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) s[g] = From::load(d, in, i + g * lanes);
+    F::template quick<G>(d, s, quick);
+    hn::Mask<D> ok = quick[0].ok;
+#pragma GCC unroll 4
+    for (int g = 1; g < G; ++g) ok = hn::And(ok, quick[g].ok);
+    if (HWY_UNLIKELY(!hn::AllTrue(d, ok))) {
+      for (int g = 0; g < G; ++g) quick[g].e = F::general(d, From::load(d, in, i + g * lanes), quick[g]);
     }
-    To::template store<streaming>(d, a.e, out, i);
-    To::template store<streaming>(d, b.e, out, i + lanes);
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) To::template store<streaming>(d, quick[g].e, out, i + g * lanes);
   }
-  if (i + lanes <= end) {
+  while (i + lanes <= end) {
     To::template store<streaming>(d, apply<F>(d, From::load(d, in, i)), out, i);
     i += lanes;
   }

@@ -175,7 +175,7 @@ TEST_CASE("a_pose_with_another_number_of_vertices_is_refused_with_both_counts") 
 
 TEST_CASE("small_benchmarks_run_and_write_json") {
   const Scratch scratch;
-  for (const char* what : {"exp", "eigen", "frame"}) {
+  for (const char* what : {"exp", "eigen", "frame", "sym3"}) {
     const fs::path json = scratch.folder / (std::string(what) + ".json");
     const auto outcome = run(std::string("bench ") + what + " --count 2000 --json " + quoted(json));
     CHECK_MESSAGE(outcome.code == 0, outcome.text);

@@ -8,6 +8,7 @@
 
 #include "sym3/ensembles.h"
 #include "sym3/entries_of.h"
+#include "sym3/kernel.h"
 #include "sym3/quad_reference.h"
 
 using namespace viete;
@@ -50,6 +51,38 @@ TEST_CASE_TEMPLATE("qr_errs_by_24_u_of_the_largest", T, double, float) {
     CHECK(worst_error(sym3::eigenvalues_qr<T>, m) <= 24 * unit_roundoff<T>);
 }
 
+TEST_CASE_TEMPLATE("eigenvalues_err_by_8_u_of_the_largest_however_close", T, double, float) {
+  for (const auto& m : everything<T>()) CHECK(worst_error(sym3::eigenvalues<T>, m) <= 8 * unit_roundoff<T>);
+  for (const double size : {1e-35, 1e-12, 1e12, 1e35}) {
+    for (const double gap : {0.0, 1e-12, 1e-3, 1.0}) {
+      auto m = pairs<T>(gap, 50);
+      for (auto& s : m)
+        s = {T(s.xx * size), T(s.xy * size), T(s.xz * size), T(s.yy * size), T(s.yz * size), T(s.zz * size)};
+      CHECK(worst_error(sym3::eigenvalues<T>, m) <= 8 * unit_roundoff<T>);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_eigenvalues_agrees_with_one", T, double, float) {
+  auto in = paper_ensemble<T>(50);
+  in[11] = {}, in[12] = diagonal(T(3), T(-1), std::numeric_limits<T>::max());
+  for (const auto& kernel : sym3::kernels()) {
+    for (std::size_t count = 0; count <= in.size(); ++count) {
+      std::vector<std::array<T, 3>> out(in.size() + 1, {T(-7), T(-7), T(-7)});
+      sym3::eigenvalues(sym3::packed(in.data()), sym3::VecView<T>(sym3::Layout::packed, out[0].data()), count,
+                        {&kernel});
+      bool same = out[count][0] == T(-7);
+      for (std::size_t i = 0; i < count; ++i) {
+        std::array<T, 3> one;
+        sym3::eigenvalues(sym3::packed(&in[i]), sym3::VecView<T>(sym3::Layout::packed, one.data()), 1,
+                          {&kernel});
+        same = same && out[i] == one;
+      }
+      CHECK(same);
+    }
+  }
+}
+
 TEST_CASE_TEMPLATE("viete_errs_by_4_cube_roots_of_u_of_the_largest", T, double, float) {
   for (const auto& m : everything<T>()) {
     CHECK(worst_error(sym3::eigenvalues_viete<T>, m) <= 4 * std::cbrt(unit_roundoff<T>));
@@ -65,7 +98,8 @@ TEST_CASE("viete_is_nearly_exact_where_eigenvalues_are_apart") {
 
 TEST_CASE_TEMPLATE("eigenvalues_ascend", T, double, float) {
   for (const auto& s : paper_ensemble<T>(500)) {
-    for (const auto method : {sym3::eigenvalues_qr<T>, sym3::eigenvalues_viete<T>}) {
+    for (std::array<T, 3> (*const method)(const Sym3<T>&) :
+         {sym3::eigenvalues_qr<T>, sym3::eigenvalues_viete<T>, sym3::eigenvalues<T>}) {
       const auto values = method(s);
       CHECK(std::is_sorted(values.begin(), values.end()));
     }
@@ -76,11 +110,13 @@ TEST_CASE_TEMPLATE("a_triple_eigenvalue_is_found", T, double, float) {
   CHECK(sym3::eigenvalues_viete(diagonal(T(2), T(2), T(2))) == std::array<T, 3>{2, 2, 2});
   CHECK(sym3::eigenvalues_viete(Sym3<T>{}) == std::array<T, 3>{0, 0, 0});
   CHECK(sym3::eigenvalues_qr(Sym3<T>{}) == std::array<T, 3>{0, 0, 0});
+  CHECK(sym3::eigenvalues(Sym3<T>{}) == std::array<T, 3>{0, 0, 0});
 }
 
 TEST_CASE_TEMPLATE("eigenvalues_of_nan_and_infinity_are_nan", T, double, float) {
   for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()}) {
-    for (const auto method : {sym3::eigenvalues_qr<T>, sym3::eigenvalues_viete<T>}) {
+    for (std::array<T, 3> (*const method)(const Sym3<T>&) :
+         {sym3::eigenvalues_qr<T>, sym3::eigenvalues_viete<T>, sym3::eigenvalues<T>}) {
       for (const T value : method({1, 0, bad, 2, 0, 3})) CHECK(std::isnan(value));
     }
   }

@@ -85,6 +85,16 @@ TEST_CASE_TEMPLATE("log_of_the_identity_is_exactly_zero", T, double, float) {
   CHECK(sym3::inv_sqrt(sym3::identity<T>()) == sym3::identity<T>());
 }
 
+TEST_CASE_TEMPLATE("log_by_qr_is_as_exact_as_the_condition_lets_it", T, double, float) {
+  for (const double condition : {1.5, 10.0, 1e3}) {
+    for (const auto& s : with_condition<T>(condition, 1.0, 100)) {
+      const auto exact = quad_log(to_quad(s));
+      const double size = static_cast<double>(quad_frobenius(exact));
+      CHECK(error_in_u(sym3::log_qr(s), exact) <= 24 * std::max(1.0, condition / size));
+    }
+  }
+}
+
 TEST_CASE("log_undoes_exp") {
   for (const auto& x : spreads<double>(4, -2, 300)) {
     const QuadSym there_and_back = to_quad(sym3::log(sym3::exp(x)));

@@ -1,0 +1,126 @@
+// The nearest rotation of general matrices, in registers. Included once per instruction set. (No #pragma
+// once: Highway's foreach_target includes this text again for each target.) Internal.
+//
+// M = R U with R a rotation: tr U is the largest root of x^4 - 2 N x^2 - 8 det(M) x + N^2 - 4 Q, N and Q the
+// squared norms of M and of its cofactors; R = (x M + cof M)(M^T M + y I)^-1, y = (x^2 - N) / 2. An error of
+// x or of the inverse's scale stretches R along the axes of U, and one step R (3 I - R^T R) / 2 towards
+// orthogonality takes it out.
+#if defined(VIETE_SYM3_POLAR_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VIETE_SYM3_POLAR_INL_H
+#undef VIETE_SYM3_POLAR_INL_H
+#else
+#define VIETE_SYM3_POLAR_INL_H
+#endif
+
+#include "sym3/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace viete::sym3::HWY_NAMESPACE {
+
+template <class V>
+static HWY_INLINE Nine<V> cofactors(const Nine<V>& m) {
+  return {difference_of_products(m.yy, m.zz, m.yz, m.zy), difference_of_products(m.yz, m.zx, m.yx, m.zz),
+          difference_of_products(m.yx, m.zy, m.yy, m.zx), difference_of_products(m.xz, m.zy, m.xy, m.zz),
+          difference_of_products(m.xx, m.zz, m.xz, m.zx), difference_of_products(m.xy, m.zx, m.xx, m.zy),
+          difference_of_products(m.xy, m.yz, m.xz, m.yy), difference_of_products(m.xz, m.yx, m.xx, m.yz),
+          difference_of_products(m.xx, m.yy, m.xy, m.yx)};
+}
+
+/// M^T M.
+template <class V>
+static HWY_INLINE Six<V> gram(const Nine<V>& m) {
+  return {sum_of_products(m.xx, m.xx, m.yx, m.yx, m.zx, m.zx),
+          sum_of_products(m.xx, m.xy, m.yx, m.yy, m.zx, m.zy),
+          sum_of_products(m.xx, m.xz, m.yx, m.yz, m.zx, m.zz),
+          sum_of_products(m.xy, m.xy, m.yy, m.yy, m.zy, m.zy),
+          sum_of_products(m.xy, m.xz, m.yy, m.yz, m.zy, m.zz),
+          sum_of_products(m.xz, m.xz, m.yz, m.yz, m.zz, m.zz)};
+}
+
+/// M S for symmetric S.
+template <class V>
+static HWY_INLINE Nine<V> product(const Nine<V>& m, const Six<V>& s) {
+  return {sum_of_products(m.xx, s.xx, m.xy, s.xy, m.xz, s.xz),
+          sum_of_products(m.xx, s.xy, m.xy, s.yy, m.xz, s.yz),
+          sum_of_products(m.xx, s.xz, m.xy, s.yz, m.xz, s.zz),
+          sum_of_products(m.yx, s.xx, m.yy, s.xy, m.yz, s.xz),
+          sum_of_products(m.yx, s.xy, m.yy, s.yy, m.yz, s.yz),
+          sum_of_products(m.yx, s.xz, m.yy, s.yz, m.yz, s.zz),
+          sum_of_products(m.zx, s.xx, m.zy, s.xy, m.zz, s.xz),
+          sum_of_products(m.zx, s.xy, m.zy, s.yy, m.zz, s.yz),
+          sum_of_products(m.zx, s.xz, m.zy, s.yz, m.zz, s.zz)};
+}
+
+/// a x + b.
+template <class V>
+static HWY_INLINE Nine<V> multiply_add(const Nine<V>& a, V x, const Nine<V>& b) {
+  return {hn::MulAdd(a.xx, x, b.xx), hn::MulAdd(a.xy, x, b.xy), hn::MulAdd(a.xz, x, b.xz),
+          hn::MulAdd(a.yx, x, b.yx), hn::MulAdd(a.yy, x, b.yy), hn::MulAdd(a.yz, x, b.yz),
+          hn::MulAdd(a.zx, x, b.zx), hn::MulAdd(a.zy, x, b.zy), hn::MulAdd(a.zz, x, b.zz)};
+}
+
+template <class V>
+static HWY_INLINE V squared_norm(const Nine<V>& m) {
+  return hn::Add(hn::Add(sum_of_products(m.xx, m.xx, m.xy, m.xy, m.xz, m.xz),
+                         sum_of_products(m.yx, m.yx, m.yy, m.yy, m.yz, m.yz)),
+                 sum_of_products(m.zx, m.zx, m.zy, m.zy, m.zz, m.zz));
+}
+
+/// The largest root by Newton's method from above.
+template <class D, class V>
+static HWY_INLINE V trace_of_stretch(D d, V n, V det, V q) {
+  using T = hn::TFromD<D>;
+  constexpr int steps = sizeof(T) == 8 ? 7 : 6;
+  const V two_n = hn::Add(n, n), det8 = hn::Mul(det, hn::Set(d, T(8)));
+  const V constant = hn::NegMulAdd(q, hn::Set(d, T(4)), hn::Mul(n, n));
+  V x = hn::Sqrt(hn::Mul(n, hn::Set(d, T(3))));
+#pragma GCC unroll 8
+  for (int k = 0; k < steps; ++k) {
+    const V x2 = hn::Mul(x, x), inner = hn::Sub(x2, two_n);  // x^2 - 2 N
+    const V value = hn::MulAdd(x, hn::MulSub(inner, x, det8), constant);
+    const V slope = hn::MulSub(hn::Mul(hn::Set(d, T(4)), x), hn::Sub(x2, n), det8);
+    x = hn::Sub(x, hn::Div(value, slope));
+  }
+  return x;
+}
+
+/// The rotations, right in the lanes of ok: where s2 + s3 (with the sign of det M) is no small part of s1.
+template <class D, class V = hn::Vec<D>>
+struct Rotations {
+  Nine<V> r;
+  hn::Mask<D> ok;
+};
+
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE Rotations<D> polar_quick(D d, const Nine<V>& m) {
+  using T = hn::TFromD<D>;
+  const V one = hn::Set(d, T(1)), half = hn::Set(d, T(0.5));
+  const Nine<V> k = cofactors(m);
+  const V n = squared_norm(m), q = squared_norm(k);
+  const V det = sum_of_products(m.xx, k.xx, m.xy, k.xy, m.xz, k.xz);
+  const V x = trace_of_stretch(d, n, det, q), y = hn::Mul(hn::MulSub(x, x, n), half);
+  Six<V> w = gram(m);
+  w.xx = hn::Add(w.xx, y), w.yy = hn::Add(w.yy, y), w.zz = hn::Add(w.zz, y);
+  const Six<V> c = adjugate(w);
+  const V det_w = sum_of_products(w.xx, c.xx, w.xy, c.xy, w.xz, c.xz);  // ((s1 + s2)(s1 + s3)(s2 + s3))^2
+  const V inverse = hn::Div(one, det_w);
+  const Nine<V> r = product(multiply_add(m, x, k), times(c, inverse));
+  Six<V> g = gram(r);  // then (3 I - g) / 2
+  const V off = hn::Add(hn::Abs(g.xy), hn::Add(hn::Abs(g.xz), hn::Abs(g.yz)));
+  const V on =
+      hn::Add(hn::Abs(hn::Sub(g.xx, one)), hn::Add(hn::Abs(hn::Sub(g.yy, one)), hn::Abs(hn::Sub(g.zz, one))));
+  const V three_halves = hn::Set(d, T(1.5)), minus_half = hn::Neg(half);
+  g = times(g, minus_half);
+  g.xx = hn::Add(g.xx, three_halves), g.yy = hn::Add(g.yy, three_halves), g.zz = hn::Add(g.zz, three_halves);
+  const auto settled = hn::Le(hn::Add(on, off), hn::Set(d, T(sizeof(T) == 8 ? 1e-9 : 2e-5)));
+  const auto in_range = hn::And(hn::Ge(n, hn::Set(d, T(sizeof(T) == 8 ? 1e-60 : 1e-8))),
+                                hn::Le(n, hn::Set(d, T(sizeof(T) == 8 ? 1e60 : 1e8))));
+  const V least = hn::Mul(hn::Mul(n, hn::Mul(n, n)), hn::Set(d, T(1e-3)));
+  const auto well = hn::And(hn::Ge(det_w, least), in_range);
+  return {product(r, g), hn::And(settled, well)};
+}
+
+}  // namespace viete::sym3::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

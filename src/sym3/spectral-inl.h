@@ -1,0 +1,193 @@
+// Functions of symmetric matrices by eigenvalues in closed form and Newton's divided differences, in
+// registers. Included once per instruction set. (No #pragma once: Highway's foreach_target includes this text
+// again for each target.) Internal.
+//
+// S = M I + s B with B traceless and s a power of two that makes its largest entry about 1; p, q and C = adj
+// B as in exp-inl.h. The eigenvalues of B are 2 g cos t and -g (cos t -+ sqrt 3 sin t) times the sign of q,
+// g^2 = p / 3, where exp(3 i t) has the parts |q| and sqrt(D / 27) over 2 g^3. The discriminant D is summed
+// from squares of minors of (I, B, C), never subtracted: so eigenvalues that are close are as exact, relative
+// to the largest, as any others. f(B) = f(b) + f[b,c] (B - b) + f[a,b,c] (B - b)(B - c) = z0 I + z1 B + z2 C.
+#if defined(VIETE_SYM3_SPECTRAL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VIETE_SYM3_SPECTRAL_INL_H
+#undef VIETE_SYM3_SPECTRAL_INL_H
+#else
+#define VIETE_SYM3_SPECTRAL_INL_H
+#endif
+
+#include "sym3/exp-inl.h"
+#include "sym3/spectral_tables.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace viete::sym3::HWY_NAMESPACE {
+
+/// The eigenvalues of S: mean + size times a, b, c; b >= c are the closer pair, a is far from both.
+template <class V>
+struct Spectrum {
+  Invariants<V> v;             ///< of B
+  V mean, size, a, b, c, gap;  ///< gap = b - c
+  V at_a, at_b, at_c;          ///< the eigenvalues
+};
+
+/// 2^e for x of binary exponent e, and its inverse. x = 0 gives 0 and 2^1023 (float 2^127).
+template <class D, class V>
+static HWY_INLINE void power_of_two_below(D d, V x, V& power, V& inverse) {
+  using C = SpectralTables<hn::TFromD<D>>;
+  const hn::RebindToUnsigned<D> du;
+  using U = hn::TFromD<decltype(du)>;
+  const auto bits = hn::And(hn::BitCast(du, x), hn::Set(du, U(2 * C::exponent_bias + 1) << C::mantissa_bits));
+  power = hn::BitCast(d, bits);
+  inverse = hn::BitCast(d, hn::Sub(hn::Set(du, U(2 * C::exponent_bias) << C::mantissa_bits), bits));
+}
+
+template <class V>
+static HWY_INLINE V largest_entry(const Six<V>& m) {
+  return hn::Max(hn::Max(hn::Max(hn::Abs(m.xx), hn::Abs(m.yy)), hn::Max(hn::Abs(m.zz), hn::Abs(m.xy))),
+                 hn::Max(hn::Abs(m.xz), hn::Abs(m.yz)));
+}
+
+/// The sum of the squares of the minors of B and of the traceless part of C: 4/3 of the discriminant.
+template <class D, class V>
+static HWY_INLINE V squared_minors(D d, const Invariants<V>& v) {
+  using T = hn::TFromD<D>;
+  const V root3 = hn::Set(d, T(1.7320508075688772)), two = hn::Set(d, T(2)), third = hn::Set(d, T(1) / T(3));
+  const V x[5] = {hn::Sub(v.a.xx, v.a.yy), hn::Mul(root3, v.a.zz), hn::Mul(two, v.a.xy), hn::Mul(two, v.a.xz),
+                  hn::Mul(two, v.a.yz)};
+  const V y[5] = {hn::Sub(v.c.xx, v.c.yy), hn::Mul(root3, hn::NegMulAdd(third, v.minus_p, v.c.zz)),
+                  hn::Mul(two, v.c.xy), hn::Mul(two, v.c.xz), hn::Mul(two, v.c.yz)};
+  V sum = hn::Zero(d);
+#pragma GCC unroll 5
+  for (int i = 0; i < 5; ++i) {
+#pragma GCC unroll 5
+    for (int j = i + 1; j < 5; ++j) {
+      const V minor = difference_of_products(x[i], y[j], x[j], y[i]);
+      sum = hn::MulAdd(minor, minor, sum);
+    }
+  }
+  return sum;
+}
+
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
+  using T = hn::TFromD<D>;
+  using C = SpectralTables<T>;
+  const Split<V> m = split(d, s);
+  Spectrum<V> e;
+  V inverse;
+  power_of_two_below(d, largest_entry(m.a), e.size, inverse);
+  e.v = invariants(times(m.a, inverse));
+  const V g2 = hn::Mul(hn::Neg(e.v.minus_p), hn::Set(d, T(1) / T(3))), g = hn::Sqrt(g2);
+  const V sine3 = hn::Mul(hn::Sqrt(squared_minors(d, e.v)), hn::Set(d, T(1) / T(6)));
+  const V tiny = hn::Set(d, T(1e-37));
+  const V cosine3 = hn::MulAdd(hn::Add(g2, g2), g, hn::Add(hn::Abs(e.v.q), tiny));
+  const V u = hn::Min(hn::Div(sine3, cosine3), hn::Set(d, T(1)));  // tan(3 t / 2)
+  const V w = hn::Mul(u, u);
+  const V sine = hn::Mul(u, horner(d, C::sine, w)), cosine = horner(d, C::cosine, w);
+  const V far = hn::CopySign(hn::Mul(hn::Add(g, g), cosine), e.v.q);
+  const V half_gap = hn::Mul(hn::Mul(g, sine), hn::Set(d, T(1.7320508075688772)));
+  e.a = far;
+  e.b = hn::NegMulAdd(far, hn::Set(d, T(0.5)), half_gap);
+  e.c = hn::NegMulAdd(far, hn::Set(d, T(0.5)), hn::Neg(half_gap));
+  e.gap = hn::Add(half_gap, half_gap);
+  e.mean = hn::Add(m.mean, m.rest);
+  e.at_a = hn::Add(m.mean, hn::MulAdd(e.size, e.a, m.rest));
+  e.at_b = hn::Add(m.mean, hn::MulAdd(e.size, e.b, m.rest));
+  e.at_c = hn::Add(m.mean, hn::MulAdd(e.size, e.c, m.rest));
+  return e;
+}
+
+/// Set where S is positive definite with room to spare, in a range where nothing over- or underflows.
+template <class D, class V>
+static HWY_INLINE hn::Mask<D> is_ordinary(D d, const Spectrum<V>& e) {
+  using C = SpectralTables<hn::TFromD<D>>;
+  const V low = hn::Min(e.at_a, e.at_c), high = hn::Max(e.at_a, e.at_b);
+  return hn::And(hn::And(hn::Ge(low, hn::Set(d, C::smallest)), hn::Le(high, hn::Set(d, C::largest))),
+                 hn::Ge(hn::Mul(low, hn::Set(d, C::condition)), high));
+}
+
+/// f(S) from f at b, and its divided differences over b, c and over a, b, c, with respect to eigenvalues of
+/// B.
+template <class V>
+static HWY_INLINE Six<V> newton_form(const Spectrum<V>& e, V at_b, V over_bc, V over_abc) {
+  const V z1 = hn::MulAdd(e.a, over_abc, over_bc);
+  const V z0 = hn::NegMulAdd(e.b, over_bc, hn::MulAdd(hn::Mul(e.a, e.a), over_abc, at_b));
+  return combine({z0, z1, over_abc}, e.v.a, e.v.c);
+}
+
+template <class D, class V>
+static HWY_INLINE Six<V> sqrt_lanes(D d, const Spectrum<V>& e) {
+  const V a = hn::Sqrt(e.at_a), b = hn::Sqrt(e.at_b), c = hn::Sqrt(e.at_c);
+  const V bc = hn::Add(b, c), ab_ac = hn::Mul(hn::Add(a, b), hn::Add(a, c));
+  const V t = hn::Div(e.size, hn::Mul(bc, ab_ac));
+  return newton_form(e, b, hn::Mul(t, ab_ac), hn::Neg(hn::Mul(t, e.size)));
+  (void)d;
+}
+
+template <class D, class V>
+static HWY_INLINE Six<V> inv_sqrt_lanes(D d, const Spectrum<V>& e) {
+  const V a = hn::Sqrt(e.at_a), b = hn::Sqrt(e.at_b), c = hn::Sqrt(e.at_c);
+  const V ab_ac = hn::Mul(hn::Add(a, b), hn::Add(a, c)), sums = hn::Mul(hn::Add(b, c), ab_ac);
+  const V ac = hn::Mul(a, c);
+  const V t = hn::Div(hn::Set(d, hn::TFromD<D>(1)), hn::Mul(hn::Mul(ac, b), sums));
+  const V st = hn::Mul(e.size, t);
+  return newton_form(e, hn::Mul(hn::Mul(t, ac), sums), hn::Neg(hn::Mul(hn::Mul(st, a), ab_ac)),
+                     hn::Mul(hn::Mul(st, e.size), hn::Add(a, hn::Add(b, c))));
+}
+
+/// log(x / y), and that over x - y, for positive normal x and y whose difference is known well.
+template <class V>
+struct LogRatio {
+  V log, slope;
+};
+
+template <class D, class V>
+static HWY_INLINE LogRatio<V> log_ratio(D d, V x, V y, V difference) {
+  using T = hn::TFromD<D>;
+  using C = SpectralTables<T>;
+  const hn::RebindToUnsigned<D> du;
+  using U = hn::TFromD<decltype(du)>;
+  // 2^k nearest to x / y, but for a tenth: the exponent of the difference of the bits.
+  const U shift = (U(C::exponent_bias) << C::mantissa_bits) + (U(1) << (C::mantissa_bits - 1));
+  const auto bits = hn::Add(hn::Sub(hn::BitCast(du, x), hn::BitCast(du, y)), hn::Set(du, shift));
+  const V power = hn::BitCast(d, hn::And(bits, hn::Set(du, U(2 * C::exponent_bias + 1) << C::mantissa_bits)));
+  const auto near = hn::Eq(power, hn::Set(d, T(1)));
+  // k as a number: its biased value into the low bits of 2^52 (float 2^23).
+  const V magic = hn::Set(d, ExpTables<T>::round_magic / T(1.5));
+  const V k = hn::Sub(hn::Or(hn::BitCast(d, hn::ShiftRight<C::mantissa_bits>(bits)), magic),
+                      hn::Add(magic, hn::Set(d, T(C::exponent_bias))));
+  const V scaled = hn::Mul(y, power);
+  const V inverse = hn::Div(hn::Set(d, T(1)), hn::Add(x, scaled));
+  const V s = hn::Mul(hn::IfThenElse(near, difference, hn::Sub(x, scaled)), inverse);
+  const V series = horner(d, C::atanh, hn::Mul(s, s));
+  const V twice = hn::Add(series, series);
+  const V log =
+      hn::MulAdd(k, hn::Set(d, C::ln2_high), hn::MulAdd(s, twice, hn::Mul(k, hn::Set(d, C::ln2_low))));
+  return {log, hn::IfThenElse(near, hn::Mul(twice, inverse), hn::Div(log, difference))};
+}
+
+template <class D, class V>
+static HWY_INLINE Six<V> log_lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
+  using T = hn::TFromD<D>;
+  const V one = hn::Set(d, T(1));
+  // b - 1 from the entries minus 1, which are exact where the logarithm is small.
+  const V above = hn::Mul(hn::Add(hn::Add(hn::Sub(s.xx, one), hn::Sub(s.yy, one)), hn::Sub(s.zz, one)),
+                          hn::Set(d, T(1) / T(3)));
+  const V at_b = log_ratio(d, e.at_b, one, hn::MulAdd(e.size, e.b, above)).log;
+  const V bc = log_ratio(d, e.at_b, e.at_c, hn::Mul(e.size, e.gap)).slope;
+  const V ab = log_ratio(d, e.at_a, e.at_b, hn::Mul(e.size, hn::Sub(e.a, e.b))).slope;
+  const V ac = hn::Sub(e.a, e.c);
+  const V curvature = hn::Div(hn::Sub(ab, bc), hn::IfThenElse(hn::Eq(ac, hn::Zero(d)), one, ac));
+  return newton_form(e, at_b, hn::Mul(e.size, bc), hn::Mul(e.size, curvature));
+}
+
+/// Ascending.
+template <class D, class V>
+static HWY_INLINE Three<V> eigenvalues_lanes(D d, const Spectrum<V>& e) {
+  const auto far_is_top = hn::Ge(e.a, hn::Zero(d));
+  return {hn::IfThenElse(far_is_top, e.at_c, e.at_a), hn::IfThenElse(far_is_top, e.at_b, e.at_c),
+          hn::IfThenElse(far_is_top, e.at_a, e.at_b)};
+}
+
+}  // namespace viete::sym3::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,184 @@
+#include "sym3/polar.h"
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "sym3/ensembles.h"
+#include "sym3/kernel.h"
+#include "sym3/quad_reference.h"
+
+using namespace viete;
+using namespace viete::test;
+using sym3::Mat3;
+
+namespace {
+
+using QuadMat = std::array<Quad, 9>;
+
+template <class T>
+QuadMat to_quad(const Mat3<T>& m) {
+  QuadMat q;
+  for (int k = 0; k < 9; ++k) q[k] = m[k];
+  return q;
+}
+
+/// The nearest rotation, and 1 + s1 / (s2 + s3), from the eigenvectors of M^T M in 113 bits.
+struct Truth {
+  QuadMat rotation{};
+  double condition;
+};
+
+Truth quad_polar(const QuadMat& m) {
+  const auto dot = [&](int i, int j) { return m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j]; };
+  const auto e = quad_eigen({dot(0, 0), dot(0, 1), dot(0, 2), dot(1, 1), dot(1, 2), dot(2, 2)});
+  const Quad det = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+                   m[2] * (m[3] * m[7] - m[4] * m[6]);
+  const auto least = std::min_element(e.values.begin(), e.values.end()) - e.values.begin();
+  Truth truth;
+  Quad top = 0, sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Quad s = sqrtq(e.values[k]) * (k == least && det < 0 ? -1 : 1);
+    top = std::max(top, s), sum += s;
+    for (int i = 0; i < 3; ++i) {
+      Quad image = 0;
+      for (int j = 0; j < 3; ++j) image += m[3 * i + j] * e.vectors[j][k];
+      for (int j = 0; j < 3; ++j) truth.rotation[3 * i + j] += image / s * e.vectors[j][k];
+    }
+  }
+  truth.condition = static_cast<double>(1 + top / (sum - top));
+  return truth;
+}
+
+template <class T>
+double error(const Mat3<T>& r, const Truth& truth) {
+  Quad sum = 0;
+  for (int k = 0; k < 9; ++k) sum += (r[k] - truth.rotation[k]) * (r[k] - truth.rotation[k]);
+  return static_cast<double>(sqrtq(sum)) / unit_roundoff<T>;
+}
+
+template <class T>
+Mat3<T> with_singular_values(const std::array<double, 3>& s, Random& random) {
+  const auto a = random_frame(random), b = random_frame(random);
+  Mat3<T> m;
+  for (int i = 0; i < 9; ++i) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) sum += a[i / 3][k] * s[k] * b[i % 3][k];
+    m[i] = T(sum);
+  }
+  return m;
+}
+
+template <class T>
+Mat3<T> polar_with(const sym3::Kernel& kernel, const Mat3<T>& m) {
+  Mat3<T> r;
+  sym3::polar(sym3::MatView<const T>(sym3::Layout::packed, m.data()),
+              sym3::MatView<T>(sym3::Layout::packed, r.data()), 1, {&kernel});
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("polar_keeps_its_bar_for_either_sign_of_the_determinant", T, double, float) {
+  Random random(81);
+  const std::array<double, 3> shapes[] = {
+      {1, 1, 1},    {2, 1, .5},   {1.5, 1.2, .7}, {10, 1, 1},      {3, 1, .1},  {4, .5, .5},
+      {1, .1, .05}, {100, 1, 1},  {1, .9, .9},    {1, 1e-3, 1e-3}, {1, 1, -.5}, {1, .9, -.8},
+      {1, .5, -.1}, {1, .5, -.4}, {1, .3, -.29},  {7, 6.9, -1e-3}, {1, 1, 1e-3}};
+  for (const auto& shape : shapes) {
+    for (int i = 0; i < 30; ++i) {
+      const double size = i % 3 ? 1 : std::pow(10.0, uniform(random, -3, 3));
+      const auto m = with_singular_values<T>({size * shape[0], size * shape[1], size * shape[2]}, random);
+      const Truth truth = quad_polar(to_quad(m));
+      for (const auto& kernel : sym3::kernels()) {
+        CAPTURE(kernel.name);
+        CAPTURE(shape[0]);
+        CAPTURE(shape[1]);
+        CAPTURE(shape[2]);
+        CHECK(error(polar_with(kernel, m), truth) <= 8 * truth.condition);
+      }
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("polar_keeps_its_bar_on_random_matrices", T, double, float) {
+  Random random(82);
+  for (int i = 0; i < 2000; ++i) {
+    Mat3<T> m;
+    for (T& x : m) x = T(uniform(random, -1, 1));
+    const Truth truth = quad_polar(to_quad(m));
+    CHECK(error(sym3::polar(m).rotation, truth) <= 8 * truth.condition);
+  }
+}
+
+TEST_CASE_TEMPLATE("stretch_is_symmetric_and_multiplies_back", T, double, float) {
+  Random random(83);
+  for (int i = 0; i < 300; ++i) {
+    Mat3<T> m;
+    for (T& x : m) x = T(uniform(random, -1, 1));
+    const auto [r, u] = sym3::polar(m);
+    const T s[9] = {u.xx, u.xy, u.xz, u.xy, u.yy, u.yz, u.xz, u.yz, u.zz};
+    for (int k = 0; k < 9; ++k) {
+      const T* row = &r[k / 3 * 3];
+      const T product = row[0] * s[k % 3] + row[1] * s[3 + k % 3] + row[2] * s[6 + k % 3];
+      CHECK(std::fabs(product - m[k]) <= 1000 * unit_roundoff<T>);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("singular_matrices_still_have_a_rotation", T, double, float) {
+  const Mat3<T> identity = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  CHECK(sym3::polar(Mat3<T>{}).rotation == identity);
+  CHECK(sym3::polar(Mat3<T>{}).stretch == sym3::Sym3<T>{});
+  for (const auto& m : {Mat3<T>{1, 0, 0, 0, 0, 0, 0, 0, 0}, Mat3<T>{1, 2, 3, 2, 4, 6, -1, -2, -3},
+                        Mat3<T>{-1, 0, 0, 0, -1, 0, 0, 0, -1}, Mat3<T>{0, 0, 0, 1, 1, 0, 0, 0, 0}}) {
+    const auto r = sym3::polar(m).rotation;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        const T dot = r[i] * r[j] + r[3 + i] * r[3 + j] + r[6 + i] * r[6 + j];
+        CHECK(std::fabs(dot - (i == j)) <= 16 * unit_roundoff<T>);
+      }
+    }
+    const T det = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
+                  r[2] * (r[3] * r[7] - r[4] * r[6]);
+    CHECK(det > 0.99);
+  }
+}
+
+TEST_CASE_TEMPLATE("entries_of_any_size_are_fine_and_nan_or_infinity_gives_nine_nan", T, double, float) {
+  const T big = std::numeric_limits<T>::max(), small = std::numeric_limits<T>::denorm_min();
+  const Mat3<T> turn = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+  for (const T size : {big, small}) {
+    Mat3<T> m = turn;
+    for (T& x : m) x *= size;
+    CHECK(sym3::polar(m).rotation == turn);
+  }
+  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()}) {
+    for (int k = 0; k < 9; ++k) {
+      Mat3<T> m = turn;
+      m[k] = bad;
+      for (const T x : sym3::polar(m).rotation) CHECK(std::isnan(x));
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("every_length_of_a_batch_of_polars_gives_the_bits_of_one", T, double, float) {
+  Random random(84);
+  std::vector<Mat3<T>> in(60);
+  for (auto& m : in) {
+    for (T& x : m) x = T(uniform(random, -1, 1));
+  }
+  in[20] = {};
+  for (const auto& kernel : sym3::kernels()) {
+    for (std::size_t count = 0; count <= in.size(); ++count) {
+      std::vector<Mat3<T>> out(in.size() + 1, Mat3<T>{-7});
+      sym3::polar(sym3::MatView<const T>(sym3::Layout::packed, in[0].data()),
+                  sym3::MatView<T>(sym3::Layout::packed, out[0].data()), count, {&kernel});
+      bool same = out[count][0] == T(-7);
+      for (std::size_t i = 0; i < count; ++i) same = same && out[i] == polar_with(kernel, in[i]);
+      CHECK(same);
+    }
+  }
+}
