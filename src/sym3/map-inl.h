@@ -13,18 +13,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-// F has the numbers of entries F::in and F::out, and f.run(d, in, out) on arrays of registers.
+// F has the numbers of entries F::in and F::out, and f.run<G>(d, in, out) on arrays of G times
+// so many registers; F::group is the G to use.
 
-/// Registers' worth of items [i, i + lanes) of planes.
-template <class F, class D, class T>
+/// G registers' worth of items from the i-th on, of planes.
+template <int G, class F, class D, class T>
 static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>& in,
                                      const View<T, F::out>& out, std::size_t i) {
-  hn::Vec<D> from[F::in], to[F::out];
+  hn::Vec<D> from[G][F::in], to[G][F::out];
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) {
 #pragma GCC unroll 16
-  for (int k = 0; k < F::in; ++k) from[k] = hn::LoadU(d, in.plane[k] + i);
-  f.run(d, from, to);
+    for (int k = 0; k < F::in; ++k) from[g][k] = hn::LoadU(d, in.plane[k] + i + g * hn::Lanes(d));
+  }
+  f.template run<G>(d, from, to);
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) {
 #pragma GCC unroll 16
-  for (int k = 0; k < F::out; ++k) hn::StoreU(to[k], d, out.plane[k] + i);
+    for (int k = 0; k < F::out; ++k) hn::StoreU(to[g][k], d, out.plane[k] + i + g * hn::Lanes(d));
+  }
 }
 
 /// One item: numbers in a row.
@@ -35,7 +42,7 @@ static HWY_INLINE void map_one(const F& f, const T* in, T* out) {
   View<T, F::out> to;
   for (int k = 0; k < F::in; ++k) from.plane[k] = in + k;
   for (int k = 0; k < F::out; ++k) to.plane[k] = out + k;
-  map_registers(d, f, from, to, 0);
+  map_registers<1>(d, f, from, to, 0);
 }
 
 /// Planes that are rows of a tile.
@@ -59,7 +66,7 @@ static HWY_NOINLINE void map_tiles(D d, const F& f, const View<const T, F::in>& 
   for (std::size_t i = begin; i < end; i += tile) {
     const std::size_t count = end - i < tile ? end - i : tile;
     gather(in, i, count, from, stride);
-    for (std::size_t j = 0; j < count; j += hn::Lanes(d)) map_registers(d, f, from_rows, to_rows, j);
+    for (std::size_t j = 0; j < count; j += hn::Lanes(d)) map_registers<1>(d, f, from_rows, to_rows, j);
     scatter(to, stride, count, out, i);
   }
 }
@@ -73,7 +80,9 @@ static HWY_INLINE void map_many(const F& f, const View<const T, F::in>& in, cons
   if (in.layout == Layout::planes && out.layout == Layout::planes) {
     const View<const T, F::in> from = in;
     const View<T, F::out> to = out;
-    for (; i + lanes <= range.end; i += lanes) map_registers(d, f, from, to, i);
+    constexpr int G = F::group;
+    for (; i + G * lanes <= range.end; i += G * lanes) map_registers<G>(d, f, from, to, i);
+    for (; i + lanes <= range.end; i += lanes) map_registers<1>(d, f, from, to, i);
   }
   if (i < range.end) map_tiles(d, f, in, out, i, range.end);
 }

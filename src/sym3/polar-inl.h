@@ -66,22 +66,30 @@ static HWY_INLINE V squared_norm(const Nine<V>& m) {
                  sum_of_products(m.zx, m.zx, m.zy, m.zy, m.zz, m.zz));
 }
 
-/// The largest root by Newton's method from above.
-template <class D, class V>
-static HWY_INLINE V trace_of_stretch(D d, V n, V det, V q) {
+/// The largest root by Newton's method from above. For G registers at a time: divisions in a row hide each
+/// other.
+template <int G, class D, class V>
+static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G], const V (&q)[G],
+                                         V (&x)[G]) {
   using T = hn::TFromD<D>;
   constexpr int steps = sizeof(T) == 8 ? 7 : 6;
-  const V two_n = hn::Add(n, n), det8 = hn::Mul(det, hn::Set(d, T(8)));
-  const V constant = hn::NegMulAdd(q, hn::Set(d, T(4)), hn::Mul(n, n));
-  V x = hn::Sqrt(hn::Mul(n, hn::Set(d, T(3))));
+  const V three = hn::Set(d, T(3)), four = hn::Set(d, T(4)), eight = hn::Set(d, T(8));
+  V det8[G], constant[G];
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) {
+    det8[g] = hn::Mul(det[g], eight), constant[g] = hn::NegMulAdd(q[g], four, hn::Mul(n[g], n[g]));
+    x[g] = hn::Sqrt(hn::Mul(n[g], three));
+  }
 #pragma GCC unroll 8
   for (int k = 0; k < steps; ++k) {
-    const V x2 = hn::Mul(x, x), inner = hn::Sub(x2, two_n);  // x^2 - 2 N
-    const V value = hn::MulAdd(x, hn::MulSub(inner, x, det8), constant);
-    const V slope = hn::MulSub(hn::Mul(hn::Set(d, T(4)), x), hn::Sub(x2, n), det8);
-    x = hn::Sub(x, hn::Div(value, slope));
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) {
+      const V below = hn::MulSub(x[g], x[g], n[g]);  // x^2 - N
+      const V value = hn::MulAdd(x[g], hn::MulSub(hn::Sub(below, n[g]), x[g], det8[g]), constant[g]);
+      const V slope = hn::MulSub(hn::Mul(four, x[g]), below, det8[g]);
+      x[g] = hn::Sub(x[g], hn::Div(value, slope));
+    }
   }
-  return x;
 }
 
 /// The rotations, right in the lanes of ok: where s2 + s3 (with the sign of det M) is no small part of s1.
@@ -91,14 +99,12 @@ struct Rotations {
   hn::Mask<D> ok;
 };
 
+/// x is the trace of U, k are the cofactors, n is the squared norm.
 template <class D, class V = hn::Vec<D>>
-static HWY_INLINE Rotations<D> polar_quick(D d, const Nine<V>& m) {
+static HWY_INLINE Rotations<D> rotation_from_trace(D d, const Nine<V>& m, const Nine<V>& k, V n, V x) {
   using T = hn::TFromD<D>;
   const V one = hn::Set(d, T(1)), half = hn::Set(d, T(0.5));
-  const Nine<V> k = cofactors(m);
-  const V n = squared_norm(m), q = squared_norm(k);
-  const V det = sum_of_products(m.xx, k.xx, m.xy, k.xy, m.xz, k.xz);
-  const V x = trace_of_stretch(d, n, det, q), y = hn::Mul(hn::MulSub(x, x, n), half);
+  const V y = hn::Mul(hn::MulSub(x, x, n), half);
   Six<V> w = gram(m);
   w.xx = hn::Add(w.xx, y), w.yy = hn::Add(w.yy, y), w.zz = hn::Add(w.zz, y);
   const Six<V> c = adjugate(w);
@@ -118,6 +124,21 @@ static HWY_INLINE Rotations<D> polar_quick(D d, const Nine<V>& m) {
   const V least = hn::Mul(hn::Mul(n, hn::Mul(n, n)), hn::Set(d, T(1e-3)));
   const auto well = hn::And(hn::Ge(det_w, least), in_range);
   return {product(r, g), hn::And(settled, well)};
+}
+
+template <int G, class D, class V = hn::Vec<D>>
+static HWY_INLINE void polar_quick(D d, const Nine<V> (&m)[G], Rotations<D> (&out)[G]) {
+  Nine<V> k[G];
+  V n[G], det[G], q[G], x[G];
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) {
+    k[g] = cofactors(m[g]);
+    n[g] = squared_norm(m[g]), q[g] = squared_norm(k[g]);
+    det[g] = sum_of_products(m[g].xx, k[g].xx, m[g].xy, k[g].xy, m[g].xz, k[g].xz);
+  }
+  traces_of_stretch<G>(d, n, det, q, x);
+#pragma GCC unroll 4
+  for (int g = 0; g < G; ++g) out[g] = rotation_from_trace(d, m[g], k[g], n[g], x[g]);
 }
 
 }  // namespace viete::sym3::HWY_NAMESPACE

@@ -11,15 +11,25 @@ HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
 struct Polar {
-  static constexpr int in = 9, out = 9;
+  static constexpr int in = 9, out = 9, group = 2;
 
-  template <class D, class V>
-  HWY_INLINE void run(D d, const V* m, V* r) const {
-    const auto quick = polar_quick(d, Nine<V>{m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]});
-    r[0] = quick.r.xx, r[1] = quick.r.xy, r[2] = quick.r.xz;
-    r[3] = quick.r.yx, r[4] = quick.r.yy, r[5] = quick.r.yz;
-    r[6] = quick.r.zx, r[7] = quick.r.zy, r[8] = quick.r.zz;
-    if (HWY_UNLIKELY(!hn::AllTrue(d, quick.ok))) replace(d, quick.ok, m, r);
+  template <int G, class D, class V>
+  HWY_INLINE void run(D d, const V (&m)[G][in], V (&r)[G][out]) const {
+    Nine<V> from[G];
+    Rotations<D> quick[G];
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) {
+      from[g] = {m[g][0], m[g][1], m[g][2], m[g][3], m[g][4], m[g][5], m[g][6], m[g][7], m[g][8]};
+    }
+    polar_quick<G>(d, from, quick);
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) {
+      const Nine<V>& q = quick[g].r;
+      r[g][0] = q.xx, r[g][1] = q.xy, r[g][2] = q.xz;
+      r[g][3] = q.yx, r[g][4] = q.yy, r[g][5] = q.yz;
+      r[g][6] = q.zx, r[g][7] = q.zy, r[g][8] = q.zz;
+      if (HWY_UNLIKELY(!hn::AllTrue(d, quick[g].ok))) replace(d, quick[g].ok, m[g], r[g]);
+    }
   }
 
 private:

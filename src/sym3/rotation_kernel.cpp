@@ -10,14 +10,17 @@ HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
 struct ExpRotation {
-  static constexpr int in = 3, out = 9;
+  static constexpr int in = 3, out = 9, group = 1;
 
-  template <class D, class V>
-  HWY_INLINE void run(D d, const V* w, V* r) const {
-    const Nine<V> m = exp_rotation_lanes(d, Three<V>{w[0], w[1], w[2]});
-    r[0] = m.xx, r[1] = m.xy, r[2] = m.xz;
-    r[3] = m.yx, r[4] = m.yy, r[5] = m.yz;
-    r[6] = m.zx, r[7] = m.zy, r[8] = m.zz;
+  template <int G, class D, class V>
+  HWY_INLINE void run(D d, const V (&w)[G][in], V (&r)[G][out]) const {
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) {
+      const Nine<V> m = exp_rotation_lanes(d, Three<V>{w[g][0], w[g][1], w[g][2]});
+      r[g][0] = m.xx, r[g][1] = m.xy, r[g][2] = m.xz;
+      r[g][3] = m.yx, r[g][4] = m.yy, r[g][5] = m.yz;
+      r[g][6] = m.zx, r[g][7] = m.zy, r[g][8] = m.zz;
+    }
   }
 };
 

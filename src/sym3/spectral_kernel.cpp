@@ -23,10 +23,15 @@ static HWY_INLINE void put_six(const Six<V>& m, V* out) {
 /// F::lanes where the spectrum is ordinary, F::one for the others.
 template <class F>
 struct OfPositive {
-  static constexpr int in = 6, out = 6;
+  static constexpr int in = 6, out = 6, group = 1;
+
+  template <int G, class D, class V>
+  HWY_INLINE void run(D d, const V (&from)[G][in], V (&to)[G][out]) const {
+    for (int g = 0; g < G; ++g) run_one(d, from[g], to[g]);
+  }
 
   template <class D, class V>
-  HWY_INLINE void run(D d, const V* in, V* out) const {
+  HWY_INLINE void run_one(D d, const V* in, V* out) const {
     const Six<V> s = six(in);
     const Spectrum<V> e = spectrum(d, s);
     const auto ok = is_ordinary(d, e);
@@ -77,22 +82,32 @@ struct Log {
 };
 
 struct Pow {
-  static constexpr int in = 6, out = 6;
+  static constexpr int in = 6, out = 6, group = 1;
   double exponent;
 
+  template <int G, class D, class V>
+  HWY_INLINE void run(D d, const V (&from)[G][in], V (&to)[G][out]) const {
+    for (int g = 0; g < G; ++g) run_one(d, from[g], to[g]);
+  }
+
   template <class D, class V>
-  HWY_INLINE void run(D d, const V* s, V* out) const {
+  HWY_INLINE void run_one(D d, const V* s, V* out) const {
     V log[6];
-    OfPositive<Log>().run(d, s, log);
+    OfPositive<Log>().run_one(d, s, log);
     put_six(exp_lanes(d, times(six(log), hn::Set(d, hn::TFromD<D>(exponent)))), out);
   }
 };
 
 struct Eigenvalues {
-  static constexpr int in = 6, out = 3;
+  static constexpr int in = 6, out = 3, group = 1;
+
+  template <int G, class D, class V>
+  HWY_INLINE void run(D d, const V (&from)[G][in], V (&to)[G][out]) const {
+    for (int g = 0; g < G; ++g) run_one(d, from[g], to[g]);
+  }
 
   template <class D, class V>
-  HWY_INLINE void run(D d, const V* in, V* out) const {
+  HWY_INLINE void run_one(D d, const V* in, V* out) const {
     using T = hn::TFromD<D>;
     const Six<V> s = six(in);
     const Three<V> quick = eigenvalues_lanes(d, spectrum(d, s));
