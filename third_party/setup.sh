@@ -8,7 +8,7 @@ set -eu
 cd "$(dirname "$0")/.."
 
 need="g++ cmake ninja-build pkg-config libglfw3-dev libglm-dev libeigen3-dev libhwy-dev libimgui-dev libopenmesh-dev
-libstb-dev libcli11-dev nlohmann-json3-dev doctest-dev libegl-dev libgl-dev libegl1 libgl1 libgl1-mesa-dri
+libstb-dev libcli11-dev nlohmann-json3-dev doctest-dev pybind11-dev python3-dev python3-numpy libegl-dev libgl-dev libegl1 libgl1 libgl1-mesa-dri
 fonts-inter fonts-jetbrains-mono"
 # Used where the distribution has them: offscreen rendering (gone from Mesa 25.1; EGL takes over), and a
 # virtual display with a mouse for the tests of the real window.

@@ -65,7 +65,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     int (*run)(const BenchOptions&);
   } benches[] = {
       {"exp", "Time of exp by method, layout and size", "Matrices (default 10,000,000)", true, true, bench_exp},
-      {"eigen", "Time of eigenvalues by QR and by Viete's formula", "Matrices (default 10,000,000)", true, false, bench_eigen},
+      {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices (default 10,000,000)", true, false, bench_eigen},
       {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row (default 4,096)", false, true,
        bench_accuracy},
       {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory (default 10,000,000)", false, false,

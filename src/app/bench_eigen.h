@@ -1,4 +1,4 @@
-// What eigenvalues cost: by QR, by Eigen's closed form, and by Viete's formula.
+// What eigenvalues cost: by QR, by Eigen's closed form, by Viete's formula, and by ours.
 #pragma once
 
 #include "app/bench_plot.h"

@@ -21,6 +21,7 @@ inline const std::map<std::string, Room>& rooms() {
   static const std::map<std::string, Room> table = {
       {"base", {{}, {}, {}}},
       {"sym3", {{}, {"eigen", "highway"}, {}}},
+      {"python", {{"sym3"}, {"pybind11"}, {}}},
       {"mesh", {{"base"}, {}, {"openmesh"}}},
       {"deform", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
       {"scene", {{"base", "sym3", "mesh", "deform"}, {"glm", "json"}, {}}},
@@ -43,7 +44,7 @@ inline std::optional<std::string> package_of(const std::string& include) {
       {"GLES", "gl"},            {"stb", "stb"},                  {"backends/imgui", "imgui_backends"},
       {"imgui", "imgui"},        {"GLFW/", "glfw"},               {"CLI/", "cli11"},
       {"doctest/", "doctest"},   {"quadmath", "quadmath"},        {"mpfr", "mpfr"},
-      {"boost/", "boost"},       {"fmt/", "fmt"},                 {"X11/", "x11"},
+      {"pybind11/", "pybind11"}, {"boost/", "boost"},       {"fmt/", "fmt"},                 {"X11/", "x11"},
   };
   for (const auto& [prefix, package] : prefixes) {
     if (include.rfind(prefix, 0) == 0) return package;

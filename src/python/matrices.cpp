@@ -1,0 +1,90 @@
+#include "python/matrices.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace viete::python {
+
+namespace {
+
+std::string text_of(const py::handle& object) { return py::str(object).cast<std::string>(); }
+
+std::string shape_text(const py::array& a) { return text_of(a.attr("shape")); }
+
+std::size_t product(const py::array& a, py::ssize_t axes) {
+  std::size_t count = 1;
+  for (py::ssize_t i = 0; i < axes; ++i) count *= static_cast<std::size_t>(a.shape(i));
+  return count;
+}
+
+bool ends_in_3_3(const py::array& a) {
+  return a.ndim() >= 2 && a.shape(a.ndim() - 1) == 3 && a.shape(a.ndim() - 2) == 3;
+}
+
+[[noreturn]] void wrong(const char* function, const std::string& what) {
+  throw py::value_error("viete." + std::string(function) + ": " + what);
+}
+
+[[noreturn]] void wrong_type(const char* function, const std::string& what) {
+  throw py::type_error("viete." + std::string(function) + ": " + what);
+}
+
+bool overlap(const py::array& a, const py::array& b) {
+  const auto* first = static_cast<const char*>(a.data());
+  const auto* second = static_cast<const char*>(b.data());
+  return first < second + b.nbytes() && second < first + a.nbytes();
+}
+
+}  // namespace
+
+Shape symmetric_shape(const char* function, const py::array& a) {
+  if (ends_in_3_3(a)) return {sym3::Layout::full, product(a, a.ndim() - 2)};
+  if (a.ndim() >= 1 && a.shape(a.ndim() - 1) == 6) return {sym3::Layout::packed, product(a, a.ndim() - 1)};
+  wrong(function, "matrices are (..., 3, 3) or (..., 6), the upper triangle by rows; this shape is " + shape_text(a));
+}
+
+Shape general_shape(const char* function, const py::array& a) {
+  if (ends_in_3_3(a)) return {sym3::Layout::packed, product(a, a.ndim() - 2)};
+  wrong(function, "matrices are (..., 3, 3); this shape is " + shape_text(a));
+}
+
+bool is_single(const char* function, const py::array& a) {
+  const char kind = a.dtype().kind();
+  if (kind == 'f' && a.itemsize() == sizeof(float)) return true;
+  if (kind == 'f' && a.itemsize() == sizeof(double)) return false;
+  if (kind == 'i' || kind == 'u' || kind == 'b') return false;
+  wrong_type(function, "entries are float32 or float64, or integers; these are " + text_of(a.dtype()));
+}
+
+py::array as_array(const char* function, const py::object& a) {
+  py::array result = py::array::ensure(a);
+  if (!result) wrong_type(function, "an array is needed; this is a " + text_of(py::type::of(a).attr("__name__")));
+  return result;
+}
+
+template <class T>
+py::array_t<T> output(const char* function, const py::object& out, const Contiguous<T>& in) {
+  const std::vector<py::ssize_t> shape(in.shape(), in.shape() + in.ndim());
+  if (out.is_none()) return py::array_t<T>(shape);
+  if (!py::isinstance<py::array>(out)) {
+    wrong_type(function, "out is an array; this is a " + text_of(py::type::of(out).attr("__name__")));
+  }
+  const auto array = py::reinterpret_borrow<py::array>(out);
+  if (!array.dtype().is(py::dtype::of<T>()) && !py::dtype::of<T>().equal(array.dtype())) {
+    wrong_type(function, "out is " + text_of(array.dtype()) + ", the answers are " + text_of(py::dtype::of<T>()));
+  }
+  if (array.ndim() != in.ndim() || !std::equal(shape.begin(), shape.end(), array.shape())) {
+    wrong(function, "out has shape " + shape_text(array) + ", the matrices " + shape_text(in));
+  }
+  if (!array.writeable()) wrong(function, "out is read-only");
+  if (!(array.flags() & py::array::c_style) || !(array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_)) {
+    wrong(function, "out is not contiguous");
+  }
+  if (array.data() != in.data() && overlap(array, in)) wrong(function, "out overlaps the matrices; only in place is allowed");
+  return py::reinterpret_borrow<py::array_t<T>>(out);
+}
+
+template py::array_t<float> output(const char*, const py::object&, const Contiguous<float>&);
+template py::array_t<double> output(const char*, const py::object&, const Contiguous<double>&);
+
+}  // namespace viete::python

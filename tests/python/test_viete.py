@@ -1,0 +1,211 @@
+"""The module `viete` against numpy: answers, shapes, memory, errors."""
+
+import sys
+import threading
+import tracemalloc
+import unittest
+
+import numpy as np
+import viete
+
+TYPES = (np.float64, np.float32)
+
+
+def tolerance(dtype):
+    return 256 * np.finfo(dtype).eps
+
+
+def packed(full):
+    """(..., 3, 3) as (..., 6): the upper triangle by rows."""
+    return np.ascontiguousarray(full[..., [0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]])
+
+
+def full(six):
+    return np.ascontiguousarray(six[..., [0, 1, 2, 1, 3, 4, 2, 4, 5]].reshape(six.shape[:-1] + (3, 3)))
+
+
+def symmetric(dtype, *shape):
+    m = np.random.default_rng(5).uniform(-1, 1, shape + (3, 3))
+    return (m + np.swapaxes(m, -1, -2)).astype(dtype)
+
+
+def positive(dtype, *shape):
+    m = np.random.default_rng(6).uniform(-1, 1, shape + (3, 3))
+    return (m @ np.swapaxes(m, -1, -2) + 0.5 * np.eye(3)).astype(dtype)
+
+
+def by_eigenvalues(f, s):
+    values, vectors = np.linalg.eigh(s.astype(np.float64))
+    return (vectors * f(values)[..., None, :]) @ np.swapaxes(vectors, -1, -2)
+
+
+FUNCTIONS = {
+    "exp": (viete.exp, np.exp, symmetric),
+    "log": (viete.log, np.log, positive),
+    "sqrt": (viete.sqrt, np.sqrt, positive),
+    "inv_sqrt": (viete.inv_sqrt, lambda x: 1 / np.sqrt(x), positive),
+    "pow": (lambda a, out=None: viete.pow(a, 0.3, out), lambda x: x**0.3, positive),
+}
+
+
+class Answers(unittest.TestCase):
+    def assert_close(self, a, b, dtype):
+        a, b = a.astype(np.float64), b.astype(np.float64)
+        error = np.linalg.norm(a - b, axis=(-1, -2)) / np.linalg.norm(b, axis=(-1, -2))
+        self.assertLess(error.max(), tolerance(dtype))
+
+    def test_every_function_agrees_with_numpy_in_both_forms_and_types(self):
+        for name, (f, g, matrices) in FUNCTIONS.items():
+            for dtype in TYPES:
+                with self.subTest(name=name, dtype=dtype.__name__):
+                    s = matrices(dtype, 1003)
+                    expected = by_eigenvalues(g, s)
+                    answer = f(s)
+                    self.assertEqual(answer.dtype, dtype)
+                    self.assert_close(answer, expected, dtype)
+                    self.assertTrue(np.array_equal(packed(answer), f(packed(s))))
+                    self.assertTrue(np.array_equal(answer, np.swapaxes(answer, -1, -2)))
+
+    def test_powers_agree_with_what_they_are(self):
+        s = positive(np.float64, 100)
+        self.assert_close(viete.pow(s, -1), np.linalg.inv(s), np.float64)
+        self.assert_close(viete.pow(s, 2), s @ s, np.float64)
+        self.assert_close(viete.sqrt(s) @ viete.sqrt(s), s, np.float64)
+        self.assert_close(viete.exp(viete.log(s)), s, np.float64)
+
+    def test_what_has_no_real_answer_is_nan(self):
+        for f in (viete.log, viete.inv_sqrt):
+            self.assertTrue(np.isnan(f(-np.eye(3))).all())
+        self.assertTrue(np.isnan(viete.exp(np.full(6, np.nan))).all())
+
+    def test_polar_gives_a_rotation_and_a_symmetric_stretch(self):
+        for dtype in TYPES:
+            m = np.random.default_rng(7).uniform(-1, 1, (500, 3, 3)).astype(dtype)
+            m = m[np.abs(np.linalg.det(m)) > 0.1]
+            r, u = viete.polar(m)
+            self.assertEqual((r.dtype, u.dtype, r.shape, u.shape), (dtype, dtype, m.shape, m.shape))
+            self.assert_close(r @ u, m, dtype)
+            self.assert_close(np.swapaxes(r, -1, -2) @ r, np.broadcast_to(np.eye(3), r.shape), dtype)
+            self.assertTrue((np.linalg.det(r) > 0).all())
+            self.assertTrue(np.array_equal(u, np.swapaxes(u, -1, -2)))
+
+    def test_polar_agrees_with_the_singular_values(self):
+        m = np.random.default_rng(8).uniform(-1, 1, (500, 3, 3)) + 2 * np.eye(3)
+        m = m[np.linalg.det(m) > 0.1]
+        left, values, right = np.linalg.svd(m)
+        r, u = viete.polar(m)
+        self.assert_close(r, left @ right, np.float64)
+        self.assert_close(u, np.swapaxes(right, -1, -2) @ (values[..., None] * right), np.float64)
+
+
+class Arrays(unittest.TestCase):
+    def test_any_number_of_leading_axes_is_kept(self):
+        for shape in ((), (1,), (0,), (7,), (2, 3), (2, 0, 3), (2, 3, 4, 5)):
+            s = symmetric(np.float64, *shape)
+            self.assertEqual(viete.exp(s).shape, shape + (3, 3))
+            self.assertEqual(viete.exp(packed(s)).shape, shape + (6,))
+
+    def test_strides_byte_order_and_alignment_do_not_change_the_answer(self):
+        s = symmetric(np.float64, 50)
+        expected = viete.exp(s)
+        unaligned = np.frombuffer(b"x" + s.tobytes(), dtype=np.uint8)[1:].view(np.float64).reshape(s.shape)
+        for other in (np.asfortranarray(s), np.repeat(s, 2, axis=0)[::2], s.astype(">f8"), unaligned):
+            self.assertTrue(np.array_equal(viete.exp(other), expected))
+
+    def test_integers_and_lists_are_computed_in_double(self):
+        answer = viete.exp([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
+        self.assertEqual(answer.dtype, np.float64)
+        self.assertAlmostEqual(answer[0, 0], np.cosh(1), places=15)
+
+    def test_only_the_upper_triangle_is_read(self):
+        s = symmetric(np.float64, 10)
+        self.assertTrue(np.array_equal(viete.exp(np.triu(s)), viete.exp(s)))
+
+    def test_the_input_is_left_as_it_was(self):
+        s = symmetric(np.float64, 10)
+        before = s.copy()
+        viete.exp(s)
+        self.assertTrue(np.array_equal(s, before))
+
+    def test_out_receives_the_answers_and_is_returned(self):
+        s = symmetric(np.float32, 11)
+        expected = viete.exp(s)
+        out = np.empty_like(s)
+        self.assertIs(viete.exp(s, out=out), out)
+        self.assertTrue(np.array_equal(out, expected))
+        self.assertIs(viete.exp(s, out=s), s)
+        self.assertTrue(np.array_equal(s, expected))
+
+    def test_contiguous_arrays_are_not_copied(self):
+        for dtype in TYPES:
+            for s in (symmetric(dtype, 20000), packed(symmetric(dtype, 20000))):
+                out = np.empty_like(s)
+                tracemalloc.start()
+                viete.exp(s, out=out)
+                peak = tracemalloc.get_traced_memory()[1]
+                tracemalloc.stop()
+                self.assertLess(peak, 10000)
+
+    def test_other_threads_run_during_a_call(self):
+        s = np.zeros((200000, 6))
+        interval = sys.getswitchinterval()
+        sys.setswitchinterval(1e6)  # a thread that holds the lock is not asked for it
+        try:
+            self.assertTrue(any(self.saw_a_call_running(s) for _ in range(1000)))
+        finally:
+            sys.setswitchinterval(interval)
+
+    def saw_a_call_running(self, s):
+        started, state = threading.Event(), {"running": False}
+
+        def work():
+            state["running"] = True
+            started.set()
+            viete.exp(s, out=s)
+            state["running"] = False
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        started.wait()
+        seen = state["running"]
+        thread.join()
+        return seen
+
+
+class Errors(unittest.TestCase):
+    def assert_raises(self, error, text, f, *arguments, **named):
+        with self.assertRaisesRegex(error, text):
+            f(*arguments, **named)
+
+    def test_wrong_shapes_say_what_is_expected_and_what_came(self):
+        for shape in ((), (3,), (5,), (2, 3), (3, 4), (6, 1)):
+            self.assert_raises(ValueError, r"viete.exp: .*\(\.\.\., 6\).*\(", viete.exp, np.zeros(shape))
+        self.assert_raises(ValueError, "viete.polar", viete.polar, np.zeros((4, 6)))
+
+    def test_wrong_types_are_named(self):
+        self.assert_raises(TypeError, "viete.log: .*complex128", viete.log, np.zeros(6, complex))
+        self.assert_raises(TypeError, "viete.exp: .*float16", viete.exp, np.zeros(6, np.float16))
+        self.assert_raises(TypeError, "viete.exp", viete.exp, "six numbers")
+        self.assert_raises(TypeError, "viete.exp", viete.exp, None)
+
+    def test_an_out_that_does_not_fit_is_refused(self):
+        s = np.zeros((4, 6))
+        self.assert_raises(ValueError, r"out has shape \(5, 6\)", viete.exp, s, out=np.zeros((5, 6)))
+        self.assert_raises(TypeError, "out is float32", viete.exp, s, out=np.zeros((4, 6), np.float32))
+        self.assert_raises(TypeError, "out is an array; this is a list", viete.exp, s, out=[0] * 24)
+        self.assert_raises(ValueError, "out is not contiguous", viete.exp, s, out=np.zeros((4, 12))[:, ::2])
+        read_only = np.zeros((4, 6))
+        read_only.flags.writeable = False
+        self.assert_raises(ValueError, "out is read-only", viete.exp, s, out=read_only)
+        both = np.zeros((5, 6))
+        self.assert_raises(ValueError, "out overlaps", viete.exp, both[:4], out=both[1:])
+
+
+class Module(unittest.TestCase):
+    def test_it_knows_its_version_and_its_kernel(self):
+        self.assertRegex(viete.__version__, r"^\d+\.\d+\.\d+$")
+        self.assertTrue(viete.kernel())
+
+
+if __name__ == "__main__":
+    unittest.main()
