@@ -41,15 +41,30 @@ void bar(const Parts& parts, double total) {
   ImGui::Dummy({width, height});
 }
 
+void legend_entry(const Context& ui, std::size_t part, double ms, ImVec2 at, float width) {
+  const float line = ImGui::GetTextLineHeight(), middle = at.y + 0.5f * line;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled({at.x, middle - 4}, {at.x + 8, middle + 4}, part_color(part), 2);
+  draw.AddText({at.x + 16, at.y}, ui.colors.faint, part_name(part).c_str());
+  text_right(ui, at.x + width, milliseconds(ms), ui.colors.text);
+}
+
+// Two columns, read downwards; links that this frame does not have are left out.
 void legend(const Context& ui, const Parts& parts) {
+  std::array<std::size_t, part_count> shown{};
+  std::size_t count = 0;
   for (std::size_t i = 0; i < part_count; ++i) {
+    if (i >= deform::link_count || parts[i] > 0) shown[count++] = i;
+  }
+  const std::size_t rows = (count + 1) / 2;
+  constexpr float gap = 16;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  for (std::size_t row = 0; row < rows; ++row) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float middle = at.y + 0.5f * ImGui::GetTextLineHeight();
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, middle - 4}, {at.x + 8, middle + 4}, part_color(i), 2);
-    ImGui::Indent(16);
-    const bool unused = i < deform::link_count && parts[i] == 0;
-    value_row(ui, part_name(i).c_str(), unused ? "not used" : milliseconds(parts[i]), unused ? ui.colors.faint : 0);
-    ImGui::Unindent(16);
+    legend_entry(ui, shown[row], parts[shown[row]], at, width);
+    const std::size_t right = row + rows;
+    if (right < count) legend_entry(ui, shown[right], parts[shown[right]], {at.x + width + gap, at.y}, width);
+    ImGui::Dummy({0, ImGui::GetTextLineHeight()});
   }
 }
 
