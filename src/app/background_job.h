@@ -1,7 +1,6 @@
 // Work that runs aside, so that no frame waits for it.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <functional>
@@ -44,11 +43,6 @@ public:
 
   /// Its result will not come.
   void cancel() {
-    std::erase_if(left_, [](const auto& job) {
-      const bool finished = job->finished.load(std::memory_order_acquire);
-      if (finished) job->thread.join();
-      return finished;
-    });
     if (!job_) return;
     job_->progress.cancel();
     left_.push_back(std::move(job_));
@@ -62,6 +56,7 @@ public:
 
   /// The result once it is there, each only once. With wait, waits for it.
   std::optional<Result> poll(bool wait = false) {
+    reap();
     if (!job_ || (!wait && !has_result())) return std::nullopt;
     job_->thread.join();
     Result result = std::move(job_->result);
@@ -77,6 +72,15 @@ private:
     double begun = 0;
     std::thread thread;
   };
+
+  // Those that have ended by now, with what they hold.
+  void reap() {
+    std::erase_if(left_, [](const auto& job) {
+      const bool finished = job->finished.load(std::memory_order_acquire);
+      if (finished) job->thread.join();
+      return finished;
+    });
+  }
 
   static void run(Job& job, const std::function<Value(base::Progress&)>& work) {
     try {

@@ -21,7 +21,7 @@ struct RenderOptions {
   ViewerOptions viewer{.samples = 4};
   sym3::Method method = sym3::Method::fast;
   deform::Coordinates coordinates = deform::Coordinates::face;
-  bool panels = false, light = false, no_cage = false, wireframe = false, no_grid = false;
+  bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
   std::string look = "home";
   bool method_given = false, coordinates_given = false, size_given = false, look_given = false;
 };
@@ -38,6 +38,7 @@ scene::ViewOptions view_of(const RenderOptions& options, const std::optional<sce
   view.dark &= !options.light;
   view.cage &= !options.no_cage;
   view.wireframe |= options.wireframe;
+  view.error_map |= options.error_map;
   view.grid &= !options.no_grid;
   return view;
 }
@@ -106,6 +107,7 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_flag("--panels", o->panels, "With the panels");
   command->add_flag("--light", o->light, "Light theme");
   command->add_flag("--wireframe", o->wireframe, "With the edges of the mesh");
+  command->add_flag("--error-map", o->error_map, "With the error of the exponential as colours on the mesh");
   command->add_flag("--no-cage", o->no_cage, "Without the cage");
   command->add_flag("--no-grid", o->no_grid, "Without the ground grid");
   command->callback([o, command, &action] {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "render/palette.h"
 #include "scene/elements.h"
 
 namespace viete::app {
@@ -25,11 +26,14 @@ render::Theme theme_of(const scene::Workspace& w) { return w.view.dark ? render:
 }  // namespace
 
 Stage::Stage(const render::Gl& gl)
-    : gl_(gl), backdrop_(gl), grid_(gl), model_(gl), cage_faces_(gl), cage_lines_(gl), ghost_lines_(gl), cage_vertices_(gl), marks_(gl), findings_(gl) {}
+    : gl_(gl), backdrop_(gl), grid_(gl), model_(gl), cage_faces_(gl), cage_lines_(gl), ghost_lines_(gl), cage_vertices_(gl), marks_(gl), findings_(gl) {
+  model_.set_palette(render::surface_palette());
+}
 
 void Stage::set_document(const scene::Document& document, const ModelLook& look) {
   const mesh::Surface& model = *document.model.surface;
   model_.set_triangles(model.triangles, model.positions.size());
+  has_errors_ = false;
   model_.set_occlusion(look.occlusion);
   model_.set_positions(model.positions, look.normals);
   ground_ = document.model.bounds.low[1];
@@ -80,6 +84,9 @@ void Stage::draw(const scene::Workspace& w, glm::ivec2 size, float scale) const 
   // A closed surface hides its backs: a software rasteriser draws it in half the time. A graphics card need not care.
   const auto& facts = document.model.facts;
   style.closed = gl_.software && facts.closed() && facts.manifold() && facts.oriented() && facts.volume > 0;
+  style.scalars = has_errors_ && scene::shows_error_map(w);
+  style.scalar_low = static_cast<float>(scene::error_map_low);
+  style.scalar_high = static_cast<float>(scene::error_map_high);
   if (w.view.model) model_.draw(view, theme, style);
   if (w.view.grid) {
     const double diagonal = document.space.diagonal();

@@ -24,6 +24,11 @@ class Stage {
   void set_document(const scene::Document& document, const ModelLook& look);
   /// The deformed model, in the file's coordinates.
   void set_model(std::span<const mesh::Point> positions, std::span<const mesh::Point> normals);
+  /// log10 of the error per vertex, for the error map; empty: none. Shown with the next set_model().
+  void set_errors(std::span<const float> errors) {
+    has_errors_ = !errors.empty();
+    model_.set_scalars(errors);
+  }
   /// The posed cage and how its vertices look now.
   void set_cage(const scene::Workspace& workspace);
   void set_hand(const scene::Workspace& workspace);
@@ -47,6 +52,7 @@ class Stage {
   render::DiscLayer cage_vertices_;
   CageMarks marks_;
   FindingMarks findings_;
+  bool has_errors_ = false;
   double ground_ = 0;  ///< height of the lowest point of the model at rest
 };
 

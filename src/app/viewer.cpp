@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "render/palette.h"
 #include "scene/binding_plan.h"
 #include "scene/pose_notes.h"
 #include "sym3/kernel.h"
@@ -33,6 +34,9 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   fonts_ = ui::add_fonts(options.scale, options.builtin_font);
   imgui_renderer_.upload_fonts();
   InputQueue::configure();
+  for (const glm::vec3& c : render::surface_palette(33)) {
+    error_colors_.push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
+  }
   workspace_.about = {VIETE_VERSION, VIETE_BUILD, std::string(sym3::kernel_name()), gl.renderer};
   place_viewport();
 }
@@ -86,6 +90,7 @@ void Viewer::frame(float seconds) {
   count(times);
   files_.keep(workspace_);
   if (options_.probe) probe();
+  follow_error_map(false);
   if (take_screenshot_) save_screenshot();
   if (settle_frames_ > 0) --settle_frames_;
 }
@@ -112,7 +117,7 @@ bool Viewer::wants_frame() const {
   const bool reports = files_.loading() || binder_.running() || checks_.running() || bench_.running();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
   return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due() || binder_.has_result() ||
-         checks_.has_result() || bench_.has_result();
+         checks_.has_result() || bench_.has_result() || error_map_.has_result() || error_map_is_due();
 }
 
 bool Viewer::changing() const {
@@ -168,6 +173,7 @@ void Viewer::follow_topology() {
   if (!bound_.binds(document)) {
     deformer_.reset();
     bound_ = {};
+    error_map_.cancel();
     workspace_.pose_notes.clear();
     if (files_.look().surface != document.model.surface) files_.look() = look_of(document.model.surface);
     stage_.set_document(document, files_.look());
@@ -199,6 +205,7 @@ void Viewer::install(Bound bound) {
   deformer_ = std::make_unique<deform::Deformer>(bound.cage, bound.binding, pool_);
   bound_ = std::move(bound);
   warming_up_ = true;
+  mapped_ = workspace_.document.posed - 1;
   posed_seen_ = workspace_.document.posed - 1;
 }
 
@@ -281,7 +288,7 @@ void Viewer::panels(scene::FrameTimes& times) {
   base::Stopwatch watch;
   recorder_.begin_frame();
   const bool dark = workspace_.view.dark;
-  ui::draw_panels({workspace_, fonts_, ui::palette(dark), &recorder_});
+  ui::draw_panels({workspace_, fonts_, ui::palette(dark), &recorder_, error_colors_});
   ImGui::Render();
   times.panels = watch.lap_ms();
 }
@@ -309,6 +316,35 @@ void Viewer::probe() {
   if (!probe_is_due()) return;
   probed_ = posed_seen_;
   method_probe_.offer(deformer_->matrices());
+}
+
+bool Viewer::error_map_is_due() const {
+  return scene::shows_error_map(workspace_) && deformer_ && !error_map_.running() && mapped_ != posed_seen_ &&
+         !deformer_->matrices().empty();
+}
+
+// The newest map that is there, and the next one begun; a map may be of a pose a moment ago.
+void Viewer::follow_error_map(bool wait) {
+  if (auto result = error_map_.poll(wait)) {
+    const bool fits = result->value && deformer_ && result->value->log10.size() == deformer_->positions().size();
+    if (fits) {
+      workspace_.error_map = result->value->stats;
+      stage_.set_errors(result->value->log10);
+      stage_.set_model(deformer_->positions(), deformer_->normals());
+      settle_frames_ = std::max(settle_frames_, 2u);
+    }
+  }
+  if (!error_map_is_due()) return;
+  mapped_ = posed_seen_;
+  const auto matrices = deformer_->matrices();
+  error_map_.start([copy = std::vector(matrices.begin(), matrices.end()),
+                    method = workspace_.document.method](base::Progress& progress) {
+    return error_map(copy, method, &progress);
+  });
+}
+
+void Viewer::finish_error_map() {
+  while (error_map_is_due() || (error_map_.running() && scene::shows_error_map(workspace_))) follow_error_map(true);
 }
 
 void Viewer::save_screenshot() {

@@ -7,6 +7,7 @@
 #include "app/background_job.h"
 #include "app/bench_exp.h"
 #include "app/bound.h"
+#include "app/error_map.h"
 #include "app/file_desk.h"
 #include "app/imgui_renderer.h"
 #include "app/input_queue.h"
@@ -67,6 +68,8 @@ class Viewer {
   bool checking() const { return checks_.running(); }
   /// Waits until they are.
   void finish_checks();
+  /// Waits until the error map, if it is shown, is the one of this pose.
+  void finish_error_map();
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
   render::Image picture() { return framebuffer_.read(); }
@@ -95,6 +98,8 @@ class Viewer {
   bool probe_is_due() const;
   void probe();
   void follow_benchmark();
+  bool error_map_is_due() const;
+  void follow_error_map(bool wait);
   void place_viewport();
   void save_screenshot();
 
@@ -120,6 +125,9 @@ class Viewer {
   BackgroundJob<ExpBench> bench_;
   BackgroundJob<std::vector<scene::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
+  BackgroundJob<ErrorMap> error_map_;
+  scene::Revision mapped_ = 0;
+  std::vector<ImU32> error_colors_;
   Bound bound_;  // what the deformer is made of; nothing while there is none
   std::unique_ptr<deform::Deformer> deformer_;
 

@@ -194,6 +194,8 @@ const std::vector<Command>& table() {
        toggle<&ViewOptions::axes>},
       {"toggle_ghost", "Rest ghost", "Show the cage at rest, faintly, while it is posed.", "View", {key('H')}, {},
        always, toggle<&ViewOptions::ghost>},
+      {"toggle_error_map", "Error on the mesh", "Colour the mesh by the relative error of the exponential at each vertex.",
+       "View", {key('E'), false, true}, {}, uses_method, toggle<&ViewOptions::error_map>},
       {"toggle_theme", "Dark theme", "Switch between the dark and the light theme.", "View", {key('T')}, {}, always,
        toggle<&ViewOptions::dark>},
       {"toggle_panels", "Panels", "Show or hide the panels.", "View", {Key::f2}, {}, always,

@@ -52,4 +52,14 @@ struct MethodStats {
   std::size_t matrices = 0;  ///< in the sample; 0 until the first measurement
 };
 
+/// Errors of one method at every vertex of the mesh, measured aside while they are shown as colours.
+struct ErrorMapStats {
+  std::size_t vertices = 0;  ///< 0: not measured
+  sym3::Method method = sym3::Method::fast;
+  double worst = 0, median = 0;  ///< relative Frobenius errors; NaN if an answer was
+};
+
+/// The colours run from 1e-17 to 1e-5; what lies outside has the colour of the end.
+inline constexpr double error_map_low = -17, error_map_high = -5;
+
 }  // namespace viete::scene

@@ -193,6 +193,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.hand = {};
   w.stats.clear();
   w.methods = {};
+  w.error_map = {};
   forget_findings(w.checks);
   ++w.opened;
 }

@@ -29,6 +29,7 @@ struct ViewFlag {
 constexpr ViewFlag view_flags[] = {{"dark", &ViewOptions::dark},           {"model", &ViewOptions::model},
                                    {"wireframe", &ViewOptions::wireframe}, {"cage", &ViewOptions::cage},
                                    {"grid", &ViewOptions::grid},           {"ghost", &ViewOptions::ghost},
+                                   {"error_map", &ViewOptions::error_map},
                                    {"panels", &ViewOptions::panels},       {"hints", &ViewOptions::hints}};
 
 // Links in the folder are resolved, so that ".." leads where it should; the file keeps the name it was given.

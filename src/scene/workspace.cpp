@@ -25,6 +25,10 @@ std::vector<mesh::Point> corners(const mesh::Bounds& box) {
 
 }  // namespace
 
+bool shows_error_map(const Workspace& w) {
+  return w.view.error_map && w.document.has_cage() && w.document.coordinates == deform::Coordinates::face;
+}
+
 bool open_now(Workspace& workspace, const OpenRequest& request) {
   try {
     take(workspace, open_files(request, workspace.document));

@@ -31,6 +31,7 @@ struct ViewOptions {
   bool grid = true;
   bool axes = true;    ///< the axis widget
   bool ghost = false;  ///< the rest pose of the cage, faintly, while the cage is posed
+  bool error_map = false;  ///< the error of the exponential as colours on the mesh
   bool panels = true;
   bool help = false;
   bool hints = true;  ///< of the first start; gone after the first drag
@@ -111,6 +112,7 @@ struct Workspace {
   Requests requests;
   FrameStats stats;
   MethodStats methods;
+  ErrorMapStats error_map;
   WorkState loading;  ///< opening files: reading them, then binding
   WorkState binding;  ///< of what is open, to other coordinates
   CheckState checks;
@@ -124,6 +126,9 @@ struct Workspace {
   FileBrowser browser;
   About about;
 };
+
+/// True if the mesh is coloured by errors: asked for, and the coordinates use an exponential.
+bool shows_error_map(const Workspace& workspace);
 
 /// Opens at once, without reading aside. On failure everything stays as it was and a message says why. Returns success.
 bool open_now(Workspace& workspace, const OpenRequest& request);

@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <span>
+
 #include "scene/workspace.h"
 #include "ui/recorder.h"
 
@@ -29,6 +31,7 @@ struct Context {
   const Fonts& fonts;
   Palette colors;
   Recorder* recorder;  ///< null when nobody is watching
+  std::span<const ImU32> error_colors{};  ///< of the error map, from its low end to its high one
 };
 
 inline constexpr float column_width = 320, status_height = 26;

@@ -16,6 +16,7 @@ std::string surface_text(const mesh::Facts& facts) {
 void panel_model(const Context& ui) {
   if (!section(ui, "Model")) return;
   const auto& model = ui.workspace.document.model;
+  if (!model.surface && ui.workspace.loading.running) return note(ui, ui.workspace.loading.what);
   if (!model.surface) {
     note(ui, "No model is open. Open one, or drop a file on the window.");
     command_button(ui, "open_model");

@@ -18,6 +18,7 @@ void column(const Context& ui) {
   panel_method(ui);
   panel_coordinates(ui);
   panel_timings(ui);
+  panel_accuracy(ui);
   panel_view(ui);
   panel_benchmark(ui);
   ImGui::End();
@@ -29,6 +30,7 @@ void draw_panels(const Context& ui) {
   gizmo_overlay(ui);
   axis_overlay(ui);
   view_overlay(ui);
+  error_legend(ui);
   if (ui.workspace.view.panels) {
     column(ui);
     status_bar(ui);

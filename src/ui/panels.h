@@ -14,6 +14,7 @@ void panel_checks(const Context& ui);
 void panel_method(const Context& ui);
 void panel_coordinates(const Context& ui);
 void panel_timings(const Context& ui);
+void panel_accuracy(const Context& ui);
 void panel_view(const Context& ui);
 void panel_benchmark(const Context& ui);
 void panel_messages(const Context& ui);
@@ -25,6 +26,7 @@ void notice_bar(const Context& ui);   ///< unsaved work that can be brought back
 void transform_fields(const Context& ui);  ///< a part of the cage's panel
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
+void error_legend(const Context& ui);  ///< of the colours on the mesh
 void view_overlay(const Context& ui);  ///< box selection, first-start hints
 
 }  // namespace viete::ui

@@ -97,6 +97,11 @@ void command_toggle(const Context& ui, std::string_view name, bool value) {
   hint(hint_of(ui, command));
 }
 
+std::string method_label(sym3::Method method) {
+  const scene::Command* command = scene::find_command("method_" + std::string(sym3::name(method)));
+  return std::string(command ? command->label : sym3::name(method));
+}
+
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color) {
   ImGui::PushFont(ui.fonts.numbers);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());

@@ -28,6 +28,16 @@ TEST_CASE("sequential_palette_rises_in_even_steps_of_lightness") {
   }
 }
 
+TEST_CASE("surface_palette_rises_evenly_too_and_starts_lighter") {
+  const auto colors = render::surface_palette(9);
+  const float step = (lightness(colors.back()) - lightness(colors.front())) / 8;
+  CHECK(step > 5);
+  CHECK(lightness(colors.front()) > 35);
+  for (std::size_t i = 1; i < colors.size(); ++i) {
+    CHECK(lightness(colors[i]) - lightness(colors[i - 1]) == doctest::Approx(step).epsilon(0.25));
+  }
+}
+
 TEST_CASE("diverging_palette_is_lightest_in_the_middle_and_even_on_both_sides") {
   const auto colors = render::diverging_palette(9);
   for (std::size_t i = 0; i < 4; ++i) {

@@ -33,6 +33,7 @@ Workspace worked(const test::CubeFiles& files) {
             .cage = false,
             .grid = false,
             .ghost = true,
+            .error_map = true,
             .panels = false,
             .hints = false};
   return w;

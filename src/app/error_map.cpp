@@ -1,0 +1,53 @@
+#include "app/error_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sym3/reference.h"
+
+namespace viete::app {
+
+namespace {
+
+constexpr std::size_t portion = 1024;
+
+scene::ErrorMapStats stats_of(std::vector<double> errors, sym3::Method method) {
+  scene::ErrorMapStats stats;
+  stats.method = method;
+  stats.vertices = errors.size();
+  if (errors.empty()) return stats;
+  const bool has_nan = std::any_of(errors.begin(), errors.end(), [](double e) { return std::isnan(e); });
+  if (has_nan) {
+    stats.worst = stats.median = std::numeric_limits<double>::quiet_NaN();
+    return stats;
+  }
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  stats.median = *middle;
+  stats.worst = *std::max_element(middle, errors.end());
+  return stats;
+}
+
+}  // namespace
+
+ErrorMap error_map(std::span<const sym3::Sym3<double>> matrices, sym3::Method method, base::Progress* progress) {
+  ErrorMap map;
+  map.log10.resize(matrices.size());
+  std::vector<double> errors(matrices.size());
+  std::vector<sym3::Sym3<double>> computed(portion);
+  for (std::size_t begin = 0; begin < matrices.size(); begin += portion) {
+    if (progress) progress->report(static_cast<double>(begin) / static_cast<double>(matrices.size()));
+    const auto part = matrices.subspan(begin, std::min(portion, matrices.size() - begin));
+    sym3::exp<double>(part, std::span(computed).first(part.size()), method);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const double error = sym3::relative_error(computed[i], part[i]);
+      errors[begin + i] = error;
+      map.log10[begin + i] = std::isnan(error) ? 0.0F : static_cast<float>(std::log10(std::max(error, 1e-20)));
+    }
+  }
+  map.stats = stats_of(std::move(errors), method);
+  return map;
+}
+
+}  // namespace viete::app

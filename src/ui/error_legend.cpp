@@ -1,0 +1,64 @@
+#include <cmath>
+#include <string>
+
+#include "ui/format.h"
+#include "ui/ink.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr float width = 264, height = 78, inset = 12, thickness = 10;
+
+float place(double log10) {
+  using namespace scene;
+  return static_cast<float>((log10 - error_map_low) / (error_map_high - error_map_low));
+}
+
+void colors(const Context& ui, ImDrawList& draw, ImVec2 at) {
+  const std::size_t n = ui.error_colors.size();
+  const float step = (width - 2 * inset) / static_cast<float>(n - 1);
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    const ImU32 a = ui.error_colors[i], b = ui.error_colors[i + 1];
+    const float x = at.x + static_cast<float>(i) * step;
+    draw.AddRectFilledMultiColor({x, at.y}, {x + step, at.y + thickness}, a, b, b, a);
+  }
+}
+
+void ticks(const Context& ui, ImDrawList& draw, ImVec2 at) {
+  ImGui::PushFont(ui.fonts.numbers);
+  for (int tick = -16; tick < scene::error_map_high; tick += 3) {
+    const float x = at.x + place(tick) * (width - 2 * inset);
+    draw.AddLine({x, at.y + thickness}, {x, at.y + thickness + 4}, ui.colors.faint);
+    const std::string text = "1e" + std::to_string(tick);
+    const float half = 0.5f * ImGui::CalcTextSize(text.c_str()).x;
+    draw.AddText({x - half, at.y + thickness + 5}, ui.colors.text, text.c_str());
+  }
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+// At the bottom right of the view: what the colours on the mesh say.
+void error_legend(const Context& ui) {
+  const auto& w = ui.workspace;
+  if (!scene::shows_error_map(w) || ui.error_colors.size() < 2) return;
+  const auto& v = w.viewport;
+  const ImVec2 low{v.origin.x + v.size.x - width - 16, v.origin.y + v.size.y - height - 16};
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  draw.AddRectFilled(low, {low.x + width, low.y + height}, faded(ui.colors.card, 0.92f), 8);
+  const std::string title = "Error of exp by " + method_label(w.error_map.method);
+  const std::string worst = w.error_map.vertices > 0 ? "worst " + error(w.error_map.worst) : "measuring";
+  ImGui::PushFont(ui.fonts.text);
+  draw.AddText({low.x + inset, low.y + 8}, ui.colors.text, title.c_str());
+  const float right = ImGui::CalcTextSize(worst.c_str()).x;
+  draw.AddText({low.x + width - inset - right, low.y + 8}, ui.colors.faint, worst.c_str());
+  ImGui::PopFont();
+  const ImVec2 bar{low.x + inset, low.y + 34};
+  colors(ui, draw, bar);
+  ticks(ui, draw, bar);
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,127 @@
+// How exact the running method is: said in the panel, and shown on the mesh.
+#include "app/error_map.h"
+#include "program/driver.h"
+#include "sym3/reference.h"
+
+using namespace viete;
+using test::Driver;
+
+namespace {
+
+void open_posed_dragon(Driver& d) {
+  const auto folder = test::assets_dir() / "dragon";
+  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+  REQUIRE(scene::load_pose(d.workspace(), folder / "pose_alert.obj"));
+  d.workspace().view.cage = d.workspace().view.grid = d.workspace().view.axes = d.workspace().view.hints = false;
+  d.settle();
+}
+
+// Where the view shows anything but the background.
+struct Shown {
+  double red = 0, blue = 0;
+  int pixels = 0;
+};
+
+Shown shown(Driver& d, const render::Image& empty) {
+  const auto picture = d.picture();
+  Shown sum;
+  for (int y = 0; y < 660; ++y) {  // above the legend
+    for (int x = 330; x < 1280; ++x) {
+      const auto p = picture.pixel(x, y);
+      if (p == empty.pixel(x, y)) continue;
+      sum.red += p[0];
+      sum.blue += p[2];
+      ++sum.pixels;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("an_error_map_holds_the_error_of_every_matrix") {
+  std::vector<sym3::Sym3<double>> matrices;
+  for (int i = 0; i < 3000; ++i) matrices.push_back({0.3, 0.1 + 1e-4 * i, -0.2, 0.4, 1e-5 * i, -0.1});
+  for (const auto method : {sym3::Method::fast, sym3::Method::improved_sd}) {
+    const auto map = app::error_map(matrices, method);
+    REQUIRE(map.log10.size() == matrices.size());
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < matrices.size(); ++i) {
+      errors.push_back(sym3::relative_error(sym3::exp(matrices[i], method), matrices[i]));
+      CHECK(map.log10[i] == doctest::Approx(std::log10(std::max(errors[i], 1e-20))).epsilon(1e-5));
+    }
+    std::sort(errors.begin(), errors.end());
+    CHECK(map.stats.worst == errors.back());
+    CHECK(map.stats.median == errors[errors.size() / 2]);
+    CHECK(map.stats.vertices == 3000);
+    CHECK(map.stats.method == method);
+  }
+}
+
+TEST_CASE("an_answer_that_is_no_number_makes_the_map_say_so") {
+  const auto map = app::error_map(std::vector<sym3::Sym3<double>>(3), sym3::Method::improved_sd_faithful);
+  CHECK(std::isnan(map.stats.worst));
+  CHECK(map.log10 == std::vector<float>(3, 0.0F));
+  CHECK(app::error_map({}, sym3::Method::fast).stats.vertices == 0);
+}
+
+TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_where_it_is_not") {
+  Driver d;
+  open_posed_dragon(d);
+  d.workspace().view.model = false;
+  d.settle();
+  const auto empty = d.picture();
+  d.workspace().view.model = true;
+  d.settle();
+  const Shown plain = shown(d, empty);
+
+  d.press_key(scene::key('E'), false, true);
+  CHECK(d.workspace().view.error_map);
+  d.settle();
+  const Shown exact = shown(d, empty);
+  const auto& map = d.workspace().error_map;
+  CHECK(map.vertices == 50000);
+  CHECK(map.method == sym3::Method::fast);
+  CHECK(map.worst < 1e-14);
+  CHECK(map.median <= map.worst);
+  CHECK(exact.pixels > 20000);
+  CHECK(exact.blue > exact.red);  // the low end of the colours
+  CHECK(plain.red > plain.blue);  // clay
+
+  d.click("method_sd");
+  d.settle();
+  const Shown rough = shown(d, empty);
+  CHECK(map.method == sym3::Method::sd);
+  CHECK(map.worst > 1e-14);
+  CHECK(rough.red / rough.pixels > 1.1 * exact.red / exact.pixels);
+
+  d.press_key(scene::key('E'), false, true);
+  d.click("method_fast");
+  d.move({700, 20});
+  d.settle();
+  const Shown again = shown(d, empty);
+  CHECK(again.red / again.pixels == doctest::Approx(plain.red / plain.pixels).epsilon(0.01));
+}
+
+TEST_CASE("the_map_follows_a_drag_and_never_holds_a_frame_up") {
+  Driver d;
+  open_posed_dragon(d);
+  d.workspace().view.cage = true;
+  d.workspace().view.error_map = true;
+  d.settle();
+  const auto before = d.workspace().error_map.worst;
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.drag(at, at + glm::vec2(150, 60));
+  d.settle();
+  CHECK(d.workspace().error_map.worst != before);
+  CHECK(d.workspace().error_map.worst < 1e-14);
+}
+
+TEST_CASE("mean_value_coordinates_show_no_errors") {
+  Driver d;
+  open_posed_dragon(d);
+  d.workspace().view.error_map = true;
+  d.click("coordinates_mvc");
+  d.settle();
+  CHECK(!scene::shows_error_map(d.workspace()));
+}
