@@ -164,7 +164,8 @@ class Contest {
       pose.positions[0][0] += 1e-3 * cage_->diagonal * (++step_ % 16);
       frame->deform(pose);
     };
-    for (int warm = 0; warm < 3; ++warm) run();  // the third frame of a drag adds what moved
+    frame->set_dragging(drag);
+    for (int warm = 0; warm < 3; ++warm) run();
     Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->bytes()};
     if (staged_) {
       c.error = [this, frame, drag] {

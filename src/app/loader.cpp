@@ -51,7 +51,7 @@ void Loader::open(Job& job) {
     job.result.was_binding = true;
     job.begin_part(scene::text(scene::binding_plan(document, coordinates)));
     job.progress.section(0, 1);
-    job.result.bound = bind(document.model.surface, document.cage, coordinates, job.progress);
+    job.result.bound = bind(document.model.surface, document.cage, coordinates, document.method, {}, job.progress);
   }
   job.result.opened = std::move(opened);
 }

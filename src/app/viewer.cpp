@@ -161,6 +161,8 @@ void Viewer::follow_document() {
   }
   if (checked_model_ != document.model.surface || checked_cage_ != document.cage_file.surface) start_checks();
   take_checks(false);
+  // The staged frame's weights are made when a method asks for them; until then method `fast` serves.
+  if (deformer_ && !binder_.running() && !deformer_->path(document.method)) start_binding();
   take_binding(false);
   workspace_.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(), binder_.seconds()};
 }
@@ -188,8 +190,8 @@ void Viewer::start_binding() {
   const scene::Document& document = workspace_.document;
   binding_text_ = scene::text(scene::binding_plan(document, document.coordinates));
   binder_.start([model = document.model.surface, cage = document.cage,
-                 coordinates = document.coordinates](base::Progress& progress) {
-    return bind(model, cage, coordinates, progress);
+                 coordinates = document.coordinates, method = document.method, known = bound_](base::Progress& progress) {
+    return bind(model, cage, coordinates, method, known, progress);
   });
 }
 
@@ -209,10 +211,11 @@ void Viewer::install(Bound bound) {
   posed_seen_ = workspace_.document.posed - 1;
 }
 
-// The coordinates are again those that the deformer has.
+// Coordinates and method are again those that the deformer has.
 void Viewer::stop_binding(const std::string& why, scene::Severity severity) {
   binder_.cancel();
   if (deformer_) workspace_.document.coordinates = bound_.binding->coordinates;
+  if (deformer_ && !deformer_->path(workspace_.document.method)) workspace_.document.method = sym3::Method::fast;
   workspace_.messages.say(severity, why);
   settle_frames_ = 3;
 }
@@ -263,7 +266,8 @@ void Viewer::deform(scene::FrameTimes& times) {
   scene::Document& document = workspace_.document;
   deformed_ = deformer_ && posed_seen_ != document.posed;
   if (!deformed_) return;
-  deformer_->deform(document.pose, document.method);
+  deformer_->set_dragging(workspace_.hand.drag.has_value());
+  deformer_->deform(document.pose, deformer_->path(document.method) ? document.method : sym3::Method::fast);
   document.pose.turns = deformer_->report().turns;
   workspace_.pose_notes = scene::pose_notes(deformer_->report());
   posed_seen_ = document.posed;
@@ -305,7 +309,7 @@ void Viewer::draw(scene::FrameTimes& times) {
 
 bool Viewer::probe_is_due() const {
   const bool fresh = deformer_ && (probed_ != posed_seen_ || workspace_.methods.matrices == 0);
-  return options_.probe && fresh && !deformer_->matrices().empty() && method_probe_.ready();
+  return options_.probe && fresh && method_probe_.ready() && !deformer_->matrices().empty();
 }
 
 void Viewer::probe() {
@@ -316,6 +320,7 @@ void Viewer::probe() {
   if (!probe_is_due()) return;
   probed_ = posed_seen_;
   method_probe_.offer(deformer_->matrices());
+  workspace_.fused_error = deformer_->sampled_error();
 }
 
 bool Viewer::error_map_is_due() const {

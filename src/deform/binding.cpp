@@ -96,11 +96,14 @@ std::optional<Coordinates> coordinates_from_name(std::string_view word) {
   return std::nullopt;
 }
 
-std::size_t binding_bytes(std::size_t vertices, std::size_t handles) {
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path) {
+  const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
   // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and the lists around
   // vertices
-  const double each = 8.0 * static_cast<double>(handles) + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  return static_cast<std::size_t>(std::min(0x1p63, each * static_cast<double>(vertices)));
+  const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
+  // weights; offset, place, vertex, walk; rest, position, normal, triangles and the lists around vertices
+  const double fused = (compressible(vertices, handles) ? k : 4 * k) + 12 + 20 + 32 + 20 + 24 + 24 + 24 + 28;
+  return static_cast<std::size_t>(std::min(0x1p63, n * (path == Path::staged ? staged : fused)));
 }
 
 Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,

@@ -20,13 +20,13 @@ enum class Coordinates {
   mean_value,  ///< positions of cage vertices, blended; no exponential
 };
 
-std::string_view name(Coordinates coordinates);  ///< "face", "mvc": the words of the command line
-std::optional<Coordinates> coordinates_from_name(std::string_view name);
-
 struct TiledBinding;
 
 /// Which frames a binding is for: the links of the chain one by one, in double, or the fused frame.
 enum class Path { staged, fused };
+
+std::string_view name(Coordinates coordinates);  ///< "face", "mvc": the words of the command line
+std::optional<Coordinates> coordinates_from_name(std::string_view name);
 
 /// n vertices, k handles (cage triangles or cage vertices).
 struct Binding {
@@ -43,8 +43,9 @@ struct Binding {
   std::vector<std::string> warnings;
 };
 
-/// Bytes that bind() will hold for n vertices and k handles; at most 2^63.
-std::size_t binding_bytes(std::size_t vertices, std::size_t handles);
+/// Bytes that bind() asks for before it begins, for n vertices and k handles; at most 2^63. For the fused frame: at
+/// most, or where weights can be compressed, a quarter of that, of which less is left by the compression.
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path = Path::staged);
 
 /// For the staged frame. Cost O(n k), shared over the pool; the result does not depend on the number of threads. Throws
 /// base::Cancelled; throws base::Error when the memory that is free now would not suffice, or when the model

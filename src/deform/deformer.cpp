@@ -17,7 +17,8 @@ namespace viete::deform {
 namespace {
 
 constexpr std::size_t vertices_per_block = 256;
-constexpr std::size_t sample_limit = 2048;
+constexpr std::size_t sample_limit = 2048;  // matrices
+constexpr std::size_t error_sample = 512;   // vertices
 
 // A block of a vector, for links that take spans.
 template <class T>
@@ -93,27 +94,58 @@ void Deformer::take_vertices() const {
   }
 }
 
-// Weights of a few vertices are soon made anew.
-void Deformer::sample_matrices() const {
-  const auto logs = fused_->logs();
-  const std::size_t count = std::min(binding_->vertices, sample_limit);
-  sample_.assign(logs.empty() ? 0 : count, {});
-  std::vector<double> weights(bind_lanes * logs.size());
-  for (std::size_t s = 0; s < sample_.size(); s += bind_lanes) {
+// Weights of a few vertices are soon made anew: visit(vertex, row of weights).
+template <class Visit>
+void Deformer::for_sample(std::size_t limit, const Visit& visit) const {
+  const std::size_t count = std::min(binding_->vertices, limit), handles = binding_->handles;
+  const auto vertex = [&](std::size_t s) { return std::min(s, count - 1) * binding_->vertices / count; };
+  std::vector<double> weights(bind_lanes * handles), row(handles);
+  for (std::size_t s = 0; s < count; s += bind_lanes) {
     std::array<mesh::Point, bind_lanes> points;
-    for (std::size_t l = 0; l < bind_lanes; ++l) {
-      points[l] = binding_->rest[std::min(s + l, count - 1) * binding_->vertices / count];
-    }
+    for (std::size_t l = 0; l < bind_lanes; ++l) points[l] = binding_->rest[vertex(s + l)];
     weigher_->weigh(points, weights);
     for (std::size_t l = 0; l < std::min(bind_lanes, count - s); ++l) {
-      auto& m = sample_[s + l];
-      for (std::size_t j = 0; j < logs.size(); ++j) {
-        const double w = weights[j * bind_lanes + l];
-        const auto& x = logs[j].stretch;
-        m = {m.xx + w * x.xx, m.xy + w * x.xy, m.xz + w * x.xz, m.yy + w * x.yy, m.yz + w * x.yz, m.zz + w * x.zz};
-      }
+      for (std::size_t j = 0; j < handles; ++j) row[j] = weights[j * bind_lanes + l];
+      visit(vertex(s + l), row);
     }
   }
+}
+
+void Deformer::sample_matrices() const {
+  const auto logs = fused_->logs();
+  sample_.clear();
+  if (logs.empty()) return;
+  for_sample(sample_limit, [&](std::size_t, const std::vector<double>& weights) {
+    sym3::Sym3<double> m{};
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+      const double w = weights[j];
+      const auto& x = logs[j].stretch;
+      m = {m.xx + w * x.xx, m.xy + w * x.xy, m.xz + w * x.xz, m.yy + w * x.yy, m.yz + w * x.yz, m.zz + w * x.zz};
+    }
+    sample_.push_back(m);
+  });
+}
+
+double Deformer::sampled_error() const {
+  if (!fused_ran_) return 0;
+  Binding part;
+  part.coordinates = binding_->coordinates;
+  part.handles = binding_->handles;
+  std::vector<std::size_t> vertices;
+  for_sample(error_sample, [&](std::size_t vertex, const std::vector<double>& weights) {
+    vertices.push_back(vertex);
+    part.weights.insert(part.weights.end(), weights.begin(), weights.end());
+    Vec3 sum{0, 0, 0};
+    for (std::size_t j = 0; j < weights.size(); ++j) sum = sum + weights[j] * weigher_->handle_positions()[j];
+    part.offsets.push_back((binding_->rest[vertex] - weigher_->origin()) - sum);
+  });
+  const auto exact = fused_->in_double(part);
+  double worst = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto& p = fused_->vertices()[vertices[i]].position;
+    worst = std::max(worst, norm(fused_->origin() + Vec3{p[0], p[1], p[2]} - exact[i]));
+  }
+  return worst / cage_->diagonal;
 }
 
 std::optional<Path> Deformer::path(sym3::Method method) const {
@@ -121,6 +153,10 @@ std::optional<Path> Deformer::path(sym3::Method method) const {
   if (fused_ && (any_method || method == sym3::Method::fast)) return Path::fused;
   if (!binding_->weights.empty()) return Path::staged;
   return std::nullopt;
+}
+
+void Deformer::set_dragging(bool on) {
+  if (fused_) fused_->set_dragging(on);
 }
 
 void check_pose(const Cage& cage, const Pose& pose) {

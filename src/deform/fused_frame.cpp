@@ -11,13 +11,8 @@ namespace viete::deform {
 namespace {
 
 constexpr std::size_t lanes = tile_lanes<float>;
-constexpr double origin_slack = 0.1;         // of the pose's diagonal
 constexpr std::size_t few = 4;               // of the elements, at most one in so many is few
 constexpr std::size_t skeleton_block = 256;  // slots that one thread blends at once
-
-bool subset(const std::vector<std::uint32_t>& part, const std::vector<std::uint32_t>& whole) {
-  return std::includes(whole.begin(), whole.end(), part.begin(), part.end());
-}
 
 // Sums [tile][12][lane] of slots [begin, end) as rows of a table.
 void to_rows(const float* sums, std::size_t begin, std::size_t end, float* table) {
@@ -56,7 +51,10 @@ void FusedFrame::deform(const Pose& pose) {
   check_pose(*cage_, pose);
   times_ = {};
   base::Stopwatch watch;
-  choose_origin(pose);
+  const Elements moved = moved_elements(pose);
+  pose_ = pose.positions;
+  const bool held = drag_ && !held_.moving.empty();
+  origin_ = held ? held_.origin : pose_origin(pose.positions);
   if (binding_->coordinates == Coordinates::face) {
     face_maps(*cage_, pose.positions, maps_);
     times_[Link::face_maps] = watch.lap_ms();
@@ -66,7 +64,7 @@ void FusedFrame::deform(const Pose& pose) {
     report_ = {pose.turns, {}, {}};
   }
   fill_table(pose);
-  follow_drag();
+  follow_drag(moved);
   if (binding_->compressed() && !dragging_) {
     blend_skeleton(table_.data());
     times_[Link::skeleton] = watch.lap_ms();
@@ -77,18 +75,42 @@ void FusedFrame::deform(const Pose& pose) {
   times_[Link::normals] = watch.lap_ms();
 }
 
-// Where the pose goes elements go, but it need not be measured from its very middle: a drag would change it.
-void FusedFrame::choose_origin(const Pose& pose) {
-  const Vec3 middle = pose_origin(pose.positions);
-  const double diagonal = mesh::bounds(pose.positions).diagonal();
-  if (started_ && norm(middle - origin_) <= origin_slack * diagonal) return;
-  origin_ = middle;
-  held_ = {};
+std::vector<mesh::Point> FusedFrame::in_double(const Binding& part) const {
+  const std::size_t n = part.offsets.size();
+  std::vector<mesh::Point> positions(n);
+  const Vec3 origin = pose_origin(pose_);
+  if (part.coordinates == Coordinates::mean_value) {
+    std::vector<Vec3> posed;
+    for (const auto& p : pose_) posed.push_back(p - origin);
+    blend_positions(part, posed, origin, 0, n, positions);
+    return positions;
+  }
+  BlendedLogs sums{std::vector<sym3::Sym3<double>>(n), std::vector<Vec3>(n), std::vector<Vec3>(n)};
+  blend(part, logs_, 0, n, sums);
+  std::vector<sym3::Sym3<double>> stretches(n);
+  sym3::exp<double>(sums.stretch, stretches);
+  apply(part, sums, stretches, origin, 0, n, positions);
+  return positions;
+}
+
+void FusedFrame::set_dragging(bool on) {
+  if (drag_ != on) held_ = {};
+  drag_ = on;
+}
+
+// Since the last frame; nothing before the first.
+FusedFrame::Elements FusedFrame::moved_elements(const Pose& pose) const {
+  Elements moved;
+  if (!drag_ || pose_.empty()) return moved;
+  for (std::uint32_t e = 0; e < cage_->element_count(); ++e) {
+    const auto& t = cage_->surface.triangles[e];
+    const auto stayed = [&](std::uint32_t v) { return pose.positions[v] == pose_[v]; };
+    if (!std::all_of(t.begin(), t.end(), stayed)) moved.push_back(e);
+  }
+  return moved;
 }
 
 void FusedFrame::fill_table(const Pose& pose) {
-  std::swap(table_, before_);
-  table_.resize(binding_->handles * columns_);
   const double scale = 1 / binding_->unit;
   if (binding_->coordinates == Coordinates::mean_value) {
     for (std::size_t j = 0; j < binding_->handles; ++j) {
@@ -107,29 +129,30 @@ void FusedFrame::fill_table(const Pose& pose) {
   }
 }
 
-FusedFrame::Elements FusedFrame::changed_since(const AlignedVector<float>& table) const {
-  Elements changed;
-  for (std::size_t j = 0; j < binding_->handles; ++j) {
-    const auto row = table_.begin() + static_cast<std::ptrdiff_t>(j * columns_);
-    const auto other = table.begin() + static_cast<std::ptrdiff_t>(j * columns_);
-    if (!std::equal(row, row + static_cast<std::ptrdiff_t>(columns_), other)) {
-      changed.push_back(static_cast<std::uint32_t>(j));
-    }
+// An element that no vertex of moved can still take another branch of its log.
+bool FusedFrame::others_stayed() const {
+  std::vector<bool> moving(binding_->handles);
+  for (const auto e : held_.moving) moving[e] = true;
+  for (std::size_t e = 0; e < moving.size(); ++e) {
+    const auto row = table_.begin() + static_cast<std::ptrdiff_t>(e * log_size);
+    const auto then = held_.table.begin() + static_cast<std::ptrdiff_t>(e * log_size);
+    if (!moving[e] && !std::equal(row, row + log_size, then)) return false;
   }
-  return changed;
+  return true;
 }
 
 // Decides whether this frame adds to sums that are kept, and fills what it adds.
-void FusedFrame::follow_drag() {
+void FusedFrame::follow_drag(const Elements& moved) {
   dragging_ = false;
-  if (!std::exchange(started_, true) || binding_->coordinates != Coordinates::face) return;
-  Elements moved = changed_since(before_);
-  const bool held = !held_.moving.empty() && subset(changed_since(held_.table), held_.moving);
-  const bool same = !moved.empty() && few * moved.size() <= binding_->handles && subset(moved, moved_);
-  if (!held && same) hold(moved_);
-  if (!moved.empty()) moved_ = std::move(moved);
-  dragging_ = held || same;
-  if (!dragging_) return;
+  if (!drag_ || binding_->coordinates != Coordinates::face) return;
+  if (!held_.moving.empty()) {
+    const bool same = std::includes(held_.moving.begin(), held_.moving.end(), moved.begin(), moved.end());
+    dragging_ = same && others_stayed();
+    if (!dragging_) held_ = {};  // formed anew when the next frame moves something
+  } else if (!moved.empty() && few * moved.size() <= binding_->handles) {
+    hold(moved);
+    dragging_ = true;
+  }
   for (std::size_t m = 0; m < held_.moving.size(); ++m) {
     std::copy_n(table_.begin() + static_cast<std::ptrdiff_t>(held_.moving[m] * log_size), log_size,
                 held_.rows.begin() + static_cast<std::ptrdiff_t>(m * log_size));
@@ -140,6 +163,7 @@ void FusedFrame::hold(const Elements& moving) {
   const std::size_t slots = binding_->leaves.slot_count();
   held_.moving = moving;
   held_.table = table_;
+  held_.origin = origin_;
   held_.sums.resize(slots * log_size);
   held_.weights.resize(slots * held_.row_count());
   held_.rows.assign(held_.row_count() * log_size, 0.0f);

@@ -14,18 +14,20 @@ namespace viete::deform {
 /// weights, the sums staying in registers. Agrees with the staged frame to 1e-6 of the diagonal, and to the
 /// binding's tolerance where that is compressed.
 ///
-/// Dragging costs what moved: when a second frame in a row moves the same few elements, the sums of all others are
-/// formed once and kept, and from then on only the columns that move are added. Nothing accumulates.
+/// Dragging costs what moved: the first frame of a drag forms the sums of all elements that do not move and keeps
+/// them, and from then on only the columns that move are added. Nothing accumulates.
 ///
 /// Not thread-safe; everything that grows with the model is allocated in the constructor, or when a drag begins.
-/// Results are bit-identical for any number of threads. They depend on the frames before by the rounding of float,
-/// since lengths are measured from an origin that stays while the pose stays near it.
+/// Results are bit-identical for any number of threads, and depend on the pose alone but for the rounding of float
+/// during a drag.
 class FusedFrame {
 public:
   /// cage and binding must not be null and belong together.
   FusedFrame(std::shared_ptr<const Cage> cage, std::shared_ptr<const TiledBinding> binding,
              base::WorkerPool& pool, const sym3::Kernel& kernel = sym3::kernel());
 
+  /// Tells that the poses from now on differ in the same few vertices, or that this is over.
+  void set_dragging(bool on);
   /// One frame. Throws base::Error if pose.positions is not one per cage vertex.
   void deform(const Pose& pose);
 
@@ -34,6 +36,8 @@ public:
   const Vec3& origin() const { return origin_; }
   /// The cage's logs; empty for mean value coordinates.
   std::span<const MapLog> logs() const { return logs_; }
+  /// The last pose in double, by the staged links, for vertices with these weights and offsets.
+  std::vector<mesh::Point> in_double(const Binding& part) const;
   const LinkTimes& times() const { return times_; }
   const LogReport& report() const { return report_; }
   /// True if the last frame added the moved elements alone.
@@ -44,10 +48,10 @@ public:
 private:
   using Elements = std::vector<std::uint32_t>;
 
-  void choose_origin(const Pose& pose);
   void fill_table(const Pose& pose);
-  Elements changed_since(const AlignedVector<float>& table) const;
-  void follow_drag();
+  Elements moved_elements(const Pose& pose) const;
+  bool others_stayed() const;
+  void follow_drag(const Elements& moved);
   void hold(const Elements& moving);
   void pack_weights(std::size_t leaf, float* scratch);
   void blend_skeleton(const float* table);
@@ -64,21 +68,22 @@ private:
   std::size_t columns_;
   std::vector<FaceMap> maps_;
   std::vector<MapLog> logs_;
-  AlignedVector<float> table_, before_;  // [handle][column], of this frame and the last
+  AlignedVector<float> table_;           // [handle][column]
   AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
   AlignedVector<float> skeleton_table_;  // [pivot][column]
   AlignedVector<float> positions_;       // [place] of the rings, x y z x in units
   std::vector<FrameVertex> vertices_;
   Vec3 origin_{0, 0, 0};
-  bool started_ = false, dragging_ = false;
+  std::vector<mesh::Point> pose_;  // of the last frame
+  bool drag_ = false, dragging_ = false;  // a drag is on; this frame was part of it
   LinkTimes times_;
   LogReport report_;
 
-  Elements moved_;  // in the last frame
   /// While a few elements move: what the others amount to.
   struct Held {
     Elements moving;
     AlignedVector<float> table;    // when it was formed
+    Vec3 origin{0, 0, 0};
     AlignedVector<float> sums;     // [tile][column][lane], of the elements that do not move
     AlignedVector<float> weights;  // [tile][row][lane], of those that do
     AlignedVector<float> rows;     // their part of the table

@@ -51,6 +51,7 @@ public:
   }
 
   TiledBinding bind(double tolerance) {
+    require(worth_sampling(tolerance) ? 0.25 : 1);
     const double share = worth_sampling(tolerance) ? sampled_share(tolerance) : 1;
     const bool compress = share < worth_factoring;
     require(compress ? 2 * share : 1);
@@ -125,8 +126,7 @@ private:
 
   // Mean value coordinates blend positions alone: a quarter of the work, for which factors do not pay.
   bool worth_sampling(double tolerance) const {
-    return tolerance > 0 && b_.coordinates == Coordinates::face && b_.handles >= fewest_handles &&
-           b_.leaves.slot_count() >= leaf_slots;
+    return tolerance > 0 && b_.coordinates == Coordinates::face && compressible(b_.leaves.vertices, b_.handles);
   }
 
   LeafResult factor(std::size_t leaf, double tolerance, LeafWeights& w) const {
@@ -223,6 +223,10 @@ private:
 };
 
 }  // namespace
+
+bool compressible(std::size_t vertices, std::size_t handles) {
+  return vertices >= leaf_slots && handles >= fewest_handles;
+}
 
 std::size_t TiledBinding::bytes() const {
   return sizeof(float) * (weights.size() + offsets.size() + factors.size() + skeleton.size());

@@ -48,6 +48,9 @@ struct TiledBinding {
   std::size_t dense_bytes() const;  ///< what they would take without compression
 };
 
+/// True if so many are worth a try. (Mean value coordinates never are.)
+bool compressible(std::size_t vertices, std::size_t handles);
+
 /// Weights leaf by leaf, in parallel; the full matrix of doubles never exists, nor, compressed, that of floats.
 /// Compressed by `tolerance` (0: never) where a sample of leaves says that frames become cheaper by it. The same bits
 /// for any number of threads. Throws base::Cancelled; throws base::Error when the memory that is free now would not

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -107,6 +108,11 @@ void panel_timings(const Context& ui) {
   value_row(ui, "Frame", milliseconds(median->frame));
   bar(parts, total);
   legend(ui, parts);
+  if (const double error = ui.workspace.fused_error; error > 0) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.0e of the size", error);
+    value_row(ui, "Error, measured", text);
+  }
   history(ui);
 }
 
