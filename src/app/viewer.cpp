@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "deform/vertex_sample.h"
 #include "render/palette.h"
 #include "scene/binding_plan.h"
 #include "scene/pose_notes.h"
@@ -325,7 +326,7 @@ void Viewer::probe() {
 
 bool Viewer::error_map_is_due() const {
   return scene::shows_error_map(workspace_) && deformer_ && !error_map_.running() && mapped_ != posed_seen_ &&
-         !deformer_->matrices().empty();
+         !deformer_->logs().empty();
 }
 
 // The newest map that is there, and the next one begun; a map may be of a pose a moment ago.
@@ -341,10 +342,16 @@ void Viewer::follow_error_map(bool wait) {
   }
   if (!error_map_is_due()) return;
   mapped_ = posed_seen_;
-  const auto matrices = deformer_->matrices();
-  error_map_.start([copy = std::vector(matrices.begin(), matrices.end()),
+  std::vector<sym3::Sym3<double>> matrices;
+  const bool fused = deformer_->fused() != nullptr;  // then no matrix was ever stored: they are made anew, aside
+  if (!fused) matrices.assign(deformer_->matrices().begin(), deformer_->matrices().end());
+  error_map_.start([fused, matrices = std::move(matrices), bound = bound_,
+                    logs = std::vector(deformer_->logs().begin(), deformer_->logs().end()),
                     method = workspace_.document.method](base::Progress& progress) {
-    return error_map(copy, method, &progress);
+    if (!fused) return error_map(matrices, method, &progress);
+    const deform::Weigher weigher(*bound.cage, bound.binding->coordinates);
+    const auto all = deform::sample_stretches(weigher, *bound.binding, logs, bound.binding->vertices, &progress);
+    return error_map(all, method, &progress);
   });
 }
 

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "deform/fused_frame.h"
 #include "deform/vec3.h"
+#include "deform/vertex_sample.h"
 #include "deform/weigher.h"
 
 namespace viete::deform {
@@ -70,7 +71,7 @@ void Deformer::allocate_staged() {
 
 std::span<const sym3::Sym3<double>> Deformer::matrices() const {
   if (!fused_ran_) return sums_.stretch;
-  if (!std::exchange(matrices_sampled_, true)) sample_matrices();
+  if (!std::exchange(matrices_sampled_, true)) sample_ = sample_stretches(*weigher_, *binding_, logs(), sample_limit);
   return sample_;
 }
 
@@ -94,37 +95,7 @@ void Deformer::take_vertices() const {
   }
 }
 
-// Weights of a few vertices are soon made anew: visit(vertex, row of weights).
-template <class Visit>
-void Deformer::for_sample(std::size_t limit, const Visit& visit) const {
-  const std::size_t count = std::min(binding_->vertices, limit), handles = binding_->handles;
-  const auto vertex = [&](std::size_t s) { return std::min(s, count - 1) * binding_->vertices / count; };
-  std::vector<double> weights(bind_lanes * handles), row(handles);
-  for (std::size_t s = 0; s < count; s += bind_lanes) {
-    std::array<mesh::Point, bind_lanes> points;
-    for (std::size_t l = 0; l < bind_lanes; ++l) points[l] = binding_->rest[vertex(s + l)];
-    weigher_->weigh(points, weights);
-    for (std::size_t l = 0; l < std::min(bind_lanes, count - s); ++l) {
-      for (std::size_t j = 0; j < handles; ++j) row[j] = weights[j * bind_lanes + l];
-      visit(vertex(s + l), row);
-    }
-  }
-}
-
-void Deformer::sample_matrices() const {
-  const auto logs = fused_->logs();
-  sample_.clear();
-  if (logs.empty()) return;
-  for_sample(sample_limit, [&](std::size_t, const std::vector<double>& weights) {
-    sym3::Sym3<double> m{};
-    for (std::size_t j = 0; j < weights.size(); ++j) {
-      const double w = weights[j];
-      const auto& x = logs[j].stretch;
-      m = {m.xx + w * x.xx, m.xy + w * x.xy, m.xz + w * x.xz, m.yy + w * x.yy, m.yz + w * x.yz, m.zz + w * x.zz};
-    }
-    sample_.push_back(m);
-  });
-}
+std::span<const MapLog> Deformer::logs() const { return fused_ran_ ? fused_->logs() : std::span<const MapLog>(logs_); }
 
 double Deformer::sampled_error() const {
   if (!fused_ran_) return 0;
@@ -132,7 +103,7 @@ double Deformer::sampled_error() const {
   part.coordinates = binding_->coordinates;
   part.handles = binding_->handles;
   std::vector<std::size_t> vertices;
-  for_sample(error_sample, [&](std::size_t vertex, const std::vector<double>& weights) {
+  visit_sample(*weigher_, *binding_, error_sample, [&](std::size_t vertex, const std::vector<double>& weights) {
     vertices.push_back(vertex);
     part.weights.insert(part.weights.end(), weights.begin(), weights.end());
     Vec3 sum{0, 0, 0};

@@ -71,6 +71,8 @@ public:
   /// The matrices that the last frame exponentiated, after a fused frame those of a sample of vertices, made when
   /// they are asked for. Empty for mean value coordinates.
   std::span<const sym3::Sym3<double>> matrices() const;
+  /// The cage's logs in the last frame; empty for mean value coordinates.
+  std::span<const MapLog> logs() const;
 
   /// How far the last frame is from double precision and exact weights: the largest distance of a sample of vertices,
   /// in diagonals of the cage. 0 after a staged frame. Takes about a millisecond.
@@ -82,9 +84,6 @@ private:
   void compute_normals();
   void allocate_staged();
   void take_vertices() const;
-  void sample_matrices() const;
-  template <class Visit>
-  void for_sample(std::size_t limit, const Visit& visit) const;
 
   std::shared_ptr<const Cage> cage_;
   std::shared_ptr<const Binding> binding_;
