@@ -265,9 +265,11 @@ void Viewer::finish_binding() {
 
 void Viewer::deform(scene::FrameTimes& times) {
   scene::Document& document = workspace_.document;
-  deformed_ = deformer_ && posed_seen_ != document.posed;
+  const bool dragging = workspace_.hand.drag.has_value();
+  const bool let_go = std::exchange(dragging_, dragging) && !dragging;  // the frame at rest depends on the pose alone
+  deformed_ = deformer_ && (posed_seen_ != document.posed || let_go);
   if (!deformed_) return;
-  deformer_->set_dragging(workspace_.hand.drag.has_value());
+  deformer_->set_dragging(dragging);
   deformer_->deform(document.pose, deformer_->path(document.method) ? document.method : sym3::Method::fast);
   document.pose.turns = deformer_->report().turns;
   workspace_.pose_notes = scene::pose_notes(deformer_->report());

@@ -133,7 +133,7 @@ class Viewer {
 
   // What the derived state was derived from; compared once a frame.
   scene::Revision topology_seen_ = 0, posed_seen_ = 0, posed_drawn_ = 0, probed_ = 0;
-  bool deformed_ = false, warming_up_ = false, take_screenshot_ = false;
+  bool deformed_ = false, warming_up_ = false, dragging_ = false, take_screenshot_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< seconds of wall time
   bool refined_ = false;
   unsigned settle_frames_ = 3;  ///< ImGui needs a few frames after a change until sizes rest
