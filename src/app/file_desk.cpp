@@ -33,14 +33,15 @@ FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace)
   written_ = workspace.remembered;
 }
 
-void FileDesk::take_requests(scene::Workspace& w, std::span<const mesh::Point> positions, bool hand_is_free) {
+void FileDesk::take_requests(scene::Workspace& w, const std::function<std::vector<mesh::Point>()>& deformed,
+                             bool hand_is_free) {
   auto& r = w.requests;
   if (const auto request = std::exchange(r.open, std::nullopt)) loader_.start(*request, w.document);
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) scene::save_session(w, *file);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt)) {
-    if (positions.empty()) {
+    if (const auto positions = deformed(); positions.empty()) {
       w.messages.error("The model is not bound yet; save it when it is.");
     } else {
       scene::save_model(w, *file, positions);

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "app/autosave.h"
 #include "app/errands.h"
@@ -20,8 +21,10 @@ public:
   FileDesk(const std::filesystem::path& state, scene::Workspace& workspace);
 
   /// Before the frame's work: takes requests, and what was read once the hand is free, so that nothing is
-  /// taken away under a drag. `positions` are the deformed model's; empty while there are none.
-  void take_requests(scene::Workspace& workspace, std::span<const mesh::Point> positions, bool hand_is_free);
+  /// taken away under a drag. deformed() gives the deformed model's positions when they are to be saved; empty while there
+  /// are none.
+  void take_requests(scene::Workspace& workspace, const std::function<std::vector<mesh::Point>()>& deformed,
+                     bool hand_is_free);
   /// After it: keeps what is new.
   void keep(scene::Workspace& workspace);
 

@@ -130,8 +130,8 @@ bool Viewer::changing() const {
 }
 
 void Viewer::take_requests() {
-  files_.take_requests(workspace_, deformer_ ? deformer_->positions() : std::span<const mesh::Point>(),
-                       !pointer_.active());
+  const auto positions = [this] { return deformer_ ? deformer_->exact_positions() : std::vector<mesh::Point>(); };
+  files_.take_requests(workspace_, positions, !pointer_.active());
   if (std::exchange(workspace_.requests.run_benchmark, false)) {
     bench_.start([](base::Progress& progress) { return measure_exp(benchmark_count, false, progress); });
   }

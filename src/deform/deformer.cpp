@@ -99,24 +99,27 @@ std::span<const MapLog> Deformer::logs() const { return fused_ran_ ? fused_->log
 
 double Deformer::sampled_error() const {
   if (!fused_ran_) return 0;
-  Binding part;
-  part.coordinates = binding_->coordinates;
-  part.handles = binding_->handles;
-  std::vector<std::size_t> vertices;
-  visit_sample(*weigher_, *binding_, error_sample, [&](std::size_t vertex, const std::vector<double>& weights) {
-    vertices.push_back(vertex);
-    part.weights.insert(part.weights.end(), weights.begin(), weights.end());
-    Vec3 sum{0, 0, 0};
-    for (std::size_t j = 0; j < weights.size(); ++j) sum = sum + weights[j] * weigher_->handle_positions()[j];
-    part.offsets.push_back((binding_->rest[vertex] - weigher_->origin()) - sum);
-  });
-  const auto exact = fused_->in_double(part);
+  const auto vertices = spread_vertices(*binding_, error_sample);
+  const auto exact = fused_->in_double(part_of(*weigher_, *binding_, vertices));
   double worst = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto& p = fused_->vertices()[vertices[i]].position;
     worst = std::max(worst, norm(fused_->origin() + Vec3{p[0], p[1], p[2]} - exact[i]));
   }
   return worst / cage_->diagonal;
+}
+
+std::vector<mesh::Point> Deformer::exact_positions() const {
+  if (!fused_ran_) return positions_;
+  constexpr std::size_t portion = 1024;
+  std::vector<mesh::Point> positions(binding_->vertices);
+  pool_.for_blocks(binding_->vertices, portion, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> vertices(end - begin);
+    std::iota(vertices.begin(), vertices.end(), begin);
+    const auto part = fused_->in_double(part_of(*weigher_, *binding_, vertices));
+    std::copy(part.begin(), part.end(), positions.begin() + static_cast<std::ptrdiff_t>(begin));
+  });
+  return positions;
 }
 
 std::optional<Path> Deformer::path(sym3::Method method) const {

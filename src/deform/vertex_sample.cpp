@@ -1,6 +1,28 @@
 #include "deform/vertex_sample.h"
 
+#include "deform/vec3.h"
+
 namespace viete::deform {
+
+std::vector<std::size_t> spread_vertices(const Binding& binding, std::size_t limit) {
+  std::vector<std::size_t> vertices(std::min(binding.vertices, limit));
+  for (std::size_t s = 0; s < vertices.size(); ++s) vertices[s] = s * binding.vertices / vertices.size();
+  return vertices;
+}
+
+Binding part_of(const Weigher& weigher, const Binding& binding, std::span<const std::size_t> vertices) {
+  Binding part;
+  part.coordinates = binding.coordinates;
+  part.vertices = vertices.size();
+  part.handles = binding.handles;
+  visit_vertices(weigher, binding, vertices, [&](std::size_t vertex, const std::vector<double>& weights) {
+    part.weights.insert(part.weights.end(), weights.begin(), weights.end());
+    Vec3 sum{0, 0, 0};
+    for (std::size_t j = 0; j < weights.size(); ++j) sum = sum + weights[j] * weigher.handle_positions()[j];
+    part.offsets.push_back((binding.rest[vertex] - weigher.origin()) - sum);
+  });
+  return part;
+}
 
 std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,
                                                  std::span<const MapLog> logs, std::size_t limit,
@@ -8,11 +30,11 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
   constexpr std::size_t portion = 1024;
   std::vector<sym3::Sym3<double>> sample;
   if (logs.empty()) return sample;
-  const std::size_t count = std::min(binding.vertices, limit);
-  sample.reserve(count);
-  visit_sample(weigher, binding, count, [&](std::size_t, const std::vector<double>& weights) {
+  const auto vertices = spread_vertices(binding, limit);
+  sample.reserve(vertices.size());
+  visit_vertices(weigher, binding, vertices, [&](std::size_t, const std::vector<double>& weights) {
     if (progress && sample.size() % portion == 0) {
-      progress->report(static_cast<double>(sample.size()) / static_cast<double>(count));
+      progress->report(static_cast<double>(sample.size()) / static_cast<double>(vertices.size()));
     }
     sym3::Sym3<double> m{};
     for (std::size_t j = 0; j < weights.size(); ++j) {
