@@ -144,12 +144,25 @@ static HWY_INLINE Vector3<T> stretched(const Six& m, const Vector3<T>& u) {
 }
 
 template <class T>
+static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, log_size>& s) {
+  if (!run.mean) return;
+  const Tag<T> d;
+#pragma GCC unroll 12
+  for (std::size_t c = 0; c < centre_column; ++c) {
+    const auto mean = hn::Set(d, run.mean[c]);
+#pragma GCC unroll 2
+    for (std::size_t v = 0; v < vectors_at_once; ++v) s[v][c] = hn::Add(s[v][c], mean);
+  }
+}
+
+template <class T>
 static void deform_tiles(const TileRun<T>& run, const T* offsets, T* out) {
   const Tag<T> d;
   using V = hn::Vec<Tag<T>>;
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
     Sums<T, log_size> s;
     blend_group<T, log_size>(run, g, s);
+    add_mean<T>(run, s);
 #pragma GCC unroll 2
     for (std::size_t v = 0; v < vectors_at_once; ++v) {
       const lanes::Six<V> log{s[v][0], s[v][1], s[v][2], s[v][3], s[v][4], s[v][5]};

@@ -10,6 +10,7 @@
 namespace viete::deform {
 
 inline constexpr std::size_t log_size = 12;      ///< six of the stretch, three of the rotation, three of the centre
+inline constexpr std::size_t centre_column = 9;  ///< where those of the centre begin
 inline constexpr std::size_t position_size = 3;  ///< mean value coordinates blend positions alone
 
 /// One vertex of a frame, as a graphics card takes it.
@@ -32,6 +33,7 @@ struct TileRun {
   const T* weights = nullptr;  ///< [tile][row][lane]
   const T* table = nullptr;    ///< [row][column], 12 or 3 columns
   const T* base = nullptr;     ///< sums to start from, [tile][column][lane]; null: zero
+  const T* mean = nullptr;     ///< [9], what `deform` adds to the blended logs; null: zero
 };
 
 /// One leaf: its places, x y z x each, slots first; the halo is filled from other leaves' slots.

@@ -119,13 +119,30 @@ void FusedFrame::fill_table(const Pose& pose) {
     }
     return;
   }
+  std::vector<std::array<double, log_size>> entries(logs_.size());
   for (std::size_t j = 0; j < logs_.size(); ++j) {
     const auto& [x, y, unused] = logs_[j];
     const auto& t = cage_->surface.triangles[j];
     const auto& p = pose.positions;
     const Vec3 c = (scale / 3) * ((p[t[0]] - origin_) + (p[t[1]] - origin_) + (p[t[2]] - origin_));
-    const double entry[log_size] = {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz, y[0], y[1], y[2], c[0], c[1], c[2]};
-    for (std::size_t i = 0; i < log_size; ++i) table_[log_size * j + i] = static_cast<float>(entry[i]);
+    entries[j] = {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz, y[0], y[1], y[2], c[0], c[1], c[2]};
+  }
+  if (held_.moving.empty()) choose_mean(entries);
+  for (std::size_t j = 0; j < entries.size(); ++j) {
+    for (std::size_t i = 0; i < log_size; ++i) {
+      table_[log_size * j + i] = static_cast<float>(entries[j][i] - static_cast<double>(mean_[i]));
+    }
+  }
+}
+
+// Weights sum to one up to what compression leaves out, so the log that all elements share is best not weighted at all: a
+// turn of the whole cage is then as exact as float, whatever the tolerance. (What the centres miss, the offsets hold, which
+// are made with the same weights.) During a drag the mean stays with the sums.
+void FusedFrame::choose_mean(std::span<const std::array<double, log_size>> entries) {
+  for (std::size_t i = 0; i < centre_column; ++i) {
+    double sum = 0;
+    for (const auto& entry : entries) sum += entry[i];
+    mean_[i] = static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(entries.size(), 1)));
   }
 }
 
@@ -236,6 +253,7 @@ void FusedFrame::place_vertices() {
       run = {run.tiles, rows, held_.weights.data() + begin * rows, held_.rows.data(),
              held_.sums.data() + begin * log_size};
     }
+    run.mean = mean_.data();
     const float* offsets = b.offsets.data() + begin * position_size;
     float* out = positions_.data() + 4 * std::size_t(b.rings.places[leaf]);
     b.coordinates == Coordinates::face ? tiles.deform(run, offsets, out) : tiles.move(run, offsets, out);

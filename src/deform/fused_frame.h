@@ -1,6 +1,7 @@
 // The frame at the speed of memory: logs of the cage in, positions and normals out, nothing stored in between.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 
@@ -49,6 +50,7 @@ private:
   using Elements = std::vector<std::uint32_t>;
 
   void fill_table(const Pose& pose);
+  void choose_mean(std::span<const std::array<double, log_size>> entries);
   Elements moved_elements(const Pose& pose) const;
   bool others_stayed() const;
   void follow_drag(const Elements& moved);
@@ -68,7 +70,8 @@ private:
   std::size_t columns_;
   std::vector<FaceMap> maps_;
   std::vector<MapLog> logs_;
-  AlignedVector<float> table_;           // [handle][column]
+  AlignedVector<float> table_;           // [handle][column], less the mean of its column
+  std::array<float, log_size> mean_{};   // [column]
   AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
   AlignedVector<float> skeleton_table_;  // [pivot][column]
   AlignedVector<float> positions_;       // [place] of the rings, x y z x in units

@@ -25,9 +25,16 @@ struct Hand : Driver {
     return *gizmo;
   }
   const std::vector<mesh::Point>& pose() { return document().pose.positions; }
+  // In double; the floats that are shown agree with it.
   std::vector<mesh::Point> mesh() {
-    const auto p = viewer().deformer()->positions();
-    return {p.begin(), p.end()};
+    const auto exact = viewer().deformer()->exact_positions();
+    const auto shown = viewer().deformer()->positions();
+    double largest = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(exact[i][k] - shown[i][k]));
+    }
+    CHECK(largest < 2e-5 * document().cage->diagonal);
+    return exact;
   }
   // A place on the ring's near side, and one a little further on it.
   std::pair<glm::vec2, glm::vec2> on_ring(int axis, std::size_t further) {

@@ -17,11 +17,6 @@ void open_dragon(Driver& d) {
   REQUIRE(d.viewer().deformer());
 }
 
-std::vector<mesh::Point> positions(Driver& d) {
-  const auto p = d.viewer().deformer()->positions();
-  return {p.begin(), p.end()};
-}
-
 bool finite(const std::vector<mesh::Point>& points) {
   for (const auto& p : points) {
     for (const double x : p) {
@@ -40,6 +35,14 @@ double largest_distance(const std::vector<mesh::Point>& a, const std::vector<mes
 }
 
 double diagonal(Driver& d) { return 2 / d.document().space.scale; }
+
+// In double; the floats that are shown agree with it.
+std::vector<mesh::Point> positions(Driver& d) {
+  auto exact = d.viewer().deformer()->exact_positions();
+  const auto shown = d.viewer().deformer()->positions();
+  CHECK(largest_distance({shown.begin(), shown.end()}, exact) < 2e-5 * diagonal(d));
+  return exact;
+}
 
 }  // namespace
 
