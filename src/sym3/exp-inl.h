@@ -224,7 +224,9 @@ static HWY_INLINE Six<V> exp_lanes(D d, const Six<V>& s) {
   Quick<D> quick[1];
   exp_quick<1>(d, in, quick);
   if (HWY_LIKELY(hn::AllTrue(d, quick[0].ok))) return quick[0].e;
-  return exp_general(d, s, quick[0]);
+  const Six<V> matrix = s;  // copies: what is passed by reference lives in memory, on the quick way too
+  const Quick<D> copy = quick[0];
+  return exp_general(d, matrix, copy);
 }
 
 }  // namespace viete::sym3::HWY_NAMESPACE

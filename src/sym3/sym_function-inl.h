@@ -15,12 +15,20 @@ namespace viete::sym3::HWY_NAMESPACE {
 // F is a function of symmetric matrices: F::quick(d, six) -> {e, ok}, right in the lanes of ok, and
 // F::general(d, six, quick) -> six, right in all.
 
+/// The general way of copies: what is passed on by reference lives in memory, and would be stored and loaded again on the
+/// quick way too.
+template <class F, class D, class V, class Quick>
+static HWY_INLINE Six<V> generally(D d, Six<V> s, Quick quick) {
+  return F::general(d, s, quick);
+}
+
 template <class F, class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> apply(D d, const Six<V>& s) {
   const Six<V> in[1] = {s};
   typename F::template Quick<D> quick[1];
   F::template quick<1>(d, in, quick);
-  return HWY_LIKELY(hn::AllTrue(d, quick[0].ok)) ? quick[0].e : F::general(d, s, quick[0]);
+  if (HWY_LIKELY(hn::AllTrue(d, quick[0].ok))) return quick[0].e;
+  return generally<F>(d, s, quick[0]);
 }
 
 /// Fewer matrices than lanes, through a register's worth of zeros.
