@@ -8,6 +8,7 @@
 #include "app/bench_sym3.h"
 #include "app/command_line.h"
 #include "app/frame_bench.h"
+#include "app/options.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "sym3/kernel.h"
@@ -74,9 +75,9 @@ void add_bench_command(CLI::App& app, Action& action) {
     auto* sub = command->add_subcommand(bench.name, bench.text);
     auto options = std::make_shared<BenchOptions>();
     sub->add_option("--count", options->count, bench.count)->check(CLI::PositiveNumber);
-    sub->add_option("--json", options->json, "Also write the numbers to this file");
+    add_result_option(*sub, "--json", options->json, "Also write the numbers to this file");
     if (bench.has_float) sub->add_flag("--float", options->in_float, "In single precision");
-    if (bench.has_plot) sub->add_option("--plot", options->plot, "Also draw them: an SVG file");
+    if (bench.has_plot) add_result_option(*sub, "--plot", options->plot, "Also draw them: an SVG file");
     sub->callback([options, &action, run = bench.run] { action = [options, run] { return run(*options); }; });
   }
   add_frame_bench(*command, action);

@@ -11,6 +11,7 @@
 #include "app/assets.h"
 #include "app/bench_scene.h"
 #include "app/bench_table.h"
+#include "app/options.h"
 #include "app/reference_frame.h"
 #include "base/clock.h"
 #include "base/error.h"
@@ -249,7 +250,7 @@ void add_frame_bench(CLI::App& bench, Action& action) {
   command->add_option("--rounds", options->rounds, "Repetitions (default 11)")->check(CLI::PositiveNumber);
   command->add_option("--tolerance", options->tolerance, "Of compressed weights (default 3e-5)")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--json", options->json, "Also write the numbers to this file");
+  add_result_option(*command, "--json", options->json, "Also write the numbers to this file");
   command->callback([options, &action] { action = [options] { return bench_frame(*options); }; });
 }
 

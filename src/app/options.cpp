@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <map>
 
+#include "base/atomic_file.h"
+#include "base/error.h"
 #include "scene/session.h"
 
 namespace viete::app {
@@ -44,6 +46,17 @@ void add_size_option(CLI::App& app, glm::ivec2& size) {
          },
          "Size of the picture in logical pixels, WIDTHxHEIGHT")
       ->default_str("1280x800");
+}
+
+void add_result_option(CLI::App& app, const std::string& name, std::filesystem::path& target, const std::string& text) {
+  app.add_option(name, target, text)->check([](const std::string& path) -> std::string {
+    try {
+      base::check_replaceable(path);
+      return {};
+    } catch (const base::Error& error) {
+      return error.what();
+    }
+  });
 }
 
 }  // namespace viete::app

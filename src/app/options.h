@@ -21,4 +21,8 @@ void check_session_stands_alone(const std::filesystem::path& model, const std::f
 /// --size WxH in logical pixels, 16 to 8192 each.
 void add_size_option(CLI::App& app, glm::ivec2& size);
 
+/// An option that names a file to be written once the work is done. The place is tried at parsing, so that minutes of
+/// work are not lost to a misspelt folder: throws CLI::ValidationError.
+void add_result_option(CLI::App& app, const std::string& name, std::filesystem::path& target, const std::string& text);
+
 }  // namespace viete::app

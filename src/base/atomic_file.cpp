@@ -83,9 +83,8 @@ void sync_folder(const fs::path& folder) {
   close(handle);
 }
 
-}  // namespace
-
-void replace_file(const fs::path& path, std::string_view bytes, Outlives outlives) {
+// Where the bytes go; throws where no file can be.
+fs::path checked_target(const fs::path& path) {
   const fs::path target = target_of(path);
   std::error_code code;
   const fs::file_status status = fs::status(target, code);
@@ -94,6 +93,18 @@ void replace_file(const fs::path& path, std::string_view bytes, Outlives outlive
   if (fs::exists(status) && status.type() != fs::file_type::regular) {
     throw Error(path.string(), "this is not a regular file", "choose another name");
   }
+  if (target.empty()) throw Error("", "no file is named", "name a file");
+  return target;
+}
+
+}  // namespace
+
+void check_replaceable(const fs::path& path) {
+  NewFile probe(checked_target(path));  // removed again: it never becomes the target
+}
+
+void replace_file(const fs::path& path, std::string_view bytes, Outlives outlives) {
+  const fs::path target = checked_target(path);
   NewFile file(target);
   file.write_all(bytes);
   file.become_target(outlives);

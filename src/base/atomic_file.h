@@ -16,4 +16,8 @@ enum class Outlives { program, power_cut };
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
                   Outlives outlives = Outlives::power_cut);
 
+/// Throws what replace_file() would throw now for this place, for work that takes long before it writes. An
+/// existing file stays as it is.
+void check_replaceable(const std::filesystem::path& path);
+
 }  // namespace viete::base

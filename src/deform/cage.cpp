@@ -1,5 +1,6 @@
 #include "deform/cage.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "base/error.h"
@@ -11,6 +12,7 @@ namespace viete::deform {
 namespace {
 
 constexpr double degenerate_shape = 1e-12;  // area to longest edge squared; below it a triangle is a line
+constexpr double flat_shape = 1e-12;        // thickness to diagonal; below it the cage is a plane
 
 struct Corners {
   mesh::Point a, b, c;
@@ -59,8 +61,46 @@ void find_degenerate(Cage& cage) {
                           " cage triangles have no area and no influence: " + listed(found));
 }
 
+// How far the surface reaches out of the plane of one of its triangles, in units of its diagonal.
+double thickness(const Cage& cage) {
+  const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
+  const Corners t = corners(cage.surface, static_cast<std::size_t>(e));
+  const double scale = 1 / cage.diagonal;
+  const Vec3 across = cross(scale * (t.b - t.a), scale * (t.c - t.a));
+  const Vec3 normal = (1 / norm(across)) * across;
+  double least = 0, most = 0;
+  for (const auto& triangle : cage.surface.triangles) {
+    for (const auto v : triangle) {
+      const double height = dot(normal, scale * (cage.surface.positions[v] - t.a));
+      least = std::min(least, height), most = std::max(most, height);
+    }
+  }
+  return most - least;
+}
+
+// A flat sheet has an edge all around and moves what is near it; a box that is squashed flat has neither an edge
+// nor an inside.
+void refuse_squashed(const Cage& cage, const DualGraph& graph) {
+  if (graph.open > 0 || thickness(cage) > flat_shape) return;
+  throw base::Error("", "the cage is squashed flat: it closes around no volume",
+                    "choose a surface that encloses the model");
+}
+
+void refuse_fins(const DualGraph& graph) {
+  if (graph.fins.empty()) return;
+  const auto& [a, b] = graph.fins.front();
+  const auto others = graph.fins.size() - 1;
+  throw base::Error("",
+                    "the cage has a fin: an odd number of triangles meet at edge " + std::to_string(a) + "-" +
+                        std::to_string(b) + (others ? " and at " + std::to_string(others) + " more" : "") +
+                        " (vertices from 0), so that it has no inside there",
+                    "remove the faces that stick out");
+}
+
 void connect(Cage& cage) {
   DualGraph graph = dual_graph(cage.surface, cage.degenerate);
+  refuse_squashed(cage, graph);
+  refuse_fins(graph);
   cage.dual_edges = std::move(graph.edges);
   cage.roots = graph_centers(cage.element_count(), cage.dual_edges, cage.degenerate);
   cage.closed = graph.open + graph.nonmanifold + graph.misoriented == 0;
@@ -68,7 +108,7 @@ void connect(Cage& cage) {
     if (count > 0) cage.warnings.push_back(std::to_string(count) + " cage edges " + what);
   };
   warn(graph.open, "belong to one triangle only: the cage is open");
-  warn(graph.nonmanifold, "belong to three or more triangles");
+  warn(graph.nonmanifold, "belong to four or more triangles: parts of the cage touch there");
   warn(graph.misoriented, "lie between triangles of opposite orientation");
 }
 

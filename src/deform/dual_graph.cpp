@@ -49,6 +49,11 @@ std::vector<HalfEdge> half_edges(const mesh::Surface& surface) {
   return all;
 }
 
+bool is_fin(std::span<const HalfEdge> edge, std::span<const std::uint8_t> skip) {
+  if (edge.size() < 3 || edge.size() % 2 == 0) return false;
+  return std::none_of(edge.begin(), edge.end(), [&](const HalfEdge& h) { return skip[h.element]; });
+}
+
 std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
@@ -152,6 +157,9 @@ DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t>
     }
     if (end - begin == 1) ++graph.open;
     if (end - begin > 2) ++graph.nonmanifold;
+    if (is_fin(std::span(all).subspan(begin, end - begin), skip)) {
+      graph.fins.push_back({all[begin].low, all[begin].high});
+    }
     if (end - begin == 2 && all[begin].forward == all[begin + 1].forward) ++graph.misoriented;
   }
   graph.edges = without_skipped(std::move(pairs), skip);

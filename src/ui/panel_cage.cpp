@@ -6,8 +6,10 @@
 namespace viete::ui {
 
 void panel_cage(const Context& ui) {
-  if (!section(ui, "Cage")) return;
   const auto& document = ui.workspace.document;
+  const bool open = section(ui, "Cage");
+  if (document.has_cage()) section_note(ui, document.cage_file.facts.closed() ? "closed" : "open");
+  if (!open) return;
   if (!document.has_cage()) {
     note(ui, "No cage is open. A cage is a coarse mesh around the model.");
     command_button(ui, "open_cage");
@@ -17,7 +19,6 @@ void panel_cage(const Context& ui) {
   hint(document.cage_file.path.string() + "  (" + document.cage_file.format + ")");
   const auto& facts = document.cage_file.facts;
   value_row(ui, "Vertices, triangles", count(facts.vertices) + "  " + count(facts.triangles));
-  value_row(ui, "Surface", facts.closed() ? "closed" : "open");
   const auto elements = scene::element_count(*document.cage, document.selection.kind());
   value_row(ui, "Selected", count(document.selection.size()) + " of " + count(elements));
   transform_fields(ui);

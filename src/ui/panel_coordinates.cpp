@@ -21,8 +21,7 @@ void choice(const Context& ui, const char* label, const char* name, deform::Coor
 
 }  // namespace
 
-void panel_coordinates(const Context& ui) {
-  if (!section(ui, "Coordinates")) return;
+void coordinates_choice(const Context& ui) {
   choice(ui, "Faces, log space", "coordinates_face", deform::Coordinates::face,
          "Each cage triangle carries an affine map; maps are blended in log space with weights 1/d^2. Bends and twists "
          "keep volume.");

@@ -35,18 +35,22 @@ std::string mark_of(const scene::MethodStats& stats, std::size_t index) {
 
 void card_text(const Context& ui, ImVec2 at, float width, const char* title, const scene::MethodSample* sample, bool used,
                const std::string& mark, bool active) {
+  constexpr float margin = 10;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const auto line = [&](ImFont* font, float y, const std::string& text, ImU32 color) {
     ImGui::PushFont(font);
-    draw.AddText({at.x + 10, at.y + y}, color, text.c_str());
+    draw.AddText({at.x + margin, at.y + y}, color, text.c_str());
     ImGui::PopFont();
   };
   const ImU32 text = used ? ui.colors.text : ui.colors.faint;
-  line(ui.fonts.strong, 7, title, text);
-  line(ui.fonts.numbers, 29, sample ? nanoseconds(sample->ns_per_matrix) : "", text);
-  line(ui.fonts.numbers, 47, sample ? "error " + error(sample->worst_error) : "", ui.colors.faint);
-  if (active && used) draw.AddCircleFilled({at.x + width - 13, at.y + 14}, 4, ui.colors.accent);
-  line(ui.fonts.text, 64, mark, ui.colors.accent);
+  line(ui.fonts.strong, 6, title, text);
+  line(ui.fonts.numbers, 26, sample ? nanoseconds(sample->ns_per_matrix) : "", text);
+  ImGui::PushFont(ui.fonts.numbers);
+  const std::string worst = sample ? error(sample->worst_error) : "";
+  draw.AddText({at.x + width - margin - ImGui::CalcTextSize(worst.c_str()).x, at.y + 26}, ui.colors.faint, worst.c_str());
+  ImGui::PopFont();
+  if (active && used) draw.AddCircleFilled({at.x + width - 13, at.y + 13}, 4, ui.colors.accent);
+  line(ui.fonts.text, 42, mark, ui.colors.accent);
 }
 
 // One large toggle: the method's name, its time per matrix, its worst error, and what it is best at.
@@ -54,7 +58,7 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
   scene::Workspace& w = ui.workspace;
   const scene::Command& command = *scene::find_command(command_names[index]);
   const bool active = w.document.method == scene::compared_methods[index];
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 88};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 64};
   if (ImGui::InvisibleButton(command_names[index], size)) command.run(w);
   record(ui, command_names[index], used);
   const bool hovered = ImGui::IsItemHovered();
@@ -89,8 +93,9 @@ void panel_method(const Context& ui) {
   if (!used) {
     note(ui, "Not used: mean value coordinates blend positions, without an exponential.");
   } else if (w.methods.matrices > 0) {
-    note(ui, "Per matrix, on " + count(w.methods.matrices) + " of this frame; worst error");
+    note(ui, "Per matrix, and worst error, of " + count(w.methods.matrices) + " sampled");
   }
+  coordinates_choice(ui);
 }
 
 }  // namespace viete::ui

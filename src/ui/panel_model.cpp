@@ -14,8 +14,10 @@ std::string surface_text(const mesh::Facts& facts) {
 }  // namespace
 
 void panel_model(const Context& ui) {
-  if (!section(ui, "Model")) return;
   const auto& model = ui.workspace.document.model;
+  const bool open = section(ui, "Model");
+  if (model.surface) section_note(ui, surface_text(model.facts));
+  if (!open) return;
   if (!model.surface && ui.workspace.loading.running) return note(ui, ui.workspace.loading.what);
   if (!model.surface) {
     note(ui, "No model is open. Open one, or drop a file on the window.");
@@ -28,7 +30,6 @@ void panel_model(const Context& ui) {
   ImGui::PopTextWrapPos();
   hint(model.path.string() + "  (" + model.format + ")");
   value_row(ui, "Vertices, triangles", count(model.facts.vertices) + "  " + count(model.facts.triangles));
-  value_row(ui, "Surface", surface_text(model.facts));
   value_row(ui, "Diagonal", length(model.bounds.diagonal()));
   command_row(ui, {"open_model", "save_session", "save_model"});
 }

@@ -16,7 +16,6 @@ void column(const Context& ui) {
   panel_cage(ui);
   panel_checks(ui);
   panel_method(ui);
-  panel_coordinates(ui);
   panel_timings(ui);
   panel_accuracy(ui);
   panel_view(ui);

@@ -10,6 +10,7 @@
 
 namespace fs = std::filesystem;
 using namespace viete;
+using base::check_replaceable;
 using base::replace_file;
 
 TEST_CASE("a_file_is_made_and_replaced_and_nothing_else_is_left") {
@@ -38,9 +39,20 @@ TEST_CASE("what_cannot_be_written_is_an_error_that_names_the_file") {
   for (const fs::path& path :
        {folder / "none" / "a", folder / "", fs::path("/dev/null"), fs::path("/proc/a"), fs::path("")}) {
     CHECK_THROWS_AS_MESSAGE(replace_file(path, "x"), base::Error, path.string());
+    CHECK_THROWS_AS_MESSAGE(check_replaceable(path), base::Error, path.string());
   }
   CHECK(fs::is_character_file("/dev/null"));
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("trying_a_place_leaves_it_as_it_was") {
+  const test::TemporaryFolder folder;
+  check_replaceable(folder / "a");
+  CHECK(folder.entries() == 0);
+  replace_file(folder / "a", "precious");
+  check_replaceable(folder / "a");
+  CHECK(test::file_bytes(folder / "a") == "precious");
+  CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("a_failure_while_writing_leaves_the_old_file_and_no_rest") {

@@ -41,7 +41,7 @@ TEST_CASE("a_cage_of_loose_triangles_that_meet_in_space_is_closed_and_one_part")
   CHECK(cage.dual_edges == make_cage(b).dual_edges);
 }
 
-TEST_CASE("open_nonmanifold_and_misoriented_cages_warn") {
+TEST_CASE("open_and_misoriented_cages_warn") {
   auto t = box().triangles;
   t.pop_back();
   const Cage open = make_cage(from_triangles(box().positions, t));
@@ -54,14 +54,34 @@ TEST_CASE("open_nonmanifold_and_misoriented_cages_warn") {
   const Cage flipped = make_cage(from_triangles(box().positions, t));
   CHECK_FALSE(flipped.closed);
   CHECK(flipped.warnings.size() == 1);
+}
 
+TEST_CASE("a_cage_with_a_fin_is_refused_and_the_edge_named") {
   auto p = box().positions;
-  t = box().triangles;
+  auto t = box().triangles;
   p.push_back({3, 3, 3});
   t.push_back({0, 1, 8});
-  const Cage fin = make_cage(from_triangles(p, t));
-  CHECK_FALSE(fin.closed);
-  CHECK(fin.roots.size() == 1);
+  try {
+    make_cage(from_triangles(p, t));
+    FAIL("taken");
+  } catch (const viete::base::Error& error) {
+    CHECK(std::string(error.what()).find("edge 0-1 (") != std::string::npos);
+  }
+}
+
+TEST_CASE("boxes_that_touch_along_an_edge_are_a_cage_with_a_word") {
+  const Cage cage = make_cage(together(box(), box({1, 1, 1}, {2, 2, 0})));
+  CHECK_FALSE(cage.closed);
+  REQUIRE(cage.warnings.size() == 1);
+  CHECK(cage.warnings[0].find("touch") != std::string::npos);
+}
+
+TEST_CASE("a_cage_that_is_squashed_flat_is_refused_whatever_way_it_lies") {
+  auto flat = box({1, 1, 0});
+  CHECK_THROWS_AS(make_cage(flat), viete::base::Error);
+  for (auto& q : flat.positions) q = {q[0] + q[1], q[1] - 0.5 * q[0], 0.25 * q[0] + 2 * q[1]};
+  CHECK_THROWS_AS(make_cage(flat), viete::base::Error);
+  CHECK(make_cage(box({1, 1, 1e-6})).warnings.empty());
 }
 
 TEST_CASE("elements_without_area_are_named_and_do_not_cut_the_cage_into_parts") {

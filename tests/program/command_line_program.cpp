@@ -74,6 +74,9 @@ TEST_CASE("a_wrong_command_line_exits_with_2_and_says_what_is_wrong") {
   CHECK(run("render a b -o x.png --method best").code == 2);
   CHECK(run("bench nothing").code == 2);
   CHECK(mentions(run("deform a b"), "viete: --"));
+  const Outcome lost = run("bench exp --json /no/such/folder/exp.json");  // before the work, not after it
+  CHECK(lost.code == 2);
+  CHECK(mentions(lost, "/no/such/folder/exp.json: "));
 }
 
 TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model") {

@@ -2,9 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
+
 #include "scene/edit.h"
 #include "scene/files.h"
 #include "scene/saving.h"
+#include "support/data.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -161,4 +165,25 @@ TEST_CASE("what_is_opened_comes_to_the_front_of_the_recent_files") {
   REQUIRE(w.remembered.recent.size() == 3);
   CHECK(w.remembered.recent[0] == RecentFile{files.model, files.cage});
   CHECK(w.remembered.recent[1] == RecentFile{files / "a.viete", {}});
+}
+
+// An open cage may load "with a plain warning": so says its line of the manifest.
+TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_expects") {
+  const fs::path folder = test::shared_data("bad");
+  if (folder.empty()) return;
+  std::ifstream manifest(folder / "manifest.json");
+  int entries = 0;
+  for (const auto& entry : nlohmann::json::parse(manifest)) {
+    const std::string name = entry["file"], kind = entry["kind"], expect = entry["expect"];
+    if (kind != "cage" && kind != "pose") continue;
+    ++entries;
+    CAPTURE(name);
+    Workspace w;
+    REQUIRE(load_model(w, folder / "ok_mesh.obj", kind == "pose" ? folder / "ok_cage.obj" : ""));
+    const bool taken = kind == "cage" ? load_cage(w, folder / name) : load_pose(w, folder / name);
+    CHECK((taken || expect != "load"));
+    if (expect == "reject" && name != "cage_open.obj") CHECK_FALSE(taken);
+    if (name == "cage_open.obj") CHECK(w.document.cage->warnings.size() == 1);
+  }
+  CHECK(entries > 20);
 }
