@@ -15,6 +15,7 @@ constexpr TextRules off_rules{.comment = '#'};
 
 // OFF, behind ST (texture), C (colours), N (normals), 4, n (dimension), in this order.
 bool is_off_word(std::string_view word) {
+  if (word == "off") return true;
   if (!word.ends_with("OFF")) return false;
   word.remove_suffix(3);
   for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) {

@@ -24,6 +24,9 @@ bool looks_binary(std::string_view bytes) {
   if (source.bytes.starts_with("\xFF\xFE") || source.bytes.starts_with("\xFE\xFF")) {
     throw base::Error(source.name, "this is UTF-16 text", "save it as UTF-8 or ASCII");
   }
+  if (source.bytes.starts_with("\x1F\x8B") || source.bytes.starts_with("PK\3\4")) {
+    throw base::Error(source.name, "this is a compressed file", "unpack it first");
+  }
   throw base::Error(source.name, "the content is not OBJ, PLY, OFF or STL",
                     "export the model in one of these formats");
 }

@@ -37,9 +37,15 @@ bool is_exact_binary(const Source& source) {
   return source.bytes.size() >= head_bytes && source.bytes.size() == announced_bytes(source);
 }
 
+std::string lower(std::string_view word) {
+  std::string text(word.substr(0, 16));
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return text;
+}
+
 bool starts_solid(const Source& source) {
   TextCursor text(source, {});
-  return text.next_filled_line() && text.word() == "solid";
+  return text.next_filled_line() && lower(text.word()) == "solid";
 }
 
 bool holds_nul(const Source& source) {
@@ -126,12 +132,6 @@ public:
   }
 
 private:
-  static std::string lower(std::string_view word) {
-    std::string text(word.substr(0, 16));
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    return text;
-  }
-
   void statement(const std::string& word) {
     if (word == "vertex") {
       const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();

@@ -21,6 +21,7 @@ TEST_CASE("off_dialects_read_the_same") {
   const std::string dialects[] = {
       "OFF\n4 2 0\n" + body,
       "OFF 4 2 0\n" + body,
+      "off\n4 2 0\n" + body,
       "OFF\r\n4 2\r\n" + body,
       "4 2 0\n" + body,
       "# head\nOFF # note\n\n4 2 5 # counts\n\n# points\n" + body,

@@ -59,6 +59,9 @@ TEST_CASE("what_is_no_surface_is_refused") {
     CHECK(!test::refusal("\n\n\n", extension).empty());
   }
   CHECK(test::refusal(std::string("\xFF\xFEv\0 \0", 6), "obj").find("UTF-16") != std::string::npos);
+  for (const char* head : {"\x1F\x8B\x08", "PK\3\4"}) {
+    CHECK(test::refusal(head + std::string(40, '\1'), "obj").find("compressed") != std::string::npos);
+  }
 }
 
 TEST_CASE("files_that_cannot_be_read_say_why") {

@@ -72,6 +72,7 @@ TEST_CASE("stl_text_may_be_upper_case_have_several_solids_and_names") {
   CHECK(r.surface.triangles.size() == 2);
   CHECK(r.comments == std::vector<std::string>{"first part"});
   CHECK(r.warnings.empty());
+  CHECK(test::read_text("SOLID\n" + upper + "ENDSOLID\n", "stl").format == "STL ascii");
 }
 
 TEST_CASE("stl_errors_name_line_or_triangle") {
