@@ -38,29 +38,25 @@ struct Split {
   Six<V> a;
 };
 
-template <class D, class V = hn::Vec<D>>
+template <class D, class V>
 static HWY_INLINE Split<V> split(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;
   const V third = hn::Set(d, T(1) / T(3));
-  const V trace = hn::Add(hn::Add(s.xx, s.yy), s.zz);
-  const V mean = hn::Mul(trace, third);
-  const V dx = hn::Sub(s.xx, mean), dy = hn::Sub(s.yy, mean), dz = hn::Sub(s.zz, mean);
-  const V rest = hn::Mul(hn::Add(hn::Add(dx, dy), dz), third);
-  return {trace, mean, rest, {hn::Sub(dx, rest), s.xy, s.xz, hn::Sub(dy, rest), s.yz, hn::Sub(dz, rest)}};
+  const V trace = Add(Add(s.xx, s.yy), s.zz);
+  const V mean = Mul(trace, third);
+  const V dx = Sub(s.xx, mean), dy = Sub(s.yy, mean), dz = Sub(s.zz, mean);
+  const V rest = Mul(Add(Add(dx, dy), dz), third);
+  return {trace, mean, rest, {Sub(dx, rest), s.xy, s.xz, Sub(dy, rest), s.yz, Sub(dz, rest)}};
 }
 
-/// A traceless matrix with its adjugate and the two invariants: A^3 = p A + q I. (-p saves a negation.)
+/// The invariants of a traceless matrix with adjugate c: A^3 = p A + q I. (-p saves a negation.)
 template <class V>
-struct Invariants {
-  Six<V> a, c;
-  V minus_p, q;
-};
-
+static HWY_INLINE V minus_p(const Six<V>& c) {
+  return Add(Add(c.xx, c.yy), c.zz);
+}
 template <class V>
-static HWY_INLINE Invariants<V> invariants(const Six<V>& a) {
-  const Six<V> c = adjugate(a);
-  return {a, c, hn::Add(hn::Add(c.xx, c.yy), c.zz),
-          hn::MulAdd(a.xx, c.xx, hn::MulAdd(a.xy, c.xy, hn::Mul(a.xz, c.xz)))};
+static HWY_INLINE V determinant(const Six<V>& a, const Six<V>& c) {
+  return sum_of_products(a.xx, c.xx, a.xy, c.xy, a.xz, c.xz);
 }
 
 /// f(A) = z0 I + z1 A + z2 adj A for the polynomial with these coefficients and a last one of 1.
@@ -69,35 +65,30 @@ struct Coefficients {
   V z0, z1, z2;
 };
 
-/// For G registers at a time: their chains of dependent steps hide each other's latencies.
-template <int G, class D, class T, std::size_t N, class V = hn::Vec<D>>
-static HWY_INLINE void recurrence(D d, const T (&a)[N], const Invariants<V> (&v)[G],
-                                  Coefficients<V> (&z)[G]) {
+/// With other work, beside(step), beside each step: it hides the latency of this chain of dependent steps.
+template <class D, class T, std::size_t N, class V, class Beside>
+static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
-  const V c1 = hn::Set(d, a[degree - 1]), c2 = hn::Set(d, a[degree - 2]), c3 = hn::Set(d, a[degree - 3]);
-#pragma GCC unroll 4
-  for (int g = 0; g < G; ++g) {
-    z[g] = {hn::NegMulAdd(v[g].minus_p, c1, hn::Add(v[g].q, c3)), hn::Sub(c2, v[g].minus_p), c1};
-  }
+  V z2 = hn::Set(d, a[degree - 1]);
+  V z1 = Sub(hn::Set(d, a[degree - 2]), minus_p);
+  V z0 = NegMulAdd(minus_p, z2, Add(q, hn::Set(d, a[degree - 3])));
 #pragma GCC unroll 64
-  for (int k = degree - 4; k >= 0; --k) {
-    const V c = hn::Set(d, a[k]);
-#pragma GCC unroll 4
-    for (int g = 0; g < G; ++g) {
-      const V next = hn::NegMulAdd(v[g].minus_p, z[g].z1, hn::MulAdd(v[g].q, z[g].z2, c));
-      z[g] = {next, z[g].z0, z[g].z1};
-    }
+  for (int step = 0; step <= degree - 4; ++step) {
+    const V next = NegMulAdd(minus_p, z1, MulAdd(q, z2, hn::Set(d, a[degree - 4 - step])));
+    z2 = z1, z1 = z0, z0 = next;
+    beside(step);
   }
+  return {z0, z1, z2};
 }
 
 template <class V>
 static HWY_INLINE Six<V> combine(const Coefficients<V>& z, const Six<V>& a, const Six<V>& c) {
-  return {hn::MulAdd(z.z1, a.xx, hn::MulAdd(z.z2, c.xx, z.z0)),
-          hn::MulAdd(z.z1, a.xy, hn::Mul(z.z2, c.xy)),
-          hn::MulAdd(z.z1, a.xz, hn::Mul(z.z2, c.xz)),
-          hn::MulAdd(z.z1, a.yy, hn::MulAdd(z.z2, c.yy, z.z0)),
-          hn::MulAdd(z.z1, a.yz, hn::Mul(z.z2, c.yz)),
-          hn::MulAdd(z.z1, a.zz, hn::MulAdd(z.z2, c.zz, z.z0))};
+  return {MulAdd(z.z1, a.xx, MulAdd(z.z2, c.xx, z.z0)),
+          MulAdd(z.z1, a.xy, Mul(z.z2, c.xy)),
+          MulAdd(z.z1, a.xz, Mul(z.z2, c.xz)),
+          MulAdd(z.z1, a.yy, MulAdd(z.z2, c.yy, z.z0)),
+          MulAdd(z.z1, a.yz, Mul(z.z2, c.yz)),
+          MulAdd(z.z1, a.zz, MulAdd(z.z2, c.zz, z.z0))};
 }
 
 /// x = n ln 2 + r, |r| <= 0.3467; n also as the low bits of `shifted`.
@@ -106,13 +97,13 @@ struct Reduced {
   V r, n, shifted;
 };
 
-template <class D, class V = hn::Vec<D>>
+template <class D, class V>
 static HWY_INLINE Reduced<V> reduce(D d, V x) {
   using C = ExpTables<hn::TFromD<D>>;
   const V magic = hn::Set(d, C::round_magic);
-  const V shifted = hn::MulAdd(x, hn::Set(d, C::log2_e), magic);
-  const V n = hn::Sub(shifted, magic);
-  const V r = hn::NegMulAdd(n, hn::Set(d, C::ln2_low), hn::NegMulAdd(n, hn::Set(d, C::ln2_high), x));
+  const V shifted = MulAdd(x, hn::Set(d, C::log2_e), magic);
+  const V n = Sub(shifted, magic);
+  const V r = NegMulAdd(n, hn::Set(d, C::ln2_low), NegMulAdd(n, hn::Set(d, C::ln2_high), x));
   return {r, n, shifted};
 }
 
@@ -124,47 +115,48 @@ static HWY_INLINE V add_to_exponent(D d, V x, V shifted) {
   return hn::BitCast(d, hn::Add(hn::BitCast(du, x), hn::ShiftLeft<mantissa_bits>(hn::BitCast(du, shifted))));
 }
 
-/// The answer of the fast path, right in the lanes of `ok`.
-template <class D, class V = hn::Vec<D>>
-struct Quick {
-  Six<V> e;
-  hn::Mask<D> ok;
-};
+template <class D, class V>
+static HWY_INLINE Two<V> add_to_exponent(D d, Two<V> x, Two<V> shifted) {
+  return {add_to_exponent(d, x.a, shifted.a), add_to_exponent(d, x.b, shifted.b)};
+}
 
-/// Spreads up to 4.9 (float 6.9) at any trace that leaves exp in the normal range; anything else not ok.
-template <int G, class D, class V = hn::Vec<D>>
-static HWY_INLINE void exp_quick(D d, const Six<V> (&s)[G], Quick<D> (&out)[G]) {
+/// Where the polynomial serves, and e^mean alone is in the normal range.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE hn::Mask<D> is_quick(D d, V minus_p, V trace) {
+  using C = ExpTables<hn::TFromD<D>>;
+  return hn::And(hn::Ge(minus_p, hn::Set(d, -C::p_limit)), hn::Le(hn::Abs(trace), hn::Set(d, C::trace_limit)));
+}
+template <class D, class V>
+static HWY_INLINE hn::Mask<D> is_quick(D d, Two<V> minus_p, Two<V> trace) {
+  return hn::And(is_quick(d, minus_p.a, trace.a), is_quick(d, minus_p.b, trace.b));
+}
+
+/// exp(S) from its parts and the invariants of A, right where is_quick says so.
+template <class D, class V>
+static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>& c, V minus_p, V q) {
   using T = hn::TFromD<D>;
   using C = ExpTables<T>;
-  Invariants<V> v[G];
-  V r[G], shifted[G], factor[G];
-#pragma GCC unroll 4
-  for (int g = 0; g < G; ++g) {
-    const Split<V> m = split(d, s[g]);
-    v[g] = invariants(m.a);
-    out[g].ok = hn::And(hn::Ge(v[g].minus_p, hn::Set(d, -C::p_limit)),
-                        hn::Le(hn::Abs(m.trace), hn::Set(d, C::trace_limit)));
-    const Reduced<V> e = reduce(d, m.mean);
-    r[g] = hn::Add(e.r, m.rest), shifted[g] = e.shifted;
-  }
   constexpr int degree = sizeof(C::exp_table) / sizeof(T) - 1;
-#pragma GCC unroll 4
-  for (int g = 0; g < G; ++g) factor[g] = hn::Set(d, C::exp_table[degree] * C::lead);
-#pragma GCC unroll 32
-  for (int k = degree - 1; k >= 0; --k) {
-    const V c = hn::Set(d, C::exp_table[k] * C::lead);
-#pragma GCC unroll 4
-    for (int g = 0; g < G; ++g) factor[g] = hn::MulAdd(factor[g], r[g], c);
-  }
-#pragma GCC unroll 4
-  for (int g = 0; g < G; ++g) factor[g] = add_to_exponent(d, factor[g], shifted[g]);
-  Coefficients<V> z[G];
-  recurrence<G>(d, C::taylor, v, z);
-#pragma GCC unroll 4
-  for (int g = 0; g < G; ++g) {
-    const V f = factor[g];
-    out[g].e = combine({hn::Mul(z[g].z0, f), hn::Mul(z[g].z1, f), hn::Mul(z[g].z2, f)}, v[g].a, v[g].c);
-  }
+  const Reduced<V> x = reduce(d, m.mean);
+  const V r = Add(x.r, m.rest);
+  V factor = hn::Set(d, C::exp_table[degree] * C::lead);
+  const Coefficients<V> z = recurrence(d, C::taylor, minus_p, q, [&](int step) HWY_ATTR __attribute__((always_inline)) {
+    if (step < degree) factor = MulAdd(factor, r, hn::Set(d, C::exp_table[degree - 1 - step] * C::lead));
+  });
+  factor = add_to_exponent(d, factor, x.shifted);
+  return combine({Mul(z.z0, factor), Mul(z.z1, factor), Mul(z.z2, factor)}, m.a, c);
+}
+
+/// The fast path, V one register or Two: true if it served every lane, for spreads up to 4.9 (float 6.9) at any trace that
+/// leaves exp in the normal range.
+template <class D, class V>
+static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
+  const Split<V> m = split(d, s);
+  const Six<V> c = adjugate(m.a);
+  const V p = minus_p(c), q = determinant(m.a, c);
+  if (HWY_UNLIKELY(!hn::AllTrue(d, is_quick(d, p, m.trace)))) return false;
+  e = exp_by_polynomial(d, m, c, p, q);
+  return true;
 }
 
 /// m e^(x + rest) for any x; over- and underflow entry by entry. Four factors, because 2^n alone may be out
@@ -184,14 +176,15 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
-/// Any input, given what exp_quick made of it: squarings lane by lane, and what is left one by one.
+/// Any input: what the fast path cannot do by squarings lane by lane, and what is left one by one.
 template <class D, class V = hn::Vec<D>>
-static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s, const Quick<D>& quick) {
+static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;
   using C = ExpTables<T>;
   const V limit = hn::Set(d, C::p_limit), half = hn::Set(d, T(0.5));
   const Split<V> m = split(d, s);
-  V p = hn::Neg(invariants(m.a).minus_p), scale = hn::Set(d, T(1)), squarings = hn::Zero(d);
+  const Six<V> unscaled = adjugate(m.a);
+  V p = hn::Neg(minus_p(unscaled)), scale = hn::Set(d, T(1)), squarings = hn::Zero(d);
   for (int j = 0; j < C::max_squarings; ++j) {
     const auto large = hn::Gt(p, limit);
     if (hn::AllFalse(d, large)) break;
@@ -199,20 +192,21 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s, const Quick<D>& qui
     scale = hn::IfThenElse(large, hn::Mul(scale, half), scale);
     squarings = hn::Add(squarings, hn::IfThenElseZero(large, hn::Set(d, T(1))));
   }
+  const auto ok = is_quick(d, minus_p(unscaled), m.trace);
+  const Six<V> quick = exp_by_polynomial(d, m, unscaled, minus_p(unscaled), determinant(m.a, unscaled));
+  if (hn::AllTrue(d, ok)) return quick;
   const auto in_reach = hn::AndNot(is_diagonal(d, s), hn::Le(p, limit));
-  const Invariants<V> v[1] = {invariants(times(m.a, scale))};
-  Coefficients<V> z[1];
-  recurrence<1>(d, C::taylor, v, z);
+  const Six<V> a = times(m.a, scale), c = adjugate(a);
+  const Coefficients<V> z = recurrence(d, C::taylor, minus_p(c), determinant(a, c), [](int) {});
   const V lead = hn::Set(d, C::lead);
-  Six<V> e =
-      combine({hn::Mul(z[0].z0, lead), hn::Mul(z[0].z1, lead), hn::Mul(z[0].z2, lead)}, v[0].a, v[0].c);
+  Six<V> e = combine({hn::Mul(z.z0, lead), hn::Mul(z.z1, lead), hn::Mul(z.z2, lead)}, a, c);
   for (int j = 0; j < C::max_squarings; ++j) {
     const auto more = hn::Gt(squarings, hn::Set(d, T(j)));
     if (hn::AllFalse(d, more)) break;
     e = select(more, square(e), e);
   }
-  e = select(quick.ok, quick.e, times_exp(d, e, m.mean, m.rest));
-  const auto good = hn::Or(quick.ok, hn::And(in_reach, is_finite(d, e)));
+  e = select(ok, quick, times_exp(d, e, m.mean, m.rest));
+  const auto good = hn::Or(ok, hn::And(in_reach, is_finite(d, e)));
   if (hn::AllTrue(d, good)) return e;
   return replace_lanes(d, hn::Not(good), s, e, [](const T* in, T* out) { exp_by_jacobi(in, out); });
 }
@@ -220,13 +214,19 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s, const Quick<D>& qui
 /// exp of one matrix a lane. T = float or double; any number of lanes.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_lanes(D d, const Six<V>& s) {
-  const Six<V> in[1] = {s};
-  Quick<D> quick[1];
-  exp_quick<1>(d, in, quick);
-  if (HWY_LIKELY(hn::AllTrue(d, quick[0].ok))) return quick[0].e;
-  const Six<V> matrix = s;  // copies: what is passed by reference lives in memory, on the quick way too
-  const Quick<D> copy = quick[0];
-  return exp_general(d, matrix, copy);
+  Six<V> e;
+  if (HWY_LIKELY(exp_quick(d, s, e))) return e;
+  const Six<V> matrix = s;  // a copy: what is passed by reference lives in memory, on the quick way too
+  return exp_general(d, matrix);
+}
+
+/// The same for two registers at a time, in two thirds of the time of one after the other.
+template <class D, class V>
+static HWY_INLINE Six<Two<V>> exp_lanes(D d, const Six<Two<V>>& s) {
+  Six<Two<V>> e;
+  if (HWY_LIKELY(exp_quick(d, s, e))) return e;
+  const Six<V> a = first(s), b = second(s);
+  return together(exp_general(d, a), exp_general(d, b));
 }
 
 }  // namespace viete::sym3::HWY_NAMESPACE

@@ -10,16 +10,13 @@ HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
 struct Exp {
-  template <class D>
-  using Quick = HWY_NAMESPACE::Quick<D>;
-
-  template <int G, class D, class V>
-  static HWY_INLINE void quick(D d, const Six<V> (&s)[G], Quick<D> (&out)[G]) {
-    exp_quick<G>(d, s, out);
+  template <class D, class V>
+  static HWY_INLINE bool quick(D d, const Six<V>& s, Six<V>& e) {
+    return exp_quick(d, s, e);
   }
   template <class D, class V>
-  static HWY_INLINE Six<V> general(D d, const Six<V>& s, const Quick<D>& quick) {
-    return exp_general(d, s, quick);
+  static HWY_INLINE Six<V> general(D d, const Six<V>& s) {
+    return exp_general(d, s);
   }
 };
 

@@ -14,10 +14,18 @@ namespace viete::sym3::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Symmetric matrices, one a lane.
+/// Symmetric matrices, one a lane. Copied entry by entry, because GCC would copy the whole through memory.
 template <class V>
 struct Six {
   V xx, xy, xz, yy, yz, zz;
+
+  Six() = default;
+  HWY_INLINE Six(V xx, V xy, V xz, V yy, V yz, V zz) : xx(xx), xy(xy), xz(xz), yy(yy), yz(yz), zz(zz) {}
+  HWY_INLINE Six(const Six& m) : Six(m.xx, m.xy, m.xz, m.yy, m.yz, m.zz) {}
+  HWY_INLINE Six& operator=(const Six& m) {
+    xx = m.xx, xy = m.xy, xz = m.xz, yy = m.yy, yz = m.yz, zz = m.zz;
+    return *this;
+  }
 };
 
 /// Vectors of three, one a lane.
@@ -31,6 +39,39 @@ template <class V>
 struct Nine {
   V xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
+
+/// Two registers that go through the same steps in turn, written as one: their chains of dependent operations hide each
+/// other's latencies. Arithmetic on V and on Two<V> alike is called without hn::, which argument-dependent lookup finds.
+template <class V>
+struct Two {
+  V a, b;
+
+  Two() = default;
+  HWY_INLINE Two(V both) : a(both), b(both) {}
+  HWY_INLINE Two(V a, V b) : a(a), b(b) {}
+
+  friend HWY_INLINE Two Add(Two x, Two y) { return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)}; }
+  friend HWY_INLINE Two Sub(Two x, Two y) { return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)}; }
+  friend HWY_INLINE Two Mul(Two x, Two y) { return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)}; }
+  friend HWY_INLINE Two MulAdd(Two x, Two y, Two z) { return {hn::MulAdd(x.a, y.a, z.a), hn::MulAdd(x.b, y.b, z.b)}; }
+  friend HWY_INLINE Two MulSub(Two x, Two y, Two z) { return {hn::MulSub(x.a, y.a, z.a), hn::MulSub(x.b, y.b, z.b)}; }
+  friend HWY_INLINE Two NegMulAdd(Two x, Two y, Two z) {
+    return {hn::NegMulAdd(x.a, y.a, z.a), hn::NegMulAdd(x.b, y.b, z.b)};
+  }
+};
+
+template <class V>
+static HWY_INLINE Six<Two<V>> together(const Six<V>& a, const Six<V>& b) {
+  return {{a.xx, b.xx}, {a.xy, b.xy}, {a.xz, b.xz}, {a.yy, b.yy}, {a.yz, b.yz}, {a.zz, b.zz}};
+}
+template <class V>
+static HWY_INLINE Six<V> first(const Six<Two<V>>& m) {
+  return {m.xx.a, m.xy.a, m.xz.a, m.yy.a, m.yz.a, m.zz.a};
+}
+template <class V>
+static HWY_INLINE Six<V> second(const Six<Two<V>>& m) {
+  return {m.xx.b, m.xy.b, m.xz.b, m.yy.b, m.yz.b, m.zz.b};
+}
 
 template <class V>
 static HWY_INLINE Six<V> times(const Six<V>& m, V s) {
@@ -49,7 +90,7 @@ static HWY_INLINE Six<V> select(M mask, const Six<V>& yes, const Six<V>& no) {
 /// a b + c d + e f.
 template <class V>
 static HWY_INLINE V sum_of_products(V a, V b, V c, V d, V e, V f) {
-  return hn::MulAdd(a, b, hn::MulAdd(c, d, hn::Mul(e, f)));
+  return MulAdd(a, b, MulAdd(c, d, Mul(e, f)));
 }
 
 template <class V>
@@ -65,7 +106,7 @@ static HWY_INLINE Six<V> square(const Six<V>& m) {
 /// a b - c d.
 template <class V>
 static HWY_INLINE V difference_of_products(V a, V b, V c, V d) {
-  return hn::MulSub(a, b, hn::Mul(c, d));
+  return MulSub(a, b, Mul(c, d));
 }
 
 template <class V>

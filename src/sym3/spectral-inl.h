@@ -23,7 +23,8 @@ namespace viete::sym3::HWY_NAMESPACE {
 /// The eigenvalues of S: mean + size times a, b, c; b >= c are the closer pair, a is far from both.
 template <class V>
 struct Spectrum {
-  Invariants<V> v;             ///< of B
+  Six<V> matrix, adjugate;     ///< B and C
+  V minus_p, q;                ///< of B
   V mean, size, a, b, c, gap;  ///< gap = b - c
   V at_a, at_b, at_c;          ///< the eigenvalues
 };
@@ -47,13 +48,13 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
 
 /// The sum of the squares of the minors of B and of the traceless part of C: 4/3 of the discriminant.
 template <class D, class V>
-static HWY_INLINE V squared_minors(D d, const Invariants<V>& v) {
+static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
   const V root3 = hn::Set(d, T(1.7320508075688772)), two = hn::Set(d, T(2)), third = hn::Set(d, T(1) / T(3));
-  const V x[5] = {hn::Sub(v.a.xx, v.a.yy), hn::Mul(root3, v.a.zz), hn::Mul(two, v.a.xy), hn::Mul(two, v.a.xz),
-                  hn::Mul(two, v.a.yz)};
-  const V y[5] = {hn::Sub(v.c.xx, v.c.yy), hn::Mul(root3, hn::NegMulAdd(third, v.minus_p, v.c.zz)),
-                  hn::Mul(two, v.c.xy), hn::Mul(two, v.c.xz), hn::Mul(two, v.c.yz)};
+  const V x[5] = {hn::Sub(b.xx, b.yy), hn::Mul(root3, b.zz), hn::Mul(two, b.xy), hn::Mul(two, b.xz),
+                  hn::Mul(two, b.yz)};
+  const V y[5] = {hn::Sub(c.xx, c.yy), hn::Mul(root3, hn::NegMulAdd(third, minus_p, c.zz)),
+                  hn::Mul(two, c.xy), hn::Mul(two, c.xz), hn::Mul(two, c.yz)};
   V sum = hn::Zero(d);
 #pragma GCC unroll 5
   for (int i = 0; i < 5; ++i) {
@@ -74,15 +75,16 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   Spectrum<V> e;
   V inverse;
   power_of_two_below(d, largest_entry(m.a), e.size, inverse);
-  e.v = invariants(times(m.a, inverse));
-  const V g2 = hn::Mul(hn::Neg(e.v.minus_p), hn::Set(d, T(1) / T(3))), g = hn::Sqrt(g2);
-  const V sine3 = hn::Mul(hn::Sqrt(squared_minors(d, e.v)), hn::Set(d, T(1) / T(6)));
+  e.matrix = times(m.a, inverse), e.adjugate = adjugate(e.matrix);
+  e.minus_p = minus_p(e.adjugate), e.q = determinant(e.matrix, e.adjugate);
+  const V g2 = hn::Mul(hn::Neg(e.minus_p), hn::Set(d, T(1) / T(3))), g = hn::Sqrt(g2);
+  const V sine3 = hn::Mul(hn::Sqrt(squared_minors(d, e.matrix, e.adjugate, e.minus_p)), hn::Set(d, T(1) / T(6)));
   const V tiny = hn::Set(d, T(1e-37));
-  const V cosine3 = hn::MulAdd(hn::Add(g2, g2), g, hn::Add(hn::Abs(e.v.q), tiny));
+  const V cosine3 = hn::MulAdd(hn::Add(g2, g2), g, hn::Add(hn::Abs(e.q), tiny));
   const V u = hn::Min(hn::Div(sine3, cosine3), hn::Set(d, T(1)));  // tan(3 t / 2)
   const V w = hn::Mul(u, u);
   const V sine = hn::Mul(u, horner(d, C::sine, w)), cosine = horner(d, C::cosine, w);
-  const V far = hn::CopySign(hn::Mul(hn::Add(g, g), cosine), e.v.q);
+  const V far = hn::CopySign(hn::Mul(hn::Add(g, g), cosine), e.q);
   const V half_gap = hn::Mul(hn::Mul(g, sine), hn::Set(d, T(1.7320508075688772)));
   e.a = far;
   e.b = hn::NegMulAdd(far, hn::Set(d, T(0.5)), half_gap);
@@ -110,7 +112,7 @@ template <class V>
 static HWY_INLINE Six<V> newton_form(const Spectrum<V>& e, V at_b, V over_bc, V over_abc) {
   const V z1 = hn::MulAdd(e.a, over_abc, over_bc);
   const V z0 = hn::NegMulAdd(e.b, over_bc, hn::MulAdd(hn::Mul(e.a, e.a), over_abc, at_b));
-  return combine({z0, z1, over_abc}, e.v.a, e.v.c);
+  return combine({z0, z1, over_abc}, e.matrix, e.adjugate);
 }
 
 template <class D, class V>

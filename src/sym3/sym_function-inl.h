@@ -12,23 +12,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-// F is a function of symmetric matrices: F::quick(d, six) -> {e, ok}, right in the lanes of ok, and
-// F::general(d, six, quick) -> six, right in all.
-
-/// The general way of copies: what is passed on by reference lives in memory, and would be stored and loaded again on the
-/// quick way too.
-template <class F, class D, class V, class Quick>
-static HWY_INLINE Six<V> generally(D d, Six<V> s, Quick quick) {
-  return F::general(d, s, quick);
-}
+// F is a function of symmetric matrices: F::quick(d, s, e), of one register or of Two, answers whether it found
+// e in every lane; F::general(d, s) always does.
 
 template <class F, class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> apply(D d, const Six<V>& s) {
-  const Six<V> in[1] = {s};
-  typename F::template Quick<D> quick[1];
-  F::template quick<1>(d, in, quick);
-  if (HWY_LIKELY(hn::AllTrue(d, quick[0].ok))) return quick[0].e;
-  return generally<F>(d, s, quick[0]);
+  Six<V> e;
+  if (HWY_LIKELY(F::quick(d, s, e))) return e;
+  const Six<V> matrix = s;  // a copy: what is passed by reference lives in memory, on the quick way too
+  return F::general(d, matrix);
 }
 
 /// Fewer matrices than lanes, through a register's worth of zeros.
@@ -43,47 +35,47 @@ static HWY_NOINLINE void apply_rest(D d, const View<const T, 6>& in, const View<
   scatter(rows, lanes, count, out, i);
 }
 
-/// Two registers' worth at a time: independent work hides the latencies. All of an input group is read before
-/// any of its output is written, so in == out is fine.
+/// Two registers' worth at a time. Both are read before any output is written, so in == out is fine. Returns where it
+/// stopped. (A function of its own: a second loop over the same constants would take their registers.)
 template <class F, class From, class To, bool streaming, class D, class T>
-static HWY_INLINE void apply_groups(D d, View<const T, 6> in, View<T, 6> out, std::size_t begin,
-                                    std::size_t end) {
+static HWY_NOINLINE std::size_t apply_pairs(D d, View<const T, 6> in, View<T, 6> out, std::size_t i,
+                                            std::size_t end) {
   const std::size_t lanes = hn::Lanes(d);
-  constexpr int G = 2;
-  std::size_t i = begin;
-  for (; i + G * lanes <= end; i += G * lanes) {
+  for (; i + 2 * lanes <= end; i += 2 * lanes) {
     if constexpr (streaming) From::prefetch(in, i);
-    Six<hn::Vec<D>> s[G];
-    typename F::template Quick<D> quick[G];
-#pragma GCC unroll 4
-    for (int g = 0; g < G; ++g) s[g] = From::load(d, in, i + g * lanes);
-    F::template quick<G>(d, s, quick);
-    hn::Mask<D> ok = quick[0].ok;
-#pragma GCC unroll 4
-    for (int g = 1; g < G; ++g) ok = hn::And(ok, quick[g].ok);
-    if (HWY_UNLIKELY(!hn::AllTrue(d, ok))) {
-      for (int g = 0; g < G; ++g) quick[g].e = F::general(d, From::load(d, in, i + g * lanes), quick[g]);
+    Six<Two<hn::Vec<D>>> e;
+    if (HWY_UNLIKELY(!F::quick(d, together(From::load(d, in, i), From::load(d, in, i + lanes)), e))) {
+      To::template store<streaming>(d, F::general(d, From::load(d, in, i)), out, i);
+      To::template store<streaming>(d, F::general(d, From::load(d, in, i + lanes)), out, i + lanes);
+      continue;
     }
-#pragma GCC unroll 4
-    for (int g = 0; g < G; ++g) To::template store<streaming>(d, quick[g].e, out, i + g * lanes);
+    To::template store<streaming>(d, first(e), out, i);
+    To::template store<streaming>(d, second(e), out, i + lanes);
   }
-  while (i + lanes <= end) {
+  return i;
+}
+
+template <class F, class From, class To, bool streaming, class D, class T>
+static HWY_INLINE void apply_all(D d, const View<const T, 6>& in, const View<T, 6>& out, std::size_t begin,
+                                 std::size_t end) {
+  std::size_t i = apply_pairs<F, From, To, streaming>(d, in, out, begin, end);
+  if (i + hn::Lanes(d) <= end) {
     To::template store<streaming>(d, apply<F>(d, From::load(d, in, i)), out, i);
-    i += lanes;
+    i += hn::Lanes(d);
   }
   if (i < end) apply_rest<F>(d, in, out, i, end - i);
 }
 
 template <class F, class Way, class D, class T>
-static HWY_NOINLINE void apply_direct(D d, const View<const T, 6>& in, const View<T, 6>& out,
+static HWY_INLINE void apply_direct(D d, const View<const T, 6>& in, const View<T, 6>& out,
                                       const Range& range, bool aligned) {
   if constexpr (Way::can_stream && hn::MaxLanes(D()) > 1) {
     if (range.stream && aligned) {
-      apply_groups<F, Way, Way, true>(d, in, out, range.begin, range.end);
+      apply_all<F, Way, Way, true>(d, in, out, range.begin, range.end);
       return hwy::FlushStream();
     }
   }
-  apply_groups<F, Way, Way, false>(d, in, out, range.begin, range.end);
+  apply_all<F, Way, Way, false>(d, in, out, range.begin, range.end);
 }
 
 /// Any layout to any other, through a tile of planes that stays in the first cache.
@@ -101,7 +93,7 @@ static HWY_NOINLINE void apply_tiles(D d, const View<const T, 6>& in, const View
   for (std::size_t i = range.begin; i < range.end; i += tile) {
     const std::size_t count = range.end - i < tile ? range.end - i : tile;
     gather(in, i, count, rows, stride);
-    apply_groups<F, InPlanes, InPlanes, false>(d, same, planes, 0, count);
+    apply_all<F, InPlanes, InPlanes, false>(d, same, planes, 0, count);
     scatter(rows, stride, count, out, i);
   }
 }

@@ -21,7 +21,7 @@ enum class Layout : unsigned char {
 /// overlap each other. The last block of `blocks` is whole in memory; what lies beyond the count is neither
 /// read nor written. Symmetric matrices in `full` are read at 0 1 2 4 5 8 and written everywhere.
 /// Speed: blocks and planes are fastest; strides between planes that are multiples of 4096 bytes are slow
-/// (they share cache sets: see padded_stride).
+/// (see padded_stride).
 template <class T, int N>
 struct View {
   Layout layout = Layout::packed;
@@ -63,12 +63,12 @@ SymView<const T> packed(const Sym3<T>* data) {
   return {Layout::packed, reinterpret_cast<const T*>(data)};
 }
 
-/// The smallest stride for planes of `count` numbers that starts each at 64 bytes and off the others' cache
-/// sets: an odd multiple of 64 bytes.
+/// A stride for planes of `count` numbers that start each at 64 bytes and 448 bytes further into a page than the one
+/// before: off the others' cache sets, and off the stores that a processor cannot tell from loads 4096 bytes away.
 template <class T>
 constexpr std::size_t padded_stride(std::size_t count) {
-  constexpr std::size_t line = 64 / sizeof(T);
-  return ((count + line - 1) / line | 1) * line;
+  constexpr std::size_t page = 4096 / sizeof(T), step = 448 / sizeof(T);
+  return count <= step ? step : (count - step + page - 1) / page * page + step;
 }
 
 /// Numbers that blocks of `count` items of N entries take.
