@@ -50,9 +50,15 @@ struct InPlanes {
   static HWY_INLINE void store(D d, const Six<V>& m, const View<T, 6>& v, std::size_t i) {
     store_six<streaming>(d, m, [&](int k) HWY_ATTR { return v.plane[k] + i; });
   }
-  template <class T>
-  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t) {}
+  template <class D, class T>
+  static HWY_INLINE void prefetch(D, const View<const T, 6>&, std::size_t) {}
 };
+
+/// The cache lines of `bytes` bytes that are read a little later than those at p.
+static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
+  constexpr std::size_t distance = 2048;
+  for (std::size_t k = 0; k < bytes; k += 64) hwy::Prefetch(static_cast<const char*>(p) + distance + k);
+}
 
 struct InBlocks {
   static constexpr bool can_stream = true;
@@ -72,11 +78,9 @@ struct InBlocks {
     T* data = v.plane[0] + offset<T>(i);
     store_six<streaming>(d, m, [=](int k) HWY_ATTR { return data + k * (64 / sizeof(T)); });
   }
-  template <class T>
-  static HWY_INLINE void prefetch(const View<const T, 6>& v, std::size_t i) {
-    constexpr std::size_t line = 64 / sizeof(T), ahead = 5;  // blocks
-    const T* data = v.plane[0] + offset<T>(i) + ahead * 6 * line;
-    for (int k = 0; k < 6; ++k) hwy::Prefetch(data + k * line);
+  template <class D, class T>
+  static HWY_INLINE void prefetch(D, const View<const T, 6>& v, std::size_t i) {
+    prefetch_beyond(v.plane[0] + offset<T>(i), 2 * 6 * sizeof(hn::Vec<D>));
   }
 };
 
@@ -89,9 +93,15 @@ static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]
 #endif
 }
 
+/// `count` registers from where they were just put together, past the caches.
+template <class D, class T>
+static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) hn::Stream(hn::Load(d, from + k * hn::Lanes(d)), d, to + k * hn::Lanes(d));
+}
+
 /// Six numbers are two triples: three-way interleaving gives entries 0, 1, 2 alternating with 3, 4, 5.
 struct InPacked {
-  static constexpr bool can_stream = false;
+  static constexpr bool can_stream = true;
 
   template <class D, class T>
   static HWY_INLINE Six<hn::Vec<D>> load(D d, const View<const T, 6>& v, std::size_t i) {
@@ -104,13 +114,65 @@ struct InPacked {
   }
   template <bool streaming, class D, class T, class V>
   static HWY_INLINE void store(D d, Six<V> m, const View<T, 6>& v, std::size_t i) {
-    T* data = v.plane[0] + 6 * i;
+    HWY_ALIGN T here[6 * hn::MaxLanes(D())];
+    T* const there = v.plane[0] + 6 * i;
+    T* data = streaming ? here : there;
     transpose_pairs(d, m.xx, m.yy), transpose_pairs(d, m.xy, m.yz), transpose_pairs(d, m.xz, m.zz);
     hn::StoreInterleaved3(m.xx, m.xy, m.xz, d, data);
     hn::StoreInterleaved3(m.yy, m.yz, m.zz, d, data + 3 * hn::Lanes(d));
+    if constexpr (streaming) stream(d, here, there, 6);
   }
-  template <class T>
-  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t) {}
+  template <class D, class T>
+  static HWY_INLINE void prefetch(D, const View<const T, 6>& v, std::size_t i) {
+    prefetch_beyond(v.plane[0] + 6 * i, 2 * 6 * sizeof(hn::Vec<D>));
+  }
+};
+
+/// Nine numbers are three triples of numbers, and three triples are one of triples: three-way interleaving twice.
+template <class D, class T, class V = hn::Vec<D>>
+static HWY_INLINE void load_nine(D d, const T* data, V (&e)[9]) {
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  HWY_ALIGN T third[3][3 * lanes];
+  for (std::size_t r = 0; r < 3; ++r) {
+    V a, b, c;
+    hn::LoadInterleaved3(d, data + 3 * r * lanes, a, b, c);
+    hn::Store(a, d, third[0] + r * lanes), hn::Store(b, d, third[1] + r * lanes), hn::Store(c, d, third[2] + r * lanes);
+  }
+  for (int k = 0; k < 3; ++k) hn::LoadInterleaved3(d, third[k], e[k], e[3 + k], e[6 + k]);
+}
+
+template <class D, class T, class V>
+static HWY_INLINE void store_nine(D d, const V (&e)[9], T* data) {
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  HWY_ALIGN T third[3][3 * lanes];
+  for (int k = 0; k < 3; ++k) hn::StoreInterleaved3(e[k], e[3 + k], e[6 + k], d, third[k]);
+  for (std::size_t r = 0; r < 3; ++r) {
+    hn::StoreInterleaved3(hn::Load(d, third[0] + r * lanes), hn::Load(d, third[1] + r * lanes),
+                          hn::Load(d, third[2] + r * lanes), d, data + 3 * r * lanes);
+  }
+}
+
+struct InFull {
+  static constexpr bool can_stream = true;
+
+  template <class D, class T>
+  static HWY_INLINE Six<hn::Vec<D>> load(D d, const View<const T, 6>& v, std::size_t i) {
+    hn::Vec<D> e[9];
+    load_nine(d, v.plane[0] + 9 * i, e);
+    return {e[0], e[1], e[2], e[4], e[5], e[8]};
+  }
+  template <bool streaming, class D, class T, class V>
+  static HWY_INLINE void store(D d, const Six<V>& m, const View<T, 6>& v, std::size_t i) {
+    const V e[9] = {m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz};
+    HWY_ALIGN T here[9 * hn::MaxLanes(D())];
+    T* const there = v.plane[0] + 9 * i;
+    store_nine(d, e, streaming ? here : there);
+    if constexpr (streaming) stream(d, here, there, 9);
+  }
+  template <class D, class T>
+  static HWY_INLINE void prefetch(D, const View<const T, 6>& v, std::size_t i) {
+    prefetch_beyond(v.plane[0] + 9 * i, 2 * 9 * sizeof(hn::Vec<D>));
+  }
 };
 
 /// Moves one number; the layouts below know where from and where to.
@@ -123,12 +185,14 @@ struct OutOf {
   static HWY_INLINE void move(T* item, const T* row) { *item = *row; }
 };
 
+/// Where the entries of Sym3 are among all nine.
+inline constexpr int entry_in_nine[9] = {0, 1, 2, 4, 5, 8};
+
 /// Items [i, i + count) one by one between a view and rows of `stride` numbers.
 template <class Way, class T, int N, class Row>
 static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
                                 std::size_t stride) {
   constexpr std::size_t line = 64 / sizeof(T);
-  constexpr int in_full[] = {0, 1, 2, 4, 5, 8, 0, 0, 0};
   if (v.layout == Layout::planes) {
     for (int k = 0; k < N; ++k) {
       for (std::size_t j = 0; j < count; ++j) Way::move(v.plane[k] + i + j, rows + k * stride + j);
@@ -148,23 +212,50 @@ static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t 
     for (std::size_t j = 0; j < count; ++j) {
       T* item = v.plane[0] + 9 * (i + j);
 #pragma GCC unroll 16
-      for (int k = 0; k < N; ++k) Way::move(item + in_full[k], rows + k * stride + j);
+      for (int k = 0; k < N; ++k) Way::move(item + entry_in_nine[k], rows + k * stride + j);
     }
   }
 }
 
+/// Whether items of a view are nine numbers in a row.
 template <class T, int N>
-static HWY_NOINLINE void gather(const View<const T, N>& v, std::size_t i, std::size_t count, T* rows,
-                                std::size_t stride) {
-  transfer<Into<T>>(v, i, count, rows, stride);
+static HWY_INLINE bool is_nine(const View<T, N>& v) {
+  return v.layout == Layout::full || (N == 9 && v.layout == Layout::packed);
 }
 
-template <class T, int N>
-static HWY_NOINLINE void scatter(const T* rows, std::size_t stride, std::size_t count, const View<T, N>& v,
+/// Items [i, i + count) to rows of `stride` numbers.
+template <class D, class T, int N>
+static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, std::size_t count, T* rows,
+                                std::size_t stride) {
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  std::size_t j = 0;
+  if (is_nine(v)) {
+    for (; j + lanes <= count; j += lanes) {
+      hn::Vec<D> e[9];
+      load_nine(d, v.plane[0] + 9 * (i + j), e);
+      for (int k = 0; k < N; ++k) hn::Store(e[N == 9 ? k : entry_in_nine[k]], d, rows + k * stride + j);
+    }
+  }
+  transfer<Into<T>>(v, i + j, count - j, rows + j, stride);
+}
+
+/// And back.
+template <class D, class T, int N>
+static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::size_t count, const View<T, N>& v,
                                  std::size_t i) {
-  transfer<OutOf<T>>(v, i, count, rows, stride);
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  constexpr int entry_of_six[] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+  std::size_t j = 0;
+  if (is_nine(v)) {
+    for (; j + lanes <= count; j += lanes) {
+      hn::Vec<D> e[9];
+      for (int k = 0; k < 9; ++k) e[k] = hn::Load(d, rows + (N == 9 ? k : entry_of_six[k]) * stride + j);
+      store_nine(d, e, v.plane[0] + 9 * (i + j));
+    }
+  }
+  transfer<OutOf<T>>(v, i + j, count - j, rows + j, stride);
   if (v.layout != Layout::full) return;
-  for (std::size_t j = 0; j < count; ++j) {
+  for (; j < count; ++j) {
     T* m = v.plane[0] + 9 * (i + j);
     m[3] = m[1], m[6] = m[2], m[7] = m[5];
   }

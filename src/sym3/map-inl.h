@@ -65,9 +65,9 @@ static HWY_NOINLINE void map_tiles(D d, const F& f, const View<const T, F::in>& 
   const auto to_rows = rows_of<T, F::out>(to, stride);
   for (std::size_t i = begin; i < end; i += tile) {
     const std::size_t count = end - i < tile ? end - i : tile;
-    gather(in, i, count, from, stride);
+    gather(d, in, i, count, from, stride);
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) map_registers<1>(d, f, from_rows, to_rows, j);
-    scatter(to, stride, count, out, i);
+    scatter(d, to, stride, count, out, i);
   }
 }
 

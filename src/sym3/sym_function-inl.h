@@ -29,10 +29,10 @@ static HWY_NOINLINE void apply_rest(D d, const View<const T, 6>& in, const View<
                                     std::size_t count) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
   HWY_ALIGN T rows[6 * lanes] = {};
-  gather(in, i, count, rows, lanes);
+  gather(d, in, i, count, rows, lanes);
   const auto at = [&](int k) HWY_ATTR { return rows + k * lanes; };
   store_six<false>(d, apply<F>(d, load_six(d, at)), at);
-  scatter(rows, lanes, count, out, i);
+  scatter(d, rows, lanes, count, out, i);
 }
 
 /// Two registers' worth at a time. Both are read before any output is written, so in == out is fine. Returns where it
@@ -42,7 +42,7 @@ static HWY_NOINLINE std::size_t apply_pairs(D d, View<const T, 6> in, View<T, 6>
                                             std::size_t end) {
   const std::size_t lanes = hn::Lanes(d);
   for (; i + 2 * lanes <= end; i += 2 * lanes) {
-    if constexpr (streaming) From::prefetch(in, i);
+    if constexpr (streaming) From::prefetch(d, in, i);
     Six<Two<hn::Vec<D>>> e;
     if (HWY_UNLIKELY(!F::quick(d, together(From::load(d, in, i), From::load(d, in, i + lanes)), e))) {
       To::template store<streaming>(d, F::general(d, From::load(d, in, i)), out, i);
@@ -78,6 +78,15 @@ static HWY_INLINE void apply_direct(D d, const View<const T, 6>& in, const View<
   apply_all<F, Way, Way, false>(d, in, out, range.begin, range.end);
 }
 
+template <class T, int N>
+static HWY_INLINE bool is_aligned(const View<T, N>& v) {
+  std::size_t bits = reinterpret_cast<std::size_t>(v.plane[0]);
+  if (v.layout == Layout::planes) {
+    for (int k = 1; k < N; ++k) bits |= reinterpret_cast<std::size_t>(v.plane[k]);
+  }
+  return bits % 64 == 0;
+}
+
 /// Any layout to any other, through a tile of planes that stays in the first cache.
 template <class F, class D, class T>
 static HWY_NOINLINE void apply_tiles(D d, const View<const T, 6>& in, const View<T, 6>& out,
@@ -92,19 +101,10 @@ static HWY_NOINLINE void apply_tiles(D d, const View<const T, 6>& in, const View
   for (int k = 0; k < 6; ++k) same.plane[k] = rows + k * stride;
   for (std::size_t i = range.begin; i < range.end; i += tile) {
     const std::size_t count = range.end - i < tile ? range.end - i : tile;
-    gather(in, i, count, rows, stride);
+    gather(d, in, i, count, rows, stride);
     apply_all<F, InPlanes, InPlanes, false>(d, same, planes, 0, count);
-    scatter(rows, stride, count, out, i);
+    scatter(d, rows, stride, count, out, i);
   }
-}
-
-template <class T, int N>
-static HWY_INLINE bool is_aligned(const View<T, N>& v) {
-  std::size_t bits = reinterpret_cast<std::size_t>(v.plane[0]);
-  if (v.layout == Layout::planes) {
-    for (int k = 1; k < N; ++k) bits |= reinterpret_cast<std::size_t>(v.plane[k]);
-  }
-  return bits % 64 == 0;
 }
 
 template <class F, class T>
@@ -117,10 +117,11 @@ struct Batched {
 
   static void many(const View<const T, 6>& in, const View<T, 6>& out, const Range& range) {
     const hn::ScalableTag<T> d;
-    if (in.layout != out.layout || in.layout == Layout::full) return apply_tiles<F>(d, in, out, range);
+    if (in.layout != out.layout) return apply_tiles<F>(d, in, out, range);
     const bool aligned = is_aligned(out);
     if (in.layout == Layout::planes) return apply_direct<F, InPlanes>(d, in, out, range, aligned);
     if (in.layout == Layout::blocks) return apply_direct<F, InBlocks>(d, in, out, range, aligned);
+    if (in.layout == Layout::full) return apply_direct<F, InFull>(d, in, out, range, aligned);
     return apply_direct<F, InPacked>(d, in, out, range, aligned);
   }
 };
