@@ -107,12 +107,29 @@ static HWY_NOINLINE void apply_tiles(D d, const View<const T, 6>& in, const View
   }
 }
 
+/// One matrix as six numbers in a row, in stores of 16 bytes: what the caller copies by 16 it would wait for if it came by 8.
+template <class D, class T, class V>
+static HWY_INLINE void store_row([[maybe_unused]] D d, const Six<V>& m, T* out) {
+#if HWY_TARGET == HWY_SCALAR
+  store_six<false>(d, m, [=](int k) HWY_ATTR { return out + k; });
+#else
+  const hn::Twice<D> two;
+  const auto a = hn::Combine(two, m.xy, m.xx), b = hn::Combine(two, m.yy, m.xz), c = hn::Combine(two, m.zz, m.yz);
+  if constexpr (sizeof(T) == 8) {
+    hn::StoreU(a, two, out), hn::StoreU(b, two, out + 2);
+  } else {
+    const hn::Twice<decltype(two)> four;
+    hn::StoreU(hn::Combine(four, b, a), four, out);
+  }
+  hn::StoreU(c, two, out + 4);
+#endif
+}
+
 template <class F, class T>
 struct Batched {
   static void one(const T* in, T* out) {
     const hn::CappedTag<T, 1> d;
-    const auto e = apply<F>(d, load_six(d, [=](int k) HWY_ATTR { return in + k; }));
-    store_six<false>(d, e, [=](int k) HWY_ATTR { return out + k; });
+    store_row(d, apply<F>(d, load_six(d, [=](int k) HWY_ATTR { return in + k; })), out);
   }
 
   static void many(const View<const T, 6>& in, const View<T, 6>& out, const Range& range) {
