@@ -29,13 +29,13 @@ bool ends_in_3_3(const py::array& a) {
   throw py::type_error("viete." + std::string(function) + ": " + what);
 }
 
+}  // namespace
+
 bool overlap(const py::array& a, const py::array& b) {
   const auto* first = static_cast<const char*>(a.data());
   const auto* second = static_cast<const char*>(b.data());
   return first < second + b.nbytes() && second < first + a.nbytes();
 }
-
-}  // namespace
 
 Shape symmetric_shape(const char* function, const py::array& a) {
   if (ends_in_3_3(a)) return {sym3::Layout::full, product(a, a.ndim() - 2)};

@@ -33,6 +33,9 @@ bool is_single(const char* function, const py::array& a);
 /// Any array-like as an array. Raises TypeError.
 py::array as_array(const char* function, const py::object& a);
 
+/// Whether two arrays share memory.
+bool overlap(const py::array& a, const py::array& b);
+
 /// Where the answers go: `out`, or a new array of that shape if it is None. Raises TypeError or ValueError unless `out` is
 /// a writable contiguous array of the same shape and type that is `in` itself or shares no memory with it.
 template <class T>

@@ -54,37 +54,39 @@ void define(py::module_& m, const char* name, const std::string& text, const F& 
       py::arg("out") = py::none(), (text + shapes).c_str());
 }
 
-/// The symmetric part of R^T M, both by rows.
-template <class T>
-void stretch(const T* r, const T* m, T* u) {
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) {
-      T sum = 0;
-      for (int k = 0; k < 3; ++k) sum += r[3 * k + i] * m[3 * k + j] + r[3 * k + j] * m[3 * k + i];
-      u[3 * i + j] = u[3 * j + i] = sum / 2;
+/// Where the two answers of polar go: a pair of arrays, or None for new ones.
+struct PolarOutputs {
+  py::object rotations = py::none(), stretches = py::none();
+
+  explicit PolarOutputs(const py::object& out) {
+    if (out.is_none()) return;
+    if (!py::isinstance<py::tuple>(out) || py::len(out) != 2) {
+      throw py::value_error("viete.polar: out must be a pair of arrays (r, u)");
     }
+    rotations = out.cast<py::tuple>()[0], stretches = out.cast<py::tuple>()[1];
   }
-}
+};
 
 template <class T>
-py::tuple polar_as(const py::array& a) {
+py::tuple polar_as(const py::array& a, const PolarOutputs& out) {
   const auto in = Contiguous<T>::ensure(a);
   if (!in) throw py::error_already_set();
   const Shape shape = general_shape("polar", in);
-  py::array_t<T> r = output<T>("polar", py::none(), in), u = output<T>("polar", py::none(), in);
+  py::array_t<T> r = output<T>("polar", out.rotations, in), u = output<T>("polar", out.stretches, in);
+  if (overlap(u, in) || overlap(u, r)) throw py::value_error("viete.polar: out's u must be an array of its own");
   const T* m = in.data();
   T *rotations = r.mutable_data(), *stretches = u.mutable_data();
   {
     const py::gil_scoped_release release;
-    sym3::polar({shape.layout, m}, {shape.layout, rotations}, shape.count);
-    for (std::size_t i = 0; i < shape.count; ++i) stretch(rotations + 9 * i, m + 9 * i, stretches + 9 * i);
+    sym3::polar({shape.layout, m}, {shape.layout, rotations}, {sym3::Layout::full, stretches}, shape.count);
   }
   return py::make_tuple(r, u);
 }
 
-py::tuple polar(const py::object& m) {
+py::tuple polar(const py::object& m, const py::object& out) {
   const py::array array = as_array("polar", m);
-  return is_single("polar", array) ? polar_as<float>(array) : polar_as<double>(array);
+  const PolarOutputs outputs(out);
+  return is_single("polar", array) ? polar_as<float>(array, outputs) : polar_as<double>(array, outputs);
 }
 
 }  // namespace
@@ -109,9 +111,10 @@ PYBIND11_MODULE(viete, m) {
       },
       py::arg("a"), py::arg("p"), py::arg("out") = py::none(),
       (std::string("Each matrix to the power p; NaN where it is not positive definite.") + shapes).c_str());
-  m.def("polar", polar, py::arg("m"),
+  m.def("polar", polar, py::arg("m"), py::arg("out") = py::none(),
         "r, u with m = r u for each matrix: r the nearest rotation, whatever the sign of the determinant, and u symmetric."
-        "\n\nm: (..., 3, 3), float32 or float64 (integers are computed as float64).\nOther Python threads run meanwhile.");
+        "\n\nm: (..., 3, 3), float32 or float64 (integers are computed as float64).\nout: a pair (r, u) of arrays "
+        "of the same shape and type for the answers; r may be m itself.\nOther Python threads run meanwhile.");
 }
 
 }  // namespace viete::python

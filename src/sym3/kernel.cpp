@@ -20,16 +20,17 @@ VIETE_FUNCTION(sqrt, 6, 6)
 VIETE_FUNCTION(inv_sqrt, 6, 6)
 VIETE_FUNCTION(eigenvalues, 6, 3)
 VIETE_FUNCTION(exp_rotation, 3, 9)
-VIETE_FUNCTION(polar, 9, 9)
+VIETE_FUNCTION(rotation_of, 9, 9)
 #undef VIETE_FUNCTION
 
 extern const PowFunctions pow_functions;
+extern const PolarFunctions polar_functions;
 
 #define VIETE_BOTH(name) \
   { &name##_double, &name##_float }
 static const KernelTable table = {VIETE_BOTH(exp),      VIETE_BOTH(log),         VIETE_BOTH(sqrt),
                                   VIETE_BOTH(inv_sqrt), VIETE_BOTH(eigenvalues), VIETE_BOTH(exp_rotation),
-                                  VIETE_BOTH(polar),    &pow_functions};
+                                  VIETE_BOTH(rotation_of),    &pow_functions, &polar_functions};
 #undef VIETE_BOTH
 
 }  // namespace viete::sym3::HWY_NAMESPACE

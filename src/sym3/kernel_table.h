@@ -36,12 +36,26 @@ struct PowFunctions {
                    double exponent);
 };
 
+/// Rotations and stretches. `one` writes nine numbers and six behind them.
+template <class T>
+struct PolarFunction {
+  void (*one)(const T* in, T* out);
+  void (*many)(const View<const T, 9>& in, const View<T, 9>& rotations, const View<T, 6>& stretches,
+               const Range& range);
+};
+
+struct PolarFunctions {
+  PolarFunction<double> in_double;
+  PolarFunction<float> in_float;
+};
+
 struct KernelTable {
   Functions<6, 6> exp, log, sqrt, inv_sqrt;
   Functions<6, 3> eigenvalues;
   Functions<3, 9> exp_rotation;
-  Functions<9, 9> polar;
+  Functions<9, 9> rotation_of;
   const PowFunctions* pow;
+  const PolarFunctions* polar;
 };
 
 }  // namespace viete::sym3

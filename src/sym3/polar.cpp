@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "sym3/call_kernel.h"
 #include "sym3/double_double.h"
@@ -130,12 +131,25 @@ void by_jacobi(const T* m, T* rotation) {
   for (int k = 0; k < 9; ++k) rotation[k] = T(r[k]);
 }
 
-/// The symmetric part of R^T M.
+/// The kernels see a Polar as fifteen numbers in a row.
+static_assert(sizeof(Polar<double>) == 15 * sizeof(double) && sizeof(Polar<float>) == 15 * sizeof(float));
+static_assert(std::is_standard_layout_v<Polar<double>> && std::is_standard_layout_v<Polar<float>>);
+
 template <class T>
-Sym3<T> stretch(const Mat3<T>& r, const Mat3<T>& m) {
-  const auto entry = [&](int i, int j) { return r[i] * m[j] + r[3 + i] * m[3 + j] + r[6 + i] * m[6 + j]; };
-  const auto mean = [&](int i, int j) { return entry(i, j) / 2 + entry(j, i) / 2; };
-  return {entry(0, 0), mean(0, 1), mean(0, 2), entry(1, 1), mean(1, 2), entry(2, 2)};
+const PolarFunction<T>& polar_function(const Kernel& k) {
+  if constexpr (sizeof(T) == sizeof(double)) {
+    return k.table->polar->in_double;
+  } else {
+    return k.table->polar->in_float;
+  }
+}
+
+template <class T>
+void polar_many(const MatView<const T>& in, const MatView<T>& rotations, const SymView<T>& stretches, std::size_t count,
+                const Batch& batch) {
+  const auto many = polar_function<T>(batch.kernel ? *batch.kernel : kernel()).many;
+  run_batch([&](const Range& range) { many(in, rotations, stretches, range); }, count, 24 * sizeof(T) * count,
+            in.plane[0] == rotations.plane[0], batch);
 }
 
 }  // namespace
@@ -151,8 +165,7 @@ void polar_by_jacobi(const float* m, float* rotation) {
 template <class T>
 Polar<T> polar(const Mat3<T>& m) {
   Polar<T> p;
-  call_one(&KernelTable::polar, m.data(), p.rotation.data());
-  p.stretch = stretch(p.rotation, m);
+  polar_function<T>(kernel()).one(m.data(), p.rotation.data());
   return p;
 }
 
@@ -161,12 +174,22 @@ template Polar<double> polar(const Mat3<double>&);
 
 void polar(const MatView<const double>& in, const MatView<double>& rotations, std::size_t count,
            const Batch& batch) {
-  call_many(&KernelTable::polar, in, rotations, count, batch);
+  call_many(&KernelTable::rotation_of, in, rotations, count, batch);
 }
 
 void polar(const MatView<const float>& in, const MatView<float>& rotations, std::size_t count,
            const Batch& batch) {
-  call_many(&KernelTable::polar, in, rotations, count, batch);
+  call_many(&KernelTable::rotation_of, in, rotations, count, batch);
+}
+
+void polar(const MatView<const double>& in, const MatView<double>& rotations, const SymView<double>& stretches,
+           std::size_t count, const Batch& batch) {
+  polar_many(in, rotations, stretches, count, batch);
+}
+
+void polar(const MatView<const float>& in, const MatView<float>& rotations, const SymView<float>& stretches,
+           std::size_t count, const Batch& batch) {
+  polar_many(in, rotations, stretches, count, batch);
 }
 
 }  // namespace viete::sym3

@@ -1,4 +1,4 @@
-// Nearest rotations of batches, compiled once per instruction set.
+// Nearest rotations of batches, and the stretches beside them, compiled once per instruction set.
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "sym3/polar_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -10,7 +10,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-struct Polar {
+template <class V>
+static HWY_INLINE Nine<V> nine(const V* m) {
+  return {m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]};
+}
+
+struct RotationOf {
   static constexpr int in = 9, out = 9, group = 2;
 
   template <int G, class D, class V>
@@ -18,9 +23,7 @@ struct Polar {
     Nine<V> from[G];
     Rotations<D> quick[G];
 #pragma GCC unroll 4
-    for (int g = 0; g < G; ++g) {
-      from[g] = {m[g][0], m[g][1], m[g][2], m[g][3], m[g][4], m[g][5], m[g][6], m[g][7], m[g][8]};
-    }
+    for (int g = 0; g < G; ++g) from[g] = nine(m[g]);
     polar_quick<G>(d, from, quick);
 #pragma GCC unroll 4
     for (int g = 0; g < G; ++g) {
@@ -51,10 +54,57 @@ private:
   }
 };
 
-extern const Function<double, 9, 9> polar_double;
-extern const Function<float, 9, 9> polar_float;
-const Function<double, 9, 9> polar_double = {Mapped<Polar, double>::one, Mapped<Polar, double>::many};
-const Function<float, 9, 9> polar_float = {Mapped<Polar, float>::one, Mapped<Polar, float>::many};
+/// Nine numbers of the rotation, then six of the stretch.
+struct RotationAndStretch {
+  static constexpr int in = 9, out = 15, group = 2;
+
+  template <int G, class D, class V>
+  HWY_INLINE void run(D d, const V (&m)[G][in], V (&both)[G][out]) const {
+    V r[G][9];
+    RotationOf().run<G>(d, m, r);
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) {
+      for (int k = 0; k < 9; ++k) both[g][k] = r[g][k];
+      const Six<V> u = stretch(d, nine(r[g]), nine(m[g]));
+      V* const six = both[g] + 9;
+      six[0] = u.xx, six[1] = u.xy, six[2] = u.xz, six[3] = u.yy, six[4] = u.yz, six[5] = u.zz;
+    }
+  }
+};
+
+template <class T>
+static void polar_one(const T* in, T* out) {
+  map_one(RotationAndStretch{}, in, out);
+}
+
+/// All through tiles: their two outputs may lie in different layouts.
+template <class T>
+static void polar_many(const View<const T, 9>& in, const View<T, 9>& rotations, const View<T, 6>& stretches,
+                       const Range& range) {
+  const hn::ScalableTag<T> d;
+  constexpr std::size_t tile = 64, stride = tile + 64 / sizeof(T);
+  constexpr int G = RotationAndStretch::group;
+  alignas(64) T from[9 * stride] = {}, to[15 * stride];
+  const auto from_rows = rows_of<const T, 9>(from, stride);
+  const auto to_rows = rows_of<T, 15>(to, stride);
+  for (std::size_t i = range.begin; i < range.end; i += tile) {
+    const std::size_t count = range.end - i < tile ? range.end - i : tile;
+    gather(d, in, i, count, from, stride);
+    for (std::size_t j = 0; j < count; j += G * hn::Lanes(d)) {
+      map_registers<G>(d, RotationAndStretch{}, from_rows, to_rows, j);
+    }
+    scatter(d, to, stride, count, rotations, i);
+    scatter(d, to + 9 * stride, stride, count, stretches, i);
+  }
+}
+
+extern const Function<double, 9, 9> rotation_of_double;
+extern const Function<float, 9, 9> rotation_of_float;
+const Function<double, 9, 9> rotation_of_double = {Mapped<RotationOf, double>::one, Mapped<RotationOf, double>::many};
+const Function<float, 9, 9> rotation_of_float = {Mapped<RotationOf, float>::one, Mapped<RotationOf, float>::many};
+
+extern const PolarFunctions polar_functions;
+const PolarFunctions polar_functions = {{polar_one<double>, polar_many<double>}, {polar_one<float>, polar_many<float>}};
 
 }  // namespace viete::sym3::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

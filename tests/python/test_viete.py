@@ -97,6 +97,22 @@ class Answers(unittest.TestCase):
         self.assert_close(r, left @ right, np.float64)
         self.assert_close(u, np.swapaxes(right, -1, -2) @ (values[..., None] * right), np.float64)
 
+    def test_polar_writes_into_a_pair_of_arrays(self):
+        for dtype in TYPES:
+            m = np.random.default_rng(9).uniform(-1, 1, (150, 3, 3)).astype(dtype)
+            r, u = viete.polar(m)
+            given = np.empty_like(m), np.empty_like(m)
+            got = viete.polar(m, out=given)
+            self.assertTrue(got[0] is given[0] and got[1] is given[1])
+            self.assertTrue(np.array_equal(given[0], r) and np.array_equal(given[1], u))
+            viete.polar(m, out=(m, given[1]))
+            self.assertTrue(np.array_equal(m, r) and np.array_equal(given[1], u))
+        for text, out in (("out must be a pair", m), ("an array of its own", (given[0], m)),
+                          ("an array of its own", (given[0], given[0])),
+                          (r"out has shape \(3, 3\)", (given[0], np.zeros((3, 3), dtype)))):
+            with self.assertRaisesRegex(ValueError, text):
+                viete.polar(m, out=out)
+
 
 class Arrays(unittest.TestCase):
     def test_any_number_of_leading_axes_is_kept(self):

@@ -182,3 +182,50 @@ TEST_CASE_TEMPLATE("every_length_of_a_batch_of_polars_gives_the_bits_of_one", T,
     }
   }
 }
+
+TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_any_layout_and_in_place", T, double, float) {
+  using sym3::Layout;
+  constexpr std::size_t most = 150;
+  constexpr int in_full[] = {0, 1, 2, 4, 5, 8};
+  constexpr std::size_t line = 64 / sizeof(T);
+  Random random(85);
+  std::vector<Mat3<T>> in(most);
+  for (auto& m : in) {
+    for (T& x : m) x = T(uniform(random, -1, 1));
+  }
+  in[20] = {}, in[77] = {1, 2, 3, 2, 4, 6, -1, -2, -3};
+  for (const auto& kernel : sym3::kernels()) {
+    const auto run = [&](std::vector<Mat3<T>>& r, const sym3::SymView<T>& u, std::size_t count) {
+      const sym3::MatView<T> both(Layout::packed, r[0].data());
+      sym3::polar(both, both, u, count, {&kernel});
+    };
+    std::vector<sym3::Polar<T>> one(most);
+    for (std::size_t i = 0; i < most; ++i) {
+      std::vector<Mat3<T>> r = {in[i]};
+      run(r, sym3::packed(&one[i].stretch), 1);
+      one[i].rotation = r[0];
+      CHECK(r[0] == polar_with(kernel, in[i]));
+      if (&kernel == &sym3::kernel()) CHECK(one[i].stretch == sym3::polar(in[i]).stretch);
+    }
+    for (const Layout layout : {Layout::planes, Layout::blocks, Layout::packed, Layout::full}) {
+      for (std::size_t count = 0; count <= most; count += count < 67 ? 1 : 83) {
+        std::vector<Mat3<T>> r = in;
+        std::vector<T> u(9 * 160, T(-7));
+        run(r, layout == Layout::planes ? sym3::SymView<T>(u.data(), 160) : sym3::SymView<T>(layout, u.data()), count);
+        bool same = true;
+        for (std::size_t i = 0; i < most; ++i) {
+          const T* s = &one[i].stretch.xx;
+          same = same && r[i] == (i < count ? one[i].rotation : in[i]);
+          for (int k = 0; k < 6; ++k) {
+            const std::size_t place = layout == Layout::planes   ? k * 160 + i
+                                      : layout == Layout::blocks ? (i / line * 6 + k) * line + i % line
+                                      : layout == Layout::packed ? 6 * i + k
+                                                                 : 9 * i + in_full[k];
+            same = same && u[place] == (i < count ? s[k] : T(-7));
+          }
+        }
+        CHECK(same);
+      }
+    }
+  }
+}
