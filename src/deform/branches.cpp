@@ -101,6 +101,33 @@ Branching choose(const Adjacency& forest, std::uint32_t root, std::span<const Ve
   return best;
 }
 
+// Then there is nothing to choose: any other branch of a log is longer than three quarter turns, farther than its principal
+// one from every neighbour, reference and leader, so that all of them stay principal whatever the forest.
+bool all_within_quarter_turn(std::span<const Vec3> logs) {
+  constexpr double limit = turn / 4 - 1e-6;
+  return std::all_of(logs.begin(), logs.end(), [](const Vec3& log) { return squared_norm(log) < limit * limit; });
+}
+
+// Of the elements that hang together with each root.
+std::vector<Vec3> part_means(const Cage& cage, std::span<const Vec3> logs) {
+  std::vector<std::uint32_t> parent(logs.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  for (const auto& [i, j] : cage.dual_edges) parent[find(parent, i)] = find(parent, j);
+  std::vector<Vec3> sums(logs.size(), {0, 0, 0});
+  std::vector<std::size_t> counts(logs.size());
+  for (std::uint32_t e = 0; e < logs.size(); ++e) {
+    const std::uint32_t part = find(parent, e);
+    sums[part] = sums[part] + logs[e];
+    ++counts[part];
+  }
+  std::vector<Vec3> means;
+  for (const auto root : cage.roots) {
+    const std::uint32_t part = find(parent, root);
+    means.push_back((1 / static_cast<double>(counts[part])) * sums[part]);
+  }
+  return means;
+}
+
 }  // namespace
 
 Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
@@ -122,10 +149,19 @@ double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
 }
 
 Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const Vec3> turns) {
-  const Adjacency forest = adjacency(rotations.size(), spanning_forest(cage.dual_edges, rotations));
   std::vector<Vec3> principal(rotations.size());
   std::transform(rotations.begin(), rotations.end(), principal.begin(), sym3::log_rotation<double>);
-  Branches result{principal, {}};
+  return choose_branches(cage, rotations, principal, turns);
+}
+
+Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const Vec3> principal,
+                         std::span<const Vec3> turns) {
+  Branches result{{principal.begin(), principal.end()}, {}};
+  if (all_within_quarter_turn(principal) && all_within_quarter_turn(turns)) {
+    result.turns = part_means(cage, principal);
+    return result;
+  }
+  const Adjacency forest = adjacency(rotations.size(), spanning_forest(cage.dual_edges, rotations));
   for (std::size_t part = 0; part < cage.roots.size(); ++part) {
     const Vec3 reference = part < turns.size() ? turns[part] : Vec3{0, 0, 0};
     const Vec3 leader = part > 0 ? result.turns[0] : reference;

@@ -30,5 +30,8 @@ struct Branches {
 /// same side as the first. A pure function of its inputs. O(k log k).
 Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> turns);
+/// The same with the rotations' principal logs, where they are known.
+Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
+                         std::span<const Vec3> principal, std::span<const Vec3> turns);
 
 }  // namespace viete::deform

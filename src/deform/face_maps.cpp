@@ -1,5 +1,7 @@
 #include "deform/face_maps.h"
 
+#include <numeric>
+
 #include "deform/vec3.h"
 
 namespace viete::deform {
@@ -80,11 +82,21 @@ Vec3 pose_origin(std::span<const mesh::Point> posed) {
 }
 
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps) {
+  std::vector<std::uint32_t> all(maps.size());
+  std::iota(all.begin(), all.end(), 0u);
+  face_maps(cage, posed, all, maps);
+}
+
+void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<const std::uint32_t> moved,
+               std::span<FaceMap> maps) {
   const std::span<const mesh::Point> rest = cage.surface.positions;
   const Vec3 origin = pose_origin(posed);
   for (std::size_t e = 0; e < maps.size(); ++e) {
     const auto& t = cage.surface.triangles[e];
     maps[e].center = (1.0 / 3) * ((posed[t[0]] - origin) + (posed[t[1]] - origin) + (posed[t[2]] - origin));
+  }
+  for (const auto e : moved) {
+    const auto& t = cage.surface.triangles[e];
     maps[e].linear = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     if (cage.degenerate[e]) continue;
     const int corner = best_corner(rest, t);

@@ -23,5 +23,8 @@ Vec3 pose_origin(std::span<const mesh::Point> posed);
 /// gives a matrix of rank 2 or less. maps.size() == cage.element_count(), posed.size() ==
 /// cage.surface.positions.size().
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps);
+/// The same where only `moved` have corners that moved since maps was made: their linear parts, and all centres.
+void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<const std::uint32_t> moved,
+               std::span<FaceMap> maps);
 
 }  // namespace viete::deform

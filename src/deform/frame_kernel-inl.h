@@ -20,9 +20,9 @@ namespace lanes = viete::sym3::HWY_NAMESPACE;
 
 // How many vectors are blended at once: their sums and what feeds them must fit the registers.
 #if HWY_TARGET <= HWY_AVX3
-constexpr std::size_t vectors_at_once = 2;
+constexpr int vectors_at_once = 2;
 #else
-constexpr std::size_t vectors_at_once = 1;
+constexpr int vectors_at_once = 1;
 #endif
 
 template <class T>
@@ -42,7 +42,7 @@ template <class T, std::size_t Columns>
 static HWY_INLINE void load_base(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& s) {
   const Tag<T> d;
 #pragma GCC unroll 2
-  for (std::size_t v = 0; v < vectors_at_once; ++v) {
+  for (int v = 0; v < vectors_at_once; ++v) {
     const T* base = run.base ? run.base + place<T>(group + v, Columns) : nullptr;
 #pragma GCC unroll 12
     for (std::size_t c = 0; c < Columns; ++c) {
@@ -60,18 +60,18 @@ static HWY_INLINE void blend_group(const TileRun<T>& run, std::size_t group, Sum
   load_base<T, Columns>(run, group, sums);
   V s[vectors_at_once][Columns];
 #pragma GCC unroll 2
-  for (std::size_t v = 0; v < vectors_at_once; ++v) {
+  for (int v = 0; v < vectors_at_once; ++v) {
 #pragma GCC unroll 12
     for (std::size_t c = 0; c < Columns; ++c) s[v][c] = sums[v][c];
   }
   const T* weights[vectors_at_once];
 #pragma GCC unroll 2
-  for (std::size_t v = 0; v < vectors_at_once; ++v) weights[v] = run.weights + place<T>(group + v, run.rows);
+  for (int v = 0; v < vectors_at_once; ++v) weights[v] = run.weights + place<T>(group + v, run.rows);
   const T* entry = run.table;
   for (std::size_t j = 0; j < run.rows; ++j, entry += Columns) {
     V w[vectors_at_once];
 #pragma GCC unroll 2
-    for (std::size_t v = 0; v < vectors_at_once; ++v) {
+    for (int v = 0; v < vectors_at_once; ++v) {
       hwy::Prefetch(weights[v] + j * tile_lanes<T> + ahead);
       w[v] = hn::Load(d, weights[v] + j * tile_lanes<T>);
     }
@@ -79,11 +79,11 @@ static HWY_INLINE void blend_group(const TileRun<T>& run, std::size_t group, Sum
     for (std::size_t c = 0; c < Columns; ++c) {
       const V t = hn::Set(d, entry[c]);
 #pragma GCC unroll 2
-      for (std::size_t v = 0; v < vectors_at_once; ++v) s[v][c] = hn::MulAdd(w[v], t, s[v][c]);
+      for (int v = 0; v < vectors_at_once; ++v) s[v][c] = hn::MulAdd(w[v], t, s[v][c]);
     }
   }
 #pragma GCC unroll 2
-  for (std::size_t v = 0; v < vectors_at_once; ++v) {
+  for (int v = 0; v < vectors_at_once; ++v) {
 #pragma GCC unroll 12
     for (std::size_t c = 0; c < Columns; ++c) sums[v][c] = s[v][c];
   }
@@ -100,7 +100,7 @@ static void blend_tiles(const TileRun<T>& run, T* sums) {
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
     Sums<T, log_size> s;
     blend_group<T, log_size>(run, g, s);
-    for (std::size_t v = 0; v < vectors_at_once; ++v) {
+    for (int v = 0; v < vectors_at_once; ++v) {
       T* out = sums + place<T>(g + v, log_size);
 #pragma GCC unroll 12
       for (std::size_t c = 0; c < log_size; ++c) hn::Store(s[v][c], d, out + c * tile_lanes<T>);
@@ -151,7 +151,26 @@ static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, log_size>& s) {
   for (std::size_t c = 0; c < centre_column; ++c) {
     const auto mean = hn::Set(d, run.mean[c]);
 #pragma GCC unroll 2
-    for (std::size_t v = 0; v < vectors_at_once; ++v) s[v][c] = hn::Add(s[v][c], mean);
+    for (int v = 0; v < vectors_at_once; ++v) s[v][c] = hn::Add(s[v][c], mean);
+  }
+}
+
+// exp of all vectors at once: their chains of dependent steps hide each other's latencies.
+template <class T, class V = hn::Vec<Tag<T>>>
+static HWY_INLINE void exp_at_once(const lanes::Six<V> (&logs)[vectors_at_once], lanes::Six<V> (&out)[vectors_at_once]) {
+  const Tag<T> d;
+  lanes::Quick<Tag<T>> quick[vectors_at_once];
+  lanes::exp_quick<vectors_at_once>(d, logs, quick);
+  auto ok = quick[0].ok;
+#pragma GCC unroll 2
+  for (int v = 0; v < vectors_at_once; ++v) {
+    ok = hn::And(ok, quick[v].ok);
+    out[v] = quick[v].e;
+  }
+  if (HWY_LIKELY(hn::AllTrue(d, ok))) return;
+  for (int v = 0; v < vectors_at_once; ++v) {
+    const lanes::Six<V> log = logs[v];
+    out[v] = lanes::exp_lanes(d, log);
   }
 }
 
@@ -163,10 +182,13 @@ static void deform_tiles(const TileRun<T>& run, const T* offsets, T* out) {
     Sums<T, log_size> s;
     blend_group<T, log_size>(run, g, s);
     add_mean<T>(run, s);
+    lanes::Six<V> log[vectors_at_once], stretch[vectors_at_once];
 #pragma GCC unroll 2
-    for (std::size_t v = 0; v < vectors_at_once; ++v) {
-      const lanes::Six<V> log{s[v][0], s[v][1], s[v][2], s[v][3], s[v][4], s[v][5]};
-      const Vector3<T> u = stretched<T>(lanes::exp_lanes(d, log), load_offset(offsets, g + v));
+    for (int v = 0; v < vectors_at_once; ++v) log[v] = {s[v][0], s[v][1], s[v][2], s[v][3], s[v][4], s[v][5]};
+    exp_at_once<T>(log, stretch);
+#pragma GCC unroll 2
+    for (int v = 0; v < vectors_at_once; ++v) {
+      const Vector3<T> u = stretched<T>(stretch[v], load_offset(offsets, g + v));
       const Vector3<T> turn{s[v][6], s[v][7], s[v][8]};
       const Vector3<T> p = rotated<T>(lanes::exp_rotation_lanes(d, turn), u);
       store_position<T>({hn::Add(p.x, s[v][9]), hn::Add(p.y, s[v][10]), hn::Add(p.z, s[v][11])}, g + v, out);
@@ -179,7 +201,7 @@ static void move_tiles(const TileRun<T>& run, const T* offsets, T* out) {
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
     Sums<T, position_size> s;
     blend_group<T, position_size>(run, g, s);
-    for (std::size_t v = 0; v < vectors_at_once; ++v) {
+    for (int v = 0; v < vectors_at_once; ++v) {
       const Vector3<T> offset = load_offset(offsets, g + v);
       store_position<T>({hn::Add(s[v][0], offset.x), hn::Add(s[v][1], offset.y), hn::Add(s[v][2], offset.z)},
                         g + v, out);

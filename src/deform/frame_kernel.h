@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "deform/leaves.h"
+#include "deform/rings.h"
 #include "sym3/kernel.h"
 
 namespace viete::deform {
@@ -41,8 +42,10 @@ struct RingRun {
   float* positions;                  ///< of the whole model
   std::size_t first, slots, places;  ///< of the leaf
   std::size_t vertices;              ///< slots that are no filling
-  const std::uint32_t *halo, *order;
-  const std::uint16_t *walk, *lengths;
+  const std::uint32_t* halo;
+  std::size_t halo_left;  ///< numbers in halo, those of the leaves behind this one too
+  const std::uint32_t* order;
+  const std::uint16_t *walk, *lengths;  ///< as in Rings, of this leaf
   float unit;
 };
 

@@ -33,13 +33,14 @@ FusedFrame::FusedFrame(std::shared_ptr<const Cage> cage, std::shared_ptr<const T
       columns_(binding_->coordinates == Coordinates::face ? log_size : position_size) {
   if (binding_->coordinates == Coordinates::face) {
     maps_.resize(binding_->handles);
+    splits_.resize(binding_->handles);
     logs_.resize(binding_->handles);
   }
   table_.assign(binding_->handles * columns_, 0.0f);
   skeleton_sums_.resize(binding_->skeleton_slots() * log_size);
   skeleton_table_.resize(binding_->skeleton_slots() * log_size);
   positions_.resize(binding_->rings.place_count() * 4);
-  vertices_.resize(binding_->leaves.vertices);
+  vertices_.assign(binding_->leaves.vertices, FrameVertex{});
 }
 
 std::size_t FusedFrame::bytes() const {
@@ -52,17 +53,18 @@ void FusedFrame::deform(const Pose& pose) {
   times_ = {};
   base::Stopwatch watch;
   const Elements moved = moved_elements(pose);
-  pose_ = pose.positions;
   const bool held = drag_ && !held_.moving.empty();
   origin_ = held ? held_.origin : pose_origin(pose.positions);
   if (binding_->coordinates == Coordinates::face) {
-    face_maps(*cage_, pose.positions, maps_);
+    face_maps(*cage_, pose.positions, moved, maps_);
     times_[Link::face_maps] = watch.lap_ms();
-    log_maps(*cage_, maps_, pose.turns, logs_, report_);
+    split_maps(maps_, moved, splits_);
+    log_maps(*cage_, maps_, splits_, pose.turns, logs_, report_);
     times_[Link::log_maps] = watch.lap_ms();
   } else {
     report_ = {pose.turns, {}, {}};
   }
+  pose_ = pose.positions;
   fill_table(pose);
   follow_drag(moved);
   if (binding_->compressed() && !dragging_) {
@@ -98,13 +100,12 @@ void FusedFrame::set_dragging(bool on) {
   drag_ = on;
 }
 
-// Since the last frame; nothing before the first.
+// Since the last frame; all at the first.
 FusedFrame::Elements FusedFrame::moved_elements(const Pose& pose) const {
   Elements moved;
-  if (!drag_ || pose_.empty()) return moved;
   for (std::uint32_t e = 0; e < cage_->element_count(); ++e) {
     const auto& t = cage_->surface.triangles[e];
-    const auto stayed = [&](std::uint32_t v) { return pose.positions[v] == pose_[v]; };
+    const auto stayed = [&](std::uint32_t v) { return !pose_.empty() && pose.positions[v] == pose_[v]; };
     if (!std::all_of(t.begin(), t.end(), stayed)) moved.push_back(e);
   }
   return moved;
@@ -218,7 +219,7 @@ void FusedFrame::pack_weights(std::size_t leaf, float* scratch) {
     run.table = pivots.data();
     kernel_.in_float.blend(run, scratch);
     for (std::size_t t = 0; t < tiles; ++t) {
-      std::copy_n(scratch + t * log_size * lanes, log_size * lanes, out + (t * count + m) * lanes);
+      std::copy_n(scratch + t * log_size * lanes, std::min(log_size, count - m) * lanes, out + (t * count + m) * lanes);
     }
   }
 }
@@ -268,8 +269,8 @@ void FusedFrame::compute_normals() {
     const std::size_t first = r.places[leaf];
     kernel_.ring_vertices({positions_.data(), first, slots, r.places[leaf + 1] - first,
                            std::min(slots, b.leaves.vertices - begin), r.halo.data() + (first - begin),
-                           b.leaves.order.data() + begin, r.walk.data() + r.walk_starts[leaf],
-                           r.lengths.data() + begin, static_cast<float>(b.unit)},
+                           r.halo.size() - (first - begin), b.leaves.order.data() + begin, r.walk.data() + r.walk_starts[leaf],
+                           r.lengths.data() + begin / ring_group, static_cast<float>(b.unit)},
                           vertices_.data());
   });
   for (const auto& hub : r.hubs) {

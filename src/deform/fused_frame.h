@@ -69,13 +69,14 @@ private:
   base::WorkerPool& pool_;
   std::size_t columns_;
   std::vector<FaceMap> maps_;
+  std::vector<MapSplit> splits_;
   std::vector<MapLog> logs_;
   AlignedVector<float> table_;           // [handle][column], less the mean of its column
   std::array<float, log_size> mean_{};   // [column]
   AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
   AlignedVector<float> skeleton_table_;  // [pivot][column]
   AlignedVector<float> positions_;       // [place] of the rings, x y z x in units
-  std::vector<FrameVertex> vertices_;
+  AlignedVector<FrameVertex> vertices_;
   Vec3 origin_{0, 0, 0};
   std::vector<mesh::Point> pose_;  // of the last frame
   bool drag_ = false, dragging_ = false;  // a drag is on; this frame was part of it
@@ -90,7 +91,7 @@ private:
     AlignedVector<float> sums;     // [tile][column][lane], of the elements that do not move
     AlignedVector<float> weights;  // [tile][row][lane], of those that do
     AlignedVector<float> rows;     // their part of the table
-    std::size_t row_count() const { return (moving.size() + log_size - 1) / log_size * log_size; }
+    std::size_t row_count() const { return moving.size(); }
   } held_;
 };
 

@@ -19,51 +19,38 @@ constexpr double size_floor = 1e-4;       // of the pose's mean stretch
 constexpr double smallest_floor = 1e-12;  // where the whole pose is one point
 
 // Geometric mean of the elements' largest stretches: what size the pose has as a whole.
-double mean_stretch(const Cage& cage, const std::vector<Polar>& polars) {
+double mean_stretch(const Cage& cage, std::span<const MapSplit> splits) {
   double sum = 0;
   std::size_t count = 0;
-  for (std::size_t e = 0; e < polars.size(); ++e) {
-    if (cage.degenerate[e] || !(polars[e].stretches[0] > 0)) continue;
-    sum += std::log(polars[e].stretches[0]);
+  for (std::size_t e = 0; e < splits.size(); ++e) {
+    if (cage.degenerate[e] || !(splits[e].largest > 0)) continue;
+    sum += std::log(splits[e].largest);
     ++count;
   }
   return count ? std::exp(sum / static_cast<double>(count)) : 0;
 }
 
-// Raises small stretches; true if one was below the floor.
-bool raise(Polar& polar, double mean) {
-  double floor = std::max(flatness_floor * polar.stretches[0], size_floor * mean);
-  if (!(floor > 0)) floor = smallest_floor;
-  bool raised = false;
-  for (double& s : polar.stretches) {
-    if (s >= floor) continue;
-    s = floor;
-    raised = true;
-  }
-  return raised;
+double floor_of(double largest, double mean) {
+  const double floor = std::max(flatness_floor * largest, size_floor * mean);
+  return floor > 0 ? floor : smallest_floor;
 }
 
 bool finite(const sym3::Mat3<double>& m) {
   return std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); });
 }
 
-// Stretch logs and centres; returns the rotations, of which the branches are yet to be chosen.
-Rotations split(const Cage& cage, std::span<const FaceMap> maps, std::span<MapLog> logs, LogReport& report) {
-  std::vector<Polar> polars(maps.size());
-  const Polar identity{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 1, 1}};
-  for (std::size_t e = 0; e < maps.size(); ++e) {
-    const bool usable = !cage.degenerate[e] && finite(maps[e].linear);
-    polars[e] = usable ? polar(maps[e].linear) : identity;
-  }
-  const double mean = mean_stretch(cage, polars);
-  Rotations rotations(maps.size());
-  for (std::uint32_t e = 0; e < maps.size(); ++e) {
-    const bool raised = !cage.degenerate[e] && (raise(polars[e], mean) || !finite(maps[e].linear));
-    if (raised) report.collapsed.push_back(e);
-    rotations[e] = polars[e].rotation;
-    logs[e] = {log_stretch(polars[e]), {0, 0, 0}, maps[e].center};
-  }
-  return rotations;
+// A map that mirrors, collapses or is not finite, by its singular values, which are raised to the floor. True if one was
+// below.
+bool split_collapsed(const FaceMap& map, double mean, MapSplit& split) {
+  const bool usable = finite(map.linear);
+  Polar p = usable ? polar(map.linear) : Polar{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 1, 1}};
+  const double floor = floor_of(p.stretches[0], mean);
+  const bool raised = p.stretches[2] < floor;
+  for (double& s : p.stretches) s = std::max(s, floor);
+  split.rotation = p.rotation;
+  split.stretch = log_stretch(p);
+  split.turn = sym3::log_rotation(p.rotation);
+  return raised || !usable;
 }
 
 bool torn(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b, const Vec3& log_a, const Vec3& log_b) {
@@ -74,9 +61,28 @@ bool torn(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b, const Vec3& 
 
 void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const Vec3> turns,
               std::span<MapLog> logs, LogReport& report) {
+  std::vector<std::uint32_t> all(maps.size());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<MapSplit> splits(maps.size());
+  split_maps(maps, all, splits);
+  log_maps(cage, maps, splits, turns, logs, report);
+}
+
+void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const MapSplit> splits,
+              std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report) {
   report = {};
-  const Rotations rotations = split(cage, maps, logs, report);
-  Branches branches = choose_branches(cage, rotations, turns);
+  const double mean = mean_stretch(cage, splits);
+  Rotations rotations(maps.size());
+  std::vector<Vec3> principal(maps.size());
+  for (std::uint32_t e = 0; e < maps.size(); ++e) {
+    MapSplit split = splits[e];
+    const bool ordinary = cage.degenerate[e] || split.least >= floor_of(split.largest, mean);  // false for NaN
+    if (!ordinary && split_collapsed(maps[e], mean, split)) report.collapsed.push_back(e);
+    rotations[e] = split.rotation;
+    principal[e] = split.turn;
+    logs[e] = {split.stretch, {0, 0, 0}, maps[e].center};
+  }
+  Branches branches = choose_branches(cage, rotations, principal, turns);
   for (std::size_t e = 0; e < logs.size(); ++e) logs[e].rotation = branches.logs[e];
   report.turns = std::move(branches.turns);
   for (const auto& pair : cage.dual_edges) {

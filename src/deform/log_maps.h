@@ -7,6 +7,7 @@
 
 #include "deform/cage.h"
 #include "deform/face_maps.h"
+#include "deform/map_split.h"
 #include "sym3/sym3.h"
 
 namespace viete::deform {
@@ -27,7 +28,8 @@ struct LogReport {
   std::vector<std::array<std::uint32_t, 2>> torn;
 };
 
-/// Polar split of each map by SVD, linear = R S: X = log S, Y = log R. Singular values are raised to 1e-3 of
+/// Polar split of each map, linear = R S: X = log S, Y = log R, in vector code, and by SVD where a map mirrors or nearly
+/// collapses. Singular values are raised to 1e-3 of
 /// the element's largest one and to 1e-4 of the pose's mean one: no element collapses fully. A mirrored map
 /// takes the closest proper rotation. A map that is not finite counts as collapsed, with the log of I.
 ///
@@ -38,5 +40,8 @@ struct LogReport {
 /// arbitrary axes, so elements there that do not turn rigidly together blend badly; `torn` says so.
 void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const Vec3> turns,
               std::span<MapLog> logs, LogReport& report);
+/// The same of splits that are known. A frame in which few elements moved splits only those.
+void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const MapSplit> splits,
+              std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 
 }  // namespace viete::deform

@@ -17,183 +17,253 @@ namespace viete::deform::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float smallest = 1e-36f, largest = 1e36f;  // squared areas outside count as none
-constexpr std::size_t leaf_block = 16;               // leaves are filled to multiples of it
 
-// A point as four lanes x y z x: turned by one lane to the left they are y z x y, as a cross product wants them.
+// Points as four lanes x y z x: turned by one lane to the left they are y z x y, as a cross product wants them. A
+// register holds as many points as it has room for, each in a block of its own.
 #if HWY_TARGET == HWY_SCALAR
 
-struct Four {
+struct OnePoint {};
+using ManyPoints = OnePoint;
+struct Points {
   float x, y, z, w;
 };
-static HWY_INLINE Four load_four(const float* p) {
+constexpr std::size_t points(OnePoint) {
+  return 1;
+}
+static HWY_INLINE Points load(OnePoint, const float* p) {
   return {p[0], p[1], p[2], p[3]};
 }
-static HWY_INLINE void store_four(const Four& a, float* p) {
+template <std::size_t floats, class Place>
+static HWY_INLINE Points gather(OnePoint d, const float* positions, const Place* walk) {
+  return load(d, positions + floats * *walk);
+}
+static HWY_INLINE void store(OnePoint, const Points& a, float* p) {
   p[0] = a.x, p[1] = a.y, p[2] = a.z, p[3] = a.w;
 }
-static HWY_INLINE Four minus(const Four& a, const Four& b) {
+static HWY_INLINE Points zero(OnePoint) {
+  return {0, 0, 0, 0};
+}
+static HWY_INLINE Points minus(const Points& a, const Points& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
 }
-static HWY_INLINE Four turned(const Four& a) {
+static HWY_INLINE Points turned(const Points& a) {
   return {a.y, a.z, a.w, a.x};
 }
-static HWY_INLINE Four add_product(const Four& a, const Four& b, const Four& c) {
+static HWY_INLINE Points add_product(const Points& a, const Points& b, const Points& c) {
   return {a.x * b.x + c.x, a.y * b.y + c.y, a.z * b.z + c.z, a.w * b.w + c.w};
 }
-static HWY_INLINE Four times(const Four& a, const Four& b) {
-  return {a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};
-}
-static HWY_INLINE Four four_of(float a) {
-  return {a, a, a, a};
-}
-
-#else
-
-using FourTag = hn::FixedTag<float, 4>;
-using Four = hn::Vec<FourTag>;
-static HWY_INLINE Four load_four(const float* p) {
-  return hn::Load(FourTag(), p);
-}
-static HWY_INLINE void store_four(Four a, float* p) {
-  hn::Store(a, FourTag(), p);
-}
-static HWY_INLINE Four minus(Four a, Four b) {
-  return hn::Sub(a, b);
-}
-static HWY_INLINE Four turned(Four a) {
-  return hn::Shuffle0321(a);
-}
-static HWY_INLINE Four add_product(Four a, Four b, Four c) {
-  return hn::MulAdd(a, b, c);
-}
-static HWY_INLINE Four times(Four a, Four b) {
-  return hn::Mul(a, b);
-}
-static HWY_INLINE Four four_of(float a) {
-  return hn::Set(FourTag(), a);
-}
-
-#endif
-
-// A neighbour relative to the vertex, both ways round.
-struct Spoke {
-  Four plain, turned_left;
-};
-
-static HWY_INLINE Spoke spoke(const float* positions, std::size_t place, Four self) {
-  const Four plain = minus(self, load_four(positions + 4 * place));
-  return {plain, turned(plain)};
-}
-
-// Two chains of sums, so that the second need not wait for the first.
-struct Area {
-  Four plus, minus_part;
-};
-
-static HWY_INLINE void add_triangle(const Spoke& from, const Spoke& to, Area& area) {
-  area.plus = add_product(from.plain, to.turned_left, area.plus);
-  area.minus_part = add_product(from.turned_left, to.plain, area.minus_part);
-}
-
-// Twice the area vector around `self`, its lanes z x y 0. Unrolled for the usual lengths of a walk.
-template <int length>
-static HWY_INLINE Four area_around(const float* positions, const std::uint16_t* walk, Four self) {
-  Area area{minus(self, self), minus(self, self)};
-  Spoke from = spoke(positions, walk[0], self);
-#pragma GCC unroll 16
-  for (int i = 1; i < length; ++i) {
-    const Spoke to = spoke(positions, walk[i], self);
-    add_triangle(from, to, area);
-    from = to;
-  }
-  return minus(area.plus, area.minus_part);
-}
-
-template <class Place>
-static HWY_INLINE Four area_around(const float* positions, const Place* walk, std::size_t length, Four self) {
-  Area area{minus(self, self), minus(self, self)};
-  if (length == 0) return area.plus;
-  Spoke from = spoke(positions, walk[0], self);
-  for (std::size_t i = 1; i < length; ++i) {
-    const Spoke to = spoke(positions, walk[i], self);
-    add_triangle(from, to, area);
-    from = to;
-  }
-  return minus(area.plus, area.minus_part);
-}
-
-static HWY_INLINE void areas(const RingRun& run, const FrameVertex* vertices, float* HWY_RESTRICT out) {
-  const float* positions = run.positions + 4 * run.first;
-  const std::uint16_t* walk = run.walk;
-  for (std::size_t s = 0; s < run.slots; ++s, out += 4) {
-    const std::size_t length = run.lengths[s];
-    hwy::Prefetch(vertices + run.order[s]);  // written when all areas are known
-    const Four self = load_four(positions + 4 * s);
-    Four area;
-    switch (length) {
-      case 5: area = area_around<5>(positions, walk, self); break;
-      case 6: area = area_around<6>(positions, walk, self); break;
-      case 7: area = area_around<7>(positions, walk, self); break;
-      case 8: area = area_around<8>(positions, walk, self); break;
-      default: area = area_around(positions, walk, length, self);
-    }
-    store_four(area, out);
-    walk += length;
-  }
-}
-
-static HWY_INLINE void fill_halo(const RingRun& run) {
-  float* out = run.positions + 4 * (run.first + run.slots);
-  for (std::size_t i = 0; i < run.places - run.slots; ++i) {
-    store_four(load_four(run.positions + 4 * std::size_t(run.halo[i])), out + 4 * i);
-  }
+static HWY_INLINE Points scaled(OnePoint, const Points& a, float s) {
+  return {a.x * s, a.y * s, a.z * s, a.w * s};
 }
 
 // z x y 0 to unit x y z 0.
-static HWY_INLINE void normalise(float* normals, std::size_t count) {
-#if HWY_TARGET == HWY_SCALAR
-  for (float* n = normals; n != normals + 4 * count; n += 4) {
-    const float squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+static HWY_INLINE void normalise(OnePoint, Points (&areas)[4]) {
+  for (Points& a : areas) {
+    const float squared = (a.x * a.x + a.z * a.z) + a.y * a.y;
     const bool has_area = squared > smallest && squared < largest;
     const float scale = has_area ? 1 / __builtin_sqrtf(squared) : 0.0f;
-    const float z = has_area ? scale * n[0] : 1.0f;
-    n[0] = scale * n[1], n[1] = scale * n[2], n[2] = z, n[3] = 0;
+    a = has_area ? Points{a.y * scale, a.z * scale, a.x * scale, 0} : Points{0, 0, 1, 0};
   }
-#else
-  const hn::CappedTag<float, leaf_block> d;
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    hn::Vec<decltype(d)> x, y, z, w;
-    hn::LoadInterleaved4(d, normals + 4 * i, z, x, y, w);
-    const auto squared = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-    const auto has_area = hn::And(hn::Gt(squared, hn::Set(d, smallest)), hn::Lt(squared, hn::Set(d, largest)));
-    const auto scale = hn::IfThenElseZero(has_area, hn::Div(one, hn::Sqrt(squared)));
-    hn::StoreInterleaved4(hn::Mul(x, scale), hn::Mul(y, scale), hn::IfThenElse(has_area, hn::Mul(z, scale), one),
-                          zero, d, normals + 4 * i);
-  }
-#endif
 }
 
-static void ring_vertices(const RingRun& run, FrameVertex* vertices) {
-  HWY_ALIGN float normals[4 * leaf_slots];
+#else
+
+using OnePoint = hn::FixedTag<float, 4>;
+using ManyPoints = hn::CappedTag<float, 4 * ring_group>;
+
+template <class D>
+constexpr std::size_t points(D) {
+  return hn::MaxLanes(D()) / 4;
+}
+template <class D>
+static HWY_INLINE hn::Vec<D> load(D d, const float* p) {
+  return hn::Load(d, p);
+}
+// Each load fills all blocks, and later ones leave the first blocks alone.
+template <std::size_t floats, class D, class Place>
+static HWY_INLINE hn::Vec<D> gather(D d, const float* positions, const Place* walk) {
+  auto all = hn::LoadDup128(d, positions + floats * walk[0]);
+  if constexpr (points(D()) > 1) {
+#pragma GCC unroll 4
+    for (std::size_t k = 1; k < points(D()); ++k) {
+      const auto from_here_on = hn::Not(hn::FirstN(d, 4 * k));
+      all = hn::IfThenElse(from_here_on, hn::LoadDup128(d, positions + floats * walk[k]), all);
+    }
+  }
+  return all;
+}
+template <class D>
+static HWY_INLINE void store(D d, hn::Vec<D> a, float* p) {
+  hn::Store(a, d, p);
+}
+template <class D>
+static HWY_INLINE hn::Vec<D> zero(D d) {
+  return hn::Zero(d);
+}
+template <class V>
+static HWY_INLINE V minus(V a, V b) {
+  return hn::Sub(a, b);
+}
+template <class V>
+static HWY_INLINE V turned(V a) {
+  return hn::Shuffle0321(a);
+}
+template <class V>
+static HWY_INLINE V add_product(V a, V b, V c) {
+  return hn::MulAdd(a, b, c);
+}
+template <class D>
+static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
+  return hn::Mul(a, hn::Set(d, s));
+}
+
+// Lane k of a block: the sum of the lanes of that block of s[k].
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V block_sums(D d, const V (&s)[4]) {
+  const hn::RepartitionToWide<D> pairs;
+  const V a = hn::Add(hn::InterleaveLower(d, s[0], s[1]), hn::InterleaveUpper(d, s[0], s[1]));
+  const V b = hn::Add(hn::InterleaveLower(d, s[2], s[3]), hn::InterleaveUpper(d, s[2], s[3]));
+  const auto first = hn::InterleaveLower(pairs, hn::BitCast(pairs, a), hn::BitCast(pairs, b));
+  const auto second = hn::InterleaveUpper(pairs, hn::BitCast(pairs, a), hn::BitCast(pairs, b));
+  return hn::Add(hn::BitCast(d, first), hn::BitCast(d, second));
+}
+
+template <int k, class D, class V = hn::Vec<D>>
+static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
+  HWY_ALIGN static constexpr std::int32_t z_last[] = {1, 2, 0, 3, 5, 6, 4, 7, 9, 10, 8, 11, 13, 14, 12, 15};
+  HWY_ALIGN static constexpr float up[] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const V factor = hn::Broadcast<k>(scale);
+  area = hn::TableLookupLanes(hn::Mul(area, factor), hn::SetTableIndices(d, z_last));
+  if (HWY_LIKELY(all_have_area)) return;
+  area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
+}
+
+// z x y 0 to unit x y z 0.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE void normalise(D d, V (&areas)[4]) {
+  const V squares[4] = {hn::Mul(areas[0], areas[0]), hn::Mul(areas[1], areas[1]), hn::Mul(areas[2], areas[2]),
+                        hn::Mul(areas[3], areas[3])};
+  const V squared = block_sums(d, squares);
+  const auto has_area = hn::And(hn::Gt(squared, hn::Set(d, smallest)), hn::Lt(squared, hn::Set(d, largest)));
+  const V scale = hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared)));
+  const bool all_have_area = hn::AllTrue(d, has_area);
+  scale_one<0>(d, scale, all_have_area, areas[0]);
+  scale_one<1>(d, scale, all_have_area, areas[1]);
+  scale_one<2>(d, scale, all_have_area, areas[2]);
+  scale_one<3>(d, scale, all_have_area, areas[3]);
+}
+
+#endif
+
+// Neighbours relative to the vertices, both ways round.
+template <class V>
+struct Spokes {
+  V plain, turned_left;
+};
+
+template <std::size_t floats, class D, class V, class Place>
+static HWY_INLINE Spokes<V> spokes(D d, const float* positions, const Place* walk, const V& self) {
+  const V plain = minus(self, gather<floats>(d, positions, walk));
+  return {plain, turned(plain)};
+}
+
+// Twice the area vectors around `self`, lanes z x y 0: two chains of sums, so that the second need not wait for the
+// first. A walk has `stride` numbers a step, each counting so many floats.
+template <std::size_t stride, std::size_t floats, class D, class V, class Place>
+static HWY_INLINE V areas_around(D d, const float* positions, const Place* walk, std::size_t length, const V& self) {
+  V plus = zero(d), minus_part = zero(d);
+  if (length == 0) return plus;
+  Spokes<V> from = spokes<floats>(d, positions, walk, self);
+#pragma GCC unroll 16
+  for (std::size_t i = 1; i < length; ++i) {
+    const Spokes<V> to = spokes<floats>(d, positions, walk + i * stride, self);
+    plus = add_product(from.plain, to.turned_left, plus);
+    minus_part = add_product(from.turned_left, to.plain, minus_part);
+    from = to;
+  }
+  return minus(plus, minus_part);
+}
+
+// The usual lengths are known to the compiler, which unrolls them.
+template <class D, class V>
+static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint16_t* walk, std::size_t length,
+                                   const V& self) {
+  constexpr std::size_t stride = ring_group, floats = walk_floats;
+  switch (length) {
+    case 6: return areas_around<stride, floats>(d, positions, walk, 6, self);
+    case 7: return areas_around<stride, floats>(d, positions, walk, 7, self);
+    case 8: return areas_around<stride, floats>(d, positions, walk, 8, self);
+    default: return areas_around<stride, floats>(d, positions, walk, length, self);
+  }
+}
+
+// Of 4 registers of slots from s on; `walk` goes on behind them.
+template <class D, class V>
+static HWY_INLINE void next_areas(D d, const RingRun& run, const float* positions, std::size_t s,
+                                  const std::uint16_t*& walk, V (&areas)[4]) {
+#pragma GCC unroll 4
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t slot = s + k * points(d);
+    const std::size_t length = run.lengths[slot / ring_group];
+    areas[k] = areas_of_group(d, positions, walk + slot % ring_group, length, load(d, positions + 4 * slot));
+    if ((slot + points(d)) % ring_group == 0) walk += ring_group * length;
+  }
+}
+
+// From places of other leaves; those of the next leaf are on their way meanwhile.
+static HWY_INLINE void fill_halo(const RingRun& run) {
+  constexpr std::size_t ahead = 128;
+  const OnePoint d;
+  float* out = run.positions + 4 * (run.first + run.slots);
+  for (std::size_t i = 0; i < run.places - run.slots; ++i) {
+    if (i + ahead < run.halo_left) hwy::Prefetch(run.positions + 4 * std::size_t(run.halo[i + ahead]));
+    store(d, load(d, run.positions + 4 * std::size_t(run.halo[i])), out + 4 * i);
+  }
+}
+
+static HWY_INLINE void prefetch_vertices(const RingRun& run, std::size_t begin, std::size_t end,
+                                         const FrameVertex* vertices) {
+  for (std::size_t s = begin; s < end; ++s) hwy::Prefetch(vertices + run.order[s]);
+}
+
+static void ring_vertices(const RingRun& run, FrameVertex* HWY_RESTRICT vertices) {
+  constexpr std::size_t ahead = 32;  // slots; leaves are filled up to multiples of it
+  const ManyPoints d;
+  constexpr std::size_t at_once = 4 * points(d);
+  HWY_ALIGN float positions_out[4 * at_once], normals_out[4 * at_once];
   fill_halo(run);
-  areas(run, vertices, normals);
-  normalise(normals, run.slots);
-  const Four unit = four_of(run.unit);
+  prefetch_vertices(run, 0, ahead, vertices);
   const float* positions = run.positions + 4 * run.first;
-  for (std::size_t s = 0; s < run.vertices; ++s) {
-    FrameVertex& out = vertices[run.order[s]];
-    store_four(times(unit, load_four(positions + 4 * s)), out.position);
-    store_four(load_four(normals + 4 * s), out.normal);
+  const std::uint16_t* walk = run.walk;
+  for (std::size_t s = 0; s < run.vertices; s += at_once) {
+    if (s + ahead < run.slots) prefetch_vertices(run, s + ahead, s + ahead + at_once, vertices);
+    decltype(zero(d)) areas[4];
+    next_areas(d, run, positions, s, walk, areas);
+    normalise(d, areas);
+#pragma GCC unroll 4
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t at = 4 * k * points(d);
+      store(d, scaled(d, load(d, positions + 4 * s + at), run.unit), positions_out + at);
+      store(d, areas[k], normals_out + at);
+    }
+    const OnePoint one;
+    const std::uint32_t* order = run.order + s;
+    const std::size_t count = run.vertices - s < at_once ? run.vertices - s : at_once;
+    for (std::size_t i = 0; i < count; ++i) {
+      FrameVertex& out = vertices[order[i]];
+      store(one, load(one, positions_out + 4 * i), out.position);
+      store(one, load(one, normals_out + 4 * i), out.normal);
+    }
   }
 }
 
 static void ring_hub(const float* positions, const std::uint32_t* walk, std::size_t length, std::uint32_t place,
-             FrameVertex& vertex) {
-  HWY_ALIGN float normals[4 * leaf_block] = {};
-  store_four(area_around(positions, walk, length, load_four(positions + 4 * std::size_t(place))), normals);
-  normalise(normals, leaf_block);
-  store_four(load_four(normals), vertex.normal);
+                     FrameVertex& vertex) {
+  const OnePoint d;
+  const auto self = load(d, positions + 4 * std::size_t(place));
+  decltype(zero(d)) areas[4] = {areas_around<1, 4>(d, positions, walk, length, self), zero(d), zero(d), zero(d)};
+  normalise(d, areas);
+  store(d, areas[0], vertex.normal);
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

@@ -1,5 +1,6 @@
 #include "deform/rings.h"
 
+#include <algorithm>
 #include <array>
 
 #include "mesh/normals.h"
@@ -10,7 +11,7 @@ namespace {
 
 using Step = std::array<std::uint32_t, 2>;  // a triangle seen from one of its corners: the other two
 
-constexpr std::size_t crowd = 96;  // triangles around a hub; 512 vertices with fewer have places for 16 bits
+constexpr std::size_t crowd = 60;  // triangles around a hub; 512 vertices with fewer have halves of places for 16 bits
 
 // The steps around a vertex, in an order in which they hang together as far as they can.
 class Walker {
@@ -77,7 +78,6 @@ public:
   }
 
   Rings build() {
-    rings_.lengths.assign(leaves_.slot_count(), 0);
     rings_.walk.reserve(3 * triangles_.size() + leaves_.vertices);
     rings_.places.push_back(0);
     rings_.walk_starts.push_back(0);
@@ -100,33 +100,48 @@ private:
   }
 
   // Number of a slot among the leaf's places, a new one of the halo if it is seen for the first time.
-  std::uint16_t local(std::uint32_t slot, std::size_t begin, std::size_t end) {
-    if (slot >= begin && slot < end) return static_cast<std::uint16_t>(slot - begin);
+  std::uint32_t local(std::uint32_t slot, std::size_t begin, std::size_t end) {
+    if (slot >= begin && slot < end) return static_cast<std::uint32_t>(slot - begin);
     if (local_[slot] == outside) {
       local_[slot] = static_cast<std::uint32_t>(end - begin + rings_.halo.size() - halo_begin_);
       rings_.halo.push_back(slot);
     }
-    return static_cast<std::uint16_t>(local_[slot]);
+    return local_[slot];
   }
 
   void add_leaf(std::size_t leaf) {
     const std::size_t begin = leaves_.begin(leaf), end = leaves_.end(leaf);
     halo_begin_ = rings_.halo.size();
-    for (std::size_t s = begin; s < std::min(end, leaves_.vertices); ++s) {
-      const auto slot = static_cast<std::uint32_t>(s);
-      collect(slot);
-      if (walker_.size() > crowd) {
-        rings_.hubs.push_back({slot, 0, {}});
-        walker_.walk_each(slot, rings_.hubs.back().walk);
-        continue;
-      }
-      walker_.walk(slot, walk_);
-      for (const auto neighbour : walk_) rings_.walk.push_back(local(neighbour, begin, end));
-      rings_.lengths[s] = static_cast<std::uint16_t>(walk_.size());
-    }
+    for (std::size_t s = begin; s < end; s += ring_group) add_group(s, begin, end);
     for (std::size_t i = halo_begin_; i < rings_.halo.size(); ++i) local_[rings_.halo[i]] = outside;
+    while (rings_.halo.size() % ring_group) rings_.halo.push_back(rings_.halo.back());
     rings_.places.push_back(static_cast<std::uint32_t>(end + rings_.halo.size()));
     rings_.walk_starts.push_back(static_cast<std::uint32_t>(rings_.walk.size()));
+  }
+
+  void add_group(std::size_t first, std::size_t begin, std::size_t end) {
+    std::size_t longest = 0;
+    for (std::size_t k = 0; k < ring_group; ++k) {
+      make_walk(static_cast<std::uint32_t>(first + k), walks_[k]);
+      longest = std::max(longest, walks_[k].size());
+    }
+    for (std::size_t i = 0; i < longest; ++i) {
+      for (std::size_t k = 0; k < ring_group; ++k) {
+        const auto self = static_cast<std::uint32_t>(first + k);
+        const std::uint32_t place = local(i < walks_[k].size() ? walks_[k][i] : self, begin, end);
+        rings_.walk.push_back(static_cast<std::uint16_t>(4 / walk_floats * place));
+      }
+    }
+    rings_.lengths.push_back(static_cast<std::uint16_t>(longest));
+  }
+
+  void make_walk(std::uint32_t slot, std::vector<std::uint32_t>& walk) {
+    walk.clear();
+    if (slot >= leaves_.vertices) return;
+    collect(slot);
+    if (walker_.size() <= crowd) return walker_.walk(slot, walk);
+    rings_.hubs.push_back({slot, 0, {}});
+    walker_.walk_each(slot, rings_.hubs.back().walk);
   }
 
   std::uint32_t place_of(std::uint32_t slot) const {
@@ -145,7 +160,8 @@ private:
   const Leaves& leaves_;
   std::span<const mesh::Triangle> triangles_;
   mesh::VertexTriangles around_;
-  std::vector<std::uint32_t> slot_of_, local_, walk_;
+  std::vector<std::uint32_t> slot_of_, local_;
+  std::array<std::vector<std::uint32_t>, ring_group> walks_;
   std::size_t halo_begin_ = 0;
   Walker walker_;
   Rings rings_;

@@ -16,14 +16,16 @@ TEST_CASE("walks_around_a_closed_surface_end_where_they_began") {
   const Rings rings = make_rings(leaves, model.triangles);
   REQUIRE(rings.places.size() == leaves.count() + 1);
   std::size_t at = 0;
-  for (std::size_t s = 0; s < leaves.slot_count(); ++s) {
-    if (s >= leaves.vertices) {
-      CHECK(rings.lengths[s] == 0);
-      continue;
+  for (std::size_t group = 0; group < rings.lengths.size(); ++group) {
+    for (std::size_t k = 0; k < ring_group; ++k) {
+      const std::size_t s = ring_group * group + k, leaf = s / leaf_slots;
+      const auto step = [&](std::size_t i) { return rings.walk[at + ring_group * i + k]; };
+      const std::size_t length = s < leaves.vertices ? counts[leaves.order[s]] + 1u : 0;
+      REQUIRE(length <= rings.lengths[group]);
+      if (length > 0) CHECK(step(0) == step(length - 1));
+      for (std::size_t i = length; i < rings.lengths[group]; ++i) CHECK(step(i) == 4 / walk_floats * (s - leaves.begin(leaf)));
     }
-    CHECK(rings.lengths[s] == counts[leaves.order[s]] + 1u);
-    CHECK(rings.walk[at] == rings.walk[at + rings.lengths[s] - 1]);
-    at += rings.lengths[s];
+    at += ring_group * rings.lengths[group];
   }
   CHECK(at == rings.walk.size());
   CHECK(rings.hubs.empty());
@@ -41,6 +43,6 @@ TEST_CASE("the_halo_of_a_leaf_is_what_its_walks_need_of_others") {
     for (std::size_t i = first - leaves.begin(leaf); i < end - leaves.end(leaf); ++i)
       CHECK((rings.halo[i] < first || rings.halo[i] >= end));
     for (auto i = rings.walk_starts[leaf]; i < rings.walk_starts[leaf + 1]; ++i)
-      CHECK(rings.walk[i] < end - first);
+      CHECK(rings.walk[i] < 4 / walk_floats * (end - first));
   }
 }
