@@ -2,28 +2,37 @@
 
 #include <utility>
 
+#include "base/clock.h"
 #include "base/worker_pool.h"
 
 namespace viete::app {
 
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
-           deform::Coordinates coordinates, sym3::Method method, const Bound& known, base::Progress& progress) {
+           deform::Coordinates coordinates, sym3::Method method, const Bound& known, const SavedBindings& saved,
+           base::Progress& progress) {
   using deform::Path;
   base::WorkerPool pool;
   const bool shared = known.binding && known.model == model && known.cage == cage && known.binding->coordinates == coordinates;
-  auto binding = shared ? known.binding : nullptr;
+  Bound bound{model, cage, shared ? known.binding : nullptr};
+  auto& binding = bound.binding;
   const bool staged = coordinates == deform::Coordinates::face && method != sym3::Method::fast;
   if (!binding || !binding->tiles) {
     if (staged) progress.section(0, 0.5);
+    FoundBinding found = find_binding(saved, *model, *cage, coordinates, progress);
+    bound.problem = std::move(found.problem);
+    deform::Binding tiles_alone;
+    tiles_alone.tiles = std::move(found.tiles);
+    base::Stopwatch watch;
     binding = std::make_shared<const deform::Binding>(
-        deform::bind(*model, *cage, coordinates, Path::fused, nullptr, pool, &progress));
+        deform::bind(*model, *cage, coordinates, Path::fused, &tiles_alone, pool, &progress));
+    if (!tiles_alone.tiles) bound.seconds = 1e-3 * watch.lap_ms();
   }
   if (staged && binding->weights.empty()) {
     progress.section(progress.done(), 1);
     binding = std::make_shared<const deform::Binding>(
         deform::bind(*model, *cage, coordinates, Path::staged, binding.get(), pool, &progress));
   }
-  return {std::move(model), std::move(cage), std::move(binding)};
+  return bound;
 }
 
 }  // namespace viete::app

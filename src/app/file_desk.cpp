@@ -20,8 +20,8 @@ fs::path remembered_file(const fs::path& state) {
 
 }  // namespace
 
-FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace)
-    : state_(state), autosave_(recovery_folder(state), errands_) {
+FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace& workspace)
+    : state_(state), saved_(std::move(saved)), autosave_(recovery_folder(state), errands_) {
   if (state_.empty()) return;
   workspace.leftovers = scene::find_leftovers(recovery_folder(state_));
   try {
@@ -36,7 +36,7 @@ FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace)
 void FileDesk::take_requests(scene::Workspace& w, const std::function<std::vector<mesh::Point>()>& deformed,
                              bool hand_is_free) {
   auto& r = w.requests;
-  if (const auto request = std::exchange(r.open, std::nullopt)) loader_.start(*request, w.document);
+  if (const auto request = std::exchange(r.open, std::nullopt)) loader_.start(*request, w.document, take_saved());
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) scene::save_session(w, *file);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
@@ -66,6 +66,19 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     w.messages.say(result->problem.empty() ? scene::Severity::info : scene::Severity::error,
                    result->problem.empty() ? stopped : result->problem);
   }
+}
+
+SavedBindings FileDesk::take_saved() {
+  SavedBindings saved = saved_;
+  saved_.named.clear();
+  return saved;
+}
+
+void FileDesk::keep_binding(const Bound& bound) {
+  if (saved_.folder.empty() || bound.seconds < saved_.worth_keeping) return;
+  errands_.add([saved = saved_, model = bound.model, cage = bound.cage, tiles = bound.binding->tiles] {
+    app::keep_binding(saved, *tiles, *model, *cage);
+  });
 }
 
 void FileDesk::discard(scene::Workspace& w, const fs::path& file) {

@@ -18,7 +18,7 @@ class FileDesk {
 public:
   /// state: the folder to remember in; empty: nothing is remembered or kept. Fills the workspace with what
   /// was remembered.
-  FileDesk(const std::filesystem::path& state, scene::Workspace& workspace);
+  FileDesk(const std::filesystem::path& state, SavedBindings saved, scene::Workspace& workspace);
 
   /// Before the frame's work: takes requests, and what was read once the hand is free, so that nothing is
   /// taken away under a drag. deformed() gives the deformed model's positions when they are to be saved; empty while there
@@ -37,6 +37,10 @@ public:
   ModelLook& look() { return look_; }
   /// What was bound with the document that was taken last; once.
   Bound take_bound() { return std::exchange(bound_, {}); }
+  /// Where the next binding may be found; the file that the user has named is for the first one.
+  SavedBindings take_saved();
+  /// Saves the binding aside, for the next time, if it took long.
+  void keep_binding(const Bound& bound);
 
 private:
   void take_loaded(scene::Workspace& workspace, bool wait);
@@ -44,6 +48,7 @@ private:
   void remember(scene::Workspace& workspace);
 
   std::filesystem::path state_;
+  SavedBindings saved_;
   Loader loader_;
   ModelLook look_;
   Bound bound_;

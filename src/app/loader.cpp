@@ -21,11 +21,12 @@ scene::Document without_history(const scene::Document& document) {
 
 }  // namespace
 
-void Loader::start(const scene::OpenRequest& request, const scene::Document& current) {
+void Loader::start(const scene::OpenRequest& request, const scene::Document& current, SavedBindings saved) {
   cancel();
   job_ = std::make_unique<Job>();
   job_->request = request;
   job_->current = without_history(current);
+  job_->saved = std::move(saved);
   job_->begun = base::wall_seconds();
   const auto& files = request.files;
   job_->begin_part("Reading " + (files.empty() ? "" : files.front().filename().string()));
@@ -51,7 +52,7 @@ void Loader::open(Job& job) {
     job.result.was_binding = true;
     job.begin_part(scene::text(scene::binding_plan(document, coordinates)));
     job.progress.section(0, 1);
-    job.result.bound = bind(document.model.surface, document.cage, coordinates, document.method, {}, job.progress);
+    job.result.bound = bind(document.model.surface, document.cage, coordinates, document.method, {}, job.saved, job.progress);
   }
   job.result.opened = std::move(opened);
 }

@@ -32,7 +32,7 @@ public:
   Loader(const Loader&) = delete;
   Loader& operator=(const Loader&) = delete;
 
-  void start(const scene::OpenRequest& request, const scene::Document& current);
+  void start(const scene::OpenRequest& request, const scene::Document& current, SavedBindings saved);
   /// Asks the work to stop; it does so within moments, and poll() then gives a result without problem.
   void stop();
   bool running() const { return job_ != nullptr; }
@@ -45,6 +45,7 @@ private:
   struct Job {
     scene::OpenRequest request;
     scene::Document current;
+    SavedBindings saved;
     base::Progress progress;
     std::atomic<bool> finished{false};
     Result result;

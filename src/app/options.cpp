@@ -26,6 +26,10 @@ void add_coordinates_option(CLI::App& app, deform::Coordinates& coordinates) {
       ->default_str("face");
 }
 
+void add_binding_option(CLI::App& app, std::filesystem::path& file) {
+  app.add_option("--binding", file, "What viete bind has saved of this model and cage, instead of binding them");
+}
+
 void check_session_stands_alone(const std::filesystem::path& model, const std::filesystem::path& cage,
                                 const std::filesystem::path& pose) {
   if (!scene::is_session(model) || (cage.empty() && pose.empty())) return;

@@ -15,6 +15,8 @@ namespace viete::app {
 void add_method_option(CLI::App& app, sym3::Method& method);
 /// --coordinates face|mvc.
 void add_coordinates_option(CLI::App& app, deform::Coordinates& coordinates);
+/// --binding FILE, written by `viete bind`.
+void add_binding_option(CLI::App& app, std::filesystem::path& file);
 /// A session names its cage and its pose itself: throws CLI::ValidationError if MODEL is one and others are given too.
 void check_session_stands_alone(const std::filesystem::path& model, const std::filesystem::path& cage,
                                 const std::filesystem::path& pose);

@@ -18,7 +18,7 @@ namespace {
 
 struct RenderOptions {
   std::filesystem::path model, cage, pose, output;
-  ViewerOptions viewer{.samples = 4};
+  ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
   sym3::Method method = sym3::Method::fast;
   deform::Coordinates coordinates = deform::Coordinates::face;
   bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
@@ -101,6 +101,7 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_option("--scale", o->viewer.scale, "Device pixels per logical pixel")->check(CLI::Range(0.5, 4.0))->default_str("1");
   add_method_option(*command, o->method);
   add_coordinates_option(*command, o->coordinates);
+  add_binding_option(*command, o->viewer.bindings.named);
   command->add_option("--look", o->look, "home, front, back, left, right, top or bottom")
       ->check(CLI::IsMember({"home", "front", "back", "left", "right", "top", "bottom"}))
       ->default_str("home");

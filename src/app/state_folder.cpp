@@ -14,13 +14,16 @@ fs::path absolute_path_in(const char* variable) {
   return path.is_absolute() ? path : fs::path();
 }
 
-}  // namespace
-
-fs::path state_folder() {
-  if (const fs::path state = absolute_path_in("XDG_STATE_HOME"); !state.empty()) return state / "viete";
-  if (const fs::path home = absolute_path_in("HOME"); !home.empty())
-    return home / ".local" / "state" / "viete";
+// Ours, in the folder that the variable names or else in that one of the home folder.
+fs::path own_folder(const char* variable, const fs::path& of_home) {
+  if (const fs::path folder = absolute_path_in(variable); !folder.empty()) return folder / "viete";
+  if (const fs::path home = absolute_path_in("HOME"); !home.empty()) return home / of_home / "viete";
   return {};
 }
+
+}  // namespace
+
+fs::path state_folder() { return own_folder("XDG_STATE_HOME", ".local/state"); }
+fs::path cache_folder() { return own_folder("XDG_CACHE_HOME", ".cache"); }
 
 }  // namespace viete::app

@@ -24,6 +24,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   viewer_options.samples = 4;
   viewer_options.scale = options.scale > 0 ? options.scale : 1;
   viewer_options.size = {1440, 900};
+  viewer_options.bindings = {.folder = bindings_folder(), .named = options.binding};
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
   if (!scene::open_now(workspace, {scene::OpenRequest::What::model, {options.model, options.cage, options.pose}})) {
@@ -53,6 +54,7 @@ void add_view_command(CLI::App& app, Action& action) {
   command->add_option("MODEL", options->model, "Mesh to deform (OBJ, PLY, OFF, STL), or a session (.viete); default: the bundled dragon");
   command->add_option("CAGE", options->cage, "Cage around it");
   command->add_option("--pose", options->pose, "Posed version of the cage, same vertices in the same order");
+  add_binding_option(*command, options->binding);
   command->add_option("--scale", options->scale, "Device pixels per logical pixel; default: what the display says")
       ->check(CLI::Range(0.5, 4.0));
   command->add_option("--frames", options->frames, "Close after so many frames")->check(CLI::NonNegativeNumber);

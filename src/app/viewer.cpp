@@ -31,7 +31,7 @@ Viewer::ImGuiOwner::ImGuiOwner() {
 Viewer::ImGuiOwner::~ImGuiOwner() { ImGui::DestroyContext(); }
 
 Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
-    : gl_(gl), options_(options), files_(options.state, workspace_), imgui_renderer_(gl), framebuffer_(gl), stage_(gl) {
+    : gl_(gl), options_(options), files_(options.state, options.bindings, workspace_), imgui_renderer_(gl), framebuffer_(gl), stage_(gl) {
   fonts_ = ui::add_fonts(options.scale, options.builtin_font);
   imgui_renderer_.upload_fonts();
   InputQueue::configure();
@@ -191,8 +191,9 @@ void Viewer::start_binding() {
   const scene::Document& document = workspace_.document;
   binding_text_ = scene::text(scene::binding_plan(document, document.coordinates));
   binder_.start([model = document.model.surface, cage = document.cage,
-                 coordinates = document.coordinates, method = document.method, known = bound_](base::Progress& progress) {
-    return bind(model, cage, coordinates, method, known, progress);
+                 coordinates = document.coordinates, method = document.method, known = bound_,
+                 saved = files_.take_saved()](base::Progress& progress) {
+    return bind(model, cage, coordinates, method, known, saved, progress);
   });
 }
 
@@ -205,6 +206,8 @@ void Viewer::take_binding(bool wait) {
 
 void Viewer::install(Bound bound) {
   for (const auto& warning : bound.binding->warnings) workspace_.messages.warn(warning);
+  if (!bound.problem.empty()) workspace_.messages.error(bound.problem);
+  files_.keep_binding(bound);
   deformer_ = std::make_unique<deform::Deformer>(bound.cage, bound.binding, pool_);
   bound_ = std::move(bound);
   warming_up_ = true;

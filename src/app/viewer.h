@@ -12,6 +12,7 @@
 #include "app/imgui_renderer.h"
 #include "app/input_queue.h"
 #include "app/method_probe.h"
+#include "app/saved_bindings.h"
 #include "app/stage.h"
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
@@ -30,6 +31,7 @@ struct ViewerOptions {
   bool builtin_font = false;   ///< the same text on every machine, for picture tests
   bool probe = true;           ///< measure the methods aside
   std::filesystem::path state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
+  SavedBindings bindings{};       ///< where to find bindings, and to keep those that took long
 };
 
 /// Needs a current GL context, which must outlive it; use in that context's thread. Owns ImGui's context.

@@ -72,7 +72,7 @@ WindowPtr open_window(glm::ivec2 size) {
 // One window with its viewer, and the units in between: events come in window units, the viewer thinks in logical pixels.
 class Window {
  public:
-  Window(GLFWwindow* window, float scale) : window_(window), scale_(scale) {
+  Window(GLFWwindow* window, float scale, const std::filesystem::path& binding) : window_(window), scale_(scale) {
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
     gl_ = std::make_unique<render::Gl>(
@@ -82,6 +82,7 @@ class Window {
     options.samples = gl_->software ? 0 : 4;
     options.still_samples = gl_->software ? 4 : 0;
     options.state = state_folder();
+    options.bindings = {.folder = bindings_folder(), .named = binding};
     viewer_ = std::make_unique<Viewer>(*gl_, options);
     follow_size();
     listen();
@@ -231,7 +232,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
     glfwGetFramebufferSize(handle.get(), &pixels, nullptr);
     if (units == pixels) glfwSetWindowSize(handle.get(), int(1440 * scale), int(900 * scale));
   }
-  Window window(handle.get(), std::max(scale, 0.5f));
+  Window window(handle.get(), std::max(scale, 0.5f), options.binding);
   scene::Workspace& workspace = window.viewer().workspace();
   if (state_folder().empty()) workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
   workspace.requests.open = scene::OpenRequest{scene::OpenRequest::What::model, {options.model, options.cage, options.pose}};

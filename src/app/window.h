@@ -9,6 +9,7 @@ namespace viete::app {
 
 struct WindowOptions {
   std::filesystem::path model, cage, pose;  ///< model may be a session
+  std::filesystem::path binding;            ///< saved, of this model and cage; empty: none
   float scale = 0;  ///< device pixels per logical pixel; 0 asks the display
   int frames = 0;   ///< stop after so many frames; 0 never
 };

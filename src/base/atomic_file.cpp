@@ -104,9 +104,13 @@ void check_replaceable(const fs::path& path) {
 }
 
 void replace_file(const fs::path& path, std::string_view bytes, Outlives outlives) {
+  replace_file(path, std::span(&bytes, 1), outlives);
+}
+
+void replace_file(const fs::path& path, std::span<const std::string_view> parts, Outlives outlives) {
   const fs::path target = checked_target(path);
   NewFile file(target);
-  file.write_all(bytes);
+  for (const auto bytes : parts) file.write_all(bytes);
   file.become_target(outlives);
   if (outlives == Outlives::power_cut) sync_folder(target.parent_path());
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 namespace viete::base {
@@ -14,6 +15,10 @@ enum class Outlives { program, power_cut };
 /// existing file stays as it was and the new one is removed. A link is followed; permissions of an existing
 /// file are kept. Throws Error (a folder, a device, an unwritable folder, a full disk). Thread-safe.
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
+                  Outlives outlives = Outlives::power_cut);
+
+/// The same with bytes that lie in several places, one after the other.
+void replace_file(const std::filesystem::path& path, std::span<const std::string_view> parts,
                   Outlives outlives = Outlives::power_cut);
 
 /// Throws what replace_file() would throw now for this place, for work that takes long before it writes. An

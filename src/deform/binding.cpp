@@ -123,14 +123,11 @@ Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinat
   binding.triangles = model.triangles;
   binding.around = mesh::vertex_triangles(binding.vertices, model.triangles);
   if (known) binding.tiles = known->tiles;
-  std::size_t failed = 0;
-  if (path == Path::staged) {
-    failed = fill(cage, binding, pool, progress);
-  } else if (!binding.tiles) {
+  if (path == Path::fused && !binding.tiles) {
     binding.tiles = std::make_shared<const TiledBinding>(
         bind_tiles(model, cage, coordinates, pool, usual_tolerance, progress));
-    failed = binding.tiles->failed;
   }
+  const std::size_t failed = path == Path::staged ? fill(cage, binding, pool, progress) : binding.tiles->failed;
   warn(cage, failed, binding);
   return binding;
 }

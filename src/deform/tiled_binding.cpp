@@ -41,14 +41,11 @@ class Binder {
 public:
   Binder(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,
          base::Progress* progress)
-      : model_(model), weigher_(cage, coordinates), pool_(pool), progress_(progress) {
-    b_.coordinates = coordinates;
-    b_.handles = weigher_.handles();
-    b_.leaves = make_leaves(model.positions, triangle_counts(model));
-    b_.rings = make_rings(b_.leaves, model.triangles);
-    b_.unit = std::exp2(std::round(std::log2(cage.diagonal)));
-    b_.offsets.resize(b_.leaves.slot_count() * position_size);
-  }
+      : model_(model),
+        weigher_(cage, coordinates),
+        pool_(pool),
+        progress_(progress),
+        b_(lay_out(model, cage, coordinates)) {}
 
   TiledBinding bind(double tolerance) {
     require(worth_sampling(tolerance) ? 0.25 : 1);
@@ -170,7 +167,13 @@ private:
       if (f.dense) results[leaf].factors.factors = w.rows;
       set_factored_offsets(leaf, results[leaf], w);
     });
-    place_factors(results);
+    const auto sizes = b_.place_factors();
+    b_.factors.resize(sizes.factors);
+    b_.skeleton.assign(sizes.skeleton, 0.0f);
+    for (std::size_t leaf = 0; leaf < results.size(); ++leaf) {
+      place_leaf(b_.factored[leaf], results[leaf]);
+      results[leaf] = {};
+    }
   }
 
   // Of the weights that the factors give, so that a cage at rest gives the model at rest.
@@ -184,24 +187,6 @@ private:
         for (std::size_t t = 0; t < rank; ++t) sum = sum + factor[t * lanes] * w.sums[r.factors.pivots[t]];
       }
       set_offset(begin + s, sum);
-    }
-  }
-
-  void place_factors(std::vector<LeafResult>& results) {
-    std::size_t size = 0, pivots = 0;
-    for (std::size_t leaf = 0; leaf < results.size(); ++leaf) {
-      auto& f = b_.factored[leaf];
-      f.first = size;
-      f.pivots = static_cast<std::uint32_t>(pivots);
-      size += results[leaf].factors.factors.size();
-      pivots += results[leaf].factors.pivots.size();
-    }
-    b_.factors.resize(size);
-    const std::size_t skeleton_slots = (pivots + slot_block - 1) / slot_block * slot_block;
-    b_.skeleton.assign(skeleton_slots * b_.handles, 0.0f);
-    for (std::size_t leaf = 0; leaf < results.size(); ++leaf) {
-      place_leaf(b_.factored[leaf], results[leaf]);
-      results[leaf] = {};
     }
   }
 
@@ -236,9 +221,32 @@ std::size_t TiledBinding::dense_bytes() const {
   return sizeof(float) * (leaves.slot_count() * handles + offsets.size());
 }
 
+TiledBinding::Sizes TiledBinding::place_factors() {
+  std::size_t size = 0, pivots = 0;
+  for (std::size_t leaf = 0; leaf < factored.size(); ++leaf) {
+    LeafFactors& f = factored[leaf];
+    f.first = size;
+    f.pivots = static_cast<std::uint32_t>(pivots);
+    size += (leaves.end(leaf) - leaves.begin(leaf)) * f.rank;
+    pivots += f.dense ? 0 : f.rank;
+  }
+  return {size, (pivots + slot_block - 1) / slot_block * slot_block * handles};
+}
+
+TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Coordinates coordinates) {
+  if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
+  TiledBinding b;
+  b.coordinates = coordinates;
+  b.handles = coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
+  b.leaves = make_leaves(model.positions, triangle_counts(model));
+  b.rings = make_rings(b.leaves, model.triangles);
+  b.unit = std::exp2(std::round(std::log2(cage.diagonal)));
+  b.offsets.resize(b.leaves.slot_count() * position_size);
+  return b;
+}
+
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Coordinates coordinates,
                         base::WorkerPool& pool, double tolerance, base::Progress* progress) {
-  if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   return Binder(model, cage, coordinates, pool, progress).bind(tolerance);
 }
 

@@ -46,7 +46,16 @@ struct TiledBinding {
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
   std::size_t bytes() const;       ///< of weights and what stands for them: read once a frame
   std::size_t dense_bytes() const;  ///< what they would take without compression
+  struct Sizes {
+    std::size_t factors, skeleton;
+  };
+  /// From rank and dense of every leaf: where its factors and pivots begin. Returns what sizes that asks for.
+  Sizes place_factors();
 };
+
+/// All of a binding that does not take its weights: leaves, rings, unit, and room for offsets. Throws base::Error when the
+/// model has no vertices.
+TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Coordinates coordinates);
 
 /// True if so many are worth a try. (Mean value coordinates never are.)
 bool compressible(std::size_t vertices, std::size_t handles);

@@ -78,3 +78,10 @@ TEST_CASE("without_waiting_for_the_disk_a_file_is_still_replaced_as_a_whole") {
   CHECK(test::file_bytes(folder / "a") == "two");
   CHECK(folder.entries() == 1);
 }
+
+TEST_CASE("parts_are_written_one_after_the_other") {
+  const test::TemporaryFolder folder;
+  const std::string_view parts[] = {"one ", "", "and two"};
+  replace_file(folder / "a", parts);
+  CHECK(test::file_bytes(folder / "a") == "one and two");
+}

@@ -57,7 +57,7 @@ bool mentions(const Outcome& outcome, const std::string& text) { return outcome.
 TEST_CASE("help_is_there_for_the_program_and_every_subcommand") {
   const auto top = run("--help");
   CHECK(top.code == 0);
-  for (const char* command : {"view", "render", "deform", "info", "bench"}) {
+  for (const char* command : {"view", "render", "deform", "bind", "info", "bench"}) {
     CHECK_MESSAGE(mentions(top, command), command);
     const auto help = run(std::string(command) + " --help");
     CHECK(help.code == 0);
@@ -116,6 +116,51 @@ TEST_CASE("render_writes_a_picture_of_the_asked_size") {
   CHECK(image.width == 640);
   CHECK(image.height == 400);
   CHECK(image.pixel(5, 5) != image.pixel(320, 200));
+}
+
+TEST_CASE("bind_saves_what_render_then_takes_instead_of_binding") {
+  const Scratch scratch;
+  const fs::path file = scratch.folder / "dragon.binding", out = scratch.folder / "out.png", same = scratch.folder / "same.png";
+  const std::string scene = quoted(dragon) + " " + quoted(cage), view = " --pose " + quoted(pose) + " --size 320x200 -o ";
+  const auto bound = run("bind " + scene + " -o " + quoted(file));
+  CHECK_MESSAGE(bound.code == 0, bound.text);
+  CHECK(mentions(bound, "bound 50,000 vertices to 148 cage triangles in "));
+  CHECK(mentions(bound, "compressed to 3e-05 from "));
+  REQUIRE(run("render " + scene + view + quoted(out)).code == 0);
+  const auto rendered = run("render " + scene + view + quoted(same) + " --binding " + quoted(file));
+  CHECK_MESSAGE(rendered.code == 0, rendered.text);
+  CHECK(rendered.text == "");
+  CHECK(render::read_png(out).rgba == render::read_png(same).rgba);
+  CHECK(run("bind " + scene + " -o " + quoted(file) + " --tolerance 0 --coordinates mvc").code == 0);
+  CHECK(run("render " + scene + view + quoted(same) + " --coordinates mvc --binding " + quoted(file)).code == 0);
+}
+
+TEST_CASE("a_binding_that_is_stale_or_none_stops_render_and_writes_no_picture") {
+  const Scratch scratch;
+  const fs::path file = scratch.folder / "dragon.binding", out = scratch.folder / "out.png";
+  const std::string scene = quoted(dragon) + " " + quoted(cage);
+  REQUIRE(run("bind " + scene + " -o " + quoted(file)).code == 0);
+  for (const auto& [arguments, reason] :
+       {std::pair{quoted(dragon) + " " + quoted(pose), "is stale: the cage is not the one that it was made for"},
+        {scene + " --coordinates mvc", "is stale: it is not for coordinates mvc"}}) {
+    const auto outcome = run("render " + arguments + " -o " + quoted(out) + " --binding " + quoted(file));
+    CHECK(outcome.code == 1);
+    CHECK_MESSAGE(mentions(outcome, "dragon.binding: " + std::string(reason)), outcome.text);
+    CHECK(mentions(outcome, "viete bind"));
+  }
+  const auto none = run("render " + scene + " -o " + quoted(out) + " --binding " + quoted(dragon));
+  CHECK(none.code == 1);
+  CHECK(mentions(none, "dragon.ply: this is no saved binding"));
+  CHECK(!fs::exists(out));
+}
+
+TEST_CASE("bind_needs_a_cage_and_a_tolerance_that_makes_sense") {
+  CHECK(run("bind " + quoted(dragon) + " -o x").code == 2);
+  CHECK(run("bind " + quoted(dragon) + " " + quoted(cage)).code == 2);
+  CHECK(run("bind " + quoted(dragon) + " " + quoted(cage) + " -o x --tolerance -1").code == 2);
+  const auto outcome = run("bind " + quoted(dragon) + " " + quoted(cage) + " -o /nowhere/x");
+  CHECK(outcome.code == 1);
+  CHECK(mentions(outcome, "/nowhere/x: cannot be written"));
 }
 
 TEST_CASE("without_a_display_the_viewer_says_so_in_one_line_and_renders_a_picture") {

@@ -1,0 +1,84 @@
+// viete bind MODEL CAGE -o OUT, or viete bind SESSION -o OUT: the binding as a file, for --binding.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/bench_rounds.h"
+#include "app/command_line.h"
+#include "app/options.h"
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/worker_pool.h"
+#include "deform/binding_file.h"
+#include "scene/open.h"
+
+namespace viete::app {
+
+namespace {
+
+struct BindOptions {
+  std::filesystem::path model, cage, output;
+  deform::Coordinates coordinates = deform::Coordinates::face;
+  double tolerance = deform::usual_tolerance;
+  bool coordinates_given = false;
+};
+
+void print(const deform::TiledBinding& tiles, double seconds) {
+  std::printf("bound %s vertices to %zu cage %s in %.2f s: %.1f MB", grouped(tiles.leaves.vertices).c_str(),
+              tiles.handles, tiles.coordinates == deform::Coordinates::face ? "triangles" : "vertices",
+              seconds, static_cast<double>(tiles.bytes()) * 1e-6);
+  if (tiles.compressed()) {
+    std::printf(", compressed to %g from %.1f MB", tiles.tolerance,
+                static_cast<double>(tiles.dense_bytes()) * 1e-6);
+  }
+  std::printf("\n");
+}
+
+int bind_files(const BindOptions& options) {
+  const scene::Opened opened =
+      scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage}}, {});
+  for (const auto& warning : opened.warnings) std::fprintf(stderr, "viete: note: %s\n", warning.c_str());
+  const scene::Document& document = *opened.document;
+  if (!document.has_cage())
+    throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
+  const bool own = opened.session && !options.coordinates_given;
+  base::WorkerPool pool;
+  base::Stopwatch watch;
+  const auto tiles =
+      deform::bind_tiles(*document.model.surface, *document.cage,
+                         own ? document.coordinates : options.coordinates, pool, options.tolerance);
+  print(tiles, 1e-3 * watch.lap_ms());
+  deform::write_binding(options.output, tiles, *document.model.surface, *document.cage);
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_bind_command(CLI::App& app, Action& action) {
+  auto* command =
+      app.add_subcommand("bind", "Bind a model to its cage and save that, for view and render --binding");
+  auto o = std::make_shared<BindOptions>();
+  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL), or a session (.viete) with its cage")
+      ->required();
+  command->add_option("CAGE", o->cage, "Cage around it, at rest");
+  command->add_option("-o,--output", o->output, "File to write")->required();
+  add_coordinates_option(*command, o->coordinates);
+  command
+      ->add_option("--tolerance", o->tolerance,
+                   "What compression may change the weights of a vertex by (root of the sum of squares); 0: "
+                   "no compression")
+      ->check(CLI::Range(0.0, 0.1))
+      ->default_str("3e-5");
+  command->footer(
+      "The file is checked against model and cage whenever it is used. view and render also keep bindings "
+      "that took\n"
+      "more than a second by themselves, in ~/.cache/viete/bindings ($XDG_CACHE_HOME), 2 GB at most.");
+  command->callback([o, command, &action] {
+    check_session_stands_alone(o->model, o->cage, {});
+    if (!scene::is_session(o->model) && o->cage.empty()) throw CLI::RequiredError("CAGE");
+    o->coordinates_given = command->count("--coordinates") > 0;
+    action = [o] { return bind_files(*o); };
+  });
+}
+
+}  // namespace viete::app

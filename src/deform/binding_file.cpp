@@ -1,0 +1,216 @@
+#include "deform/binding_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "base/checksum.h"
+#include "deform/memory.h"
+
+namespace viete::deform {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<char, 16> format = {"viete binding\n"};
+// Another one whenever the same model and cage give other weights, or other files.
+constexpr std::uint32_t current_version = 1;
+constexpr std::uint32_t byte_order = 0x01020304;
+
+struct Header {
+  std::array<char, 16> words = format;
+  std::uint32_t order_of_bytes = byte_order, version = current_version;
+  std::uint64_t model = 0, cage = 0, order = 0;  // checksums
+  std::uint32_t coordinates = 0, compressed = 0;
+  std::uint64_t failed = 0;
+  double tolerance = 0;
+  std::uint64_t content = 0, itself = 0;  // checksums of what follows, and of what stands before
+};
+static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 88);
+
+template <class T>
+std::uint64_t checksum(const std::vector<T>& values) {
+  base::Checksum sum;
+  sum.add(values.data(), values.size() * sizeof(T));
+  return sum.value();
+}
+
+std::uint64_t checksum(const mesh::Surface& surface) {
+  base::Checksum sum;
+  sum.add(surface.positions.data(), surface.positions.size() * sizeof(mesh::Point));
+  sum.add(surface.triangles.data(), surface.triangles.size() * sizeof(mesh::Triangle));
+  return sum.value();
+}
+
+std::uint64_t checksum(const Header& header) {
+  base::Checksum sum;
+  sum.add(&header, offsetof(Header, itself));
+  return sum.value();
+}
+
+// In the order of the file.
+template <class Binding>
+auto floats(Binding& b) {
+  return std::array{std::span(b.offsets), std::span(b.weights), std::span(b.factors), std::span(b.skeleton)};
+}
+
+std::vector<std::uint32_t> ranks_of(const TiledBinding& b) {
+  std::vector<std::uint32_t> ranks;
+  for (const auto& f : b.factored) ranks.push_back(f.dense ? 0 : f.rank);
+  return ranks;
+}
+
+std::uint64_t checksum(const TiledBinding& b, const std::vector<std::uint32_t>& ranks) {
+  base::Checksum sum;
+  sum.add(ranks.data(), ranks.size() * sizeof ranks[0]);
+  for (const auto part : floats(b)) sum.add(part.data(), part.size_bytes());
+  return sum.value();
+}
+
+class Reader {
+public:
+  Reader(const fs::path& file, base::Progress* progress) : file_(file), progress_(progress) {
+    std::error_code code;
+    if (!fs::is_regular_file(file, code)) fail("there is no such file", "check the path");
+    left_ = size_ = fs::file_size(file, code);
+    in_.open(file, std::ios::binary);
+    if (code || !in_) fail("cannot be opened", "check its permissions");
+  }
+
+  Header header() {
+    Header h{};
+    if (left_ < sizeof h) fail("this is no saved binding");
+    read(&h, sizeof h);
+    if (h.words != format) fail("this is no saved binding");
+    if (h.order_of_bytes != byte_order) fail("was saved on a machine with another order of bytes");
+    if (h.version != current_version) {
+      fail("is of version " + std::to_string(h.version) + ", this program reads version " +
+           std::to_string(current_version));
+    }
+    if (h.itself != checksum(h)) fail("is damaged");
+    return h;
+  }
+
+  void read(void* to, std::size_t bytes) {
+    constexpr std::size_t portion = 4 << 20;
+    for (std::size_t done = 0; done < bytes; done += portion) {
+      const std::size_t count = std::min(portion, bytes - done);
+      if (!in_.read(static_cast<char*>(to) + done, static_cast<std::streamsize>(count)))
+        fail("cannot be read to its end");
+      left_ -= count;
+      if (progress_) progress_->report(static_cast<double>(size_ - left_) / static_cast<double>(size_));
+    }
+  }
+
+  // What a header says is not believed before the bytes are there.
+  void expect(std::uintmax_t bytes) const {
+    if (left_ == bytes) return;
+    fail("is " + std::string(left_ < bytes ? "cut short" : "too long") + ": " + std::to_string(left_) +
+         " bytes where " + std::to_string(bytes) + " belong");
+  }
+  std::uintmax_t left() const { return left_; }
+
+  [[noreturn]] void fail(const std::string& problem,
+                         const std::string& advice = "save it anew with viete bind") const {
+    throw base::Error(file_.string(), problem, advice);
+  }
+  [[noreturn]] void stale(const std::string& why) const {
+    throw StaleBinding(file_.string(), "is stale: " + why, "save it anew with viete bind");
+  }
+
+private:
+  fs::path file_;
+  base::Progress* progress_;
+  std::ifstream in_;
+  std::uintmax_t size_ = 0, left_ = 0;
+};
+
+void require_same(const Reader& reader, const Header& h, const mesh::Surface& model, const Cage& cage,
+                  Coordinates coordinates) {
+  const bool other_model = h.model != checksum(model), other_cage = h.cage != checksum(cage.surface);
+  if (other_model && other_cage) reader.stale("model and cage are not those that it was made for");
+  if (other_model) reader.stale("the model is not the one that it was made for");
+  if (other_cage) reader.stale("the cage is not the one that it was made for");
+  if (h.coordinates != static_cast<std::uint32_t>(coordinates)) {
+    reader.stale("it is not for coordinates " + std::string(name(coordinates)));
+  }
+}
+
+void set_ranks(const Reader& reader, const std::vector<std::uint32_t>& ranks, TiledBinding& b) {
+  const auto handles = static_cast<std::uint32_t>(b.handles);
+  for (const auto rank : ranks) {
+    if (rank > handles) reader.fail("is damaged");
+    b.factored.push_back({.rank = rank ? rank : handles, .dense = rank == 0});
+  }
+}
+
+// For weights or factors, once the file is as long as they are.
+void make_room(const Reader& reader, TiledBinding& b) {
+  const std::size_t weights = b.compressed() ? 0 : b.leaves.slot_count() * b.handles;
+  const auto [factors, skeleton] = b.place_factors();
+  reader.expect(sizeof(float) * (b.offsets.size() + weights + factors + skeleton));
+  require_memory(static_cast<double>(reader.left()), b.leaves.vertices, b.handles);
+  b.weights.resize(weights);
+  b.factors.resize(factors);
+  b.skeleton.resize(skeleton);
+}
+
+}  // namespace
+
+std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, Coordinates coordinates,
+                          double tolerance) {
+  const Header key{.model = checksum(model),
+                   .cage = checksum(cage.surface),
+                   .coordinates = static_cast<std::uint32_t>(coordinates),
+                   .tolerance = tolerance};
+  return checksum(key);
+}
+
+void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surface& model, const Cage& cage,
+                   base::Outlives outlives) {
+  const auto ranks = ranks_of(b);
+  Header h{.model = checksum(model),
+           .cage = checksum(cage.surface),
+           .order = checksum(b.leaves.order),
+           .coordinates = static_cast<std::uint32_t>(b.coordinates),
+           .compressed = b.compressed(),
+           .failed = b.failed,
+           .tolerance = b.tolerance,
+           .content = checksum(b, ranks)};
+  h.itself = checksum(h);
+  const auto bytes = [](const void* data, std::size_t size) {
+    return std::string_view(static_cast<const char*>(data), size);
+  };
+  std::vector<std::string_view> parts = {bytes(&h, sizeof h),
+                                         bytes(ranks.data(), ranks.size() * sizeof ranks[0])};
+  for (const auto part : floats(b)) parts.push_back(bytes(part.data(), part.size_bytes()));
+  base::replace_file(file, parts, outlives);
+}
+
+TiledBinding read_binding(const fs::path& file, const mesh::Surface& model, const Cage& cage,
+                          Coordinates coordinates, base::Progress* progress) {
+  Reader reader(file, progress);
+  const Header h = reader.header();
+  require_same(reader, h, model, cage, coordinates);
+  TiledBinding b = lay_out(model, cage, coordinates);
+  if (h.order != checksum(b.leaves.order)) reader.stale("this program orders the vertices in another way");
+  std::vector<std::uint32_t> ranks(h.compressed ? b.leaves.count() : 0);
+  if (reader.left() < ranks.size() * sizeof ranks[0]) reader.fail("is cut short");
+  reader.read(ranks.data(), ranks.size() * sizeof ranks[0]);
+  set_ranks(reader, ranks, b);
+  make_room(reader, b);
+  for (const auto part : floats(b)) reader.read(part.data(), part.size_bytes());
+  if (h.content != checksum(b, ranks)) reader.fail("is damaged");
+  b.failed = h.failed;
+  b.tolerance = h.tolerance;
+  return b;
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,56 @@
+#include "base/checksum.h"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+using viete::base::Checksum;
+
+namespace {
+
+std::uint64_t checksum(const std::string& bytes) {
+  Checksum sum;
+  sum.add(bytes.data(), bytes.size());
+  return sum.value();
+}
+
+}  // namespace
+
+TEST_CASE("the_same_bytes_have_the_same_checksum") {
+  CHECK(checksum("a model and its cage") == checksum("a model and its cage"));
+}
+
+TEST_CASE("every_flipped_bit_and_every_other_length_changes_the_checksum") {
+  std::string bytes;
+  std::set<std::uint64_t> seen = {checksum(bytes)};
+  for (int i = 0; i < 100; ++i) {
+    bytes.push_back('\0');  // as padding would be
+    seen.insert(checksum(bytes));
+  }
+  CHECK(seen.size() == 101);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string other = bytes;
+      other[i] = static_cast<char>(1 << bit);
+      seen.insert(checksum(other));
+    }
+  }
+  CHECK(seen.size() == 901);
+}
+
+TEST_CASE("swapped_words_change_the_checksum") {
+  const std::string words = "01234567abcdefgh89ABCDEFijklmnopqrstuvwx",
+                    swapped = "89ABCDEFabcdefgh01234567ijklmnopqrstuvwx";
+  CHECK(checksum(words) != checksum(swapped));
+  CHECK(checksum("qrstuvwx" + words) != checksum(words + "qrstuvwx"));
+}
+
+TEST_CASE("where_one_portion_ends_and_the_next_begins_counts") {
+  Checksum a, b;
+  a.add("abc", 3);
+  a.add("d", 1);
+  b.add("ab", 2);
+  b.add("cd", 2);
+  CHECK(a.value() != b.value());
+}
