@@ -155,22 +155,15 @@ static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, log_size>& s) {
   }
 }
 
-// exp of all vectors at once: their chains of dependent steps hide each other's latencies.
-template <class T, class V = hn::Vec<Tag<T>>>
-static HWY_INLINE void exp_at_once(const lanes::Six<V> (&logs)[vectors_at_once], lanes::Six<V> (&out)[vectors_at_once]) {
+// Two vectors go through the same steps in turn: that hides the latency of each.
+template <class T, int G, class V = hn::Vec<Tag<T>>>
+static HWY_INLINE void exp_at_once(const lanes::Six<V> (&log)[G], lanes::Six<V> (&out)[G]) {
   const Tag<T> d;
-  lanes::Quick<Tag<T>> quick[vectors_at_once];
-  lanes::exp_quick<vectors_at_once>(d, logs, quick);
-  auto ok = quick[0].ok;
-#pragma GCC unroll 2
-  for (int v = 0; v < vectors_at_once; ++v) {
-    ok = hn::And(ok, quick[v].ok);
-    out[v] = quick[v].e;
-  }
-  if (HWY_LIKELY(hn::AllTrue(d, ok))) return;
-  for (int v = 0; v < vectors_at_once; ++v) {
-    const lanes::Six<V> log = logs[v];
-    out[v] = lanes::exp_lanes(d, log);
+  if constexpr (G == 2) {
+    const auto both = lanes::exp_lanes(d, lanes::together(log[0], log[1]));
+    out[0] = lanes::first(both), out[1] = lanes::second(both);
+  } else {
+    for (int v = 0; v < G; ++v) out[v] = lanes::exp_lanes(d, log[v]);
   }
 }
 
