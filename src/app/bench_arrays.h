@@ -12,13 +12,13 @@
 
 namespace viete::app {
 
-/// Starts at 64 bytes. Not initialised.
+/// Starts at a page, as large arrays do. Not initialised.
 template <class T>
 class MatrixArray {
  public:
   MatrixArray(sym3::Layout layout, std::size_t count)
       : layout_(layout), count_(count), stride_(sym3::padded_stride<T>(count)), size_(numbers()) {
-    data_.reset(static_cast<T*>(std::aligned_alloc(64, (size_ * sizeof(T) + 63) / 64 * 64)));
+    data_.reset(static_cast<T*>(std::aligned_alloc(4096, (size_ * sizeof(T) + 4095) / 4096 * 4096)));
     if (!data_) throw std::bad_alloc();
   }
 

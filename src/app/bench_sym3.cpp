@@ -33,11 +33,11 @@ using sym3::View;
 constexpr std::size_t in_cache = 4096;  // matrices: 400 KB in double, in and out
 constexpr std::size_t pieces = 10;
 
-/// Numbers that start at 64 bytes, none of them touched yet.
+/// Numbers that start at a page, as large arrays do, none of them touched yet.
 template <class T>
 class Numbers {
  public:
-  explicit Numbers(std::size_t count) : data_(static_cast<T*>(std::aligned_alloc(64, (count * sizeof(T) / 64 + 1) * 64))) {}
+  explicit Numbers(std::size_t count) : data_(static_cast<T*>(std::aligned_alloc(4096, (count * sizeof(T) / 4096 + 1) * 4096))) {}
   T* get() const { return data_.get(); }
 
  private:
@@ -136,10 +136,11 @@ void in_second_cache(const std::string& type, Report& report) {
   cases.push_back({"one by one", [&](std::size_t) {
                      for (std::size_t i = 0; i < in_cache; ++i) answers[i] = sym3::exp(matrices[i]);
                    }});
+  // Many in a row: for the first 20 us or so a processor runs wide instructions slowly until their units are awake.
   for (const Kernel& k : sym3::kernels()) {
-    cases.push_back({std::string(k.name), [&, kernel = &k](std::size_t) { sym3::exp(from, to, in_cache, {kernel}); }, 20});
+    cases.push_back({std::string(k.name), [&, kernel = &k](std::size_t) { sym3::exp(from, to, in_cache, {kernel}); }, 100});
   }
-  cases.push_back({"copy", [&](std::size_t) { std::memcpy(out.get(), in.get(), 6 * stride * sizeof(T)); }, 20});
+  cases.push_back({"copy", [&](std::size_t) { std::memcpy(out.get(), in.get(), 6 * stride * sizeof(T)); }, 100});
   const auto r = measure("exp " + type + ", planes in the second cache, ns per matrix", cases, 1, in_cache, 41, "diag");
   const bool is_double = sizeof(T) == 8;
   if (sym3::kernel_from_name("avx512")) {
