@@ -9,6 +9,7 @@
 //   namespace viete::room::HWY_NAMESPACE {
 //   namespace lanes = viete::sym3::HWY_NAMESPACE;
 //   ... const hn::ScalableTag<float> d;  lanes::Six<hn::Vec<decltype(d)>> e = lanes::exp_lanes(d, s); ...
+//   ... const auto both = lanes::exp_lanes(d, lanes::together(s, t));  // lanes::first(both), second(both) ...
 // Link viete::sym3; compile with -ffp-contract=off. Each lane has the bits of the single call sym3::exp under
 // the kernel of that target, whatever the other lanes hold. Bounds and special values: exp.h, method `fast`.
 //
@@ -83,12 +84,9 @@ static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V 
 
 template <class V>
 static HWY_INLINE Six<V> combine(const Coefficients<V>& z, const Six<V>& a, const Six<V>& c) {
-  return {MulAdd(z.z1, a.xx, MulAdd(z.z2, c.xx, z.z0)),
-          MulAdd(z.z1, a.xy, Mul(z.z2, c.xy)),
-          MulAdd(z.z1, a.xz, Mul(z.z2, c.xz)),
-          MulAdd(z.z1, a.yy, MulAdd(z.z2, c.yy, z.z0)),
-          MulAdd(z.z1, a.yz, Mul(z.z2, c.yz)),
-          MulAdd(z.z1, a.zz, MulAdd(z.z2, c.zz, z.z0))};
+  return {MulAdd(z.z1, a.xx, MulAdd(z.z2, c.xx, z.z0)), MulAdd(z.z1, a.xy, Mul(z.z2, c.xy)),
+          MulAdd(z.z1, a.xz, Mul(z.z2, c.xz)),          MulAdd(z.z1, a.yy, MulAdd(z.z2, c.yy, z.z0)),
+          MulAdd(z.z1, a.yz, Mul(z.z2, c.yz)),          MulAdd(z.z1, a.zz, MulAdd(z.z2, c.zz, z.z0))};
 }
 
 /// x = n ln 2 + r, |r| <= 0.3467; n also as the low bits of `shifted`.
@@ -124,7 +122,8 @@ static HWY_INLINE Two<V> add_to_exponent(D d, Two<V> x, Two<V> shifted) {
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE hn::Mask<D> is_quick(D d, V minus_p, V trace) {
   using C = ExpTables<hn::TFromD<D>>;
-  return hn::And(hn::Ge(minus_p, hn::Set(d, -C::p_limit)), hn::Le(hn::Abs(trace), hn::Set(d, C::trace_limit)));
+  return hn::And(hn::Ge(minus_p, hn::Set(d, -C::p_limit)),
+                 hn::Le(hn::Abs(trace), hn::Set(d, C::trace_limit)));
 }
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_quick(D d, Two<V> minus_p, Two<V> trace) {
@@ -140,15 +139,16 @@ static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>&
   const Reduced<V> x = reduce(d, m.mean);
   const V r = Add(x.r, m.rest);
   V factor = hn::Set(d, C::exp_table[degree] * C::lead);
-  const Coefficients<V> z = recurrence(d, C::taylor, minus_p, q, [&](int step) HWY_ATTR __attribute__((always_inline)) {
-    if (step < degree) factor = MulAdd(factor, r, hn::Set(d, C::exp_table[degree - 1 - step] * C::lead));
-  });
+  const Coefficients<V> z = recurrence(
+      d, C::taylor, minus_p, q, [&](int step) HWY_ATTR __attribute__((always_inline)) {
+        if (step < degree) factor = MulAdd(factor, r, hn::Set(d, C::exp_table[degree - 1 - step] * C::lead));
+      });
   factor = add_to_exponent(d, factor, x.shifted);
   return combine({Mul(z.z0, factor), Mul(z.z1, factor), Mul(z.z2, factor)}, m.a, c);
 }
 
-/// The fast path, V one register or Two: true if it served every lane, for spreads up to 4.9 (float 6.9) at any trace that
-/// leaves exp in the normal range.
+/// The fast path, V one register or Two: true if it served every lane, for spreads up to 4.9 (float 6.9) at
+/// any trace that leaves exp in the normal range.
 template <class D, class V>
 static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
   const Split<V> m = split(d, s);
@@ -220,7 +220,7 @@ static HWY_INLINE Six<V> exp_lanes(D d, const Six<V>& s) {
   return exp_general(d, matrix);
 }
 
-/// The same for two registers at a time, in two thirds of the time of one after the other.
+/// The same for two registers at a time, which is faster than one after the other.
 template <class D, class V>
 static HWY_INLINE Six<Two<V>> exp_lanes(D d, const Six<Two<V>>& s) {
   Six<Two<V>> e;

@@ -40,8 +40,9 @@ struct Nine {
   V xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
 
-/// Two registers that go through the same steps in turn, written as one: their chains of dependent operations hide each
-/// other's latencies. Arithmetic on V and on Two<V> alike is called without hn::, which argument-dependent lookup finds.
+/// Two registers that go through the same steps in turn, written as one: their chains of dependent operations
+/// hide each other's latencies. Arithmetic on V and on Two<V> alike is called without hn::, which
+/// argument-dependent lookup finds.
 template <class V>
 struct Two {
   V a, b;
@@ -53,8 +54,12 @@ struct Two {
   friend HWY_INLINE Two Add(Two x, Two y) { return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)}; }
   friend HWY_INLINE Two Sub(Two x, Two y) { return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)}; }
   friend HWY_INLINE Two Mul(Two x, Two y) { return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)}; }
-  friend HWY_INLINE Two MulAdd(Two x, Two y, Two z) { return {hn::MulAdd(x.a, y.a, z.a), hn::MulAdd(x.b, y.b, z.b)}; }
-  friend HWY_INLINE Two MulSub(Two x, Two y, Two z) { return {hn::MulSub(x.a, y.a, z.a), hn::MulSub(x.b, y.b, z.b)}; }
+  friend HWY_INLINE Two MulAdd(Two x, Two y, Two z) {
+    return {hn::MulAdd(x.a, y.a, z.a), hn::MulAdd(x.b, y.b, z.b)};
+  }
+  friend HWY_INLINE Two MulSub(Two x, Two y, Two z) {
+    return {hn::MulSub(x.a, y.a, z.a), hn::MulSub(x.b, y.b, z.b)};
+  }
   friend HWY_INLINE Two NegMulAdd(Two x, Two y, Two z) {
     return {hn::NegMulAdd(x.a, y.a, z.a), hn::NegMulAdd(x.b, y.b, z.b)};
   }

@@ -96,7 +96,8 @@ static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]
 /// `count` registers from where they were just put together, past the caches.
 template <class D, class T>
 static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) hn::Stream(hn::Load(d, from + k * hn::Lanes(d)), d, to + k * hn::Lanes(d));
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t k = 0; k < count; ++k) hn::Stream(hn::Load(d, from + k * lanes), d, to + k * lanes);
 }
 
 /// Six numbers are two triples: three-way interleaving gives entries 0, 1, 2 alternating with 3, 4, 5.
@@ -128,7 +129,8 @@ struct InPacked {
   }
 };
 
-/// Nine numbers are three triples of numbers, and three triples are one of triples: three-way interleaving twice.
+/// Nine numbers are three triples of numbers, and three triples are one of triples: three-way interleaving
+/// twice.
 template <class D, class T, class V = hn::Vec<D>>
 static HWY_INLINE void load_nine(D d, const T* data, V (&e)[9]) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
@@ -136,7 +138,9 @@ static HWY_INLINE void load_nine(D d, const T* data, V (&e)[9]) {
   for (std::size_t r = 0; r < 3; ++r) {
     V a, b, c;
     hn::LoadInterleaved3(d, data + 3 * r * lanes, a, b, c);
-    hn::Store(a, d, third[0] + r * lanes), hn::Store(b, d, third[1] + r * lanes), hn::Store(c, d, third[2] + r * lanes);
+    hn::Store(a, d, third[0] + r * lanes);
+    hn::Store(b, d, third[1] + r * lanes);
+    hn::Store(c, d, third[2] + r * lanes);
   }
   for (int k = 0; k < 3; ++k) hn::LoadInterleaved3(d, third[k], e[k], e[3 + k], e[6 + k]);
 }
@@ -241,8 +245,8 @@ static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, s
 
 /// And back.
 template <class D, class T, int N>
-static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::size_t count, const View<T, N>& v,
-                                 std::size_t i) {
+static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::size_t count,
+                                 const View<T, N>& v, std::size_t i) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
   constexpr int entry_of_six[] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
   std::size_t j = 0;

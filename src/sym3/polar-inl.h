@@ -145,9 +145,12 @@ static HWY_INLINE void polar_quick(D d, const Nine<V> (&m)[G], Rotations<D> (&ou
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> stretch(D d, const Nine<V>& r, const Nine<V>& m) {
   const V half = hn::Set(d, hn::TFromD<D>(0.5));
-  const V xy = sum_of_products(r.xx, m.xy, r.yx, m.yy, r.zx, m.zy), yx = sum_of_products(r.xy, m.xx, r.yy, m.yx, r.zy, m.zx);
-  const V xz = sum_of_products(r.xx, m.xz, r.yx, m.yz, r.zx, m.zz), zx = sum_of_products(r.xz, m.xx, r.yz, m.yx, r.zz, m.zx);
-  const V yz = sum_of_products(r.xy, m.xz, r.yy, m.yz, r.zy, m.zz), zy = sum_of_products(r.xz, m.xy, r.yz, m.yy, r.zz, m.zy);
+  const V xy = sum_of_products(r.xx, m.xy, r.yx, m.yy, r.zx, m.zy),
+          yx = sum_of_products(r.xy, m.xx, r.yy, m.yx, r.zy, m.zx);
+  const V xz = sum_of_products(r.xx, m.xz, r.yx, m.yz, r.zx, m.zz),
+          zx = sum_of_products(r.xz, m.xx, r.yz, m.yx, r.zz, m.zx);
+  const V yz = sum_of_products(r.xy, m.xz, r.yy, m.yz, r.zy, m.zz),
+          zy = sum_of_products(r.xz, m.xy, r.yz, m.yy, r.zz, m.zy);
   return {sum_of_products(r.xx, m.xx, r.yx, m.yx, r.zx, m.zx),
           hn::MulAdd(xy, half, hn::Mul(yx, half)),
           hn::MulAdd(xz, half, hn::Mul(zx, half)),

@@ -100,11 +100,14 @@ static void polar_many(const View<const T, 9>& in, const View<T, 9>& rotations, 
 
 extern const Function<double, 9, 9> rotation_of_double;
 extern const Function<float, 9, 9> rotation_of_float;
-const Function<double, 9, 9> rotation_of_double = {Mapped<RotationOf, double>::one, Mapped<RotationOf, double>::many};
-const Function<float, 9, 9> rotation_of_float = {Mapped<RotationOf, float>::one, Mapped<RotationOf, float>::many};
+const Function<double, 9, 9> rotation_of_double = {Mapped<RotationOf, double>::one,
+                                                   Mapped<RotationOf, double>::many};
+const Function<float, 9, 9> rotation_of_float = {Mapped<RotationOf, float>::one,
+                                                 Mapped<RotationOf, float>::many};
 
 extern const PolarFunctions polar_functions;
-const PolarFunctions polar_functions = {{polar_one<double>, polar_many<double>}, {polar_one<float>, polar_many<float>}};
+const PolarFunctions polar_functions = {{polar_one<double>, polar_many<double>},
+                                        {polar_one<float>, polar_many<float>}};
 
 }  // namespace viete::sym3::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -78,7 +78,8 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   e.matrix = times(m.a, inverse), e.adjugate = adjugate(e.matrix);
   e.minus_p = minus_p(e.adjugate), e.q = determinant(e.matrix, e.adjugate);
   const V g2 = hn::Mul(hn::Neg(e.minus_p), hn::Set(d, T(1) / T(3))), g = hn::Sqrt(g2);
-  const V sine3 = hn::Mul(hn::Sqrt(squared_minors(d, e.matrix, e.adjugate, e.minus_p)), hn::Set(d, T(1) / T(6)));
+  const V sine3 =
+      hn::Mul(hn::Sqrt(squared_minors(d, e.matrix, e.adjugate, e.minus_p)), hn::Set(d, T(1) / T(6)));
   const V tiny = hn::Set(d, T(1e-37));
   const V cosine3 = hn::MulAdd(hn::Add(g2, g2), g, hn::Add(hn::Abs(e.q), tiny));
   const V u = hn::Min(hn::Div(sine3, cosine3), hn::Set(d, T(1)));  // tan(3 t / 2)

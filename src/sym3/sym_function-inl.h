@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-// F is a function of symmetric matrices: F::quick(d, s, e), of one register or of Two, answers whether it found
-// e in every lane; F::general(d, s) always does.
+// F is a function of symmetric matrices: F::quick(d, s, e), of one register or of Two, answers whether it
+// found e in every lane; F::general(d, s) always does.
 
 template <class F, class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> apply(D d, const Six<V>& s) {
@@ -35,8 +35,9 @@ static HWY_NOINLINE void apply_rest(D d, const View<const T, 6>& in, const View<
   scatter(d, rows, lanes, count, out, i);
 }
 
-/// Two registers' worth at a time. Both are read before any output is written, so in == out is fine. Returns where it
-/// stopped. (A function of its own: a second loop over the same constants would take their registers.)
+/// Two registers' worth at a time. Both are read before any output is written, so in == out is fine. Returns
+/// where it stopped. (A function of its own: a second loop over the same constants would take their
+/// registers.)
 template <class F, class From, class To, bool streaming, class D, class T>
 static HWY_NOINLINE std::size_t apply_pairs(D d, View<const T, 6> in, View<T, 6> out, std::size_t i,
                                             std::size_t end) {
@@ -68,7 +69,7 @@ static HWY_INLINE void apply_all(D d, const View<const T, 6>& in, const View<T, 
 
 template <class F, class Way, class D, class T>
 static HWY_INLINE void apply_direct(D d, const View<const T, 6>& in, const View<T, 6>& out,
-                                      const Range& range, bool aligned) {
+                                    const Range& range, bool aligned) {
   if constexpr (Way::can_stream && hn::MaxLanes(D()) > 1) {
     if (range.stream && aligned) {
       apply_all<F, Way, Way, true>(d, in, out, range.begin, range.end);
@@ -107,14 +108,16 @@ static HWY_NOINLINE void apply_tiles(D d, const View<const T, 6>& in, const View
   }
 }
 
-/// One matrix as six numbers in a row, in stores of 16 bytes: what the caller copies by 16 it would wait for if it came by 8.
+/// One matrix as six numbers in a row, in stores of 16 bytes: what the caller copies by 16 it would wait for
+/// if it came by 8.
 template <class D, class T, class V>
 static HWY_INLINE void store_row([[maybe_unused]] D d, const Six<V>& m, T* out) {
 #if HWY_TARGET == HWY_SCALAR
   store_six<false>(d, m, [=](int k) HWY_ATTR { return out + k; });
 #else
   const hn::Twice<D> two;
-  const auto a = hn::Combine(two, m.xy, m.xx), b = hn::Combine(two, m.yy, m.xz), c = hn::Combine(two, m.zz, m.yz);
+  const auto a = hn::Combine(two, m.xy, m.xx), b = hn::Combine(two, m.yy, m.xz),
+             c = hn::Combine(two, m.zz, m.yz);
   if constexpr (sizeof(T) == 8) {
     hn::StoreU(a, two, out), hn::StoreU(b, two, out + 2);
   } else {
