@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "app/bench_rounds.h"
 #include "app/bench_table.h"
 #include "app/command_line.h"
 #include "deform/polar.h"
@@ -109,9 +111,24 @@ struct Report {
   }
 };
 
+/// One thing that is measured: run(i) does the i-th piece of the work.
+struct BenchCase {
+  std::string name;
+  std::function<void(std::size_t piece)> run;
+  std::size_t repeats = 1;  ///< times in a row, for what is too short to time
+};
+
+/// Each of `parts` pieces of `size` matrices in turn, `passes` times over.
 std::vector<BenchResult> measure(const std::string& title, const std::vector<BenchCase>& cases, std::size_t parts,
-                                 std::size_t size, int passes, const std::string& reference) {
-  const auto results = interleave(cases, parts, size, passes);
+                                 std::size_t size, std::size_t passes, const std::string& reference) {
+  std::vector<RoundCase> rounds;
+  for (const BenchCase& c : cases) {
+    rounds.push_back({c.name, size * c.repeats, [&c, parts](std::size_t round) {
+                        for (std::size_t i = 0; i < c.repeats; ++i) c.run(round % parts);
+                      }});
+  }
+  base::Progress progress;
+  const auto results = measure_rounds(rounds, parts * passes, progress);
   print_table(title, results, reference, "copy");
   return results;
 }

@@ -1,28 +1,17 @@
-// Interleaved measurements, their medians, and how they are printed.
+// What was measured, and how it is printed.
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 namespace viete::app {
 
-/// One thing that is measured: run(i) does the i-th piece of work of `items` items.
-struct BenchCase {
-  std::string name;
-  std::function<void(std::size_t piece)> run;
-  int repeats = 1;  ///< times in a row, for what is too short to time; the time is of one
-};
-
 struct BenchResult {
   std::string name;
-  double ns_per_item = 0;  ///< median over the pieces, processor time of the calling thread
+  double ns_per_item = 0;  ///< median over the rounds, processor time of the calling thread
 };
-
-/// For each piece in turn every case runs once (so that a disturbance hits all alike); `passes` times over.
-std::vector<BenchResult> interleave(const std::vector<BenchCase>& cases, std::size_t pieces, std::size_t items_per_piece, int passes);
 
 /// The time of the case of that name; 0 if there is none.
 double time_of(const std::vector<BenchResult>& results, const std::string& name);
