@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bench_bars.h"
 #include "app/bench_rounds.h"
 #include "app/bench_table.h"
 #include "app/command_line.h"
@@ -100,17 +101,6 @@ void fill(const std::vector<Sym3<T>>& from, const View<T, 6>& to, std::size_t co
   }
 }
 
-struct Report {
-  nlohmann::json rows = nlohmann::json::array();
-
-  /// At least, or at most, `bar`.
-  void ratio(const std::string& what, double measured, double bar, bool at_least) {
-    const bool met = at_least ? measured >= bar : measured <= bar;
-    std::printf("  %-58s %8.2f   %s %-6g %s\n", what.c_str(), measured, at_least ? ">=" : "<=", bar, met ? "met" : "NOT MET");
-    rows.push_back({{"what", what}, {"measured", measured}, {"bar", bar}, {"met", met}});
-  }
-};
-
 /// One thing that is measured: run(i) does the i-th piece of the work.
 struct BenchCase {
   std::string name;
@@ -139,7 +129,7 @@ double faster(const std::vector<BenchResult>& results, const std::string& slow, 
 
 /// Planes that stay in the second cache.
 template <class T>
-void in_second_cache(const std::string& type, Report& report) {
+void in_second_cache(const std::string& type, Bars& report) {
   const auto matrices = paper_ensemble<T>(in_cache);
   const std::size_t stride = sym3::padded_stride<T>(in_cache);
   const Numbers<T> in(6 * stride), out(6 * stride);
@@ -161,18 +151,18 @@ void in_second_cache(const std::string& type, Report& report) {
   const auto r = measure("exp " + type + ", planes in the second cache, ns per matrix", cases, 1, in_cache, 41, "diag");
   const bool is_double = sizeof(T) == 8;
   if (sym3::kernel_from_name("avx512")) {
-    report.ratio("exp " + type + ", in cache, avx512: diag /", faster(r, "diag", "avx512"), is_double ? 110 : 200, true);
-    report.ratio("exp " + type + ", in cache, avx512: improved_sd /", faster(r, "improved_sd", "avx512"), is_double ? 30 : 75, true);
+    report.check("exp " + type + ", in cache, avx512: diag /", faster(r, "diag", "avx512"), is_double ? 110 : 200, true);
+    report.check("exp " + type + ", in cache, avx512: improved_sd /", faster(r, "improved_sd", "avx512"), is_double ? 30 : 75, true);
   } else {
     std::printf("  this machine has no AVX-512: its rows are skipped\n");
   }
   if (is_double && sym3::kernel_from_name("avx2")) {
-    report.ratio("exp double, in cache, avx2: diag /", faster(r, "diag", "avx2"), 80, true);
-    report.ratio("exp double, in cache, avx2: improved_sd /", faster(r, "improved_sd", "avx2"), 22, true);
+    report.check("exp double, in cache, avx2: diag /", faster(r, "diag", "avx2"), 80, true);
+    report.check("exp double, in cache, avx2: improved_sd /", faster(r, "improved_sd", "avx2"), 22, true);
   }
   if (is_double) {
-    report.ratio("one matrix per call: diag /", faster(r, "diag", "one by one"), 14, true);
-    report.ratio("one matrix per call: improved_sd /", faster(r, "improved_sd", "one by one"), 4, true);
+    report.check("one matrix per call: diag /", faster(r, "diag", "one by one"), 14, true);
+    report.check("one matrix per call: improved_sd /", faster(r, "improved_sd", "one by one"), 4, true);
   }
 }
 
@@ -206,17 +196,17 @@ std::vector<BenchResult> from_memory(const std::string& title, Layout layout, st
   return measure(title + ", " + std::to_string(total) + " from memory", cases, pieces, size, 2, "diag");
 }
 
-void out_of_cache(std::size_t count, Report& report) {
+void out_of_cache(std::size_t count, Bars& report) {
   const auto best = [](const auto& a, const auto& b) { return std::min(1 / faster(a, "copy", "fast"), 1 / faster(b, "copy", "fast")); };
   const auto planes = from_memory<double>("exp double, planes", Layout::planes, count);
   const auto blocks = from_memory<double>("exp double, blocks", Layout::blocks, count);
-  report.ratio("exp double, from memory, best layout: / copy", best(planes, blocks), 1.25, false);
+  report.check("exp double, from memory, best layout: / copy", best(planes, blocks), 1.25, false);
   const auto planes_f = from_memory<float>("exp float, planes", Layout::planes, count);
   const auto blocks_f = from_memory<float>("exp float, blocks", Layout::blocks, count);
-  report.ratio("exp float, from memory, best layout: / copy", best(planes_f, blocks_f), 1.15, false);
+  report.check("exp float, from memory, best layout: / copy", best(planes_f, blocks_f), 1.15, false);
   const auto full = from_memory<double>("exp of Matrix3d", Layout::full, count);
-  report.ratio("exp of Matrix3d, from memory: diag /", faster(full, "diag", "fast"), 60, true);
-  report.ratio("exp of Matrix3d, from memory: / copy", 1 / faster(full, "copy", "fast"), 1.3, false);
+  report.check("exp of Matrix3d, from memory: diag /", faster(full, "diag", "fast"), 60, true);
+  report.check("exp of Matrix3d, from memory: / copy", 1 / faster(full, "copy", "fast"), 1.3, false);
 }
 
 /// R = cos a I + sin a / a [w] + (1 - cos a) / a^2 w w^T, with a case for small angles.
@@ -228,7 +218,7 @@ sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
           f * y * z - s * x, f * x * z - s * y, f * y * z + s * x, c + f * z * z};
 }
 
-void rotations(Report& report) {
+void rotations(Bars& report) {
   std::mt19937_64 random(7);
   const std::size_t stride = sym3::padded_stride<double>(in_cache);
   std::vector<sym3::Vec3<double>> w(in_cache);
@@ -245,16 +235,16 @@ void rotations(Report& report) {
                           {"batched", [&](std::size_t) { sym3::exp_rotation(sym3::VecView<double>(planes_w.get(), stride), to, in_cache); }, 20},
                           {"copy", [&](std::size_t) { std::memcpy(out.get(), planes_m.get(), 6 * stride * sizeof(double)); }, 20}},
                          1, in_cache, 41, "textbook");
-  report.ratio("rotation: textbook / batched", faster(a, "textbook", "batched"), 15, true);
+  report.check("rotation: textbook / batched", faster(a, "textbook", "batched"), 15, true);
   const auto b = measure("polar double, rotations with stretches of some 30 %, planes",
                          {{"SVD", [&](std::size_t) { std::transform(m.begin(), m.end(), r.begin(), [](const auto& x) { return deform::polar(x).rotation; }); }},
                           {"batched", [&](std::size_t) { sym3::polar(sym3::MatView<double>(planes_m.get(), stride), to, in_cache); }, 4},
                           {"copy", [&](std::size_t) { std::memcpy(out.get(), planes_m.get(), 9 * stride * sizeof(double)); }, 20}},
                          1, in_cache, 21, "SVD");
-  report.ratio("polar: SVD / batched", faster(b, "SVD", "batched"), 40, true);
+  report.check("polar: SVD / batched", faster(b, "SVD", "batched"), 40, true);
 }
 
-void logarithms(const std::string& what, const std::vector<Sym3<double>>& matrices, Report& report) {
+void logarithms(const std::string& what, const std::vector<Sym3<double>>& matrices, Bars& report) {
   const std::size_t stride = sym3::padded_stride<double>(in_cache);
   const Numbers<double> in(6 * stride), out(6 * stride);
   const View<double, 6> from(in.get(), stride), to(out.get(), stride);
@@ -265,7 +255,7 @@ void logarithms(const std::string& what, const std::vector<Sym3<double>>& matric
                           {"batched", [&](std::size_t) { sym3::log(from, to, in_cache); }, 4},
                           {"copy", [&](std::size_t) { std::memcpy(out.get(), in.get(), 6 * stride * sizeof(double)); }, 20}},
                          1, in_cache, 41, "QR");
-  report.ratio("log, " + what + ": QR / batched", faster(r, "QR", "batched"), 20, true);
+  report.check("log, " + what + ": QR / batched", faster(r, "QR", "batched"), 20, true);
 }
 
 /// The largest relative error of exp in u, against 106 bits.
@@ -298,20 +288,20 @@ std::vector<Sym3<T>> clustered(double spread, std::size_t count) {
 }
 
 template <class T>
-void errors(const std::string& type, std::size_t count, Report& report) {
+void errors(const std::string& type, std::size_t count, Bars& report) {
   const bool fused = sym3::kernel().fused;
-  report.ratio("exp " + type + ", error in u: the paper's ensemble, " + std::to_string(count), worst_error(paper_ensemble<T>(count)), fused ? 8 : 12, false);
-  report.ratio("exp " + type + ", error in u: any gap, spread 3", worst_error(clustered<T>(3, count / 10)), fused ? 6 : 15.5, false);
+  report.check("exp " + type + ", error in u: the paper's ensemble, " + std::to_string(count), worst_error(paper_ensemble<T>(count)), fused ? 8 : 12, false);
+  report.check("exp " + type + ", error in u: any gap, spread 3", worst_error(clustered<T>(3, count / 10)), fused ? 6 : 15.5, false);
   for (const double spread : {10.0, 60.0}) {
     const double bar = fused ? 6 + 2 * spread : 8 + 2.5 * spread;
-    report.ratio("exp " + type + ", error in u: spread " + std::to_string(int(spread)), worst_error(clustered<T>(spread, count / 50)), bar, false);
+    report.check("exp " + type + ", error in u: spread " + std::to_string(int(spread)), worst_error(clustered<T>(spread, count / 50)), bar, false);
   }
 }
 
 }  // namespace
 
 int bench_sym3(std::size_t count, const std::filesystem::path& json) {
-  Report report;
+  Bars report;
   const bool small = count != 0 && count < 1'000'000;
   std::printf("kernels:");
   for (const Kernel& k : sym3::kernels()) std::printf(" %s", std::string(k.name).c_str());

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "app/assets.h"
+#include "app/bench_rounds.h"
 #include "app/bench_scene.h"
 #include "app/bench_table.h"
+#include "app/frame_bars.h"
 #include "app/options.h"
 #include "app/reference_frame.h"
 #include "base/clock.h"
@@ -28,18 +30,20 @@ namespace {
 using deform::Link;
 using sym3::Method;
 
+constexpr std::size_t exp_portion = 4096;  // matrices that stay in cache
+
 struct Options {
-  std::size_t count = 0;  ///< vertices: the bundled model is cut off or subdivided; 0: as it is
+  std::vector<std::size_t> counts = {0};  ///< vertices: the bundled model is cut off or subdivided; 0: as it is
   std::vector<std::size_t> faces = {50, 100, 300, 600};
   int rounds = 11;
   double tolerance = deform::usual_tolerance;
   std::filesystem::path json;
 };
 
-// The bundled model, its first vertices, or subdivided until it has as many.
+// The bundled model, its first vertices, or subdivided until it has about as many.
 mesh::Surface benchmark_model(std::size_t count) {
   mesh::Surface model = *scene::open_document(bundled_model().model, {}).model.surface;
-  while (count > model.positions.size()) model = subdivided(model);
+  while (count > 2 * model.positions.size()) model = subdivided(model);
   if (count == 0 || 2 * count > model.positions.size()) return model;
   std::vector<mesh::Triangle> kept;
   for (const auto& t : model.triangles) {
@@ -63,6 +67,7 @@ struct Case {
   std::function<deform::LinkTimes()> links;          ///< empty: it has none
   std::function<double()> error;                     ///< distance from the staged frame in diagonals; may be empty
   std::size_t bytes = 0;                             ///< read once a frame
+  int repeats = 1;                                   ///< in a row, for what is too short to time
   std::vector<double> cpu_ms{}, wall_ms{};
   std::vector<deform::LinkTimes> link_ms{};
 };
@@ -71,26 +76,28 @@ struct Case {
 void time_once(Case& c) {
   const auto cost = c.pool->cost();
   const double wall = base::wall_seconds(), cpu = base::thread_seconds();
-  c.run();
-  const double seconds = base::thread_seconds() - cpu;
-  c.wall_ms.push_back(1e3 * (base::wall_seconds() - wall));
+  for (int n = 0; n < c.repeats; ++n) c.run();
+  const double seconds = base::thread_seconds() - cpu, ms = 1e3 / c.repeats;
+  c.wall_ms.push_back(ms * (base::wall_seconds() - wall));
   const auto now = c.pool->cost();
-  c.cpu_ms.push_back(1e3 * (seconds - (now.caller - cost.caller) + (now.longest - cost.longest)));
+  c.cpu_ms.push_back(ms * (seconds - (now.caller - cost.caller) + (now.longest - cost.longest)));
   if (c.links) c.link_ms.push_back(c.links());
 }
 
-double link_median(const Case& c, std::size_t link) {
-  std::vector<double> values;
-  for (const auto& t : c.link_ms) values.push_back(t.ms[link]);
-  return median(std::move(values));
+deform::LinkTimes link_medians(const Case& c) {
+  deform::LinkTimes medians;
+  for (std::size_t link = 0; c.links && link < deform::link_count; ++link) {
+    std::vector<double> values;
+    for (const auto& t : c.link_ms) values.push_back(t.ms[link]);
+    medians.ms[link] = median(std::move(values));
+  }
+  return medians;
 }
 
-double distance(std::span<const mesh::Point> expected, const deform::FusedFrame& frame) {
-  using namespace deform;
+double distance(std::span<const mesh::Point> expected, std::span<const mesh::Point> positions) {
   double largest = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const auto& p = frame.vertices()[i].position;
-    largest = std::max(largest, norm(frame.origin() + Vec3{p[0], p[1], p[2]} - expected[i]));
+    largest = std::max(largest, deform::norm(deform::operator-(positions[i], expected[i])));
   }
   return largest;
 }
@@ -107,10 +114,9 @@ class Contest {
     if (staged_) add_staged();
     for (auto* pool : {&one_, &all_}) {
       if (pool == &all_ && all_.threads() == 1) continue;
-      const std::string threads = pool == &one_ ? "" : ", " + std::to_string(all_.threads()) + " threads";
-      add_fused("fused, dense" + threads, dense_, *pool, false);
-      if (compressed_->compressed()) add_fused("fused, compressed" + threads, compressed_, *pool, false);
-      add_fused("one vertex dragged" + threads, compressed_, *pool, true);
+      add_fused(frame_names::dense, dense_, *pool, false);
+      if (compressed_->compressed()) add_fused(frame_names::compressed, compressed_, *pool, false);
+      add_fused(frame_names::dragged, compressed_, *pool, true);
     }
     add_floors();
   }
@@ -124,7 +130,8 @@ class Contest {
     }
   }
 
-  nlohmann::json report() const;
+  std::vector<FrameTime> times() const;
+  void print(std::span<const FrameTime> times) const;
 
  private:
   // Not if it does not fit the memory: then there is nothing staged to compare with.
@@ -132,7 +139,7 @@ class Contest {
     binding_ = std::make_shared<const deform::Binding>(
         deform::bind(model, *cage_, deform::Coordinates::face, all_));
     staged_ = std::make_unique<deform::Deformer>(cage_, binding_, one_);
-    staged_->deform(pose_, Method::fast);
+    staged_->deform(pose_, Method::diag);  // an exponential that shares nothing with ours
     expected_.assign(staged_->positions().begin(), staged_->positions().end());
   } catch (const base::Error& error) {
     std::printf("  no staged frame: %s\n", error.what());
@@ -141,11 +148,34 @@ class Contest {
   void add_staged() {
     reference_ = std::make_unique<ReferenceFrame>(*cage_, *binding_);
     const std::size_t bytes = binding_->weights.size() * sizeof(double);
-    cases_.push_back({"reference", &one_, [this] { reference_->deform(pose_); }, {}, {}, bytes});
+    cases_.push_back({frame_names::reference, &one_, [this] { reference_->deform(pose_); }, {}, {}, bytes});
     for (const Method m : {Method::diag, Method::sd, Method::improved_sd, Method::fast}) {
-      cases_.push_back({"staged, " + std::string(sym3::name(m)), &one_, [this, m] { staged_->deform(pose_, m); },
-                        [this] { return staged_->times(); }, {}, bytes});
+      const auto run = [this, m] { staged_->deform(pose_, m); };
+      const auto error = [this, run] {
+        run();
+        return distance(expected_, staged_->positions()) / cage_->diagonal;
+      };
+      cases_.push_back({"staged, " + std::string(sym3::name(m)), &one_, run, [this] { return staged_->times(); }, error, bytes});
     }
+    add_exponentials();
+  }
+
+  // As many as a frame has, of matrices that it has, in cache: what the fused pass cannot do without.
+  void add_exponentials() {
+    staged_->deform(pose_, Method::fast);
+    const auto matrices = staged_->matrices();
+    const std::size_t stride = sym3::padded_stride<float>(exp_portion);
+    exp_in_.resize(6 * stride), exp_out_.resize(6 * stride);
+    for (std::size_t i = 0; i < exp_portion; ++i) {
+      const auto& m = matrices[i * matrices.size() / exp_portion];
+      const double entries[] = {m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};
+      for (std::size_t k = 0; k < 6; ++k) exp_in_[k * stride + i] = static_cast<float>(entries[k]);
+    }
+    const sym3::View<const float, 6> in(exp_in_.data(), stride);
+    const sym3::View<float, 6> out(exp_out_.data(), stride);
+    cases_.push_back({frame_names::exponential, &one_, [in, out, count = matrices.size()] {
+      for (std::size_t i = 0; i < count; i += exp_portion) sym3::exp(in, out, std::min(exp_portion, count - i));
+    }, {}, {}, 0, 10});
   }
 
   std::shared_ptr<const deform::TiledBinding> bind_fused(const mesh::Surface& model, double tolerance) {
@@ -171,7 +201,11 @@ class Contest {
     if (staged_) {
       c.error = [this, frame, drag] {
         if (drag) frame->deform(pose_);
-        return distance(expected_, *frame) / cage_->diagonal;
+        std::vector<mesh::Point> positions;
+        for (const auto& v : frame->vertices()) {
+          positions.push_back(deform::operator+(frame->origin(), deform::Vec3{v.position[0], v.position[1], v.position[2]}));
+        }
+        return distance(expected_, positions) / cage_->diagonal;
       };
     }
     cases_.push_back(std::move(c));
@@ -179,10 +213,10 @@ class Contest {
 
   void add_floors() {
     const auto& w = dense_->weights;
-    cases_.push_back({"floor: reading", &one_, [this, &w] { sink_ = sink_ + deform::read_floor(w.data(), w.size()); }, {}, {},
+    cases_.push_back({frame_names::read_floor, &one_, [this, &w] { sink_ = sink_ + deform::read_floor(w.data(), w.size()); }, {}, {},
                       dense_->bytes()});
     const std::size_t sums = 12 * w.size();
-    cases_.push_back({"floor: multiply-adds", &one_, [this, sums] { sink_ = sink_ + deform::multiply_add_floor(sums); }, {}, {}, 0});
+    cases_.push_back({frame_names::multiply_add_floor, &one_, [this, sums] { sink_ = sink_ + deform::multiply_add_floor(sums); }, {}, {}, 0});
   }
 
   std::shared_ptr<const deform::Cage> cage_;
@@ -197,45 +231,64 @@ class Contest {
   std::vector<std::unique_ptr<deform::FusedFrame>> frames_;
   std::vector<mesh::Point> expected_;
   std::vector<Case> cases_;
+  deform::AlignedVector<float> exp_in_, exp_out_;
   volatile float sink_ = 0;
 };
 
-nlohmann::json Contest::report() const {
-  const double reference = reference_ ? median(cases_.front().cpu_ms) : 0;
+std::vector<FrameTime> Contest::times() const {
+  std::vector<FrameTime> times;
+  for (const Case& c : cases_) {
+    times.push_back({dense_->leaves.vertices, cage_->element_count(), c.name, c.pool->threads(), median(c.cpu_ms),
+                     median(c.wall_ms), c.error ? c.error() : std::nan(""), c.bytes, link_medians(c)});
+  }
+  return times;
+}
+
+void Contest::print(std::span<const FrameTime> times) const {
+  const double reference = reference_ ? times.front().cpu_ms : 0;
   std::printf("\n%zu vertices, %zu cage triangles; ms a frame: processor time (of the slower thread), wall; links: wall\n",
               dense_->leaves.vertices, cage_->element_count());
-  std::printf("  %-24s %9s %9s %8s %9s %8s ", "", "cpu", "wall", "faster", "error", "MB");
+  std::printf("  %-31s %9s %9s %8s %9s %8s ", "", "cpu", "wall", "faster", "error", "MB");
   for (std::size_t l = 0; l < deform::link_count; ++l) std::printf(" %9s", std::string(deform::name(Link(l))).c_str());
-  nlohmann::json json = {{"vertices", dense_->leaves.vertices}, {"faces", cage_->element_count()}};
-  for (const Case& c : cases_) {
-    const double cpu = median(c.cpu_ms), wall = median(c.wall_ms), error = c.error ? c.error() : 0;
-    std::printf("\n  %-24s %9.3f %9.3f %7.1fx", c.name.c_str(), cpu, wall, reference / cpu);
-    c.error ? std::printf(" %9.1e", error) : std::printf(" %9s", "");
-    std::printf(" %8.1f ", static_cast<double>(c.bytes) * 1e-6);
-    nlohmann::json entry = {{"name", c.name}, {"cpu_ms", cpu}, {"wall_ms", wall}, {"bytes", c.bytes}, {"error", error}};
-    for (std::size_t l = 0; c.links && l < deform::link_count; ++l) {
-      const double ms = link_median(c, l);
-      std::printf(" %9.3f", ms);
-      entry["links_ms"][std::string(deform::name(Link(l)))] = ms;
-    }
-    json["results"].push_back(std::move(entry));
+  for (const FrameTime& t : times) {
+    const std::string name = t.threads > 1 ? t.name + ", " + std::to_string(t.threads) + " threads" : t.name;
+    std::printf("\n  %-31s %9.3f %9.3f %7.1fx", name.c_str(), t.cpu_ms, t.wall_ms, reference / t.cpu_ms);
+    std::isnan(t.error) ? std::printf(" %9s", "") : std::printf(" %9.1e", t.error);
+    std::printf(" %8.1f ", static_cast<double>(t.bytes) * 1e-6);
+    for (const double ms : t.links.ms) ms > 0 ? std::printf(" %9.3f", ms) : std::printf(" %9s", "");
   }
   std::printf("\n  bound in %.0f ms dense, %.0f ms compressed%s (processor time, one thread)\n", bind_ms_[0], bind_ms_[1],
               compressed_->compressed() ? "" : " (which does not pay here)");
-  json["bind_ms"] = {{"dense", bind_ms_[0]}, {"compressed", bind_ms_[1]}};
+}
+
+nlohmann::json to_json(const FrameTime& t) {
+  nlohmann::json json = {{"vertices", t.vertices}, {"faces", t.faces},     {"name", t.name},   {"threads", t.threads},
+                         {"cpu_ms", t.cpu_ms},     {"wall_ms", t.wall_ms}, {"bytes", t.bytes}};
+  if (!std::isnan(t.error)) json["error"] = t.error;
+  for (std::size_t l = 0; l < deform::link_count; ++l) json["links_ms"][std::string(deform::name(Link(l)))] = t.links.ms[l];
   return json;
 }
 
 int bench_frame(const Options& options) {
-  const mesh::Surface model = benchmark_model(options.count);
-  std::printf("frame: kernel %s\n", std::string(sym3::kernel_name()).c_str());
-  nlohmann::json json = {{"figure", "frame"}, {"results", nlohmann::json::array()}};
-  for (const std::size_t faces : options.faces) {
-    Contest contest(model, faces, options.tolerance);
-    contest.run(options.rounds);
-    json["results"].push_back(contest.report());
+  std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
+  std::vector<FrameTime> all;
+  for (const std::size_t count : options.counts) {
+    const mesh::Surface model = benchmark_model(count);
+    const auto share = std::max<std::size_t>(1, model.positions.size() / 50'000);  // of the rounds, for large models
+    for (const std::size_t faces : options.faces) {
+      Contest contest(model, faces, options.tolerance);
+      contest.run(std::max(3, options.rounds / static_cast<int>(share)));
+      const auto times = contest.times();
+      contest.print(times);
+      all.insert(all.end(), times.begin(), times.end());
+    }
   }
-  write_json(options.json, json);
+  std::printf("\n");
+  Bars bars;
+  check_frame(all, bars);
+  nlohmann::json results = nlohmann::json::array();
+  for (const auto& t : all) results.push_back(to_json(t));
+  write_json(options.json, {{"figure", "frame"}, {"results", results}, {"bars", bars.rows}});
   return exit_ok;
 }
 
@@ -244,9 +297,12 @@ int bench_frame(const Options& options) {
 void add_frame_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand("frame", "A frame of the bundled model: by path, cage and stage");
   auto options = std::make_shared<Options>();
-  command->add_option("--count", options->count, "Vertices (default: all 50,000; 200000 and 800000 subdivide)")
+  command->add_option("--count", options->counts, "Vertices (default: all 50,000; 200000 and 800000 subdivide)")
+      ->delimiter(',')
       ->check(CLI::PositiveNumber);
-  command->add_option("--faces", options->faces, "Cage triangles (default: 50 100 300 600)")->check(CLI::Range(8, 10000));
+  command->add_option("--faces", options->faces, "Cage triangles (default: 50,100,300,600)")
+      ->delimiter(',')
+      ->check(CLI::Range(8, 10000));
   command->add_option("--rounds", options->rounds, "Repetitions (default 11)")->check(CLI::PositiveNumber);
   command->add_option("--tolerance", options->tolerance, "Of compressed weights (default 3e-5)")
       ->check(CLI::NonNegativeNumber);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "deform/dual_graph.h"
 #include "deform/vec3.h"
@@ -101,13 +102,6 @@ Branching choose(const Adjacency& forest, std::uint32_t root, std::span<const Ve
   return best;
 }
 
-// Then there is nothing to choose: any other branch of a log is longer than three quarter turns, farther than its principal
-// one from every neighbour, reference and leader, so that all of them stay principal whatever the forest.
-bool all_within_quarter_turn(std::span<const Vec3> logs) {
-  constexpr double limit = turn / 4 - 1e-6;
-  return std::all_of(logs.begin(), logs.end(), [](const Vec3& log) { return squared_norm(log) < limit * limit; });
-}
-
 // Of the elements that hang together with each root.
 std::vector<Vec3> part_means(const Cage& cage, std::span<const Vec3> logs) {
   std::vector<std::uint32_t> parent(logs.size());
@@ -126,6 +120,26 @@ std::vector<Vec3> part_means(const Cage& cage, std::span<const Vec3> logs) {
     means.push_back((1 / static_cast<double>(counts[part])) * sums[part]);
   }
   return means;
+}
+
+// True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, with room to spare.
+bool stays(const Vec3& v, const Vec3& reference) {
+  const double angle = norm(v);
+  return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - 1e-6;
+}
+
+// True if all logs are principal whatever the forest: every one is what its neighbours choose, and any other branch of it
+// is farther than the principal one from all that roots are compared with: the references and the leader.
+bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
+                        std::span<const Vec3> means) {
+  double reach = means.empty() ? 0 : norm(means[0]);
+  for (const auto& reference : turns) reach = std::max(reach, norm(reference));
+  const auto within = [&](const Vec3& log) { return norm(log) + reach < turn / 2 - 1e-6; };
+  return std::all_of(principal.begin(), principal.end(), within) &&
+         std::all_of(cage.dual_edges.begin(), cage.dual_edges.end(), [&](const Pair& pair) {
+           const Vec3 &a = principal[pair[0]], &b = principal[pair[1]];
+           return stays(a, b) && stays(b, a);
+         });
 }
 
 }  // namespace
@@ -157,8 +171,9 @@ Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const 
 Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const Vec3> principal,
                          std::span<const Vec3> turns) {
   Branches result{{principal.begin(), principal.end()}, {}};
-  if (all_within_quarter_turn(principal) && all_within_quarter_turn(turns)) {
-    result.turns = part_means(cage, principal);
+  std::vector<Vec3> means = part_means(cage, principal);
+  if (all_stay_principal(cage, principal, turns, means)) {
+    result.turns = std::move(means);
     return result;
   }
   const Adjacency forest = adjacency(rotations.size(), spanning_forest(cage.dual_edges, rotations));

@@ -83,12 +83,9 @@ static HWY_INLINE hn::Vec<D> load(D d, const float* p) {
 template <std::size_t floats, class D, class Place>
 static HWY_INLINE hn::Vec<D> gather(D d, const float* positions, const Place* walk) {
   auto all = hn::LoadDup128(d, positions + floats * walk[0]);
-  if constexpr (points(D()) > 1) {
-#pragma GCC unroll 4
-    for (std::size_t k = 1; k < points(D()); ++k) {
-      const auto from_here_on = hn::Not(hn::FirstN(d, 4 * k));
-      all = hn::IfThenElse(from_here_on, hn::LoadDup128(d, positions + floats * walk[k]), all);
-    }
+  for (std::size_t k = 1; k < points(d); ++k) {
+    const auto from_here_on = hn::Not(hn::FirstN(d, 4 * k));
+    all = hn::IfThenElse(from_here_on, hn::LoadDup128(d, positions + floats * walk[k]), all);
   }
   return all;
 }
