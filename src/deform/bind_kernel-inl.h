@@ -1,11 +1,13 @@
-// Binding in vector registers: included by bind_kernel.cpp for each instruction set. Internal. (No #pragma once:
-// see sym3/exp-inl.h.)
+// Binding in vector registers: included by bind_kernel.cpp for each instruction set. Internal. (No #pragma
+// once: see sym3/exp-inl.h.)
 #if defined(VIETE_DEFORM_BIND_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_BIND_KERNEL_INL_H
 #undef VIETE_DEFORM_BIND_KERNEL_INL_H
 #else
 #define VIETE_DEFORM_BIND_KERNEL_INL_H
 #endif
+
+#include <algorithm>
 
 #include "deform/bind_kernel.h"
 #include "sym3/lanes-inl.h"
@@ -17,89 +19,159 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = viete::sym3::HWY_NAMESPACE;
 
 constexpr std::size_t row_lanes = 16;
+constexpr float farthest = 1e24f;  // squared distance in diagonals, for floats
+constexpr std::size_t summed_at_once =
+    16;  // so that sums of floats lose a few of their roundings, not hundreds
 
 using PointTag = hn::CappedTag<double, bind_lanes>;
 using PointV = hn::Vec<PointTag>;
-using Points = lanes::Three<PointV>;
 
-static HWY_INLINE Points relative(const Points& p, const double* to) {
-  const PointTag d;
-  return {hn::Sub(p.x, hn::Set(d, to[0])), hn::Sub(p.y, hn::Set(d, to[1])), hn::Sub(p.z, hn::Set(d, to[2]))};
+template <class D>
+using Points = lanes::Three<hn::Vec<D>>;
+
+template <class D>
+static HWY_INLINE Points<D> load_points(D d, const hn::TFromD<D>* at, std::size_t stride) {
+  return {hn::LoadU(d, at), hn::LoadU(d, at + stride), hn::LoadU(d, at + 2 * stride)};
 }
 
-static HWY_INLINE PointV along(const Points& p, const double* v) {
-  const PointTag d;
-  return lanes::sum_of_products(p.x, hn::Set(d, v[0]), p.y, hn::Set(d, v[1]), p.z, hn::Set(d, v[2]));
+// axis . p - shift.
+template <class D, class T = hn::TFromD<D>>
+static HWY_INLINE hn::Vec<D> along(D d, const Points<D>& p, const T* axis, T shift) {
+  return hn::MulAdd(
+      p.x, hn::Set(d, axis[0]),
+      hn::MulAdd(p.y, hn::Set(d, axis[1]), hn::MulSub(p.z, hn::Set(d, axis[2]), hn::Set(d, shift))));
 }
 
-// Of points relative to the edge's first corner.
-static HWY_INLINE PointV squared_distance_to_edge(const Points& p, const double* edge, double inverse) {
-  const PointTag d;
-  const PointV t = hn::Min(hn::Max(hn::Mul(along(p, edge), hn::Set(d, inverse)), hn::Zero(d)), hn::Set(d, 1.0));
-  const PointV x = hn::NegMulAdd(t, hn::Set(d, edge[0]), p.x), y = hn::NegMulAdd(t, hn::Set(d, edge[1]), p.y);
-  const PointV z = hn::NegMulAdd(t, hn::Set(d, edge[2]), p.z);
-  return lanes::sum_of_products(x, x, y, y, z, z);
+// c . (x, y, 1).
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V linear(D d, const hn::TFromD<D>* c, V x, V y) {
+  return hn::MulAdd(hn::Set(d, c[0]), x, hn::MulAdd(hn::Set(d, c[1]), y, hn::Set(d, c[2])));
+}
+
+// In the plane, to an edge that the point is at `along` and `beside`.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V squared_distance_to_edge(D d, V along, V beside, hn::TFromD<D> length) {
+  const V beyond = hn::Sub(along, hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, length)));
+  return hn::MulAdd(beyond, beyond, hn::Mul(beside, beside));
 }
 
 // To the plane where the foot lies inside, else to the nearest edge: no matter which where it lies on one.
-static HWY_INLINE PointV squared_distance(const Points& p, const DistanceTriangle& t) {
-  const PointTag d;
-  const Points a = relative(p, t.corner[0]), b = relative(p, t.corner[1]), c = relative(p, t.corner[2]);
-  const PointV height = along(a, t.normal);
-  const PointV depth = hn::Min(along(a, t.inward[0]), hn::Min(along(b, t.inward[1]), along(c, t.inward[2])));
-  const PointV edges = hn::Min(squared_distance_to_edge(a, t.edge[0], t.inverse[0]),
-                               hn::Min(squared_distance_to_edge(b, t.edge[1], t.inverse[1]),
-                                       squared_distance_to_edge(c, t.edge[2], t.inverse[2])));
-  return hn::IfThenElse(hn::Ge(depth, hn::Set(d, t.outside)), hn::Mul(height, height), edges);
+template <class D, class T = hn::TFromD<D>>
+static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const DistanceTriangle<T>& t,
+                                              const T* shift) {
+  const auto x = along(d, p, t.axes[0], shift[0]), y = along(d, p, t.axes[1], shift[1]);
+  const auto z = along(d, p, t.axes[2], shift[2]);
+  const auto left1 = linear(d, t.inward[0], x, y), left2 = linear(d, t.inward[1], x, y);
+  const auto edges =
+      hn::Min(squared_distance_to_edge(d, x, y, t.length[0]),
+              hn::Min(squared_distance_to_edge(d, linear(d, t.along[0], x, y), left1, t.length[1]),
+                      squared_distance_to_edge(d, linear(d, t.along[1], x, y), left2, t.length[2])));
+  const auto outside = hn::Lt(hn::Min(y, hn::Min(left1, left2)), hn::Set(d, t.outside));
+  return hn::MulAdd(z, z, hn::IfThenElseZero(outside, edges));
 }
 
-static void inverse_distance(const WeightJob& job, double* weights) {
+static void inverse_distance(const WeightJob<double>& job, double* weights) {
   const PointTag d;
   for (std::size_t l = 0; l < bind_lanes; l += hn::Lanes(d)) {
-    const double* at = job.points + l;
-    const Points p{hn::LoadU(d, at), hn::LoadU(d, at + bind_lanes), hn::LoadU(d, at + 2 * bind_lanes)};
-    const PointV contact = hn::Set(d, job.squared_contact);
+    const auto p = load_points(d, job.points + l, bind_lanes);
     PointV nearest = hn::Set(d, 1e300), sum = hn::Zero(d);
     for (std::size_t i = 0; i < job.count; ++i) {
-      const PointV square = hn::Max(contact, squared_distance(p, job.triangles[i]));
+      const PointV square =
+          hn::Max(hn::Set(d, job.squared_contact), squared_distance(d, p, job.triangles[i], job.shifts[i]));
       hn::StoreU(square, d, weights + i * bind_lanes + l);
-      if (job.triangles[i].degenerate == 0) nearest = hn::Min(nearest, square);
+      if (!job.triangles[i].degenerate) nearest = hn::Min(nearest, square);
     }
     for (std::size_t i = 0; i < job.count; ++i) {
       double* w = weights + i * bind_lanes + l;
-      const PointV ratio = job.triangles[i].degenerate == 0 ? hn::Div(nearest, hn::LoadU(d, w)) : hn::Zero(d);
+      const PointV ratio = job.triangles[i].degenerate ? hn::Zero(d) : hn::Div(nearest, hn::LoadU(d, w));
       sum = hn::Add(sum, ratio);
       hn::StoreU(ratio, d, w);
     }
-    const PointV scale = hn::Div(hn::Set(d, 1.0), sum);
+    const PointV share = hn::Div(hn::Set(d, 1.0), sum);
     for (std::size_t i = 0; i < job.count; ++i) {
       double* w = weights + i * bind_lanes + l;
-      hn::StoreU(hn::Mul(scale, hn::LoadU(d, w)), d, w);
+      hn::StoreU(hn::Mul(share, hn::LoadU(d, w)), d, w);
     }
   }
 }
 
-static void to_rows(const RowJob& job) {
+// weight(i) as floats to rows [i], from a lane on, and their sums.
+template <class Weight>
+static HWY_INLINE void fill_rows(const RowJob& job, std::size_t lane, const Weight& weight) {
+  const PointTag d;
+  const hn::Rebind<float, PointTag> narrow;
+  PointV x = hn::Zero(d), y = x, z = x;
+  for (std::size_t i = 0; i < job.count; ++i) {
+    const auto w = weight(i);
+    hn::StoreU(w, narrow, job.rows + i * row_lanes + lane);
+    const PointV back = hn::PromoteTo(d, w);
+    x = hn::MulAdd(back, hn::Set(d, job.handles[i][0]), x);
+    y = hn::MulAdd(back, hn::Set(d, job.handles[i][1]), y);
+    z = hn::MulAdd(back, hn::Set(d, job.handles[i][2]), z);
+  }
+  hn::StoreU(x, d, job.sums + lane);
+  hn::StoreU(y, d, job.sums + row_lanes + lane);
+  hn::StoreU(z, d, job.sums + 2 * row_lanes + lane);
+}
+
+static void to_rows(const double* weights, const RowJob& job) {
   const PointTag d;
   const hn::Rebind<float, PointTag> narrow;
   for (std::size_t l = 0; l < bind_lanes; l += hn::Lanes(d)) {
-    PointV x = hn::Zero(d), y = x, z = x;
-    for (std::size_t j = 0; j < job.count; ++j) {
-      const auto w = hn::DemoteTo(narrow, hn::LoadU(d, job.weights + j * bind_lanes + l));
-      hn::StoreU(w, narrow, job.rows + j * row_lanes + l);
-      const PointV back = hn::PromoteTo(d, w);
-      x = hn::MulAdd(back, hn::Set(d, job.handles[j][0]), x);
-      y = hn::MulAdd(back, hn::Set(d, job.handles[j][1]), y);
-      z = hn::MulAdd(back, hn::Set(d, job.handles[j][2]), z);
-    }
-    hn::StoreU(x, d, job.sums + l);
-    hn::StoreU(y, d, job.sums + bind_lanes + l);
-    hn::StoreU(z, d, job.sums + 2 * bind_lanes + l);
+    fill_rows(job, l, [&](std::size_t i) {
+      return hn::DemoteTo(narrow, hn::LoadU(d, weights + i * bind_lanes + l));
+    });
   }
 }
 
 using RowTag = hn::CappedTag<float, row_lanes>;
 using RowV = hn::Vec<RowTag>;
+
+// 1 / x to an ulp or two: a step of third order from the machine's estimate, a third of the time of a
+// division.
+static HWY_INLINE RowV inverse(RowV x) {
+  const RowTag d;
+  const RowV y = hn::ApproximateReciprocal(x), e = hn::NegMulAdd(x, y, hn::Set(d, 1.0f));
+  return hn::MulAdd(y, hn::MulAdd(e, e, e), y);
+}
+
+static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out) {
+  const RowTag d;
+  HWY_ALIGN float shares[row_lanes];
+  for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(d)) {
+    const auto p = load_points(d, job.points + l, row_lanes);
+    RowV nearest = hn::Set(d, farthest), sum = hn::Zero(d);
+    auto near = hn::Lt(nearest, hn::Zero(d));
+    for (std::size_t i = 0; i < job.count; ++i) {
+      const auto& t = job.triangles[i];
+      const RowV square = hn::Max(hn::Set(d, job.squared_contact), squared_distance(d, p, t, job.shifts[i]));
+      hn::StoreU(square, d, out.rows + i * row_lanes + l);
+      if (t.degenerate) continue;
+      nearest = hn::Min(nearest, square);
+      near = hn::Or(near, hn::Lt(square, hn::Set(d, t.near)));
+    }
+    if (!hn::AllFalse(d, hn::Or(near, hn::Ge(nearest, hn::Set(d, farthest))))) return false;
+    for (std::size_t block = 0; block < job.count; block += summed_at_once) {
+      RowV part = hn::Zero(d);
+      for (std::size_t i = block; i < std::min(block + summed_at_once, job.count); ++i) {
+        float* w = out.rows + i * row_lanes + l;
+        const RowV ratio =
+            job.triangles[i].degenerate ? hn::Zero(d) : hn::Mul(nearest, inverse(hn::LoadU(d, w)));
+        part = hn::Add(part, ratio);
+        hn::StoreU(ratio, d, w);
+      }
+      sum = hn::Add(sum, part);
+    }
+    hn::StoreU(hn::Div(hn::Set(d, 1.0f), sum), d, shares + l);
+  }
+  const hn::Rebind<float, PointTag> half;
+  for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(half)) {
+    const auto share = hn::LoadU(half, shares + l);
+    fill_rows(out, l,
+              [&](std::size_t i) { return hn::Mul(share, hn::LoadU(half, out.rows + i * row_lanes + l)); });
+  }
+  return true;
+}
 
 // Four chains of sums: one would wait for itself.
 static HWY_INLINE RowV product_with(const float* rows, std::size_t columns, const float* unit_row) {
@@ -112,7 +184,8 @@ static HWY_INLINE RowV product_with(const float* rows, std::size_t columns, cons
       s[i] = hn::MulAdd(hn::Load(d, rows + (j + i) * row_lanes), hn::Set(d, unit_row[j + i]), s[i]);
     }
   }
-  for (; j < columns; ++j) s[0] = hn::MulAdd(hn::Load(d, rows + j * row_lanes), hn::Set(d, unit_row[j]), s[0]);
+  for (; j < columns; ++j)
+    s[0] = hn::MulAdd(hn::Load(d, rows + j * row_lanes), hn::Set(d, unit_row[j]), s[0]);
   return hn::Add(hn::Add(s[0], s[1]), hn::Add(s[2], s[3]));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "sym3/kernel.h"
 
@@ -9,31 +10,55 @@ namespace viete::deform {
 
 inline constexpr std::size_t bind_lanes = 8;  ///< points at once
 
-/// A triangle as distances to it are computed: no division, no region.
+/// A triangle in a frame of its own, where distances to it take few operations: x along its longest edge,
+/// here its first, y inward, z along its normal. A point has the coordinates axes . point - shift there.
+template <class T>
 struct DistanceTriangle {
-  double corner[3][3];
-  double edge[3][3];       ///< from corner i to corner i + 1
-  double inverse[3];       ///< 1 / |edge|^2; 0 for an edge without length
-  double normal[3];        ///< unit; 0 where there is no area, and then `inward` is such that nothing is inside
-  double inward[3][3];     ///< in the plane, at a right angle to the edge
-  double outside;          ///< 0; 1 where nothing is inside
-  double degenerate;       ///< 0; 1 for an element without influence
+  T axes[3][3];
+  T length[3];  ///< of the edges
+  /// Along its second and third edge a point is at along . (x, y, 1), and left of it by inward . (x, y, 1).
+  T along[2][3], inward[2][3];
+  T outside;        ///< 0; infinity where there is no area: nothing is inside
+  T near;           ///< the square of a sixteenth of the longest edge: what is nearer, floats place badly
+  bool degenerate;  ///< without influence
 };
 
+template <class T>
 struct WeightJob {
-  const DistanceTriangle* triangles;
+  const DistanceTriangle<T>* triangles;
+  const T (*shifts)[3];
   std::size_t count;
-  double squared_contact;
-  const double* points;  ///< [3][lane]
+  T squared_contact;
+  const T* points;  ///< [3][lane]
 };
 
-/// Eight of the sixteen lanes of a tile of weights.
+/// A triangle of the cage by its corners and the edges opposite to them.
+struct MeanValueTriangle {
+  std::uint32_t corner[3], edge[3];
+  double sign[3];  ///< 1 where it runs through the edge from its lower corner to its higher one, else -1
+};
+
+struct MeanValueJob {
+  const double (*corners)[3];  ///< positions, the cage's diagonal being 1
+  std::size_t corner_count;
+  const std::uint32_t (*edges)[2];  ///< the lower corner first
+  std::size_t edge_count;
+  const MeanValueTriangle* triangles;  ///< those that have area
+  std::size_t triangle_count;
+  const double* points;  ///< [3][lane]
+  double* scratch;       ///< scratch_size() numbers
+
+  static constexpr std::size_t scratch_size(std::size_t corners, std::size_t edges) {
+    return bind_lanes * (4 * corners + 5 * edges);
+  }
+};
+
+/// A tile of weights, or eight lanes of it.
 struct RowJob {
-  const double* weights;          ///< [handle][lane]
-  const double (*handles)[3];     ///< positions
+  const double (*handles)[3];  ///< positions
   std::size_t count;
-  float* rows;                    ///< [handle][16 lanes], the first of the eight
-  double* sums;                   ///< [3][lane]: sum of weight times position, of the weights as floats
+  float* rows;   ///< [handle][16 lanes]
+  double* sums;  ///< [3][16 lanes]: sum of weight times position, of the weights as floats
 };
 
 /// A leaf that is being compressed.
@@ -43,11 +68,18 @@ struct LeafRows {
 };
 
 struct BindKernel {
-  /// weights [triangle][lane]: d^-2 over the sum of all, d no less than contact.
-  void (*inverse_distance)(const WeightJob& job, double* weights);
-  /// Weights as floats, and their sums.
-  void (*to_rows)(const RowJob& job);
-  /// coefficients [slot] of a unit row, which is taken out of every row; squared_norms [slot] of what is left.
+  /// weights [triangle][8 lanes]: d^-2 over the sum of all, d no less than contact.
+  void (*inverse_distance)(const WeightJob<double>& job, double* weights);
+  /// The same of 16 lanes in floats, and their sums. Returns false, rows being of no use, where a point is so
+  /// near to a triangle that its distance is not known well enough.
+  bool (*inverse_distance_rows)(const WeightJob<float>& job, const RowJob& rows);
+  /// weights [corner][lane], each lane summing to 1. Returns a bit for each lane that mean_value_weights()
+  /// must decide: its point lies in or next to a triangle's plane, or the weights vanish.
+  unsigned (*mean_value)(const MeanValueJob& job, double* weights);
+  /// weights [handle][8 lanes] as floats, into eight lanes of the rows, and their sums.
+  void (*to_rows)(const double* weights, const RowJob& rows);
+  /// coefficients [slot] of a unit row, which is taken out of every row; squared_norms [slot] of what is
+  /// left.
   void (*take_out)(const LeafRows& leaf, const float* unit_row, float* coefficients, float* squared_norms);
   /// Coefficients [tile][t][lane] become factors of the pivots' rows, in place: lower is [s][t], rank x rank.
   void (*solve)(float* coefficients, std::size_t tiles, std::size_t rank, const float* lower);

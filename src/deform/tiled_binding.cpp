@@ -84,23 +84,14 @@ private:
 
   // Weights of a leaf as floats; rows has room for them. Returns how many vertices have no mean value coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, std::vector<Vec3>& sums) const {
-    std::size_t failed = 0;
-    std::vector<double> scratch(bind_lanes * b_.handles);
-    sums.resize(slots(leaf));
-    for (std::size_t s = 0; s < slots(leaf); s += bind_lanes) {
-      std::array<mesh::Point, bind_lanes> points;
-      for (std::size_t l = 0; l < bind_lanes; ++l) {
-        points[l] = model_.positions[b_.leaves.order[b_.leaves.begin(leaf) + s + l]];
-      }
-      double lane_sums[3 * bind_lanes];
-      const unsigned lost =
-          weigher_.weigh_rows(points, scratch, rows + s / lanes * lanes * b_.handles + s % lanes, lane_sums);
-      for (std::size_t l = 0; l < bind_lanes; ++l) {
-        sums[s + l] = {lane_sums[l], lane_sums[bind_lanes + l], lane_sums[2 * bind_lanes + l]};
-        failed += s + l < vertices(leaf) && (lost >> l & 1);
-      }
+    std::vector<mesh::Point> points;
+    for (std::size_t s = b_.leaves.begin(leaf); s < b_.leaves.end(leaf); ++s) {
+      points.push_back(model_.positions[b_.leaves.order[s]]);
     }
-    return failed;
+    sums.resize(points.size());
+    const auto failed = weigher_.weigh_tiles(points, rows, sums);
+    const auto end = failed.begin() + static_cast<std::ptrdiff_t>(vertices(leaf));
+    return static_cast<std::size_t>(std::count(failed.begin(), end, true));
   }
 
   void set_offset(std::size_t slot, const Vec3& sum) {

@@ -22,7 +22,7 @@ template <class Visit>
 void visit_vertices(const Weigher& weigher, const Binding& binding, std::span<const std::size_t> vertices,
                     const Visit& visit) {
   const std::size_t handles = binding.handles;
-  std::vector<double> weights(bind_lanes * handles), row(handles);
+  std::vector<double> weights(weigher.room()), row(handles);
   for (std::size_t s = 0; s < vertices.size(); s += bind_lanes) {
     std::array<mesh::Point, bind_lanes> points;
     for (std::size_t l = 0; l < bind_lanes; ++l) {

@@ -1,6 +1,12 @@
 #include "deform/weigher.h"
 
+#include <algorithm>
+#include <map>
+
+#include "deform/closest.h"
+#include "deform/distance_triangle.h"
 #include "deform/face_maps.h"
+#include "deform/frame_kernel.h"
 #include "deform/mean_value.h"
 #include "deform/vec3.h"
 
@@ -8,29 +14,26 @@ namespace viete::deform {
 
 namespace {
 
-void copy(const Vec3& v, double* out) {
-  for (int i = 0; i < 3; ++i) out[i] = v[i];
+constexpr std::size_t lanes = tile_lanes<float>;
+
+// Arrays of arrays as the kernels take them.
+template <class Arrays>
+auto numbers(const Arrays& arrays) {
+  using Array = typename Arrays::value_type;
+  static_assert(sizeof(Array) == std::tuple_size_v<Array> * sizeof(typename Array::value_type));
+  return reinterpret_cast<const typename Array::value_type(*)[std::tuple_size_v<Array>]>(arrays.data());
 }
 
-DistanceTriangle distance_triangle(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c, bool degenerate) {
-  DistanceTriangle t{};
-  const Vec3 corners[] = {a, b, c}, edges[] = {b - a, c - b, a - c};
-  const double size = std::max({largest_abs(edges[0]), largest_abs(edges[1]), largest_abs(edges[2])});
-  const double unit = size > 0 ? 1 / size : 0;
-  const Vec3 area = cross(unit * edges[0], unit * edges[1]);
-  const bool has_area = norm(area) > 0;
-  const Vec3 normal = has_area ? (1 / norm(area)) * area : Vec3{0, 0, 0};
-  for (int i = 0; i < 3; ++i) {
-    copy(corners[i], t.corner[i]);
-    copy(edges[i], t.edge[i]);
-    const double squared = squared_norm(edges[i]);
-    t.inverse[i] = squared > 0 ? 1 / squared : 0;
-    copy(cross(normal, unit * edges[i]), t.inward[i]);
+// Whether the point touches an element without area, of which vector code knows nothing.
+bool on_degenerate_element(const Cage& cage, const mesh::Point& p) {
+  const auto& x = cage.surface.positions;
+  for (std::size_t e = 0; e < cage.element_count(); ++e) {
+    if (!cage.degenerate[e]) continue;
+    const auto& t = cage.surface.triangles[e];
+    if (closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance <= cage.contact * cage.contact)
+      return true;
   }
-  copy(normal, t.normal);
-  t.outside = has_area ? 0 : 1;  // without area `inward` is 0, and nothing is 1 inside
-  t.degenerate = degenerate ? 1 : 0;
-  return t;
+  return false;
 }
 
 }  // namespace
@@ -39,42 +42,123 @@ Weigher::Weigher(const Cage& cage, Coordinates coordinates, const sym3::Kernel& 
     : cage_(cage),
       coordinates_(coordinates),
       kernel_(bind_kernel(kernel)),
-      origin_(pose_origin(cage.surface.positions)) {
-  const auto& x = cage.surface.positions;
-  for (const Vec3& h : coordinates == Coordinates::mean_value ? x : cage.centers) handles_.push_back(h - origin_);
-  if (coordinates == Coordinates::mean_value) return;
-  for (std::size_t e = 0; e < cage.element_count(); ++e) {
-    const auto& t = cage.surface.triangles[e];
-    triangles_.push_back(distance_triangle(x[t[0]], x[t[1]], x[t[2]], cage.degenerate[e]));
+      origin_(pose_origin(cage.surface.positions)),
+      scale_(std::exp2(-std::round(std::log2(cage.diagonal)))) {
+  const bool faces = coordinates == Coordinates::face;
+  for (const Vec3& h : faces ? cage.centers : cage.surface.positions) handles_.push_back(h - origin_);
+  for (const Vec3& p : cage.surface.positions) corners_.push_back(scaled(p));
+  faces ? add_triangles() : add_views();
+}
+
+Vec3 Weigher::scaled(const mesh::Point& p) const {
+  return scale_ * (p - origin_);
+}
+
+void Weigher::add_triangles() {
+  for (std::size_t e = 0; e < cage_.element_count(); ++e) {
+    const auto& t = cage_.surface.triangles[e];
+    Vec3 origin;
+    auto triangle = distance_triangle({corners_[t[0]], corners_[t[1]], corners_[t[2]]}, origin);
+    triangle.degenerate = cage_.degenerate[e];
+    triangles_.push_back(triangle);
+    float_triangles_.push_back(in_float(triangle));
+    origins_.push_back(origin);
+    shifts_.push_back(shift_of(triangle, origin));
   }
 }
 
-unsigned Weigher::weigh(const std::array<mesh::Point, bind_lanes>& points, std::span<double> weights) const {
-  if (coordinates_ == Coordinates::mean_value) {
-    unsigned failed = 0;
-    std::vector<double> row(handles());
-    for (std::size_t l = 0; l < bind_lanes; ++l) {
-      if (!mean_value_weights(cage_, points[l], row)) failed |= 1u << l;
-      for (std::size_t j = 0; j < row.size(); ++j) weights[j * bind_lanes + l] = row[j];
+// Elements without area are left out: the two sides of such a one see the same.
+void Weigher::add_views() {
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> numbers;
+  for (std::size_t e = 0; e < cage_.element_count(); ++e) {
+    if (cage_.degenerate[e]) continue;
+    const auto& t = cage_.surface.triangles[e];
+    MeanValueTriangle view{};
+    for (int i = 0; i < 3; ++i) {
+      const auto a = t[(i + 1) % 3], b = t[(i + 2) % 3];
+      const auto [at, fresh] =
+          numbers.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::uint32_t>(edges_.size()));
+      if (fresh) edges_.push_back(at->first);
+      view.corner[i] = t[i];
+      view.edge[i] = at->second;
+      view.sign[i] = a < b ? 1 : -1;
     }
-    return failed;
+    views_.push_back(view);
   }
-  double lanes[3 * bind_lanes];
-  for (std::size_t l = 0; l < bind_lanes; ++l) {
-    for (int i = 0; i < 3; ++i) lanes[i * bind_lanes + l] = points[l][i];
-  }
-  kernel_.inverse_distance({triangles_.data(), triangles_.size(), cage_.contact * cage_.contact, lanes},
-                           weights.data());
-  return 0;
 }
 
-unsigned Weigher::weigh_rows(const std::array<mesh::Point, bind_lanes>& points, std::span<double> scratch, float* rows,
-                             double* sums) const {
-  static_assert(sizeof(Vec3) == 3 * sizeof(double));
-  const unsigned failed = weigh(points, scratch);
-  const auto* positions = reinterpret_cast<const double(*)[3]>(handles_.data());
-  kernel_.to_rows({scratch.data(), positions, handles(), rows, sums});
+std::size_t Weigher::room() const {
+  return bind_lanes * handles() + MeanValueJob::scratch_size(corners_.size(), edges_.size());
+}
+
+unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> room) const {
+  double at[3 * bind_lanes];
+  for (std::size_t l = 0; l < bind_lanes; ++l) {
+    const Vec3 p = scaled(points[l]);
+    for (int i = 0; i < 3; ++i) at[i * bind_lanes + l] = p[i];
+  }
+  if (coordinates_ == Coordinates::face) {
+    kernel_.inverse_distance({triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), at},
+                             room.data());
+    return 0;
+  }
+  unsigned unclear =
+      kernel_.mean_value({numbers(corners_), corners_.size(), numbers(edges_), edges_.size(), views_.data(),
+                          views_.size(), at, room.data() + bind_lanes * handles()},
+                         room.data());
+  for (std::size_t l = 0; l < bind_lanes; ++l)
+    unclear |= unsigned(on_degenerate_element(cage_, points[l])) << l;
+  unsigned failed = 0;
+  std::vector<double> row(unclear ? handles() : 0);
+  for (std::size_t l = 0; l < bind_lanes; ++l) {
+    if (!(unclear >> l & 1)) continue;
+    if (!mean_value_weights(cage_, points[l], row)) failed |= 1u << l;
+    for (std::size_t j = 0; j < row.size(); ++j) room[j * bind_lanes + l] = row[j];
+  }
   return failed;
+}
+
+double Weigher::squared_contact() const {
+  return scale_ * cage_.contact * scale_ * cage_.contact;
+}
+
+std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows,
+                                       std::span<Vec3> sums) const {
+  std::vector<bool> failed(points.size());
+  std::vector<double> numbers_of_room(room());
+  const bool faces = coordinates_ == Coordinates::face;
+  const Vec3 middle = scaled(points[points.size() / 2]);
+  std::vector<std::array<float, 3>> shifts(faces ? handles() : 0);
+  for (std::size_t e = 0; e < shifts.size(); ++e) {
+    const Vec3 s = shift_of(triangles_[e], origins_[e] - middle);
+    shifts[e] = {static_cast<float>(s[0]), static_cast<float>(s[1]), static_cast<float>(s[2])};
+  }
+  for (std::size_t s = 0; s < points.size(); s += lanes) {
+    double tile_sums[3 * lanes];
+    const RowJob out{numbers(handles_), handles(), rows + s * handles(), tile_sums};
+    if (!faces || !weigh_in_float(points.subspan(s).first<lanes>(), middle, shifts, out)) {
+      for (std::size_t half = 0; half < lanes; half += bind_lanes) {
+        const unsigned lost = weigh(points.subspan(s + half).first<bind_lanes>(), numbers_of_room);
+        kernel_.to_rows(numbers_of_room.data(), {out.handles, out.count, out.rows + half, out.sums + half});
+        for (std::size_t l = 0; l < bind_lanes; ++l) failed[s + half + l] = lost >> l & 1;
+      }
+    }
+    for (std::size_t l = 0; l < lanes; ++l)
+      sums[s + l] = {tile_sums[l], tile_sums[lanes + l], tile_sums[2 * lanes + l]};
+  }
+  return failed;
+}
+
+bool Weigher::weigh_in_float(std::span<const mesh::Point, lanes> points, const Vec3& middle,
+                             std::span<const std::array<float, 3>> shifts, const RowJob& out) const {
+  float at[3 * lanes];
+  for (std::size_t l = 0; l < lanes; ++l) {
+    const Vec3 p = scaled(points[l]) - middle;
+    for (int i = 0; i < 3; ++i) at[i * lanes + l] = static_cast<float>(p[i]);
+  }
+  return kernel_.inverse_distance_rows({float_triangles_.data(), numbers(shifts), float_triangles_.size(),
+                                        static_cast<float>(squared_contact()), at},
+                                       out);
 }
 
 }  // namespace viete::deform

@@ -1,41 +1,60 @@
-// Weights of eight points at a time, in vector code.
+// Weights of many points at a time, in vector code.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "deform/aligned.h"
 #include "deform/bind_kernel.h"
 #include "deform/binding.h"
 #include "deform/cage.h"
+#include "deform/frame_kernel.h"
 
 namespace viete::deform {
 
-/// The weights of Binding for any points: inverse_distance_weights() to 1e-13, mean_value_weights() exactly. Keeps a
-/// reference to the cage. Thread-safe.
+/// The weights of Binding for any points: inverse_distance_weights() and mean_value_weights() to 1e-13, less
+/// where those themselves are less certain. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
   Weigher(const Cage& cage, Coordinates coordinates, const sym3::Kernel& kernel = sym3::kernel());
 
   std::size_t handles() const { return handles_.size(); }
-  /// weights [handle][8] of eight points, each lane summing to 1. Returns a bit for each that has no mean value
-  /// coordinates.
-  unsigned weigh(const std::array<mesh::Point, bind_lanes>& points, std::span<double> weights) const;
-  /// weigh() as floats into rows [handle][16], eight lanes of them; sums [3][8] of weight times handle position.
-  unsigned weigh_rows(const std::array<mesh::Point, bind_lanes>& points, std::span<double> scratch, float* rows,
-                      double* sums) const;
+  /// How many numbers weigh() needs room for.
+  std::size_t room() const;
+  /// The weights [handle][8] of eight points, each lane summing to 1, at the beginning of the room. Returns a
+  /// bit for each that has no mean value coordinates.
+  unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> room) const;
+  /// As floats, off by 2e-6 at most: rows [tile][handle][16] of points that lie near each other, a multiple
+  /// of 16 of them; sums of these very weights times handle position, a point. Returns which have no mean
+  /// value coordinates.
+  std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums) const;
   /// Rest positions of the handles relative to origin().
   std::span<const Vec3> handle_positions() const { return handles_; }
   const Vec3& origin() const { return origin_; }
 
 private:
+  void add_triangles();
+  void add_views();
+  Vec3 scaled(const mesh::Point& p) const;
+  double squared_contact() const;
+  bool weigh_in_float(std::span<const mesh::Point, tile_lanes<float>> points, const Vec3& middle,
+                      std::span<const std::array<float, 3>> shifts, const RowJob& out) const;
+
   const Cage& cage_;
   Coordinates coordinates_;
   const BindKernel& kernel_;
   Vec3 origin_;
+  double scale_;  // a power of two: the cage's diagonal times it is near 1
   std::vector<Vec3> handles_;
-  std::vector<DistanceTriangle> triangles_;
+  std::vector<Vec3> corners_;  // of the cage, about the origin and scaled, as all that follows
+  // For faces: its triangles, and where their frames begin.
+  std::vector<DistanceTriangle<double>> triangles_;
+  std::vector<DistanceTriangle<float>> float_triangles_;
+  std::vector<Vec3> origins_, shifts_;
+  // For mean values: its edges, and its triangles by corners and edges.
+  std::vector<std::array<std::uint32_t, 2>> edges_;
+  std::vector<MeanValueTriangle> views_;
 };
 
 }  // namespace viete::deform

@@ -36,9 +36,10 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
   const Cage cage = make_cage(surface);
   const auto points = points_around(cage);
   for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+    CAPTURE(name(c));
     for (const auto& kernel : viete::sym3::kernels()) {
       const Weigher weigher(cage, c, kernel);
-      std::vector<double> many(bind_lanes * weigher.handles()), one(weigher.handles());
+      std::vector<double> many(weigher.room()), one(weigher.handles());
       double worst = 0;
       for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
         std::array<viete::mesh::Point, bind_lanes> eight;
@@ -52,6 +53,91 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
       }
       CAPTURE(kernel.name);
       CHECK(worst < 1e-6);  // where a point is 1e-9 from an element its distance has seven digits
+    }
+  }
+}
+
+TEST_CASE("mean_values_of_eight_points_are_those_of_one_and_reproduce_the_points") {
+  for (const auto& surface : {box({1, 2, 3}), tube(7, 9, 0.5, 3)}) {
+    const Cage cage = make_cage(surface);
+    const auto points = points_around(cage);
+    for (const auto& kernel : viete::sym3::kernels()) {
+      CAPTURE(kernel.name);
+      const Weigher weigher(cage, Coordinates::mean_value, kernel);
+      std::vector<double> room(weigher.room()), one(weigher.handles());
+      double worst = 0, missed = 0;
+      for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
+        const auto eight = std::span(points).subspan(i).first<bind_lanes>();
+        CHECK(weigher.weigh(eight, room) == 0);
+        for (std::size_t l = 0; l < bind_lanes; ++l) {
+          mean_value_weights(cage, eight[l], one);
+          Vec3 blended{0, 0, 0};
+          for (std::size_t j = 0; j < one.size(); ++j) {
+            worst = std::max(worst, std::abs(room[j * bind_lanes + l] - one[j]));
+            blended = blended + room[j * bind_lanes + l] * cage.surface.positions[j];
+          }
+          missed = std::max(missed, norm(blended - eight[l]));
+        }
+      }
+      CHECK(worst < 1e-7);  // the least certain point lies 1e-9 from a plane
+      CHECK(missed < 1e-13 * cage.diagonal);
+    }
+  }
+}
+
+TEST_CASE("mean_values_where_there_are_none_are_told_lane_by_lane") {
+  const Cage cage = make_cage(viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  std::array<viete::mesh::Point, bind_lanes> points;
+  points.fill({0.2, 0.2, 0.5});
+  points[3] = points[6] = {0.25, -1, 0};  // in its plane, outside of it
+  for (const auto& kernel : viete::sym3::kernels()) {
+    const Weigher weigher(cage, Coordinates::mean_value, kernel);
+    std::vector<double> room(weigher.room());
+    CHECK(weigher.weigh(points, room) == (1u << 3 | 1u << 6));
+    CHECK(room[0 * bind_lanes + 3] == doctest::Approx(0.75));
+    CHECK(room[1 * bind_lanes + 6] == doctest::Approx(0.25));
+  }
+}
+
+TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
+  auto surface = tube(5, 7, 0.8, 2);
+  surface = together(surface, viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}));  // a line
+  for (const double scale : {1e-30, 1.0, 1e30}) {
+    auto scaled = surface;
+    for (auto& p : scaled.positions) p = scale * p;
+    const Cage cage = make_cage(scaled);
+    for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+      auto points = points_around(make_cage(surface));
+      const double farthest = c == Coordinates::face ? 1e25 : 10;  // mean values grow with the distance
+      for (double far = 10; far <= farthest; far *= 1e5) points.push_back({far, 0.5 * far, 1});
+      points.resize((points.size() + 15) / 16 * 16, {0.1, 0.2, 0.3});
+      for (auto& p : points) p = scale * p;
+      for (const auto& kernel : viete::sym3::kernels()) {
+        CAPTURE(kernel.name);
+        CAPTURE(scale);
+        const Weigher weigher(cage, c, kernel);
+        std::vector<float> rows(points.size() * weigher.handles());
+        std::vector<Vec3> sums(points.size());
+        const auto failed = weigher.weigh_tiles(points, rows.data(), sums);
+        std::vector<double> room(weigher.room());
+        double worst = 0, off = 0;
+        for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
+          const unsigned lost = weigher.weigh(std::span(points).subspan(i).first<bind_lanes>(), room);
+          for (std::size_t l = 0; l < bind_lanes; ++l) {
+            const std::size_t s = i + l;
+            CHECK(failed[s] == bool(lost >> l & 1));
+            Vec3 sum{0, 0, 0};
+            for (std::size_t j = 0; j < weigher.handles(); ++j) {
+              const double w = rows[s / 16 * 16 * weigher.handles() + j * 16 + s % 16];
+              worst = std::max(worst, std::abs(w - room[j * bind_lanes + l]));
+              sum = sum + w * weigher.handle_positions()[j];
+            }
+            off = std::max(off, norm(sum - sums[s]));
+          }
+        }
+        CHECK(worst < (c == Coordinates::face ? 2e-6 : 2e-5));
+        CHECK(off < 1e-13 * cage.diagonal);
+      }
     }
   }
 }
