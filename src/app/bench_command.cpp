@@ -1,8 +1,9 @@
-// viete bench exp|eigen|frame|accuracy|sym3: the paper's figures, and its future work, on this machine.
+// viete bench exp|eigen|frame|bind|accuracy|sym3: the paper's figures, and its future work, on this machine.
 #include <cstdio>
 #include <memory>
 
 #include "app/bench_accuracy.h"
+#include "app/bench_bind.h"
 #include "app/bench_eigen.h"
 #include "app/bench_exp.h"
 #include "app/bench_sym3.h"
@@ -81,6 +82,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     sub->callback([options, &action, run = bench.run] { action = [options, run] { return run(*options); }; });
   }
   add_frame_bench(*command, action);
+  add_bind_bench(*command, action);
 }
 
 }  // namespace viete::app

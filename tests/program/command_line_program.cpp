@@ -232,6 +232,17 @@ TEST_CASE("small_benchmarks_run_and_write_json") {
   }
 }
 
+TEST_CASE("a_small_benchmark_of_binding_says_whether_its_bars_are_met") {
+  const Scratch scratch;
+  const fs::path json = scratch.folder / "bind.json";
+  const auto outcome = run("bench bind --faces 8 --rounds 1 --json " + quoted(json));
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(mentions(outcome, "50,000 vertices, 8 cage triangles"));
+  CHECK(mentions(outcome, "plain loops"));
+  CHECK(mentions(outcome, "met"));
+  CHECK(fs::file_size(json) > 100);
+}
+
 TEST_CASE("benchmarks_are_drawn_as_svg_with_every_method_and_layout") {
   const Scratch scratch;
   const struct {
