@@ -44,7 +44,7 @@ public:
       plain_ = std::make_unique<PlainWeights>(model_.positions.size(), cage_.element_count());
     for (const auto v : lay_out(model_, cage_, Coordinates::face).leaves.order)
       leaf_points_.push_back(model_.positions[v]);
-    tiles_.resize(leaf_points_.size() * cage_.element_count());
+    leaf_rows_.resize(deform::leaf_slots * cage_.element_count());
   }
 
   std::vector<BenchResult> run(std::size_t rounds) {
@@ -78,14 +78,13 @@ private:
     for (const auto& p : model_.positions) weights(cage_, p, row);
   }
 
-  // As binding does, leaf by leaf.
+  // As compression takes them, leaf by leaf: the full matrix never exists.
   void weigh(Coordinates coordinates) {
     const deform::Weigher weigher(cage_, coordinates);
     std::vector<deform::Vec3> sums(deform::leaf_slots);
     for (std::size_t begin = 0; begin < leaf_points_.size(); begin += deform::leaf_slots) {
       const std::size_t count = std::min(deform::leaf_slots, leaf_points_.size() - begin);
-      weigher.weigh_tiles(std::span(leaf_points_).subspan(begin, count),
-                          tiles_.data() + begin * weigher.handles(), sums);
+      weigher.weigh_tiles(std::span(leaf_points_).subspan(begin, count), leaf_rows_.data(), sums);
     }
   }
 
@@ -98,7 +97,7 @@ private:
   base::WorkerPool pool_{1};
   std::unique_ptr<PlainWeights> plain_;
   std::vector<mesh::Point> leaf_points_;
-  deform::AlignedVector<float> tiles_;
+  deform::AlignedVector<float> leaf_rows_;
   deform::TiledBinding dense_, compressed_;
 };
 
