@@ -58,8 +58,9 @@ public:
     add("leaves and rings", [this] { lay_out(model_, cage_, Coordinates::face); });
     add("bound, dense", [this] { dense_ = bind(Coordinates::face, 0); });
     add("bound, compressed", [this] { compressed_ = bind(Coordinates::face, deform::usual_tolerance); });
-    add("mean values, one at a time",
-        [this] { weigh_one_by_one(deform::mean_value_weights, cage_.surface.positions.size()); });
+    if (plain_)
+      add("mean values, one at a time",
+          [this] { weigh_one_by_one(deform::mean_value_weights, cage_.surface.positions.size()); });
     add("mean values, vectors", [this] { weigh(Coordinates::mean_value); });
     add("mean values, bound", [this] { bind(Coordinates::mean_value, 0); });
     base::Progress progress;
