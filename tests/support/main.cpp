@@ -10,7 +10,9 @@
 
 int main(int argc, char** argv) {
   std::string folder = (std::filesystem::temp_directory_path() / "viete_test_state_XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr || setenv("XDG_STATE_HOME", folder.c_str(), 1) != 0) return 1;
+  if (mkdtemp(folder.data()) == nullptr) return 1;
+  if (setenv("XDG_STATE_HOME", folder.c_str(), 1) != 0) return 1;
+  if (setenv("XDG_CACHE_HOME", (folder + "/cache").c_str(), 1) != 0) return 1;
   const pid_t here = getpid();
   const int code = doctest::Context(argc, argv).run();
   std::error_code ignored;
