@@ -149,7 +149,7 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   const test::TemporaryFolder folder;
   Driver d(small_window());
   for (int levels = 2;; ++levels) {
-    REQUIRE_MESSAGE(levels < 5, "mean value coordinates of 2048 triangles came at once");
+    REQUIRE_MESSAGE(levels < 6, "mean value coordinates of 8192 triangles came at once");
     REQUIRE(scene::load_model(d.workspace(), dragon, ball_cage(folder.path(), levels)));
     d.settle();
     const auto rest = positions(d);

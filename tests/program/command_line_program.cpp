@@ -1,5 +1,6 @@
 // The program as a shell sees it: subcommands, outputs, errors, exit codes.
 #include <doctest/doctest.h>
+#include <unistd.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -39,7 +40,7 @@ Outcome run(const std::string& arguments, const std::string& environment = "") {
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
 struct Scratch {
-  fs::path folder = fs::temp_directory_path() / "viete-test-command-line";
+  fs::path folder = fs::temp_directory_path() / ("viete-test-command-line-" + std::to_string(getpid()));
   Scratch() {
     fs::remove_all(folder);
     fs::create_directories(folder);
