@@ -151,6 +151,7 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   for (int levels = 2;; ++levels) {
     REQUIRE_MESSAGE(levels < 6, "mean value coordinates of 8192 triangles came at once");
     REQUIRE(scene::load_model(d.workspace(), dragon, ball_cage(folder.path(), levels)));
+    scene::set_coordinates(d.document(), deform::Coordinates::face);  // a new document keeps what the last one used
     d.settle();
     const auto rest = positions(d);
     scene::set_coordinates(d.document(), deform::Coordinates::mean_value);

@@ -1,7 +1,7 @@
 // The program as a shell sees it: subcommands, outputs, errors, exit codes.
 #include <doctest/doctest.h>
-#include <unistd.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
