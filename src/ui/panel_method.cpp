@@ -27,38 +27,40 @@ std::size_t best(const scene::MethodStats& stats, Value value) {
   return equals == 0 ? first : none;
 }
 
-std::string mark_of(const scene::MethodStats& stats, std::size_t index) {
-  const bool fastest = index == best(stats, [](const scene::MethodSample& s) { return s.ns_per_matrix; });
-  const bool exact = index == best(stats, [](const scene::MethodSample& s) { return s.worst_error; });
-  return fastest && exact ? "fastest, most exact" : fastest ? "fastest" : exact ? "most exact" : "";
+// Which of a method's two figures are better than those of all others.
+struct Marks {
+  bool time = false, error = false;
+};
+
+Marks marks_of(const scene::MethodStats& stats, std::size_t index) {
+  return {index == best(stats, [](const scene::MethodSample& s) { return s.ns_per_matrix; }),
+          index == best(stats, [](const scene::MethodSample& s) { return s.worst_error; })};
 }
 
 void card_text(const Context& ui, ImVec2 at, float width, const char* title, const scene::MethodSample* sample, bool used,
-               const std::string& mark, bool active) {
-  constexpr float margin = 10;
+               Marks marks, bool active) {
+  constexpr float margin = 10, second_line = 25;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const auto line = [&](ImFont* font, float y, const std::string& text, ImU32 color) {
-    ImGui::PushFont(font);
-    draw.AddText({at.x + margin, at.y + y}, color, text.c_str());
-    ImGui::PopFont();
-  };
   const ImU32 text = used ? ui.colors.text : ui.colors.faint;
-  line(ui.fonts.strong, 6, title, text);
-  line(ui.fonts.numbers, 26, sample ? nanoseconds(sample->ns_per_matrix) : "", text);
-  ImGui::PushFont(ui.fonts.numbers);
-  const std::string worst = sample ? error(sample->worst_error) : "";
-  draw.AddText({at.x + width - margin - ImGui::CalcTextSize(worst.c_str()).x, at.y + 26}, ui.colors.faint, worst.c_str());
+  ImGui::PushFont(ui.fonts.strong);
+  draw.AddText({at.x + margin, at.y + 6}, text, title);
   ImGui::PopFont();
-  if (active && used) draw.AddCircleFilled({at.x + width - 13, at.y + 13}, 4, ui.colors.accent);
-  line(ui.fonts.text, 42, mark, ui.colors.accent);
+  if (active && used) draw.AddCircleFilled({at.x + width - 13, at.y + 14}, 4, ui.colors.accent);
+  if (!sample) return;
+  ImGui::PushFont(ui.fonts.numbers);
+  const std::string time = nanoseconds(sample->ns_per_matrix), worst = error(sample->worst_error);
+  draw.AddText({at.x + margin, at.y + second_line}, marks.time ? ui.colors.accent : text, time.c_str());
+  draw.AddText({at.x + width - margin - ImGui::CalcTextSize(worst.c_str()).x, at.y + second_line},
+               marks.error ? ui.colors.accent : ui.colors.faint, worst.c_str());
+  ImGui::PopFont();
 }
 
-// One large toggle: the method's name, its time per matrix, its worst error, and what it is best at.
+// One large toggle: the method's name, its time per matrix and its worst error, in colour what it is best at.
 void card(const Context& ui, std::size_t index, float width, bool used) {
   scene::Workspace& w = ui.workspace;
   const scene::Command& command = *scene::find_command(command_names[index]);
   const bool active = w.document.method == scene::compared_methods[index];
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 64};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 46};
   if (ImGui::InvisibleButton(command_names[index], size)) command.run(w);
   record(ui, command_names[index], used);
   const bool hovered = ImGui::IsItemHovered();
@@ -69,8 +71,8 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
 
   const bool measured = used && w.methods.matrices > 0;
   // At rest all matrices are zero, and who is the fastest at nothing says nothing.
-  const std::string mark = measured && scene::differs_from_rest(w.document) ? mark_of(w.methods, index) : "";
-  card_text(ui, at, width, command.label.data(), measured ? &w.methods.samples[index] : nullptr, used, mark, active);
+  const Marks marks = measured && scene::differs_from_rest(w.document) ? marks_of(w.methods, index) : Marks{};
+  card_text(ui, at, width, command.label.data(), measured ? &w.methods.samples[index] : nullptr, used, marks, active);
   hint(std::string(command.hint) + "  (" + scene::text(command.shortcut) + ")");
 }
 
@@ -93,7 +95,7 @@ void panel_method(const Context& ui) {
   if (!used) {
     note(ui, "Not used: mean value coordinates blend positions, without an exponential.");
   } else if (w.methods.matrices > 0) {
-    note(ui, "Per matrix, and worst error, of " + count(w.methods.matrices) + " sampled");
+    note(ui, "Per matrix, worst of " + count(w.methods.matrices) + (scene::differs_from_rest(w.document) ? "; best in colour" : " sampled"));
   }
   coordinates_choice(ui);
 }

@@ -39,7 +39,7 @@ TiledBinding read(const Saved& s) {
 
 template <class T>
 bool same_bits(const T& a, const T& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
 }
 
 // What reading it says; empty if it can be read.

@@ -18,7 +18,7 @@ class Driver {
  public:
   explicit Driver(app::ViewerOptions options = default_options(),
                   app::OffscreenContext::Kind kind = app::OffscreenContext::Kind::any)
-      : offscreen_(options, kind) {}
+      : offscreen_(options, kind), column_end_(static_cast<float>(options.size.y) - 30) {}
 
   static app::ViewerOptions default_options() {
     app::ViewerOptions options;
@@ -80,7 +80,7 @@ class Driver {
     for (int i = 0; i < 60; ++i) {
       const auto rect = viewer().recorder().find(widget);
       REQUIRE_MESSAGE(rect, "no widget named ", widget);
-      const bool whole = rect->visible && rect->y0 >= 0 && rect->y1 <= 770;
+      const bool whole = rect->visible && rect->y0 >= 0 && rect->y1 <= column_end_;
       if (whole) return {0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)};
       move({160, 400});
       wheel(rect->y0 < 0 ? 2.0f : -2.0f);
@@ -100,6 +100,7 @@ class Driver {
 
  private:
   app::OffscreenViewer offscreen_;
+  float column_end_;  // where the status bar begins, roughly
 };
 
 inline std::uint32_t Driver::free_vertex() {

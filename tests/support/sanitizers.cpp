@@ -2,6 +2,8 @@
 // name them, and what they keep is no leak of ours.
 extern "C" int dlclose(void*) { return 0; }
 
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libOSMesa\n"
          "leak:libEGL\n"
@@ -10,4 +12,14 @@ extern "C" const char* __lsan_default_suppressions() {
          "leak:libgallium\n"
          "leak:_dri.so\n"
          "leak:swrast\n";
+}
+
+// Their threads are not compiled with the sanitizer, which therefore cannot see how they wait for each other.
+extern "C" const char* __tsan_default_suppressions() {
+  return "called_from_lib:libOSMesa.so\n"
+         "called_from_lib:libEGL_mesa.so\n"
+         "called_from_lib:libGLX_mesa.so\n"
+         "race:libOSMesa.so\n"
+         "race:swrast_dri.so\n"
+         "race:libLLVM\n";
 }

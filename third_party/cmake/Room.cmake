@@ -11,7 +11,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
   target_compile_options(viete_compile INTERFACE -Wno-restrict)
 endif()
 if(VIETE_SANITIZE)
-  target_compile_options(viete_compile INTERFACE -fsanitize=${VIETE_SANITIZE} -fno-omit-frame-pointer -g)
+  target_compile_options(viete_compile INTERFACE -fsanitize=${VIETE_SANITIZE} -fno-omit-frame-pointer -g1)
   target_link_options(viete_compile INTERFACE -fsanitize=${VIETE_SANITIZE})
 endif()
 
@@ -20,6 +20,9 @@ endif()
 set(VIETE_KERNEL_OPTIONS "")
 if(NOT VIETE_SANITIZE)
   set(VIETE_KERNEL_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O3>)
+elseif(VIETE_SANITIZE MATCHES address)
+  # Following the lifetime of every register of an unrolled kernel takes GCC a quarter of an hour a file.
+  set(VIETE_KERNEL_OPTIONS -fno-sanitize-address-use-after-scope)
 endif()
 
 # viete_room(deform SOURCES a.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)

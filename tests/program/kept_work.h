@@ -1,0 +1,99 @@
+// Viewers that remember, models that load at once, and what a viewer has kept, for tests of files.
+#pragma once
+
+#include "mesh/write.h"
+#include "program/desktop.h"
+#include "program/driver.h"
+#include "scene/open.h"
+#include "support/folder.h"
+
+namespace viete::test {
+
+inline const fs::path dragon = assets_dir() / "dragon" / "dragon.ply", dragon_cage = assets_dir() / "dragon" / "cage.obj";
+
+inline app::ViewerOptions remembering(const fs::path& state, glm::ivec2 size = {1280, 800}) {
+  auto options = Driver::default_options();
+  options.state = state;
+  options.size = size;
+  return options;
+}
+
+inline void open_dragon(Driver& d) {
+  REQUIRE(scene::load_model(d.workspace(), dragon, dragon_cage));
+  d.settle();
+}
+
+inline void drag_some_vertex(Driver& d, glm::vec2 by) {
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.drag(at, at + by);
+}
+
+// Away from everything, until the picture rests; without the panels, whose times are never the same.
+inline render::Image rest_picture(Driver& d) {
+  d.move({700, 760});
+  d.settle();
+  render::Image picture = d.picture();
+  if (!d.workspace().view.panels) return picture;
+  for (int y = 0; y < picture.height; ++y) {
+    const int end = y >= picture.height - 26 ? picture.width : 320;
+    std::fill_n(picture.rgba.begin() + 4 * std::ptrdiff_t(y) * picture.width, 4 * end, std::uint8_t{0});
+  }
+  return picture;
+}
+
+inline std::vector<fs::path> kept_files(const fs::path& state) {
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(state / "recovery", ignored)) files.push_back(entry.path());
+  return files;
+}
+
+// A model and a cage that are small, so that starting a viewer is quick.
+struct SmallModel {
+  fs::path model, cage;
+
+  explicit SmallModel(const fs::path& folder) : model(folder / "small.ply"), cage(folder / "small_cage.obj") {
+    mesh::write(model, grid_ball(12));
+    mesh::write(cage, scaled(grid_ball(3), 1.4));
+  }
+
+  static mesh::Surface scaled(mesh::Surface surface, double k) {
+    for (auto& p : surface.positions) {
+      for (double& x : p) x *= k;
+    }
+    return surface;
+  }
+
+  // A cube of n by n squares a side, blown up to a ball; sides do not share vertices.
+  static mesh::Surface grid_ball(std::uint32_t n) {
+    std::vector<mesh::Point> points;
+    std::vector<mesh::Triangle> triangles;
+    for (int side = 0; side < 6; ++side) {
+      const auto first = static_cast<std::uint32_t>(points.size());
+      for (std::uint32_t i = 0; i <= n; ++i) {
+        for (std::uint32_t j = 0; j <= n; ++j)
+          points.push_back(on_ball(side, 2.0 * i / n - 1, 2.0 * j / n - 1));
+      }
+      for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t j = 0; j < n; ++j) {
+          const std::uint32_t a = first + i * (n + 1) + j, b = a + 1, c = a + n + 1, e = c + 1;
+          triangles.insert(triangles.end(), {{a, c, b}, {b, c, e}});
+        }
+      }
+    }
+    return mesh::from_triangles(std::move(points), triangles);
+  }
+
+  static mesh::Point on_ball(int side, double u, double v) {
+    const double sign = side % 2 ? 1 : -1;
+    mesh::Point p{};
+    p[side / 2] = sign;
+    p[(side / 2 + 1) % 3] = sign * u;
+    p[(side / 2 + 2) % 3] = v;
+    const double length = std::hypot(p[0], p[1], p[2]);
+    for (double& x : p) x /= length;
+    return p;
+  }
+};
+
+}  // namespace viete::test

@@ -1,0 +1,119 @@
+// Large files read aside, and loads that fail.
+#include "program/kept_work.h"
+#include "scene/saving.h"
+
+using namespace viete;
+using namespace test;
+using What = scene::OpenRequest::What;
+
+namespace {
+
+// Frames until the bar with its button is there; false if the file was read before a person could have seen one.
+bool sees_loading_bar(Driver& d) {
+  bool seen = false;
+  const bool ended = wait_until(
+      [&] {
+        d.frame();
+        seen = d.viewer().recorder().find("stop_work").has_value();
+        return seen || !d.viewer().loading();
+      },
+      60);
+  REQUIRE(ended);
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  auto options = Driver::default_options();
+  options.size = {640, 400};
+  Driver d(options);
+  const scene::OpenRequest request{What::model, {folder / "large.obj"}};
+
+  // 348,000 vertices, 36 MB of text; a machine that reads them in a moment gets more.
+  int cells = 240;
+  const mesh::Surface* surface = nullptr;
+  for (;; cells *= 2) {
+    REQUIRE_MESSAGE(cells < 1000, "5.5 million vertices were read within 0.2 s");
+    mesh::write(folder / "large.obj", SmallModel::grid_ball(cells));
+    REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+    d.settle();
+    drag_some_vertex(d, {20, 10});
+    surface = d.document().model.surface.get();
+    d.workspace().requests.open = request;
+    if (!sees_loading_bar(d)) continue;
+    CHECK(d.workspace().loading.what == "Reading large.obj");
+    CHECK(d.document().model.surface.get() == surface);
+    d.viewer().input().push(app::InputEvent::key(ui::key_code(scene::Key::escape), true));
+    d.viewer().input().push(app::InputEvent::key(ui::key_code(scene::Key::escape), false));
+    REQUIRE(wait_until(
+        [&] {
+          d.frame();
+          return !d.viewer().loading();
+        },
+        60));
+    if (d.document().model.surface.get() == surface) break;
+  }
+  CHECK(d.document().history.undo_count() == 1);
+  CHECK(d.workspace().messages.all().back().text.find("Stopped reading") != std::string::npos);
+
+  d.workspace().requests.open = request;
+  double furthest = 0;
+  REQUIRE(wait_until(
+      [&] {
+        d.frame();
+        const auto& loading = d.workspace().loading;
+        if (loading.running) CHECK(loading.done >= furthest);
+        furthest = std::max(furthest, loading.done);
+        return !d.viewer().loading();
+      },
+      60));
+  CHECK(furthest > 0.1);
+  CHECK(d.document().model.facts.vertices == static_cast<std::size_t>(6 * (cells + 1) * (cells + 1)));
+}
+
+TEST_CASE("what_was_read_waits_until_the_drag_is_over") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  Driver d(remembering(folder / "state"));
+  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  d.settle();
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.press_and_move(at, at + glm::vec2(40, 5));
+  d.workspace().requests.open = scene::OpenRequest{What::model, {dragon, dragon_cage}};
+  for (int i = 0; i < 20; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    d.frame();
+  }
+  CHECK(d.document().model.path == small.model);
+  d.button(0, false);
+  REQUIRE(wait_until(
+      [&] {
+        d.frame();
+        return d.document().model.path == dragon;
+      },
+      20));
+  CHECK_MESSAGE(d.workspace().leftovers.size() == 1, "the drag that was finished is kept");
+}
+
+TEST_CASE("a_load_that_fails_leaves_everything_as_it_was") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  test::put_file(folder / "broken.obj", "v 0 0 0\nf 1 2 3\n");
+  Driver d;
+  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  d.settle();
+  drag_some_vertex(d, {20, 10});
+  const auto posed = d.document().pose.positions;
+  const auto opened = d.workspace().opened;
+  for (const What what : {What::model, What::cage, What::pose, What::dropped, What::recovery}) {
+    d.workspace().requests.open = scene::OpenRequest{what, {folder / "broken.obj"}};
+    d.settle();
+    const std::string said = d.workspace().messages.all().back().text;
+    CHECK_MESSAGE(said.find("broken.obj:") != std::string::npos, said);
+    CHECK(d.document().pose.positions == posed);
+    CHECK(d.workspace().opened == opened);
+  }
+}

@@ -1,0 +1,106 @@
+// Every panel, in both themes and at both scales: nothing leaves the window, nothing covers anything else.
+//
+// VIETE_PICTURES=FOLDER also writes a picture of each, to be looked at.
+#include <cstdlib>
+
+#include "mesh/read.h"
+#include "mesh/write.h"
+#include "program/driver.h"
+#include "render/image.h"
+#include "scene/open.h"
+#include "support/folder.h"
+
+using namespace viete;
+using test::Driver;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Widgets = std::map<std::string, ui::WidgetRect>;
+
+constexpr float column = 320, rounding = 0.5f;
+
+bool overlap(const ui::WidgetRect& a, const ui::WidgetRect& b) {
+  return a.x0 + rounding < b.x1 && b.x0 + rounding < a.x1 && a.y0 + rounding < b.y1 && b.y0 + rounding < a.y1;
+}
+
+void check_places(const Widgets& widgets, glm::vec2 window) {
+  CHECK(widgets.size() > 20);
+  for (auto a = widgets.begin(); a != widgets.end(); ++a) {
+    const auto& [name, rect] = *a;
+    CAPTURE(name);
+    if (!rect.visible) continue;
+    CHECK(rect.x1 > rect.x0);
+    CHECK(rect.y1 > rect.y0);
+    CHECK(rect.x0 >= 0);
+    CHECK(rect.x1 <= window.x);
+    if (rect.x0 < column) CHECK(rect.x1 <= column);
+    for (auto b = std::next(a); b != widgets.end(); ++b) {
+      const bool both_in_column = b->second.visible && rect.x1 <= column && b->second.x1 <= column;
+      CHECK_MESSAGE(!(both_in_column && overlap(rect, b->second)), "covers ", b->first);
+    }
+  }
+}
+
+void show(Driver& d, const std::string& name) {
+  d.move({1270, 1100});
+  const char* folder = std::getenv("VIETE_PICTURES");
+  if (folder) d.settle();
+  CAPTURE(name);
+  check_places(d.viewer().recorder().all(), {1280, 1500});
+  if (folder) render::write_png(fs::path(folder) / (name + ".png"), d.picture());
+}
+
+// The bundled cage without its first face: it has findings.
+fs::path open_cage(const fs::path& folder) {
+  auto surface = mesh::read(test::assets_dir() / "dragon" / "cage.obj").surface;
+  std::vector<mesh::Triangle> triangles(surface.triangles.begin() + 1, surface.triangles.end());
+  const fs::path path = folder / "open.obj";
+  mesh::write(path, mesh::from_triangles(surface.positions, triangles));
+  return path;
+}
+
+void visit_panels(Driver& d, const std::string& look) {
+  const test::TemporaryFolder scratch;
+  const fs::path model = test::assets_dir() / "dragon" / "dragon.ply", cage = open_cage(scratch.path());
+  show(d, look + "_empty");
+  REQUIRE(scene::load_model(d.workspace(), model, cage));
+  d.settle();
+  d.press_key(scene::key('A'));
+  for (const char* title : {"Checks", "Accuracy", "Benchmark"}) d.click(std::string("section/") + title);
+  deform::Pose pose = d.document().pose;
+  for (std::size_t i = 0; i < pose.positions.size(); i += 3) pose.positions[i][1] *= 1.2;
+  scene::set_pose(d.document(), pose);
+  show(d, look + "_all_sections");
+
+  d.click("toggle_error_map");
+  d.press_key(scene::key('E'));
+  show(d, look + "_error_map_rotate");
+  CHECK_FALSE(scene::load_model(d.workspace(), scratch.path() / "none.ply", cage));
+  d.frame();
+  show(d, look + "_failed_load");
+
+  d.press_key(scene::key('O'), true);
+  show(d, look + "_open");
+  d.press_key(scene::Key::escape);
+  d.press_key(scene::key('E'), true);
+  show(d, look + "_export");
+  d.press_key(scene::Key::escape);
+  d.press_key(scene::Key::f1);
+  show(d, look + "_help");
+}
+
+}  // namespace
+
+TEST_CASE("no_panel_leaves_the_window_or_covers_another_in_any_theme_or_scale") {
+  for (const float scale : {1.0f, 2.0f}) {
+    for (const bool dark : {true, false}) {
+      auto options = Driver::default_options();
+      options.size = {1280, 1500};
+      options.scale = scale;
+      Driver d(options);
+      d.workspace().view.dark = dark;
+      visit_panels(d, std::string(dark ? "dark" : "light") + (scale == 1 ? "_1x" : "_2x"));
+    }
+  }
+}
