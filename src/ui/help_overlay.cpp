@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
 #include "scene/commands.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -23,52 +28,71 @@ constexpr MouseLine mouse_lines[] = {
     {"Esc or right button", "during a drag: everything as it was"},
 };
 
-void line(const Context& ui, const char* left, const char* right) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(left);
-  ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted(right);
-  ImGui::PopStyleColor();
-}
-
-void heading(const Context& ui, const std::string& text) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::Spacing();
-  ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopFont();
-  ImGui::TableNextColumn();
-}
+// A line of the table; a heading where there is nothing on its right.
+struct Row {
+  std::string left, right;
+};
+using Rows = std::vector<Row>;
 
 std::string keys_of(const scene::Command& command) {
   const std::string also = scene::text(command.alternative);
   return scene::text(command.shortcut) + (also.empty() ? "" : ", " + also);
 }
 
-void group_lines(const Context& ui, std::string_view group) {
-  heading(ui, std::string(group));
-  for (const auto& command : scene::commands()) {
-    if (command.group != group || command.shortcut.key == scene::Key::none) continue;
-    line(ui, keys_of(command).c_str(), std::string(command.hint).c_str());
+void add_groups(Rows& rows, std::initializer_list<std::string_view> groups) {
+  for (const auto group : groups) {
+    rows.push_back({std::string(group), ""});
+    for (const auto& command : scene::commands()) {
+      if (command.group != group || command.shortcut.key == scene::Key::none) continue;
+      rows.push_back({keys_of(command), std::string(command.hint)});
+    }
   }
 }
 
-void about(const Context& ui) {
-  const scene::About& about = ui.workspace.about;
-  heading(ui, "About");
-  line(ui, "Viete", (about.version + ", " + about.build).c_str());
-  line(ui, "Kernel", about.kernel.c_str());
-  line(ui, "OpenGL", about.renderer.c_str());
+Rows hands_rows() {
+  Rows rows{{"Mouse", ""}};
+  for (const auto& entry : mouse_lines) rows.push_back({entry.action, entry.what});
+  add_groups(rows, {"File", "Edit", "Select"});
+  return rows;
 }
 
-template <class Lines>
-void column(const char* name, Lines lines) {
+Rows settings_rows(const scene::About& about) {
+  Rows rows;
+  add_groups(rows, {"Tool", "Method", "View"});
+  rows.insert(rows.end(), {{"About", ""},
+                           {"Viete", about.version + ", " + about.build},
+                           {"Kernel", about.kernel},
+                           {"OpenGL", about.renderer}});
+  return rows;
+}
+
+float width_of(const Rows& rows) {
+  float left = 0, right = 0;
+  for (const auto& row : rows) {
+    left = std::max(left, ImGui::CalcTextSize(row.left.c_str()).x);
+    right = std::max(right, ImGui::CalcTextSize(row.right.c_str()).x);
+  }
+  return left + right + 3 * ImGui::GetStyle().CellPadding.x;
+}
+
+void draw_row(const Context& ui, const Row& row) {
+  const bool heading = row.right.empty();
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  if (heading) ImGui::Spacing();
+  if (heading) ImGui::PushFont(ui.fonts.strong);
+  ImGui::TextUnformatted(row.left.c_str());
+  if (heading) ImGui::PopFont();
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
+  ImGui::TextUnformatted(row.right.c_str());
+  ImGui::PopStyleColor();
+}
+
+void table(const Context& ui, const char* name, const Rows& rows) {
   ImGui::BeginGroup();
   if (ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX)) {
-    lines();
+    for (const auto& row : rows) draw_row(ui, row);
     ImGui::EndTable();
   }
   ImGui::EndGroup();
@@ -76,25 +100,21 @@ void column(const char* name, Lines lines) {
 
 }  // namespace
 
+// Two tables side by side where there is room, else one below the other.
 void help_overlay(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  constexpr float widest = 1080;
-  const float left = ui.workspace.view.panels && display.x > column_width + widest ? column_width : 0;
+  constexpr float gap = 32;
+  const Rows hands = hands_rows(), settings = settings_rows(ui.workspace.about);
+  const float both = width_of(hands) + gap + width_of(settings) + 4 * ImGui::GetStyle().WindowPadding.x;
+  const float left = ui.workspace.view.panels && display.x > column_width + both ? column_width : 0;
   ImGui::SetNextWindowPos({left + 0.5f * (display.x - left), 0.5f * (display.y - status_height)}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({420, 0}, {display.x - 40, display.y - 60});
   bool open = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
   ImGui::Begin("Keys and mouse", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-  column("left", [&] {
-    heading(ui, "Mouse");
-    for (const auto& entry : mouse_lines) line(ui, entry.action, entry.what);
-    for (const char* group : {"File", "Edit", "Select"}) group_lines(ui, group);
-  });
-  ImGui::SameLine(0, 32);
-  column("right", [&] {
-    for (const char* group : {"Tool", "Method", "View"}) group_lines(ui, group);
-    about(ui);
-  });
+  table(ui, "hands", hands);
+  if (both < display.x - 40) ImGui::SameLine(0, gap);
+  table(ui, "settings", settings);
   ImGui::End();
   ImGui::PopStyleVar();
   if (!open) ui.workspace.view.help = false;

@@ -26,6 +26,16 @@ std::string mouse_text(const scene::Workspace& w) {
   return "Middle or right drag orbits,  Shift pans,  wheel zooms";
 }
 
+// As many of the phrases, between which there are two spaces, as there is room for.
+std::string fitting(std::string text, float width) {
+  while (!text.empty() && ImGui::CalcTextSize(text.c_str()).x > width) {
+    const std::size_t end = text.rfind("  ");
+    if (end == std::string::npos) return "";
+    text.erase(text.find_last_not_of(" ,;:", end) + 1);
+  }
+  return text;
+}
+
 std::string numbers_text(const scene::Workspace& w) {
   const auto median = w.stats.median();
   const std::string frame = median ? milliseconds(median->frame) + " a frame" : "";
@@ -49,11 +59,9 @@ void status_bar(const Context& ui) {
   const float numbers_start = display.x - 36 - ImGui::CalcTextSize(numbers.c_str()).x;
   ImGui::PopFont();
   text_right(ui, display.x - 12, numbers, ui.colors.faint);
-  ImGui::PushClipRect({0, 0}, {numbers_start, display.y}, true);
   ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted(mouse_text(ui.workspace).c_str());
+  ImGui::TextUnformatted(fitting(mouse_text(ui.workspace), numbers_start - ImGui::GetCursorPosX()).c_str());
   ImGui::PopStyleColor();
-  ImGui::PopClipRect();
   const float y = display.y - status_height;
   ImGui::GetWindowDrawList()->AddLine({0, y}, {display.x, y}, ui.colors.line);
   ImGui::End();

@@ -37,9 +37,8 @@ void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (w.hand.box) selection_box(ui, *w.hand.box);
   if (w.binding.running || w.loading.running) return;  // their bar is there
-  if (w.view.hints && w.document.has_cage() && w.view.panels && !w.hand.drag) {
-    hints(ui);
-  }
+  const bool room = !scene::shows_error_map(w);  // the legend takes it
+  if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.hand.drag) hints(ui);
 }
 
 }  // namespace viete::ui
