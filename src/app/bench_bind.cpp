@@ -53,7 +53,11 @@ public:
       cases.push_back({name, size(), [what](std::size_t) { what(); }});
     };
     if (plain_) add("plain loops", [this] { plain_->compute(model_.positions, cage_); });
-    add("one vertex at a time", [this] { weigh_one_by_one(deform::inverse_distance_weights, elements()); });
+    add("one vertex at a time", [this] {
+      weigh_one_by_one([](const auto& cage, const auto& p, std::span<double> row) {
+        deform::inverse_distance_weights(cage, p, row);
+      }, elements());
+    });
     add("vectors", [this] { weigh(Coordinates::face); });
     add("leaves and rings", [this] { lay_out(model_, cage_, Coordinates::face); });
     add("bound, dense", [this] { dense_ = bind(Coordinates::face, 0); });

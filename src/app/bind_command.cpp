@@ -18,9 +18,8 @@ namespace {
 
 struct BindOptions {
   std::filesystem::path model, cage, output;
-  deform::Coordinates coordinates = deform::Coordinates::face;
+  WeightingOptions weighting;
   double tolerance = deform::usual_tolerance;
-  bool coordinates_given = false;
 };
 
 void print(const deform::TiledBinding& tiles, double seconds) {
@@ -35,18 +34,17 @@ void print(const deform::TiledBinding& tiles, double seconds) {
 }
 
 int bind_files(const BindOptions& options) {
-  const scene::Opened opened =
+  scene::Opened opened =
       scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage}}, {});
   for (const auto& warning : opened.warnings) std::fprintf(stderr, "viete: note: %s\n", warning.c_str());
-  const scene::Document& document = *opened.document;
+  scene::Document& document = *opened.document;
   if (!document.has_cage())
     throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
-  const bool own = opened.session && !options.coordinates_given;
+  options.weighting.apply(document, opened.session.has_value());
   base::WorkerPool pool;
   base::Stopwatch watch;
-  const auto tiles =
-      deform::bind_tiles(*document.model.surface, *document.cage,
-                         own ? document.coordinates : options.coordinates, pool, options.tolerance);
+  const auto tiles = deform::bind_tiles(*document.model.surface, *document.cage, document.weighting(), pool,
+                                        options.tolerance);
   print(tiles, 1e-3 * watch.lap_ms());
   deform::write_binding(options.output, tiles, *document.model.surface, *document.cage);
   return exit_ok;
@@ -62,7 +60,7 @@ void add_bind_command(CLI::App& app, Action& action) {
       ->required();
   command->add_option("CAGE", o->cage, "Cage around it, at rest");
   command->add_option("-o,--output", o->output, "File to write")->required();
-  add_coordinates_option(*command, o->coordinates);
+  add_weighting_options(*command, o->weighting);
   command
       ->add_option("--tolerance", o->tolerance,
                    "What compression may change the weights of a vertex by (root of the sum of squares); 0: "
@@ -73,10 +71,9 @@ void add_bind_command(CLI::App& app, Action& action) {
       "The file is checked against model and cage whenever it is used. view and render also keep bindings "
       "that took\n"
       "more than a second by themselves, in ~/.cache/viete/bindings ($XDG_CACHE_HOME), 2 GB at most.");
-  command->callback([o, command, &action] {
+  command->callback([o, &action] {
     check_session_stands_alone(o->model, o->cage, {});
     if (!scene::is_session(o->model) && o->cage.empty()) throw CLI::RequiredError("CAGE");
-    o->coordinates_given = command->count("--coordinates") > 0;
     action = [o] { return bind_files(*o); };
   });
 }

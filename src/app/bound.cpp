@@ -8,29 +8,30 @@
 namespace viete::app {
 
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
-           deform::Coordinates coordinates, sym3::Method method, const Bound& known, const SavedBindings& saved,
+           deform::Weighting weighting, sym3::Method method, const Bound& known, const SavedBindings& saved,
            base::Progress& progress) {
   using deform::Path;
   base::WorkerPool pool;
-  const bool shared = known.binding && known.model == model && known.cage == cage && known.binding->coordinates == coordinates;
+  const bool shared =
+      known.binding && known.model == model && known.cage == cage && known.binding->weighting() == weighting;
   Bound bound{model, cage, shared ? known.binding : nullptr};
   auto& binding = bound.binding;
-  const bool staged = coordinates == deform::Coordinates::face && method != sym3::Method::fast;
+  const bool staged = weighting.coordinates == deform::Coordinates::face && method != sym3::Method::fast;
   if (!binding || !binding->tiles) {
     if (staged) progress.section(0, 0.5);
-    FoundBinding found = find_binding(saved, *model, *cage, coordinates, progress);
+    FoundBinding found = find_binding(saved, *model, *cage, weighting, progress);
     bound.problem = std::move(found.problem);
     deform::Binding tiles_alone;
     tiles_alone.tiles = std::move(found.tiles);
     base::Stopwatch watch;
     binding = std::make_shared<const deform::Binding>(
-        deform::bind(*model, *cage, coordinates, Path::fused, &tiles_alone, pool, &progress));
+        deform::bind(*model, *cage, weighting, Path::fused, &tiles_alone, pool, &progress));
     if (!tiles_alone.tiles) bound.seconds = 1e-3 * watch.lap_ms();
   }
   if (staged && binding->weights.empty()) {
     progress.section(progress.done(), 1);
     binding = std::make_shared<const deform::Binding>(
-        deform::bind(*model, *cage, coordinates, Path::staged, binding.get(), pool, &progress));
+        deform::bind(*model, *cage, weighting, Path::staged, binding.get(), pool, &progress));
   }
   return bound;
 }

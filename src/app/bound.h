@@ -25,11 +25,11 @@ struct Bound {
 };
 
 /// For the document's frames: the fused one, and with a method that it does not run the staged one too. Of `known`,
-/// if it binds the same by the same coordinates, what fits is shared, and what is saved is read.
+/// if it binds the same by the same coordinates and reach, what fits is shared, and what is saved is read.
 /// Uses a pool of its own for as long as it takes. Throws base::Error when it does not fit into memory, and
 /// base::Cancelled. Thread-safe.
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
-           deform::Coordinates coordinates, sym3::Method method, const Bound& known, const SavedBindings& saved,
+           deform::Weighting weighting, sym3::Method method, const Bound& known, const SavedBindings& saved,
            base::Progress& progress);
 
 }  // namespace viete::app

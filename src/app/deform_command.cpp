@@ -20,8 +20,8 @@ namespace {
 struct DeformOptions {
   std::filesystem::path model, cage, pose, output;
   sym3::Method method = sym3::Method::fast;
-  deform::Coordinates coordinates = deform::Coordinates::face;
-  bool method_given = false, coordinates_given = false;
+  WeightingOptions weighting;
+  bool method_given = false;
 };
 
 void warn(const std::vector<std::string>& warnings) {
@@ -36,7 +36,7 @@ scene::Document open(const DeformOptions& options) {
   scene::Document document = *std::move(opened.document);
   if (!document.has_cage()) throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
   if (!opened.session || options.method_given) document.method = options.method;
-  if (!opened.session || options.coordinates_given) document.coordinates = options.coordinates;
+  options.weighting.apply(document, opened.session.has_value());
   return document;
 }
 
@@ -44,7 +44,7 @@ int deform_file(const DeformOptions& options) {
   const scene::Document document = open(options);
   base::WorkerPool pool;
   auto binding = std::make_shared<deform::Binding>(
-      deform::bind(*document.model.surface, *document.cage, document.coordinates, pool));
+      deform::bind(*document.model.surface, *document.cage, document.weighting(), pool));
   warn(binding->warnings);
   deform::Deformer deformer(document.cage, binding, pool);
   deformer.deform(document.pose, document.method);
@@ -65,14 +65,13 @@ void add_deform_command(CLI::App& app, Action& action) {
   command->add_option("--pose", o->pose, "Posed version of the cage, same vertices in the same order");
   command->add_option("-o,--output", o->output, "File to write; the extension chooses the format")->required();
   add_method_option(*command, o->method);
-  add_coordinates_option(*command, o->coordinates);
+  add_weighting_options(*command, o->weighting);
   command->callback([o, command, &action] {
     check_session_stands_alone(o->model, o->cage, o->pose);
     const bool session = scene::is_session(o->model);
     if (!session && o->cage.empty()) throw CLI::RequiredError("CAGE");
     if (!session && o->pose.empty()) throw CLI::RequiredError("--pose");
     o->method_given = command->count("--method") > 0;
-    o->coordinates_given = command->count("--coordinates") > 0;
     action = [o] { return deform_file(*o); };
   });
 }

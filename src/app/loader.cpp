@@ -16,6 +16,7 @@ scene::Document without_history(const scene::Document& document) {
   copy.cage_file = document.cage_file;
   copy.cage = document.cage;
   copy.coordinates = document.coordinates;
+  copy.reach = document.reach;
   return copy;
 }
 
@@ -48,11 +49,12 @@ void Loader::open(Job& job) {
   job.progress.section(1, 1);
   if (opened.document && opened.document->has_cage()) {
     const scene::Document& document = *opened.document;
-    const auto coordinates = opened.session ? document.coordinates : job.current.coordinates;
+    const auto weighting = opened.session ? document.weighting() : job.current.weighting();
     job.result.was_binding = true;
-    job.begin_part(scene::text(scene::binding_plan(document, coordinates)));
+    job.begin_part(scene::text(scene::binding_plan(document, weighting.coordinates)));
     job.progress.section(0, 1);
-    job.result.bound = bind(document.model.surface, document.cage, coordinates, document.method, {}, job.saved, job.progress);
+    job.result.bound =
+        bind(document.model.surface, document.cage, weighting, document.method, {}, job.saved, job.progress);
   }
   job.result.opened = std::move(opened);
 }

@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "scene/edit.h"
 #include "scene/session.h"
 
 namespace viete::app {
@@ -17,13 +18,41 @@ void add_method_option(CLI::App& app, sym3::Method& method) {
       ->default_str("fast");
 }
 
-void add_coordinates_option(CLI::App& app, deform::Coordinates& coordinates) {
+void add_weighting_options(CLI::App& app, WeightingOptions& options) {
   app.add_option_function<std::string>(
          "--coordinates",
-         [&coordinates](const std::string& word) { coordinates = *deform::coordinates_from_name(word); },
+         [&options](const std::string& word) {
+           options.coordinates = *deform::coordinates_from_name(word);
+           options.coordinates_given = true;
+         },
          "How the cage moves the mesh: face (affine maps blended in log space) or mvc (mean value coordinates)")
       ->check(CLI::IsMember({"face", "mvc"}))
       ->default_str("face");
+  add_reach_option(app, options.reach)->each([&options](const std::string&) { options.reach_given = true; });
+}
+
+CLI::Option* add_reach_option(CLI::App& app, double& reach) {
+  const std::string lowest = deform::text_of_reach(deform::lowest_reach);
+  return app
+      .add_option_function<std::string>(
+          "--reach",
+          [&reach, lowest](const std::string& text) {
+            const auto number = deform::reach_from_text(text);
+            if (!number) throw CLI::ValidationError("--reach", "needs a number from " + lowest + " on, or all");
+            reach = *number;
+          },
+          "Of coordinates face: how many times as far as the nearest faces a face still moves the mesh, " + lowest +
+              " or more, or all: every face moves all of it")
+      ->default_str("all");
+}
+
+void WeightingOptions::apply(scene::Document& document, bool of_session) const {
+  if (!of_session || coordinates_given) scene::set_coordinates(document, coordinates);
+  if (!of_session || reach_given) scene::set_reach(document, reach);
+  if (reach_given && document.coordinates == deform::Coordinates::mean_value) {
+    throw base::Error("--reach", "mean value coordinates have no reach: every vertex of the cage moves all of the model",
+                      "leave it out, or add --coordinates face");
+  }
 }
 
 void add_binding_option(CLI::App& app, std::filesystem::path& file) {

@@ -6,15 +6,25 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "deform/binding.h"
+#include "scene/document.h"
 #include "sym3/exp.h"
 
 namespace viete::app {
 
 /// --method diag|sd|improved_sd|fast. The target must outlive parsing.
 void add_method_option(CLI::App& app, sym3::Method& method);
-/// --coordinates face|mvc.
-void add_coordinates_option(CLI::App& app, deform::Coordinates& coordinates);
+/// --coordinates face|mvc and --reach NUMBER|all. What is not given a session keeps as it has it.
+struct WeightingOptions {
+  deform::Coordinates coordinates = deform::Coordinates::face;
+  double reach = deform::whole_cage;
+  bool coordinates_given = false, reach_given = false;
+
+  /// To a document that was just opened. Throws base::Error if a reach is given where coordinates have none.
+  void apply(scene::Document& document, bool of_session) const;
+};
+void add_weighting_options(CLI::App& app, WeightingOptions& options);
+/// --reach alone, of faces.
+CLI::Option* add_reach_option(CLI::App& app, double& reach);
 /// --binding FILE, written by `viete bind`.
 void add_binding_option(CLI::App& app, std::filesystem::path& file);
 /// A session names its cage and its pose itself: throws CLI::ValidationError if MODEL is one and others are given too.

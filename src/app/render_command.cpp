@@ -20,10 +20,10 @@ struct RenderOptions {
   std::filesystem::path model, cage, pose, output;
   ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
   sym3::Method method = sym3::Method::fast;
-  deform::Coordinates coordinates = deform::Coordinates::face;
+  WeightingOptions weighting;
   bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
   std::string look = "home";
-  bool method_given = false, coordinates_given = false, size_given = false, look_given = false;
+  bool method_given = false, size_given = false, look_given = false;
 };
 
 const std::map<std::string, scene::StandardView> looks = {
@@ -48,7 +48,7 @@ void set_up(scene::Workspace& workspace, scene::Opened&& opened, const RenderOpt
   scene::take(workspace, std::move(opened));
   workspace.view = view_of(options, session);
   if (!session || options.method_given) scene::set_method(workspace.document, options.method);
-  if (!session || options.coordinates_given) scene::set_coordinates(workspace.document, options.coordinates);
+  options.weighting.apply(workspace.document, session.has_value());
 }
 
 // A session has its own camera, which another look replaces.
@@ -100,7 +100,7 @@ void add_render_command(CLI::App& app, Action& action) {
   add_size_option(*command, o->viewer.size);
   command->add_option("--scale", o->viewer.scale, "Device pixels per logical pixel")->check(CLI::Range(0.5, 4.0))->default_str("1");
   add_method_option(*command, o->method);
-  add_coordinates_option(*command, o->coordinates);
+  add_weighting_options(*command, o->weighting);
   add_binding_option(*command, o->viewer.bindings.named);
   command->add_option("--look", o->look, "home, front, back, left, right, top or bottom")
       ->check(CLI::IsMember({"home", "front", "back", "left", "right", "top", "bottom"}))
@@ -114,7 +114,6 @@ void add_render_command(CLI::App& app, Action& action) {
   command->callback([o, command, &action] {
     check_session_stands_alone(o->model, o->cage, o->pose);
     o->method_given = command->count("--method") > 0;
-    o->coordinates_given = command->count("--coordinates") > 0;
     o->size_given = command->count("--size") > 0;
     o->look_given = command->count("--look") > 0;
     action = [o] { return render(*o); };

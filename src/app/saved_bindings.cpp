@@ -17,9 +17,9 @@ namespace {
 constexpr const char* extension = ".binding";
 
 fs::path kept_file(const SavedBindings& saved, const mesh::Surface& model, const deform::Cage& cage,
-                   deform::Coordinates coordinates) {
+                   deform::Weighting weighting) {
   char name[17];
-  const auto key = deform::binding_key(model, cage, coordinates, deform::usual_tolerance);
+  const auto key = deform::binding_key(model, cage, weighting, deform::usual_tolerance);
   std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(key));
   return saved.folder / (std::string(name) + extension);
 }
@@ -63,10 +63,10 @@ fs::path bindings_folder() {
 }
 
 FoundBinding find_binding(const SavedBindings& saved, const mesh::Surface& model, const deform::Cage& cage,
-                          deform::Coordinates coordinates, base::Progress& progress) {
+                          deform::Weighting weighting, base::Progress& progress) {
   const auto read = [&](const fs::path& file) {
     return std::make_shared<const deform::TiledBinding>(
-        deform::read_binding(file, model, cage, coordinates, &progress));
+        deform::read_binding(file, model, cage, weighting, &progress));
   };
   FoundBinding found;
   if (!saved.named.empty()) {
@@ -77,7 +77,7 @@ FoundBinding find_binding(const SavedBindings& saved, const mesh::Surface& model
     }
   }
   if (saved.folder.empty()) return found;
-  const fs::path file = kept_file(saved, model, cage, coordinates);
+  const fs::path file = kept_file(saved, model, cage, weighting);
   std::error_code code;
   if (!fs::exists(file, code)) return found;
   try {
@@ -96,7 +96,7 @@ void keep_binding(const SavedBindings& saved, const deform::TiledBinding& tiles,
   std::error_code ignored;  // what is wrong with the folder, writing says
   fs::create_directories(saved.folder, ignored);
   drop_oldest(saved.folder, saved.limit - bytes);
-  deform::write_binding(kept_file(saved, model, cage, tiles.coordinates), tiles, model, cage,
+  deform::write_binding(kept_file(saved, model, cage, tiles.weighting()), tiles, model, cage,
                         base::Outlives::program);
 }
 

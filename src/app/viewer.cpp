@@ -168,8 +168,8 @@ void Viewer::follow_document() {
   workspace_.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(), binder_.seconds()};
 }
 
-// New model or cage: everything that was derived from the old ones goes. New coordinates: the old ones serve
-// until the new ones are there.
+// New model or cage: everything that was derived from the old ones goes. New coordinates or another reach: the
+// old ones serve until the new ones are there.
 void Viewer::follow_topology() {
   const scene::Document& document = workspace_.document;
   binder_.cancel();
@@ -184,16 +184,16 @@ void Viewer::follow_topology() {
     posed_seen_ = document.posed - 1;
     if (Bound bound = files_.take_bound(); bound.binds(document)) install(std::move(bound));
   }
-  if (document.has_cage() && !(deformer_ && bound_.binding->coordinates == document.coordinates)) start_binding();
+  if (document.has_cage() && !(deformer_ && bound_.binding->weighting() == document.weighting())) start_binding();
 }
 
 void Viewer::start_binding() {
   const scene::Document& document = workspace_.document;
   binding_text_ = scene::text(scene::binding_plan(document, document.coordinates));
   binder_.start([model = document.model.surface, cage = document.cage,
-                 coordinates = document.coordinates, method = document.method, known = bound_,
+                 weighting = document.weighting(), method = document.method, known = bound_,
                  saved = files_.take_saved()](base::Progress& progress) {
-    return bind(model, cage, coordinates, method, known, saved, progress);
+    return bind(model, cage, weighting, method, known, saved, progress);
   });
 }
 
@@ -215,10 +215,14 @@ void Viewer::install(Bound bound) {
   posed_seen_ = workspace_.document.posed - 1;
 }
 
-// Coordinates and method are again those that the deformer has.
+// Coordinates, reach and method are again those that the deformer has.
 void Viewer::stop_binding(const std::string& why, scene::Severity severity) {
   binder_.cancel();
-  if (deformer_) workspace_.document.coordinates = bound_.binding->coordinates;
+  if (deformer_) {
+    const deform::Binding& binding = *bound_.binding;
+    workspace_.document.coordinates = binding.coordinates;
+    if (binding.coordinates == deform::Coordinates::face) workspace_.document.reach = binding.reach;
+  }
   if (deformer_ && !deformer_->path(workspace_.document.method)) workspace_.document.method = sym3::Method::fast;
   workspace_.messages.say(severity, why);
   settle_frames_ = 3;
@@ -354,7 +358,7 @@ void Viewer::follow_error_map(bool wait) {
                     logs = std::vector(deformer_->logs().begin(), deformer_->logs().end()),
                     method = workspace_.document.method](base::Progress& progress) {
     if (!fused) return error_map(matrices, method, &progress);
-    const deform::Weigher weigher(*bound.cage, bound.binding->coordinates);
+    const deform::Weigher weigher(*bound.cage, bound.binding->weighting());
     const auto all = deform::sample_stretches(weigher, *bound.binding, logs, bound.binding->vertices, &progress);
     return error_map(all, method, &progress);
   });

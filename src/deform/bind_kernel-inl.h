@@ -70,6 +70,38 @@ static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const Dis
   return hn::MulAdd(z, z, hn::IfThenElseZero(outside, edges));
 }
 
+// Ratios [handle][stride], least squared distance over squared distance, become tapered weights: see weights.h. Returns their sum.
+template <class D, class T = hn::TFromD<D>>
+static HWY_INLINE hn::Vec<D> taper(D d, T cut, std::size_t count, T* ratios, std::size_t stride) {
+  using V = hn::Vec<D>;
+  V third = hn::Zero(d), fourth = third;
+  for (std::size_t block = 0; block < count; block += summed_at_once) {
+    V cubes = hn::Zero(d), squares = cubes;
+    for (std::size_t i = block; i < std::min(block + summed_at_once, count); ++i) {
+      const V r = hn::LoadU(d, ratios + i * stride), r2 = hn::Mul(r, r);
+      cubes = hn::MulAdd(r2, r, cubes);
+      squares = hn::MulAdd(r2, r2, squares);
+    }
+    third = hn::Add(third, cubes);
+    fourth = hn::Add(fourth, squares);
+  }
+  const V end = hn::Mul(hn::Set(d, cut), hn::Div(fourth, third));
+  V sum = hn::Zero(d);
+  for (std::size_t block = 0; block < count; block += summed_at_once) {
+    V part = hn::Zero(d);
+    for (std::size_t i = block; i < std::min(block + summed_at_once, count); ++i) {
+      const V r = hn::LoadU(d, ratios + i * stride), left = hn::Sub(r, end);
+      const auto reached = hn::Gt(r, end);
+      V w = hn::Zero(d);
+      if (!hn::AllFalse(d, reached)) w = hn::IfThenElseZero(reached, hn::Div(hn::Mul(left, left), r));
+      part = hn::Add(part, w);
+      hn::StoreU(w, d, ratios + i * stride);
+    }
+    sum = hn::Add(sum, part);
+  }
+  return sum;
+}
+
 static void inverse_distance(const WeightJob<double>& job, double* weights) {
   const PointTag d;
   for (std::size_t l = 0; l < bind_lanes; l += hn::Lanes(d)) {
@@ -87,6 +119,7 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
       sum = hn::Add(sum, ratio);
       hn::StoreU(ratio, d, w);
     }
+    if (job.cut > 0) sum = taper(d, job.cut, job.count, weights + l, bind_lanes);
     const PointV share = hn::Div(hn::Set(d, 1.0), sum);
     for (std::size_t i = 0; i < job.count; ++i) {
       double* w = weights + i * bind_lanes + l;
@@ -162,6 +195,7 @@ static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out
       }
       sum = hn::Add(sum, part);
     }
+    if (job.cut > 0) sum = taper(d, job.cut, job.count, out.rows + l, row_lanes);
     hn::StoreU(hn::Div(hn::Set(d, 1.0f), sum), d, shares + l);
   }
   const hn::Rebind<float, PointTag> half;

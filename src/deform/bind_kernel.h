@@ -29,6 +29,7 @@ struct WeightJob {
   const T (*shifts)[3];
   std::size_t count;
   T squared_contact;
+  T cut;            ///< 1 / reach^2; 0: no end
   const T* points;  ///< [3][lane]
 };
 
@@ -68,7 +69,7 @@ struct LeafRows {
 };
 
 struct BindKernel {
-  /// weights [triangle][8 lanes]: d^-2 over the sum of all, d no less than contact.
+  /// weights [triangle][8 lanes]: inverse_distance_weights(), d no less than contact.
   void (*inverse_distance)(const WeightJob<double>& job, double* weights);
   /// The same of 16 lanes in floats, and their sums. Returns false, rows being of no use, where a point is so
   /// near to a triangle that its distance is not known well enough.

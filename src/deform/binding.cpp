@@ -51,7 +51,7 @@ std::size_t fill_rows(const Cage& cage, std::size_t begin, std::size_t end, Bind
     if (b.coordinates == Coordinates::mean_value) {
       failed += !mean_value_weights(cage, b.rest[i], row);
     } else {
-      inverse_distance_weights(cage, b.rest[i], row);
+      inverse_distance_weights(cage, b.rest[i], row, b.reach);
     }
     b.offsets[i] = offset(handles, origin, b.rest[i], row, 4e-15 * cage.diagonal);
   }
@@ -85,17 +85,6 @@ void warn(const Cage& cage, std::size_t failed, Binding& binding) {
 
 }  // namespace
 
-std::string_view name(Coordinates coordinates) {
-  return coordinates == Coordinates::face ? "face" : "mvc";
-}
-
-std::optional<Coordinates> coordinates_from_name(std::string_view word) {
-  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
-    if (name(c) == word) return c;
-  }
-  return std::nullopt;
-}
-
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path) {
   const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
   // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and the lists around
@@ -106,18 +95,19 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path) 
   return static_cast<std::size_t>(std::min(0x1p63, n * (path == Path::staged ? staged : fused)));
 }
 
-Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,
+Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, base::WorkerPool& pool,
              base::Progress* progress) {
-  return bind(model, cage, coordinates, Path::staged, nullptr, pool, progress);
+  return bind(model, cage, weighting, Path::staged, nullptr, pool, progress);
 }
 
-Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, Path path, const Binding* known,
+Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, Path path, const Binding* known,
              base::WorkerPool& pool, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   Binding binding;
-  binding.coordinates = coordinates;
+  binding.coordinates = weighting.coordinates;
+  binding.reach = weighting.reach;
   binding.vertices = model.positions.size();
-  binding.handles = coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
+  binding.handles = weighting.coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
   if (path == Path::staged) allocate(binding);
   binding.rest = model.positions;
   binding.triangles = model.triangles;
@@ -125,7 +115,7 @@ Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinat
   if (known) binding.tiles = known->tiles;
   if (path == Path::fused && !binding.tiles) {
     binding.tiles = std::make_shared<const TiledBinding>(
-        bind_tiles(model, cage, coordinates, pool, usual_tolerance, progress));
+        bind_tiles(model, cage, weighting, pool, usual_tolerance, progress));
   }
   const std::size_t failed = path == Path::staged ? fill(cage, binding, pool, progress) : binding.tiles->failed;
   warn(cage, failed, binding);

@@ -3,34 +3,26 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/cage.h"
+#include "deform/weighting.h"
 #include "mesh/normals.h"
 
 namespace viete::deform {
-
-enum class Coordinates {
-  face,        ///< an affine map per cage triangle, weights 1/d^2, blended in log space
-  mean_value,  ///< positions of cage vertices, blended; no exponential
-};
 
 struct TiledBinding;
 
 /// Which frames a binding is for: the links of the chain one by one, in double, or the fused frame.
 enum class Path { staged, fused };
 
-std::string_view name(Coordinates coordinates);  ///< "face", "mvc": the words of the command line
-std::optional<Coordinates> coordinates_from_name(std::string_view name);
-
 /// n vertices, k handles (cage triangles or cage vertices).
 struct Binding {
   Coordinates coordinates = Coordinates::face;
+  double reach = whole_cage;
   std::size_t vertices = 0, handles = 0;
   std::shared_ptr<const TiledBinding> tiles;  ///< for the fused frame; null where it is not for that
   std::vector<double> weights;    ///< n rows of k, each summing to 1; empty where it is not for the staged frame
@@ -41,6 +33,8 @@ struct Binding {
   std::vector<mesh::Triangle> triangles;  ///< of the model
   mesh::VertexTriangles around;
   std::vector<std::string> warnings;
+
+  Weighting weighting() const { return {coordinates, reach}; }
 };
 
 /// Bytes that bind() asks for before it begins, for n vertices and k handles; at most 2^63. For the fused frame: at
@@ -50,11 +44,11 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path =
 /// For the staged frame. Cost O(n k), shared over the pool; the result does not depend on the number of threads. Throws
 /// base::Cancelled; throws base::Error when the memory that is free now would not suffice, or when the model
 /// has no vertices.
-Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,
+Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 
 /// For the path; of `known`, a binding of the same model and cage or null, what fits is shared. As bind().
-Binding bind(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, Path path, const Binding* known,
+Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, Path path, const Binding* known,
              base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<char, 16> format = {"viete binding\n"};
 // Another one whenever the same model and cage give other weights, or other files.
-constexpr std::uint32_t current_version = 1;
+constexpr std::uint32_t current_version = 2;
 constexpr std::uint32_t byte_order = 0x01020304;
 
 struct Header {
@@ -30,10 +30,10 @@ struct Header {
   std::uint64_t model = 0, cage = 0, order = 0;  // checksums
   std::uint32_t coordinates = 0, compressed = 0;
   std::uint64_t failed = 0;
-  double tolerance = 0;
+  double reach = 0, tolerance = 0;
   std::uint64_t content = 0, itself = 0;  // checksums of what follows, and of what stands before
 };
-static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 88);
+static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 96);
 
 template <class T>
 std::uint64_t checksum(const std::vector<T>& values) {
@@ -133,13 +133,16 @@ private:
 };
 
 void require_same(const Reader& reader, const Header& h, const mesh::Surface& model, const Cage& cage,
-                  Coordinates coordinates) {
+                  Weighting weighting) {
   const bool other_model = h.model != checksum(model), other_cage = h.cage != checksum(cage.surface);
   if (other_model && other_cage) reader.stale("model and cage are not those that it was made for");
   if (other_model) reader.stale("the model is not the one that it was made for");
   if (other_cage) reader.stale("the cage is not the one that it was made for");
-  if (h.coordinates != static_cast<std::uint32_t>(coordinates)) {
-    reader.stale("it is not for coordinates " + std::string(name(coordinates)));
+  if (h.coordinates != static_cast<std::uint32_t>(weighting.coordinates)) {
+    reader.stale("it is not for coordinates " + std::string(name(weighting.coordinates)));
+  }
+  if (h.reach != weighting.reach) {
+    reader.stale("it is for reach " + text_of_reach(h.reach) + ", not " + text_of_reach(weighting.reach));
   }
 }
 
@@ -164,11 +167,12 @@ void make_room(const Reader& reader, TiledBinding& b) {
 
 }  // namespace
 
-std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, Coordinates coordinates,
+std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, Weighting weighting,
                           double tolerance) {
   const Header key{.model = checksum(model),
                    .cage = checksum(cage.surface),
-                   .coordinates = static_cast<std::uint32_t>(coordinates),
+                   .coordinates = static_cast<std::uint32_t>(weighting.coordinates),
+                   .reach = weighting.reach,
                    .tolerance = tolerance};
   return checksum(key);
 }
@@ -182,6 +186,7 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
            .coordinates = static_cast<std::uint32_t>(b.coordinates),
            .compressed = b.compressed(),
            .failed = b.failed,
+           .reach = b.reach,
            .tolerance = b.tolerance,
            .content = checksum(b, ranks)};
   h.itself = checksum(h);
@@ -195,11 +200,11 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
 }
 
 TiledBinding read_binding(const fs::path& file, const mesh::Surface& model, const Cage& cage,
-                          Coordinates coordinates, base::Progress* progress) {
+                          Weighting weighting, base::Progress* progress) {
   Reader reader(file, progress);
   const Header h = reader.header();
-  require_same(reader, h, model, cage, coordinates);
-  TiledBinding b = lay_out(model, cage, coordinates);
+  require_same(reader, h, model, cage, weighting);
+  TiledBinding b = lay_out(model, cage, weighting);
   if (h.order != checksum(b.leaves.order)) reader.stale("this program orders the vertices in another way");
   std::vector<std::uint32_t> ranks(h.compressed ? b.leaves.count() : 0);
   if (reader.left() < ranks.size() * sizeof ranks[0]) reader.fail("is cut short");

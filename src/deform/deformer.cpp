@@ -49,7 +49,7 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});
   if (binding_->tiles) {
     fused_ = std::make_unique<FusedFrame>(cage_, binding_->tiles, pool_);
-    weigher_ = std::make_unique<Weigher>(*cage_, binding_->coordinates);
+    weigher_ = std::make_unique<Weigher>(*cage_, binding_->weighting());
   }
   if (!binding_->weights.empty()) allocate_staged();
   compute_normals();

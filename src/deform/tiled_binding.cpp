@@ -39,13 +39,13 @@ struct LeafResult {
 
 class Binder {
 public:
-  Binder(const mesh::Surface& model, const Cage& cage, Coordinates coordinates, base::WorkerPool& pool,
+  Binder(const mesh::Surface& model, const Cage& cage, Weighting weighting, base::WorkerPool& pool,
          base::Progress* progress)
       : model_(model),
-        weigher_(cage, coordinates),
+        weigher_(cage, weighting),
         pool_(pool),
         progress_(progress),
-        b_(lay_out(model, cage, coordinates)) {}
+        b_(lay_out(model, cage, weighting)) {}
 
   TiledBinding bind(double tolerance) {
     require(worth_sampling(tolerance) ? 0.25 : 1);
@@ -224,11 +224,12 @@ TiledBinding::Sizes TiledBinding::place_factors() {
   return {size, (pivots + slot_block - 1) / slot_block * slot_block * handles};
 }
 
-TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Coordinates coordinates) {
+TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Weighting weighting) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   TiledBinding b;
-  b.coordinates = coordinates;
-  b.handles = coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
+  b.coordinates = weighting.coordinates;
+  b.reach = weighting.reach;
+  b.handles = weighting.coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
   b.leaves = make_leaves(model.positions, triangle_counts(model));
   b.rings = make_rings(b.leaves, model.triangles);
   b.unit = std::exp2(std::round(std::log2(cage.diagonal)));
@@ -236,9 +237,9 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Coordinates c
   return b;
 }
 
-TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Coordinates coordinates,
+TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Weighting weighting,
                         base::WorkerPool& pool, double tolerance, base::Progress* progress) {
-  return Binder(model, cage, coordinates, pool, progress).bind(tolerance);
+  return Binder(model, cage, weighting, pool, progress).bind(tolerance);
 }
 
 }  // namespace viete::deform

@@ -30,6 +30,7 @@ struct LeafFactors {
 /// 1e-7 of the cage's diagonal by it.
 struct TiledBinding {
   Coordinates coordinates = Coordinates::face;
+  double reach = whole_cage;
   std::size_t handles = 0;
   Leaves leaves;
   Rings rings;
@@ -42,6 +43,7 @@ struct TiledBinding {
   AlignedVector<float> factors;
   AlignedVector<float> skeleton;  ///< the pivots' weights, [tile][handle][lane], an even number of tiles
 
+  Weighting weighting() const { return {coordinates, reach}; }
   bool compressed() const { return !factored.empty(); }
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
   std::size_t bytes() const;       ///< of weights and what stands for them: read once a frame
@@ -55,7 +57,7 @@ struct TiledBinding {
 
 /// All of a binding that does not take its weights: leaves, rings, unit, and room for offsets. Throws base::Error when the
 /// model has no vertices.
-TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Coordinates coordinates);
+TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Weighting weighting);
 
 /// True if so many are worth a try. (Mean value coordinates never are.)
 bool compressible(std::size_t vertices, std::size_t handles);
@@ -64,7 +66,7 @@ bool compressible(std::size_t vertices, std::size_t handles);
 /// Compressed by `tolerance` (0: never) where a sample of leaves says that frames become cheaper by it. The same bits
 /// for any number of threads. Throws base::Cancelled; throws base::Error when the memory that is free now would not
 /// suffice, or when the model has no vertices.
-TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Coordinates coordinates,
+TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Weighting weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
                         base::Progress* progress = nullptr);
 

@@ -13,6 +13,7 @@ std::vector<std::size_t> spread_vertices(const Binding& binding, std::size_t lim
 Binding part_of(const Weigher& weigher, const Binding& binding, std::span<const std::size_t> vertices) {
   Binding part;
   part.coordinates = binding.coordinates;
+  part.reach = binding.reach;
   part.vertices = vertices.size();
   part.handles = binding.handles;
   visit_vertices(weigher, binding, vertices, [&](std::size_t vertex, const std::vector<double>& weights) {

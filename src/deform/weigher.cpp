@@ -38,13 +38,13 @@ bool on_degenerate_element(const Cage& cage, const mesh::Point& p) {
 
 }  // namespace
 
-Weigher::Weigher(const Cage& cage, Coordinates coordinates, const sym3::Kernel& kernel)
+Weigher::Weigher(const Cage& cage, Weighting weighting, const sym3::Kernel& kernel)
     : cage_(cage),
-      coordinates_(coordinates),
+      weighting_(weighting),
       kernel_(bind_kernel(kernel)),
       origin_(pose_origin(cage.surface.positions)),
       scale_(std::exp2(-std::round(std::log2(cage.diagonal)))) {
-  const bool faces = coordinates == Coordinates::face;
+  const bool faces = weighting.coordinates == Coordinates::face;
   for (const Vec3& h : faces ? cage.centers : cage.surface.positions) handles_.push_back(h - origin_);
   for (const Vec3& p : cage.surface.positions) corners_.push_back(scaled(p));
   faces ? add_triangles() : add_views();
@@ -97,8 +97,8 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
     const Vec3 p = scaled(points[l]);
     for (int i = 0; i < 3; ++i) at[i * bind_lanes + l] = p[i];
   }
-  if (coordinates_ == Coordinates::face) {
-    kernel_.inverse_distance({triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), at},
+  if (weighting_.coordinates == Coordinates::face) {
+    kernel_.inverse_distance({triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), cut(), at},
                              room.data());
     return 0;
   }
@@ -122,11 +122,15 @@ double Weigher::squared_contact() const {
   return scale_ * cage_.contact * scale_ * cage_.contact;
 }
 
+double Weigher::cut() const {
+  return 1 / weighting_.reach / weighting_.reach;
+}
+
 std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows,
                                        std::span<Vec3> sums) const {
   std::vector<bool> failed(points.size());
   std::vector<double> numbers_of_room(room());
-  const bool faces = coordinates_ == Coordinates::face;
+  const bool faces = weighting_.coordinates == Coordinates::face;
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(faces ? handles() : 0);
   for (std::size_t e = 0; e < shifts.size(); ++e) {
@@ -157,7 +161,7 @@ bool Weigher::weigh_in_float(std::span<const mesh::Point, lanes> points, const V
     for (int i = 0; i < 3; ++i) at[i * lanes + l] = static_cast<float>(p[i]);
   }
   return kernel_.inverse_distance_rows({float_triangles_.data(), numbers(shifts), float_triangles_.size(),
-                                        static_cast<float>(squared_contact()), at},
+                                        static_cast<float>(squared_contact()), static_cast<float>(cut()), at},
                                        out);
 }
 

@@ -17,7 +17,7 @@ namespace viete::deform {
 /// where those themselves are less certain. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
-  Weigher(const Cage& cage, Coordinates coordinates, const sym3::Kernel& kernel = sym3::kernel());
+  Weigher(const Cage& cage, Weighting weighting, const sym3::Kernel& kernel = sym3::kernel());
 
   std::size_t handles() const { return handles_.size(); }
   /// How many numbers weigh() needs room for.
@@ -38,11 +38,12 @@ private:
   void add_views();
   Vec3 scaled(const mesh::Point& p) const;
   double squared_contact() const;
+  double cut() const;
   bool weigh_in_float(std::span<const mesh::Point, tile_lanes<float>> points, const Vec3& middle,
                       std::span<const std::array<float, 3>> shifts, const RowJob& out) const;
 
   const Cage& cage_;
-  Coordinates coordinates_;
+  Weighting weighting_;
   const BindKernel& kernel_;
   Vec3 origin_;
   double scale_;  // a power of two: the cage's diagonal times it is near 1

@@ -1,12 +1,25 @@
 #include "deform/weights.h"
 
-#include <limits>
-
 #include "deform/closest.h"
 
 namespace viete::deform {
 
-void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights) {
+namespace {
+
+// From d^-2 in units of the least: where d = R that is the least squared distance over R^2.
+void taper(double reach, std::span<double> ratios) {
+  double third = 0, fourth = 0;
+  for (const double r : ratios) {
+    third += r * r * r;
+    fourth += r * r * (r * r);
+  }
+  const double end = fourth / third / (reach * reach);
+  for (double& r : ratios) r = r > end ? (r - end) * (r - end) / r : 0;
+}
+
+}  // namespace
+
+void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights, double reach) {
   const auto& x = cage.surface.positions;
   const double contact2 = cage.contact * cage.contact;
   double nearest2 = std::numeric_limits<double>::infinity();
@@ -17,8 +30,10 @@ void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<
     weights[e] = std::max(contact2, closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance);
     nearest2 = std::min(nearest2, weights[e]);
   }
+  for (double& w : weights) w = nearest2 / w;
+  if (reach < whole_cage) taper(reach, weights);
   double sum = 0;
-  for (double& w : weights) sum += w = nearest2 / w;
+  for (const double w : weights) sum += w;
   for (double& w : weights) w /= sum;
 }
 

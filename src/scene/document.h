@@ -40,12 +40,14 @@ struct Document {
   History history;
   sym3::Method method = sym3::Method::fast;
   deform::Coordinates coordinates = deform::Coordinates::face;
+  double reach = deform::whole_cage;  ///< of faces; mean value coordinates leave it unused
   Space space;
 
   Revision topology = 0;  ///< model or cage replaced
   Revision posed = 0;     ///< positions of the cage changed
 
   bool has_cage() const { return cage != nullptr; }
+  deform::Weighting weighting() const { return {coordinates, reach}; }
 };
 
 /// Reads a surface and says what is in it. progress may be null. Throws base::Error and base::Cancelled.

@@ -62,4 +62,10 @@ void set_coordinates(Document& document, deform::Coordinates coordinates) {
   ++document.topology;
 }
 
+void set_reach(Document& document, double reach) {
+  if (document.reach == reach) return;
+  document.reach = reach;
+  if (document.coordinates == deform::Coordinates::face) ++document.topology;
+}
+
 }  // namespace viete::scene

@@ -22,5 +22,7 @@ void redo(Document& document);
 /// Settings: the frame is computed anew, the pose is untouched, the history too.
 void set_method(Document& document, sym3::Method method);
 void set_coordinates(Document& document, deform::Coordinates coordinates);
+/// deform::lowest_reach or more.
+void set_reach(Document& document, double reach);
 
 }  // namespace viete::scene

@@ -85,6 +85,7 @@ Opened open_session(const fs::path& file, base::Progress* progress) {
   Document document = document_of_session(session, file, progress);
   document.method = session.method;
   document.coordinates = session.coordinates;
+  document.reach = session.reach;
   if (document.has_cage()) {
     check_fits(session, *document.cage, file);
     if (session.pose) document.pose = std::move(*session.pose);
@@ -186,6 +187,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   if (keep_settings) {
     document.method = old.method;
     document.coordinates = old.coordinates;
+    document.reach = old.reach;
   }
   document.topology = old.topology + 1;
   document.posed = old.posed + 1;

@@ -131,6 +131,15 @@ auto word_of(const JsonReader& json, Parse parse, const char* known) {
   return *value;
 }
 
+double reach_of(const JsonReader& json) {
+  const double reach = json.number();
+  if (!(reach >= deform::lowest_reach)) {
+    json.fail("a reach must be " + deform::text_of_reach(deform::lowest_reach) + " or more",
+              "leave it out for the whole cage");
+  }
+  return reach;
+}
+
 bool is_window(const glm::dvec2& size) {
   return size.x >= 16 && size.y >= 16 && size.x <= 8192 && size.y <= 8192;
 }
@@ -162,6 +171,7 @@ Session session_of(const Workspace& w) {
   session.origin = w.saved.session;
   session.method = w.document.method;
   session.coordinates = w.document.coordinates;
+  session.reach = w.document.reach;
   session.camera = w.camera.destination();
   session.view = w.view;
   if (is_window(w.viewport.window)) session.window = glm::ivec2(w.viewport.window);
@@ -178,6 +188,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (!portable && !session.origin.empty()) json["session"] = stored(session.origin, file, false);
   json["method"] = sym3::name(session.method);
   json["coordinates"] = deform::name(session.coordinates);
+  if (session.reach < deform::whole_cage) json["reach"] = session.reach;
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -200,6 +211,7 @@ Session read_session(const fs::path& file) {
     session.method = word_of(*v, sym3::method_from_name, "diag, sd, improved_sd or fast");
   if (const auto v = json.find("coordinates"))
     session.coordinates = word_of(*v, deform::coordinates_from_name, "face or mvc");
+  if (const auto v = json.find("reach")) session.reach = reach_of(*v);
   if (const auto v = json.find("camera")) session.camera = camera_of(*v);
   if (const auto v = json.find("view")) session.view = view_of(*v);
   if (const auto v = json.find("window")) session.window = window_of(*v);

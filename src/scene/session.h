@@ -17,6 +17,7 @@ namespace viete::scene {
 ///   "session"             only in recovered work: the session file that it belongs to
 ///   "method"              "diag", "sd", "improved_sd" or "fast"
 ///   "coordinates"         "face" or "mvc"
+///   "reach"               of faces, 1.5 or more; missing: the whole cage
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
 ///                         "pitch" in radians, "orthographic"
 ///   "view"                flags, see ViewOptions
@@ -32,6 +33,7 @@ struct Session {
   std::filesystem::path origin;       ///< "session"; absolute; may be empty
   sym3::Method method = sym3::Method::fast;
   deform::Coordinates coordinates = deform::Coordinates::face;
+  double reach = deform::whole_cage;
   std::optional<CameraPose> camera;  ///< missing: the model is framed
   ViewOptions view;
   std::optional<glm::ivec2> window;

@@ -23,18 +23,18 @@ struct Saved {
   fs::path file;
 };
 
-Saved save(const TemporaryFolder& folder, Coordinates coordinates, double tolerance) {
+Saved save(const TemporaryFolder& folder, Weighting weighting, double tolerance) {
   WorkerPool pool(2);
   Saved s{tube(120, 60, 0.3, 1.5), std::make_shared<const Cage>(make_cage(tube(7, 12, 0.6, 2))), nullptr,
           folder / "a.binding"};
   s.binding =
-      std::make_shared<const TiledBinding>(bind_tiles(s.model, *s.cage, coordinates, pool, tolerance));
+      std::make_shared<const TiledBinding>(bind_tiles(s.model, *s.cage, weighting, pool, tolerance));
   write_binding(s.file, *s.binding, s.model, *s.cage);
   return s;
 }
 
 TiledBinding read(const Saved& s) {
-  return read_binding(s.file, s.model, *s.cage, s.binding->coordinates);
+  return read_binding(s.file, s.model, *s.cage, s.binding->weighting());
 }
 
 template <class T>
@@ -119,9 +119,9 @@ TEST_CASE("leaves_that_stay_dense_among_factored_ones_come_back_too") {
 TEST_CASE("a_binding_of_something_else_is_stale_and_says_of_what") {
   const TemporaryFolder folder;
   const Saved s = save(folder, Coordinates::face, usual_tolerance);
-  const auto stale = [&](const Saved& other, Coordinates coordinates) -> std::string {
+  const auto stale = [&](const Saved& other, Weighting weighting) -> std::string {
     try {
-      read_binding(s.file, other.model, *other.cage, coordinates);
+      read_binding(s.file, other.model, *other.cage, weighting);
     } catch (const StaleBinding& error) {
       CHECK(error.place() == s.file.string());
       CHECK(error.advice().find("viete bind") != std::string::npos);
@@ -131,6 +131,7 @@ TEST_CASE("a_binding_of_something_else_is_stale_and_says_of_what") {
   };
   CHECK(stale(s, Coordinates::face) == "");
   CHECK(stale(s, Coordinates::mean_value).find("not for coordinates mvc") != std::string::npos);
+  CHECK(stale(s, {Coordinates::face, 2.5}) == "is stale: it is for reach all, not 2.5");
   Saved moved = s;
   moved.model.positions[77][1] = std::nextafter(moved.model.positions[77][1], 9);
   CHECK(stale(moved, Coordinates::face) == "is stale: the model is not the one that it was made for");
@@ -146,7 +147,7 @@ TEST_CASE("a_binding_of_something_else_is_stale_and_says_of_what") {
   CHECK(stale(nothing_alike, Coordinates::face).find("model and cage are not") != std::string::npos);
 }
 
-TEST_CASE("keys_tell_models_cages_coordinates_and_tolerances_apart") {
+TEST_CASE("keys_tell_models_cages_coordinates_reaches_and_tolerances_apart") {
   const auto model = tube(4, 12, 0.3, 1), longer = tube(4, 12, 0.3, 1.1);
   const Cage cage = make_cage(box()), wider = make_cage(box({1, 1, 1.1}));
   const auto key = binding_key(model, cage, Coordinates::face, 1e-5);
@@ -154,6 +155,9 @@ TEST_CASE("keys_tell_models_cages_coordinates_and_tolerances_apart") {
   CHECK(key != binding_key(longer, cage, Coordinates::face, 1e-5));
   CHECK(key != binding_key(model, wider, Coordinates::face, 1e-5));
   CHECK(key != binding_key(model, cage, Coordinates::mean_value, 1e-5));
+  CHECK(key == binding_key(model, cage, {Coordinates::face, whole_cage}, 1e-5));
+  CHECK(key != binding_key(model, cage, {Coordinates::face, 3}, 1e-5));
+  CHECK(binding_key(model, cage, {Coordinates::face, 2}, 1e-5) != binding_key(model, cage, {Coordinates::face, 3}, 1e-5));
   CHECK(key != binding_key(model, cage, Coordinates::face, 1e-4));
 }
 
@@ -180,11 +184,11 @@ TEST_CASE("files_that_are_cut_short_or_too_long_or_foreign_are_refused_with_the_
   for (const double tolerance : {0.0, usual_tolerance}) {
     const Saved s = save(folder, Coordinates::face, tolerance);
     const std::string whole = file_bytes(s.file);
-    for (const std::size_t length : {std::size_t(0), std::size_t(1), std::size_t(87)}) {
+    for (const std::size_t length : {std::size_t(0), std::size_t(1), std::size_t(95)}) {
       put_file(s.file, whole.substr(0, length));
       CHECK(refusal(s) == "this is no saved binding");
     }
-    for (const std::size_t length : {std::size_t(88), std::size_t(89), whole.size() / 2, whole.size() - 1}) {
+    for (const std::size_t length : {std::size_t(96), std::size_t(97), whole.size() / 2, whole.size() - 1}) {
       put_file(s.file, whole.substr(0, length));
       CHECK(refusal(s).find("is cut short") == 0);
     }
@@ -199,7 +203,7 @@ TEST_CASE("files_that_are_cut_short_or_too_long_or_foreign_are_refused_with_the_
     std::string future = whole;
     future[20] = 9;
     put_file(s.file, future);
-    CHECK(refusal(s).find("version 9, this program reads version 1") != std::string::npos);
+    CHECK(refusal(s).find("version 9, this program reads version 2") != std::string::npos);
   }
 }
 
@@ -211,7 +215,7 @@ TEST_CASE("no_size_in_a_file_is_believed_before_the_bytes_are_there") {
   for (const std::uint32_t rank : {std::uint32_t(s.binding->handles), 0x7fffffffu, 0xffffffffu}) {
     std::string bytes = whole;
     for (std::size_t leaf = 0; leaf < s.binding->factored.size(); ++leaf)
-      std::memcpy(bytes.data() + 88 + 4 * leaf, &rank, 4);
+      std::memcpy(bytes.data() + 96 + 4 * leaf, &rank, 4);
     put_file(s.file, bytes);
     const std::string problem = refusal(s);
     CHECK_MESSAGE((problem.find("is cut short") == 0 || problem == "is damaged"), problem);

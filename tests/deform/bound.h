@@ -10,11 +10,11 @@ namespace viete::test {
 
 struct Bound {
   Bound(const mesh::Surface& model_, const mesh::Surface& cage_surface,
-        Coordinates coordinates = Coordinates::face, int threads = 2)
+        Weighting weighting = Coordinates::face, int threads = 2)
       : model(model_),
         cage(std::make_shared<const Cage>(make_cage(cage_surface))),
         pool(threads),
-        binding(std::make_shared<const Binding>(bind(model, *cage, coordinates, pool))),
+        binding(std::make_shared<const Binding>(bind(model, *cage, weighting, pool))),
         deformer(cage, binding, pool) {}
 
   std::span<const mesh::Point> deform(const Pose& pose, sym3::Method method = sym3::Method::fast) {

@@ -27,6 +27,8 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   return points;
 }
 
+const Weighting weightings[] = {Coordinates::face, {Coordinates::face, lowest_reach}, {Coordinates::face, 3}, Coordinates::mean_value};
+
 }  // namespace
 
 TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
@@ -35,10 +37,12 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
                                                           {{0, 1, 2}, {3, 4, 5}}));  // one is a line, one a needle
   const Cage cage = make_cage(surface);
   const auto points = points_around(cage);
-  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+  for (const auto& weighting : weightings) {
+    const Coordinates c = weighting.coordinates;
     CAPTURE(name(c));
+    CAPTURE(weighting.reach);
     for (const auto& kernel : viete::sym3::kernels()) {
-      const Weigher weigher(cage, c, kernel);
+      const Weigher weigher(cage, weighting, kernel);
       std::vector<double> many(weigher.room()), one(weigher.handles());
       double worst = 0;
       for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
@@ -46,7 +50,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
         std::copy_n(points.begin() + std::ptrdiff_t(i), bind_lanes, eight.begin());
         weigher.weigh(eight, many);
         for (std::size_t l = 0; l < bind_lanes; ++l) {
-          if (c == Coordinates::face) inverse_distance_weights(cage, eight[l], one);
+          if (c == Coordinates::face) inverse_distance_weights(cage, eight[l], one, weighting.reach);
           else mean_value_weights(cage, eight[l], one);
           for (std::size_t j = 0; j < one.size(); ++j) worst = std::max(worst, std::abs(many[j * bind_lanes + l] - one[j]));
         }
@@ -106,7 +110,9 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
     auto scaled = surface;
     for (auto& p : scaled.positions) p = scale * p;
     const Cage cage = make_cage(scaled);
-    for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+    for (const auto& weighting : weightings) {
+      const Coordinates c = weighting.coordinates;
+      CAPTURE(weighting.reach);
       auto points = points_around(make_cage(surface));
       const double farthest = c == Coordinates::face ? 1e25 : 10;  // mean values grow with the distance
       for (double far = 10; far <= farthest; far *= 1e5) points.push_back({far, 0.5 * far, 1});
@@ -115,7 +121,7 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
       for (const auto& kernel : viete::sym3::kernels()) {
         CAPTURE(kernel.name);
         CAPTURE(scale);
-        const Weigher weigher(cage, c, kernel);
+        const Weigher weigher(cage, weighting, kernel);
         std::vector<float> rows(points.size() * weigher.handles());
         std::vector<Vec3> sums(points.size());
         const auto failed = weigher.weigh_tiles(points, rows.data(), sums);

@@ -179,6 +179,28 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   CHECK(d.viewer().deformer()->matrices().empty());
 }
 
+TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it") {
+  const test::TemporaryFolder folder;
+  Driver d(small_window());
+  for (int levels = 3;; ++levels) {
+    REQUIRE_MESSAGE(levels < 6, "weights of 8192 triangles came at once");
+    REQUIRE(scene::load_model(d.workspace(), dragon, ball_cage(folder.path(), levels)));
+    scene::set_reach(d.document(), deform::whole_cage);
+    d.settle();
+    const auto rest = positions(d);
+    scene::set_reach(d.document(), 3);
+    d.frame();
+    if (!d.workspace().binding.running) continue;
+    CHECK(d.workspace().binding.what.rfind("Binding 50,000 vertices to ", 0) == 0);
+    d.press_key(scene::Key::escape);
+    if (d.document().reach == 3) continue;
+    CHECK(!d.workspace().binding.running);
+    CHECK(d.document().reach == deform::whole_cage);
+    CHECK(positions(d) == rest);
+    break;
+  }
+}
+
 TEST_CASE("what_a_binding_takes_is_known_before") {
   Driver d(small_window());
   open_dragon(d);

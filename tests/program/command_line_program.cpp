@@ -155,6 +155,53 @@ TEST_CASE("a_binding_that_is_stale_or_none_stops_render_and_writes_no_picture") 
   CHECK(!fs::exists(out));
 }
 
+TEST_CASE("a_reach_leaves_far_vertices_where_they_are_and_bad_ones_are_refused") {
+  const Scratch scratch;
+  const std::string scene = quoted(dragon) + " " + quoted(cage);
+  auto dragged = mesh::read(cage).surface;
+  dragged.positions[0][1] += 0.1 * mesh::bounds(dragged.positions).diagonal();
+  const fs::path pulled = scratch.folder / "pulled.obj";
+  mesh::write(pulled, dragged);
+  const auto rest = mesh::read(dragon).surface.positions;
+  std::size_t last = rest.size() + 1;
+  for (const char* reach : {"all", "6", "2"}) {  // the shorter, the fewer move
+    const fs::path out = scratch.folder / "out.ply";
+    const auto outcome = run("deform " + scene + " --pose " + quoted(pulled) + " -o " + quoted(out) + " --reach " + reach);
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+    const auto moved = mesh::read(out).surface.positions;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      double largest = 0;
+      for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(rest[i][k] - moved[i][k]));
+      count += largest > 1e-9 * mesh::bounds(rest).diagonal();
+    }
+    CHECK(count > 0);
+    CHECK(count < last);
+    last = count;
+  }
+  CHECK(2 * last < rest.size());
+  for (const char* bad : {"1.4", "0", "-2", "nan", "inf", "far", "2x", "''"}) {
+    const auto outcome = run("deform " + scene + " --pose " + quoted(pulled) + " -o x.ply --reach " + bad);
+    CHECK(outcome.code == 2);
+    CHECK_MESSAGE(mentions(outcome, "--reach"), outcome.text);
+  }
+  const auto none = run("render " + scene + " -o x.png --coordinates mvc --reach 3");
+  CHECK(none.code == 1);
+  CHECK_MESSAGE(mentions(none, "mean value coordinates have no reach"), none.text);
+}
+
+TEST_CASE("a_binding_of_another_reach_is_stale") {
+  const Scratch scratch;
+  const fs::path file = scratch.folder / "dragon.binding", out = scratch.folder / "out.png";
+  const std::string scene = quoted(dragon) + " " + quoted(cage);
+  REQUIRE(run("bind " + scene + " -o " + quoted(file) + " --reach 3").code == 0);
+  const std::string render = "render " + scene + " --size 320x200 -o " + quoted(out) + " --binding " + quoted(file);
+  CHECK(run(render + " --reach 3").text == "");
+  const auto stale = run(render);
+  CHECK(stale.code == 1);
+  CHECK_MESSAGE(mentions(stale, "is stale: it is for reach 3, not all"), stale.text);
+}
+
 TEST_CASE("bind_needs_a_cage_and_a_tolerance_that_makes_sense") {
   CHECK(run("bind " + quoted(dragon) + " -o x").code == 2);
   CHECK(run("bind " + quoted(dragon) + " " + quoted(cage)).code == 2);

@@ -44,6 +44,21 @@ std::vector<mesh::Point> positions(Driver& d) {
   return exact;
 }
 
+// How many vertices move with one of the cage.
+std::size_t followers(Driver& d) {
+  const auto& rest = d.document().model.surface->positions;
+  deform::Pose pose = deform::rest_pose(*d.document().cage);
+  pose.positions[0][1] += 0.1 * diagonal(d);
+  scene::set_pose(d.document(), pose);
+  d.frame();
+  const auto moved = positions(d);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    count += std::hypot(moved[i][0] - rest[i][0], moved[i][1] - rest[i][1], moved[i][2] - rest[i][2]) > 1e-9 * diagonal(d);
+  }
+  return count;
+}
+
 }  // namespace
 
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
@@ -232,6 +247,31 @@ TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {
   d.click("coordinates_face");
   d.settle();
   CHECK_FALSE(d.viewer().deformer()->matrices().empty());
+}
+
+TEST_CASE("the_reach_is_chosen_by_a_slider_and_mean_value_coordinates_have_none") {
+  Driver d;
+  open_dragon(d);
+  const auto whole = followers(d);
+  d.click("reach");  // in its middle
+  d.settle();
+  const double reach = d.document().reach;
+  CHECK(reach >= 2);
+  CHECK(reach < 10);
+  CHECK(d.viewer().deformer() != nullptr);
+  CHECK(followers(d) < whole);
+  d.click("coordinates_mvc");
+  d.settle();
+  d.place_of("reach");
+  CHECK_FALSE(d.viewer().recorder().find("reach")->enabled);
+  d.click("reach");
+  CHECK(d.document().reach == reach);
+  d.click("coordinates_face");
+  d.settle();
+  CHECK(d.document().reach == reach);
+  scene::set_reach(d.document(), deform::whole_cage);
+  d.settle();
+  CHECK(followers(d) == whole);
 }
 
 TEST_CASE("the_camera_answers_wheel_middle_drag_and_keys") {

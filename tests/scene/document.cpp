@@ -78,12 +78,14 @@ TEST_CASE("a_pose_or_a_cage_without_a_document_is_refused_with_advice") {
   CHECK(w.messages.all().back().text.find("open the cage first") != std::string::npos);
 }
 
-TEST_CASE("loading_keeps_method_and_coordinates") {
+TEST_CASE("loading_keeps_method_coordinates_and_reach") {
   const Files files;
   Workspace w;
   w.document.method = sym3::Method::diag;
   w.document.coordinates = deform::Coordinates::mean_value;
+  w.document.reach = 3;
   REQUIRE(load_model(w, files.model, files.cage));
   CHECK(w.document.method == sym3::Method::diag);
   CHECK(w.document.coordinates == deform::Coordinates::mean_value);
+  CHECK(w.document.reach == 3);
 }

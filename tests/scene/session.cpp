@@ -26,6 +26,7 @@ Workspace worked(const test::CubeFiles& files) {
   w.document.selection.apply(std::vector<std::uint32_t>{2, 5}, SelectMode::replace);
   w.document.method = sym3::Method::sd;
   w.document.coordinates = deform::Coordinates::mean_value;
+  w.document.reach = 2.7;
   w.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f});
   w.view = {.dark = false,
             .model = false,
@@ -45,6 +46,7 @@ void check_same(const Workspace& a, const Workspace& b) {
   CHECK(a.document.selection == b.document.selection);
   CHECK(a.document.method == b.document.method);
   CHECK(a.document.coordinates == b.document.coordinates);
+  CHECK(a.document.reach == b.document.reach);
   CHECK(a.camera.pose() == b.camera.pose());
   CHECK(a.view == b.view);
   CHECK(a.document.model.surface->positions == b.document.model.surface->positions);
@@ -136,6 +138,9 @@ TEST_CASE("what_is_wrong_in_a_session_is_named_with_file_and_key") {
       {"method", "\"best\"", "a.viete: method: \"best\" is not known; use diag"},
       {"method", "7", "a.viete: method: found a number where a text belongs"},
       {"coordinates", "\"x\"", "a.viete: coordinates"},
+      {"reach", "1.4", "a.viete: reach: a reach must be 1.5 or more; leave it out for the whole cage"},
+      {"reach", "-3", "a.viete: reach: a reach must be 1.5 or more"},
+      {"reach", "\"far\"", "a.viete: reach: found a text where a number belongs"},
       {"camera", "[]", "a.viete: camera: found a list of 0 where an object belongs"},
       {"camera", R"({"target": [0, 0, 0], "distance": -1, "yaw": 0, "pitch": 0})", "camera.distance"},
       {"camera", R"({"target": [0, 0, "z"], "distance": 1, "yaw": 0, "pitch": 0})", "camera.target[2]"},
@@ -152,6 +157,18 @@ TEST_CASE("what_is_wrong_in_a_session_is_named_with_file_and_key") {
     const std::string said = refusal(files / "a.viete");
     CHECK_MESSAGE(mentions(said, c.said), said);
   }
+}
+
+TEST_CASE("a_session_without_a_reach_has_the_whole_cage") {
+  const test::CubeFiles files;
+  Workspace w = worked(files);
+  w.document.reach = deform::whole_cage;
+  REQUIRE(save_session(w, files / "a.viete"));
+  CHECK_FALSE(mentions(test::file_bytes(files / "a.viete"), "reach"));
+  Workspace back;
+  back.document.reach = 3;
+  REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+  CHECK(back.document.reach == deform::whole_cage);
 }
 
 TEST_CASE("more_turns_than_the_cage_has_parts_are_refused") {
