@@ -47,16 +47,19 @@ void reach_slider(const Context& ui) {
   if (moved) scene::set_reach(document, reaches[static_cast<std::size_t>(stop)]);
   record(ui, "reach", used);
   ImGui::EndDisabled();
-  const bool all = !used || !(document.reach < deform::whole_cage);
   hint(used ? "How far each face of the cage reaches. At 3, a part of the model follows the faces that are at most 3 "
               "times as far away as the nearest ones, and no others: edits stay where they are made. The whole cage: "
               "every face moves all of the model, if only a little."
             : "Mean value coordinates have no reach: every vertex of the cage moves all of the model. Choose Faces "
               "first.");
   ImGui::SameLine();
+  const bool all = !used || !(document.reach < deform::whole_cage);
+  const std::string text = all ? "whole cage" : deform::text_of_reach(document.reach) + " x nearest";
+  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(text.c_str()).x, ImGui::GetCursorScreenPos().y});
   ImGui::AlignTextToFramePadding();
-  text_right(ui, right, all ? "whole cage" : deform::text_of_reach(document.reach) + " x nearest", used ? ui.colors.text : ui.colors.faint);
-  ImGui::NewLine();
+  ImGui::BeginDisabled(!used);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::EndDisabled();
 }
 
 }  // namespace
