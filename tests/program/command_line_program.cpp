@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mesh/read.h"
+#include "mesh/write.h"
 #include "render/image.h"
 #include "support/data.h"
 
