@@ -5,16 +5,20 @@
 #include <cstdio>
 #include <functional>
 #include <type_traits>
+#include <vector>
 
-#include "app/bench_ensembles.h"
 #include "app/bench_methods.h"
+#include "sym3/ensembles.h"
 #include "sym3/reference.h"
 
 namespace viete::app {
 
 namespace {
 
+namespace ensembles = sym3::ensembles;
+
 using Matrix = sym3::Sym3<double>;
+using Matrices = std::vector<Matrix>;
 
 // Not inline: where it sees both conversions, GCC 12 makes vectors of double, float and double again, and then leaves
 // the rounding of one entry out.
@@ -25,20 +29,20 @@ template <class To, class From>
 }
 
 Matrices shifted_paper_ensemble(double shift, std::size_t count) {
-  Matrices all = paper_ensemble(count);
+  Matrices all = ensembles::paper_ensemble<double>(count);
   for (Matrix& s : all) s.xx += shift, s.yy += shift, s.zz += shift;
   return all;
 }
 
 Matrices diagonals(std::size_t count) {
-  Matrices all = uniform_entries(-3, 3, count);
+  Matrices all = ensembles::uniform_entries<double>(-3, 3, count);
   for (Matrix& s : all) s.xy = s.xz = s.yz = 0;
   return all;
 }
 
 // v v^T: the double eigenvalue 0.
 Matrices rank_one(std::size_t count) {
-  Matrices all = uniform_entries(-1, 1, count);
+  Matrices all = ensembles::uniform_entries<double>(-1, 1, count);
   for (Matrix& s : all) {
     const double x = s.xx, y = s.xy, z = s.xz;
     s = {x * x, x * y, x * z, y * y, y * z, z * z};
@@ -47,7 +51,7 @@ Matrices rank_one(std::size_t count) {
 }
 
 Matrices multiples_of_identity(std::size_t count) {
-  Matrices all = uniform_entries(-3, 3, count);
+  Matrices all = ensembles::uniform_entries<double>(-3, 3, count);
   for (Matrix& s : all) s = {s.xx, 0, 0, s.xx, 0, s.xx};
   return all;
 }
@@ -81,9 +85,9 @@ Plan by_value(std::string title, std::string by, const std::vector<double>& valu
 Plan ensembles_plan() {
   return {"by ensemble",
           "ensemble",
-          {{"paper: M M^T", 0, paper_ensemble},
-           {"entries in [0, 3]", 0, [](std::size_t n) { return uniform_entries(0, 3, n); }},
-           {"entries in [-1, 1]", 0, [](std::size_t n) { return uniform_entries(-1, 1, n); }},
+          {{"paper: M M^T", 0, [](std::size_t n) { return ensembles::paper_ensemble<double>(n); }},
+           {"entries in [0, 3]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(0, 3, n); }},
+           {"entries in [-1, 1]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(-1, 1, n); }},
            {"diagonal, [-3, 3]", 0, diagonals},
            {"rank one, v v^T", 0, rank_one},
            {"multiples of I", 0, multiples_of_identity},
@@ -97,11 +101,12 @@ std::vector<Plan> plans(bool in_float) {
   std::vector<double> sizes = {0.1, 1, 3, 4.9, 6, 10, 20, 50, 100, 300, 600};
   if (in_float) std::erase_if(sizes, [](double s) { return s > 100; });  // beyond, exp overflows
   return {ensembles_plan(),
-          by_value("two eigenvalues so close, the third anywhere in [0, 3]", "gap", gaps, pairs),
-          by_value("three eigenvalues so close, in [0, 3]", "gap", gaps, triples),
-          by_value("by spread, largest minus smallest eigenvalue, half of them with close ones", "spread", sizes, spreads),
+          by_value("two eigenvalues so close, the third anywhere in [0, 3]", "gap", gaps, ensembles::pairs<double>),
+          by_value("three eigenvalues so close, in [0, 3]", "gap", gaps, ensembles::triples<double>),
+          by_value("by spread, largest minus smallest eigenvalue, half of them with close ones", "spread", sizes,
+                   [](double spread, std::size_t n) { return ensembles::spreads<double>(spread, -spread / 2, n); }),
           by_value("by scale, entries uniform in [-scale, scale]", "scale", {1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1e-2, 1, 10},
-                   [](double scale, std::size_t n) { return uniform_entries(-scale, scale, n); })};
+                   [](double scale, std::size_t n) { return ensembles::uniform_entries<double>(-scale, scale, n); })};
 }
 
 void add(Accuracy& accuracy, double error, std::size_t samples) {

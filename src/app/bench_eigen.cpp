@@ -3,10 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <vector>
 
-#include "app/bench_ensembles.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
+#include "sym3/ensembles.h"
 
 namespace viete::app {
 
@@ -26,9 +27,9 @@ Values eigenvalues_direct(const Matrix& s) {
 }  // namespace
 
 EigenBench measure_eigen(std::size_t count, base::Progress& progress) {
-  const Matrices in = paper_ensemble(count);
+  const auto in = sym3::ensembles::paper_ensemble<double>(count);
   std::vector<Values> out(count);
-  Matrices copied(count);
+  std::vector<Matrix> copied(count);
   const std::size_t size = std::min(piece, count), pieces = count / size;
   const auto each = [&](auto eigenvalues) {
     return [&, eigenvalues](std::size_t round) {

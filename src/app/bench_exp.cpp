@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "app/bench_arrays.h"
-#include "app/bench_ensembles.h"
+#include "sym3/ensembles.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 
@@ -20,16 +20,6 @@ using sym3::Sym3;
 constexpr std::array layouts = {Layout::planes, Layout::blocks, Layout::packed, Layout::full};
 constexpr std::size_t distinct = 1 << 16;  // matrices, repeated where more are asked for
 constexpr std::size_t window = 1024;       // that the slow methods do at a time: their time is not the memory's
-
-template <class T>
-std::vector<Sym3<T>> some_matrices() {
-  std::vector<Sym3<T>> matrices;
-  const auto to = [](double x) { return static_cast<T>(x); };
-  for (const auto& s : paper_ensemble(distinct)) {
-    matrices.push_back({to(s.xx), to(s.xy), to(s.xz), to(s.yy), to(s.yz), to(s.zz)});
-  }
-  return matrices;
-}
 
 /// So many matrices of those at the round's turn.
 template <class T>
@@ -88,7 +78,7 @@ std::vector<std::size_t> sizes_up_to(std::size_t count) {
 
 template <class T>
 void measure(ExpBench& bench, base::Progress& progress) {
-  const auto matrices = some_matrices<T>();
+  const auto matrices = sym3::ensembles::paper_ensemble<T>(distinct);
   const auto sizes = sizes_up_to(bench.count);
   const double steps = static_cast<double>(1 + layouts.size() * sizes.size());
   double step = 0;

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <functional>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "app/bench_table.h"
 #include "app/command_line.h"
 #include "deform/polar.h"
+#include "sym3/ensembles.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/log.h"
@@ -27,6 +27,7 @@ namespace viete::app {
 
 namespace {
 
+using namespace sym3::ensembles;
 using sym3::Kernel;
 using sym3::Layout;
 using sym3::Method;
@@ -49,40 +50,6 @@ class Numbers {
   };
   std::unique_ptr<T, Free> data_;
 };
-
-double uniform(std::mt19937_64& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
-
-/// The paper's S = M M^T, entries of M uniform in [-1, 1].
-template <class T>
-Sym3<T> paper_matrix(std::mt19937_64& random) {
-  double m[3][3];
-  for (auto& row : m) {
-    for (double& x : row) x = uniform(random, -1, 1);
-  }
-  const auto dot = [&](int i, int j) { return T(m[i][0] * m[j][0] + m[i][1] * m[j][1] + m[i][2] * m[j][2]); };
-  return {dot(0, 0), dot(0, 1), dot(0, 2), dot(1, 1), dot(1, 2), dot(2, 2)};
-}
-
-template <class T>
-std::vector<Sym3<T>> paper_ensemble(std::size_t count) {
-  std::mt19937_64 random(20160101);
-  std::vector<Sym3<T>> all(count);
-  for (auto& s : all) s = paper_matrix<T>(random);
-  return all;
-}
-
-/// Eigenvalues as given, in a random frame.
-template <class T>
-Sym3<T> with_eigenvalues(const std::array<double, 3>& values, std::mt19937_64& random) {
-  const auto v = sym3::exp_rotation<double>({uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -2, 2)});
-  const auto entry = [&](int i, int j) {
-    return T(values[0] * v[3 * i] * v[3 * j] + values[1] * v[3 * i + 1] * v[3 * j + 1] +
-             values[2] * v[3 * i + 2] * v[3 * j + 2]);
-  };
-  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
-}
 
 /// The same matrices, again and again, in planes, blocks or nine.
 template <class T>
@@ -219,7 +186,7 @@ sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
 }
 
 void rotations(Bars& report) {
-  std::mt19937_64 random(7);
+  Random random(7);
   const std::size_t stride = sym3::padded_stride<double>(in_cache);
   std::vector<sym3::Vec3<double>> w(in_cache);
   std::vector<sym3::Mat3<double>> r(in_cache), m(in_cache);
@@ -272,29 +239,14 @@ double worst_error(const std::vector<Sym3<T>>& matrices) {
   return worst / (sizeof(T) == 8 ? 0x1p-53 : 0x1p-24);
 }
 
-/// Pairs, triples and lone eigenvalues in a range of `spread`.
-template <class T>
-std::vector<Sym3<T>> clustered(double spread, std::size_t count) {
-  std::mt19937_64 random(9);
-  std::vector<Sym3<T>> all(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double gap = spread * std::pow(10.0, uniform(random, -16, 0)), x = uniform(random, 0, spread);
-    const std::array<double, 3> shapes[] = {{0, gap, spread}, {0, spread - gap, spread}, {0, gap, gap}, {0, x, spread}};
-    auto values = shapes[i % 4];
-    for (double& v : values) v -= spread / 3;
-    all[i] = with_eigenvalues<T>(values, random);
-  }
-  return all;
-}
-
 template <class T>
 void errors(const std::string& type, std::size_t count, Bars& report) {
   const bool fused = sym3::kernel().fused;
   report.check("exp " + type + ", error in u: the paper's ensemble, " + std::to_string(count), worst_error(paper_ensemble<T>(count)), fused ? 8 : 12, false);
-  report.check("exp " + type + ", error in u: any gap, spread 3", worst_error(clustered<T>(3, count / 10)), fused ? 6 : 15.5, false);
+  report.check("exp " + type + ", error in u: any gap, spread 3", worst_error(spreads<T>(3, -1, count / 10)), fused ? 6 : 15.5, false);
   for (const double spread : {10.0, 60.0}) {
     const double bar = fused ? 6 + 2 * spread : 8 + 2.5 * spread;
-    report.check("exp " + type + ", error in u: spread " + std::to_string(int(spread)), worst_error(clustered<T>(spread, count / 50)), bar, false);
+    report.check("exp " + type + ", error in u: spread " + std::to_string(int(spread)), worst_error(spreads<T>(spread, -spread / 3, count / 50)), bar, false);
   }
 }
 
@@ -310,7 +262,7 @@ int bench_sym3(std::size_t count, const std::filesystem::path& json) {
   in_second_cache<float>("float", report);
   out_of_cache(count ? count : 10'000'000, report);
   rotations(report);
-  std::mt19937_64 random(11);
+  Random random(11);
   std::vector<Sym3<double>> ordinary(in_cache);
   for (auto& s : ordinary) s = with_eigenvalues<double>({uniform(random, 1, 4), uniform(random, 1, 4), uniform(random, 1, 4)}, random);
   logarithms("conditions up to 4", ordinary, report);

@@ -10,6 +10,7 @@
 #include "sym3/entries_of.h"
 
 using namespace viete;
+using namespace viete::sym3::ensembles;
 using namespace viete::test;
 using sym3::Method;
 using sym3::Sym3;

@@ -7,6 +7,7 @@
 #include "sym3/quad_reference.h"
 
 using namespace viete;
+using namespace viete::sym3::ensembles;
 using namespace viete::test;
 
 TEST_CASE("exp_by_jacobi_is_exact_to_16_u_at_any_spread") {

@@ -8,6 +8,7 @@
 #include "sym3/quad_reference.h"
 
 using namespace viete;
+using namespace viete::sym3::ensembles;
 using namespace viete::test;
 using sym3::DoubleDouble;
 using sym3::Sym3;
@@ -46,7 +47,7 @@ double residual(const Sym3<double>& s) {
 TEST_CASE("jacobi_decomposes_to_the_precision_of_its_numbers") {
   for (const double spread : {1e-6, 1.0, 1e6}) {
     for (const auto& s : spreads<double>(spread, -spread / 3, 200)) {
-      CHECK(residual<double>(s) < 20 * 0x1p-53);
+      CHECK(residual<double>(s) < 30 * 0x1p-53);
       CHECK(residual<DoubleDouble>(s) < 40 * 0x1p-104);
     }
   }

@@ -12,6 +12,7 @@
 #include "sym3/ensembles.h"
 
 using namespace viete;
+using namespace viete::sym3::ensembles;
 using namespace viete::test;
 using sym3::Sym3;
 

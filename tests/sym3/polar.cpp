@@ -11,6 +11,7 @@
 #include "sym3/quad_reference.h"
 
 using namespace viete;
+using namespace viete::sym3::ensembles;
 using namespace viete::test;
 using sym3::Mat3;
 

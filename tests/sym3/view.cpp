@@ -14,6 +14,7 @@
 #include "sym3/entries_of.h"
 
 using namespace viete;
+using namespace viete::sym3::ensembles;
 using namespace viete::test;
 using sym3::Layout;
 using sym3::Sym3;
@@ -75,8 +76,8 @@ class Arranged {
 /// Ordinary ones, and every so often one that leaves the fast path.
 template <class T>
 std::vector<Sym3<T>> mixture(std::size_t count) {
-  auto all = paper_ensemble<T>(static_cast<int>(count), 5);
-  const auto wide = spreads<T>(30, -20, static_cast<int>(count));
+  auto all = paper_ensemble<T>(count, 5);
+  const auto wide = spreads<T>(30, -20, count);
   for (std::size_t i = 5; i < count; i += 11) all[i] = wide[i];
   for (std::size_t i = 9; i < count; i += 31) all[i] = diagonal(T(1000), T(-1000), T(0.5));
   for (std::size_t i = 13; i < count; i += 47) all[i].xy = std::numeric_limits<T>::quiet_NaN();
