@@ -185,6 +185,49 @@ sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
           f * y * z - s * x, f * x * z - s * y, f * y * z + s * x, c + f * z * z};
 }
 
+/// w = a / (2 sin a) times the antisymmetric part of R, cos a = (tr R - 1) / 2, with a case for small angles; wrong near half
+/// turns.
+sym3::Vec3<double> textbook_log(const sym3::Mat3<double>& r) {
+  const double a = std::acos(std::clamp((r[0] + r[4] + r[8] - 1) / 2, -1.0, 1.0));
+  const double f = a > 1e-8 ? a / (2 * std::sin(a)) : 0.5;
+  return {f * (r[7] - r[5]), f * (r[2] - r[6]), f * (r[3] - r[1])};
+}
+
+/// By the quaternion's largest component and the arc tangent of half the angle, right at every angle.
+sym3::Vec3<double> log_by_quaternion(const sym3::Mat3<double>& r) {
+  const double x = r[0], y = r[4], z = r[8], trace = x + y + z;
+  const double dx = r[7] - r[5], dy = r[2] - r[6], dz = r[3] - r[1], sx = r[7] + r[5], sy = r[2] + r[6], sz = r[3] + r[1];
+  std::array<double, 4> q;
+  if (trace >= std::max({x, y, z})) q = {1 + trace, dx, dy, dz};
+  else if (x >= std::max(y, z)) q = {dx, 1 + x - y - z, sz, sy};
+  else if (y >= z) q = {dy, sz, 1 + y - x - z, sx};
+  else q = {dz, sy, sx, 1 + z - x - y};
+  const double sine = std::copysign(std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]), q[0]);
+  const double f = sine != 0 ? 2 * std::atan2(std::fabs(sine), std::fabs(q[0])) / sine : 0;
+  return {f * q[1], f * q[2], f * q[3]};
+}
+
+void rotation_logs(Bars& report) {
+  Random random(8);
+  const std::size_t stride = sym3::padded_stride<double>(in_cache);
+  std::vector<sym3::Mat3<double>> r(in_cache);
+  std::vector<sym3::Vec3<double>> w(in_cache);
+  const Numbers<double> planes(9 * stride), out(3 * stride);
+  for (std::size_t i = 0; i < in_cache; ++i) {
+    r[i] = sym3::exp_rotation<double>({uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)});
+    for (int k = 0; k < 9; ++k) planes.get()[k * stride + i] = r[i][k];
+  }
+  const sym3::VecView<double> to(out.get(), stride);
+  const auto a = measure("logs of rotations double, planes in the second cache",
+                         {{"textbook", [&](std::size_t) { std::transform(r.begin(), r.end(), w.begin(), textbook_log); }},
+                          {"by quaternion", [&](std::size_t) { std::transform(r.begin(), r.end(), w.begin(), log_by_quaternion); }},
+                          {"one by one", [&](std::size_t) { std::transform(r.begin(), r.end(), w.begin(), sym3::log_rotation<double>); }},
+                          {"batched", [&](std::size_t) { sym3::log_rotation(sym3::MatView<double>(planes.get(), stride), to, in_cache); }, 20},
+                          {"copy", [&](std::size_t) { std::memcpy(out.get(), planes.get(), 3 * stride * sizeof(double)); }, 20}},
+                         1, in_cache, 41, "textbook");
+  report.check("log of rotations: textbook / batched", faster(a, "textbook", "batched"), 6, true);
+}
+
 void rotations(Bars& report) {
   Random random(7);
   const std::size_t stride = sym3::padded_stride<double>(in_cache);
@@ -262,6 +305,7 @@ int bench_sym3(std::size_t count, const std::filesystem::path& json) {
   in_second_cache<float>("float", report);
   out_of_cache(count ? count : 10'000'000, report);
   rotations(report);
+  rotation_logs(report);
   Random random(11);
   std::vector<Sym3<double>> ordinary(in_cache);
   for (auto& s : ordinary) s = with_eigenvalues<double>({uniform(random, 1, 4), uniform(random, 1, 4), uniform(random, 1, 4)}, random);

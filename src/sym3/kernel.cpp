@@ -20,6 +20,7 @@ VIETE_FUNCTION(sqrt, 6, 6)
 VIETE_FUNCTION(inv_sqrt, 6, 6)
 VIETE_FUNCTION(eigenvalues, 6, 3)
 VIETE_FUNCTION(exp_rotation, 3, 9)
+VIETE_FUNCTION(log_rotation, 9, 3)
 VIETE_FUNCTION(rotation_of, 9, 9)
 #undef VIETE_FUNCTION
 
@@ -28,9 +29,10 @@ extern const PolarFunctions polar_functions;
 
 #define VIETE_BOTH(name) \
   { &name##_double, &name##_float }
-static const KernelTable table = {VIETE_BOTH(exp),      VIETE_BOTH(log),         VIETE_BOTH(sqrt),
-                                  VIETE_BOTH(inv_sqrt), VIETE_BOTH(eigenvalues), VIETE_BOTH(exp_rotation),
-                                  VIETE_BOTH(rotation_of),    &pow_functions, &polar_functions};
+static const KernelTable table = {VIETE_BOTH(exp),          VIETE_BOTH(log),         VIETE_BOTH(sqrt),
+                                  VIETE_BOTH(inv_sqrt),     VIETE_BOTH(eigenvalues), VIETE_BOTH(exp_rotation),
+                                  VIETE_BOTH(log_rotation), VIETE_BOTH(rotation_of), &pow_functions,
+                                  &polar_functions};
 #undef VIETE_BOTH
 
 }  // namespace viete::sym3::HWY_NAMESPACE

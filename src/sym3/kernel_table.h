@@ -53,6 +53,7 @@ struct KernelTable {
   Functions<6, 6> exp, log, sqrt, inv_sqrt;
   Functions<6, 3> eigenvalues;
   Functions<3, 9> exp_rotation;
+  Functions<9, 3> log_rotation;
   Functions<9, 9> rotation_of;
   const PowFunctions* pow;
   const PolarFunctions* polar;

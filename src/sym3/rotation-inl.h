@@ -1,9 +1,13 @@
-// exp of rotation vectors in vector registers: the text behind every kernel, for fused loops elsewhere too.
+// exp of rotation vectors and log of rotations in vector registers: the text behind every kernel, for fused loops
+// elsewhere too.
 // (No #pragma once: Highway's foreach_target includes this text again for each target.) How to use it: exp-inl.h.
 // Bounds and special values: rotation.h.
 //
 // Half the angle: h = |w|^2 / 4, cos(sqrt h) and sin(sqrt h) / (2 sqrt h) are polynomials in h up to 3.24 radians,
 // which gives the quaternion without a root and without a case for small angles; the matrix follows by products.
+//
+// Back, a quarter of the angle: its tangent t is at most one, and atan(t) / t is a polynomial in t^2, so that neither small
+// angles nor half turns are a case.
 #if defined(VIETE_SYM3_ROTATION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_ROTATION_INL_H
 #undef VIETE_SYM3_ROTATION_INL_H
@@ -78,6 +82,55 @@ static HWY_INLINE Nine<V> exp_rotation_lanes(D d, const Three<V>& w) {
   const auto ok = hn::Le(h, hn::Set(d, RotationTables<hn::TFromD<D>>::h_limit));
   if (HWY_LIKELY(hn::AllTrue(d, ok))) return exp_rotation_quick(d, w, h);
   return exp_rotation_general(d, w, h);
+}
+
+template <class M, class V>
+static HWY_INLINE Quaternion<V> select(M mask, const Quaternion<V>& yes, const Quaternion<V>& no) {
+  return {hn::IfThenElse(mask, yes.w, no.w), hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+/// Four times the products of w, x, y, z with the one of them that is largest (Shepperd 1978), so that nothing
+/// cancels: quaternions of length between 2 and 4.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
+  const V one = hn::Set(d, hn::TFromD<D>(1));
+  const V dx = hn::Sub(r.zy, r.yz), dy = hn::Sub(r.xz, r.zx), dz = hn::Sub(r.yx, r.xy);
+  const V sx = hn::Add(r.zy, r.yz), sy = hn::Add(r.xz, r.zx), sz = hn::Add(r.yx, r.xy);
+  const V trace = hn::Add(r.xx, hn::Add(r.yy, r.zz));
+  const Quaternion<V> by_w = {hn::Add(one, trace), dx, dy, dz};
+  const Quaternion<V> by_x = {dx, hn::Sub(hn::Sub(hn::Add(one, r.xx), r.yy), r.zz), sz, sy};
+  const Quaternion<V> by_y = {dy, sz, hn::Sub(hn::Sub(hn::Add(one, r.yy), r.xx), r.zz), sx};
+  const Quaternion<V> by_z = {dz, sy, sx, hn::Sub(hn::Sub(hn::Add(one, r.zz), r.xx), r.yy)};
+  const auto x_is_largest = hn::And(hn::Ge(r.xx, r.yy), hn::Ge(r.xx, r.zz));
+  const auto w_is_largest = hn::Ge(trace, hn::Max(r.xx, hn::Max(r.yy, r.zz)));
+  return select(w_is_largest, by_w, select(x_is_largest, by_x, select(hn::Ge(r.yy, r.zz), by_y, by_z)));
+}
+
+/// What decides between q and -q: the one with angle <= pi; at pi the one whose axis starts with a positive number.
+template <class D, class V>
+static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
+  const V zero = hn::Zero(d);
+  const V yz = hn::IfThenElse(hn::Eq(q.y, zero), q.z, q.y), xyz = hn::IfThenElse(hn::Eq(q.x, zero), yz, q.x);
+  return hn::IfThenElse(hn::Eq(q.w, zero), xyz, q.w);
+}
+
+/// The rotation vectors of rotations, one a lane. T = float or double; any number of lanes. Squares of entries that
+/// are no rotation's and overflow give NaN, as infinities do.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE Three<V> log_rotation_lanes(D d, const Nine<V>& r) {
+  using T = hn::TFromD<D>;
+  using C = RotationTables<T>;
+  const Quaternion<V> q = to_quaternion(d, r);
+  const V sine2 = sum_of_products(q.x, q.x, q.y, q.y, q.z, q.z);
+  const V length2 = hn::MulAdd(q.w, q.w, sine2);
+  const V one_or_nan = hn::MulAdd(length2, hn::Zero(d), hn::Set(d, T(1)));
+  // The tangent over the length of (x, y, z).
+  const V tangent = hn::Div(one_or_nan, hn::Add(hn::Abs(q.w), hn::Sqrt(length2)));
+  const V t2 = hn::Mul(sine2, hn::Mul(tangent, tangent)), t4 = hn::Mul(t2, t2);
+  const V arc = hn::MulAdd(horner(d, C::arc_odd, t4, T(4)), t2, horner(d, C::arc_even, t4, T(4)));
+  const V factor = hn::CopySign(hn::Mul(arc, tangent), first_but_zero(d, q));
+  return {hn::Mul(q.x, factor), hn::Mul(q.y, factor), hn::Mul(q.z, factor)};
 }
 
 }  // namespace viete::sym3::HWY_NAMESPACE

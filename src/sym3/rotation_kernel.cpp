@@ -1,4 +1,4 @@
-// exp of batches of rotation vectors, compiled once per instruction set.
+// exp of batches of rotation vectors and log of batches of rotations, compiled once per instruction set.
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "sym3/rotation_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -24,12 +24,33 @@ struct ExpRotation {
   }
 };
 
+struct LogRotation {
+  static constexpr int in = 9, out = 3, group = 1;
+
+  template <int G, class D, class V>
+  HWY_INLINE void run(D d, const V (&r)[G][in], V (&w)[G][out]) const {
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) {
+      const Three<V> v = log_rotation_lanes(d, Nine<V>{r[g][0], r[g][1], r[g][2], r[g][3], r[g][4], r[g][5], r[g][6],
+                                                       r[g][7], r[g][8]});
+      w[g][0] = v.x, w[g][1] = v.y, w[g][2] = v.z;
+    }
+  }
+};
+
 extern const Function<double, 3, 9> exp_rotation_double;
 extern const Function<float, 3, 9> exp_rotation_float;
 const Function<double, 3, 9> exp_rotation_double = {Mapped<ExpRotation, double>::one,
                                                     Mapped<ExpRotation, double>::many};
 const Function<float, 3, 9> exp_rotation_float = {Mapped<ExpRotation, float>::one,
                                                   Mapped<ExpRotation, float>::many};
+
+extern const Function<double, 9, 3> log_rotation_double;
+extern const Function<float, 9, 3> log_rotation_float;
+const Function<double, 9, 3> log_rotation_double = {Mapped<LogRotation, double>::one,
+                                                    Mapped<LogRotation, double>::many};
+const Function<float, 9, 3> log_rotation_float = {Mapped<LogRotation, float>::one,
+                                                  Mapped<LogRotation, float>::many};
 
 }  // namespace viete::sym3::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -55,6 +55,14 @@ double exp_error(const Vec3<T>& w) {
 }
 
 template <class T>
+Vec3<T> log_with(const sym3::Kernel& kernel, const Mat3<T>& r) {
+  Vec3<T> w;
+  sym3::log_rotation(sym3::MatView<const T>(sym3::Layout::packed, r.data()),
+                     sym3::VecView<T>(sym3::Layout::packed, w.data()), 1, {&kernel});
+  return w;
+}
+
+template <class T>
 Mat3<T> rounded_rotation(const Vec3<T>& w) {
   const auto exact = quad_rotation(to_quad(w));
   Mat3<T> rounded;
@@ -94,7 +102,13 @@ TEST_CASE_TEMPLATE("log_rotation_keeps_its_bar_up_to_half_a_turn", T, double, fl
                              pi - 1e-6, pi - 1e-9, pi - 1e-12, pi}) {
     for (int i = 0; i < 300; ++i) {
       const auto w = vector_of_angle<T>(angle, i, random);
-      CHECK(log_error(sym3::log_rotation(rounded_rotation(w)), w) <= 6 * angle);
+      const auto r = rounded_rotation(w);
+      for (const auto& kernel : sym3::kernels()) {
+        CAPTURE(kernel.name);
+        CAPTURE(angle);
+        CHECK(log_error(log_with(kernel, r), w) <= 6 * angle);
+      }
+      CHECK(sym3::log_rotation(r) == log_with(sym3::kernel(), r));
     }
   }
 }
@@ -115,12 +129,42 @@ TEST_CASE_TEMPLATE("at_exactly_half_a_turn_the_first_component_is_positive", T, 
     const auto [x, y, z] = std::array{T(axis[0]), T(axis[1]), T(axis[2])};
     const Mat3<T> r = {2 * x * x - 1, 2 * x * y, 2 * x * z, 2 * x * y,    2 * y * y - 1,
                        2 * y * z,     2 * x * z, 2 * y * z, 2 * z * z - 1};
-    const auto w = sym3::log_rotation(r);
-    const T first = w[0] != 0 ? w[0] : w[1] != 0 ? w[1] : w[2];
-    CHECK(first > 0);
-    const T sign = (x != 0 ? x : y != 0 ? y : z) > 0 ? T(pi) : -T(pi);
-    CHECK(std::fabs(w[0] - sign * x) + std::fabs(w[1] - sign * y) + std::fabs(w[2] - sign * z) <
-          32 * unit_roundoff<T>);
+    for (const auto& kernel : sym3::kernels()) {
+      CAPTURE(kernel.name);
+      const auto w = log_with(kernel, r);
+      const T first = w[0] != 0 ? w[0] : w[1] != 0 ? w[1] : w[2];
+      CHECK(first > 0);
+      const T sign = (x != 0 ? x : y != 0 ? y : z) > 0 ? T(pi) : -T(pi);
+      CHECK(std::fabs(w[0] - sign * x) + std::fabs(w[1] - sign * y) + std::fabs(w[2] - sign * z) <
+            32 * unit_roundoff<T>);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("a_little_to_either_side_of_half_a_turn_the_axis_turns_round", T, double, float) {
+  const T less = 64 * std::numeric_limits<T>::epsilon();
+  for (const auto& kernel : sym3::kernels()) {
+    const auto below = log_with(kernel, sym3::exp_rotation(Vec3<T>{0, -(T(pi) - less), 0}));
+    const auto above = log_with(kernel, sym3::exp_rotation(Vec3<T>{0, -(T(pi) + less), 0}));
+    CHECK(below[1] == doctest::Approx(-pi));
+    CHECK(above[1] == doctest::Approx(pi));
+  }
+}
+
+TEST_CASE_TEMPLATE("nearly_a_rotation_has_nearly_its_logarithm", T, double, float) {
+  Random random(66);
+  for (const double size : {0.03, 1e-3, 1e-5}) {
+    for (int i = 0; i < 1000; ++i) {
+      const auto w = vector_of_angle<T>(uniform(random, 0, 3), i, random);  // not over half a turn
+      Mat3<T> r = rounded_rotation(w);
+      double moved = 0;
+      for (T& x : r) {
+        const double change = uniform(random, -size, size);
+        x += T(change), moved += change * change;
+      }
+      const double by = log_error(sym3::log_rotation(r), w) * unit_roundoff<T>;
+      CHECK(by <= 2 * std::sqrt(moved) + 20 * unit_roundoff<T>);
+    }
   }
 }
 
@@ -141,10 +185,22 @@ TEST_CASE_TEMPLATE("rotations_from_nan_and_infinity_are_nan", T, double, float) 
       for (const T x : sym3::exp_rotation(w)) CHECK(std::isnan(x));
     }
   }
-  for (int i = 0; i < 9; ++i) {
-    Mat3<T> r = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    r[i] = std::numeric_limits<T>::quiet_NaN();
-    for (const T x : sym3::log_rotation(r)) CHECK(std::isnan(x));
+}
+
+TEST_CASE_TEMPLATE("logs_of_nan_infinity_and_overflow_are_three_nan", T, double, float) {
+  const T big = std::numeric_limits<T>::max(), infinity = std::numeric_limits<T>::infinity();
+  const Mat3<T> turns[] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0, 0, -1, 0, 0, 0, -1}, {-1, 0, 0, 0, 1, 0, 0, 0, -1},
+                           {-1, 0, 0, 0, -1, 0, 0, 0, 1}};
+  for (const auto& kernel : sym3::kernels()) {
+    for (const auto& turn : turns) {
+      for (const T bad : {std::numeric_limits<T>::quiet_NaN(), infinity, -infinity, big, -big}) {
+        for (int i = 0; i < 9; ++i) {
+          Mat3<T> r = turn;
+          r[i] = bad;
+          for (const T x : log_with(kernel, r)) CHECK(std::isnan(x));
+        }
+      }
+    }
   }
 }
 
@@ -178,6 +234,56 @@ TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_rotations_gives_the_bi
         for (int k = 0; k < 9; ++k) same = same && r[9 * i + k] == one[k] && out_planes[k * 150 + i] == one[k];
       }
       CHECK(same);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_logs_of_rotations_gives_the_bits_of_one_in_any_layout", T, double,
+                   float) {
+  using sym3::Layout;
+  constexpr std::size_t most = 150, line = 64 / sizeof(T);
+  Random random(67);
+  std::vector<Mat3<T>> r(most);
+  std::vector<T> planes(9 * most), blocks(sym3::block_size<T, 9>(most));
+  for (std::size_t i = 0; i < most; ++i) {
+    r[i] = sym3::exp_rotation(vector_of_angle<T>(i % 5 ? uniform(random, 0, 3.2) : pi, int(i), random));
+    if (i % 50 == 7) r[i] = {-1, 0, 0, 0, 1, 0, 0, 0, -1};
+    for (int k = 0; k < 9; ++k) planes[k * most + i] = blocks[(i / line * 9 + k) * line + i % line] = r[i][k];
+  }
+  for (const auto& kernel : sym3::kernels()) {
+    CAPTURE(kernel.name);
+    std::vector<Vec3<T>> one(most);
+    for (std::size_t i = 0; i < most; ++i) one[i] = log_with(kernel, r[i]);
+    for (std::size_t count = 0; count <= most; count += count < 70 ? 1 : 40) {
+      std::vector<T> row(3 * most, T(-7)), out_planes(3 * most, T(-7)), out_blocks(sym3::block_size<T, 3>(most), T(-7));
+      sym3::log_rotation(sym3::MatView<const T>(Layout::packed, r[0].data()), sym3::VecView<T>(Layout::packed, row.data()),
+                         count, {&kernel});
+      sym3::log_rotation(sym3::MatView<const T>(planes.data(), most), sym3::VecView<T>(out_planes.data(), most), count,
+                         {&kernel});
+      sym3::log_rotation(sym3::MatView<const T>(Layout::blocks, blocks.data()),
+                         sym3::VecView<T>(Layout::blocks, out_blocks.data()), count, {&kernel});
+      bool same = true;
+      for (std::size_t i = 0; i < most; ++i) {
+        for (int k = 0; k < 3; ++k) {
+          const T expected = i < count ? one[i][k] : T(-7);
+          same = same && row[3 * i + k] == expected && out_planes[k * most + i] == expected &&
+                 out_blocks[(i / line * 3 + k) * line + i % line] == expected;
+        }
+      }
+      CHECK(same);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("kernels_with_fused_multiply_add_agree_on_logs_of_rotations_to_the_bit_and_so_do_those_without", T, double,
+                   float) {
+  Random random(68);
+  for (int i = 0; i < 2000; ++i) {
+    const auto r = rounded_rotation(vector_of_angle<T>(i % 7 ? uniform(random, 0, 3.15) : pi, i, random));
+    const sym3::Kernel* last[2] = {};
+    for (const auto& kernel : sym3::kernels()) {
+      if (last[kernel.fused]) CHECK(log_with(kernel, r) == log_with(*last[kernel.fused], r));
+      last[kernel.fused] = &kernel;
     }
   }
 }
