@@ -42,6 +42,7 @@ struct RingRun {
   float* positions;                  ///< of the whole model
   std::size_t first, slots, places;  ///< of the leaf
   std::size_t vertices;              ///< slots that are no filling
+  bool moved;                        ///< its slots, since its normals were computed
   const std::uint32_t* halo;
   std::size_t halo_left;  ///< numbers in halo, those of the leaves behind this one too
   const std::uint32_t* order;
@@ -66,7 +67,8 @@ struct FrameKernel {
   TileKernel<float> in_float;
   TileKernel<double> in_double;
   /// To vertices[order[slot]]: position times unit, and the unit normal by the walk around it, (0, 0, 1) where
-  /// there is no area. Leaves write to different places and vertices.
+  /// there is no area; nothing where neither slots nor halo changed by a bit. Leaves write to different places and
+  /// vertices.
   void (*ring_vertices)(const RingRun& run, FrameVertex* vertices);
   /// The normal of a hub (see Rings), which ring_vertices leaves out.
   void (*ring_hub)(const float* positions, const std::uint32_t* walk, std::size_t length, std::uint32_t place,

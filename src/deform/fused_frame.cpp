@@ -35,12 +35,14 @@ FusedFrame::FusedFrame(std::shared_ptr<const Cage> cage, std::shared_ptr<const T
     maps_.resize(binding_->handles);
     splits_.resize(binding_->handles);
     logs_.resize(binding_->handles);
+    entries_.resize(binding_->handles);
   }
   table_.assign(binding_->handles * columns_, 0.0f);
   skeleton_sums_.resize(binding_->skeleton_slots() * log_size);
   skeleton_table_.resize(binding_->skeleton_slots() * log_size);
   positions_.resize(binding_->rings.place_count() * 4);
   vertices_.assign(binding_->leaves.vertices, FrameVertex{});
+  leaf_moved_.assign(binding_->leaves.count(), 1);
 }
 
 std::size_t FusedFrame::bytes() const {
@@ -52,13 +54,13 @@ void FusedFrame::deform(const Pose& pose) {
   check_pose(*cage_, pose);
   times_ = {};
   base::Stopwatch watch;
-  const Elements moved = moved_elements(pose);
+  find_moved(pose);
   const bool held = drag_ && !held_.moving.empty();
   origin_ = held ? held_.origin : pose_origin(pose.positions);
   if (binding_->coordinates == Coordinates::face) {
-    face_maps(*cage_, pose.positions, moved, maps_);
+    face_maps(*cage_, pose.positions, moved_, maps_);
     times_[Link::face_maps] = watch.lap_ms();
-    split_maps(maps_, moved, splits_);
+    split_maps(maps_, moved_, splits_);
     log_maps(*cage_, maps_, splits_, pose.turns, logs_, report_);
     times_[Link::log_maps] = watch.lap_ms();
   } else {
@@ -66,7 +68,7 @@ void FusedFrame::deform(const Pose& pose) {
   }
   pose_ = pose.positions;
   fill_table(pose);
-  follow_drag(moved);
+  follow_drag();
   if (binding_->compressed() && !dragging_) {
     blend_skeleton(table_.data());
     times_[Link::skeleton] = watch.lap_ms();
@@ -101,14 +103,13 @@ void FusedFrame::set_dragging(bool on) {
 }
 
 // Since the last frame; all at the first.
-FusedFrame::Elements FusedFrame::moved_elements(const Pose& pose) const {
-  Elements moved;
+void FusedFrame::find_moved(const Pose& pose) {
+  moved_.clear();
   for (std::uint32_t e = 0; e < cage_->element_count(); ++e) {
     const auto& t = cage_->surface.triangles[e];
     const auto stayed = [&](std::uint32_t v) { return !pose_.empty() && pose.positions[v] == pose_[v]; };
-    if (!std::all_of(t.begin(), t.end(), stayed)) moved.push_back(e);
+    if (!std::all_of(t.begin(), t.end(), stayed)) moved_.push_back(e);
   }
-  return moved;
 }
 
 void FusedFrame::fill_table(const Pose& pose) {
@@ -120,18 +121,17 @@ void FusedFrame::fill_table(const Pose& pose) {
     }
     return;
   }
-  std::vector<std::array<double, log_size>> entries(logs_.size());
   for (std::size_t j = 0; j < logs_.size(); ++j) {
     const auto& [x, y, unused] = logs_[j];
     const auto& t = cage_->surface.triangles[j];
     const auto& p = pose.positions;
     const Vec3 c = (scale / 3) * ((p[t[0]] - origin_) + (p[t[1]] - origin_) + (p[t[2]] - origin_));
-    entries[j] = {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz, y[0], y[1], y[2], c[0], c[1], c[2]};
+    entries_[j] = {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz, y[0], y[1], y[2], c[0], c[1], c[2]};
   }
-  if (held_.moving.empty()) choose_mean(entries);
-  for (std::size_t j = 0; j < entries.size(); ++j) {
+  if (held_.moving.empty()) choose_mean();
+  for (std::size_t j = 0; j < entries_.size(); ++j) {
     for (std::size_t i = 0; i < log_size; ++i) {
-      table_[log_size * j + i] = static_cast<float>(entries[j][i] - static_cast<double>(mean_[i]));
+      table_[log_size * j + i] = static_cast<float>(entries_[j][i] - static_cast<double>(mean_[i]));
     }
   }
 }
@@ -139,36 +139,39 @@ void FusedFrame::fill_table(const Pose& pose) {
 // Weights sum to one up to what compression leaves out, so the log that all elements share is best not weighted at all: a
 // turn of the whole cage is then as exact as float, whatever the tolerance. (What the centres miss, the offsets hold, which
 // are made with the same weights.) During a drag the mean stays with the sums.
-void FusedFrame::choose_mean(std::span<const std::array<double, log_size>> entries) {
+void FusedFrame::choose_mean() {
   for (std::size_t i = 0; i < centre_column; ++i) {
     double sum = 0;
-    for (const auto& entry : entries) sum += entry[i];
-    mean_[i] = static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(entries.size(), 1)));
+    for (const auto& entry : entries_) sum += entry[i];
+    mean_[i] = static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(entries_.size(), 1)));
   }
 }
 
 // An element that no vertex of moved can still take another branch of its log.
 bool FusedFrame::others_stayed() const {
-  std::vector<bool> moving(binding_->handles);
-  for (const auto e : held_.moving) moving[e] = true;
-  for (std::size_t e = 0; e < moving.size(); ++e) {
+  auto moving = held_.moving.begin();
+  for (std::size_t e = 0; e < binding_->handles; ++e) {
+    if (moving != held_.moving.end() && *moving == e) {
+      ++moving;
+      continue;
+    }
     const auto row = table_.begin() + static_cast<std::ptrdiff_t>(e * log_size);
     const auto then = held_.table.begin() + static_cast<std::ptrdiff_t>(e * log_size);
-    if (!moving[e] && !std::equal(row, row + log_size, then)) return false;
+    if (!std::equal(row, row + log_size, then)) return false;
   }
   return true;
 }
 
 // Decides whether this frame adds to sums that are kept, and fills what it adds.
-void FusedFrame::follow_drag(const Elements& moved) {
+void FusedFrame::follow_drag() {
   dragging_ = false;
   if (!drag_ || binding_->coordinates != Coordinates::face) return;
   if (!held_.moving.empty()) {
-    const bool same = std::includes(held_.moving.begin(), held_.moving.end(), moved.begin(), moved.end());
+    const bool same = std::includes(held_.moving.begin(), held_.moving.end(), moved_.begin(), moved_.end());
     dragging_ = same && others_stayed();
     if (!dragging_) held_ = {};  // formed anew when the next frame moves something
-  } else if (!moved.empty() && few * moved.size() <= binding_->handles) {
-    hold(moved);
+  } else if (!moved_.empty() && few * moved_.size() <= binding_->handles) {
+    hold(moved_);
     dragging_ = true;
   }
   for (std::size_t m = 0; m < held_.moving.size(); ++m) {
@@ -185,6 +188,7 @@ void FusedFrame::hold(const Elements& moving) {
   held_.sums.resize(slots * log_size);
   held_.weights.resize(slots * held_.row_count());
   held_.rows.assign(held_.row_count() * log_size, 0.0f);
+  held_.still.resize(binding_->leaves.count());
   AlignedVector<float> others = table_;
   for (const auto j : moving) std::fill_n(others.begin() + static_cast<std::ptrdiff_t>(j * log_size), log_size, 0.0f);
   blend_skeleton(others.data());
@@ -203,7 +207,7 @@ void FusedFrame::pack_weights(std::size_t leaf, float* scratch) {
   TileRun<float> run = leaf_run(leaf, nullptr);
   AlignedVector<float> pivots(run.rows * log_size);
   const bool factored = b.compressed() && !b.factored[leaf].dense;
-  float* out = held_.weights.data() + begin * count;
+  float* const out = held_.weights.data() + begin * count;
   for (std::size_t m = 0; m < count; m += log_size) {
     for (std::size_t r = 0; r < run.rows; ++r) {
       for (std::size_t c = 0; c < log_size; ++c) {
@@ -222,6 +226,7 @@ void FusedFrame::pack_weights(std::size_t leaf, float* scratch) {
       std::copy_n(scratch + t * log_size * lanes, std::min(log_size, count - m) * lanes, out + (t * count + m) * lanes);
     }
   }
+  held_.still[leaf] = std::all_of(out, out + tiles * lanes * count, [](float w) { return w == 0; });
 }
 
 void FusedFrame::blend_skeleton(const float* table) {
@@ -246,7 +251,10 @@ TileRun<float> FusedFrame::leaf_run(std::size_t leaf, const float* table) const 
 void FusedFrame::place_vertices() {
   const TiledBinding& b = *binding_;
   const auto& tiles = kernel_.in_float;
+  const bool placed = dragging_ && std::exchange(held_.placed, true);
   for_leaves([&](std::size_t leaf) {
+    leaf_moved_[leaf] = !(placed && held_.still[leaf]);
+    if (!leaf_moved_[leaf]) return;
     const std::size_t begin = b.leaves.begin(leaf);
     TileRun<float> run = leaf_run(leaf, table_.data());
     if (dragging_) {
@@ -268,7 +276,7 @@ void FusedFrame::compute_normals() {
     const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
     const std::size_t first = r.places[leaf];
     kernel_.ring_vertices({positions_.data(), first, slots, r.places[leaf + 1] - first,
-                           std::min(slots, b.leaves.vertices - begin), r.halo.data() + (first - begin),
+                           std::min(slots, b.leaves.vertices - begin), leaf_moved_[leaf] != 0, r.halo.data() + (first - begin),
                            r.halo.size() - (first - begin), b.leaves.order.data() + begin, r.walk.data() + r.walk_starts[leaf],
                            r.lengths.data() + begin / ring_group, static_cast<float>(b.unit)},
                           vertices_.data());

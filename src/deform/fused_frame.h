@@ -50,10 +50,10 @@ private:
   using Elements = std::vector<std::uint32_t>;
 
   void fill_table(const Pose& pose);
-  void choose_mean(std::span<const std::array<double, log_size>> entries);
-  Elements moved_elements(const Pose& pose) const;
+  void choose_mean();
+  void find_moved(const Pose& pose);
   bool others_stayed() const;
-  void follow_drag(const Elements& moved);
+  void follow_drag();
   void hold(const Elements& moving);
   void pack_weights(std::size_t leaf, float* scratch);
   void blend_skeleton(const float* table);
@@ -71,12 +71,15 @@ private:
   std::vector<FaceMap> maps_;
   std::vector<MapSplit> splits_;
   std::vector<MapLog> logs_;
+  Elements moved_;                       // in this frame
+  std::vector<std::array<double, log_size>> entries_;  // [handle], what table_ is made of
   AlignedVector<float> table_;           // [handle][column], less the mean of its column
   std::array<float, log_size> mean_{};   // [column]
   AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
   AlignedVector<float> skeleton_table_;  // [pivot][column]
   AlignedVector<float> positions_;       // [place] of the rings, x y z x in units
   AlignedVector<FrameVertex> vertices_;
+  std::vector<std::uint8_t> leaf_moved_;  // [leaf] its slots, in this frame
   Vec3 origin_{0, 0, 0};
   std::vector<mesh::Point> pose_;  // of the last frame
   bool drag_ = false, dragging_ = false;  // a drag is on; this frame was part of it
@@ -91,6 +94,8 @@ private:
     AlignedVector<float> sums;     // [tile][column][lane], of the elements that do not move
     AlignedVector<float> weights;  // [tile][row][lane], of those that do
     AlignedVector<float> rows;     // their part of the table
+    std::vector<std::uint8_t> still;  // [leaf] has no weight on them
+    bool placed = false;              // a frame was computed from these sums
     std::size_t row_count() const { return moving.size(); }
   } held_;
 };

@@ -7,6 +7,7 @@
 #define VIETE_DEFORM_RING_KERNEL_INL_H
 #endif
 
+#include <cstring>
 
 #include "deform/frame_kernel.h"
 #include "sym3/lanes-inl.h"
@@ -54,6 +55,11 @@ static HWY_INLINE Points add_product(const Points& a, const Points& b, const Poi
 }
 static HWY_INLINE Points scaled(OnePoint, const Points& a, float s) {
   return {a.x * s, a.y * s, a.z * s, a.w * s};
+}
+
+static HWY_INLINE void store_vertices(OnePoint d, const Points& position, const Points& normal,
+                                      const std::uint32_t* order, FrameVertex* vertices) {
+  store(d, position, vertices[*order].position), store(d, normal, vertices[*order].normal);
 }
 
 // z x y 0 to unit x y z 0.
@@ -114,6 +120,29 @@ static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
   return hn::Mul(a, hn::Set(d, s));
 }
 
+// Pairs of blocks: a position and a normal make a vertex.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE void store_pairs(D d, const V& pairs, const std::uint32_t* order, FrameVertex* vertices) {
+  if constexpr (points(d) == 2) {
+    hn::Store(pairs, d, vertices[order[0]].position);
+  } else {
+    const hn::Half<D> half;
+    hn::Store(hn::LowerHalf(half, pairs), half, vertices[order[0]].position);
+    hn::Store(hn::UpperHalf(half, pairs), half, vertices[order[2]].position);
+  }
+}
+
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals, const std::uint32_t* order,
+                                      FrameVertex* vertices) {
+  if constexpr (points(d) == 1) {
+    store(d, positions, vertices[order[0]].position), store(d, normals, vertices[order[0]].normal);
+  } else {
+    store_pairs(d, hn::OddEvenBlocks(hn::SwapAdjacentBlocks(normals), positions), order, vertices);
+    store_pairs(d, hn::OddEvenBlocks(normals, hn::SwapAdjacentBlocks(positions)), order + 1, vertices);
+  }
+}
+
 // Lane k of a block: the sum of the lanes of that block of s[k].
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V block_sums(D d, const V (&s)[4]) {
@@ -152,46 +181,57 @@ static HWY_INLINE void normalise(D d, V (&areas)[4]) {
 
 #endif
 
-// Neighbours relative to the vertices, both ways round.
+// A sum of cross products, lanes z x y 0: two chains, so that the second need not wait for the first.
 template <class V>
-struct Spokes {
-  V plain, turned_left;
+struct Areas {
+  V plus, minus_part;
+
+  HWY_INLINE void add_cross(const V& a, const V& b) {
+    plus = add_product(a, turned(b), plus);
+    minus_part = add_product(turned(a), b, minus_part);
+  }
 };
 
-template <std::size_t floats, class D, class V, class Place>
-static HWY_INLINE Spokes<V> spokes(D d, const float* positions, const Place* walk, const V& self) {
-  const V plain = minus(self, gather<floats>(d, positions, walk));
-  return {plain, turned(plain)};
-}
-
-// Twice the area vectors around `self`, lanes z x y 0: two chains of sums, so that the second need not wait for the
-// first. A walk has `stride` numbers a step, each counting so many floats.
-template <std::size_t stride, std::size_t floats, class D, class V, class Place>
+// Twice the area vectors around `self`. Two triangles in a row make a quadrilateral, whose area is that of the cross
+// product of its diagonals: half as many products as triangles. A walk has `stride` numbers a step, each counting so many
+// floats; open ones have an odd number of steps.
+template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Place>
 static HWY_INLINE V areas_around(D d, const float* positions, const Place* walk, std::size_t length, const V& self) {
-  V plus = zero(d), minus_part = zero(d);
-  if (length == 0) return plus;
-  Spokes<V> from = spokes<floats>(d, positions, walk, self);
-#pragma GCC unroll 16
-  for (std::size_t i = 1; i < length; ++i) {
-    const Spokes<V> to = spokes<floats>(d, positions, walk + i * stride, self);
-    plus = add_product(from.plain, to.turned_left, plus);
-    minus_part = add_product(from.turned_left, to.plain, minus_part);
-    from = to;
+  Areas<V> areas{zero(d), zero(d)};
+  if (length == 0) return areas.plus;
+  const V first = gather<floats>(d, positions, walk);
+  V last = first;
+#pragma GCC unroll 8
+  for (std::size_t i = 1; i + 1 < length; i += 2) {
+    const V middle = gather<floats>(d, positions, walk + i * stride);
+    const V next = gather<floats>(d, positions, walk + (i + 1) * stride);
+    areas.add_cross(minus(middle, self), minus(next, last));
+    last = next;
   }
-  return minus(plus, minus_part);
+  if (closed && length % 2 == 0) {
+    const V middle = gather<floats>(d, positions, walk + (length - 1) * stride);
+    areas.add_cross(minus(middle, self), minus(first, last));
+  } else if (closed) {
+    areas.add_cross(minus(first, self), minus(self, last));
+  }
+  return minus(areas.plus, areas.minus_part);
 }
 
-// The usual lengths are known to the compiler, which unrolls them.
+// The usual rings are known to the compiler, which unrolls them.
 template <class D, class V>
 static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint16_t* walk, std::size_t length,
                                    const V& self) {
   constexpr std::size_t stride = ring_group, floats = walk_floats;
   switch (length) {
-    case 6: return areas_around<stride, floats>(d, positions, walk, 6, self);
-    case 7: return areas_around<stride, floats>(d, positions, walk, 7, self);
-    case 8: return areas_around<stride, floats>(d, positions, walk, 8, self);
-    default: return areas_around<stride, floats>(d, positions, walk, length, self);
+    case closed_ring + 4: return areas_around<true, stride, floats>(d, positions, walk, 4, self);
+    case closed_ring + 5: return areas_around<true, stride, floats>(d, positions, walk, 5, self);
+    case closed_ring + 6: return areas_around<true, stride, floats>(d, positions, walk, 6, self);
+    case closed_ring + 7: return areas_around<true, stride, floats>(d, positions, walk, 7, self);
+    case closed_ring + 8: return areas_around<true, stride, floats>(d, positions, walk, 8, self);
+    default: break;
   }
+  if (length < closed_ring) return areas_around<false, stride, floats>(d, positions, walk, length, self);
+  return areas_around<true, stride, floats>(d, positions, walk, length - closed_ring, self);
 }
 
 // Of 4 registers of slots from s on; `walk` goes on behind them.
@@ -203,19 +243,26 @@ static HWY_INLINE void next_areas(D d, const RingRun& run, const float* position
     const std::size_t slot = s + k * points(d);
     const std::size_t length = run.lengths[slot / ring_group];
     areas[k] = areas_of_group(d, positions, walk + slot % ring_group, length, load(d, positions + 4 * slot));
-    if ((slot + points(d)) % ring_group == 0) walk += ring_group * length;
+    if ((slot + points(d)) % ring_group == 0) walk += ring_group * (length % closed_ring);
   }
 }
 
-// From places of other leaves; those of the next leaf are on their way meanwhile.
-static HWY_INLINE void fill_halo(const RingRun& run) {
+// From places of other leaves; those of the next leaf are on their way meanwhile. Answers whether a bit changed.
+static HWY_INLINE bool fill_halo(const RingRun& run) {
   constexpr std::size_t ahead = 128;
   const OnePoint d;
   float* out = run.positions + 4 * (run.first + run.slots);
-  for (std::size_t i = 0; i < run.places - run.slots; ++i) {
+  const std::size_t count = run.places - run.slots;
+  if (!run.moved) {
+    std::size_t i = 0;
+    while (i < count && std::memcmp(run.positions + 4 * std::size_t(run.halo[i]), out + 4 * i, 4 * sizeof(float)) == 0) ++i;
+    if (i == count) return false;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
     if (i + ahead < run.halo_left) hwy::Prefetch(run.positions + 4 * std::size_t(run.halo[i + ahead]));
     store(d, load(d, run.positions + 4 * std::size_t(run.halo[i])), out + 4 * i);
   }
+  return true;
 }
 
 static HWY_INLINE void prefetch_vertices(const RingRun& run, std::size_t begin, std::size_t end,
@@ -223,42 +270,43 @@ static HWY_INLINE void prefetch_vertices(const RingRun& run, std::size_t begin, 
   for (std::size_t s = begin; s < end; ++s) hwy::Prefetch(vertices + run.order[s]);
 }
 
-static void ring_vertices(const RingRun& run, FrameVertex* HWY_RESTRICT vertices) {
-  constexpr std::size_t ahead = 32;  // slots; leaves are filled up to multiples of it
+// Slots [s, s + 4 registers) to vertices[order[0]], ...; `walk` goes on behind them.
+static HWY_INLINE void ring_registers(const RingRun& run, std::size_t s, const std::uint16_t*& walk,
+                                      const std::uint32_t* order, FrameVertex* vertices) {
   const ManyPoints d;
-  constexpr std::size_t at_once = 4 * points(d);
-  HWY_ALIGN float positions_out[4 * at_once], normals_out[4 * at_once];
-  fill_halo(run);
-  prefetch_vertices(run, 0, ahead, vertices);
   const float* positions = run.positions + 4 * run.first;
-  const std::uint16_t* walk = run.walk;
-  for (std::size_t s = 0; s < run.vertices; s += at_once) {
-    if (s + ahead < run.slots) prefetch_vertices(run, s + ahead, s + ahead + at_once, vertices);
-    decltype(zero(d)) areas[4];
-    next_areas(d, run, positions, s, walk, areas);
-    normalise(d, areas);
+  decltype(zero(d)) areas[4];
+  next_areas(d, run, positions, s, walk, areas);
+  normalise(d, areas);
 #pragma GCC unroll 4
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t at = 4 * k * points(d);
-      store(d, scaled(d, load(d, positions + 4 * s + at), run.unit), positions_out + at);
-      store(d, areas[k], normals_out + at);
-    }
-    const OnePoint one;
-    const std::uint32_t* order = run.order + s;
-    const std::size_t count = run.vertices - s < at_once ? run.vertices - s : at_once;
-    for (std::size_t i = 0; i < count; ++i) {
-      FrameVertex& out = vertices[order[i]];
-      store(one, load(one, positions_out + 4 * i), out.position);
-      store(one, load(one, normals_out + 4 * i), out.normal);
-    }
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t i = k * points(d);
+    store_vertices(d, scaled(d, load(d, positions + 4 * (s + i)), run.unit), areas[k], order + i, vertices);
   }
+}
+
+static void ring_vertices(const RingRun& run, FrameVertex* HWY_RESTRICT vertices) {
+  constexpr std::size_t ahead = 32, at_once = 4 * points(ManyPoints());  // leaves are filled up to multiples of 32 slots
+  if (!fill_halo(run)) return;
+  prefetch_vertices(run, 0, ahead, vertices);
+  const std::uint16_t* walk = run.walk;
+  std::size_t s = 0;
+  for (; s + at_once <= run.vertices; s += at_once) {
+    if (s + ahead < run.slots) prefetch_vertices(run, s + ahead, s + ahead + at_once, vertices);
+    ring_registers(run, s, walk, run.order + s, vertices);
+  }
+  if (s == run.vertices) return;
+  static constexpr std::uint32_t in_a_row[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  FrameVertex last[at_once];
+  ring_registers(run, s, walk, in_a_row, last);
+  for (std::size_t i = 0; s + i < run.vertices; ++i) vertices[run.order[s + i]] = last[i];
 }
 
 static void ring_hub(const float* positions, const std::uint32_t* walk, std::size_t length, std::uint32_t place,
                      FrameVertex& vertex) {
   const OnePoint d;
   const auto self = load(d, positions + 4 * std::size_t(place));
-  decltype(zero(d)) areas[4] = {areas_around<1, 4>(d, positions, walk, length, self), zero(d), zero(d), zero(d)};
+  decltype(zero(d)) areas[4] = {areas_around<false, 1, 4>(d, positions, walk, length, self), zero(d), zero(d), zero(d)};
   normalise(d, areas);
   store(d, areas[0], vertex.normal);
 }

@@ -125,14 +125,24 @@ private:
       make_walk(static_cast<std::uint32_t>(first + k), walks_[k]);
       longest = std::max(longest, walks_[k].size());
     }
-    for (std::size_t i = 0; i < longest; ++i) {
+    const bool closed = are_rings();
+    const std::size_t length = closed ? longest - 1 : longest | 1;
+    for (std::size_t i = 0; i < length; ++i) {
       for (std::size_t k = 0; k < ring_group; ++k) {
         const auto self = static_cast<std::uint32_t>(first + k);
         const std::uint32_t place = local(i < walks_[k].size() ? walks_[k][i] : self, begin, end);
         rings_.walk.push_back(static_cast<std::uint16_t>(4 / walk_floats * place));
       }
     }
-    rings_.lengths.push_back(static_cast<std::uint16_t>(longest));
+    rings_.lengths.push_back(static_cast<std::uint16_t>(length + (closed ? closed_ring : 0)));
+  }
+
+  // Of the same length and ending where they began.
+  bool are_rings() const {
+    const std::size_t size = walks_[0].size();
+    return size > 2 && std::all_of(walks_.begin(), walks_.end(), [=](const auto& walk) {
+             return walk.size() == size && walk.front() == walk.back();
+           });
   }
 
   void make_walk(std::uint32_t slot, std::vector<std::uint32_t>& walk) {
@@ -141,7 +151,9 @@ private:
     collect(slot);
     if (walker_.size() <= crowd) return walker_.walk(slot, walk);
     rings_.hubs.push_back({slot, 0, {}});
-    walker_.walk_each(slot, rings_.hubs.back().walk);
+    auto& around = rings_.hubs.back().walk;
+    walker_.walk_each(slot, around);
+    if (around.size() % 2 == 0) around.push_back(slot);
   }
 
   std::uint32_t place_of(std::uint32_t slot) const {

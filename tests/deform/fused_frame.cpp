@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
 #include "base/error.h"
 #include "deform/bound.h"
 
@@ -187,6 +191,50 @@ TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
     Fused fresh(staged, 1, viete::sym3::kernel(), tolerance);
     fresh.frame.deform(pose);
     CHECK(dragged.positions() == fresh.positions());
+  }
+}
+
+TEST_CASE("a_drag_leaves_alone_what_it_has_no_weight_on_and_the_border_gets_new_normals") {
+  constexpr std::size_t lanes = tile_lanes<float>, vertex = 40;
+  Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
+  viete::base::WorkerPool one(1), four(4);
+  auto binding = std::make_shared<TiledBinding>(bind_tiles(staged.model, *staged.cage, Coordinates::face, one, 0));
+  const auto& elements = staged.cage->surface.triangles;
+  for (std::size_t slot = 0; slot < 5 * leaf_slots; ++slot) {
+    float* weights = binding->weights.data() + slot / lanes * lanes * binding->handles + slot % lanes;
+    double sum = 0;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      if (std::find(elements[e].begin(), elements[e].end(), vertex) != elements[e].end()) weights[e * lanes] = 0;
+      sum += weights[e * lanes];
+    }
+    for (std::size_t e = 0; e < elements.size(); ++e) weights[e * lanes] = static_cast<float>(weights[e * lanes] / sum);
+  }
+  const auto bytes = [](const FusedFrame& frame) { return std::as_bytes(frame.vertices()); };
+  const auto distances = [](const FusedFrame& a, const FusedFrame& b) {
+    double position = 0, normal = 0;
+    for (std::size_t v = 0; v < a.vertices().size(); ++v) {
+      for (int i = 0; i < 3; ++i) {
+        const double p = a.vertices()[v].position[i] - b.vertices()[v].position[i] + (a.origin() - b.origin())[i];
+        position = std::max(position, std::fabs(p));
+        normal = std::max<double>(normal, std::fabs(a.vertices()[v].normal[i] - b.vertices()[v].normal[i]));
+      }
+    }
+    return std::pair(position, normal);
+  };
+  FusedFrame dragged(staged.cage, binding, one), by_threads(staged.cage, binding, four);
+  Random random(13);
+  Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -50 * degree, 50 * degree});
+  for (FusedFrame* frame : {&dragged, &by_threads}) frame->deform(pose), frame->set_dragging(true);
+  for (int step = 0; step < 6; ++step) {
+    pose.positions[vertex] = pose.positions[vertex] + random.vector(0.1);
+    for (FusedFrame* frame : {&dragged, &by_threads}) frame->deform(pose);
+    REQUIRE(dragged.dragging());
+    FusedFrame fresh(staged.cage, binding, one);
+    fresh.deform(pose);
+    const auto [position, normal] = distances(dragged, fresh);
+    CHECK(position < 1e-6 * staged.cage->diagonal);
+    CHECK(normal < 2e-4);
+    CHECK(std::equal(bytes(dragged).begin(), bytes(dragged).end(), bytes(by_threads).begin()));
   }
 }
 
