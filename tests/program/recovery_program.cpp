@@ -205,9 +205,12 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start") {
 
   Child again(desktop.viete(""), desktop.folder / "second.log");
   desktop.xdotool("search --sync --onlyvisible --name dragon");
-  std::this_thread::sleep_for(std::chrono::seconds(3));
-  desktop.xdotool("key ctrl+b");  // Restore
-  REQUIRE(wait_until([&] { return !fs::exists(leftovers[0].file); }, 20));
+  const auto restored = [&] {
+    desktop.xdotool("key ctrl+b");  // does nothing before there is something to restore, and afterwards
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    return !fs::exists(leftovers[0].file);
+  };
+  REQUIRE(wait_until(restored, 5));  // a hundred times
   const auto files = kept_files(desktop.folder / "state" / "viete");
   REQUIRE(files.size() == 1);
   CHECK(scene::read_session(files[0]).pose->positions == kept);

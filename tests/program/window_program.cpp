@@ -38,7 +38,7 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
 
   Desktop desktop;
   Child viewer(desktop.viete(""), desktop.folder / "viete.log");
-  desktop.xdotool("search --sync --onlyvisible --name Viete");
+  desktop.xdotool("search --sync --onlyvisible --name dragon");
   std::this_thread::sleep_for(std::chrono::seconds(3));
   desktop.drag(from, to);
   desktop.xdotool("mousemove 1430 20");
@@ -84,7 +84,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
   Child viewer("env DISPLAY=" + desktop.display + " WAYLAND_DISPLAY= sh -c 'cd \"" + desktop.folder.string() + "\" && exec \"" +
                    std::string(VIETE_BUILD_DIR) + "/viete\" --scale 1'",
                desktop.folder / "viete.log");
-  desktop.xdotool("search --sync --onlyvisible --name Viete");
+  desktop.xdotool("search --sync --onlyvisible --name dragon");
   std::this_thread::sleep_for(std::chrono::seconds(3));
   d.move({1000, 20});
   d.press_key('A');
