@@ -26,9 +26,11 @@ void print(const deform::TiledBinding& tiles, double seconds) {
   std::printf("bound %s vertices to %zu cage %s in %.2f s: %.1f MB", grouped(tiles.leaves.vertices).c_str(),
               tiles.handles, tiles.coordinates == deform::Coordinates::face ? "triangles" : "vertices",
               seconds, static_cast<double>(tiles.bytes()) * 1e-6);
-  if (tiles.compressed()) {
-    std::printf(", compressed to %g from %.1f MB", tiles.tolerance,
-                static_cast<double>(tiles.dense_bytes()) * 1e-6);
+  const double dense = static_cast<double>(tiles.dense_bytes()) * 1e-6;
+  if (tiles.compressed()) std::printf(", compressed to %g from %.1f MB", tiles.tolerance, dense);
+  if (tiles.has_lists()) {
+    std::printf(", in lists of %.0f %s on average, instead of %.1f MB", tiles.mean_rows(),
+                tiles.coordinates == deform::Coordinates::face ? "triangles" : "vertices", dense);
   }
   std::printf("\n");
 }

@@ -58,7 +58,7 @@ void ReferenceFrame::deform(const deform::Pose& pose) {
 }
 
 void ReferenceFrame::log_cage(const deform::Pose& pose) {
-  origin_ = deform::pose_origin(pose.positions);
+  origin_ = deform::pose_origin(cage_, pose.positions);
   deform::face_maps(cage_, pose.positions, maps_);
   deform::log_maps(cage_, maps_, pose.turns, logs_, report_);
   for (std::size_t j = 0; j < handles_.size(); ++j) {

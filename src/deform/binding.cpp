@@ -44,7 +44,7 @@ Vec3 offset(std::span<const Vec3> handles, const Vec3& origin, const mesh::Point
 // Weights of rows [begin, end); returns how many have no mean value coordinates.
 std::size_t fill_rows(const Cage& cage, std::size_t begin, std::size_t end, Binding& b) {
   const auto& handles = b.coordinates == Coordinates::mean_value ? cage.surface.positions : cage.centers;
-  const Vec3 origin = pose_origin(cage.surface.positions);
+  const Vec3 origin = middle(cage.surface.positions);
   std::size_t failed = 0;
   for (std::size_t i = begin; i < end; ++i) {
     const std::span<double> row(b.weights.data() + i * b.handles, b.handles);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <fstream>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,7 +29,7 @@ struct Header {
   std::array<char, 16> words = format;
   std::uint32_t order_of_bytes = byte_order, version = current_version;
   std::uint64_t model = 0, cage = 0, order = 0;  // checksums
-  std::uint32_t coordinates = 0, compressed = 0;
+  std::uint32_t coordinates = 0, storage = 0;
   std::uint64_t failed = 0;
   double reach = 0, tolerance = 0;
   std::uint64_t content = 0, itself = 0;  // checksums of what follows, and of what stands before
@@ -64,12 +65,15 @@ auto floats(Binding& b) {
 std::vector<std::uint32_t> ranks_of(const TiledBinding& b) {
   std::vector<std::uint32_t> ranks;
   for (const auto& f : b.factored) ranks.push_back(f.dense ? 0 : f.rank);
+  for (std::size_t leaf = 0; b.has_lists() && leaf < b.leaves.count(); ++leaf)
+    ranks.push_back(static_cast<std::uint32_t>(b.list(leaf).size()));
   return ranks;
 }
 
 std::uint64_t checksum(const TiledBinding& b, const std::vector<std::uint32_t>& ranks) {
   base::Checksum sum;
   sum.add(ranks.data(), ranks.size() * sizeof ranks[0]);
+  sum.add(b.listed.data(), b.listed.size() * sizeof b.listed[0]);
   for (const auto part : floats(b)) sum.add(part.data(), part.size_bytes());
   return sum.value();
 }
@@ -154,9 +158,28 @@ void set_ranks(const Reader& reader, const std::vector<std::uint32_t>& ranks, Ti
   }
 }
 
+// Handles of each list ascend: what they index is there.
+void read_lists(Reader& reader, const std::vector<std::uint32_t>& lengths, TiledBinding& b) {
+  b.list_starts = {0};
+  for (const auto length : lengths) {
+    if (length > b.handles) reader.fail("is damaged");
+    b.list_starts.push_back(b.list_starts.back() + length);
+  }
+  const std::size_t count = b.list_starts.back();
+  if (reader.left() < count * sizeof b.listed[0]) reader.fail("is cut short");
+  b.listed.resize(count);
+  reader.read(b.listed.data(), count * sizeof b.listed[0]);
+  for (std::size_t leaf = 0; leaf < lengths.size(); ++leaf) {
+    const auto list = b.list(leaf);
+    const bool ascending = std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
+    if (!ascending || (!list.empty() && list.back() >= b.handles)) reader.fail("is damaged");
+  }
+}
+
 // For weights or factors, once the file is as long as they are.
 void make_room(const Reader& reader, TiledBinding& b) {
-  const std::size_t weights = b.compressed() ? 0 : b.leaves.slot_count() * b.handles;
+  const std::size_t weights =
+      b.compressed() ? 0 : b.has_lists() ? b.listed_weights() : b.leaves.slot_count() * b.handles;
   const auto [factors, skeleton] = b.place_factors();
   reader.expect(sizeof(float) * (b.offsets.size() + weights + factors + skeleton));
   require_memory(static_cast<double>(reader.left()), b.leaves.vertices, b.handles);
@@ -184,7 +207,7 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
            .cage = checksum(cage.surface),
            .order = checksum(b.leaves.order),
            .coordinates = static_cast<std::uint32_t>(b.coordinates),
-           .compressed = b.compressed(),
+           .storage = static_cast<std::uint32_t>(b.storage()),
            .failed = b.failed,
            .reach = b.reach,
            .tolerance = b.tolerance,
@@ -195,6 +218,7 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
   };
   std::vector<std::string_view> parts = {bytes(&h, sizeof h),
                                          bytes(ranks.data(), ranks.size() * sizeof ranks[0])};
+  parts.push_back(bytes(b.listed.data(), b.listed.size() * sizeof b.listed[0]));
   for (const auto part : floats(b)) parts.push_back(bytes(part.data(), part.size_bytes()));
   base::replace_file(file, parts, outlives);
 }
@@ -206,10 +230,12 @@ TiledBinding read_binding(const fs::path& file, const mesh::Surface& model, cons
   require_same(reader, h, model, cage, weighting);
   TiledBinding b = lay_out(model, cage, weighting);
   if (h.order != checksum(b.leaves.order)) reader.stale("this program orders the vertices in another way");
-  std::vector<std::uint32_t> ranks(h.compressed ? b.leaves.count() : 0);
+  const auto storage = static_cast<Storage>(h.storage);
+  std::vector<std::uint32_t> ranks(storage == Storage::dense ? 0 : b.leaves.count());
   if (reader.left() < ranks.size() * sizeof ranks[0]) reader.fail("is cut short");
   reader.read(ranks.data(), ranks.size() * sizeof ranks[0]);
-  set_ranks(reader, ranks, b);
+  if (storage == Storage::factors) set_ranks(reader, ranks, b);
+  if (storage == Storage::lists) read_lists(reader, ranks, b);
   make_room(reader, b);
   for (const auto part : floats(b)) reader.read(part.data(), part.size_bytes());
   if (h.content != checksum(b, ranks)) reader.fail("is damaged");

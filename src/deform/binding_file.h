@@ -24,8 +24,9 @@ std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, Weightin
 /// Saves the weights and what stands for them; what follows from model and cage alone is left out. The file
 /// holds numbers as this machine stores them:
 ///   header    words that say what it is, version, byte order; checksums of model, cage and the order of the
-///             vertices; coordinates, reach, tolerance; checksums of what follows and of itself
-///   ranks     32 bits a leaf, 0: dense (compressed bindings only)
+///             vertices; coordinates, reach, storage, tolerance; checksums of what follows and of itself
+///   ranks     32 bits a leaf: compressed bindings, 0: dense; with lists, their lengths
+///   listed    32 bits a handle, leaf by leaf (with lists only)
 ///   floats    offsets, weights, factors, skeleton, as in TiledBinding
 /// binding must be of this model and cage. Atomic. Throws base::Error.
 void write_binding(const std::filesystem::path& file, const TiledBinding& binding, const mesh::Surface& model,

@@ -167,7 +167,7 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
 
 void Deformer::deform_faces(const Pose& pose, sym3::Method method) {
   base::Stopwatch watch;
-  const Vec3 origin = pose_origin(pose.positions);
+  const Vec3 origin = pose_origin(*cage_, pose.positions);
   face_maps(*cage_, pose.positions, maps_);
   times_[Link::face_maps] = watch.lap_ms();
   log_maps(*cage_, maps_, pose.turns, logs_, report_);
@@ -188,7 +188,7 @@ void Deformer::deform_faces(const Pose& pose, sym3::Method method) {
 
 void Deformer::deform_mean_value(const Pose& pose) {
   base::Stopwatch watch;
-  const Vec3 origin = pose_origin(pose.positions);
+  const Vec3 origin = pose_origin(*cage_, pose.positions);
   for (std::size_t i = 0; i < posed_.size(); ++i) posed_[i] = pose.positions[i] - origin;
   pool_.for_blocks(binding_->vertices, vertices_per_block, [&](std::size_t begin, std::size_t end) {
     blend_positions(*binding_, posed_, origin, begin, end, positions_);

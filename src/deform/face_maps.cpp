@@ -49,6 +49,24 @@ Frame inverse(const Frame& f) {
   return {(s / a2) * cross(v, area), (s / a2) * cross(area, u), (s / (a2 / std::sqrt(std::sqrt(a2)))) * area};
 }
 
+struct Box {
+  Vec3 low, high;
+
+  Vec3 middle() const { return 0.5 * low + 0.5 * high; }
+  double longest_side() const { return largest_abs(high - low); }
+};
+
+Box box_of(std::span<const mesh::Point> positions) {
+  Box box{positions[0], positions[0]};
+  for (const auto& p : positions) {
+    for (int i = 0; i < 3; ++i) {
+      box.low[i] = std::min(box.low[i], p[i]);
+      box.high[i] = std::max(box.high[i], p[i]);
+    }
+  }
+  return box;
+}
+
 double squared_size(const Frame& f) {
   return squared_norm(f.u) + squared_norm(f.v);
 }
@@ -70,15 +88,18 @@ sym3::Mat3<double> linear_map(const Frame& rest, const Frame& posed) {
 
 }  // namespace
 
-Vec3 pose_origin(std::span<const mesh::Point> posed) {
-  Vec3 low = posed[0], high = posed[0];
-  for (const auto& p : posed) {
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
-    }
-  }
-  return 0.5 * low + 0.5 * high;
+Vec3 middle(std::span<const mesh::Point> positions) {
+  return box_of(positions).middle();
+}
+
+Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed) {
+  const Box rest = box_of(cage.surface.positions), pose = box_of(posed);
+  const double size = std::min(rest.longest_side(), pose.longest_side());
+  const double step = size > 0 ? std::exp2(std::floor(std::log2(size))) : 0;
+  Vec3 origin = rest.middle();
+  const Vec3 way = pose.middle() - origin;
+  for (int i = 0; i < 3; ++i) origin[i] += step * std::round(way[i] / step);
+  return std::isfinite(squared_norm(origin)) ? origin : pose.middle();
 }
 
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps) {
@@ -90,7 +111,7 @@ void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<F
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<const std::uint32_t> moved,
                std::span<FaceMap> maps) {
   const std::span<const mesh::Point> rest = cage.surface.positions;
-  const Vec3 origin = pose_origin(posed);
+  const Vec3 origin = pose_origin(cage, posed);
   for (std::size_t e = 0; e < maps.size(); ++e) {
     const auto& t = cage.surface.triangles[e];
     maps[e].center = (1.0 / 3) * ((posed[t[0]] - origin) + (posed[t[1]] - origin) + (posed[t[2]] - origin));

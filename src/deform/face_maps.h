@@ -14,9 +14,14 @@ struct FaceMap {
   Vec3 center;  ///< posed centroid minus the pose's origin
 };
 
-/// The middle of the pose's bounding box. Posed centroids are taken relative to it, so that blending them
-/// loses nothing when the pose is far from the origin of the axes.
-Vec3 pose_origin(std::span<const mesh::Point> posed);
+/// The middle of a bounding box: of a rest cage, where poses have their origin too while they stay near.
+Vec3 middle(std::span<const mesh::Point> positions);
+
+/// What a pose's positions are taken relative to, so that blending them loses nothing when the pose is far from
+/// the origin of the axes: the middle of the rest cage, plus the way to the pose's middle in steps of about half
+/// the cage. A pose that is edited keeps its origin, but for large steps, and so what the edit does not reach
+/// keeps its bits.
+Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
 /// linear = [u' v' n'][u v n]^-1 with u, v two edges and n = N / sqrt|N|, N = u x v. Reproduces similarities;
 /// exactly I for an element that did not move, and for degenerate rest elements. A posed element without area

@@ -52,8 +52,8 @@ static HWY_INLINE void load_base(const TileRun<T>& run, std::size_t group, Sums<
 }
 
 // The product of the frame: sums += weights * table, the sums held in registers.
-template <class T, std::size_t Columns>
-static HWY_INLINE void blend_group(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& sums) {
+template <bool Listed, class T, std::size_t Columns>
+static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& sums) {
   const Tag<T> d;
   using V = hn::Vec<Tag<T>>;
   constexpr std::size_t ahead = 1024 / sizeof(T);
@@ -67,8 +67,8 @@ static HWY_INLINE void blend_group(const TileRun<T>& run, std::size_t group, Sum
   const T* weights[vectors_at_once];
 #pragma GCC unroll 2
   for (int v = 0; v < vectors_at_once; ++v) weights[v] = run.weights + place<T>(group + v, run.rows);
-  const T* entry = run.table;
-  for (std::size_t j = 0; j < run.rows; ++j, entry += Columns) {
+  for (std::size_t j = 0; j < run.rows; ++j) {
+    const T* entry = run.table + Columns * (Listed ? run.listed[j] : j);
     V w[vectors_at_once];
 #pragma GCC unroll 2
     for (int v = 0; v < vectors_at_once; ++v) {
@@ -87,6 +87,12 @@ static HWY_INLINE void blend_group(const TileRun<T>& run, std::size_t group, Sum
 #pragma GCC unroll 12
     for (std::size_t c = 0; c < Columns; ++c) sums[v][c] = s[v][c];
   }
+}
+
+template <class T, std::size_t Columns>
+static HWY_INLINE void blend_group(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& sums) {
+  if (run.listed) return blend_rows<true, T, Columns>(run, group, sums);
+  blend_rows<false, T, Columns>(run, group, sums);
 }
 
 template <class T>

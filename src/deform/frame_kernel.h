@@ -30,11 +30,12 @@ inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
 template <class T>
 struct TileRun {
   std::size_t tiles = 0;       ///< even
-  std::size_t rows = 0;        ///< of the table
+  std::size_t rows = 0;        ///< of weights
   const T* weights = nullptr;  ///< [tile][row][lane]
   const T* table = nullptr;    ///< [row][column], 12 or 3 columns
   const T* base = nullptr;     ///< sums to start from, [tile][column][lane]; null: zero
   const T* mean = nullptr;     ///< [9], what `deform` adds to the blended logs; null: zero
+  const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: in order
 };
 
 /// One leaf: its places, x y z x each, slots first; the halo is filled from other leaves' slots.

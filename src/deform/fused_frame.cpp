@@ -1,6 +1,7 @@
 #include "deform/fused_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/clock.h"
@@ -56,7 +57,7 @@ void FusedFrame::deform(const Pose& pose) {
   base::Stopwatch watch;
   find_moved(pose);
   const bool held = drag_ && !held_.moving.empty();
-  origin_ = held ? held_.origin : pose_origin(pose.positions);
+  origin_ = held ? held_.origin : pose_origin(*cage_, pose.positions);
   if (binding_->coordinates == Coordinates::face) {
     face_maps(*cage_, pose.positions, moved_, maps_);
     times_[Link::face_maps] = watch.lap_ms();
@@ -82,7 +83,7 @@ void FusedFrame::deform(const Pose& pose) {
 std::vector<mesh::Point> FusedFrame::in_double(const Binding& part) const {
   const std::size_t n = part.offsets.size();
   std::vector<mesh::Point> positions(n);
-  const Vec3 origin = pose_origin(pose_);
+  const Vec3 origin = pose_origin(*cage_, pose_);
   if (part.coordinates == Coordinates::mean_value) {
     std::vector<Vec3> posed;
     for (const auto& p : pose_) posed.push_back(p - origin);
@@ -138,12 +139,14 @@ void FusedFrame::fill_table(const Pose& pose) {
 
 // Weights sum to one up to what compression leaves out, so the log that all elements share is best not weighted at all: a
 // turn of the whole cage is then as exact as float, whatever the tolerance. (What the centres miss, the offsets hold, which
-// are made with the same weights.) During a drag the mean stays with the sums.
+// are made with the same weights.) During a drag the mean stays with the sums. Where nothing is left out something near it
+// does, which an edit leaves as it is, and with it the bits of all that the edit does not reach.
 void FusedFrame::choose_mean() {
   for (std::size_t i = 0; i < centre_column; ++i) {
     double sum = 0;
     for (const auto& entry : entries_) sum += entry[i];
-    mean_[i] = static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(entries_.size(), 1)));
+    const double mean = sum / static_cast<double>(std::max<std::size_t>(entries_.size(), 1));
+    mean_[i] = static_cast<float>(binding_->compressed() ? mean : 0.5 * std::round(2 * mean));
   }
 }
 
@@ -186,22 +189,53 @@ void FusedFrame::hold(const Elements& moving) {
   held_.table = table_;
   held_.origin = origin_;
   held_.sums.resize(slots * log_size);
-  held_.weights.resize(slots * held_.row_count());
+  held_.weights.resize(list_moving());
   held_.rows.assign(held_.row_count() * log_size, 0.0f);
-  held_.still.resize(binding_->leaves.count());
   AlignedVector<float> others = table_;
   for (const auto j : moving) std::fill_n(others.begin() + static_cast<std::ptrdiff_t>(j * log_size), log_size, 0.0f);
   blend_skeleton(others.data());
   for_leaves([&](std::size_t leaf) {
+    if (held_.row_count(leaf) == 0) return;
     kernel_.in_float.blend(leaf_run(leaf, others.data()), held_.sums.data() + binding_->leaves.begin(leaf) * log_size);
     AlignedVector<float> scratch(leaf_slots * log_size);
     pack_weights(leaf, scratch.data());
   });
 }
 
+// Which of the moving elements have weight in each leaf. Returns how many weights that makes.
+std::size_t FusedFrame::list_moving() {
+  const TiledBinding& b = *binding_;
+  held_.starts = {0};
+  std::size_t weights = 0;
+  for (std::size_t leaf = 0; leaf < b.leaves.count(); ++leaf) {
+    for (std::uint32_t m = 0; m < held_.moving.size(); ++m) {
+      if (!b.has_lists() || std::ranges::binary_search(b.list(leaf), held_.moving[m])) held_.listed.push_back(m);
+    }
+    held_.starts.push_back(held_.listed.size());
+    weights += (b.leaves.end(leaf) - b.leaves.begin(leaf)) * held_.row_count(leaf);
+  }
+  return weights;
+}
+
+void FusedFrame::pack_listed(std::size_t leaf) {
+  const TiledBinding& b = *binding_;
+  const auto list = b.list(leaf);
+  const std::size_t count = held_.row_count(leaf), rows = list.size();
+  const float* from = b.weights.data() + b.first_weight(leaf);
+  float* out = held_.weights.data() + leaf_slots * held_.starts[leaf];
+  for (std::size_t m = 0; m < count; ++m) {
+    const auto handle = held_.moving[held_.listed[held_.starts[leaf] + m]];
+    const auto row = static_cast<std::size_t>(std::ranges::lower_bound(list, handle) - list.begin());
+    for (std::size_t t = 0; t < (b.leaves.end(leaf) - b.leaves.begin(leaf)) / lanes; ++t) {
+      std::copy_n(from + (t * rows + row) * lanes, lanes, out + (t * count + m) * lanes);
+    }
+  }
+}
+
 // The columns of the moving elements: copied, or, where the leaf has factors, blended of its pivots' like logs.
 void FusedFrame::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;
+  if (b.has_lists()) return pack_listed(leaf);
   const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
   const std::size_t count = held_.row_count();
   TileRun<float> run = leaf_run(leaf, nullptr);
@@ -226,7 +260,6 @@ void FusedFrame::pack_weights(std::size_t leaf, float* scratch) {
       std::copy_n(scratch + t * log_size * lanes, std::min(log_size, count - m) * lanes, out + (t * count + m) * lanes);
     }
   }
-  held_.still[leaf] = std::all_of(out, out + tiles * lanes * count, [](float w) { return w == 0; });
 }
 
 void FusedFrame::blend_skeleton(const float* table) {
@@ -242,7 +275,11 @@ void FusedFrame::blend_skeleton(const float* table) {
 TileRun<float> FusedFrame::leaf_run(std::size_t leaf, const float* table) const {
   const TiledBinding& b = *binding_;
   const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
-  if (!b.compressed()) return {tiles, b.handles, b.weights.data() + begin * b.handles, table, nullptr};
+  if (!b.compressed()) {
+    const float* weights = b.weights.data() + b.first_weight(leaf);
+    if (!b.has_lists()) return {tiles, b.handles, weights, table};
+    return {tiles, b.list(leaf).size(), weights, table, nullptr, nullptr, b.list(leaf).data()};
+  }
   const LeafFactors& f = b.factored[leaf];
   const float* rows = f.dense ? table : skeleton_table_.data() + f.pivots * log_size;
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
@@ -253,14 +290,14 @@ void FusedFrame::place_vertices() {
   const auto& tiles = kernel_.in_float;
   const bool placed = dragging_ && std::exchange(held_.placed, true);
   for_leaves([&](std::size_t leaf) {
-    leaf_moved_[leaf] = !(placed && held_.still[leaf]);
+    leaf_moved_[leaf] = !(placed && held_.row_count(leaf) == 0);
     if (!leaf_moved_[leaf]) return;
     const std::size_t begin = b.leaves.begin(leaf);
     TileRun<float> run = leaf_run(leaf, table_.data());
-    if (dragging_) {
-      const std::size_t rows = held_.row_count();
-      run = {run.tiles, rows, held_.weights.data() + begin * rows, held_.rows.data(),
-             held_.sums.data() + begin * log_size};
+    if (dragging_ && held_.row_count(leaf) > 0) {
+      const std::size_t start = held_.starts[leaf];
+      run = {run.tiles, held_.row_count(leaf), held_.weights.data() + leaf_slots * start, held_.rows.data(),
+             held_.sums.data() + begin * log_size, nullptr, held_.listed.data() + start};
     }
     run.mean = mean_.data();
     const float* offsets = b.offsets.data() + begin * position_size;

@@ -16,7 +16,11 @@ namespace viete::deform {
 /// binding's tolerance where that is compressed.
 ///
 /// Dragging costs what moved: the first frame of a drag forms the sums of all elements that do not move and keeps
-/// them, and from then on only the columns that move are added. Nothing accumulates.
+/// them, and from then on only the columns that move are added. Nothing accumulates. Leaves whose lists have none of
+/// the elements that move are left alone.
+///
+/// Unless weights are compressed, vertices that the moved elements do not reach keep their bits, in a drag and in full
+/// frames, as long as the pose as a whole stays about where it is (see pose_origin) and the mean of its logs too.
 ///
 /// Not thread-safe; everything that grows with the model is allocated in the constructor, or when a drag begins.
 /// Results are bit-identical for any number of threads, and depend on the pose alone but for the rounding of float
@@ -55,6 +59,8 @@ private:
   bool others_stayed() const;
   void follow_drag();
   void hold(const Elements& moving);
+  std::size_t list_moving();
+  void pack_listed(std::size_t leaf);
   void pack_weights(std::size_t leaf, float* scratch);
   void blend_skeleton(const float* table);
   TileRun<float> leaf_run(std::size_t leaf, const float* table) const;
@@ -91,12 +97,14 @@ private:
     Elements moving;
     AlignedVector<float> table;    // when it was formed
     Vec3 origin{0, 0, 0};
-    AlignedVector<float> sums;     // [tile][column][lane], of the elements that do not move
-    AlignedVector<float> weights;  // [tile][row][lane], of those that do
+    std::vector<std::size_t> starts;    // in `listed`, one more than leaves
+    std::vector<std::uint32_t> listed;  // which of those that move have weight in a leaf, leaf by leaf
+    AlignedVector<float> sums;     // [tile][column][lane], of the elements that do not move; of leaves that others move
+    AlignedVector<float> weights;  // [tile][row][lane], of those that do, in the order of `listed`
     AlignedVector<float> rows;     // their part of the table
-    std::vector<std::uint8_t> still;  // [leaf] has no weight on them
-    bool placed = false;              // a frame was computed from these sums
+    bool placed = false;           // a frame was computed from these: leaves without rows stay as they are
     std::size_t row_count() const { return moving.size(); }
+    std::size_t row_count(std::size_t leaf) const { return starts[leaf + 1] - starts[leaf]; }
   } held_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t lanes = tile_lanes<float>;
 constexpr std::size_t fewest_handles = 32;  // to compress
-constexpr double worth_factoring = 0.7;     // of the dense frame's multiply-adds
+constexpr double worth_factoring = 0.7;     // of the multiply-adds without, for what it leaves out
 
 std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   std::vector<std::uint32_t> counts(model.positions.size());
@@ -37,6 +37,17 @@ struct LeafResult {
   std::vector<float> pivot_rows;  // [pivot][handle]
 };
 
+/// Of a leaf, where weights are kept as lists.
+struct LeafList {
+  std::vector<std::uint32_t> handles;
+  AlignedVector<float> rows;  // [tile][place in the list][lane]
+};
+
+/// Multiply-adds of a frame over those of a dense one.
+struct Shares {
+  double factors = 1, lists = 1;
+};
+
 class Binder {
 public:
   Binder(const mesh::Surface& model, const Cage& cage, Weighting weighting, base::WorkerPool& pool,
@@ -47,16 +58,25 @@ public:
         progress_(progress),
         b_(lay_out(model, cage, weighting)) {}
 
-  TiledBinding bind(double tolerance) {
-    require(worth_sampling(tolerance) ? 0.25 : 1);
-    const double share = worth_sampling(tolerance) ? sampled_share(tolerance) : 1;
-    const bool compress = share < worth_factoring;
-    require(compress ? 2 * share : 1);
-    if (compress) {
-      b_.tolerance = tolerance;
-      bind_factors(tolerance);
-    } else {
-      bind_dense();
+  TiledBinding bind(double tolerance, std::optional<Storage> wanted) {
+    const bool sample = worth_sampling(tolerance) || b_.weighting().local();
+    require(sample ? 0.25 : 1);
+    const Shares shares = sample ? sampled_shares(tolerance) : Shares();
+    const double lossless = std::min(shares.lists, 1.0);
+    const bool compress = shares.factors < worth_factoring * lossless;
+    switch (wanted.value_or(compress ? Storage::factors : shares.lists < 1 ? Storage::lists : Storage::dense)) {
+      case Storage::factors:
+        require(2 * shares.factors);
+        b_.tolerance = tolerance;
+        bind_factors(tolerance);
+        break;
+      case Storage::lists:
+        require(2 * shares.lists);
+        bind_lists();
+        break;
+      case Storage::dense:
+        require(1);
+        bind_dense();
     }
     return std::move(b_);
   }
@@ -132,18 +152,73 @@ private:
     return result;
   }
 
-  // Multiply-adds of a compressed frame over those of a dense one, from up to eight leaves.
-  double sampled_share(double tolerance) const {
+  // From up to eight leaves.
+  Shares sampled_shares(double tolerance) const {
     const std::size_t count = std::min<std::size_t>(8, b_.leaves.count());
-    std::atomic<std::size_t> work{0}, dense{0};
+    std::atomic<std::size_t> factors{0}, lists{0}, dense{0};
     pool_.for_blocks(count, 1, [&](std::size_t n, std::size_t) {
       const std::size_t leaf = n * b_.leaves.count() / count;
-      LeafWeights weights;
-      const std::size_t rank = factor(leaf, tolerance, weights).factors.pivots.size();
-      work += rank ? rank * (slots(leaf) + b_.handles) : slots(leaf) * b_.handles;
+      LeafWeights w;
+      std::size_t rank = 0;
+      if (worth_sampling(tolerance)) {
+        rank = factor(leaf, tolerance, w).factors.pivots.size();
+      } else {
+        w.rows.resize(slots(leaf) * b_.handles);
+        weigh(leaf, w.rows.data(), w.sums);
+      }
+      factors += rank ? rank * (slots(leaf) + b_.handles) : slots(leaf) * b_.handles;
+      lists += slots(leaf) * handles_in(leaf, w.rows).size();
       dense += slots(leaf) * b_.handles;
     });
-    return static_cast<double>(work) / static_cast<double>(dense);
+    const auto all = static_cast<double>(dense);
+    return {static_cast<double>(factors) / all, static_cast<double>(lists) / all};
+  }
+
+  // Those that have weight somewhere in the leaf.
+  std::vector<std::uint32_t> handles_in(std::size_t leaf, const AlignedVector<float>& rows) const {
+    std::vector<std::uint32_t> handles;
+    for (std::uint32_t j = 0; j < b_.handles; ++j) {
+      bool any = false;
+      for (std::size_t t = 0; t < slots(leaf) / lanes && !any; ++t) {
+        const float* line = rows.data() + (t * b_.handles + j) * lanes;
+        any = std::any_of(line, line + lanes, [](float w) { return w != 0; });
+      }
+      if (any) handles.push_back(j);
+    }
+    return handles;
+  }
+
+  LeafList list_leaf(std::size_t leaf, LeafWeights& w) const {
+    w.rows.resize(slots(leaf) * b_.handles);
+    weigh(leaf, w.rows.data(), w.sums);
+    LeafList list{handles_in(leaf, w.rows), {}};
+    const std::size_t count = list.handles.size();
+    list.rows.resize(slots(leaf) * count);
+    for (std::size_t t = 0; t < slots(leaf) / lanes; ++t) {
+      for (std::size_t r = 0; r < count; ++r) {
+        std::copy_n(w.rows.data() + (t * b_.handles + list.handles[r]) * lanes, lanes,
+                    list.rows.data() + (t * count + r) * lanes);
+      }
+    }
+    return list;
+  }
+
+  void bind_lists() {
+    std::vector<LeafList> lists(b_.leaves.count());
+    for_leaves([&](std::size_t leaf) {
+      LeafWeights w;
+      lists[leaf] = list_leaf(leaf, w);
+      for (std::size_t s = 0; s < slots(leaf); ++s) set_offset(b_.leaves.begin(leaf) + s, w.sums[s]);
+    });
+    b_.list_starts = {0};
+    for (const auto& list : lists) b_.list_starts.push_back(b_.list_starts.back() + list.handles.size());
+    b_.weights.resize(b_.listed_weights());
+    for (std::size_t leaf = 0; leaf < lists.size(); ++leaf) {
+      b_.listed.insert(b_.listed.end(), lists[leaf].handles.begin(), lists[leaf].handles.end());
+      std::copy(lists[leaf].rows.begin(), lists[leaf].rows.end(),
+                b_.weights.begin() + static_cast<std::ptrdiff_t>(b_.first_weight(leaf)));
+      lists[leaf] = {};
+    }
   }
 
   void bind_factors(double tolerance) {
@@ -205,11 +280,24 @@ bool compressible(std::size_t vertices, std::size_t handles) {
 }
 
 std::size_t TiledBinding::bytes() const {
-  return sizeof(float) * (weights.size() + offsets.size() + factors.size() + skeleton.size());
+  return sizeof(float) * (weights.size() + offsets.size() + factors.size() + skeleton.size()) +
+         sizeof(std::uint32_t) * listed.size();
 }
 
 std::size_t TiledBinding::dense_bytes() const {
   return sizeof(float) * (leaves.slot_count() * handles + offsets.size());
+}
+
+std::size_t TiledBinding::listed_weights() const {
+  std::size_t sum = 0;
+  for (std::size_t leaf = 0; leaf < leaves.count(); ++leaf) {
+    sum += (leaves.end(leaf) - leaves.begin(leaf)) * list(leaf).size();
+  }
+  return sum;
+}
+
+double TiledBinding::mean_rows() const {
+  return static_cast<double>(weights.size()) / static_cast<double>(leaves.slot_count());
 }
 
 TiledBinding::Sizes TiledBinding::place_factors() {
@@ -238,8 +326,9 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Weighting wei
 }
 
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Weighting weighting,
-                        base::WorkerPool& pool, double tolerance, base::Progress* progress) {
-  return Binder(model, cage, weighting, pool, progress).bind(tolerance);
+                        base::WorkerPool& pool, double tolerance, base::Progress* progress,
+                        std::optional<Storage> storage) {
+  return Binder(model, cage, weighting, pool, progress).bind(tolerance, storage);
 }
 
 }  // namespace viete::deform

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "base/progress.h"
@@ -16,6 +18,13 @@ namespace viete::deform {
 /// What compression may change: largest distance of a vertex's weights from what stands for them, root of the sum of
 /// squares. Positions then move by a tenth to a half as many diagonals.
 inline constexpr double usual_tolerance = 3e-5;
+
+/// How weights are kept.
+enum class Storage {
+  dense,    ///< of every handle at every vertex
+  factors,  ///< compressed, see LeafFactors
+  lists,    ///< of the handles that have any in a leaf: nothing is lost
+};
 
 /// The weights of a leaf as factors of those of some of its vertices, its pivots: the logs of the pivots are blended
 /// first, and those of the others are blended of them. (Block low rank by row interpolative decomposition.)
@@ -38,13 +47,32 @@ struct TiledBinding {
   double unit = 1;      ///< a power of two near the cage's diagonal: lengths are stored as multiples of it
   double tolerance = 0;  ///< of the compression; 0: none
   AlignedVector<float> offsets;  ///< [tile][3][lane], in units
-  AlignedVector<float> weights;  ///< [tile][handle][lane]; empty if compressed
+  /// [tile][handle][lane], with lists [tile][place in the list][lane]; empty if compressed
+  AlignedVector<float> weights;
+  std::vector<std::size_t> list_starts;  ///< in `listed`, one more than leaves; empty without lists
+  std::vector<std::uint32_t> listed;     ///< the handles that have weight in a leaf, ascending, leaf by leaf
   std::vector<LeafFactors> factored;  ///< one a leaf; empty if not compressed
   AlignedVector<float> factors;
   AlignedVector<float> skeleton;  ///< the pivots' weights, [tile][handle][lane], an even number of tiles
 
   Weighting weighting() const { return {coordinates, reach}; }
   bool compressed() const { return !factored.empty(); }
+  bool has_lists() const { return !list_starts.empty(); }
+  Storage storage() const {
+    return compressed() ? Storage::factors : has_lists() ? Storage::lists : Storage::dense;
+  }
+  /// Requires lists.
+  std::span<const std::uint32_t> list(std::size_t leaf) const {
+    return std::span(listed).subspan(list_starts[leaf], list_starts[leaf + 1] - list_starts[leaf]);
+  }
+  /// Where the weights of a leaf begin. Requires that they are not compressed.
+  std::size_t first_weight(std::size_t leaf) const {
+    return has_lists() ? leaf_slots * list_starts[leaf] : leaves.begin(leaf) * handles;
+  }
+  /// How many weights the lists ask for.
+  std::size_t listed_weights() const;
+  /// Handles that a vertex blends on average: handles, or the length of its leaf's list.
+  double mean_rows() const;
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
   std::size_t bytes() const;       ///< of weights and what stands for them: read once a frame
   std::size_t dense_bytes() const;  ///< what they would take without compression
@@ -63,11 +91,12 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Weighting wei
 bool compressible(std::size_t vertices, std::size_t handles);
 
 /// Weights leaf by leaf, in parallel; the full matrix of doubles never exists, nor, compressed, that of floats.
-/// Compressed by `tolerance` (0: never) where a sample of leaves says that frames become cheaper by it. The same bits
-/// for any number of threads. Throws base::Cancelled; throws base::Error when the memory that is free now would not
-/// suffice, or when the model has no vertices.
+/// What a reach leaves out is kept as lists, and weights are compressed by `tolerance` (0: never), where a sample of
+/// leaves says that frames become cheaper by it, or as `storage` says. The same bits for any number of threads. Throws
+/// base::Cancelled; throws base::Error when the memory that is free now would not suffice, or when the model has no
+/// vertices.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Weighting weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
-                        base::Progress* progress = nullptr);
+                        base::Progress* progress = nullptr, std::optional<Storage> storage = {});
 
 }  // namespace viete::deform

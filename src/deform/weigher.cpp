@@ -42,7 +42,7 @@ Weigher::Weigher(const Cage& cage, Weighting weighting, const sym3::Kernel& kern
     : cage_(cage),
       weighting_(weighting),
       kernel_(bind_kernel(kernel)),
-      origin_(pose_origin(cage.surface.positions)),
+      origin_(middle(cage.surface.positions)),
       scale_(std::exp2(-std::round(std::log2(cage.diagonal)))) {
   const bool faces = weighting.coordinates == Coordinates::face;
   for (const Vec3& h : faces ? cage.centers : cage.surface.positions) handles_.push_back(h - origin_);

@@ -58,13 +58,17 @@ std::string refusal(const Saved& s) {
 
 TEST_CASE("a_saved_binding_comes_back_to_the_last_bit_and_gives_the_same_frames") {
   const TemporaryFolder folder;
-  for (const auto coordinates : {Coordinates::face, Coordinates::mean_value}) {
+  for (const Weighting weighting : {Weighting(Coordinates::face), Weighting(Coordinates::face, 2), Weighting(Coordinates::mean_value)}) {
     for (const double tolerance : {0.0, usual_tolerance}) {
-      const Saved s = save(folder, coordinates, tolerance);
+      const Saved s = save(folder, weighting, tolerance);
       const TiledBinding back = read(s);
       const TiledBinding& b = *s.binding;
-      CHECK(b.compressed() == (coordinates == Coordinates::face && tolerance > 0));
-      CHECK(back.coordinates == b.coordinates);
+      if (tolerance == 0) CHECK(b.has_lists() == weighting.local());
+      if (!weighting.local()) CHECK(b.compressed() == (weighting == Coordinates::face && tolerance > 0));
+      CHECK(back.weighting() == weighting);
+      CHECK(back.storage() == b.storage());
+      CHECK(back.list_starts == b.list_starts);
+      CHECK(back.listed == b.listed);
       CHECK(back.handles == b.handles);
       CHECK(back.failed == b.failed);
       CHECK(back.unit == b.unit);
@@ -219,6 +223,33 @@ TEST_CASE("no_size_in_a_file_is_believed_before_the_bytes_are_there") {
     put_file(s.file, bytes);
     const std::string problem = refusal(s);
     CHECK_MESSAGE((problem.find("is cut short") == 0 || problem == "is damaged"), problem);
+  }
+}
+
+TEST_CASE("lists_are_checked_like_ranks") {
+  const TemporaryFolder folder;
+  const Saved s = save(folder, {Coordinates::face, 2}, 0);
+  REQUIRE(s.binding->has_lists());
+  const std::string whole = file_bytes(s.file);
+  CHECK(refusal(s) == "");
+  for (std::size_t at = 0; at < whole.size(); at += at < 600 ? 7 : whole.size() / 50) {
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
+    put_file(s.file, bytes);
+    CHECK_MESSAGE(refusal(s) != "", at);
+  }
+  for (const std::size_t length : {std::size_t(97), std::size_t(96 + 4 * s.binding->leaves.count() + 5), whole.size() - 1}) {
+    put_file(s.file, whole.substr(0, length));
+    CHECK(refusal(s).find("is cut short") == 0);
+  }
+  for (const std::uint32_t wrong : {std::uint32_t(s.binding->handles), 0x7fffffffu, 0xffffffffu}) {
+    for (const std::size_t at : {std::size_t(0), s.binding->leaves.count()}) {  // a length, and a handle
+      std::string bytes = whole;
+      std::memcpy(bytes.data() + 96 + 4 * at, &wrong, 4);
+      put_file(s.file, bytes);
+      const std::string problem = refusal(s);
+      CHECK_MESSAGE((problem.find("is cut short") == 0 || problem == "is damaged"), problem);
+    }
   }
 }
 

@@ -33,7 +33,7 @@ TEST_CASE("a_map_takes_the_corners_of_its_element_to_their_posed_places") {
   auto posed = cage.surface.positions;
   for (auto& p : posed) p = p + random.vector(0.5);
   const auto maps = maps_of(cage, posed);
-  const Vec3 origin = pose_origin(posed);
+  const Vec3 origin = pose_origin(cage, posed);
   for (std::size_t e = 0; e < maps.size(); ++e) {
     for (const auto v : cage.surface.triangles[e]) {
       const Vec3 image = apply_map(maps[e], cage.surface.positions[v] - cage.centers[e]) + origin;

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "deform/bound.h"
+#include "deform/weights.h"
 
 using namespace viete::test;
 using viete::sym3::Method;
@@ -17,10 +18,10 @@ namespace {
 // The fused frame beside the staged one.
 struct Fused {
   explicit Fused(const Bound& staged, int threads = 1, const viete::sym3::Kernel& kernel = viete::sym3::kernel(),
-                 double tolerance = 0)
+                 double tolerance = 0, std::optional<Storage> storage = {})
       : pool(threads),
         binding(std::make_shared<const TiledBinding>(
-            bind_tiles(staged.model, *staged.cage, staged.binding->coordinates, pool, tolerance))),
+            bind_tiles(staged.model, *staged.cage, staged.binding->weighting(), pool, tolerance, nullptr, storage))),
         frame(staged.cage, binding, pool, kernel) {}
 
   std::vector<viete::mesh::Point> positions() const {
@@ -259,4 +260,123 @@ TEST_CASE("fused_frame_refuses_a_pose_with_another_number_of_vertices") {
   Pose pose = rest_pose(*staged.cage);
   pose.positions.pop_back();
   CHECK_THROWS_AS(fused.frame.deform(pose), viete::base::Error);
+}
+
+namespace {
+
+constexpr double reaches[] = {lowest_reach, 2, 3, 6};
+
+// A model of 29 leaves in a cage of 308 triangles.
+Bound with_reach(double reach) {
+  return Bound(tube(240, 60, 0.3, 1.5), tube(14, 11, 0.6, 2), {Coordinates::face, reach});
+}
+
+Fused listed(const Bound& staged, int threads = 1) {
+  return Fused(staged, threads, viete::sym3::kernel(), 0, Storage::lists);
+}
+
+}  // namespace
+
+TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_reach_however_weights_are_kept") {
+  for (const double reach : reaches) {
+    CAPTURE(reach);
+    Bound staged = with_reach(reach);
+    Fused dense(staged, 1, viete::sym3::kernel(), 0, Storage::dense), lists(staged, 1, viete::sym3::kernel(), 0, Storage::lists);
+    Fused threaded(staged, 3, viete::sym3::kernel(), 0, Storage::lists);
+    Fused factors(staged, 1, viete::sym3::kernel(), usual_tolerance, Storage::factors);
+    CHECK(dense.binding->storage() == Storage::dense);
+    CHECK(lists.binding->storage() == Storage::lists);
+    CHECK(factors.binding->storage() == Storage::factors);
+    CHECK(threaded.binding->weights == lists.binding->weights);
+    if (reach < 6) CHECK(lists.binding->bytes() < dense.binding->bytes());
+    for (const Pose& pose : {rest_pose(*staged.cage), staged.pose(shear()),
+                             staged.pose(Twist{2, {0, 0, 0}, -1, 1, -100 * degree, 100 * degree})}) {
+      staged.deform(pose);
+      for (Fused* fused : {&dense, &lists, &threaded, &factors}) fused->frame.deform(pose);
+      CHECK(largest_distance(dense.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
+      CHECK(largest_distance(factors.positions(), staged.deformer.positions()) < usual_tolerance * staged.cage->diagonal);
+      CHECK(lists.positions() == dense.positions());
+      CHECK(lists.normals() == dense.normals());
+      CHECK(threaded.positions() == dense.positions());
+    }
+  }
+}
+
+TEST_CASE("lists_give_the_same_bits_on_every_instruction_set") {
+  Bound staged = with_reach(3);
+  const Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, 0, 250 * degree});
+  for (const auto& kernel : viete::sym3::kernels()) {
+    CAPTURE(kernel.name);
+    Fused dense(staged, 1, kernel, 0, Storage::dense), lists(staged, 1, kernel, 0, Storage::lists);
+    dense.frame.deform(pose);
+    lists.frame.deform(pose);
+    CHECK(lists.positions() == dense.positions());
+  }
+}
+
+TEST_CASE("how_weights_are_kept_is_chosen_by_cost") {
+  Bound near = with_reach(2), far = with_reach(1000);
+  CHECK(Fused(near).binding->storage() == Storage::lists);
+  CHECK(Fused(far).binding->storage() == Storage::dense);
+  CHECK(Fused(far, 1, viete::sym3::kernel(), usual_tolerance).binding->storage() == Storage::factors);
+  const Bound whole = with_reach(whole_cage);
+  CHECK(Fused(whole).binding->storage() == Storage::dense);
+}
+
+TEST_CASE("what_a_dragged_vertex_does_not_reach_keeps_every_bit") {
+  for (const double reach : {lowest_reach, 2.0, 3.0}) {
+    CAPTURE(reach);
+    Bound staged = with_reach(reach);
+    Fused fused = listed(staged);
+    const Pose before = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -20 * degree, 20 * degree});
+    fused.frame.deform(before);
+    const auto from = fused.positions(), from_normals = fused.normals();
+    const std::size_t dragged = 40;
+    // Beyond the reach, and somewhat more: float and double part at its end.
+    std::vector<bool> beyond(staged.model.positions.size(), true);
+    std::vector<double> w(staged.cage->element_count());
+    for (std::size_t i = 0; i < beyond.size(); ++i) {
+      inverse_distance_weights(*staged.cage, staged.model.positions[i], w, 1.01 * reach);
+      for (std::size_t e = 0; e < w.size(); ++e) {
+        const auto& t = staged.cage->surface.triangles[e];
+        if (w[e] > 0 && (t[0] == dragged || t[1] == dragged || t[2] == dragged)) beyond[i] = false;
+      }
+    }
+    const auto check = [&] {
+      const auto now = fused.positions();
+      std::size_t stayed = 0, moved = 0;
+      for (std::size_t i = 0; i < beyond.size(); ++i) {
+        if (beyond[i]) {
+          ++stayed;
+          CHECK(now[i] == from[i]);
+        } else {
+          moved += now[i] != from[i];
+        }
+      }
+      CHECK(stayed > 1000);
+      CHECK(moved > 100);
+    };
+    Pose pose = before;
+    fused.frame.set_dragging(true);
+    for (int step = 0; step < 4; ++step) {
+      pose.positions[dragged] = pose.positions[dragged] + Vec3{0.02, 0.03, -0.01};
+      fused.frame.deform(pose);
+      CHECK(fused.frame.dragging());
+      check();
+      staged.deform(pose);
+      CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
+      CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 2e-4);
+    }
+    fused.frame.set_dragging(false);
+    fused.frame.deform(pose);
+    CHECK_FALSE(fused.frame.dragging());
+    check();
+    Fused fresh = listed(staged);
+    fresh.frame.deform(pose);
+    CHECK(fused.positions() == fresh.positions());
+    CHECK(fused.normals() == fresh.normals());
+    fused.frame.deform(before);
+    CHECK(fused.positions() == from);
+    CHECK(fused.normals() == from_normals);
+  }
 }
