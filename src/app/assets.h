@@ -5,8 +5,8 @@
 
 namespace viete::app {
 
-/// The folder of assets: $VIETE_ASSETS, else beside the program (../share/viete), else the source tree it was built from.
-/// Throws base::Error naming the places looked at when none is there.
+/// The folder of assets: $VIETE_ASSETS, else beside the program (../share/viete), else the source tree it was
+/// built from. Throws base::Error naming the places looked at when none is there.
 std::filesystem::path assets_folder();
 
 struct BundledModel {

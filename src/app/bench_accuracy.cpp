@@ -20,8 +20,8 @@ namespace ensembles = sym3::ensembles;
 using Matrix = sym3::Sym3<double>;
 using Matrices = std::vector<Matrix>;
 
-// Not inline: where it sees both conversions, GCC 12 makes vectors of double, float and double again, and then leaves
-// the rounding of one entry out.
+// Not inline: where it sees both conversions, GCC 12 makes vectors of double, float and double again, and
+// then leaves the rounding of one entry out.
 template <class To, class From>
 [[gnu::noinline]] sym3::Sym3<To> rounded(const sym3::Sym3<From>& s) {
   const auto to = [](From x) { return static_cast<To>(x); };
@@ -83,30 +83,37 @@ Plan by_value(std::string title, std::string by, const std::vector<double>& valu
 }
 
 Plan ensembles_plan() {
-  return {"by ensemble",
-          "ensemble",
-          {{"paper: M M^T", 0, [](std::size_t n) { return ensembles::paper_ensemble<double>(n); }},
-           {"entries in [0, 3]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(0, 3, n); }},
-           {"entries in [-1, 1]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(-1, 1, n); }},
-           {"diagonal, [-3, 3]", 0, diagonals},
-           {"rank one, v v^T", 0, rank_one},
-           {"multiples of I", 0, multiples_of_identity},
-           {"zero", 0, [](std::size_t n) { return Matrices(n); }},
-           {"M M^T + 20 I", 0, [](std::size_t n) { return shifted_paper_ensemble(20, n); }},
-           {"M M^T - 80 I", 0, [](std::size_t n) { return shifted_paper_ensemble(-80, n); }}}};
+  return {
+      "by ensemble",
+      "ensemble",
+      {{"paper: M M^T", 0, [](std::size_t n) { return ensembles::paper_ensemble<double>(n); }},
+       {"entries in [0, 3]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(0, 3, n); }},
+       {"entries in [-1, 1]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(-1, 1, n); }},
+       {"diagonal, [-3, 3]", 0, diagonals},
+       {"rank one, v v^T", 0, rank_one},
+       {"multiples of I", 0, multiples_of_identity},
+       {"zero", 0, [](std::size_t n) { return Matrices(n); }},
+       {"M M^T + 20 I", 0, [](std::size_t n) { return shifted_paper_ensemble(20, n); }},
+       {"M M^T - 80 I", 0, [](std::size_t n) { return shifted_paper_ensemble(-80, n); }}}};
 }
 
 std::vector<Plan> plans(bool in_float) {
-  const std::vector<double> gaps = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1.01e-6, 1e-6, 1e-7, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16};
+  const std::vector<double> gaps = {1e-1, 1e-2, 1e-3,  1e-4,  1e-5,  1.01e-6, 1e-6,
+                                    1e-7, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16};
   std::vector<double> sizes = {0.1, 1, 3, 4.9, 6, 10, 20, 50, 100, 300, 600};
   if (in_float) std::erase_if(sizes, [](double s) { return s > 100; });  // beyond, exp overflows
-  return {ensembles_plan(),
-          by_value("two eigenvalues so close, the third anywhere in [0, 3]", "gap", gaps, ensembles::pairs<double>),
-          by_value("three eigenvalues so close, in [0, 3]", "gap", gaps, ensembles::triples<double>),
-          by_value("by spread, largest minus smallest eigenvalue, half of them with close ones", "spread", sizes,
-                   [](double spread, std::size_t n) { return ensembles::spreads<double>(spread, -spread / 2, n); }),
-          by_value("by scale, entries uniform in [-scale, scale]", "scale", {1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1e-2, 1, 10},
-                   [](double scale, std::size_t n) { return ensembles::uniform_entries<double>(-scale, scale, n); })};
+  return {
+      ensembles_plan(),
+      by_value("two eigenvalues so close, the third anywhere in [0, 3]", "gap", gaps,
+               ensembles::pairs<double>),
+      by_value("three eigenvalues so close, in [0, 3]", "gap", gaps, ensembles::triples<double>),
+      by_value(
+          "by spread, largest minus smallest eigenvalue, half of them with close ones", "spread", sizes,
+          [](double spread, std::size_t n) { return ensembles::spreads<double>(spread, -spread / 2, n); }),
+      by_value("by scale, entries uniform in [-scale, scale]", "scale",
+               {1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1e-2, 1, 10}, [](double scale, std::size_t n) {
+                 return ensembles::uniform_entries<double>(-scale, scale, n);
+               })};
 }
 
 void add(Accuracy& accuracy, double error, std::size_t samples) {

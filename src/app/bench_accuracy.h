@@ -20,14 +20,14 @@ struct AccuracyTable {
   std::string title, by;  ///< what the rows are
   struct Row {
     std::string name;
-    double value = 0;  ///< the gap, spread or scale; 0 for ensembles
+    double value = 0;             ///< the gap, spread or scale; 0 for ensembles
     std::vector<Accuracy> cells;  ///< one for each of exp_methods()
   };
   std::vector<Row> rows;
 };
 
-/// All tables, `samples` matrices a row, against the 106 bits of sym3/reference.h. In float the input is rounded to
-/// float first, and the error is that of the rounded input's exp. Throws base::Cancelled.
+/// All tables, `samples` matrices a row, against the 106 bits of sym3/reference.h. In float the input is
+/// rounded to float first, and the error is that of the rounded input's exp. Throws base::Cancelled.
 std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress);
 
 /// As Markdown, in units of the roundoff u: 2^-53, for float 2^-24.

@@ -15,7 +15,7 @@ namespace viete::app {
 /// Starts at a page, as large arrays do. Not initialised.
 template <class T>
 class MatrixArray {
- public:
+public:
   MatrixArray(sym3::Layout layout, std::size_t count)
       : layout_(layout), count_(count), stride_(sym3::padded_stride<T>(count)), size_(numbers()) {
     data_.reset(static_cast<T*>(std::aligned_alloc(4096, (size_ * sizeof(T) + 4095) / 4096 * 4096)));
@@ -43,17 +43,13 @@ class MatrixArray {
     }
   }
 
- private:
+private:
   std::size_t numbers() const {
     switch (layout_) {
-      case sym3::Layout::planes:
-        return 6 * stride_;
-      case sym3::Layout::blocks:
-        return sym3::block_size<T>(count_);
-      case sym3::Layout::packed:
-        return 6 * count_;
-      case sym3::Layout::full:
-        break;
+      case sym3::Layout::planes: return 6 * stride_;
+      case sym3::Layout::blocks: return sym3::block_size<T>(count_);
+      case sym3::Layout::packed: return 6 * count_;
+      case sym3::Layout::full: break;
     }
     return 9 * count_;
   }

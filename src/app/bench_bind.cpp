@@ -54,9 +54,9 @@ public:
     };
     if (plain_) add("plain loops", [this] { plain_->compute(model_.positions, cage_); });
     add("one vertex at a time", [this] {
-      weigh_one_by_one([](const auto& cage, const auto& p, std::span<double> row) {
-        deform::inverse_distance_weights(cage, p, row);
-      }, elements());
+      weigh_one_by_one([](const auto& cage, const auto& p,
+                          std::span<double> row) { deform::inverse_distance_weights(cage, p, row); },
+                       elements());
     });
     add("vectors", [this] { weigh(Coordinates::face); });
     add("leaves and rings", [this] { lay_out(model_, cage_, Coordinates::face); });

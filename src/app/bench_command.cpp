@@ -36,7 +36,8 @@ int report(const Bench& bench, const BenchOptions& options) {
 
 int bench_exp(const BenchOptions& options) {
   base::Progress progress;
-  return report(measure_exp(options.count ? options.count : paper_count, options.in_float, progress), options);
+  return report(measure_exp(options.count ? options.count : paper_count, options.in_float, progress),
+                options);
 }
 
 int bench_eigen(const BenchOptions& options) {
@@ -47,8 +48,8 @@ int bench_eigen(const BenchOptions& options) {
 int bench_accuracy(const BenchOptions& options) {
   base::Progress progress;
   const auto tables = measure_accuracy(options.count ? options.count : 4096, options.in_float, progress);
-  std::printf("Largest relative error (Frobenius norm) in u = 2^%d against 106 bits, kernel %s\n\n", options.in_float ? -24 : -53,
-              std::string(sym3::kernel_name()).c_str());
+  std::printf("Largest relative error (Frobenius norm) in u = 2^%d against 106 bits, kernel %s\n\n",
+              options.in_float ? -24 : -53, std::string(sym3::kernel_name()).c_str());
   for (const auto& table : tables) print(table, options.in_float);
   write_json(options.json, to_json(tables));
   return exit_ok;
@@ -66,12 +67,14 @@ void add_bench_command(CLI::App& app, Action& action) {
     bool has_plot, has_float;
     int (*run)(const BenchOptions&);
   } benches[] = {
-      {"exp", "Time of exp by method, layout and size", "Matrices (default 10,000,000)", true, true, bench_exp},
-      {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices (default 10,000,000)", true, false, bench_eigen},
-      {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row (default 4,096)", false, true,
-       bench_accuracy},
-      {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory (default 10,000,000)", false, false,
-       [](const BenchOptions& o) { return bench_sym3(o.count, o.json); }}};
+      {"exp", "Time of exp by method, layout and size", "Matrices (default 10,000,000)", true, true,
+       bench_exp},
+      {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices (default 10,000,000)",
+       true, false, bench_eigen},
+      {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale",
+       "Matrices a row (default 4,096)", false, true, bench_accuracy},
+      {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory (default 10,000,000)",
+       false, false, [](const BenchOptions& o) { return bench_sym3(o.count, o.json); }}};
   for (const auto& bench : benches) {
     auto* sub = command->add_subcommand(bench.name, bench.text);
     auto options = std::make_shared<BenchOptions>();

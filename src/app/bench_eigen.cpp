@@ -41,7 +41,8 @@ EigenBench measure_eigen(std::size_t count, base::Progress& progress) {
       {"QR", size, each([](const Matrix& s) { return sym3::eigenvalues_qr(s); })},
       {"Direct", size, each(eigenvalues_direct)},
       {"Viete", size, each([](const Matrix& s) { return sym3::eigenvalues_viete(s); })},
-      {"Fast", size, [&](std::size_t round) {
+      {"Fast", size,
+       [&](std::size_t round) {
          const std::size_t begin = round % pieces * size;
          sym3::eigenvalues(sym3::packed(&in[begin]), {sym3::Layout::packed, out[begin].data()}, size);
        }},
@@ -53,8 +54,8 @@ EigenBench measure_eigen(std::size_t count, base::Progress& progress) {
 }
 
 void print(const EigenBench& bench) {
-  print_table("eigenvalues: " + grouped(bench.count) + " matrices S = M M^T, double, one thread", bench.results, "QR",
-              "copy");
+  print_table("eigenvalues: " + grouped(bench.count) + " matrices S = M M^T, double, one thread",
+              bench.results, "QR", "copy");
 }
 
 nlohmann::json to_json(const EigenBench& bench) {
@@ -66,7 +67,8 @@ Plot plot_of(const EigenBench& bench) {
   plot.title = "Eigenvalues of symmetric 3x3 matrices";
   plot.subtitle = "S = M M^T, double, one thread, " + processor_name();
   plot.bars_title = grouped(bench.count) + " matrices, ns a matrix";
-  const char* colors[] = {plot_color::reference, plot_color::reference, plot_color::rival, plot_color::ours[0], plot_color::copy};
+  const char* colors[] = {plot_color::reference, plot_color::reference, plot_color::rival,
+                          plot_color::ours[0], plot_color::copy};
   for (std::size_t i = 0; i < bench.results.size(); ++i) {
     plot.bars.push_back({bench.results[i].name, bench.results[i].ns_per_item, colors[i]});
   }

@@ -19,7 +19,7 @@ using sym3::Sym3;
 
 constexpr std::array layouts = {Layout::planes, Layout::blocks, Layout::packed, Layout::full};
 constexpr std::size_t distinct = 1 << 16;  // matrices, repeated where more are asked for
-constexpr std::size_t window = 1024;       // that the slow methods do at a time: their time is not the memory's
+constexpr std::size_t window = 1024;  // that the slow methods do at a time: their time is not the memory's
 
 /// So many matrices of those at the round's turn.
 template <class T>
@@ -40,7 +40,8 @@ std::vector<BenchResult> measure_methods(const std::vector<Sym3<T>>& matrices, s
   in.fill(matrices), result.fill(matrices);
   std::vector<Sym3<T>> out(window);
   std::vector<RoundCase> cases;
-  for (const Method m : {Method::diag, Method::sd, Method::improved_sd}) cases.push_back(slow_case(matrices, out, m));
+  for (const Method m : {Method::diag, Method::sd, Method::improved_sd})
+    cases.push_back(slow_case(matrices, out, m));
   cases.push_back({"fast", count, [&](std::size_t) { sym3::exp(in.view(), result.view(), count); }});
   cases.push_back({"copy", count, [&](std::size_t) { in.copy_to(result); }});
   return measure_rounds(cases, 21, progress);
@@ -52,7 +53,8 @@ LayoutResult measure_layout(const std::vector<Sym3<T>>& matrices, Layout layout,
   MatrixArray<T> in(layout, count), result(layout, count);
   in.fill(matrices), result.fill(matrices);
   std::vector<Sym3<T>> out(window);
-  // Short runs are repeated until the clock can tell, and done once before, so that what fits is in the cache.
+  // Short runs are repeated until the clock can tell, and done once before, so that what fits is in the
+  // cache.
   const std::size_t times = std::max<std::size_t>(1, 200'000 / count);
   const auto repeated = [=](auto once) {
     return [=](std::size_t) {
@@ -65,7 +67,12 @@ LayoutResult measure_layout(const std::vector<Sym3<T>>& matrices, Layout layout,
       slow_case(matrices, out, Method::diag),
       slow_case(matrices, out, Method::improved_sd)};
   const auto results = measure_rounds(cases, count > 1'000'000 ? 7 : 21, progress);
-  return {layout, count, results[0].ns_per_item, results[1].ns_per_item, results[2].ns_per_item, results[3].ns_per_item};
+  return {layout,
+          count,
+          results[0].ns_per_item,
+          results[1].ns_per_item,
+          results[2].ns_per_item,
+          results[3].ns_per_item};
 }
 
 std::vector<std::size_t> sizes_up_to(std::size_t count) {
@@ -114,15 +121,18 @@ struct Bar {
 /// The methods from memory, and ours in the cache.
 std::vector<Bar> bars_of(const ExpBench& bench) {
   const char* names[] = {"Diag", "SD", "Improved SD", "Fast", "copy"};
-  const char* colors[] = {plot_color::reference, plot_color::reference, plot_color::rival, plot_color::ours[0],
-                          plot_color::copy};
+  const char* colors[] = {plot_color::reference, plot_color::reference, plot_color::rival,
+                          plot_color::ours[0], plot_color::copy};
   std::vector<Bar> bars;
-  for (std::size_t i = 0; i < bench.methods.size(); ++i) bars.push_back({names[i], bench.methods[i].ns_per_item, colors[i]});
+  for (std::size_t i = 0; i < bench.methods.size(); ++i)
+    bars.push_back({names[i], bench.methods[i].ns_per_item, colors[i]});
   bars.push_back({"Fast, in cache", best_in_cache(bench), plot_color::ours[0]});
   return bars;
 }
 
-const char* precision(const ExpBench& bench) { return bench.in_float ? "float" : "double"; }
+const char* precision(const ExpBench& bench) {
+  return bench.in_float ? "float" : "double";
+}
 
 }  // namespace
 
@@ -138,15 +148,16 @@ ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress)
 }
 
 void print(const ExpBench& bench) {
-  print_table("exp: " + grouped(bench.count) + " matrices S = M M^T, " + precision(bench) + ", one thread, kernel " +
-                  bench.kernel,
+  print_table("exp: " + grouped(bench.count) + " matrices S = M M^T, " + precision(bench) +
+                  ", one thread, kernel " + bench.kernel,
               bench.methods, "diag", "copy");
-  std::printf("\nfast by layout and size, each against the others in the same run\n\n"
-              "| layout | matrices |  fast ns |  copy ns | x copy | diag / it | improved_sd / it |\n"
-              "|--------|---------:|---------:|---------:|-------:|----------:|-----------------:|\n");
+  std::printf(
+      "\nfast by layout and size, each against the others in the same run\n\n"
+      "| layout | matrices |  fast ns |  copy ns | x copy | diag / it | improved_sd / it |\n"
+      "|--------|---------:|---------:|---------:|-------:|----------:|-----------------:|\n");
   for (const LayoutResult& r : bench.layouts) {
-    std::printf("| %-6s | %8zu | %8.2f | %8.2f | %6.2f | %9.1f | %16.1f |\n", name(r.layout), r.count, r.fast, r.copy,
-                r.fast / r.copy, r.diag / r.fast, r.improved_sd / r.fast);
+    std::printf("| %-6s | %8zu | %8.2f | %8.2f | %6.2f | %9.1f | %16.1f |\n", name(r.layout), r.count, r.fast,
+                r.copy, r.fast / r.copy, r.diag / r.fast, r.improved_sd / r.fast);
   }
 }
 
@@ -160,25 +171,32 @@ nlohmann::json to_json(const ExpBench& bench) {
                        {"diag", r.diag},
                        {"improved_sd", r.improved_sd}});
   }
-  return {{"figure", "exp"},     {"count", bench.count},           {"precision", precision(bench)},
-          {"kernel", bench.kernel}, {"results", to_json(bench.methods)}, {"layouts", std::move(layouts)}};
+  return {{"figure", "exp"},
+          {"count", bench.count},
+          {"precision", precision(bench)},
+          {"kernel", bench.kernel},
+          {"results", to_json(bench.methods)},
+          {"layouts", std::move(layouts)}};
 }
 
 scene::Benchmark shown_benchmark(const ExpBench& bench) {
   scene::Benchmark shown;
   shown.count = bench.count;
-  for (const Bar& bar : bars_of(bench)) shown.bars.push_back({bar.name, bar.ns, bar.color == plot_color::ours[0]});
+  for (const Bar& bar : bars_of(bench))
+    shown.bars.push_back({bar.name, bar.ns, bar.color == plot_color::ours[0]});
   return shown;
 }
 
 Plot plot_of(const ExpBench& bench) {
   Plot plot;
   plot.title = "exp of symmetric 3x3 matrices";
-  plot.subtitle = std::string("S = M M^T, ") + precision(bench) + ", one thread, kernel " + bench.kernel + ", " + processor_name();
+  plot.subtitle = std::string("S = M M^T, ") + precision(bench) + ", one thread, kernel " + bench.kernel +
+                  ", " + processor_name();
   plot.bars_title = grouped(bench.count) + " matrices from memory, ns a matrix";
   for (const Bar& bar : bars_of(bench)) plot.bars.push_back({bar.name, bar.ns, bar.color});
   plot.curves_title = "ns a matrix against size, by layout";
-  const auto curve = [&](const std::string& name, const char* color, bool dashed, Layout layout, double LayoutResult::*time) {
+  const auto curve = [&](const std::string& name, const char* color, bool dashed, Layout layout,
+                         double LayoutResult::*time) {
     plot.curves.push_back({name, color, dashed, {}});
     for (const LayoutResult& r : bench.layouts) {
       if (r.layout == layout) plot.curves.back().points.push_back({static_cast<double>(r.count), r.*time});

@@ -29,8 +29,8 @@ struct ExpBench {
   std::vector<LayoutResult> layouts;  ///< by layout, then by size from 1024 to `count`
 };
 
-/// The paper's ensemble, one thread, processor time, medians. About 1 kB of memory for each 10 matrices, 30 s for 10^7.
-/// Throws base::Cancelled.
+/// The paper's ensemble, one thread, processor time, medians. About 1 kB of memory for each 10 matrices, 30 s
+/// for 10^7. Throws base::Cancelled.
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress);
 
 void print(const ExpBench& bench);

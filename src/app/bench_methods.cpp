@@ -44,6 +44,8 @@ constexpr ExpMethod methods[] = {
 
 }  // namespace
 
-std::span<const ExpMethod> exp_methods() { return methods; }
+std::span<const ExpMethod> exp_methods() {
+  return methods;
+}
 
 }  // namespace viete::app

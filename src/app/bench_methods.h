@@ -13,8 +13,8 @@ struct ExpMethod {
   sym3::Sym3<float> (*in_float)(const sym3::Sym3<float>&);
 };
 
-/// Diag, Direct (Eigen's closed-form computeDirect in place of QR), SD, Improved SD as printed and guarded, Pade
-/// (scaling and squaring, Eigen's unsupported MatrixBase::exp), and Fast, one matrix a call.
+/// Diag, Direct (Eigen's closed-form computeDirect in place of QR), SD, Improved SD as printed and guarded,
+/// Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp), and Fast, one matrix a call.
 std::span<const ExpMethod> exp_methods();
 
 }  // namespace viete::app

@@ -62,10 +62,13 @@ void draw_bars(Svg& svg, const Plot& plot, const Frame& frame) {
 struct LogScale {
   double low, high, from, to;  ///< decades, pixels
 
-  double operator()(double value) const { return from + (to - from) * (std::log10(value) - low) / (high - low); }
+  double operator()(double value) const {
+    return from + (to - from) * (std::log10(value) - low) / (high - low);
+  }
 };
 
-LogScale scale_of(const std::vector<PlotCurve>& curves, double PlotCurve::Point::*value, double from, double to) {
+LogScale scale_of(const std::vector<PlotCurve>& curves, double PlotCurve::Point::*value, double from,
+                  double to) {
   double low = 1e300, high = 0;
   for (const PlotCurve& curve : curves) {
     for (const auto& p : curve.points) low = std::min(low, p.*value), high = std::max(high, p.*value);
@@ -79,16 +82,19 @@ void draw_grid(Svg& svg, const LogScale& x, const LogScale& y, const Frame& fram
       const double value = times * std::pow(10, decade);
       if (std::log10(value) < y.low || std::log10(value) > y.high) continue;
       svg.line({frame.left, y(value)}, {frame.right, y(value)}, rule, times == 1 ? 1.5 : 0.75);
-      svg.text({frame.left - 8, y(value) + 4}, count_text(value), {.color = faint, .size = 11, .anchor = "end"});
+      svg.text({frame.left - 8, y(value) + 4}, count_text(value),
+               {.color = faint, .size = 11, .anchor = "end"});
     }
   }
   for (double decade = std::ceil(x.low); decade <= x.high; ++decade) {
     const double value = std::pow(10, decade);
     svg.line({x(value), frame.bottom}, {x(value), frame.bottom + 5}, faint, 1);
-    svg.text({x(value), frame.bottom + 20}, count_text(value), {.color = faint, .size = 11, .anchor = "middle"});
+    svg.text({x(value), frame.bottom + 20}, count_text(value),
+             {.color = faint, .size = 11, .anchor = "middle"});
   }
   svg.line({frame.left, frame.bottom}, {frame.right, frame.bottom}, faint, 1);
-  svg.text({0.5 * (frame.left + frame.right), frame.bottom + 40}, "matrices in a batch", {.color = faint, .anchor = "middle"});
+  svg.text({0.5 * (frame.left + frame.right), frame.bottom + 40}, "matrices in a batch",
+           {.color = faint, .anchor = "middle"});
 }
 
 /// Names at the ends of the curves, moved apart so that none covers another.
@@ -110,7 +116,8 @@ void draw_names(Svg& svg, const std::vector<PlotCurve>& curves, const LogScale& 
   for (const Name& name : names) {
     const std::string value = number(name.curve->points.back().ns);
     svg.text({x, name.at + 4}, name.curve->name, {.color = name.curve->color, .strong = !name.curve->dashed});
-    svg.text({width - 32, name.at + 4}, value, {.color = name.curve->color, .anchor = "end", .strong = !name.curve->dashed});
+    svg.text({width - 32, name.at + 4}, value,
+             {.color = name.curve->color, .anchor = "end", .strong = !name.curve->dashed});
   }
 }
 

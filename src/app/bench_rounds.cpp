@@ -17,7 +17,8 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds, base::Progress& progress) {
+std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
+                                        base::Progress& progress) {
   std::vector<std::vector<double>> times(cases.size());
   const auto runs = static_cast<double>((rounds + 1) * cases.size());
   for (std::size_t round = 0; round <= rounds; ++round) {
@@ -30,7 +31,8 @@ std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std
     }
   }
   std::vector<BenchResult> results;
-  for (std::size_t c = 0; c < cases.size(); ++c) results.push_back({cases[c].name, median(std::move(times[c]))});
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    results.push_back({cases[c].name, median(std::move(times[c]))});
   return results;
 }
 

@@ -18,9 +18,10 @@ struct RoundCase {
   std::function<void(std::size_t round)> run;
 };
 
-/// Every case once a round, so that a disturbance hits all alike; one round more before, which does not count. Processor
-/// time of the calling thread, medians. Throws base::Cancelled.
-std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds, base::Progress& progress);
+/// Every case once a round, so that a disturbance hits all alike; one round more before, which does not
+/// count. Processor time of the calling thread, medians. Throws base::Cancelled.
+std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
+                                        base::Progress& progress);
 
 /// "AMD EPYC 9654", or nothing where the system does not say.
 std::string processor_name();

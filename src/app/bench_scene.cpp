@@ -14,8 +14,12 @@ namespace {
 
 using mesh::Point;
 
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point minus(const Point& a, const Point& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -65,7 +69,8 @@ std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& 
 }
 
 // A triangle whose corners are as far out as w_0 + w_1 + w_2 of each point above it has them all inside.
-std::vector<double> radii_around(const mesh::Surface& model, const Point& center, const std::vector<Point>& directions,
+std::vector<double> radii_around(const mesh::Surface& model, const Point& center,
+                                 const std::vector<Point>& directions,
                                  const std::vector<mesh::Triangle>& triangles) {
   std::vector<double> radii(directions.size(), 0.05 * mesh::bounds(model.positions).diagonal());
   std::size_t last = 0;
@@ -77,7 +82,8 @@ std::vector<double> radii_around(const mesh::Surface& model, const Point& center
       if ((w = in_cone(directions, triangles[t], x))) last = t;
     }
     if (!w) continue;
-    for (const auto corner : triangles[last]) radii[corner] = std::max(radii[corner], (*w)[0] + (*w)[1] + (*w)[2]);
+    for (const auto corner : triangles[last])
+      radii[corner] = std::max(radii[corner], (*w)[0] + (*w)[1] + (*w)[2]);
   }
   return radii;
 }
@@ -88,7 +94,8 @@ mesh::Surface subdivided(const mesh::Surface& surface) {
   std::vector<Point> positions = surface.positions;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-    const auto [at, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(positions.size()));
+    const auto [at, fresh] =
+        middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(positions.size()));
     if (fresh) {
       const Point p = positions[a], q = positions[b];
       positions.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});

@@ -13,12 +13,13 @@ double time_of(const std::vector<BenchResult>& results, const std::string& name)
   return 0;
 }
 
-void print_table(const std::string& title, const std::vector<BenchResult>& results, const std::string& reference,
-                 const std::string& copy) {
+void print_table(const std::string& title, const std::vector<BenchResult>& results,
+                 const std::string& reference, const std::string& copy) {
   const double base = time_of(results, reference), bytes = time_of(results, copy);
   std::printf("%s\n  %-14s %10s %12s %10s\n", title.c_str(), "", "ns", ("x " + reference).c_str(), "x copy");
   for (const auto& r : results) {
-    std::printf("  %-14s %10.2f %12.2f %10.1f\n", r.name.c_str(), r.ns_per_item, base / r.ns_per_item, r.ns_per_item / bytes);
+    std::printf("  %-14s %10.2f %12.2f %10.1f\n", r.name.c_str(), r.ns_per_item, base / r.ns_per_item,
+                r.ns_per_item / bytes);
   }
 }
 

@@ -17,7 +17,8 @@ struct BenchResult {
 double time_of(const std::vector<BenchResult>& results, const std::string& name);
 
 /// name, ns per item, and how many times the time of `copy` and how much faster than `reference`.
-void print_table(const std::string& title, const std::vector<BenchResult>& results, const std::string& reference, const std::string& copy);
+void print_table(const std::string& title, const std::vector<BenchResult>& results,
+                 const std::string& reference, const std::string& copy);
 
 nlohmann::json to_json(const std::vector<BenchResult>& results);
 /// Atomic. Throws base::Error. Does nothing for an empty path.

@@ -34,7 +34,8 @@ scene::Document open(const DeformOptions& options) {
       scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage, options.pose}}, {});
   warn(opened.warnings);
   scene::Document document = *std::move(opened.document);
-  if (!document.has_cage()) throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
+  if (!document.has_cage())
+    throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
   if (!opened.session || options.method_given) document.method = options.method;
   options.weighting.apply(document, opened.session.has_value());
   return document;
@@ -60,10 +61,14 @@ int deform_file(const DeformOptions& options) {
 void add_deform_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("deform", "Deform a mesh by a posed cage and write it");
   auto o = std::make_shared<DeformOptions>();
-  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL), or a session (.viete) with its cage and pose")->required();
+  command
+      ->add_option("MODEL", o->model,
+                   "Mesh (OBJ, PLY, OFF, STL), or a session (.viete) with its cage and pose")
+      ->required();
   command->add_option("CAGE", o->cage, "Cage around it, at rest");
   command->add_option("--pose", o->pose, "Posed version of the cage, same vertices in the same order");
-  command->add_option("-o,--output", o->output, "File to write; the extension chooses the format")->required();
+  command->add_option("-o,--output", o->output, "File to write; the extension chooses the format")
+      ->required();
   add_method_option(*command, o->method);
   add_weighting_options(*command, o->weighting);
   command->callback([o, command, &action] {

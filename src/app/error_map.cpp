@@ -31,7 +31,8 @@ scene::ErrorMapStats stats_of(std::vector<double> errors, sym3::Method method) {
 
 }  // namespace
 
-ErrorMap error_map(std::span<const sym3::Sym3<double>> matrices, sym3::Method method, base::Progress* progress) {
+ErrorMap error_map(std::span<const sym3::Sym3<double>> matrices, sym3::Method method,
+                   base::Progress* progress) {
   ErrorMap map;
   map.log10.resize(matrices.size());
   std::vector<double> errors(matrices.size());
@@ -43,7 +44,8 @@ ErrorMap error_map(std::span<const sym3::Sym3<double>> matrices, sym3::Method me
     for (std::size_t i = 0; i < part.size(); ++i) {
       const double error = sym3::relative_error(computed[i], part[i]);
       errors[begin + i] = error;
-      map.log10[begin + i] = std::isnan(error) ? 0.0F : static_cast<float>(std::log10(std::max(error, 1e-20)));
+      map.log10[begin + i] =
+          std::isnan(error) ? 0.0F : static_cast<float>(std::log10(std::max(error, 1e-20)));
     }
   }
   map.stats = stats_of(std::move(errors), method);

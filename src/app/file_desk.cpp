@@ -36,7 +36,8 @@ FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace&
 void FileDesk::take_requests(scene::Workspace& w, const std::function<std::vector<mesh::Point>()>& deformed,
                              bool hand_is_free) {
   auto& r = w.requests;
-  if (const auto request = std::exchange(r.open, std::nullopt)) loader_.start(*request, w.document, take_saved());
+  if (const auto request = std::exchange(r.open, std::nullopt))
+    loader_.start(*request, w.document, take_saved());
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) scene::save_session(w, *file);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);

@@ -21,8 +21,8 @@ public:
   FileDesk(const std::filesystem::path& state, SavedBindings saved, scene::Workspace& workspace);
 
   /// Before the frame's work: takes requests, and what was read once the hand is free, so that nothing is
-  /// taken away under a drag. deformed() gives the deformed model's positions when they are to be saved; empty while there
-  /// are none.
+  /// taken away under a drag. deformed() gives the deformed model's positions when they are to be saved;
+  /// empty while there are none.
   void take_requests(scene::Workspace& workspace, const std::function<std::vector<mesh::Point>()>& deformed,
                      bool hand_is_free);
   /// After it: keeps what is new.

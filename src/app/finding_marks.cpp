@@ -41,7 +41,8 @@ void FindingMarks::collect(const scene::Workspace& w) {
       for (auto& v : corners) v = number(v);
       const std::size_t n = corners.size();
       for (std::size_t i = 2; i < n; ++i) triangles.push_back({corners[0], corners[i - 1], corners[i]});
-      for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i) segments.push_back({corners[i], corners[(i + 1) % n]});
+      for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i)
+        segments.push_back({corners[i], corners[(i + 1) % n]});
     }
   }
   faces_.set_triangles(triangles, number.size());

@@ -15,9 +15,9 @@ struct FrameTime {
   std::size_t vertices, faces;
   std::string name;  ///< as below
   int threads;
-  double cpu_ms, wall_ms;   ///< medians; processor time of the slower thread
-  double error;             ///< largest distance from the staged frame by QR in diagonals of the cage; NaN: none
-  std::size_t bytes;        ///< read once a frame
+  double cpu_ms, wall_ms;  ///< medians; processor time of the slower thread
+  double error;       ///< largest distance from the staged frame by QR in diagonals of the cage; NaN: none
+  std::size_t bytes;  ///< read once a frame
   deform::LinkTimes links;  ///< medians, wall
 };
 

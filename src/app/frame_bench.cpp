@@ -33,7 +33,8 @@ using sym3::Method;
 constexpr std::size_t exp_portion = 4096;  // matrices that stay in cache
 
 struct Options {
-  std::vector<std::size_t> counts = {0};  ///< vertices: the bundled model is cut off or subdivided; 0: as it is
+  std::vector<std::size_t> counts = {
+      0};  ///< vertices: the bundled model is cut off or subdivided; 0: as it is
   std::vector<std::size_t> faces = {50, 100, 300, 600};
   int rounds = 11;
   double tolerance = deform::usual_tolerance;
@@ -65,10 +66,10 @@ struct Case {
   std::string name;
   base::WorkerPool* pool;
   std::function<void()> run;
-  std::function<deform::LinkTimes()> links;          ///< empty: it has none
-  std::function<double()> error;                     ///< distance from the staged frame in diagonals; may be empty
-  std::size_t bytes = 0;                             ///< read once a frame
-  int repeats = 1;                                   ///< in a row, for what is too short to time
+  std::function<deform::LinkTimes()> links;  ///< empty: it has none
+  std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
+  std::size_t bytes = 0;                     ///< read once a frame
+  int repeats = 1;                           ///< in a row, for what is too short to time
   std::vector<double> cpu_ms{}, wall_ms{};
   std::vector<deform::LinkTimes> link_ms{};
 };
@@ -105,14 +106,15 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
 
 /// One model in one cage: everything that is compared, bound and ready.
 class Contest {
- public:
+public:
   Contest(const mesh::Surface& model, std::size_t faces, double tolerance, double reach)
       : cage_(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, faces)))),
         pose_(moderate_pose(*cage_)),
         weighting_(deform::Coordinates::face, reach) {
     bind_staged(model);
     dense_ = bind_fused(model, 0, deform::Storage::dense);
-    compressed_ = bind_fused(model, tolerance, weighting_.local() ? std::optional(deform::Storage::factors) : std::nullopt);
+    compressed_ = bind_fused(model, tolerance,
+                             weighting_.local() ? std::optional(deform::Storage::factors) : std::nullopt);
     if (weighting_.local()) listed_ = bind_fused(model, 0, deform::Storage::lists);
     if (staged_) add_staged();
     for (auto* pool : {&one_, &all_}) {
@@ -137,11 +139,10 @@ class Contest {
   std::vector<FrameTime> times() const;
   void print(std::span<const FrameTime> times) const;
 
- private:
+private:
   // Not if it does not fit the memory: then there is nothing staged to compare with.
   void bind_staged(const mesh::Surface& model) try {
-    binding_ = std::make_shared<const deform::Binding>(
-        deform::bind(model, *cage_, weighting_, all_));
+    binding_ = std::make_shared<const deform::Binding>(deform::bind(model, *cage_, weighting_, all_));
     staged_ = std::make_unique<deform::Deformer>(cage_, binding_, one_);
     staged_->deform(pose_, Method::diag);  // an exponential that shares nothing with ours
     expected_.assign(staged_->positions().begin(), staged_->positions().end());
@@ -159,7 +160,8 @@ class Contest {
         run();
         return distance(expected_, staged_->positions()) / cage_->diagonal;
       };
-      cases_.push_back({"staged, " + std::string(sym3::name(m)), &one_, run, [this] { return staged_->times(); }, error, bytes});
+      cases_.push_back({"staged, " + std::string(sym3::name(m)), &one_, run,
+                        [this] { return staged_->times(); }, error, bytes});
     }
     add_exponentials();
   }
@@ -177,12 +179,20 @@ class Contest {
     }
     const sym3::View<const float, 6> in(exp_in_.data(), stride);
     const sym3::View<float, 6> out(exp_out_.data(), stride);
-    cases_.push_back({frame_names::exponential, &one_, [in, out, count = matrices.size()] {
-      for (std::size_t i = 0; i < count; i += exp_portion) sym3::exp(in, out, std::min(exp_portion, count - i));
-    }, {}, {}, 0, 10});
+    cases_.push_back({frame_names::exponential,
+                      &one_,
+                      [in, out, count = matrices.size()] {
+                        for (std::size_t i = 0; i < count; i += exp_portion)
+                          sym3::exp(in, out, std::min(exp_portion, count - i));
+                      },
+                      {},
+                      {},
+                      0,
+                      10});
   }
 
-  std::shared_ptr<const deform::TiledBinding> bind_fused(const mesh::Surface& model, double tolerance, std::optional<deform::Storage> storage) {
+  std::shared_ptr<const deform::TiledBinding> bind_fused(const mesh::Surface& model, double tolerance,
+                                                         std::optional<deform::Storage> storage) {
     const double start = base::thread_seconds();
     auto tiles = std::make_shared<const deform::TiledBinding>(
         deform::bind_tiles(model, *cage_, weighting_, one_, tolerance, nullptr, storage));
@@ -190,7 +200,8 @@ class Contest {
     return tiles;
   }
 
-  void add_fused(const std::string& name, std::shared_ptr<const deform::TiledBinding> tiles, base::WorkerPool& pool, bool drag) {
+  void add_fused(const std::string& name, std::shared_ptr<const deform::TiledBinding> tiles,
+                 base::WorkerPool& pool, bool drag) {
     frames_.push_back(std::make_unique<deform::FusedFrame>(cage_, std::move(tiles), pool));
     auto* frame = frames_.back().get();
     const auto run = [this, frame, drag] {
@@ -207,7 +218,8 @@ class Contest {
         if (drag) frame->deform(pose_);
         std::vector<mesh::Point> positions;
         for (const auto& v : frame->vertices()) {
-          positions.push_back(deform::operator+(frame->origin(), deform::Vec3{v.position[0], v.position[1], v.position[2]}));
+          positions.push_back(deform::operator+
+                              (frame->origin(), deform::Vec3{v.position[0], v.position[1], v.position[2]}));
         }
         return distance(expected_, positions) / cage_->diagonal;
       };
@@ -217,10 +229,19 @@ class Contest {
 
   void add_floors() {
     const auto& w = dense_->weights;
-    cases_.push_back({frame_names::read_floor, &one_, [this, &w] { sink_ = sink_ + deform::read_floor(w.data(), w.size()); }, {}, {},
+    cases_.push_back({frame_names::read_floor,
+                      &one_,
+                      [this, &w] { sink_ = sink_ + deform::read_floor(w.data(), w.size()); },
+                      {},
+                      {},
                       dense_->bytes()});
     const std::size_t sums = 12 * w.size();
-    cases_.push_back({frame_names::multiply_add_floor, &one_, [this, sums] { sink_ = sink_ + deform::multiply_add_floor(sums); }, {}, {}, 0});
+    cases_.push_back({frame_names::multiply_add_floor,
+                      &one_,
+                      [this, sums] { sink_ = sink_ + deform::multiply_add_floor(sums); },
+                      {},
+                      {},
+                      0});
   }
 
   std::shared_ptr<const deform::Cage> cage_;
@@ -243,18 +264,22 @@ class Contest {
 std::vector<FrameTime> Contest::times() const {
   std::vector<FrameTime> times;
   for (const Case& c : cases_) {
-    times.push_back({dense_->leaves.vertices, cage_->element_count(), c.name, c.pool->threads(), median(c.cpu_ms),
-                     median(c.wall_ms), c.error ? c.error() : std::nan(""), c.bytes, link_medians(c)});
+    times.push_back({dense_->leaves.vertices, cage_->element_count(), c.name, c.pool->threads(),
+                     median(c.cpu_ms), median(c.wall_ms), c.error ? c.error() : std::nan(""), c.bytes,
+                     link_medians(c)});
   }
   return times;
 }
 
 void Contest::print(std::span<const FrameTime> times) const {
   const double reference = reference_ ? times.front().cpu_ms : 0;
-  std::printf("\n%zu vertices, %zu cage triangles; ms a frame: processor time (of the slower thread), wall; links: wall\n",
-              dense_->leaves.vertices, cage_->element_count());
+  std::printf(
+      "\n%zu vertices, %zu cage triangles; ms a frame: processor time (of the slower thread), wall; links: "
+      "wall\n",
+      dense_->leaves.vertices, cage_->element_count());
   std::printf("  %-31s %9s %9s %8s %9s %8s ", "", "cpu", "wall", "faster", "error", "MB");
-  for (std::size_t l = 0; l < deform::link_count; ++l) std::printf(" %9s", std::string(deform::name(Link(l))).c_str());
+  for (std::size_t l = 0; l < deform::link_count; ++l)
+    std::printf(" %9s", std::string(deform::name(Link(l))).c_str());
   for (const FrameTime& t : times) {
     const std::string name = t.threads > 1 ? t.name + ", " + std::to_string(t.threads) + " threads" : t.name;
     std::printf("\n  %-31s %9.3f %9.3f %7.1fx", name.c_str(), t.cpu_ms, t.wall_ms, reference / t.cpu_ms);
@@ -264,25 +289,30 @@ void Contest::print(std::span<const FrameTime> times) const {
   }
   std::printf("\n  bound in %.0f ms dense, %.0f ms compressed%s", bind_ms_[0], bind_ms_[1],
               compressed_->compressed() ? "" : " (which does not pay here)");
-  if (listed_) std::printf(", %.0f ms as lists of %.0f triangles on average", bind_ms_[2], listed_->mean_rows());
+  if (listed_)
+    std::printf(", %.0f ms as lists of %.0f triangles on average", bind_ms_[2], listed_->mean_rows());
   std::printf(" (processor time, one thread)\n");
 }
 
 nlohmann::json to_json(const FrameTime& t) {
-  nlohmann::json json = {{"vertices", t.vertices}, {"faces", t.faces},     {"name", t.name},   {"threads", t.threads},
-                         {"cpu_ms", t.cpu_ms},     {"wall_ms", t.wall_ms}, {"bytes", t.bytes}};
+  nlohmann::json json = {{"vertices", t.vertices}, {"faces", t.faces},   {"name", t.name},
+                         {"threads", t.threads},   {"cpu_ms", t.cpu_ms}, {"wall_ms", t.wall_ms},
+                         {"bytes", t.bytes}};
   if (!std::isnan(t.error)) json["error"] = t.error;
-  for (std::size_t l = 0; l < deform::link_count; ++l) json["links_ms"][std::string(deform::name(Link(l)))] = t.links.ms[l];
+  for (std::size_t l = 0; l < deform::link_count; ++l)
+    json["links_ms"][std::string(deform::name(Link(l)))] = t.links.ms[l];
   return json;
 }
 
 int bench_frame(const Options& options) {
-  if (options.reach < deform::whole_cage) std::printf("reach %s; ", deform::text_of_reach(options.reach).c_str());
+  if (options.reach < deform::whole_cage)
+    std::printf("reach %s; ", deform::text_of_reach(options.reach).c_str());
   std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
   std::vector<FrameTime> all;
   for (const std::size_t count : options.counts) {
     const mesh::Surface model = benchmark_model(count);
-    const auto share = std::max<std::size_t>(1, model.positions.size() / 50'000);  // of the rounds, for large models
+    const auto share =
+        std::max<std::size_t>(1, model.positions.size() / 50'000);  // of the rounds, for large models
     for (const std::size_t faces : options.faces) {
       Contest contest(model, faces, options.tolerance, options.reach);
       contest.run(std::max(3, options.rounds / static_cast<int>(share)));
@@ -305,7 +335,8 @@ int bench_frame(const Options& options) {
 void add_frame_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand("frame", "A frame of the bundled model: by path, cage and stage");
   auto options = std::make_shared<Options>();
-  command->add_option("--count", options->counts, "Vertices (default: all 50,000; 200000 and 800000 subdivide)")
+  command
+      ->add_option("--count", options->counts, "Vertices (default: all 50,000; 200000 and 800000 subdivide)")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
   command->add_option("--faces", options->faces, "Cage triangles (default: 50,100,300,600)")

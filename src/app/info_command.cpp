@@ -24,12 +24,14 @@ void print(const scene::OpenedSurface& surface) {
   const mesh::Bounds& box = surface.bounds;
   std::printf("%s\n", surface.path.string().c_str());
   std::printf("  format      %s\n", surface.format.c_str());
-  std::printf("  vertices    %zu\n  polygons    %zu\n  triangles   %zu\n", f.vertices, f.polygons, f.triangles);
+  std::printf("  vertices    %zu\n  polygons    %zu\n  triangles   %zu\n", f.vertices, f.polygons,
+              f.triangles);
   std::printf("  parts       %zu\n", f.parts);
-  std::printf("  surface     %s, %s, %s\n", f.closed() ? "closed" : "open", f.manifold() ? "manifold" : "not manifold",
+  std::printf("  surface     %s, %s, %s\n", f.closed() ? "closed" : "open",
+              f.manifold() ? "manifold" : "not manifold",
               f.oriented() ? "consistently oriented" : "not consistently oriented");
-  std::printf("  box         (%g, %g, %g) to (%g, %g, %g), diagonal %g\n", box.low[0], box.low[1], box.low[2], box.high[0],
-              box.high[1], box.high[2], box.diagonal());
+  std::printf("  box         (%g, %g, %g) to (%g, %g, %g), diagonal %g\n", box.low[0], box.low[1], box.low[2],
+              box.high[0], box.high[1], box.high[2], box.diagonal());
   std::printf("  area        %g\n", f.area);
   if (f.closed()) std::printf("  volume      %g\n", f.volume);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());

@@ -16,9 +16,15 @@ namespace {
 using Kind = InputEvent::Kind;
 
 // GLFW's codes of the modifier keys, left and right.
-bool is_shift(int code) { return code == 340 || code == 344; }
-bool is_ctrl(int code) { return code == 341 || code == 345; }
-bool is_alt(int code) { return code == 342 || code == 346; }
+bool is_shift(int code) {
+  return code == 340 || code == 344;
+}
+bool is_ctrl(int code) {
+  return code == 341 || code == 345;
+}
+bool is_alt(int code) {
+  return code == 342 || code == 346;
+}
 
 bool is_modifier(const InputEvent& e) {
   return e.kind == Kind::key && (is_shift(e.code) || is_ctrl(e.code) || is_alt(e.code));
@@ -70,22 +76,25 @@ void InputQueue::configure() {
   const struct {
     ImGuiKey key;
     int code;
-  } map[] = {{ImGuiKey_Tab, 258},       {ImGuiKey_LeftArrow, 263}, {ImGuiKey_RightArrow, 262},
-             {ImGuiKey_UpArrow, 265},   {ImGuiKey_DownArrow, 264}, {ImGuiKey_PageUp, 266},
-             {ImGuiKey_PageDown, 267},  {ImGuiKey_Home, 268},      {ImGuiKey_End, 269},
-             {ImGuiKey_Insert, 260},    {ImGuiKey_Delete, 261},    {ImGuiKey_Backspace, 259},
-             {ImGuiKey_Space, 32},      {ImGuiKey_Enter, 257},     {ImGuiKey_Escape, 256},
-             {ImGuiKey_KeyPadEnter, 335}, {ImGuiKey_A, 'A'},       {ImGuiKey_C, 'C'},
-             {ImGuiKey_V, 'V'},         {ImGuiKey_X, 'X'},         {ImGuiKey_Y, 'Y'},
-             {ImGuiKey_Z, 'Z'}};
+  } map[] = {{ImGuiKey_Tab, 258},        {ImGuiKey_LeftArrow, 263},
+             {ImGuiKey_RightArrow, 262}, {ImGuiKey_UpArrow, 265},
+             {ImGuiKey_DownArrow, 264},  {ImGuiKey_PageUp, 266},
+             {ImGuiKey_PageDown, 267},   {ImGuiKey_Home, 268},
+             {ImGuiKey_End, 269},        {ImGuiKey_Insert, 260},
+             {ImGuiKey_Delete, 261},     {ImGuiKey_Backspace, 259},
+             {ImGuiKey_Space, 32},       {ImGuiKey_Enter, 257},
+             {ImGuiKey_Escape, 256},     {ImGuiKey_KeyPadEnter, 335},
+             {ImGuiKey_A, 'A'},          {ImGuiKey_C, 'C'},
+             {ImGuiKey_V, 'V'},          {ImGuiKey_X, 'X'},
+             {ImGuiKey_Y, 'Y'},          {ImGuiKey_Z, 'Z'}};
   for (const auto& entry : map) io.KeyMap[entry.key] = entry.code;
 #endif
 }
 
-// One frame takes many events, but never two changes of one key or button, no movement after a button, no change of a
-// modifier after a key or button, and, unless text is being typed, no second key: ImGui looks once a frame, and would
-// see neither the short press, nor where the button went down, nor that Ctrl was held when the key was, nor which key
-// came first.
+// One frame takes many events, but never two changes of one key or button, no movement after a button, no
+// change of a modifier after a key or button, and, unless text is being typed, no second key: ImGui looks
+// once a frame, and would see neither the short press, nor where the button went down, nor that Ctrl was held
+// when the key was, nor which key came first.
 void InputQueue::feed_frame() {
   ImGuiIO& io = ImGui::GetIO();
   std::vector<std::pair<Kind, int>> changed;

@@ -26,9 +26,10 @@ struct InputEvent {
   static InputEvent left_window() { return {.kind = Kind::leave}; }
 };
 
-/// A click that goes down and up between two frames must still be a click: what ImGui could not tell apart in one frame is left for the next.
+/// A click that goes down and up between two frames must still be a click: what ImGui could not tell apart in
+/// one frame is left for the next.
 class InputQueue {
- public:
+public:
   void push(InputEvent event) { events_.push_back(std::move(event)); }
   bool empty() const { return events_.empty(); }
 
@@ -37,7 +38,7 @@ class InputQueue {
   /// Feeds ImGuiIO; call before ImGui::NewFrame().
   void feed_frame();
 
- private:
+private:
   std::deque<InputEvent> events_;
 };
 

@@ -14,7 +14,8 @@ namespace {
 using namespace viete::app;
 
 constexpr const char* footer =
-    "Exit codes: 0 done; 1 a file could not be read or written, or the work failed (the reason is on stderr); 2 wrong "
+    "Exit codes: 0 done; 1 a file could not be read or written, or the work failed (the reason is on "
+    "stderr); 2 wrong "
     "command line.";
 
 std::string usage_error(const CLI::App* app, const CLI::Error& error) {
@@ -26,12 +27,14 @@ std::vector<std::string> with_default_command(int argc, char** argv, const CLI::
   std::vector<std::string> words(argv + 1, argv + argc);
   const std::string first = words.empty() ? "" : words.front();
   const bool global = first == "-h" || first == "--help" || first == "--version";
-  if (!global && app.get_subcommands([&](const CLI::App* s) { return s->get_name() == first; }).empty()) words.insert(words.begin(), "view");
+  if (!global && app.get_subcommands([&](const CLI::App* s) { return s->get_name() == first; }).empty())
+    words.insert(words.begin(), "view");
   return words;
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Viete: deform a mesh by its cage, through the exponential of symmetric 3x3 matrices", "viete");
+  CLI::App app("Viete: deform a mesh by its cage, through the exponential of symmetric 3x3 matrices",
+               "viete");
   app.set_version_flag("--version", "viete " VIETE_VERSION);
   app.footer(footer);
   app.failure_message(usage_error);

@@ -14,13 +14,14 @@ namespace viete::app {
 
 inline constexpr std::size_t probe_limit = 2048;
 
-/// Times and errors of all compared methods on these matrices: medians of interleaved runs in processor time, errors against
-/// the reference of 106 bits.
+/// Times and errors of all compared methods on these matrices: medians of interleaved runs in processor time,
+/// errors against the reference of 106 bits.
 scene::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
-/// A thread that measures the newest sample it was given, again and again as long as new ones come, and rests in between.
+/// A thread that measures the newest sample it was given, again and again as long as new ones come, and rests
+/// in between.
 class MethodProbe {
- public:
+public:
   MethodProbe();
   ~MethodProbe();
   MethodProbe(const MethodProbe&) = delete;
@@ -37,7 +38,7 @@ class MethodProbe {
   /// True while a sample is being measured.
   bool busy() const;
 
- private:
+private:
   void serve();
 
   mutable std::mutex mutex_;

@@ -9,16 +9,17 @@
 namespace viete::app {
 
 class OffscreenViewer {
- public:
+public:
   /// Throws base::Error when no offscreen context can be had.
-  explicit OffscreenViewer(const ViewerOptions& options, OffscreenContext::Kind kind = OffscreenContext::Kind::any);
+  explicit OffscreenViewer(const ViewerOptions& options,
+                           OffscreenContext::Kind kind = OffscreenContext::Kind::any);
 
   Viewer& viewer() { return *viewer_; }
   std::string context_name() const { return context_->name(); }
   /// Frames of 1/60 s until the picture is at rest: fonts and windows settled, model bound, nothing moving.
   void settle();
 
- private:
+private:
   std::unique_ptr<OffscreenContext> context_;
   std::unique_ptr<render::Gl> gl_;
   std::unique_ptr<Viewer> viewer_;

@@ -94,7 +94,8 @@ void ReferenceFrame::scatter_normals() {
   for (auto& n : normals_) n = {0, 0, 0};
   for (const auto& t : binding_.triangles) {
     const mesh::Point &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
-    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+                 v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
     const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     for (const auto corner : t) {
       for (int i = 0; i < 3; ++i) normals_[corner][i] += n[i];

@@ -13,7 +13,7 @@ namespace viete::app {
 /// Per vertex: whole matrices summed with weights in double (9 + 9 + 3 numbers a cage triangle), improved SD,
 /// Rodrigues' formula, the affine product; normals scattered from triangles. Buffers are allocated once.
 class ReferenceFrame {
- public:
+public:
   /// cage and binding are kept by reference; the binding has weights.
   ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding);
 
@@ -22,7 +22,7 @@ class ReferenceFrame {
   std::span<const mesh::Point> positions() const { return positions_; }
   std::span<const mesh::Point> normals() const { return normals_; }
 
- private:
+private:
   using Matrix = std::array<std::array<double, 3>, 3>;
   struct Handle {
     Matrix stretch, rotation;  ///< logs

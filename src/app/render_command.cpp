@@ -1,4 +1,5 @@
-// viete render MODEL [CAGE] [--pose POSE] -o out.png, or viete render SESSION -o out.png: a picture without a window.
+// viete render MODEL [CAGE] [--pose POSE] -o out.png, or viete render SESSION -o out.png: a picture without a
+// window.
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -27,8 +28,9 @@ struct RenderOptions {
 };
 
 const std::map<std::string, scene::StandardView> looks = {
-    {"home", scene::StandardView::home},   {"front", scene::StandardView::front}, {"back", scene::StandardView::back},
-    {"left", scene::StandardView::left},   {"right", scene::StandardView::right}, {"top", scene::StandardView::top},
+    {"home", scene::StandardView::home},    {"front", scene::StandardView::front},
+    {"back", scene::StandardView::back},    {"left", scene::StandardView::left},
+    {"right", scene::StandardView::right},  {"top", scene::StandardView::top},
     {"bottom", scene::StandardView::bottom}};
 
 // Flags switch on top of what the session, or else the default for pictures, has.
@@ -63,13 +65,15 @@ void aim(Viewer& viewer, bool has_camera, const RenderOptions& options) {
 
 int render(const RenderOptions& options) {
   if (options.output.extension() != ".png") {
-    throw base::Error(options.output.string(), "pictures are written as PNG only", "give the file the extension .png");
+    throw base::Error(options.output.string(), "pictures are written as PNG only",
+                      "give the file the extension .png");
   }
   scene::Opened opened =
       scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage, options.pose}}, {});
   const bool has_camera = opened.session && opened.session->camera;
   ViewerOptions viewer_options = options.viewer;
-  if (opened.session && opened.session->window && !options.size_given) viewer_options.size = *opened.session->window;
+  if (opened.session && opened.session->window && !options.size_given)
+    viewer_options.size = *opened.session->window;
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
   set_up(workspace, std::move(opened), options);
@@ -93,12 +97,17 @@ int render(const RenderOptions& options) {
 void add_render_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("render", "Render a picture without a window");
   auto o = std::make_shared<RenderOptions>();
-  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL), or a session (.viete), which has its own view")->required();
+  command
+      ->add_option("MODEL", o->model,
+                   "Mesh (OBJ, PLY, OFF, STL), or a session (.viete), which has its own view")
+      ->required();
   command->add_option("CAGE", o->cage, "Cage around it");
   command->add_option("--pose", o->pose, "Posed version of the cage");
   command->add_option("-o,--output", o->output, "PNG file to write")->required();
   add_size_option(*command, o->viewer.size);
-  command->add_option("--scale", o->viewer.scale, "Device pixels per logical pixel")->check(CLI::Range(0.5, 4.0))->default_str("1");
+  command->add_option("--scale", o->viewer.scale, "Device pixels per logical pixel")
+      ->check(CLI::Range(0.5, 4.0))
+      ->default_str("1");
   add_method_option(*command, o->method);
   add_weighting_options(*command, o->weighting);
   add_binding_option(*command, o->viewer.bindings.named);

@@ -19,14 +19,27 @@ glm::dmat4 file_to_view(const scene::Space& space) {
   return m;
 }
 
-glm::vec4 opaque(const glm::vec3& color) { return {color, 1}; }
+glm::vec4 opaque(const glm::vec3& color) {
+  return {color, 1};
+}
 
-render::Theme theme_of(const scene::Workspace& w) { return w.view.dark ? render::dark_theme() : render::light_theme(); }
+render::Theme theme_of(const scene::Workspace& w) {
+  return w.view.dark ? render::dark_theme() : render::light_theme();
+}
 
 }  // namespace
 
 Stage::Stage(const render::Gl& gl)
-    : gl_(gl), backdrop_(gl), grid_(gl), model_(gl), cage_faces_(gl), cage_lines_(gl), ghost_lines_(gl), cage_vertices_(gl), marks_(gl), findings_(gl) {
+    : gl_(gl),
+      backdrop_(gl),
+      grid_(gl),
+      model_(gl),
+      cage_faces_(gl),
+      cage_lines_(gl),
+      ghost_lines_(gl),
+      cage_vertices_(gl),
+      marks_(gl),
+      findings_(gl) {
   model_.set_palette(render::surface_palette());
 }
 
@@ -61,7 +74,8 @@ void Stage::set_hand(const scene::Workspace& workspace) {
   const auto& document = workspace.document;
   // Vertices stand back where edges or faces are what is selected.
   const bool vertices = document.selection.kind() == scene::ElementKind::vertex;
-  std::vector<render::Disc> discs(document.pose.positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
+  std::vector<render::Disc> discs(document.pose.positions.size(),
+                                  {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
   for (const auto v : scene::selected_vertices(*document.cage, document.selection)) {
     discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
   }
@@ -81,7 +95,8 @@ void Stage::draw(const scene::Workspace& w, glm::ivec2 size, float scale) const 
                           glm::dmat4(w.camera.projection(w.viewport)), size, scale};
   render::SurfaceStyle style;
   style.wireframe = w.view.wireframe ? 0.3f : 0.0f;
-  // A closed surface hides its backs: a software rasteriser draws it in half the time. A graphics card need not care.
+  // A closed surface hides its backs: a software rasteriser draws it in half the time. A graphics card need
+  // not care.
   const auto& facts = document.model.facts;
   style.closed = gl_.software && facts.closed() && facts.manifold() && facts.oriented() && facts.volume > 0;
   style.scalars = has_errors_ && scene::shows_error_map(w);

@@ -17,7 +17,7 @@
 namespace viete::app {
 
 class Stage {
- public:
+public:
   explicit Stage(const render::Gl& gl);
 
   /// New topology: model and cage of the document, the model at rest.
@@ -33,15 +33,17 @@ class Stage {
   void set_cage(const scene::Workspace& workspace);
   void set_hand(const scene::Workspace& workspace);
   /// What the checks found; see FindingMarks::set().
-  void set_findings(const scene::Workspace& workspace, std::span<const mesh::Point> model_positions, bool moved) {
+  void set_findings(const scene::Workspace& workspace, std::span<const mesh::Point> model_positions,
+                    bool moved) {
     findings_.set(workspace, model_positions, moved);
   }
 
   /// Into the bound framebuffer of `size` device pixels.
   void draw(const scene::Workspace& workspace, glm::ivec2 size, float scale) const;
 
- private:
-  void draw_cage(const scene::Workspace& workspace, const render::View& view, const render::Theme& theme) const;
+private:
+  void draw_cage(const scene::Workspace& workspace, const render::View& view,
+                 const render::Theme& theme) const;
 
   const render::Gl& gl_;
   render::Backdrop backdrop_;

@@ -23,7 +23,11 @@ fs::path own_folder(const char* variable, const fs::path& of_home) {
 
 }  // namespace
 
-fs::path state_folder() { return own_folder("XDG_STATE_HOME", ".local/state"); }
-fs::path cache_folder() { return own_folder("XDG_CACHE_HOME", ".cache"); }
+fs::path state_folder() {
+  return own_folder("XDG_STATE_HOME", ".local/state");
+}
+fs::path cache_folder() {
+  return own_folder("XDG_CACHE_HOME", ".cache");
+}
 
 }  // namespace viete::app

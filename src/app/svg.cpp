@@ -41,21 +41,24 @@ Svg::Svg(double width, double height, const char* background) {
 }
 
 void Svg::text(SvgPoint at, std::string_view text, const SvgText& style) {
-  body_ += formatted("<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" font-size=\"%g\" text-anchor=\"%s\"", at.x, at.y, style.color,
-                     style.size, style.anchor);
+  body_ += formatted("<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" font-size=\"%g\" text-anchor=\"%s\"", at.x,
+                     at.y, style.color, style.size, style.anchor);
   if (style.strong) body_ += " font-weight=\"600\"";
   if (style.turn != 0) body_ += formatted(" transform=\"rotate(%g %.1f %.1f)\"", style.turn, at.x, at.y);
   body_ += ">" + escaped(text) + "</text>\n";
 }
 
 void Svg::line(SvgPoint from, SvgPoint to, const char* color, double width) {
-  body_ += formatted("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%g\"/>\n", from.x,
-                     from.y, to.x, to.y, color, width);
+  body_ +=
+      formatted("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%g\"/>\n",
+                from.x, from.y, to.x, to.y, color, width);
 }
 
 void Svg::curve(std::span<const SvgPoint> points, const char* color, double width, bool dashed) {
-  body_ += formatted("<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" stroke-linejoin=\"round\" stroke-linecap=\"round\"",
-                     color, width);
+  body_ += formatted(
+      "<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" stroke-linejoin=\"round\" "
+      "stroke-linecap=\"round\"",
+      color, width);
   if (dashed) body_ += " stroke-dasharray=\"1.5 5\"";
   body_ += " points=\"";
   for (const SvgPoint& p : points) body_ += formatted("%.1f,%.1f ", p.x, p.y);
@@ -63,12 +66,13 @@ void Svg::curve(std::span<const SvgPoint> points, const char* color, double widt
 }
 
 void Svg::disc(SvgPoint center, double radius, const char* color) {
-  body_ += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%g\" fill=\"%s\"/>\n", center.x, center.y, radius, color);
+  body_ += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%g\" fill=\"%s\"/>\n", center.x, center.y, radius,
+                     color);
 }
 
 void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
-  body_ += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"2\" fill=\"%s\"/>\n", corner.x, corner.y,
-                     width, height, color);
+  body_ += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"2\" fill=\"%s\"/>\n",
+                     corner.x, corner.y, width, height, color);
 }
 
 }  // namespace viete::app

@@ -21,7 +21,7 @@ struct SvgText {
 
 /// Lengths in pixels, y down; colours as CSS writes them. y of a text is its baseline.
 class Svg {
- public:
+public:
   Svg(double width, double height, const char* background);
 
   void text(SvgPoint at, std::string_view text, const SvgText& style = {});
@@ -33,7 +33,7 @@ class Svg {
   /// The whole document so far.
   std::string document() const { return body_ + "</svg>\n"; }
 
- private:
+private:
   std::string body_;
 };
 

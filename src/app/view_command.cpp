@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 // Without a display: one line that says so, and the picture that the window would have shown.
 int render_instead(const WindowOptions& options, const std::string& reason) {
   const fs::path picture = "viete.png";
-  std::fprintf(stderr, "viete: no window (%s), writing a picture to %s instead\n", reason.c_str(), picture.c_str());
+  std::fprintf(stderr, "viete: no window (%s), writing a picture to %s instead\n", reason.c_str(),
+               picture.c_str());
   ViewerOptions viewer_options;
   viewer_options.samples = 4;
   viewer_options.scale = options.scale > 0 ? options.scale : 1;
@@ -27,7 +28,8 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   viewer_options.bindings = {.folder = bindings_folder(), .named = options.binding};
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
-  if (!scene::open_now(workspace, {scene::OpenRequest::What::model, {options.model, options.cage, options.pose}})) {
+  if (!scene::open_now(workspace,
+                       {scene::OpenRequest::What::model, {options.model, options.cage, options.pose}})) {
     throw base::Error("", workspace.messages.all().back().text);
   }
   offscreen.settle();
@@ -51,13 +53,18 @@ int view(WindowOptions options) {
 void add_view_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("view", "Open the viewer (this is what `viete` alone does)");
   auto options = std::make_shared<WindowOptions>();
-  command->add_option("MODEL", options->model, "Mesh to deform (OBJ, PLY, OFF, STL), or a session (.viete); default: the bundled dragon");
+  command->add_option(
+      "MODEL", options->model,
+      "Mesh to deform (OBJ, PLY, OFF, STL), or a session (.viete); default: the bundled dragon");
   command->add_option("CAGE", options->cage, "Cage around it");
   command->add_option("--pose", options->pose, "Posed version of the cage, same vertices in the same order");
   add_binding_option(*command, options->binding);
-  command->add_option("--scale", options->scale, "Device pixels per logical pixel; default: what the display says")
+  command
+      ->add_option("--scale", options->scale,
+                   "Device pixels per logical pixel; default: what the display says")
       ->check(CLI::Range(0.5, 4.0));
-  command->add_option("--frames", options->frames, "Close after so many frames")->check(CLI::NonNegativeNumber);
+  command->add_option("--frames", options->frames, "Close after so many frames")
+      ->check(CLI::NonNegativeNumber);
   command->callback([options, &action] {
     check_session_stands_alone(options->model, options->cage, options->pose);
     action = [options] { return view(*options); };

@@ -28,10 +28,17 @@ Viewer::ImGuiOwner::ImGuiOwner() {
   ImGui::GetIO().LogFilename = nullptr;
 }
 
-Viewer::ImGuiOwner::~ImGuiOwner() { ImGui::DestroyContext(); }
+Viewer::ImGuiOwner::~ImGuiOwner() {
+  ImGui::DestroyContext();
+}
 
 Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
-    : gl_(gl), options_(options), files_(options.state, options.bindings, workspace_), imgui_renderer_(gl), framebuffer_(gl), stage_(gl) {
+    : gl_(gl),
+      options_(options),
+      files_(options.state, options.bindings, workspace_),
+      imgui_renderer_(gl),
+      framebuffer_(gl),
+      stage_(gl) {
   fonts_ = ui::add_fonts(options.scale, options.builtin_font);
   imgui_renderer_.upload_fonts();
   InputQueue::configure();
@@ -55,7 +62,8 @@ void Viewer::resize(glm::ivec2 logical_size) {
 
 void Viewer::place_viewport() {
   const glm::vec2 window(options_.size);
-  const glm::vec2 covered = workspace_.view.panels ? glm::vec2(ui::column_width, ui::status_height) : glm::vec2(0);
+  const glm::vec2 covered =
+      workspace_.view.panels ? glm::vec2(ui::column_width, ui::status_height) : glm::vec2(0);
   workspace_.viewport = {window, {covered.x, 0}, glm::max(glm::vec2(1), window - covered)};
 }
 
@@ -96,8 +104,8 @@ void Viewer::frame(float seconds) {
   if (settle_frames_ > 0) --settle_frames_;
 }
 
-// The first frame after a binding fills caches and compiles shaders: it says nothing of the frames to come, so it is made
-// once more.
+// The first frame after a binding fills caches and compiles shaders: it says nothing of the frames to come,
+// so it is made once more.
 void Viewer::count(const scene::FrameTimes& times) {
   if (!deformed_) return;
   if (std::exchange(warming_up_, false)) {
@@ -117,20 +125,23 @@ bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
   const bool reports = files_.loading() || binder_.running() || checks_.running() || bench_.running();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
-  return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due() || binder_.has_result() ||
-         checks_.has_result() || bench_.has_result() || error_map_.has_result() || error_map_is_due();
+  return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due() ||
+         binder_.has_result() || checks_.has_result() || bench_.has_result() || error_map_.has_result() ||
+         error_map_is_due();
 }
 
 bool Viewer::changing() const {
   const scene::Document& document = workspace_.document;
   const bool cage_moved = document.has_cage() && posed_drawn_ != document.posed;
   const bool model_waits = deformer_ && posed_seen_ != document.posed;
-  return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
-         model_waits || topology_seen_ != document.topology;
+  return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved || model_waits ||
+         topology_seen_ != document.topology;
 }
 
 void Viewer::take_requests() {
-  const auto positions = [this] { return deformer_ ? deformer_->exact_positions() : std::vector<mesh::Point>(); };
+  const auto positions = [this] {
+    return deformer_ ? deformer_->exact_positions() : std::vector<mesh::Point>();
+  };
   files_.take_requests(workspace_, positions, !pointer_.active());
   if (std::exchange(workspace_.requests.run_benchmark, false)) {
     bench_.start([](base::Progress& progress) { return measure_exp(benchmark_count, false, progress); });
@@ -138,7 +149,8 @@ void Viewer::take_requests() {
   if (std::exchange(workspace_.requests.stop_benchmark, false)) bench_.cancel();
   take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
   const bool stop = std::exchange(workspace_.requests.stop_work, false);
-  if (stop && binder_.running()) stop_binding("Stopped binding; everything is as it was.", scene::Severity::info);
+  if (stop && binder_.running())
+    stop_binding("Stopped binding; everything is as it was.", scene::Severity::info);
   if (std::exchange(workspace_.requests.frame_finding, false)) frame_finding();
 }
 
@@ -165,11 +177,12 @@ void Viewer::follow_document() {
   // The staged frame's weights are made when a method asks for them; until then method `fast` serves.
   if (deformer_ && !binder_.running() && !deformer_->path(document.method)) start_binding();
   take_binding(false);
-  workspace_.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(), binder_.seconds()};
+  workspace_.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
+                        binder_.seconds()};
 }
 
-// New model or cage: everything that was derived from the old ones goes. New coordinates or another reach: the
-// old ones serve until the new ones are there.
+// New model or cage: everything that was derived from the old ones goes. New coordinates or another reach:
+// the old ones serve until the new ones are there.
 void Viewer::follow_topology() {
   const scene::Document& document = workspace_.document;
   binder_.cancel();
@@ -184,14 +197,15 @@ void Viewer::follow_topology() {
     posed_seen_ = document.posed - 1;
     if (Bound bound = files_.take_bound(); bound.binds(document)) install(std::move(bound));
   }
-  if (document.has_cage() && !(deformer_ && bound_.binding->weighting() == document.weighting())) start_binding();
+  if (document.has_cage() && !(deformer_ && bound_.binding->weighting() == document.weighting()))
+    start_binding();
 }
 
 void Viewer::start_binding() {
   const scene::Document& document = workspace_.document;
   binding_text_ = scene::text(scene::binding_plan(document, document.coordinates));
-  binder_.start([model = document.model.surface, cage = document.cage,
-                 weighting = document.weighting(), method = document.method, known = bound_,
+  binder_.start([model = document.model.surface, cage = document.cage, weighting = document.weighting(),
+                 method = document.method, known = bound_,
                  saved = files_.take_saved()](base::Progress& progress) {
     return bind(model, cage, weighting, method, known, saved, progress);
   });
@@ -223,7 +237,8 @@ void Viewer::stop_binding(const std::string& why, scene::Severity severity) {
     workspace_.document.coordinates = binding.coordinates;
     if (binding.coordinates == deform::Coordinates::face) workspace_.document.reach = binding.reach;
   }
-  if (deformer_ && !deformer_->path(workspace_.document.method)) workspace_.document.method = sym3::Method::fast;
+  if (deformer_ && !deformer_->path(workspace_.document.method))
+    workspace_.document.method = sym3::Method::fast;
   workspace_.messages.say(severity, why);
   settle_frames_ = 3;
 }
@@ -273,7 +288,8 @@ void Viewer::finish_binding() {
 void Viewer::deform(scene::FrameTimes& times) {
   scene::Document& document = workspace_.document;
   const bool dragging = workspace_.hand.drag.has_value();
-  const bool let_go = std::exchange(dragging_, dragging) && !dragging;  // the frame at rest depends on the pose alone
+  const bool let_go =
+      std::exchange(dragging_, dragging) && !dragging;  // the frame at rest depends on the pose alone
   deformed_ = deformer_ && (posed_seen_ != document.posed || let_go);
   if (!deformed_) return;
   deformer_->set_dragging(dragging);
@@ -313,7 +329,8 @@ void Viewer::draw(scene::FrameTimes& times) {
   stage_.draw(workspace_, device_size(), options_.scale);
   framebuffer_.resolve();
   imgui_renderer_.draw(*ImGui::GetDrawData());
-  if (gl_.software) gl_.Finish();  // a software rasteriser works in the background: count its work where it belongs
+  if (gl_.software)
+    gl_.Finish();  // a software rasteriser works in the background: count its work where it belongs
   times.draw = watch.lap_ms();
 }
 
@@ -341,7 +358,8 @@ bool Viewer::error_map_is_due() const {
 // The newest map that is there, and the next one begun; a map may be of a pose a moment ago.
 void Viewer::follow_error_map(bool wait) {
   if (auto result = error_map_.poll(wait)) {
-    const bool fits = result->value && deformer_ && result->value->log10.size() == deformer_->positions().size();
+    const bool fits =
+        result->value && deformer_ && result->value->log10.size() == deformer_->positions().size();
     if (fits) {
       workspace_.error_map = result->value->stats;
       stage_.set_errors(result->value->log10);
@@ -352,20 +370,23 @@ void Viewer::follow_error_map(bool wait) {
   if (!error_map_is_due()) return;
   mapped_ = posed_seen_;
   std::vector<sym3::Sym3<double>> matrices;
-  const bool fused = deformer_->fused() != nullptr;  // then no matrix was ever stored: they are made anew, aside
+  const bool fused =
+      deformer_->fused() != nullptr;  // then no matrix was ever stored: they are made anew, aside
   if (!fused) matrices.assign(deformer_->matrices().begin(), deformer_->matrices().end());
   error_map_.start([fused, matrices = std::move(matrices), bound = bound_,
                     logs = std::vector(deformer_->logs().begin(), deformer_->logs().end()),
                     method = workspace_.document.method](base::Progress& progress) {
     if (!fused) return error_map(matrices, method, &progress);
     const deform::Weigher weigher(*bound.cage, bound.binding->weighting());
-    const auto all = deform::sample_stretches(weigher, *bound.binding, logs, bound.binding->vertices, &progress);
+    const auto all =
+        deform::sample_stretches(weigher, *bound.binding, logs, bound.binding->vertices, &progress);
     return error_map(all, method, &progress);
   });
 }
 
 void Viewer::finish_error_map() {
-  while (error_map_is_due() || (error_map_.running() && scene::shows_error_map(workspace_))) follow_error_map(true);
+  while (error_map_is_due() || (error_map_.running() && scene::shows_error_map(workspace_)))
+    follow_error_map(true);
 }
 
 void Viewer::save_screenshot() {

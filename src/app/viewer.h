@@ -1,4 +1,5 @@
-// The viewer without a window: one frame from input to picture, the same in a window, in a test and for the command line.
+// The viewer without a window: one frame from input to picture, the same in a window, in a test and for the
+// command line.
 #pragma once
 
 #include <memory>
@@ -27,16 +28,17 @@ struct ViewerOptions {
   glm::ivec2 size{1280, 800};  ///< logical pixels
   float scale = 1;             ///< device pixels per logical pixel
   int samples = 0;             ///< multisampling; 0 none
-  int still_samples = 0;       ///< of one more frame once nothing has changed for a quarter of a second; 0 none
-  bool builtin_font = false;   ///< the same text on every machine, for picture tests
-  bool probe = true;           ///< measure the methods aside
-  std::filesystem::path state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
-  SavedBindings bindings{};       ///< where to find bindings, and to keep those that took long
+  int still_samples = 0;  ///< of one more frame once nothing has changed for a quarter of a second; 0 none
+  bool builtin_font = false;  ///< the same text on every machine, for picture tests
+  bool probe = true;          ///< measure the methods aside
+  std::filesystem::path
+      state{};               ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
+  SavedBindings bindings{};  ///< where to find bindings, and to keep those that took long
 };
 
 /// Needs a current GL context, which must outlive it; use in that context's thread. Owns ImGui's context.
 class Viewer {
- public:
+public:
   Viewer(const render::Gl& gl, const ViewerOptions& options);
   ~Viewer();
   Viewer(const Viewer&) = delete;
@@ -50,7 +52,8 @@ class Viewer {
   void resize(glm::ivec2 logical_size);
   glm::ivec2 device_size() const;
 
-  /// One frame: input, commands, deformation, drawing, panels, into the framebuffer. seconds since the last one.
+  /// One frame: input, commands, deformation, drawing, panels, into the framebuffer. seconds since the last
+  /// one.
   void frame(float seconds);
   /// True if a frame now would show something new: a change, or the picture at rest, refined.
   bool wants_frame() const;
@@ -78,7 +81,7 @@ class Viewer {
   /// The deformer of the open document; null while there is none.
   const deform::Deformer* deformer() const { return deformer_.get(); }
 
- private:
+private:
   bool changing() const;
   bool wants_refinement() const;
   void take_requests();

@@ -69,14 +69,16 @@ WindowPtr open_window(glm::ivec2 size) {
   return {nullptr, glfwDestroyWindow};
 }
 
-// One window with its viewer, and the units in between: events come in window units, the viewer thinks in logical pixels.
+// One window with its viewer, and the units in between: events come in window units, the viewer thinks in
+// logical pixels.
 class Window {
- public:
-  Window(GLFWwindow* window, float scale, const std::filesystem::path& binding) : window_(window), scale_(scale) {
+public:
+  Window(GLFWwindow* window, float scale, const std::filesystem::path& binding)
+      : window_(window), scale_(scale) {
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
-    gl_ = std::make_unique<render::Gl>(
-        render::load_gl([](const char* name) { return reinterpret_cast<render::Proc>(glfwGetProcAddress(name)); }));
+    gl_ = std::make_unique<render::Gl>(render::load_gl(
+        [](const char* name) { return reinterpret_cast<render::Proc>(glfwGetProcAddress(name)); }));
     ViewerOptions options;
     options.scale = scale;
     options.samples = gl_->software ? 0 : 4;
@@ -92,7 +94,7 @@ class Window {
   Viewer& viewer() { return *viewer_; }
   void run(int frames);
 
- private:
+private:
   static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
   void listen();
   void listen_to_mouse();
@@ -103,7 +105,8 @@ class Window {
   void set_title();
   void draw(float seconds);
 
-  // Window units are pixels on X11 and logical on Wayland: events are converted by what one unit is in device pixels.
+  // Window units are pixels on X11 and logical on Wayland: events are converted by what one unit is in device
+  // pixels.
   float logical_per_unit() const {
     int units = 0, pixels = 0;
     glfwGetWindowSize(window_, &units, nullptr);
@@ -127,7 +130,9 @@ void Window::listen_to_mouse() {
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
     if (button <= 2) of(w).push(InputEvent::button(button, action == GLFW_PRESS));
   });
-  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { of(w).push(InputEvent::scroll(static_cast<float>(y))); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
+    of(w).push(InputEvent::scroll(static_cast<float>(y)));
+  });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
     if (!entered) of(w).push(InputEvent::left_window());
   });
@@ -135,9 +140,11 @@ void Window::listen_to_mouse() {
 
 void Window::listen_to_keys() {
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int) {
-    if (action != GLFW_REPEAT && key >= 0) of(w).push(InputEvent::key(labelled(key, scancode), action == GLFW_PRESS));
+    if (action != GLFW_REPEAT && key >= 0)
+      of(w).push(InputEvent::key(labelled(key, scancode), action == GLFW_PRESS));
   });
-  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { of(w).push(InputEvent::typed(utf8(code))); });
+  glfwSetCharCallback(window_,
+                      [](GLFWwindow* w, unsigned code) { of(w).push(InputEvent::typed(utf8(code))); });
 }
 
 void Window::listen() {
@@ -161,12 +168,16 @@ void Window::share_clipboard() {
 #if IMGUI_VERSION_NUM >= 19110
   ImGuiPlatformIO& io = ImGui::GetPlatformIO();
   io.Platform_GetClipboardTextFn = [](ImGuiContext*) { return glfwGetClipboardString(nullptr); };
-  io.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) { glfwSetClipboardString(nullptr, text); };
+  io.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) {
+    glfwSetClipboardString(nullptr, text);
+  };
 #else
   ImGuiIO& io = ImGui::GetIO();
   io.ClipboardUserData = window_;
   io.GetClipboardTextFn = [](void* w) { return glfwGetClipboardString(static_cast<GLFWwindow*>(w)); };
-  io.SetClipboardTextFn = [](void* w, const char* text) { glfwSetClipboardString(static_cast<GLFWwindow*>(w), text); };
+  io.SetClipboardTextFn = [](void* w, const char* text) {
+    glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
+  };
 #endif
 }
 
@@ -234,8 +245,10 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   }
   Window window(handle.get(), std::max(scale, 0.5f), options.binding);
   scene::Workspace& workspace = window.viewer().workspace();
-  if (state_folder().empty()) workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
-  workspace.requests.open = scene::OpenRequest{scene::OpenRequest::What::model, {options.model, options.cage, options.pose}};
+  if (state_folder().empty())
+    workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
+  workspace.requests.open =
+      scene::OpenRequest{scene::OpenRequest::What::model, {options.model, options.cage, options.pose}};
   window.run(options.frames);
   if (window.viewer().keeping()) {
     std::fprintf(stderr, "viete: unsaved edits are kept; the next start offers to bring them back\n");

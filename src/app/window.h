@@ -10,11 +10,12 @@ namespace viete::app {
 struct WindowOptions {
   std::filesystem::path model, cage, pose;  ///< model may be a session
   std::filesystem::path binding;            ///< saved, of this model and cage; empty: none
-  float scale = 0;  ///< device pixels per logical pixel; 0 asks the display
-  int frames = 0;   ///< stop after so many frames; 0 never
+  float scale = 0;                          ///< device pixels per logical pixel; 0 asks the display
+  int frames = 0;                           ///< stop after so many frames; 0 never
 };
 
-/// Runs until the window is closed. Returns false, saying why in `reason`, if no window can be opened (no display, no OpenGL 3.3).
+/// Runs until the window is closed. Returns false, saying why in `reason`, if no window can be opened (no
+/// display, no OpenGL 3.3).
 bool run_window(const WindowOptions& options, std::string& reason);
 
 }  // namespace viete::app

@@ -15,7 +15,7 @@ double thread_seconds();
 
 /// Wall time in milliseconds since construction or the last lap.
 class Stopwatch {
- public:
+public:
   double lap_ms() {
     const double now = wall_seconds();
     const double ms = (now - start_) * 1e3;
@@ -23,7 +23,7 @@ class Stopwatch {
     return ms;
   }
 
- private:
+private:
   double start_ = wall_seconds();
 };
 

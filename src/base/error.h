@@ -10,7 +10,7 @@ namespace viete::base {
 /// `place: problem; advice`, for example
 /// `dragon.obj:1042: face refers to vertex 70000, the file has 50000; export the model again`.
 class Error : public std::runtime_error {
- public:
+public:
   /// place: a file, `file:line` or `file: element 12`; may be empty. advice: an imperative; may be empty.
   Error(std::string place, std::string problem, std::string advice = "");
 
@@ -18,7 +18,7 @@ class Error : public std::runtime_error {
   const std::string& problem() const { return problem_; }
   const std::string& advice() const { return advice_; }
 
- private:
+private:
   std::string place_, problem_, advice_;
 };
 

@@ -8,13 +8,13 @@ namespace viete::base {
 
 /// Thrown by Progress::report once cancel() was called; whoever started the work catches it.
 class Cancelled : public std::runtime_error {
- public:
+public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
 /// Shared by the thread that works and the one that watches; what the watcher calls is thread-safe.
 class Progress {
- public:
+public:
   /// Called by the work, often: done in [0, 1]. Throws Cancelled when the watcher asked for it.
   void report(double done) {
     done_.store(from_ + (to_ - from_) * done, std::memory_order_relaxed);
@@ -31,7 +31,7 @@ class Progress {
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   double done() const { return done_.load(std::memory_order_relaxed); }
 
- private:
+private:
   std::atomic<double> done_{0.0};
   std::atomic<bool> cancelled_{false};
   double from_ = 0, to_ = 1;

@@ -1,8 +1,8 @@
 #include "base/worker_pool.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -80,9 +80,13 @@ WorkerPool::~WorkerPool() {
   for (auto& thread : state_->threads) thread.join();
 }
 
-int WorkerPool::threads() const { return static_cast<int>(state_->threads.size()) + 1; }
+int WorkerPool::threads() const {
+  return static_cast<int>(state_->threads.size()) + 1;
+}
 
-WorkerPool::Cost WorkerPool::cost() const { return state_->cost; }
+WorkerPool::Cost WorkerPool::cost() const {
+  return state_->cost;
+}
 
 void WorkerPool::for_blocks(std::size_t count, std::size_t block,
                             const std::function<void(std::size_t, std::size_t)>& body) {

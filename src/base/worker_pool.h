@@ -10,7 +10,7 @@ namespace viete::base {
 /// A persistent pool for data-parallel loops. Blocks have a fixed size that does not depend on the number
 /// of threads, and each block is computed by one thread alone, so results are the same for any number.
 class WorkerPool {
- public:
+public:
   /// threads: how many share the work, the caller included; 0 means one for each processor.
   explicit WorkerPool(int threads = 0);
   ~WorkerPool();
@@ -27,11 +27,12 @@ class WorkerPool {
   Cost cost() const;
 
   /// Calls body(begin, end) for consecutive blocks that cover [0, count), on all threads; returns when all
-  /// are done. The first exception that a body throws is rethrown here. Only one thread may call it at a time; not reentrant.
+  /// are done. The first exception that a body throws is rethrown here. Only one thread may call it at a
+  /// time; not reentrant.
   void for_blocks(std::size_t count, std::size_t block,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 
- private:
+private:
   struct State;
   std::unique_ptr<State> state_;
 };

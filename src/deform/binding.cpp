@@ -100,14 +100,15 @@ Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, 
   return bind(model, cage, weighting, Path::staged, nullptr, pool, progress);
 }
 
-Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, Path path, const Binding* known,
-             base::WorkerPool& pool, base::Progress* progress) {
+Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, Path path,
+             const Binding* known, base::WorkerPool& pool, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   Binding binding;
   binding.coordinates = weighting.coordinates;
   binding.reach = weighting.reach;
   binding.vertices = model.positions.size();
-  binding.handles = weighting.coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
+  binding.handles =
+      weighting.coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
   if (path == Path::staged) allocate(binding);
   binding.rest = model.positions;
   binding.triangles = model.triangles;
@@ -117,7 +118,8 @@ Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, 
     binding.tiles = std::make_shared<const TiledBinding>(
         bind_tiles(model, cage, weighting, pool, usual_tolerance, progress));
   }
-  const std::size_t failed = path == Path::staged ? fill(cage, binding, pool, progress) : binding.tiles->failed;
+  const std::size_t failed =
+      path == Path::staged ? fill(cage, binding, pool, progress) : binding.tiles->failed;
   warn(cage, failed, binding);
   return binding;
 }

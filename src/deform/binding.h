@@ -25,7 +25,8 @@ struct Binding {
   double reach = whole_cage;
   std::size_t vertices = 0, handles = 0;
   std::shared_ptr<const TiledBinding> tiles;  ///< for the fused frame; null where it is not for that
-  std::vector<double> weights;    ///< n rows of k, each summing to 1; empty where it is not for the staged frame
+  std::vector<double>
+      weights;  ///< n rows of k, each summing to 1; empty where it is not for the staged frame
   std::vector<mesh::Point> rest;  ///< x, the model's positions
   /// Face: x - sum w c, which exp(Y) exp(X) acts on. Mean value: x - sum w p, what the weights cannot
   /// reproduce, ~0 for closed cages.
@@ -37,18 +38,19 @@ struct Binding {
   Weighting weighting() const { return {coordinates, reach}; }
 };
 
-/// Bytes that bind() asks for before it begins, for n vertices and k handles; at most 2^63. For the fused frame: at
-/// most, or where weights can be compressed, a quarter of that, of which less is left by the compression.
+/// Bytes that bind() asks for before it begins, for n vertices and k handles; at most 2^63. For the fused
+/// frame: at most, or where weights can be compressed, a quarter of that, of which less is left by the
+/// compression.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path = Path::staged);
 
-/// For the staged frame. Cost O(n k), shared over the pool; the result does not depend on the number of threads. Throws
-/// base::Cancelled; throws base::Error when the memory that is free now would not suffice, or when the model
-/// has no vertices.
+/// For the staged frame. Cost O(n k), shared over the pool; the result does not depend on the number of
+/// threads. Throws base::Cancelled; throws base::Error when the memory that is free now would not suffice, or
+/// when the model has no vertices.
 Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 
 /// For the path; of `known`, a binding of the same model and cage or null, what fits is shared. As bind().
-Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, Path path, const Binding* known,
-             base::WorkerPool& pool, base::Progress* progress = nullptr);
+Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, Path path,
+             const Binding* known, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

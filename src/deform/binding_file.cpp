@@ -178,8 +178,9 @@ void read_lists(Reader& reader, const std::vector<std::uint32_t>& lengths, Tiled
 
 // For weights or factors, once the file is as long as they are.
 void make_room(const Reader& reader, TiledBinding& b) {
-  const std::size_t weights =
-      b.compressed() ? 0 : b.has_lists() ? b.listed_weights() : b.leaves.slot_count() * b.handles;
+  const std::size_t weights = b.compressed()  ? 0
+                              : b.has_lists() ? b.listed_weights()
+                                              : b.leaves.slot_count() * b.handles;
   const auto [factors, skeleton] = b.place_factors();
   reader.expect(sizeof(float) * (b.offsets.size() + weights + factors + skeleton));
   require_memory(static_cast<double>(reader.left()), b.leaves.vertices, b.handles);

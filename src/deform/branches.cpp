@@ -128,8 +128,9 @@ bool stays(const Vec3& v, const Vec3& reference) {
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - 1e-6;
 }
 
-// True if all logs are principal whatever the forest: every one is what its neighbours choose, and any other branch of it
-// is farther than the principal one from all that roots are compared with: the references and the leader.
+// True if all logs are principal whatever the forest: every one is what its neighbours choose, and any other
+// branch of it is farther than the principal one from all that roots are compared with: the references and
+// the leader.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double reach = means.empty() ? 0 : norm(means[0]);

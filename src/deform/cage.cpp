@@ -78,8 +78,8 @@ double thickness(const Cage& cage) {
   return most - least;
 }
 
-// A flat sheet has an edge all around and moves what is near it; a box that is squashed flat has neither an edge
-// nor an inside.
+// A flat sheet has an edge all around and moves what is near it; a box that is squashed flat has neither an
+// edge nor an inside.
 void refuse_squashed(const Cage& cage, const DualGraph& graph) {
   if (graph.open > 0 || thickness(cage) > flat_shape) return;
   throw base::Error("", "the cage is squashed flat: it closes around no volume",

@@ -34,8 +34,8 @@ struct Cage {
   std::size_t element_count() const { return centers.size(); }
 };
 
-/// Throws base::Error if the surface has no triangle with area, is a closed one squashed flat, or has a fin (an
-/// edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.
+/// Throws base::Error if the surface has no triangle with area, is a closed one squashed flat, or has a fin
+/// (an edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.
 Cage make_cage(mesh::Surface surface);
 
 /// Posed positions, and the whole turns that the pose has made: for each part of the cage (see roots) the

@@ -71,7 +71,8 @@ void Deformer::allocate_staged() {
 
 std::span<const sym3::Sym3<double>> Deformer::matrices() const {
   if (!fused_ran_) return sums_.stretch;
-  if (!std::exchange(matrices_sampled_, true)) sample_ = sample_stretches(*weigher_, *binding_, logs(), sample_limit);
+  if (!std::exchange(matrices_sampled_, true))
+    sample_ = sample_stretches(*weigher_, *binding_, logs(), sample_limit);
   return sample_;
 }
 
@@ -95,7 +96,9 @@ void Deformer::take_vertices() const {
   }
 }
 
-std::span<const MapLog> Deformer::logs() const { return fused_ran_ ? fused_->logs() : std::span<const MapLog>(logs_); }
+std::span<const MapLog> Deformer::logs() const {
+  return fused_ran_ ? fused_->logs() : std::span<const MapLog>(logs_);
+}
 
 double Deformer::sampled_error() const {
   if (!fused_ran_) return 0;

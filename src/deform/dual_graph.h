@@ -15,8 +15,8 @@ struct DualGraph {
   std::size_t open = 0;                             ///< edges with one triangle
   std::size_t nonmanifold = 0;                      ///< edges with three or more
   std::size_t misoriented = 0;  ///< edges that two triangles run through in the same direction
-  /// Edges (vertices, low first) with an odd number of triangles beyond one, all of them with area: a fin sticks
-  /// out there, and neither side of it is inside.
+  /// Edges (vertices, low first) with an odd number of triangles beyond one, all of them with area: a fin
+  /// sticks out there, and neither side of it is inside.
   std::vector<std::array<std::uint32_t, 2>> fins;
 };
 

@@ -17,10 +17,10 @@ struct FaceMap {
 /// The middle of a bounding box: of a rest cage, where poses have their origin too while they stay near.
 Vec3 middle(std::span<const mesh::Point> positions);
 
-/// What a pose's positions are taken relative to, so that blending them loses nothing when the pose is far from
-/// the origin of the axes: the middle of the rest cage, plus the way to the pose's middle in steps of about half
-/// the cage. A pose that is edited keeps its origin, but for large steps, and so what the edit does not reach
-/// keeps its bits.
+/// What a pose's positions are taken relative to, so that blending them loses nothing when the pose is far
+/// from the origin of the axes: the middle of the rest cage, plus the way to the pose's middle in steps of
+/// about half the cage. A pose that is edited keeps its origin, but for large steps, and so what the edit
+/// does not reach keeps its bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
 /// linear = [u' v' n'][u v n]^-1 with u, v two edges and n = N / sqrt|N|, N = u x v. Reproduces similarities;
@@ -28,7 +28,8 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 /// gives a matrix of rank 2 or less. maps.size() == cage.element_count(), posed.size() ==
 /// cage.surface.positions.size().
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps);
-/// The same where only `moved` have corners that moved since maps was made: their linear parts, and all centres.
+/// The same where only `moved` have corners that moved since maps was made: their linear parts, and all
+/// centres.
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<const std::uint32_t> moved,
                std::span<FaceMap> maps);
 

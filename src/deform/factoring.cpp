@@ -29,7 +29,8 @@ Factors factor_rows(const LeafRows& leaf, std::size_t vertices, double tolerance
   Factors result;
   kernel.take_out(leaf, unit.data(), taken.data(), norms.data());
   for (;;) {
-    const auto largest = std::max_element(norms.begin(), norms.begin() + static_cast<std::ptrdiff_t>(vertices));
+    const auto largest =
+        std::max_element(norms.begin(), norms.begin() + static_cast<std::ptrdiff_t>(vertices));
     if (!(*largest > tolerance * tolerance)) break;
     if (result.pivots.size() == most) return {};
     const auto pivot = static_cast<std::size_t>(largest - norms.begin());

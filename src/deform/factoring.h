@@ -14,9 +14,9 @@ struct Factors {
   AlignedVector<float> factors;     ///< [tile][pivot][lane]: row = sum of factor times the pivot's row
 };
 
-/// Row interpolative decomposition with pivoting: takes out the largest row of what is left until none is longer than
-/// `tolerance`, and gives up after `most` of them. rows [tile][column][lane] is destroyed; the first `vertices` slots
-/// count.
+/// Row interpolative decomposition with pivoting: takes out the largest row of what is left until none is
+/// longer than `tolerance`, and gives up after `most` of them. rows [tile][column][lane] is destroyed; the
+/// first `vertices` slots count.
 Factors factor_rows(const LeafRows& rows, std::size_t vertices, double tolerance, std::size_t most,
                     const BindKernel& kernel);
 

@@ -1,12 +1,11 @@
-// From weights and logs to positions in vector registers: included by frame_kernel.cpp for each instruction set.
-// Internal. (No #pragma once: see sym3/exp-inl.h.)
+// From weights and logs to positions in vector registers: included by frame_kernel.cpp for each instruction
+// set. Internal. (No #pragma once: see sym3/exp-inl.h.)
 #if defined(VIETE_DEFORM_FRAME_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_FRAME_KERNEL_INL_H
 #undef VIETE_DEFORM_FRAME_KERNEL_INL_H
 #else
 #define VIETE_DEFORM_FRAME_KERNEL_INL_H
 #endif
-
 
 #include "deform/frame_kernel.h"
 #include "sym3/exp-inl.h"

@@ -5,6 +5,7 @@
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "deform/frame_kernel.cpp"
 #include <hwy/foreach_target.h>
+
 #include <hwy/cache_control.h>
 
 #include "deform/frame_kernel-inl.h"

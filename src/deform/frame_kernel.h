@@ -10,7 +10,8 @@
 
 namespace viete::deform {
 
-inline constexpr std::size_t log_size = 12;      ///< six of the stretch, three of the rotation, three of the centre
+inline constexpr std::size_t log_size =
+    12;  ///< six of the stretch, three of the rotation, three of the centre
 inline constexpr std::size_t centre_column = 9;  ///< where those of the centre begin
 inline constexpr std::size_t position_size = 3;  ///< mean value coordinates blend positions alone
 
@@ -29,12 +30,12 @@ inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
 /// Consecutive tiles whose vertices share a table. Everything is aligned to 64 bytes.
 template <class T>
 struct TileRun {
-  std::size_t tiles = 0;       ///< even
-  std::size_t rows = 0;        ///< of weights
-  const T* weights = nullptr;  ///< [tile][row][lane]
-  const T* table = nullptr;    ///< [row][column], 12 or 3 columns
-  const T* base = nullptr;     ///< sums to start from, [tile][column][lane]; null: zero
-  const T* mean = nullptr;     ///< [9], what `deform` adds to the blended logs; null: zero
+  std::size_t tiles = 0;                  ///< even
+  std::size_t rows = 0;                   ///< of weights
+  const T* weights = nullptr;             ///< [tile][row][lane]
+  const T* table = nullptr;               ///< [row][column], 12 or 3 columns
+  const T* base = nullptr;                ///< sums to start from, [tile][column][lane]; null: zero
+  const T* mean = nullptr;                ///< [9], what `deform` adds to the blended logs; null: zero
   const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: in order
 };
 
@@ -67,9 +68,9 @@ struct TileKernel {
 struct FrameKernel {
   TileKernel<float> in_float;
   TileKernel<double> in_double;
-  /// To vertices[order[slot]]: position times unit, and the unit normal by the walk around it, (0, 0, 1) where
-  /// there is no area; nothing where neither slots nor halo changed by a bit. Leaves write to different places and
-  /// vertices.
+  /// To vertices[order[slot]]: position times unit, and the unit normal by the walk around it, (0, 0, 1)
+  /// where there is no area; nothing where neither slots nor halo changed by a bit. Leaves write to different
+  /// places and vertices.
   void (*ring_vertices)(const RingRun& run, FrameVertex* vertices);
   /// The normal of a hub (see Rings), which ring_vertices leaves out.
   void (*ring_hub)(const float* positions, const std::uint32_t* walk, std::size_t length, std::uint32_t place,

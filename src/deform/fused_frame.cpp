@@ -137,10 +137,11 @@ void FusedFrame::fill_table(const Pose& pose) {
   }
 }
 
-// Weights sum to one up to what compression leaves out, so the log that all elements share is best not weighted at all: a
-// turn of the whole cage is then as exact as float, whatever the tolerance. (What the centres miss, the offsets hold, which
-// are made with the same weights.) During a drag the mean stays with the sums. Where nothing is left out something near it
-// does, which an edit leaves as it is, and with it the bits of all that the edit does not reach.
+// Weights sum to one up to what compression leaves out, so the log that all elements share is best not
+// weighted at all: a turn of the whole cage is then as exact as float, whatever the tolerance. (What the
+// centres miss, the offsets hold, which are made with the same weights.) During a drag the mean stays with
+// the sums. Where nothing is left out something near it does, which an edit leaves as it is, and with it the
+// bits of all that the edit does not reach.
 void FusedFrame::choose_mean() {
   for (std::size_t i = 0; i < centre_column; ++i) {
     double sum = 0;
@@ -192,11 +193,13 @@ void FusedFrame::hold(const Elements& moving) {
   held_.weights.resize(list_moving());
   held_.rows.assign(held_.row_count() * log_size, 0.0f);
   AlignedVector<float> others = table_;
-  for (const auto j : moving) std::fill_n(others.begin() + static_cast<std::ptrdiff_t>(j * log_size), log_size, 0.0f);
+  for (const auto j : moving)
+    std::fill_n(others.begin() + static_cast<std::ptrdiff_t>(j * log_size), log_size, 0.0f);
   blend_skeleton(others.data());
   for_leaves([&](std::size_t leaf) {
     if (held_.row_count(leaf) == 0) return;
-    kernel_.in_float.blend(leaf_run(leaf, others.data()), held_.sums.data() + binding_->leaves.begin(leaf) * log_size);
+    kernel_.in_float.blend(leaf_run(leaf, others.data()),
+                           held_.sums.data() + binding_->leaves.begin(leaf) * log_size);
     AlignedVector<float> scratch(leaf_slots * log_size);
     pack_weights(leaf, scratch.data());
   });
@@ -209,7 +212,8 @@ std::size_t FusedFrame::list_moving() {
   std::size_t weights = 0;
   for (std::size_t leaf = 0; leaf < b.leaves.count(); ++leaf) {
     for (std::uint32_t m = 0; m < held_.moving.size(); ++m) {
-      if (!b.has_lists() || std::ranges::binary_search(b.list(leaf), held_.moving[m])) held_.listed.push_back(m);
+      if (!b.has_lists() || std::ranges::binary_search(b.list(leaf), held_.moving[m]))
+        held_.listed.push_back(m);
     }
     held_.starts.push_back(held_.listed.size());
     weights += (b.leaves.end(leaf) - b.leaves.begin(leaf)) * held_.row_count(leaf);
@@ -232,7 +236,8 @@ void FusedFrame::pack_listed(std::size_t leaf) {
   }
 }
 
-// The columns of the moving elements: copied, or, where the leaf has factors, blended of its pivots' like logs.
+// The columns of the moving elements: copied, or, where the leaf has factors, blended of its pivots' like
+// logs.
 void FusedFrame::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;
   if (b.has_lists()) return pack_listed(leaf);
@@ -257,7 +262,8 @@ void FusedFrame::pack_weights(std::size_t leaf, float* scratch) {
     run.table = pivots.data();
     kernel_.in_float.blend(run, scratch);
     for (std::size_t t = 0; t < tiles; ++t) {
-      std::copy_n(scratch + t * log_size * lanes, std::min(log_size, count - m) * lanes, out + (t * count + m) * lanes);
+      std::copy_n(scratch + t * log_size * lanes, std::min(log_size, count - m) * lanes,
+                  out + (t * count + m) * lanes);
     }
   }
 }
@@ -266,8 +272,8 @@ void FusedFrame::blend_skeleton(const float* table) {
   const TiledBinding& b = *binding_;
   pool_.for_blocks(b.skeleton_slots(), skeleton_block, [&](std::size_t begin, std::size_t end) {
     float* sums = skeleton_sums_.data() + begin * log_size;
-    kernel_.in_float.blend({(end - begin) / lanes, b.handles, b.skeleton.data() + begin * b.handles, table, nullptr},
-                           sums);
+    kernel_.in_float.blend(
+        {(end - begin) / lanes, b.handles, b.skeleton.data() + begin * b.handles, table, nullptr}, sums);
     to_rows(sums, 0, end - begin, skeleton_table_.data() + begin * log_size);
   });
 }
@@ -296,8 +302,13 @@ void FusedFrame::place_vertices() {
     TileRun<float> run = leaf_run(leaf, table_.data());
     if (dragging_ && held_.row_count(leaf) > 0) {
       const std::size_t start = held_.starts[leaf];
-      run = {run.tiles, held_.row_count(leaf), held_.weights.data() + leaf_slots * start, held_.rows.data(),
-             held_.sums.data() + begin * log_size, nullptr, held_.listed.data() + start};
+      run = {run.tiles,
+             held_.row_count(leaf),
+             held_.weights.data() + leaf_slots * start,
+             held_.rows.data(),
+             held_.sums.data() + begin * log_size,
+             nullptr,
+             held_.listed.data() + start};
     }
     run.mean = mean_.data();
     const float* offsets = b.offsets.data() + begin * position_size;
@@ -312,11 +323,12 @@ void FusedFrame::compute_normals() {
   for_leaves([&](std::size_t leaf) {
     const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
     const std::size_t first = r.places[leaf];
-    kernel_.ring_vertices({positions_.data(), first, slots, r.places[leaf + 1] - first,
-                           std::min(slots, b.leaves.vertices - begin), leaf_moved_[leaf] != 0, r.halo.data() + (first - begin),
-                           r.halo.size() - (first - begin), b.leaves.order.data() + begin, r.walk.data() + r.walk_starts[leaf],
-                           r.lengths.data() + begin / ring_group, static_cast<float>(b.unit)},
-                          vertices_.data());
+    kernel_.ring_vertices(
+        {positions_.data(), first, slots, r.places[leaf + 1] - first,
+         std::min(slots, b.leaves.vertices - begin), leaf_moved_[leaf] != 0, r.halo.data() + (first - begin),
+         r.halo.size() - (first - begin), b.leaves.order.data() + begin, r.walk.data() + r.walk_starts[leaf],
+         r.lengths.data() + begin / ring_group, static_cast<float>(b.unit)},
+        vertices_.data());
   });
   for (const auto& hub : r.hubs) {
     kernel_.ring_hub(positions_.data(), hub.walk.data(), hub.walk.size(), hub.place,

@@ -1,4 +1,5 @@
-// The frame at the speed of memory: logs of the cage in, positions and normals out, nothing stored in between.
+// The frame at the speed of memory: logs of the cage in, positions and normals out, nothing stored in
+// between.
 #pragma once
 
 #include <array>
@@ -11,20 +12,21 @@
 
 namespace viete::deform {
 
-/// The links of Deformer's frame, method `fast`, in float: from the blend to the positions in one pass over the
-/// weights, the sums staying in registers. Agrees with the staged frame to 1e-6 of the diagonal, and to the
-/// binding's tolerance where that is compressed.
+/// The links of Deformer's frame, method `fast`, in float: from the blend to the positions in one pass over
+/// the weights, the sums staying in registers. Agrees with the staged frame to 1e-6 of the diagonal, and to
+/// the binding's tolerance where that is compressed.
 ///
-/// Dragging costs what moved: the first frame of a drag forms the sums of all elements that do not move and keeps
-/// them, and from then on only the columns that move are added. Nothing accumulates. Leaves whose lists have none of
-/// the elements that move are left alone.
+/// Dragging costs what moved: the first frame of a drag forms the sums of all elements that do not move and
+/// keeps them, and from then on only the columns that move are added. Nothing accumulates. Leaves whose lists
+/// have none of the elements that move are left alone.
 ///
-/// Unless weights are compressed, vertices that the moved elements do not reach keep their bits, in a drag and in full
-/// frames, as long as the pose as a whole stays about where it is (see pose_origin) and the mean of its logs too.
+/// Unless weights are compressed, vertices that the moved elements do not reach keep their bits, in a drag
+/// and in full frames, as long as the pose as a whole stays about where it is (see pose_origin) and the mean
+/// of its logs too.
 ///
-/// Not thread-safe; everything that grows with the model is allocated in the constructor, or when a drag begins.
-/// Results are bit-identical for any number of threads, and depend on the pose alone but for the rounding of float
-/// during a drag.
+/// Not thread-safe; everything that grows with the model is allocated in the constructor, or when a drag
+/// begins. Results are bit-identical for any number of threads, and depend on the pose alone but for the
+/// rounding of float during a drag.
 class FusedFrame {
 public:
   /// cage and binding must not be null and belong together.
@@ -77,17 +79,17 @@ private:
   std::vector<FaceMap> maps_;
   std::vector<MapSplit> splits_;
   std::vector<MapLog> logs_;
-  Elements moved_;                       // in this frame
+  Elements moved_;                                     // in this frame
   std::vector<std::array<double, log_size>> entries_;  // [handle], what table_ is made of
-  AlignedVector<float> table_;           // [handle][column], less the mean of its column
-  std::array<float, log_size> mean_{};   // [column]
-  AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
-  AlignedVector<float> skeleton_table_;  // [pivot][column]
-  AlignedVector<float> positions_;       // [place] of the rings, x y z x in units
+  AlignedVector<float> table_;                         // [handle][column], less the mean of its column
+  std::array<float, log_size> mean_{};                 // [column]
+  AlignedVector<float> skeleton_sums_;                 // [tile][column][lane]
+  AlignedVector<float> skeleton_table_;                // [pivot][column]
+  AlignedVector<float> positions_;                     // [place] of the rings, x y z x in units
   AlignedVector<FrameVertex> vertices_;
   std::vector<std::uint8_t> leaf_moved_;  // [leaf] its slots, in this frame
   Vec3 origin_{0, 0, 0};
-  std::vector<mesh::Point> pose_;  // of the last frame
+  std::vector<mesh::Point> pose_;         // of the last frame
   bool drag_ = false, dragging_ = false;  // a drag is on; this frame was part of it
   LinkTimes times_;
   LogReport report_;
@@ -95,11 +97,12 @@ private:
   /// While a few elements move: what the others amount to.
   struct Held {
     Elements moving;
-    AlignedVector<float> table;    // when it was formed
+    AlignedVector<float> table;  // when it was formed
     Vec3 origin{0, 0, 0};
     std::vector<std::size_t> starts;    // in `listed`, one more than leaves
     std::vector<std::uint32_t> listed;  // which of those that move have weight in a leaf, leaf by leaf
-    AlignedVector<float> sums;     // [tile][column][lane], of the elements that do not move; of leaves that others move
+    AlignedVector<float>
+        sums;  // [tile][column][lane], of the elements that do not move; of leaves that others move
     AlignedVector<float> weights;  // [tile][row][lane], of those that do, in the order of `listed`
     AlignedVector<float> rows;     // their part of the table
     bool placed = false;           // a frame was computed from these: leaves without rows stay as they are

@@ -39,11 +39,12 @@ bool finite(const sym3::Mat3<double>& m) {
   return std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); });
 }
 
-// A map that mirrors, collapses or is not finite, by its singular values, which are raised to the floor. True if one was
-// below.
+// A map that mirrors, collapses or is not finite, by its singular values, which are raised to the floor. True
+// if one was below.
 bool split_collapsed(const FaceMap& map, double mean, MapSplit& split) {
   const bool usable = finite(map.linear);
-  Polar p = usable ? polar(map.linear) : Polar{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 1, 1}};
+  Polar p =
+      usable ? polar(map.linear) : Polar{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 1, 1}};
   const double floor = floor_of(p.stretches[0], mean);
   const bool raised = p.stretches[2] < floor;
   for (double& s : p.stretches) s = std::max(s, floor);
@@ -76,7 +77,8 @@ void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const M
   std::vector<Vec3> principal(maps.size());
   for (std::uint32_t e = 0; e < maps.size(); ++e) {
     MapSplit split = splits[e];
-    const bool ordinary = cage.degenerate[e] || split.least >= floor_of(split.largest, mean);  // false for NaN
+    const bool ordinary =
+        cage.degenerate[e] || split.least >= floor_of(split.largest, mean);  // false for NaN
     if (!ordinary && split_collapsed(maps[e], mean, split)) report.collapsed.push_back(e);
     rotations[e] = split.rotation;
     principal[e] = split.turn;

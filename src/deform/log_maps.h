@@ -28,10 +28,10 @@ struct LogReport {
   std::vector<std::array<std::uint32_t, 2>> torn;
 };
 
-/// Polar split of each map, linear = R S: X = log S, Y = log R, in vector code, and by SVD where a map mirrors or nearly
-/// collapses. Singular values are raised to 1e-3 of
-/// the element's largest one and to 1e-4 of the pose's mean one: no element collapses fully. A mirrored map
-/// takes the closest proper rotation. A map that is not finite counts as collapsed, with the log of I.
+/// Polar split of each map, linear = R S: X = log S, Y = log R, in vector code, and by SVD where a map
+/// mirrors or nearly collapses. Singular values are raised to 1e-3 of the element's largest one and to 1e-4
+/// of the pose's mean one: no element collapses fully. A mirrored map takes the closest proper rotation. A
+/// map that is not finite counts as collapsed, with the log of I.
 ///
 /// Branches of Y: choose_branches(). A pure function of its inputs; handing report.turns on follows a
 /// continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).

@@ -1,5 +1,5 @@
-// Normals by a walk around each vertex, in vector registers: included by frame_kernel.cpp for each instruction
-// set. Internal. (No #pragma once: see sym3/exp-inl.h.)
+// Normals by a walk around each vertex, in vector registers: included by frame_kernel.cpp for each
+// instruction set. Internal. (No #pragma once: see sym3/exp-inl.h.)
 #if defined(VIETE_DEFORM_RING_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_RING_KERNEL_INL_H
 #undef VIETE_DEFORM_RING_KERNEL_INL_H
@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float smallest = 1e-36f, largest = 1e36f;  // squared areas outside count as none
 
-// Points as four lanes x y z x: turned by one lane to the left they are y z x y, as a cross product wants them. A
-// register holds as many points as it has room for, each in a block of its own.
+// Points as four lanes x y z x: turned by one lane to the left they are y z x y, as a cross product wants
+// them. A register holds as many points as it has room for, each in a block of its own.
 #if HWY_TARGET == HWY_SCALAR
 
 struct OnePoint {};
@@ -121,7 +121,7 @@ static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
 }
 
 // Pairs of blocks: a position and a normal make a vertex.
-template <class D, class V = hn::Vec<D>>
+template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_pairs(D d, const V& pairs, const std::uint32_t* order, FrameVertex* vertices) {
   if constexpr (points(d) == 2) {
     hn::Store(pairs, d, vertices[order[0]].position);
@@ -132,7 +132,7 @@ static HWY_INLINE void store_pairs(D d, const V& pairs, const std::uint32_t* ord
   }
 }
 
-template <class D, class V = hn::Vec<D>>
+template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals, const std::uint32_t* order,
                                       FrameVertex* vertices) {
   if constexpr (points(d) == 1) {
@@ -144,7 +144,7 @@ static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals,
 }
 
 // Lane k of a block: the sum of the lanes of that block of s[k].
-template <class D, class V = hn::Vec<D>>
+template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V block_sums(D d, const V (&s)[4]) {
   const hn::RepartitionToWide<D> pairs;
   const V a = hn::Add(hn::InterleaveLower(d, s[0], s[1]), hn::InterleaveUpper(d, s[0], s[1]));
@@ -154,7 +154,7 @@ static HWY_INLINE V block_sums(D d, const V (&s)[4]) {
   return hn::Add(hn::BitCast(d, first), hn::BitCast(d, second));
 }
 
-template <int k, class D, class V = hn::Vec<D>>
+template <int k, class D, class V = hn::Vec<D> >
 static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   HWY_ALIGN static constexpr std::int32_t z_last[] = {1, 2, 0, 3, 5, 6, 4, 7, 9, 10, 8, 11, 13, 14, 12, 15};
   HWY_ALIGN static constexpr float up[] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -165,7 +165,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
 }
 
 // z x y 0 to unit x y z 0.
-template <class D, class V = hn::Vec<D>>
+template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void normalise(D d, V (&areas)[4]) {
   const V squares[4] = {hn::Mul(areas[0], areas[0]), hn::Mul(areas[1], areas[1]), hn::Mul(areas[2], areas[2]),
                         hn::Mul(areas[3], areas[3])};
@@ -192,11 +192,12 @@ struct Areas {
   }
 };
 
-// Twice the area vectors around `self`. Two triangles in a row make a quadrilateral, whose area is that of the cross
-// product of its diagonals: half as many products as triangles. A walk has `stride` numbers a step, each counting so many
-// floats; open ones have an odd number of steps.
+// Twice the area vectors around `self`. Two triangles in a row make a quadrilateral, whose area is that of
+// the cross product of its diagonals: half as many products as triangles. A walk has `stride` numbers a step,
+// each counting so many floats; open ones have an odd number of steps.
 template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Place>
-static HWY_INLINE V areas_around(D d, const float* positions, const Place* walk, std::size_t length, const V& self) {
+static HWY_INLINE V areas_around(D d, const float* positions, const Place* walk, std::size_t length,
+                                 const V& self) {
   Areas<V> areas{zero(d), zero(d)};
   if (length == 0) return areas.plus;
   const V first = gather<floats>(d, positions, walk);
@@ -247,7 +248,8 @@ static HWY_INLINE void next_areas(D d, const RingRun& run, const float* position
   }
 }
 
-// From places of other leaves; those of the next leaf are on their way meanwhile. Answers whether a bit changed.
+// From places of other leaves; those of the next leaf are on their way meanwhile. Answers whether a bit
+// changed.
 static HWY_INLINE bool fill_halo(const RingRun& run) {
   constexpr std::size_t ahead = 128;
   const OnePoint d;
@@ -255,7 +257,9 @@ static HWY_INLINE bool fill_halo(const RingRun& run) {
   const std::size_t count = run.places - run.slots;
   if (!run.moved) {
     std::size_t i = 0;
-    while (i < count && std::memcmp(run.positions + 4 * std::size_t(run.halo[i]), out + 4 * i, 4 * sizeof(float)) == 0) ++i;
+    while (i < count &&
+           std::memcmp(run.positions + 4 * std::size_t(run.halo[i]), out + 4 * i, 4 * sizeof(float)) == 0)
+      ++i;
     if (i == count) return false;
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -286,7 +290,8 @@ static HWY_INLINE void ring_registers(const RingRun& run, std::size_t s, const s
 }
 
 static void ring_vertices(const RingRun& run, FrameVertex* HWY_RESTRICT vertices) {
-  constexpr std::size_t ahead = 32, at_once = 4 * points(ManyPoints());  // leaves are filled up to multiples of 32 slots
+  constexpr std::size_t ahead = 32,
+                        at_once = 4 * points(ManyPoints());  // leaves are filled up to multiples of 32 slots
   if (!fill_halo(run)) return;
   prefetch_vertices(run, 0, ahead, vertices);
   const std::uint16_t* walk = run.walk;
@@ -302,11 +307,12 @@ static void ring_vertices(const RingRun& run, FrameVertex* HWY_RESTRICT vertices
   for (std::size_t i = 0; s + i < run.vertices; ++i) vertices[run.order[s + i]] = last[i];
 }
 
-static void ring_hub(const float* positions, const std::uint32_t* walk, std::size_t length, std::uint32_t place,
-                     FrameVertex& vertex) {
+static void ring_hub(const float* positions, const std::uint32_t* walk, std::size_t length,
+                     std::uint32_t place, FrameVertex& vertex) {
   const OnePoint d;
   const auto self = load(d, positions + 4 * std::size_t(place));
-  decltype(zero(d)) areas[4] = {areas_around<false, 1, 4>(d, positions, walk, length, self), zero(d), zero(d), zero(d)};
+  decltype(zero(d)) areas[4] = {areas_around<false, 1, 4>(d, positions, walk, length, self), zero(d), zero(d),
+                                zero(d)};
   normalise(d, areas);
   store(d, areas[0], vertex.normal);
 }

@@ -11,7 +11,8 @@ namespace {
 
 using Step = std::array<std::uint32_t, 2>;  // a triangle seen from one of its corners: the other two
 
-constexpr std::size_t crowd = 60;  // triangles around a hub; 512 vertices with fewer have halves of places for 16 bits
+constexpr std::size_t crowd =
+    60;  // triangles around a hub; 512 vertices with fewer have halves of places for 16 bits
 
 // The steps around a vertex, in an order in which they hang together as far as they can.
 class Walker {

@@ -64,7 +64,9 @@ public:
     const Shares shares = sample ? sampled_shares(tolerance) : Shares();
     const double lossless = std::min(shares.lists, 1.0);
     const bool compress = shares.factors < worth_factoring * lossless;
-    switch (wanted.value_or(compress ? Storage::factors : shares.lists < 1 ? Storage::lists : Storage::dense)) {
+    switch (wanted.value_or(compress           ? Storage::factors
+                            : shares.lists < 1 ? Storage::lists
+                                               : Storage::dense)) {
       case Storage::factors:
         require(2 * shares.factors);
         b_.tolerance = tolerance;
@@ -74,9 +76,7 @@ public:
         require(2 * shares.lists);
         bind_lists();
         break;
-      case Storage::dense:
-        require(1);
-        bind_dense();
+      case Storage::dense: require(1); bind_dense();
     }
     return std::move(b_);
   }
@@ -89,7 +89,8 @@ private:
 
   void require(double share) const {
     const double dense = 4.0 * static_cast<double>(b_.leaves.slot_count()) * static_cast<double>(b_.handles);
-    require_memory(share * dense + 100.0 * static_cast<double>(b_.leaves.slot_count()), b_.leaves.vertices, b_.handles);
+    require_memory(share * dense + 100.0 * static_cast<double>(b_.leaves.slot_count()), b_.leaves.vertices,
+                   b_.handles);
   }
 
   template <class Body>
@@ -102,7 +103,8 @@ private:
     });
   }
 
-  // Weights of a leaf as floats; rows has room for them. Returns how many vertices have no mean value coordinates.
+  // Weights of a leaf as floats; rows has room for them. Returns how many vertices have no mean value
+  // coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, std::vector<Vec3>& sums) const {
     std::vector<mesh::Point> points;
     for (std::size_t s = b_.leaves.begin(leaf); s < b_.leaves.end(leaf); ++s) {
@@ -134,7 +136,8 @@ private:
 
   // Mean value coordinates blend positions alone: a quarter of the work, for which factors do not pay.
   bool worth_sampling(double tolerance) const {
-    return tolerance > 0 && b_.coordinates == Coordinates::face && compressible(b_.leaves.vertices, b_.handles);
+    return tolerance > 0 && b_.coordinates == Coordinates::face &&
+           compressible(b_.leaves.vertices, b_.handles);
   }
 
   LeafResult factor(std::size_t leaf, double tolerance, LeafWeights& w) const {
@@ -144,7 +147,8 @@ private:
     AlignedVector<float> left = w.rows;
     LeafResult result;
     const std::size_t most = std::min(b_.handles, slots(leaf)) / 2;
-    result.factors = factor_rows({left.data(), slots(leaf) / lanes, b_.handles}, vertices(leaf), tolerance, most, kernel);
+    result.factors =
+        factor_rows({left.data(), slots(leaf) / lanes, b_.handles}, vertices(leaf), tolerance, most, kernel);
     for (const auto p : result.factors.pivots) {
       const float* row = w.rows.data() + p / lanes * lanes * b_.handles + p % lanes;
       for (std::size_t j = 0; j < b_.handles; ++j) result.pivot_rows.push_back(row[j * lanes]);
@@ -317,7 +321,8 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Weighting wei
   TiledBinding b;
   b.coordinates = weighting.coordinates;
   b.reach = weighting.reach;
-  b.handles = weighting.coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
+  b.handles =
+      weighting.coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
   b.leaves = make_leaves(model.positions, triangle_counts(model));
   b.rings = make_rings(b.leaves, model.triangles);
   b.unit = std::exp2(std::round(std::log2(cage.diagonal)));

@@ -15,8 +15,8 @@
 
 namespace viete::deform {
 
-/// What compression may change: largest distance of a vertex's weights from what stands for them, root of the sum of
-/// squares. Positions then move by a tenth to a half as many diagonals.
+/// What compression may change: largest distance of a vertex's weights from what stands for them, root of the
+/// sum of squares. Positions then move by a tenth to a half as many diagonals.
 inline constexpr double usual_tolerance = 3e-5;
 
 /// How weights are kept.
@@ -26,13 +26,14 @@ enum class Storage {
   lists,    ///< of the handles that have any in a leaf: nothing is lost
 };
 
-/// The weights of a leaf as factors of those of some of its vertices, its pivots: the logs of the pivots are blended
-/// first, and those of the others are blended of them. (Block low rank by row interpolative decomposition.)
+/// The weights of a leaf as factors of those of some of its vertices, its pivots: the logs of the pivots are
+/// blended first, and those of the others are blended of them. (Block low rank by row interpolative
+/// decomposition.)
 struct LeafFactors {
-  std::size_t first = 0;      ///< in TiledBinding::factors, [tile][rank][lane]
+  std::size_t first = 0;  ///< in TiledBinding::factors, [tile][rank][lane]
   std::uint32_t rank = 0;
-  std::uint32_t pivots = 0;   ///< first of its rows in TiledBinding::skeleton
-  bool dense = false;         ///< its factors are the weights themselves, rank the number of handles
+  std::uint32_t pivots = 0;  ///< first of its rows in TiledBinding::skeleton
+  bool dense = false;        ///< its factors are the weights themselves, rank the number of handles
 };
 
 /// Everything per slot of the leaves. Weights and offsets are those of Binding, in float: the sums lose about
@@ -44,14 +45,14 @@ struct TiledBinding {
   Leaves leaves;
   Rings rings;
   std::size_t failed = 0;  ///< vertices that have no mean value coordinates
-  double unit = 1;      ///< a power of two near the cage's diagonal: lengths are stored as multiples of it
-  double tolerance = 0;  ///< of the compression; 0: none
+  double unit = 1;         ///< a power of two near the cage's diagonal: lengths are stored as multiples of it
+  double tolerance = 0;    ///< of the compression; 0: none
   AlignedVector<float> offsets;  ///< [tile][3][lane], in units
   /// [tile][handle][lane], with lists [tile][place in the list][lane]; empty if compressed
   AlignedVector<float> weights;
   std::vector<std::size_t> list_starts;  ///< in `listed`, one more than leaves; empty without lists
   std::vector<std::uint32_t> listed;     ///< the handles that have weight in a leaf, ascending, leaf by leaf
-  std::vector<LeafFactors> factored;  ///< one a leaf; empty if not compressed
+  std::vector<LeafFactors> factored;     ///< one a leaf; empty if not compressed
   AlignedVector<float> factors;
   AlignedVector<float> skeleton;  ///< the pivots' weights, [tile][handle][lane], an even number of tiles
 
@@ -74,7 +75,7 @@ struct TiledBinding {
   /// Handles that a vertex blends on average: handles, or the length of its leaf's list.
   double mean_rows() const;
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
-  std::size_t bytes() const;       ///< of weights and what stands for them: read once a frame
+  std::size_t bytes() const;        ///< of weights and what stands for them: read once a frame
   std::size_t dense_bytes() const;  ///< what they would take without compression
   struct Sizes {
     std::size_t factors, skeleton;
@@ -83,18 +84,18 @@ struct TiledBinding {
   Sizes place_factors();
 };
 
-/// All of a binding that does not take its weights: leaves, rings, unit, and room for offsets. Throws base::Error when the
-/// model has no vertices.
+/// All of a binding that does not take its weights: leaves, rings, unit, and room for offsets. Throws
+/// base::Error when the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Weighting weighting);
 
 /// True if so many are worth a try. (Mean value coordinates never are.)
 bool compressible(std::size_t vertices, std::size_t handles);
 
-/// Weights leaf by leaf, in parallel; the full matrix of doubles never exists, nor, compressed, that of floats.
-/// What a reach leaves out is kept as lists, and weights are compressed by `tolerance` (0: never), where a sample of
-/// leaves says that frames become cheaper by it, or as `storage` says. The same bits for any number of threads. Throws
-/// base::Cancelled; throws base::Error when the memory that is free now would not suffice, or when the model has no
-/// vertices.
+/// Weights leaf by leaf, in parallel; the full matrix of doubles never exists, nor, compressed, that of
+/// floats. What a reach leaves out is kept as lists, and weights are compressed by `tolerance` (0: never),
+/// where a sample of leaves says that frames become cheaper by it, or as `storage` says. The same bits for
+/// any number of threads. Throws base::Cancelled; throws base::Error when the memory that is free now would
+/// not suffice, or when the model has no vertices.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Weighting weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
                         base::Progress* progress = nullptr, std::optional<Storage> storage = {});

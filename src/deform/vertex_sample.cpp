@@ -41,7 +41,8 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
     for (std::size_t j = 0; j < weights.size(); ++j) {
       const double w = weights[j];
       const auto& x = logs[j].stretch;
-      m = {m.xx + w * x.xx, m.xy + w * x.xy, m.xz + w * x.xz, m.yy + w * x.yy, m.yz + w * x.yz, m.zz + w * x.zz};
+      m = {m.xx + w * x.xx, m.xy + w * x.xy, m.xz + w * x.xz,
+           m.yy + w * x.yy, m.yz + w * x.yz, m.zz + w * x.zz};
     }
     sample.push_back(m);
   });

@@ -39,8 +39,8 @@ void visit_vertices(const Weigher& weigher, const Binding& binding, std::span<co
 /// Weights and offsets of these vertices alone, as the staged frame has them.
 Binding part_of(const Weigher& weigher, const Binding& binding, std::span<const std::size_t> vertices);
 
-/// The symmetric logs that at most `limit` vertices, spread evenly over the model, blend: what their exponential is taken of.
-/// Empty if logs is. Throws base::Cancelled.
+/// The symmetric logs that at most `limit` vertices, spread evenly over the model, blend: what their
+/// exponential is taken of. Empty if logs is. Throws base::Cancelled.
 std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,
                                                  std::span<const MapLog> logs, std::size_t limit,
                                                  base::Progress* progress = nullptr);

@@ -98,8 +98,8 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
     for (int i = 0; i < 3; ++i) at[i * bind_lanes + l] = p[i];
   }
   if (weighting_.coordinates == Coordinates::face) {
-    kernel_.inverse_distance({triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), cut(), at},
-                             room.data());
+    kernel_.inverse_distance(
+        {triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), cut(), at}, room.data());
     return 0;
   }
   unsigned unclear =

@@ -26,7 +26,8 @@ std::optional<double> reach_from_text(std::string_view text) {
   double reach = 0;
   const auto end = text.data() + text.size();
   const auto [stop, code] = std::from_chars(text.data(), end, reach);
-  if (code != std::errc() || stop != end || !(reach >= lowest_reach && reach < whole_cage)) return std::nullopt;
+  if (code != std::errc() || stop != end || !(reach >= lowest_reach && reach < whole_cage))
+    return std::nullopt;
   return reach;
 }
 

@@ -19,7 +19,8 @@ void taper(double reach, std::span<double> ratios) {
 
 }  // namespace
 
-void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights, double reach) {
+void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
+                              double reach) {
   const auto& x = cage.surface.positions;
   const double contact2 = cage.contact * cage.contact;
   double nearest2 = std::numeric_limits<double>::infinity();

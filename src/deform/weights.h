@@ -12,20 +12,20 @@ namespace viete::deform {
 ///
 ///     w = d^-2 (1 - d^2 / R^2)^2 where d < R, and 0 beyond,    R = reach D,    D^2 = sum d_j^-6 / sum d_j^-8
 ///
-/// so that an element that is far from p, compared with those that are near, does not move p at all. These are
-/// modified Shepard weights (Franke and Nielson, Int. J. Numer. Meth. Eng. 15, 1980, after Franke and Little),
-/// but for two things. Their radius is fixed, and a point that no element comes near has no weights; here it
-/// goes with D, the mean of squared distances weighted by d^-8, which is the least distance or a little more,
-/// so that the nearest element always has weight and lengths have no scale. (The least distance itself would
-/// do, but it has a crease wherever another element becomes the nearest, and the model would show it.) And
-/// they taper by (1 - d/R)^2, which has no value left half way; this one differs from d^-2 in second order
-/// only. Weights are continuous and have continuous derivatives wherever distances do, also where d = R; as the
-/// reach grows they become d^-2.
+/// so that an element that is far from p, compared with those that are near, does not move p at all. These
+/// are modified Shepard weights (Franke and Nielson, Int. J. Numer. Meth. Eng. 15, 1980, after Franke and
+/// Little), but for two things. Their radius is fixed, and a point that no element comes near has no weights;
+/// here it goes with D, the mean of squared distances weighted by d^-8, which is the least distance or a
+/// little more, so that the nearest element always has weight and lengths have no scale. (The least distance
+/// itself would do, but it has a crease wherever another element becomes the nearest, and the model would
+/// show it.) And they taper by (1 - d/R)^2, which has no value left half way; this one differs from d^-2 in
+/// second order only. Weights are continuous and have continuous derivatives wherever distances do, also
+/// where d = R; as the reach grows they become d^-2.
 ///
-/// Formed from ratios of distances, so that nothing overflows at any length scale; distances below cage.contact
-/// count as that, so that a point on elements has the limit: equal shares of the elements touched, the rest
-/// next to nothing, or nothing. Elements without area get 0. weights.size() == cage.element_count(); reach >=
-/// lowest_reach.
+/// Formed from ratios of distances, so that nothing overflows at any length scale; distances below
+/// cage.contact count as that, so that a point on elements has the limit: equal shares of the elements
+/// touched, the rest next to nothing, or nothing. Elements without area get 0. weights.size() ==
+/// cage.element_count(); reach >= lowest_reach.
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
                               double reach = whole_cage);
 

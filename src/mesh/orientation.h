@@ -11,8 +11,8 @@ using Point2 = std::array<double, 2>;
 
 /// The sign of det(b - a, c - a, d - a): 1 if d lies on the side of triangle abc that sees it
 /// counter-clockwise, -1 on the other side, 0 exactly in the plane. Coordinates are 0 or within
-/// 1e-70 to 1e70 in size. A filter by a bound of the rounding, then, where that leaves the sign open, an exact
-/// sum. Source: Shewchuk 1997, Adaptive precision floating-point arithmetic and fast robust geometric
+/// 1e-70 to 1e70 in size. A filter by a bound of the rounding, then, where that leaves the sign open, an
+/// exact sum. Source: Shewchuk 1997, Adaptive precision floating-point arithmetic and fast robust geometric
 /// predicates.
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 

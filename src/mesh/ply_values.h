@@ -101,22 +101,14 @@ private:
 
   double take(PlyType type) {
     switch (type) {
-      case PlyType::int8:
-        return as<std::int8_t>();
-      case PlyType::uint8:
-        return as<std::uint8_t>();
-      case PlyType::int16:
-        return as<std::int16_t>();
-      case PlyType::uint16:
-        return as<std::uint16_t>();
-      case PlyType::int32:
-        return as<std::int32_t>();
-      case PlyType::uint32:
-        return as<std::uint32_t>();
-      case PlyType::float32:
-        return as<float>();
-      case PlyType::float64:
-        return as<double>();
+      case PlyType::int8: return as<std::int8_t>();
+      case PlyType::uint8: return as<std::uint8_t>();
+      case PlyType::int16: return as<std::int16_t>();
+      case PlyType::uint16: return as<std::uint16_t>();
+      case PlyType::int32: return as<std::int32_t>();
+      case PlyType::uint32: return as<std::uint32_t>();
+      case PlyType::float32: return as<float>();
+      case PlyType::float64: return as<double>();
     }
     return 0;
   }

@@ -5,12 +5,13 @@
 
 namespace viete::mesh {
 
-/// The same triangles, but each corner the lowest vertex at its exact place. Positions and their numbers stay.
+/// The same triangles, but each corner the lowest vertex at its exact place. Positions and their numbers
+/// stay.
 Surface welded(const Surface& surface);
 
 /// Triangles turned so that neighbours agree across edges of two triangles. In each part that they connect,
-/// the side that most of them had stays; a part that cannot agree (a Moebius strip) is left as it is. Polygons
-/// become triangles.
+/// the side that most of them had stays; a part that cannot agree (a Moebius strip) is left as it is.
+/// Polygons become triangles.
 Surface consistently_oriented(const Surface& surface);
 
 }  // namespace viete::mesh

@@ -104,7 +104,8 @@ public:
   std::vector<std::uint32_t> run(base::Progress* progress) {
     std::vector<std::uint32_t> open;
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      if (progress && i % 256 == 0) progress->report(static_cast<double>(i) / static_cast<double>(order_.size()));
+      if (progress && i % 256 == 0)
+        progress->report(static_cast<double>(i) / static_cast<double>(order_.size()));
       const auto t = order_[i];
       std::erase_if(open, [&](std::uint32_t s) { return boxes_[s].high[axis_] < boxes_[t].low[axis_]; });
       for (const auto s : open) test(s, t);
@@ -132,9 +133,8 @@ private:
       corners_.push_back(corners);
       boxes_.push_back(box_of(corners));
     }
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t s, std::uint32_t t) {
-      return boxes_[s].low[axis_] < boxes_[t].low[axis_];
-    });
+    std::sort(order_.begin(), order_.end(),
+              [&](std::uint32_t s, std::uint32_t t) { return boxes_[s].low[axis_] < boxes_[t].low[axis_]; });
   }
 
   void test(std::uint32_t s, std::uint32_t t) {

@@ -7,9 +7,13 @@ namespace viete::python {
 
 namespace {
 
-std::string text_of(const py::handle& object) { return py::str(object).cast<std::string>(); }
+std::string text_of(const py::handle& object) {
+  return py::str(object).cast<std::string>();
+}
 
-std::string shape_text(const py::array& a) { return text_of(a.attr("shape")); }
+std::string shape_text(const py::array& a) {
+  return text_of(a.attr("shape"));
+}
 
 std::size_t product(const py::array& a, py::ssize_t axes) {
   std::size_t count = 1;
@@ -40,7 +44,8 @@ bool overlap(const py::array& a, const py::array& b) {
 Shape symmetric_shape(const char* function, const py::array& a) {
   if (ends_in_3_3(a)) return {sym3::Layout::full, product(a, a.ndim() - 2)};
   if (a.ndim() >= 1 && a.shape(a.ndim() - 1) == 6) return {sym3::Layout::packed, product(a, a.ndim() - 1)};
-  wrong(function, "matrices are (..., 3, 3) or (..., 6), the upper triangle by rows; this shape is " + shape_text(a));
+  wrong(function,
+        "matrices are (..., 3, 3) or (..., 6), the upper triangle by rows; this shape is " + shape_text(a));
 }
 
 Shape general_shape(const char* function, const py::array& a) {
@@ -58,7 +63,8 @@ bool is_single(const char* function, const py::array& a) {
 
 py::array as_array(const char* function, const py::object& a) {
   py::array result = py::array::ensure(a);
-  if (!result) wrong_type(function, "an array is needed; this is a " + text_of(py::type::of(a).attr("__name__")));
+  if (!result)
+    wrong_type(function, "an array is needed; this is a " + text_of(py::type::of(a).attr("__name__")));
   return result;
 }
 
@@ -71,7 +77,8 @@ py::array_t<T> output(const char* function, const py::object& out, const Contigu
   }
   const auto array = py::reinterpret_borrow<py::array>(out);
   if (!array.dtype().is(py::dtype::of<T>()) && !py::dtype::of<T>().equal(array.dtype())) {
-    wrong_type(function, "out is " + text_of(array.dtype()) + ", the answers are " + text_of(py::dtype::of<T>()));
+    wrong_type(function,
+               "out is " + text_of(array.dtype()) + ", the answers are " + text_of(py::dtype::of<T>()));
   }
   if (array.ndim() != in.ndim() || !std::equal(shape.begin(), shape.end(), array.shape())) {
     wrong(function, "out has shape " + shape_text(array) + ", the matrices " + shape_text(in));
@@ -80,7 +87,8 @@ py::array_t<T> output(const char* function, const py::object& out, const Contigu
   if (!(array.flags() & py::array::c_style) || !(array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_)) {
     wrong(function, "out is not contiguous");
   }
-  if (array.data() != in.data() && overlap(array, in)) wrong(function, "out overlaps the matrices; only in place is allowed");
+  if (array.data() != in.data() && overlap(array, in))
+    wrong(function, "out overlaps the matrices; only in place is allowed");
   return py::reinterpret_borrow<py::array_t<T>>(out);
 }
 

@@ -13,7 +13,8 @@ namespace py = pybind11;
 
 /// Floating point numbers in the machine's order, one after the other: what a view can see.
 template <class T>
-using Contiguous = py::array_t<T, py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_>;
+using Contiguous =
+    py::array_t<T, py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_>;
 
 /// Many matrices as the last one or two axes of an array say: (..., 6) or (..., 3, 3).
 struct Shape {
@@ -26,8 +27,8 @@ Shape symmetric_shape(const char* function, const py::array& a);
 /// General matrices, (..., 3, 3) only.
 Shape general_shape(const char* function, const py::array& a);
 
-/// True for float32, false for float64 and for integers and booleans, which are computed as float64. Raises TypeError
-/// for any other.
+/// True for float32, false for float64 and for integers and booleans, which are computed as float64. Raises
+/// TypeError for any other.
 bool is_single(const char* function, const py::array& a);
 
 /// Any array-like as an array. Raises TypeError.
@@ -36,8 +37,9 @@ py::array as_array(const char* function, const py::object& a);
 /// Whether two arrays share memory.
 bool overlap(const py::array& a, const py::array& b);
 
-/// Where the answers go: `out`, or a new array of that shape if it is None. Raises TypeError or ValueError unless `out` is
-/// a writable contiguous array of the same shape and type that is `in` itself or shares no memory with it.
+/// Where the answers go: `out`, or a new array of that shape if it is None. Raises TypeError or ValueError
+/// unless `out` is a writable contiguous array of the same shape and type that is `in` itself or shares no
+/// memory with it.
 template <class T>
 py::array_t<T> output(const char* function, const py::object& out, const Contiguous<T>& in);
 

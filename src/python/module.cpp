@@ -38,11 +38,13 @@ py::array apply_as(const char* name, const py::array& a, const py::object& out, 
 template <class F>
 py::array apply(const char* name, const py::object& a, const py::object& out, const F& f) {
   const py::array array = as_array(name, a);
-  return is_single(name, array) ? apply_as<float>(name, array, out, f) : apply_as<double>(name, array, out, f);
+  return is_single(name, array) ? apply_as<float>(name, array, out, f)
+                                : apply_as<double>(name, array, out, f);
 }
 
 constexpr const char* shapes =
-    "\n\na: (..., 3, 3), of which the upper triangle is read, or (..., 6), that triangle by rows: xx xy xz yy yz zz; "
+    "\n\na: (..., 3, 3), of which the upper triangle is read, or (..., 6), that triangle by rows: xx xy xz "
+    "yy yz zz; "
     "float32 or float64 (integers are computed as float64). Contiguous arrays are not copied.\n"
     "out: where the answers go, of the same shape and type; may be a itself.\n"
     "Other Python threads run meanwhile.";
@@ -50,8 +52,8 @@ constexpr const char* shapes =
 template <class F>
 void define(py::module_& m, const char* name, const std::string& text, const F& f) {
   m.def(
-      name, [name, f](const py::object& a, const py::object& out) { return apply(name, a, out, f); }, py::arg("a"),
-      py::arg("out") = py::none(), (text + shapes).c_str());
+      name, [name, f](const py::object& a, const py::object& out) { return apply(name, a, out, f); },
+      py::arg("a"), py::arg("out") = py::none(), (text + shapes).c_str());
 }
 
 /// Where the two answers of polar go: a pair of arrays, or None for new ones.
@@ -73,7 +75,8 @@ py::tuple polar_as(const py::array& a, const PolarOutputs& out) {
   if (!in) throw py::error_already_set();
   const Shape shape = general_shape("polar", in);
   py::array_t<T> r = output<T>("polar", out.rotations, in), u = output<T>("polar", out.stretches, in);
-  if (overlap(u, in) || overlap(u, r)) throw py::value_error("viete.polar: out's u must be an array of its own");
+  if (overlap(u, in) || overlap(u, r))
+    throw py::value_error("viete.polar: out's u must be an array of its own");
   const T* m = in.data();
   T *rotations = r.mutable_data(), *stretches = u.mutable_data();
   {
@@ -94,14 +97,17 @@ py::tuple polar(const py::object& m, const py::object& out) {
 PYBIND11_MODULE(viete, m) {
   m.doc() = "Functions of many symmetric 3x3 matrices, fast and exact.";
   m.attr("__version__") = VIETE_VERSION;
-  m.def("kernel", [] { return std::string(sym3::kernel_name()); }, "The instruction set that runs, such as 'avx512'.");
+  m.def(
+      "kernel", [] { return std::string(sym3::kernel_name()); },
+      "The instruction set that runs, such as 'avx512'.");
   define(m, "exp", "The exponential of each matrix.",
          [](const auto& in, const auto& out, std::size_t count) { sym3::exp(in, out, count); });
   define(m, "log", "The logarithm of each matrix; NaN where it is not positive definite.",
          [](const auto& in, const auto& out, std::size_t count) { sym3::log(in, out, count); });
   define(m, "sqrt", "The square root of each matrix; NaN where it is not positive semi-definite.",
          [](const auto& in, const auto& out, std::size_t count) { sym3::sqrt(in, out, count); });
-  define(m, "inv_sqrt", "The inverse of the square root of each matrix; NaN where it is not positive definite.",
+  define(m, "inv_sqrt",
+         "The inverse of the square root of each matrix; NaN where it is not positive definite.",
          [](const auto& in, const auto& out, std::size_t count) { sym3::inv_sqrt(in, out, count); });
   m.def(
       "pow",
@@ -111,10 +117,13 @@ PYBIND11_MODULE(viete, m) {
       },
       py::arg("a"), py::arg("p"), py::arg("out") = py::none(),
       (std::string("Each matrix to the power p; NaN where it is not positive definite.") + shapes).c_str());
-  m.def("polar", polar, py::arg("m"), py::arg("out") = py::none(),
-        "r, u with m = r u for each matrix: r the nearest rotation, whatever the sign of the determinant, and u symmetric."
-        "\n\nm: (..., 3, 3), float32 or float64 (integers are computed as float64).\nout: a pair (r, u) of arrays "
-        "of the same shape and type for the answers; r may be m itself.\nOther Python threads run meanwhile.");
+  m.def(
+      "polar", polar, py::arg("m"), py::arg("out") = py::none(),
+      "r, u with m = r u for each matrix: r the nearest rotation, whatever the sign of the determinant, and "
+      "u symmetric."
+      "\n\nm: (..., 3, 3), float32 or float64 (integers are computed as float64).\nout: a pair (r, u) of "
+      "arrays "
+      "of the same shape and type for the answers; r may be m itself.\nOther Python threads run meanwhile.");
 }
 
 }  // namespace viete::python

@@ -15,7 +15,7 @@ struct BenchmarkBar {
 
 struct Benchmark {
   bool running = false;
-  double done = 0;  ///< in [0, 1]
+  double done = 0;                 ///< in [0, 1]
   std::size_t count = 0;           ///< matrices; 0 until it was run
   std::vector<BenchmarkBar> bars;  ///< the first is what the others are compared with
 };

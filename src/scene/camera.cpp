@@ -12,10 +12,14 @@ constexpr float ease_seconds = 0.15f;
 constexpr float half_pi = 1.57079633f;
 constexpr float nearest = 1e-3f, farthest = 1e3f;
 
-float shortest_turn(float from, float to) { return from + std::remainder(to - from, 4 * half_pi); }
+float shortest_turn(float from, float to) {
+  return from + std::remainder(to - from, 4 * half_pi);
+}
 
 // Tangents of the half angles under which the free part of the window is seen.
-glm::vec2 free_tangent(const Viewport& v) { return std::tan(0.5f * Camera::vertical_field) * v.size / v.window.y; }
+glm::vec2 free_tangent(const Viewport& v) {
+  return std::tan(0.5f * Camera::vertical_field) * v.size / v.window.y;
+}
 
 glm::mat4 perspective_lens(float distance, float aspect) {
   const float near_plane = std::max(0.01f * distance, 1e-4f);
@@ -52,13 +56,23 @@ glm::vec3 Camera::forward() const {
   return {-c * std::sin(current_.yaw), -std::sin(current_.pitch), -c * std::cos(current_.yaw)};
 }
 
-glm::vec3 Camera::right() const { return {std::cos(current_.yaw), 0, -std::sin(current_.yaw)}; }
-glm::vec3 Camera::up() const { return glm::cross(right(), forward()); }
-glm::vec3 Camera::eye() const { return current_.target - current_.distance * forward(); }
+glm::vec3 Camera::right() const {
+  return {std::cos(current_.yaw), 0, -std::sin(current_.yaw)};
+}
+glm::vec3 Camera::up() const {
+  return glm::cross(right(), forward());
+}
+glm::vec3 Camera::eye() const {
+  return current_.target - current_.distance * forward();
+}
 
-glm::mat4 Camera::view() const { return glm::lookAt(eye(), current_.target, up()); }
+glm::mat4 Camera::view() const {
+  return glm::lookAt(eye(), current_.target, up());
+}
 
-float Camera::depth(const glm::vec3& point) const { return glm::dot(point - eye(), forward()); }
+float Camera::depth(const glm::vec3& point) const {
+  return glm::dot(point - eye(), forward());
+}
 
 glm::mat4 Camera::projection(const Viewport& v) const {
   const float aspect = v.window.x / std::max(v.window.y, 1.0f);
@@ -75,11 +89,14 @@ double Camera::per_pixel(double depth, const Viewport& v) const {
 
 Ray Camera::ray(const glm::vec2& cursor, const Viewport& v) const {
   const glm::vec2 from_middle = cursor - (v.origin + 0.5f * v.size);
-  if (current_.orthographic) return {glm::dvec3(eye()) + plane_displacement(from_middle, 1, v), glm::dvec3(forward())};
+  if (current_.orthographic)
+    return {glm::dvec3(eye()) + plane_displacement(from_middle, 1, v), glm::dvec3(forward())};
   return {glm::dvec3(eye()), glm::normalize(glm::dvec3(forward()) + plane_displacement(from_middle, 1, v))};
 }
 
-void Camera::set_orthographic(bool orthographic) { current_.orthographic = goal_.orthographic = orthographic; }
+void Camera::set_orthographic(bool orthographic) {
+  current_.orthographic = goal_.orthographic = orthographic;
+}
 
 glm::dvec3 Camera::plane_displacement(const glm::vec2& pixels, double depth, const Viewport& v) const {
   const double k = per_pixel(depth, v);

@@ -1,4 +1,5 @@
-// The camera, perspective or orthographic: orbits a target, pans, zooms to the cursor, eases to standard views.
+// The camera, perspective or orthographic: orbits a target, pans, zooms to the cursor, eases to standard
+// views.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,9 +9,9 @@ namespace viete::scene {
 
 /// The part of the window that is not covered by panels, in logical pixels from the top left.
 struct Viewport {
-  glm::vec2 window{1, 1};    ///< size of the whole window
-  glm::vec2 origin{0, 0};    ///< top left of the free part
-  glm::vec2 size{1, 1};      ///< size of the free part
+  glm::vec2 window{1, 1};  ///< size of the whole window
+  glm::vec2 origin{0, 0};  ///< top left of the free part
+  glm::vec2 size{1, 1};    ///< size of the free part
 };
 
 enum class StandardView { front, back, right, left, top, bottom, home };
@@ -19,8 +20,8 @@ enum class StandardView { front, back, right, left, top, bottom, home };
 struct CameraPose {
   glm::vec3 target{0, 0, 0};
   float distance = 4;
-  float yaw = 0.65f;    ///< about Y; 0 looks along -Z
-  float pitch = 0.32f;  ///< above the horizon, in [-pi/2, pi/2]
+  float yaw = 0.65f;          ///< about Y; 0 looks along -Z
+  float pitch = 0.32f;        ///< above the horizon, in [-pi/2, pi/2]
   bool orthographic = false;  ///< then `distance` says how large things are: as in perspective at the target
 
   friend bool operator==(const CameraPose&, const CameraPose&) = default;
@@ -32,7 +33,7 @@ struct Ray {
 };
 
 class Camera {
- public:
+public:
   static constexpr float vertical_field = 0.55f;  ///< radians
 
   const CameraPose& pose() const { return current_; }
@@ -64,13 +65,14 @@ class Camera {
 
   /// Seen from an axis; eased.
   void look(StandardView view);
-  /// As near as all points stay in the free part of the window, with a margin; a single point is framed like a small sphere.
+  /// As near as all points stay in the free part of the window, with a margin; a single point is framed like
+  /// a small sphere.
   void frame(std::span<const glm::vec3> points, const Viewport& viewport, bool eased = true);
   /// Moves on by `seconds`; true while something still moves.
   bool animate(float seconds);
   bool moving() const { return remaining_ > 0; }
 
- private:
+private:
   void ease_to(const CameraPose& goal);
   void jump();
 

@@ -8,10 +8,12 @@ namespace {
 const char* cage_meaning(Oddity oddity) {
   switch (oddity) {
     case Oddity::self_intersection:
-      return "The cage cuts through itself: near there the mesh follows both sheets at once, however far apart they "
+      return "The cage cuts through itself: near there the mesh follows both sheets at once, however far "
+             "apart they "
              "are along the cage.";
     case Oddity::open:
-      return "The cage does not close here. Faces in log space need no closed cage; with mean value coordinates the "
+      return "The cage does not close here. Faces in log space need no closed cage; with mean value "
+             "coordinates the "
              "mesh does not follow turns and stretches exactly.";
     case Oddity::nonmanifold_edge:
       return "Every face acts as usual; where they turn far against each other it is open which one the mesh "
@@ -19,7 +21,8 @@ const char* cage_meaning(Oddity oddity) {
     case Oddity::pinched_vertex:
       return "Parts of the cage meet in this vertex alone: dragging it pulls all of them.";
     case Oddity::misoriented:
-      return "Some faces point outwards and some inwards. Faces in log space do not mind; mean value coordinates "
+      return "Some faces point outwards and some inwards. Faces in log space do not mind; mean value "
+             "coordinates "
              "come out wrong: turn the faces one way.";
     case Oddity::inside_out:
       return "The faces point inwards. Neither kind of coordinates minds; other programs may.";
@@ -29,10 +32,8 @@ const char* cage_meaning(Oddity oddity) {
       return "So thin that a small drag of a corner turns or stretches it far, and the mesh near it too.";
     case Oddity::doubled_vertex:
       return "Two vertices at one place that are not joined: select both before dragging, or the cage tears.";
-    case Oddity::unused_vertex:
-      return "Without a face a vertex pulls nothing when it is dragged.";
-    case Oddity::vertices_outside:
-      break;
+    case Oddity::unused_vertex: return "Without a face a vertex pulls nothing when it is dragged.";
+    case Oddity::vertices_outside: break;
   }
   return "";
 }
@@ -40,27 +41,23 @@ const char* cage_meaning(Oddity oddity) {
 const char* model_meaning(Oddity oddity) {
   switch (oddity) {
     case Oddity::vertices_outside:
-      return "Outside, the mesh follows the nearest faces in log space just as inside; mean value weights can be "
+      return "Outside, the mesh follows the nearest faces in log space just as inside; mean value weights "
+             "can be "
              "negative there and move it against the drag.";
-    case Oddity::open:
-      return "The mesh has holes. It deforms like any other.";
-    case Oddity::nonmanifold_edge:
-      return "It deforms like any other; shading may be uneven there.";
-    case Oddity::pinched_vertex:
-      return "It deforms like any other; shading may be uneven there.";
+    case Oddity::open: return "The mesh has holes. It deforms like any other.";
+    case Oddity::nonmanifold_edge: return "It deforms like any other; shading may be uneven there.";
+    case Oddity::pinched_vertex: return "It deforms like any other; shading may be uneven there.";
     case Oddity::misoriented:
       return "Faces disagree on what is outside: shading breaks there, the deformation does not.";
     case Oddity::inside_out:
       return "The faces point inwards. The deformation does not mind; programs that open the export may.";
-    case Oddity::degenerate:
-      return "It cannot be seen; the deformation does not mind.";
+    case Oddity::degenerate: return "It cannot be seen; the deformation does not mind.";
     case Oddity::doubled_vertex:
-      return "As along seams. Vertices at one place move alike and stay together; shading shows an edge there.";
-    case Oddity::unused_vertex:
-      return "It moves with the rest and is exported, but cannot be seen.";
+      return "As along seams. Vertices at one place move alike and stay together; shading shows an edge "
+             "there.";
+    case Oddity::unused_vertex: return "It moves with the rest and is exported, but cannot be seen.";
     case Oddity::self_intersection:
-    case Oddity::thin:
-      break;
+    case Oddity::thin: break;
   }
   return "";
 }

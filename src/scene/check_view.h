@@ -38,8 +38,8 @@ void step_element(Workspace& workspace, int step);
 /// The elements that are shown, as numbers of the finding's elements: at most so many, evenly spread.
 std::vector<std::size_t> shown_elements(const CheckState& checks, std::size_t most);
 
-/// Moves the camera to what is shown. `positions` are those of the finding's surface as it is seen now, in the
-/// file's units.
+/// Moves the camera to what is shown. `positions` are those of the finding's surface as it is seen now, in
+/// the file's units.
 void frame_finding(Workspace& workspace, std::span<const mesh::Point> positions);
 
 }  // namespace viete::scene

@@ -22,7 +22,8 @@ void add(std::vector<Finding>& all, Oddity oddity, Subject subject, ElementKind 
   if (!elements.empty()) all.push_back({oddity, subject, kind, std::move(elements), {}});
 }
 
-void add_edges(std::vector<Finding>& all, Oddity oddity, Subject subject, const std::vector<mesh::Edge>& edges) {
+void add_edges(std::vector<Finding>& all, Oddity oddity, Subject subject,
+               const std::vector<mesh::Edge>& edges) {
   if (!edges.empty()) all.push_back({oddity, subject, ElementKind::edge, {}, edges});
 }
 
@@ -66,9 +67,12 @@ std::string title(const Finding& finding) {
       case Oddity::vertices_outside: return one ? "vertex outside the cage" : "vertices outside the cage";
       case Oddity::self_intersection: return one ? "face cut by another" : "faces that cut each other";
       case Oddity::open: return one ? "open edge" : "open edges";
-      case Oddity::nonmanifold_edge: return one ? "edge of three or more faces" : "edges of three or more faces";
-      case Oddity::pinched_vertex: return one ? "vertex where parts only touch" : "vertices where parts only touch";
-      case Oddity::misoriented: return one ? "edge between faces that disagree" : "edges between faces that disagree";
+      case Oddity::nonmanifold_edge:
+        return one ? "edge of three or more faces" : "edges of three or more faces";
+      case Oddity::pinched_vertex:
+        return one ? "vertex where parts only touch" : "vertices where parts only touch";
+      case Oddity::misoriented:
+        return one ? "edge between faces that disagree" : "edges between faces that disagree";
       case Oddity::inside_out: return one ? "face, turned inside out" : "faces, all turned inside out";
       case Oddity::degenerate: return one ? "face without area" : "faces without area";
       case Oddity::thin: return one ? "very thin face" : "very thin faces";
@@ -95,7 +99,8 @@ std::string first_elements(const Finding& finding, std::size_t most) {
   return text + " and " + with_thousands(finding.size() - shown) + " more";
 }
 
-std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface, std::size_t element) {
+std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface,
+                                       std::size_t element) {
   if (finding.kind == ElementKind::edge) return {finding.edges[element][0], finding.edges[element][1]};
   const auto index = finding.elements[element];
   if (finding.kind == ElementKind::vertex) return {index};
@@ -119,13 +124,14 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
   const mesh::Surface joined = mesh::welded(cage);
   const mesh::Facts facts = mesh::facts(joined);
   check_edges(found, joined, facts, Subject::cage);
-  add(found, Oddity::thin, Subject::cage, ElementKind::face, faces_of(cage, mesh::thin_triangles(cage, thin)));
+  add(found, Oddity::thin, Subject::cage, ElementKind::face,
+      faces_of(cage, mesh::thin_triangles(cage, thin)));
   const auto doubled = mesh::doubled_vertices(cage);
   add(found, Oddity::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
   // Joined to another one a vertex is not without a face.
   Elements unused;
-  std::set_difference(facts.unused_vertices.begin(), facts.unused_vertices.end(), doubled.begin(), doubled.end(),
-                      std::back_inserter(unused));
+  std::set_difference(facts.unused_vertices.begin(), facts.unused_vertices.end(), doubled.begin(),
+                      doubled.end(), std::back_inserter(unused));
   add(found, Oddity::unused_vertex, Subject::cage, ElementKind::vertex, std::move(unused));
   return found;
 }
@@ -135,12 +141,14 @@ std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Su
                                        base::Progress* progress) {
   const mesh::Surface around = mesh::consistently_oriented(mesh::welded(cage));
   const std::span<const mesh::Point> points = model.positions;
-  const std::size_t portion = std::max<std::size_t>(64, 2'000'000 / std::max<std::size_t>(cage.triangles.size(), 1));
+  const std::size_t portion =
+      std::max<std::size_t>(64, 2'000'000 / std::max<std::size_t>(cage.triangles.size(), 1));
   Elements outside;
   for (std::size_t begin = 0; begin < points.size(); begin += portion) {
     if (progress) progress->report(static_cast<double>(begin) / static_cast<double>(points.size()));
     const auto part = points.subspan(begin, std::min(portion, points.size() - begin));
-    for (const auto i : mesh::points_outside(around, part)) outside.push_back(static_cast<std::uint32_t>(begin + i));
+    for (const auto i : mesh::points_outside(around, part))
+      outside.push_back(static_cast<std::uint32_t>(begin + i));
   }
   if (outside.empty()) return std::nullopt;
   return Finding{Oddity::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};
@@ -152,7 +160,8 @@ std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage
     if (progress) progress->section(0, 0.1);
     append(found, check_cage(*cage.surface, progress));
     if (progress) progress->section(0.1, 0.9);
-    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress)) found.push_back(*std::move(outside));
+    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress))
+      found.push_back(*std::move(outside));
   }
   if (progress) progress->section(0.9, 1);
   append(found, check_model(*model.surface, model.facts));

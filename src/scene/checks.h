@@ -32,10 +32,10 @@ enum class Subject { model, cage };
 /// One kind of oddity and all elements that have it, by their numbers in the file's order, from 0.
 struct Finding {
   Oddity oddity = Oddity::open;
-  Subject subject = Subject::model;         ///< whose elements they are
-  ElementKind kind = ElementKind::vertex;   ///< what they are: an edge is two vertices, a face a polygon
-  std::vector<std::uint32_t> elements;      ///< vertices or faces, ascending
-  std::vector<mesh::Edge> edges;            ///< or edges, ascending
+  Subject subject = Subject::model;        ///< whose elements they are
+  ElementKind kind = ElementKind::vertex;  ///< what they are: an edge is two vertices, a face a polygon
+  std::vector<std::uint32_t> elements;     ///< vertices or faces, ascending
+  std::vector<mesh::Edge> edges;           ///< or edges, ascending
 
   std::size_t size() const { return kind == ElementKind::edge ? edges.size() : elements.size(); }
 };
@@ -49,7 +49,8 @@ std::string meaning(const Finding& finding);
 /// The first elements by number: "0, 5, 12 and 220 more", edges as "3-7".
 std::string first_elements(const Finding& finding, std::size_t most);
 /// Vertices of one element.
-std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface, std::size_t element);
+std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface,
+                                       std::size_t element);
 
 /// facts are the model's. A cage is judged with vertices at one place joined, as
 /// the deformation takes it. progress may be null. Throws base::Cancelled. Thread-safe.

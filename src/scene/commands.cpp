@@ -33,12 +33,10 @@ constexpr Condition is_not_measuring{[](const Workspace& w) { return !w.benchmar
 constexpr Condition has_leftover{
     [](const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; },
     "There are no unsaved edits of an earlier run."};
-constexpr Condition can_undo{
-    [](const Workspace& w) { return w.document.history.can_undo() && !w.hand.drag; },
-    "There is no edit to take back."};
-constexpr Condition can_redo{
-    [](const Workspace& w) { return w.document.history.can_redo() && !w.hand.drag; },
-    "No edit was taken back."};
+constexpr Condition can_undo{[](const Workspace& w) { return w.document.history.can_undo() && !w.hand.drag; },
+                             "There is no edit to take back."};
+constexpr Condition can_redo{[](const Workspace& w) { return w.document.history.can_redo() && !w.hand.drag; },
+                             "No edit was taken back."};
 constexpr Condition is_posed{[](const Workspace& w) { return !w.hand.drag && differs_from_rest(w.document); },
                              "The cage is at rest."};
 constexpr Condition has_posed_selection{[](const Workspace& w) { return has_selection(w) && is_posed(w); },
@@ -59,15 +57,24 @@ void look(Workspace& w) {
   w.camera.look(View);
 }
 
-std::size_t selectable(const Workspace& w) { return element_count(*w.document.cage, w.document.selection.kind()); }
+std::size_t selectable(const Workspace& w) {
+  return element_count(*w.document.cage, w.document.selection.kind());
+}
 
-void select_everything(Workspace& w) { w.document.selection.select_all(selectable(w)); }
-void select_nothing(Workspace& w) { w.document.selection.clear(); }
-void invert_selection(Workspace& w) { w.document.selection.invert(selectable(w)); }
+void select_everything(Workspace& w) {
+  w.document.selection.select_all(selectable(w));
+}
+void select_nothing(Workspace& w) {
+  w.document.selection.clear();
+}
+void invert_selection(Workspace& w) {
+  w.document.selection.invert(selectable(w));
+}
 
 void select_linked(Workspace& w) {
   Selection& selection = w.document.selection;
-  if (w.hand.hovered && *w.hand.hovered < selectable(w)) selection.apply(std::array{*w.hand.hovered}, SelectMode::add);
+  if (w.hand.hovered && *w.hand.hovered < selectable(w))
+    selection.apply(std::array{*w.hand.hovered}, SelectMode::add);
   selection = linked(*w.document.cage, selection);
 }
 
@@ -97,6 +104,7 @@ void use_tool(Workspace& w) {
 const std::vector<Command>& table() {
   using M = sym3::Method;
   using V = StandardView;
+  // clang-format off
   static const std::vector<Command> all = {
       {"open_model", "Open", "Open a mesh to deform, or a session.", "File", {key('O'), true}, {}, always,
        browse_for_model},
@@ -202,6 +210,7 @@ const std::vector<Command>& table() {
        toggle<&ViewOptions::panels>},
       {"help", "Keys", "Show every key and mouse action.", "View", {Key::f1}, {}, always, toggle<&ViewOptions::help>},
   };
+  // clang-format on
   return all;
 }
 
@@ -232,10 +241,13 @@ std::string key_name(Key k) {
 
 std::string text(const Shortcut& shortcut) {
   if (shortcut.key == Key::none) return "";
-  return std::string(shortcut.ctrl ? "Ctrl+" : "") + (shortcut.shift ? "Shift+" : "") + key_name(shortcut.key);
+  return std::string(shortcut.ctrl ? "Ctrl+" : "") + (shortcut.shift ? "Shift+" : "") +
+         key_name(shortcut.key);
 }
 
-std::span<const Command> commands() { return table(); }
+std::span<const Command> commands() {
+  return table();
+}
 
 const Command* find_command(std::string_view name) {
   for (const auto& command : table()) {

@@ -30,7 +30,9 @@ enum class Key : int {
   pad_enter,
 };
 
-constexpr Key key(char c) { return static_cast<Key>(c); }
+constexpr Key key(char c) {
+  return static_cast<Key>(c);
+}
 
 struct Shortcut {
   Key key = Key::none;

@@ -40,7 +40,8 @@ void set_cage(Document& document, OpenedSurface cage) {
   document.history = {};
 }
 
-Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage, base::Progress* progress) {
+Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
+                       base::Progress* progress) {
   Document document = document_of(open_surface(model, progress));
   if (!cage.empty()) set_cage(document, open_surface(cage));
   return document;

@@ -28,13 +28,14 @@ struct OpenedSurface {
   std::vector<std::string> warnings;
 };
 
-/// Grows by one with each change; whoever derives something from a part remembers the number it was derived from.
+/// Grows by one with each change; whoever derives something from a part remembers the number it was derived
+/// from.
 using Revision = unsigned long;
 
 struct Document {
   OpenedSurface model;
-  OpenedSurface cage_file;                        ///< surface is null when there is no cage
-  std::shared_ptr<const deform::Cage> cage;       ///< null when there is no cage
+  OpenedSurface cage_file;                   ///< surface is null when there is no cage
+  std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
   deform::Pose pose;
   Selection selection;
   History history;
@@ -57,8 +58,8 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
 Document document_of(OpenedSurface model);
 void set_cage(Document& document, OpenedSurface cage);
 
-/// Reads a model and, if the path is not empty, a cage, into a new document. Throws base::Error; the caller's open
-/// document is untouched until it takes the new one.
+/// Reads a model and, if the path is not empty, a cage, into a new document. Throws base::Error; the caller's
+/// open document is untouched until it takes the new one.
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
                        base::Progress* progress = nullptr);
 

@@ -21,7 +21,8 @@ bool differs_from_rest(const Document& document) {
   if (!document.has_cage()) return false;
   const auto turned = [](const deform::Vec3& t) { return t[0] * t[0] + t[1] * t[1] + t[2] * t[2] > 1; };
   const auto& turns = document.pose.turns;
-  return document.pose.positions != document.cage->surface.positions || std::any_of(turns.begin(), turns.end(), turned);
+  return document.pose.positions != document.cage->surface.positions ||
+         std::any_of(turns.begin(), turns.end(), turned);
 }
 
 void reset_pose(Document& document) {
@@ -39,7 +40,8 @@ void reset_selected(Document& document) {
 }
 
 void select_kind(Document& document, ElementKind kind) {
-  document.selection = document.has_cage() ? converted(*document.cage, document.selection, kind) : Selection(kind);
+  document.selection =
+      document.has_cage() ? converted(*document.cage, document.selection, kind) : Selection(kind);
 }
 
 void undo(Document& document) {

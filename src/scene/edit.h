@@ -12,7 +12,8 @@ bool differs_from_rest(const Document& document);
 void reset_pose(Document& document);
 void reset_selected(Document& document);
 
-/// What of the cage is selected and moved: the selection becomes the elements of this kind whose vertices it all holds.
+/// What of the cage is selected and moved: the selection becomes the elements of this kind whose vertices it
+/// all holds.
 void select_kind(Document& document, ElementKind kind);
 
 /// Require can_undo() and can_redo() of the history.

@@ -52,12 +52,9 @@ private:
 
 std::size_t element_count(const deform::Cage& cage, ElementKind kind) {
   switch (kind) {
-    case ElementKind::vertex:
-      return cage.surface.positions.size();
-    case ElementKind::edge:
-      return cage.edges.size();
-    case ElementKind::face:
-      break;
+    case ElementKind::vertex: return cage.surface.positions.size();
+    case ElementKind::edge: return cage.edges.size();
+    case ElementKind::face: break;
   }
   return cage.surface.polygon_count();
 }
@@ -96,12 +93,9 @@ Selection linked(const deform::Cage& cage, const Selection& selection) {
 
 std::string element_name(ElementKind kind) {
   switch (kind) {
-    case ElementKind::vertex:
-      return "vertex";
-    case ElementKind::edge:
-      return "edge";
-    case ElementKind::face:
-      break;
+    case ElementKind::vertex: return "vertex";
+    case ElementKind::edge: return "edge";
+    case ElementKind::face: break;
   }
   return "face";
 }

@@ -16,35 +16,37 @@ struct FrameTimes {
   double when = 0;          ///< seconds on a monotonic clock
   deform::LinkTimes links;  ///< zero if the cage did not move
   double upload = 0, draw = 0, panels = 0;
-  double frame = 0;         ///< the whole, from input to the finished picture
+  double frame = 0;  ///< the whole, from input to the finished picture
 
   double other() const { return frame - links.total() - upload - draw - panels; }
 };
 
 /// The history behind the timing panel. Only frames that deformed count for the medians.
 class FrameStats {
- public:
+public:
   void add(const FrameTimes& times);
 
-  /// Componentwise medians over the last half second of deforming frames, or the last one before that; nothing before the first.
+  /// Componentwise medians over the last half second of deforming frames, or the last one before that;
+  /// nothing before the first.
   std::optional<FrameTimes> median() const;
   /// Of deforming frames, oldest first, at most 240.
   const std::deque<FrameTimes>& history() const { return history_; }
   void clear() { history_.clear(); }
 
- private:
+private:
   std::deque<FrameTimes> history_;
 };
 
 /// One method on a sample of the frame's matrices.
 struct MethodSample {
   double ns_per_matrix = 0;  ///< processor time
-  double worst_error = 0;    ///< largest relative Frobenius error against a reference of 106 bits; NaN if an answer was NaN
+  double worst_error =
+      0;  ///< largest relative Frobenius error against a reference of 106 bits; NaN if an answer was NaN
   double median_error = 0;
 };
 
-inline constexpr std::array compared_methods = {sym3::Method::diag, sym3::Method::sd, sym3::Method::improved_sd,
-                                                sym3::Method::fast};
+inline constexpr std::array compared_methods = {sym3::Method::diag, sym3::Method::sd,
+                                                sym3::Method::improved_sd, sym3::Method::fast};
 
 /// All methods on the same matrices; measured aside, a few times a second.
 struct MethodStats {

@@ -160,8 +160,7 @@ std::string handle_name(Tool tool, const Constraint& handle) {
   const std::string plane = letters.substr(0, handle.axis) + letters.substr(handle.axis + 1);
   const bool free = handle.kind == Kind::free;
   switch (tool) {
-    case Tool::rotate:
-      return free ? "Rotate in the view" : "Rotate about " + axis;
+    case Tool::rotate: return free ? "Rotate in the view" : "Rotate about " + axis;
     case Tool::scale:
       return free ? "Scale evenly" : "Scale along " + (handle.kind == Kind::axis ? axis : plane);
     default:

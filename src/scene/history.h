@@ -15,10 +15,10 @@ struct Snapshot {
   Selection selection;
 };
 
-/// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest entries are
-/// dropped beyond 256 MB.
+/// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest
+/// entries are dropped beyond 256 MB.
 class History {
- public:
+public:
   /// An edit named `label` has just led away from `before`.
   void record(std::string label, Snapshot before);
 
@@ -36,7 +36,7 @@ class History {
   /// The reverse. Requires can_redo().
   Snapshot redo(Snapshot now);
 
- private:
+private:
   struct Entry {
     std::string label;
     Snapshot state;

@@ -16,7 +16,7 @@ struct Message {
 
 /// Keeps the last 200. A message that repeats the one before it is counted, not listed again.
 class Messages {
- public:
+public:
   void say(Severity severity, std::string text);
   void info(std::string text) { say(Severity::info, std::move(text)); }
   void warn(std::string text) { say(Severity::warning, std::move(text)); }
@@ -27,7 +27,7 @@ class Messages {
   /// Grows with each message, also a repeated one.
   unsigned revision() const { return revision_; }
 
- private:
+private:
   std::vector<Message> all_;
   unsigned revision_ = 0;
 };

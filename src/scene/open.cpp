@@ -220,14 +220,10 @@ Opened open_files(const OpenRequest& request, const Document& current, base::Pro
   const fs::path first = request.files.empty() ? fs::path() : request.files.front();
   if (progress) progress->section(0, 0.8);  // the rest is what is computed from it
   switch (request.what) {
-    case What::cage:
-      return open_cage(first, current, progress);
-    case What::pose:
-      return open_pose(first, current);
-    case What::dropped:
-      return open_dropped(request.files, current, progress);
-    case What::model:
-      break;
+    case What::cage: return open_cage(first, current, progress);
+    case What::pose: return open_pose(first, current);
+    case What::dropped: return open_dropped(request.files, current, progress);
+    case What::model: break;
     case What::recovery: {
       Opened opened = open_session(first, progress);
       opened.recovered = true;

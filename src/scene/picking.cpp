@@ -9,9 +9,10 @@ namespace viete::scene {
 
 namespace {
 
-// Of candidates within the tolerance: the nearest, or, of those within 2 pixels of the nearest, the one in front.
+// Of candidates within the tolerance: the nearest, or, of those within 2 pixels of the nearest, the one in
+// front.
 class Nearest {
- public:
+public:
   explicit Nearest(float tolerance) : tolerance_(tolerance) {}
 
   void offer(std::uint32_t index, float distance, float depth) {
@@ -29,13 +30,13 @@ class Nearest {
     return best;
   }
 
- private:
+private:
   float tolerance_, nearest_ = std::numeric_limits<float>::max();
   std::vector<std::pair<Pick, float>> close_;
 };
 
-std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::Point> points, const glm::vec2& cursor,
-                               float tolerance) {
+std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::Point> points,
+                               const glm::vec2& cursor, float tolerance) {
   Nearest nearest(tolerance);
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (const auto at = project(points[i])) nearest.offer(i, glm::distance(glm::vec2(*at), cursor), at->z);
@@ -58,7 +59,8 @@ std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Po
   return nearest.best();
 }
 
-// How far along the ray, from either side (T. Moeller, B. Trumbore, "Fast, minimum storage ray-triangle intersection", 1997).
+// How far along the ray, from either side (T. Moeller, B. Trumbore, "Fast, minimum storage ray-triangle
+// intersection", 1997).
 std::optional<double> hit(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
   const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], s = ray.origin - t[0];
   const glm::dvec3 p = glm::cross(ray.direction, v), q = glm::cross(s, u);
@@ -75,7 +77,8 @@ std::optional<Pick> pick_inside(const Document& document, const Camera& camera, 
   std::optional<Pick> best;
   for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
     std::array<glm::dvec3, 3> corners;
-    for (int i = 0; i < 3; ++i) corners[i] = document.space.to_view(document.pose.positions[cage.triangles[t][i]]);
+    for (int i = 0; i < 3; ++i)
+      corners[i] = document.space.to_view(document.pose.positions[cage.triangles[t][i]]);
     const auto at = hit(ray, corners);
     if (!at || *at <= start || *at >= first) continue;
     first = *at;
@@ -87,7 +90,9 @@ std::optional<Pick> pick_inside(const Document& document, const Camera& camera, 
 std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge& edge) {
   for (std::uint32_t f = 0; f < cage.surface.polygon_count(); ++f) {
     const auto vertices = element_vertices(cage, ElementKind::face, f);
-    const auto has = [&](std::uint32_t v) { return std::find(vertices.begin(), vertices.end(), v) != vertices.end(); };
+    const auto has = [&](std::uint32_t v) {
+      return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
+    };
     if (has(edge[0]) && has(edge[1])) return f;
   }
   return std::nullopt;
@@ -96,11 +101,16 @@ std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge&
 }  // namespace
 
 Projector::Projector(const Space& space, const Camera& camera, const Viewport& viewport)
-    : space_(space), view_(camera.view()), projection_(camera.projection(viewport)), window_(viewport.window) {
+    : space_(space),
+      view_(camera.view()),
+      projection_(camera.projection(viewport)),
+      window_(viewport.window) {
   to_depth_ = glm::inverse(projection_);
 }
 
-glm::vec4 Projector::clip(const mesh::Point& p) const { return projection_ * (view_ * glm::vec4(space_.to_view(p), 1)); }
+glm::vec4 Projector::clip(const mesh::Point& p) const {
+  return projection_ * (view_ * glm::vec4(space_.to_view(p), 1));
+}
 
 glm::vec3 Projector::on_screen(const glm::vec4& clip) const {
   const glm::vec2 ndc = glm::vec2(clip) / clip.w;
@@ -145,8 +155,9 @@ std::optional<Pick> pick_element(const Document& document, const Camera& camera,
   return face ? std::optional(Pick{*face, edge->depth}) : std::nullopt;
 }
 
-std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera, const Viewport& viewport,
-                                                const glm::vec2& corner, const glm::vec2& opposite) {
+std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera,
+                                                const Viewport& viewport, const glm::vec2& corner,
+                                                const glm::vec2& opposite) {
   if (!document.has_cage()) return {};
   Selection vertices;
   const Projector project(document.space, camera, viewport);

@@ -15,7 +15,7 @@ namespace viete::scene {
 
 /// Maps points of the file to logical pixels from the top left of the window.
 class Projector {
- public:
+public:
   Projector(const Space& space, const Camera& camera, const Viewport& viewport);
 
   /// x, y in logical pixels, z the depth in front of the camera; nothing for points behind it.
@@ -23,7 +23,7 @@ class Projector {
   /// The part of the segment that is in front of the near plane, both ends like that; nothing if none is.
   std::optional<std::array<glm::vec3, 2>> segment(const mesh::Point& a, const mesh::Point& b) const;
 
- private:
+private:
   glm::vec4 clip(const mesh::Point& p) const;
   glm::vec3 on_screen(const glm::vec4& clip) const;
 
@@ -34,26 +34,28 @@ class Projector {
 
 inline constexpr float pick_tolerance = 8;  ///< logical pixels
 
-/// The point nearest to the cursor within the tolerance; of points within 2 pixels of the nearest, the one in front.
-/// The mesh does not hide points: a cage is edited from outside and from behind.
+/// The point nearest to the cursor within the tolerance; of points within 2 pixels of the nearest, the one in
+/// front. The mesh does not hide points: a cage is edited from outside and from behind.
 std::optional<std::uint32_t> pick_nearest(const Projector& project, std::span<const mesh::Point> points,
                                           const glm::vec2& cursor, float tolerance = pick_tolerance);
 
-/// An element of the cage, and how deep in front of the camera the place is at which the cursor met it, in view units.
+/// An element of the cage, and how deep in front of the camera the place is at which the cursor met it, in
+/// view units.
 struct Pick {
   std::uint32_t index;
   float depth;
 };
 
-/// The element of the selection's kind under the cursor, in the pose. Vertices as pick_nearest(); edges likewise, by their
-/// nearest point; of faces the one in front, and outside of all the face at the nearest edge within the tolerance.
-/// Nothing if there is no cage.
+/// The element of the selection's kind under the cursor, in the pose. Vertices as pick_nearest(); edges
+/// likewise, by their nearest point; of faces the one in front, and outside of all the face at the nearest
+/// edge within the tolerance. Nothing if there is no cage.
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
                                  const glm::vec2& cursor);
 
 /// The elements of the selection's kind that lie with all their vertices inside the rectangle, ascending.
-std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera, const Viewport& viewport,
-                                                const glm::vec2& corner, const glm::vec2& opposite);
+std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera,
+                                                const Viewport& viewport, const glm::vec2& corner,
+                                                const glm::vec2& opposite);
 
 /// All points inside the rectangle with these opposite corners, ascending.
 std::vector<std::uint32_t> pick_box(const Projector& project, std::span<const mesh::Point> points,

@@ -1,6 +1,5 @@
 #include "scene/pointer.h"
 
-
 namespace viete::scene {
 
 namespace {
@@ -120,7 +119,8 @@ bool Pointer::draws_box(const Workspace& workspace) const {
   if (handle_) return false;
   const Selection& selection = workspace.document.selection;
   if (!grabbed_) return true;
-  return selection.kind() == ElementKind::face && (mode_ != SelectMode::replace || !selection.contains(grabbed_->index));
+  return selection.kind() == ElementKind::face &&
+         (mode_ != SelectMode::replace || !selection.contains(grabbed_->index));
 }
 
 void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
@@ -139,7 +139,8 @@ void Pointer::begin_transform(Workspace& workspace) {
     return;
   }
   if (!document.selection.contains(grabbed_->index)) {
-    document.selection.apply(std::array{grabbed_->index}, mode_ == SelectMode::add ? SelectMode::add : SelectMode::replace);
+    document.selection.apply(std::array{grabbed_->index},
+                             mode_ == SelectMode::add ? SelectMode::add : SelectMode::replace);
   }
   workspace.hand.hovered = grabbed_->index;
   workspace.hand.drag.emplace(document, Tool::move, Constraint{}, grabbed_->depth, press_, workspace.camera);
@@ -151,7 +152,8 @@ void Pointer::transform(Workspace& workspace, const PointerInput& input) {
   if (input.backspace) drag.backspace();
   for (const char c : input.typed) changed |= drag.type(c);
   if (changed) {
-    drag.update(workspace.document, {input.position, input.ctrl, input.shift}, workspace.camera, workspace.viewport);
+    drag.update(workspace.document, {input.position, input.ctrl, input.shift}, workspace.camera,
+                workspace.viewport);
   }
   if (!input.enter) return;
   drag.commit(workspace.document);

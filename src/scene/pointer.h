@@ -1,4 +1,5 @@
-// Mouse, modifiers and typed characters of one frame turned into hovering, selecting, transforming and camera work.
+// Mouse, modifiers and typed characters of one frame turned into hovering, selecting, transforming and camera
+// work.
 #pragma once
 
 #include <array>
@@ -18,13 +19,13 @@ enum MouseButton { left_button = 0, right_button = 1, middle_button = 2 };
 struct PointerInput {
   glm::vec2 position{-1, -1};
   std::array<bool, 3> down{};
-  float wheel = 0;       ///< steps, positive away from the user
+  float wheel = 0;  ///< steps, positive away from the user
   bool shift = false, ctrl = false, alt = false;
-  bool over_view = true; ///< false while a panel is under the pointer or owns it
-  bool escape = false;   ///< Esc went down in this frame
-  bool enter = false;    ///< and Enter
+  bool over_view = true;  ///< false while a panel is under the pointer or owns it
+  bool escape = false;    ///< Esc went down in this frame
+  bool enter = false;     ///< and Enter
   bool backspace = false;
-  std::string typed;     ///< characters of this frame
+  std::string typed;  ///< characters of this frame
 };
 
 /// The gizmo of what is selected, as it is now; nothing while there is none, and while the cage is hidden.
@@ -33,22 +34,23 @@ std::optional<Gizmo> gizmo_of(const Workspace& workspace);
 /// The axis widget, if it is shown.
 std::optional<AxisWidget> axis_widget_of(const Workspace& workspace);
 
-/// Keeps what the pointer did from frame to frame: which button was pressed where, and what that began. A gesture that began in the view
-/// goes on over panels until its button is released.
+/// Keeps what the pointer did from frame to frame: which button was pressed where, and what that began. A
+/// gesture that began in the view goes on over panels until its button is released.
 class Pointer {
- public:
+public:
   static constexpr float drag_threshold = 4;  ///< logical pixels before a press becomes a drag
 
-  /// Called once a frame. Left click selects (Shift adds, Ctrl removes); left drag on a handle of the gizmo uses it, on an
-  /// element moves the selection (a face must be selected already), elsewhere draws a box; middle, right or Alt+left drag orbits, with
-  /// Shift pans, with Ctrl zooms; wheel zooms to the cursor. While something is being moved characters constrain it and set the amount, Ctrl snaps,
-  /// Shift slows, Enter keeps it, and Esc or the right button puts everything back as it was.
+  /// Called once a frame. Left click selects (Shift adds, Ctrl removes); left drag on a handle of the gizmo
+  /// uses it, on an element moves the selection (a face must be selected already), elsewhere draws a box;
+  /// middle, right or Alt+left drag orbits, with Shift pans, with Ctrl zooms; wheel zooms to the cursor.
+  /// While something is being moved characters constrain it and set the amount, Ctrl snaps, Shift slows,
+  /// Enter keeps it, and Esc or the right button puts everything back as it was.
   void frame(Workspace& workspace, const PointerInput& input);
 
   /// True while a button is held in a gesture that began in the view.
   bool active() const { return gesture_ != Gesture::none; }
 
- private:
+private:
   enum class Gesture { none, pressed, on_axes, moving, boxing, orbiting, panning, zooming, ignored };
 
   void hover(Workspace& workspace, const PointerInput& input) const;
@@ -62,7 +64,9 @@ class Pointer {
   void click(Workspace& workspace);
   void finish(Workspace& workspace, Gesture next);
   void cancel(Workspace& workspace);
-  bool pressed_now(const PointerInput& input, int button) const { return input.down[button] && !last_.down[button]; }
+  bool pressed_now(const PointerInput& input, int button) const {
+    return input.down[button] && !last_.down[button];
+  }
   bool draws_box(const Workspace& workspace) const;
 
   Gesture gesture_ = Gesture::none;

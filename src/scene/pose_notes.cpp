@@ -14,7 +14,8 @@ std::vector<std::string> pose_notes(const deform::LogReport& report) {
   std::vector<std::string> notes;
   if (!report.collapsed.empty()) {
     notes.push_back(plural(report.collapsed.size(), "cage triangle has", "cage triangles have") +
-                    " collapsed (first: " + std::to_string(report.collapsed.front()) + "); its stretch is floored");
+                    " collapsed (first: " + std::to_string(report.collapsed.front()) +
+                    "); its stretch is floored");
   }
   if (!report.torn.empty()) {
     const auto& [a, b] = report.torn.front();

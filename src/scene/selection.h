@@ -12,9 +12,10 @@ enum class SelectMode { replace, add, remove };
 /// Vertices and edges of the cage (Cage::edges), and its polygons.
 enum class ElementKind { vertex, edge, face };
 
-/// Indices of elements of kind(), ascending, each once. Which vertices they are: selected_vertices() in scene/elements.h.
+/// Indices of elements of kind(), ascending, each once. Which vertices they are: selected_vertices() in
+/// scene/elements.h.
 class Selection {
- public:
+public:
   Selection() = default;
   explicit Selection(ElementKind kind) : kind_(kind) {}
 
@@ -32,7 +33,7 @@ class Selection {
 
   friend bool operator==(const Selection&, const Selection&) = default;
 
- private:
+private:
   ElementKind kind_ = ElementKind::vertex;
   std::vector<std::uint32_t> indices_;
 };

@@ -29,8 +29,8 @@ struct ViewFlag {
 constexpr ViewFlag view_flags[] = {{"dark", &ViewOptions::dark},           {"model", &ViewOptions::model},
                                    {"wireframe", &ViewOptions::wireframe}, {"cage", &ViewOptions::cage},
                                    {"grid", &ViewOptions::grid},           {"ghost", &ViewOptions::ghost},
-                                   {"error_map", &ViewOptions::error_map},
-                                   {"panels", &ViewOptions::panels},       {"hints", &ViewOptions::hints}};
+                                   {"error_map", &ViewOptions::error_map}, {"panels", &ViewOptions::panels},
+                                   {"hints", &ViewOptions::hints}};
 
 // Links in the folder are resolved, so that ".." leads where it should; the file keeps the name it was given.
 fs::path resolved(const fs::path& path) {
@@ -215,7 +215,8 @@ Session read_session(const fs::path& file) {
   if (const auto v = json.find("camera")) session.camera = camera_of(*v);
   if (const auto v = json.find("view")) session.view = view_of(*v);
   if (const auto v = json.find("window")) session.window = window_of(*v);
-  if (const auto v = json.find("selecting")) session.selecting = word_of(*v, kind_from_name, "vertices, edges or faces");
+  if (const auto v = json.find("selecting"))
+    session.selecting = word_of(*v, kind_from_name, "vertices, edges or faces");
   if (const auto v = json.find("selection")) session.selection = selection_of(*v);
   if (const auto v = json.find("pose")) session.pose = pose_of(*v);
   return session;
@@ -237,7 +238,9 @@ void check_fits(const Session& session, const deform::Cage& cage, const fs::path
   }
   if (!session.selection.empty() && session.selection.back() >= element_count(cage, session.selecting)) {
     const std::string last = std::to_string(session.selection.back());
-    const std::string one = session.selecting == ElementKind::vertex ? "vertex " : session.selecting == ElementKind::edge ? "edge " : "face ";
+    const std::string one = session.selecting == ElementKind::vertex ? "vertex "
+                            : session.selecting == ElementKind::edge ? "edge "
+                                                                     : "face ";
     throw base::Error(file.string() + ": selection", one + last + " is selected" + has + " vertices", advice);
   }
 }

@@ -1,4 +1,5 @@
-// Between the file's coordinates (double, any size, anywhere) and the view's (float, about one unit, at the origin).
+// Between the file's coordinates (double, any size, anywhere) and the view's (float, about one unit, at the
+// origin).
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,7 +8,8 @@
 
 namespace viete::scene {
 
-/// view = (file - center) * scale. Chosen once per document, so that a model of 1e-30 or one at 1e7 draws as well as any.
+/// view = (file - center) * scale. Chosen once per document, so that a model of 1e-30 or one at 1e7 draws as
+/// well as any.
 struct Space {
   mesh::Point center{0, 0, 0};
   double scale = 1;
@@ -21,10 +23,13 @@ struct Space {
   double diagonal() const { return 2 / scale; }
 
   /// A displacement of the view in the file's units.
-  mesh::Point displacement_to_file(const glm::dvec3& d) const { return {d.x / scale, d.y / scale, d.z / scale}; }
+  mesh::Point displacement_to_file(const glm::dvec3& d) const {
+    return {d.x / scale, d.y / scale, d.z / scale};
+  }
 };
 
-/// A cell of the ground grid that suits a model of this diagonal (about 20 cells across): 1, 2 or 5 times a power of ten.
+/// A cell of the ground grid that suits a model of this diagonal (about 20 cells across): 1, 2 or 5 times a
+/// power of ten.
 double grid_cell(double diagonal);
 
 /// The space in which the diagonal of the box is 2.

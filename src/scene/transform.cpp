@@ -24,14 +24,10 @@ Turn turn_of(double degrees) {
   const double rest = (within - 90 * quarter) * 0.017453292519943295;
   const double c = std::cos(rest), s = std::sin(rest);
   switch (static_cast<int>(quarter) & 3) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
+    case 0: return {c, s};
+    case 1: return {-s, c};
+    case 2: return {-c, -s};
+    default: return {s, -c};
   }
 }
 
@@ -83,7 +79,7 @@ struct Motion {
     }
   }
 
- private:
+private:
   void read_turns() {
     const deform::Cage& cage = *document.cage;
     std::vector<deform::FaceMap> maps(cage.element_count());

@@ -37,8 +37,8 @@ glm::dvec3 selection_center(const Document& document);
 
 /// Puts the vertices where the transform takes them from their place in `before`. If the turn differs from
 /// `degrees_seen`, the transform that the document shows, by more than a mouse can turn in a frame, it is
-/// followed in small steps, so that the pose's whole turns are what a slow turn would have made them. |degrees|
-/// is at most most_degrees. What would leave the range of doubles leaves the pose as it was before.
+/// followed in small steps, so that the pose's whole turns are what a slow turn would have made them.
+/// |degrees| is at most most_degrees. What would leave the range of doubles leaves the pose as it was before.
 void place(Document& document, const deform::Pose& before, std::span<const std::uint32_t> vertices,
            const Transform& transform, double degrees_seen);
 

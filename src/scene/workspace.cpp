@@ -18,7 +18,8 @@ std::vector<glm::vec3> in_view(const Space& space, std::span<const mesh::Point> 
 std::vector<mesh::Point> corners(const mesh::Bounds& box) {
   std::vector<mesh::Point> points;
   for (int i = 0; i < 8; ++i) {
-    points.push_back({(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2]});
+    points.push_back(
+        {(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2]});
   }
   return points;
 }
@@ -64,7 +65,8 @@ void frame_selection(Workspace& workspace, bool eased) {
   const Document& document = workspace.document;
   if (document.selection.empty()) return frame_all(workspace, eased);
   std::vector<mesh::Point> points;
-  for (const auto v : selected_vertices(*document.cage, document.selection)) points.push_back(document.pose.positions[v]);
+  for (const auto v : selected_vertices(*document.cage, document.selection))
+    points.push_back(document.pose.positions[v]);
   workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
 }
 

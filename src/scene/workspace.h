@@ -1,4 +1,5 @@
-// The document and all that surrounds it while a person works on it: camera, view options, messages, what the hand is doing.
+// The document and all that surrounds it while a person works on it: camera, view options, messages, what the
+// hand is doing.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +30,8 @@ struct ViewOptions {
   bool wireframe = false;
   bool cage = true;
   bool grid = true;
-  bool axes = true;    ///< the axis widget
-  bool ghost = false;  ///< the rest pose of the cage, faintly, while the cage is posed
+  bool axes = true;        ///< the axis widget
+  bool ghost = false;      ///< the rest pose of the cage, faintly, while the cage is posed
   bool error_map = false;  ///< the error of the exponential as colours on the mesh
   bool panels = true;
   bool help = false;
@@ -69,7 +70,7 @@ struct OpenRequest {
 struct Requests {
   bool quit = false;
   bool screenshot = false;
-  bool stop_work = false;  ///< reading or binding
+  bool stop_work = false;      ///< reading or binding
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool run_benchmark = false, stop_benchmark = false;
   std::optional<OpenRequest> open;
@@ -113,7 +114,8 @@ struct Workspace {
   FrameStats stats;
   MethodStats methods;
   ErrorMapStats error_map;
-  double fused_error = 0;  ///< of the fused frame, against double: measured aside, in diagonals of the cage; 0 if staged
+  double fused_error =
+      0;  ///< of the fused frame, against double: measured aside, in diagonals of the cage; 0 if staged
   WorkState loading;  ///< opening files: reading them, then binding
   WorkState binding;  ///< of what is open, to other coordinates
   CheckState checks;
@@ -123,7 +125,7 @@ struct Workspace {
   std::vector<Leftover> leftovers;       ///< unsaved work that can be brought back, newest first
   std::filesystem::path recovered_from;  ///< the leftover that is open, until its work is safe elsewhere
   Revision opened = 0;                   ///< another document was opened
-  std::vector<std::string> pose_notes;  ///< what the deformer had to decide in this pose, one line each
+  std::vector<std::string> pose_notes;   ///< what the deformer had to decide in this pose, one line each
   FileBrowser browser;
   About about;
 };
@@ -131,7 +133,8 @@ struct Workspace {
 /// True if the mesh is coloured by errors: asked for, and the coordinates use an exponential.
 bool shows_error_map(const Workspace& workspace);
 
-/// Opens at once, without reading aside. On failure everything stays as it was and a message says why. Returns success.
+/// Opens at once, without reading aside. On failure everything stays as it was and a message says why.
+/// Returns success.
 bool open_now(Workspace& workspace, const OpenRequest& request);
 bool load_model(Workspace& workspace, const std::filesystem::path& model, const std::filesystem::path& cage);
 bool load_cage(Workspace& workspace, const std::filesystem::path& cage);

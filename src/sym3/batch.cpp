@@ -8,8 +8,8 @@ namespace viete::sym3 {
 
 namespace {
 
-// Beyond about half of a large last-level cache, reading the lines that are going to be overwritten costs more
-// than it brings.
+// Beyond about half of a large last-level cache, reading the lines that are going to be overwritten costs
+// more than it brings.
 constexpr std::size_t streaming_bytes = 24u << 20;
 
 constexpr std::size_t granule = 64;  // a whole number of registers, cache lines and blocks
@@ -33,7 +33,8 @@ bool should_stream(Stores stores, std::size_t bytes, bool in_place) {
 
 }  // namespace
 
-void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place, const Batch& batch) {
+void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
+               const Batch& batch) {
   const Executor* executor = batch.executor;
   const std::size_t most = std::max<std::size_t>(1, count / Batch::least_chunk);
   const std::size_t tasks = executor ? std::clamp<std::size_t>(executor->threads, 1, most) : 1;

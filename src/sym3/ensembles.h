@@ -1,4 +1,5 @@
-// The matrices that errors and times are measured on: the paper's ensemble, clusters, spreads; all from fixed seeds.
+// The matrices that errors and times are measured on: the paper's ensemble, clusters, spreads; all from fixed
+// seeds.
 #pragma once
 
 #include <array>
@@ -22,7 +23,8 @@ inline double uniform(Random& random, double low, double high) {
 inline std::array<std::array<double, 3>, 3> random_frame(Random& random) {
   double w, x, y, z, norm2;
   do {
-    w = uniform(random, -1, 1), x = uniform(random, -1, 1), y = uniform(random, -1, 1), z = uniform(random, -1, 1);
+    w = uniform(random, -1, 1), x = uniform(random, -1, 1), y = uniform(random, -1, 1),
+    z = uniform(random, -1, 1);
     norm2 = w * w + x * x + y * y + z * z;
   } while (norm2 > 1 || norm2 < 0.01);
   const double s = 2 / norm2;
@@ -97,8 +99,8 @@ std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   });
 }
 
-/// Largest minus smallest eigenvalue = spread; the middle one at either end, near it, half-way or anywhere; the
-/// smallest at `lowest`.
+/// Largest minus smallest eigenvalue = spread; the middle one at either end, near it, half-way or anywhere;
+/// the smallest at `lowest`.
 template <class T>
 std::vector<Sym3<T>> spreads(double spread, double lowest, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t i) {

@@ -9,7 +9,8 @@
 //   namespace viete::room::HWY_NAMESPACE {
 //   namespace lanes = viete::sym3::HWY_NAMESPACE;
 //   ... const hn::ScalableTag<float> d;  lanes::Six<hn::Vec<decltype(d)>> e = lanes::exp_lanes(d, s); ...
-//   ... const auto both = lanes::exp_lanes(d, lanes::together(s, t));  // lanes::first(both), second(both) ...
+//   ... const auto both = lanes::exp_lanes(d, lanes::together(s, t));  // lanes::first(both), second(both)
+//   ...
 // Link viete::sym3; compile with -ffp-contract=off. Each lane has the bits of the single call sym3::exp under
 // the kernel of that target, whatever the other lanes hold. Bounds and special values: exp.h, method `fast`.
 //

@@ -29,16 +29,11 @@ Sym3<T> exp_fast(const Sym3<T>& s) {
 template <class T>
 auto one_by(Method method) -> Sym3<T> (*)(const Sym3<T>&) {
   switch (method) {
-    case Method::diag:
-      return exp_diag<T>;
-    case Method::sd:
-      return exp_sd<T>;
-    case Method::improved_sd:
-      return exp_improved_sd<T>;
-    case Method::improved_sd_faithful:
-      return exp_improved_sd_faithful<T>;
-    case Method::fast:
-      break;
+    case Method::diag: return exp_diag<T>;
+    case Method::sd: return exp_sd<T>;
+    case Method::improved_sd: return exp_improved_sd<T>;
+    case Method::improved_sd_faithful: return exp_improved_sd_faithful<T>;
+    case Method::fast: break;
   }
   return exp_fast<T>;
 }

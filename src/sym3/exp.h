@@ -62,10 +62,12 @@ Sym3<T> exp(const Sym3<T>& s, Method method = Method::fast);
 template <class T>
 void exp(std::span<const Sym3<T>> in, std::span<Sym3<T>> out, Method method = Method::fast);
 
-/// exp of `count` matrices by method `fast`, from any layout of view.h to any (the same one is faster). In place
-/// where `in` and `out` are the same view; else they must not overlap. Each answer has the bits of the single
-/// call under that kernel, wherever it stands and on however many threads.
-void exp(const SymView<const double>& in, const SymView<double>& out, std::size_t count, const Batch& batch = {});
-void exp(const SymView<const float>& in, const SymView<float>& out, std::size_t count, const Batch& batch = {});
+/// exp of `count` matrices by method `fast`, from any layout of view.h to any (the same one is faster). In
+/// place where `in` and `out` are the same view; else they must not overlap. Each answer has the bits of the
+/// single call under that kernel, wherever it stands and on however many threads.
+void exp(const SymView<const double>& in, const SymView<double>& out, std::size_t count,
+         const Batch& batch = {});
+void exp(const SymView<const float>& in, const SymView<float>& out, std::size_t count,
+         const Batch& batch = {});
 
 }  // namespace viete::sym3

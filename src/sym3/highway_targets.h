@@ -1,8 +1,8 @@
 // Which instruction sets the kernels are compiled for; before any header of Highway. Internal.
 #pragma once
 
-// "scalar" is the fallback with every compiler, as in GCC 12, and newer variants of AVX-512 bring nothing here.
-// Vectors without a fixed size (SVE, RISC-V) cannot be members of a struct.
+// "scalar" is the fallback with every compiler, as in GCC 12, and newer variants of AVX-512 bring nothing
+// here. Vectors without a fixed size (SVE, RISC-V) cannot be members of a struct.
 #define HWY_BROKEN_EMU128 1
 #include <hwy/detect_targets.h>
 
@@ -22,6 +22,6 @@
 #define VIETE_HWY_SSE2 0
 #endif
 #undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS                                                                             \
+#define HWY_DISABLED_TARGETS                                                                       \
   (HWY_SSSE3 | VIETE_HWY_SSE2 | HWY_AVX3_DL | VIETE_HWY_AVX3_ZEN4 | VIETE_HWY_AVX3_SPR | HWY_SVE | \
    HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)

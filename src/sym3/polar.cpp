@@ -145,8 +145,8 @@ const PolarFunction<T>& polar_function(const Kernel& k) {
 }
 
 template <class T>
-void polar_many(const MatView<const T>& in, const MatView<T>& rotations, const SymView<T>& stretches, std::size_t count,
-                const Batch& batch) {
+void polar_many(const MatView<const T>& in, const MatView<T>& rotations, const SymView<T>& stretches,
+                std::size_t count, const Batch& batch) {
   const auto many = polar_function<T>(batch.kernel ? *batch.kernel : kernel()).many;
   run_batch([&](const Range& range) { many(in, rotations, stretches, range); }, count, 24 * sizeof(T) * count,
             in.plane[0] == rotations.plane[0], batch);
@@ -182,8 +182,8 @@ void polar(const MatView<const float>& in, const MatView<float>& rotations, std:
   call_many(&KernelTable::rotation_of, in, rotations, count, batch);
 }
 
-void polar(const MatView<const double>& in, const MatView<double>& rotations, const SymView<double>& stretches,
-           std::size_t count, const Batch& batch) {
+void polar(const MatView<const double>& in, const MatView<double>& rotations,
+           const SymView<double>& stretches, std::size_t count, const Batch& batch) {
   polar_many(in, rotations, stretches, count, batch);
 }
 

@@ -36,8 +36,8 @@ void polar(const MatView<const float>& in, const MatView<float>& rotations, std:
            const Batch& batch = {});
 
 /// Rotations and stretches of many; the stretches in any layout, overlapping neither of the others.
-void polar(const MatView<const double>& in, const MatView<double>& rotations, const SymView<double>& stretches,
-           std::size_t count, const Batch& batch = {});
+void polar(const MatView<const double>& in, const MatView<double>& rotations,
+           const SymView<double>& stretches, std::size_t count, const Batch& batch = {});
 void polar(const MatView<const float>& in, const MatView<float>& rotations, const SymView<float>& stretches,
            std::size_t count, const Batch& batch = {});
 

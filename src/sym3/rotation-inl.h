@@ -1,13 +1,13 @@
-// exp of rotation vectors and log of rotations in vector registers: the text behind every kernel, for fused loops
-// elsewhere too.
-// (No #pragma once: Highway's foreach_target includes this text again for each target.) How to use it: exp-inl.h.
-// Bounds and special values: rotation.h.
+// exp of rotation vectors and log of rotations in vector registers: the text behind every kernel, for fused
+// loops elsewhere too. (No #pragma once: Highway's foreach_target includes this text again for each target.)
+// How to use it: exp-inl.h. Bounds and special values: rotation.h.
 //
-// Half the angle: h = |w|^2 / 4, cos(sqrt h) and sin(sqrt h) / (2 sqrt h) are polynomials in h up to 3.24 radians,
-// which gives the quaternion without a root and without a case for small angles; the matrix follows by products.
+// Half the angle: h = |w|^2 / 4, cos(sqrt h) and sin(sqrt h) / (2 sqrt h) are polynomials in h up to 3.24
+// radians, which gives the quaternion without a root and without a case for small angles; the matrix follows
+// by products.
 //
-// Back, a quarter of the angle: its tangent t is at most one, and atan(t) / t is a polynomial in t^2, so that neither small
-// angles nor half turns are a case.
+// Back, a quarter of the angle: its tangent t is at most one, and atan(t) / t is a polynomial in t^2, so that
+// neither small angles nor half turns are a case.
 #if defined(VIETE_SYM3_ROTATION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_ROTATION_INL_H
 #undef VIETE_SYM3_ROTATION_INL_H
@@ -38,9 +38,15 @@ static HWY_INLINE Nine<V> to_matrix(D d, const Quaternion<V>& q) {
   const V x2 = hn::Add(q.x, q.x), y2 = hn::Add(q.y, q.y), z2 = hn::Add(q.z, q.z);
   const V xx = hn::Mul(x2, q.x), wx = hn::Mul(x2, q.w), wy = hn::Mul(y2, q.w), wz = hn::Mul(z2, q.w);
   const V yy = hn::Mul(y2, q.y);
-  return {hn::NegMulAdd(z2, q.z, hn::Sub(one, yy)), hn::MulSub(x2, q.y, wz),  hn::MulAdd(x2, q.z, wy),
-          hn::MulAdd(x2, q.y, wz),  hn::NegMulAdd(z2, q.z, hn::Sub(one, xx)), hn::MulSub(y2, q.z, wx),
-          hn::MulSub(x2, q.z, wy),  hn::MulAdd(y2, q.z, wx),  hn::Sub(hn::Sub(one, xx), yy)};
+  return {hn::NegMulAdd(z2, q.z, hn::Sub(one, yy)),
+          hn::MulSub(x2, q.y, wz),
+          hn::MulAdd(x2, q.z, wy),
+          hn::MulAdd(x2, q.y, wz),
+          hn::NegMulAdd(z2, q.z, hn::Sub(one, xx)),
+          hn::MulSub(y2, q.z, wx),
+          hn::MulSub(x2, q.z, wy),
+          hn::MulAdd(y2, q.z, wx),
+          hn::Sub(hn::Sub(one, xx), yy)};
 }
 
 /// |w|^2 / 4; NaN or infinite where w is, and where it overflows.
@@ -86,12 +92,12 @@ static HWY_INLINE Nine<V> exp_rotation_lanes(D d, const Three<V>& w) {
 
 template <class M, class V>
 static HWY_INLINE Quaternion<V> select(M mask, const Quaternion<V>& yes, const Quaternion<V>& no) {
-  return {hn::IfThenElse(mask, yes.w, no.w), hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
-          hn::IfThenElse(mask, yes.z, no.z)};
+  return {hn::IfThenElse(mask, yes.w, no.w), hn::IfThenElse(mask, yes.x, no.x),
+          hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Four times the products of w, x, y, z with the one of them that is largest (Shepperd 1978), so that nothing
-/// cancels: quaternions of length between 2 and 4.
+/// Four times the products of w, x, y, z with the one of them that is largest (Shepperd 1978), so that
+/// nothing cancels: quaternions of length between 2 and 4.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   const V one = hn::Set(d, hn::TFromD<D>(1));
@@ -107,7 +113,8 @@ static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   return select(w_is_largest, by_w, select(x_is_largest, by_x, select(hn::Ge(r.yy, r.zz), by_y, by_z)));
 }
 
-/// What decides between q and -q: the one with angle <= pi; at pi the one whose axis starts with a positive number.
+/// What decides between q and -q: the one with angle <= pi; at pi the one whose axis starts with a positive
+/// number.
 template <class D, class V>
 static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   const V zero = hn::Zero(d);
@@ -115,8 +122,8 @@ static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   return hn::IfThenElse(hn::Eq(q.w, zero), xyz, q.w);
 }
 
-/// The rotation vectors of rotations, one a lane. T = float or double; any number of lanes. Squares of entries that
-/// are no rotation's and overflow give NaN, as infinities do.
+/// The rotation vectors of rotations, one a lane. T = float or double; any number of lanes. Squares of
+/// entries that are no rotation's and overflow give NaN, as infinities do.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Three<V> log_rotation_lanes(D d, const Nine<V>& r) {
   using T = hn::TFromD<D>;

@@ -34,11 +34,13 @@ Mat3<T> exp_rotation(const Vec3<T>& w) {
   return r;
 }
 
-void exp_rotation(const VecView<const double>& in, const MatView<double>& out, std::size_t count, const Batch& batch) {
+void exp_rotation(const VecView<const double>& in, const MatView<double>& out, std::size_t count,
+                  const Batch& batch) {
   call_many(&KernelTable::exp_rotation, in, out, count, batch);
 }
 
-void exp_rotation(const VecView<const float>& in, const MatView<float>& out, std::size_t count, const Batch& batch) {
+void exp_rotation(const VecView<const float>& in, const MatView<float>& out, std::size_t count,
+                  const Batch& batch) {
   call_many(&KernelTable::exp_rotation, in, out, count, batch);
 }
 
@@ -49,11 +51,13 @@ Vec3<T> log_rotation(const Mat3<T>& r) {
   return w;
 }
 
-void log_rotation(const MatView<const double>& in, const VecView<double>& out, std::size_t count, const Batch& batch) {
+void log_rotation(const MatView<const double>& in, const VecView<double>& out, std::size_t count,
+                  const Batch& batch) {
   call_many(&KernelTable::log_rotation, in, out, count, batch);
 }
 
-void log_rotation(const MatView<const float>& in, const VecView<float>& out, std::size_t count, const Batch& batch) {
+void log_rotation(const MatView<const float>& in, const VecView<float>& out, std::size_t count,
+                  const Batch& batch) {
   call_many(&KernelTable::log_rotation, in, out, count, batch);
 }
 

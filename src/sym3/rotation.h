@@ -23,24 +23,25 @@ using Mat3 = std::array<T, 9>;
 template <class T>
 Mat3<T> exp_rotation(const Vec3<T>& w);
 
-/// The same for `count` vectors, from any layout but `full` to any but `full`; planes are fastest. `in` and `out` must not
-/// overlap. Each answer has the bits of the single call under that kernel.
+/// The same for `count` vectors, from any layout but `full` to any but `full`; planes are fastest. `in` and
+/// `out` must not overlap. Each answer has the bits of the single call under that kernel.
 void exp_rotation(const VecView<const double>& in, const MatView<double>& out, std::size_t count,
                   const Batch& batch = {});
 void exp_rotation(const VecView<const float>& in, const MatView<float>& out, std::size_t count,
                   const Batch& batch = {});
 
-/// The rotation vector w, |w| <= pi up to rounding, with exp_rotation(w) = R. At exactly 180 degrees (R symmetric to the
-/// last bit), where w and -w are both right, the first non-zero component of w is positive.
-/// Through the quaternion, by its largest component (Shepperd 1978), and the tangent of a quarter of the angle, which is at
-/// most one: a polynomial, no case for small angles or half turns. |w - exact| <= 6 u |w| for entries of R that are
-/// exact but for their rounding. R need not be a rotation to the last bit: an R off by E, Frobenius norm up to
-/// 0.1, gives a w off by at most 2 |E|. NaN or infinity in R, or entries whose squares overflow: three NaN.
+/// The rotation vector w, |w| <= pi up to rounding, with exp_rotation(w) = R. At exactly 180 degrees (R
+/// symmetric to the last bit), where w and -w are both right, the first non-zero component of w is positive.
+/// Through the quaternion, by its largest component (Shepperd 1978), and the tangent of a quarter of the
+/// angle, which is at most one: a polynomial, no case for small angles or half turns. |w - exact| <= 6 u |w|
+/// for entries of R that are exact but for their rounding. R need not be a rotation to the last bit: an R off
+/// by E, Frobenius norm up to 0.1, gives a w off by at most 2 |E|. NaN or infinity in R, or entries whose
+/// squares overflow: three NaN.
 template <class T>
 Vec3<T> log_rotation(const Mat3<T>& r);
 
-/// The same for `count` matrices, from any layout but `full` to any but `full`; planes are fastest. `in` and `out` must
-/// not overlap. Each answer has the bits of the single call under that kernel.
+/// The same for `count` matrices, from any layout but `full` to any but `full`; planes are fastest. `in` and
+/// `out` must not overlap. Each answer has the bits of the single call under that kernel.
 void log_rotation(const MatView<const double>& in, const VecView<double>& out, std::size_t count,
                   const Batch& batch = {});
 void log_rotation(const MatView<const float>& in, const VecView<float>& out, std::size_t count,

@@ -31,8 +31,8 @@ struct LogRotation {
   HWY_INLINE void run(D d, const V (&r)[G][in], V (&w)[G][out]) const {
 #pragma GCC unroll 4
     for (int g = 0; g < G; ++g) {
-      const Three<V> v = log_rotation_lanes(d, Nine<V>{r[g][0], r[g][1], r[g][2], r[g][3], r[g][4], r[g][5], r[g][6],
-                                                       r[g][7], r[g][8]});
+      const Three<V> v = log_rotation_lanes(
+          d, Nine<V>{r[g][0], r[g][1], r[g][2], r[g][3], r[g][4], r[g][5], r[g][6], r[g][7], r[g][8]});
       w[g][0] = v.x, w[g][1] = v.y, w[g][2] = v.z;
     }
   }

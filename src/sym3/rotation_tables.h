@@ -1,4 +1,5 @@
-// The coefficients of the exponential and the logarithm of rotations, and the way out at large angles. Internal; no inline functions.
+// The coefficients of the exponential and the logarithm of rotations, and the way out at large angles.
+// Internal; no inline functions.
 #pragma once
 
 namespace viete::sym3 {
@@ -43,15 +44,9 @@ struct RotationTables<double> {
                                         0x1.d7b7c820ab3e4p-8,
                                         0x1.b3f9324ed6831p-11,
                                         0x1.bbebbb6ddffc2p-17};
-  static constexpr double arc_odd[] = {-0x1.5555555555526p-2,
-                                       -0x1.249249237f3dfp-3,
-                                       -0x1.745d11ae1644bp-4,
-                                       -0x1.110e510ae73d9p-4,
-                                       -0x1.ae5e6e38a3b49p-5,
-                                       -0x1.59a3dfe2c5be0p-5,
-                                       -0x1.e9f9714cdddd1p-6,
-                                       -0x1.c78eb4a60a074p-7,
-                                       -0x1.7a38588d29facp-9,
+  static constexpr double arc_odd[] = {-0x1.5555555555526p-2, -0x1.249249237f3dfp-3, -0x1.745d11ae1644bp-4,
+                                       -0x1.110e510ae73d9p-4, -0x1.ae5e6e38a3b49p-5, -0x1.59a3dfe2c5be0p-5,
+                                       -0x1.e9f9714cdddd1p-6, -0x1.c78eb4a60a074p-7, -0x1.7a38588d29facp-9,
                                        -0x1.3f350949de839p-13};
 };
 
@@ -61,7 +56,8 @@ struct RotationTables<float> {
   static constexpr float cosine[] = {1, -0x1.ffffc6p-2f, 0x1.554e94p-5f, -0x1.6b1c82p-10f, 0x1.836f3ap-16f};
   static constexpr float sine[] = {0.5, -0x1.55554ap-4f, 0x1.110e82p-8f, -0x1.9f5faap-14f, 0x1.5cc5e0p-20f};
   static constexpr float arc_even[] = {1, 0x1.9991e4p-3f, 0x1.c08c48p-4f, 0x1.da2886p-5f, 0x1.63f382p-7f};
-  static constexpr float arc_odd[] = {-0x1.55553ep-2f, -0x1.242086p-3f, -0x1.5808e4p-4f, -0x1.fd6faep-6f, -0x1.d290d8p-10f};
+  static constexpr float arc_odd[] = {-0x1.55553ep-2f, -0x1.242086p-3f, -0x1.5808e4p-4f, -0x1.fd6faep-6f,
+                                      -0x1.d290d8p-10f};
 };
 
 /// cos(|w| / 2) and sin(|w| / 2) / |w| at any finite w; NaN else. w is three numbers, the answer two.

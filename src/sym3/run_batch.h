@@ -15,7 +15,8 @@ struct RangeTask {
 };
 
 /// All of [0, count), on the batch's executor. `bytes`: what is read and written in all.
-void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place, const Batch& batch);
+void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
+               const Batch& batch);
 
 /// The same for a callable of a range.
 template <class F>

@@ -16,10 +16,10 @@ enum class Layout : unsigned char {
   full,    ///< symmetric matrices with all nine entries: data[9 i + k], by rows or by columns
 };
 
-/// Where N numbers of type T (which may be const) for each of many items are. N = 6: symmetric matrices in the
-/// order of Sym3. N = 9: general matrices by rows. N = 3: vectors. No alignment is needed; planes must not
-/// overlap each other. The last block of `blocks` is whole in memory; what lies beyond the count is neither
-/// read nor written. Symmetric matrices in `full` are read at 0 1 2 4 5 8 and written everywhere.
+/// Where N numbers of type T (which may be const) for each of many items are. N = 6: symmetric matrices in
+/// the order of Sym3. N = 9: general matrices by rows. N = 3: vectors. No alignment is needed; planes must
+/// not overlap each other. The last block of `blocks` is whole in memory; what lies beyond the count is
+/// neither read nor written. Symmetric matrices in `full` are read at 0 1 2 4 5 8 and written everywhere.
 /// Speed: blocks and planes are fastest; strides between planes that are multiples of 4096 bytes are slow
 /// (see padded_stride).
 template <class T, int N>
@@ -38,8 +38,7 @@ struct View {
   }
   /// Read-only from writable.
   template <class U>
-    requires(sizeof(U) == sizeof(T))
-  constexpr View(const View<U, N>& v) : layout(v.layout) {
+  requires(sizeof(U) == sizeof(T)) constexpr View(const View<U, N>& v) : layout(v.layout) {
     for (int k = 0; k < N; ++k) plane[k] = v.plane[k];
   }
 };
@@ -63,8 +62,9 @@ SymView<const T> packed(const Sym3<T>* data) {
   return {Layout::packed, reinterpret_cast<const T*>(data)};
 }
 
-/// A stride for planes of `count` numbers that start each at 64 bytes and 448 bytes further into a page than the one
-/// before: off the others' cache sets, and off the stores that a processor cannot tell from loads 4096 bytes away.
+/// A stride for planes of `count` numbers that start each at 64 bytes and 448 bytes further into a page than
+/// the one before: off the others' cache sets, and off the stores that a processor cannot tell from loads
+/// 4096 bytes away.
 template <class T>
 constexpr std::size_t padded_stride(std::size_t count) {
   constexpr std::size_t page = 4096 / sizeof(T), step = 448 / sizeof(T);

@@ -20,8 +20,9 @@ struct Fonts {
 /// Colours that ImGui's style has no place for.
 struct Palette {
   ImU32 text, faint, accent, good, warn, bad, card, card_hover, card_active, line;
-  ImU32 axis[3], on_axis;          ///< of x, y and z, and of letters on them
-  ImU32 neutral, highlight, halo;  ///< of a gizmo: handles without an axis, the one under the cursor, the edge around lines
+  ImU32 axis[3], on_axis;  ///< of x, y and z, and of letters on them
+  ImU32 neutral, highlight,
+      halo;  ///< of a gizmo: handles without an axis, the one under the cursor, the edge around lines
 };
 
 Palette palette(bool dark);
@@ -30,13 +31,14 @@ struct Context {
   scene::Workspace& workspace;
   const Fonts& fonts;
   Palette colors;
-  Recorder* recorder;  ///< null when nobody is watching
+  Recorder* recorder;                     ///< null when nobody is watching
   std::span<const ImU32> error_colors{};  ///< of the error map, from its low end to its high one
 };
 
 inline constexpr float column_width = 320, status_height = 26;
 
-/// The colour of a link of the frame, the same everywhere; index link_count + 0, 1, 2, 3 are upload, draw, panels, other.
+/// The colour of a link of the frame, the same everywhere; index link_count + 0, 1, 2, 3 are upload, draw,
+/// panels, other.
 ImU32 part_color(std::size_t part);
 
 }  // namespace viete::ui

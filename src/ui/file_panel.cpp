@@ -18,42 +18,24 @@ using What = scene::OpenRequest::What;
 
 const char* title(Purpose purpose) {
   switch (purpose) {
-    case Purpose::model:
-      return "Open a model or a session###file_panel";
-    case Purpose::cage:
-      return "Open a cage###file_panel";
-    case Purpose::pose:
-      return "Open a pose###file_panel";
-    case Purpose::save_session:
-      return "Save the session###file_panel";
-    case Purpose::save_pose:
-      return "Save the posed cage###file_panel";
-    case Purpose::save_model:
-      return "Export the deformed mesh###file_panel";
+    case Purpose::model: return "Open a model or a session###file_panel";
+    case Purpose::cage: return "Open a cage###file_panel";
+    case Purpose::pose: return "Open a pose###file_panel";
+    case Purpose::save_session: return "Save the session###file_panel";
+    case Purpose::save_pose: return "Save the posed cage###file_panel";
+    case Purpose::save_model: return "Export the deformed mesh###file_panel";
   }
   return "###file_panel";
 }
 
 void request(scene::Requests& requests, Purpose purpose, const std::filesystem::path& path) {
   switch (purpose) {
-    case Purpose::model:
-      requests.open = scene::OpenRequest{What::model, {path}};
-      break;
-    case Purpose::cage:
-      requests.open = scene::OpenRequest{What::cage, {path}};
-      break;
-    case Purpose::pose:
-      requests.open = scene::OpenRequest{What::pose, {path}};
-      break;
-    case Purpose::save_session:
-      requests.save_session = path;
-      break;
-    case Purpose::save_pose:
-      requests.save_pose = path;
-      break;
-    case Purpose::save_model:
-      requests.save_model = path;
-      break;
+    case Purpose::model: requests.open = scene::OpenRequest{What::model, {path}}; break;
+    case Purpose::cage: requests.open = scene::OpenRequest{What::cage, {path}}; break;
+    case Purpose::pose: requests.open = scene::OpenRequest{What::pose, {path}}; break;
+    case Purpose::save_session: requests.save_session = path; break;
+    case Purpose::save_pose: requests.save_pose = path; break;
+    case Purpose::save_model: requests.save_model = path; break;
   }
 }
 

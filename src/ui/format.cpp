@@ -40,8 +40,12 @@ std::string error(double relative) {
   return relative == 0 ? "0" : print("%.1e", relative);
 }
 
-std::string length(double value) { return print("%.3g", value); }
+std::string length(double value) {
+  return print("%.3g", value);
+}
 
-std::string ratio(double value) { return significant(value) + " x"; }
+std::string ratio(double value) {
+  return significant(value) + " x";
+}
 
 }  // namespace viete::ui

@@ -15,7 +15,8 @@ void progress(const Context& ui, double done) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(at, {at.x + width, at.y + 6}, ui.colors.card_active, 3);
-  draw.AddRectFilled(at, {at.x + width * static_cast<float>(std::clamp(done, 0.02, 1.0)), at.y + 6}, ui.colors.accent, 3);
+  draw.AddRectFilled(at, {at.x + width * static_cast<float>(std::clamp(done, 0.02, 1.0)), at.y + 6},
+                     ui.colors.accent, 3);
   ImGui::Dummy({width, 8});
 }
 
@@ -26,7 +27,8 @@ void bar(const Context& ui, const scene::BenchmarkBar& bar, double longest, doub
   const float room = width - name_width - value_width;
   const float length = std::max(2.0f, room * static_cast<float>(bar.ns / longest));
   const float x = at.x + name_width, y = at.y + 0.5f * (line - bar_height);
-  ImGui::GetWindowDrawList()->AddRectFilled({x, y}, {x + length, y + bar_height}, bar.ours ? ui.colors.accent : ui.colors.faint, 2);
+  ImGui::GetWindowDrawList()->AddRectFilled({x, y}, {x + length, y + bar_height},
+                                            bar.ours ? ui.colors.accent : ui.colors.faint, 2);
   text_right(ui, at.x + width - 48, nanoseconds(bar.ns), bar.ours ? ui.colors.text : ui.colors.faint);
   text_right(ui, at.x + width, ratio(first / bar.ns), ui.colors.faint);
   ImGui::TextUnformatted(bar.name.c_str());
@@ -43,9 +45,12 @@ void panel_benchmark(const Context& ui) {
     bar(ui, entry, longest, bench.bars.front().ns);
   }
   if (bench.count > 0) {
-    note(ui, "A matrix; times faster than Diag. " + count(bench.count) + " matrices S = M M^T, double, one thread.");
+    note(ui, "A matrix; times faster than Diag. " + count(bench.count) +
+                 " matrices S = M M^T, double, one thread.");
   } else if (!bench.running) {
-    note(ui, "Every method on the paper's random matrices, against a copy of the same bytes. Takes some seconds, aside.");
+    note(ui,
+         "Every method on the paper's random matrices, against a copy of the same bytes. Takes some seconds, "
+         "aside.");
   }
   if (bench.running) progress(ui, bench.done);
   command_row(ui, {bench.running ? "stop_benchmark" : "run_benchmark"});

@@ -13,7 +13,8 @@ constexpr std::size_t named = 6;  // elements in a card
 constexpr float inset = 10;
 
 std::size_t mattering(const scene::CheckState& checks) {
-  return static_cast<std::size_t>(std::count_if(checks.findings.begin(), checks.findings.end(), scene::matters));
+  return static_cast<std::size_t>(
+      std::count_if(checks.findings.begin(), checks.findings.end(), scene::matters));
 }
 
 // "2 findings", "all is well": what can be read while the section is closed.
@@ -53,20 +54,26 @@ void card(const Context& ui, std::size_t index) {
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + size.x, at.y + size.y};
-  draw.AddRectFilled(at, end, shown ? ui.colors.card_active : hovered ? ui.colors.card_hover : ui.colors.card, 6);
+  draw.AddRectFilled(at, end,
+                     shown     ? ui.colors.card_active
+                     : hovered ? ui.colors.card_hover
+                               : ui.colors.card,
+                     6);
   if (shown) draw.AddRect(at, end, ui.colors.accent, 6, 0, 1.5f);
 
   const float x = at.x + inset;
   float y = at.y + 7;
   const ImU32 color = scene::matters(finding) ? ui.colors.warn : ui.colors.text;
   ImGui::PushFont(ui.fonts.strong);
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, color, scene::title(finding).c_str(), nullptr, wrap);
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, color, scene::title(finding).c_str(), nullptr,
+               wrap);
   ImGui::PopFont();
   y += line;
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.faint, means.c_str(), nullptr, wrap);
   y += middle + 4;
   ImGui::PushFont(ui.fonts.numbers);
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.text, elements.c_str(), nullptr, wrap);
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.text, elements.c_str(), nullptr,
+               wrap);
   ImGui::PopFont();
   hint(shown ? "Click to hide them again." : "Click to see them in the view.");
   if (clicked) scene::toggle_finding(ui.workspace, index);
@@ -85,9 +92,8 @@ void stepper(const Context& ui) {
     hint(tip);
   };
   step("<##finding", "finding_previous", -1, "Show the one before alone.");
-  const std::string text = checks.element
-                               ? count(*checks.element + 1) + " of " + count(finding.size())
-                               : "all " + count(finding.size());
+  const std::string text = checks.element ? count(*checks.element + 1) + " of " + count(finding.size())
+                                          : "all " + count(finding.size());
   ImGui::SameLine(left + 0.5f * (width - ImGui::CalcTextSize(text.c_str()).x));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text.c_str());
@@ -121,9 +127,9 @@ void panel_checks(const Context& ui) {
   if (!open) return;
   if (checks.running) return note(ui, "Model and cage are being looked through.");
   if (checks.findings.empty()) {
-    note(ui, ui.workspace.document.has_cage()
-                 ? "Model and cage are closed, oriented manifolds; the cage does not cut itself and encloses the model."
-                 : "The model is a closed, oriented manifold.");
+    note(ui, ui.workspace.document.has_cage() ? "Model and cage are closed, oriented manifolds; the cage "
+                                                "does not cut itself and encloses the model."
+                                              : "The model is a closed, oriented manifold.");
   }
   group(ui, scene::Subject::cage, "Cage");
   group(ui, scene::Subject::model, "Model");

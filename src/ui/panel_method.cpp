@@ -37,8 +37,8 @@ Marks marks_of(const scene::MethodStats& stats, std::size_t index) {
           index == best(stats, [](const scene::MethodSample& s) { return s.worst_error; })};
 }
 
-void card_text(const Context& ui, ImVec2 at, float width, const char* title, const scene::MethodSample* sample, bool used,
-               Marks marks, bool active) {
+void card_text(const Context& ui, ImVec2 at, float width, const char* title,
+               const scene::MethodSample* sample, bool used, Marks marks, bool active) {
   constexpr float margin = 10, second_line = 25;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImU32 text = used ? ui.colors.text : ui.colors.faint;
@@ -66,13 +66,18 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + size.x, at.y + size.y};
-  draw.AddRectFilled(at, end, active && used ? ui.colors.card_active : hovered ? ui.colors.card_hover : ui.colors.card, 6);
+  draw.AddRectFilled(at, end,
+                     active && used ? ui.colors.card_active
+                     : hovered      ? ui.colors.card_hover
+                                    : ui.colors.card,
+                     6);
   if (active && used) draw.AddRect(at, end, ui.colors.accent, 6, 0, 1.5f);
 
   const bool measured = used && w.methods.matrices > 0;
   // At rest all matrices are zero, and who is the fastest at nothing says nothing.
   const Marks marks = measured && scene::differs_from_rest(w.document) ? marks_of(w.methods, index) : Marks{};
-  card_text(ui, at, width, command.label.data(), measured ? &w.methods.samples[index] : nullptr, used, marks, active);
+  card_text(ui, at, width, command.label.data(), measured ? &w.methods.samples[index] : nullptr, used, marks,
+            active);
   hint(std::string(command.hint) + "  (" + scene::text(command.shortcut) + ")");
 }
 
@@ -95,7 +100,8 @@ void panel_method(const Context& ui) {
   if (!used) {
     note(ui, "Not used: mean value coordinates blend positions, without an exponential.");
   } else if (w.methods.matrices > 0) {
-    note(ui, "Per matrix, worst of " + count(w.methods.matrices) + (scene::differs_from_rest(w.document) ? "; best in colour" : " sampled"));
+    note(ui, "Per matrix, worst of " + count(w.methods.matrices) +
+                 (scene::differs_from_rest(w.document) ? "; best in colour" : " sampled"));
   }
   coordinates_choice(ui);
 }

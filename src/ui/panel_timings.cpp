@@ -79,8 +79,10 @@ void history(const Context& ui) {
   double top = 1;
   for (const auto& frame : frames) top = std::max(top, frame.frame);
   constexpr float step = 2;
-  float x = at.x + width - step * static_cast<float>(std::min<std::size_t>(frames.size(), std::size_t(width / step)));
-  for (std::size_t f = frames.size() - std::size_t((at.x + width - x) / step); f < frames.size(); ++f, x += step) {
+  float x = at.x + width -
+            step * static_cast<float>(std::min<std::size_t>(frames.size(), std::size_t(width / step)));
+  for (std::size_t f = frames.size() - std::size_t((at.x + width - x) / step); f < frames.size();
+       ++f, x += step) {
     float y = at.y + height;
     const Parts parts = parts_of(frames[f]);
     for (std::size_t i = 0; i < part_count; ++i) {
@@ -90,7 +92,8 @@ void history(const Context& ui) {
     }
   }
   ImGui::Dummy({width, height});
-  hint("The last " + count(frames.size()) + " frames that deformed; full height is " + milliseconds(top) + ".");
+  hint("The last " + count(frames.size()) + " frames that deformed; full height is " + milliseconds(top) +
+       ".");
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ void column(const Context& ui) {
   ImGui::SetNextWindowSize({column_width, display.y - status_height});
   ImGui::Begin("Panels", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoNavInputs);
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavFocus |
+                   ImGuiWindowFlags_NoNavInputs);
   panel_messages(ui);
   panel_model(ui);
   panel_cage(ui);

@@ -21,8 +21,8 @@ void panel_messages(const Context& ui);
 void status_bar(const Context& ui);
 void help_overlay(const Context& ui);
 void file_panel(const Context& ui);
-void work_bar(const Context& ui);    ///< what is being read or bound, how far, and Cancel
-void notice_bar(const Context& ui);   ///< unsaved work that can be brought back
+void work_bar(const Context& ui);          ///< what is being read or bound, how far, and Cancel
+void notice_bar(const Context& ui);        ///< unsaved work that can be brought back
 void transform_fields(const Context& ui);  ///< a part of the cage's panel
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);

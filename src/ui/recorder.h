@@ -15,7 +15,7 @@ struct WidgetRect {
 };
 
 class Recorder {
- public:
+public:
   void begin_frame() { widgets_.clear(); }
   void add(const std::string& name, const WidgetRect& rect) { widgets_[name] = rect; }
   std::optional<WidgetRect> find(const std::string& name) const {
@@ -24,7 +24,7 @@ class Recorder {
   }
   const std::map<std::string, WidgetRect>& all() const { return widgets_; }
 
- private:
+private:
   std::map<std::string, WidgetRect> widgets_;
 };
 

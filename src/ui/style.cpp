@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <initializer_list>
 
-
 namespace viete::ui {
 
 namespace {
@@ -104,7 +103,8 @@ void apply_style(bool dark) {
   s.Colors[ImGuiCol_HeaderActive] = rgba(t.active, 0.6f);
   s.Colors[ImGuiCol_CheckMark] = s.Colors[ImGuiCol_SliderGrab] = rgba(t.accent);
   s.Colors[ImGuiCol_Separator] = s.Colors[ImGuiCol_Border] = rgba(t.line);
-  s.Colors[ImGuiCol_TitleBg] = s.Colors[ImGuiCol_TitleBgActive] = s.Colors[ImGuiCol_TitleBgCollapsed] = rgba(t.frame);
+  s.Colors[ImGuiCol_TitleBg] = s.Colors[ImGuiCol_TitleBgActive] = s.Colors[ImGuiCol_TitleBgCollapsed] =
+      rgba(t.frame);
   s.Colors[ImGuiCol_ResizeGrip] = rgba(t.active, 0.6f);
   s.Colors[ImGuiCol_ResizeGripHovered] = s.Colors[ImGuiCol_ResizeGripActive] = rgba(t.accent);
   s.Colors[ImGuiCol_NavHighlight] = rgba(t.accent, 0.6f);

@@ -21,14 +21,17 @@ void centered(const Context& ui, float y, const char* text, ImU32 color) {
   ImGui::PushFont(ui.fonts.text);
   const ImVec2 size = ImGui::CalcTextSize(text);
   const bool fits = size.x + 24 <= v.size.x;
-  if (fits) ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 0.5f * (v.size.x - size.x), y}, color, text);
+  if (fits)
+    ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 0.5f * (v.size.x - size.x), y}, color, text);
   ImGui::PopFont();
 }
 
 void hints(const Context& ui) {
   const auto& v = ui.workspace.viewport;
   const float bottom = v.origin.y + v.size.y;
-  centered(ui, bottom - 34, "Drag a vertex of the cage     Switch the method at the left     F1 shows every key", faded(ui.colors.text, 0.75f));
+  centered(ui, bottom - 34,
+           "Drag a vertex of the cage     Switch the method at the left     F1 shows every key",
+           faded(ui.colors.text, 0.75f));
 }
 
 }  // namespace
@@ -37,7 +40,7 @@ void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (w.hand.box) selection_box(ui, *w.hand.box);
   if (w.binding.running || w.loading.running) return;  // their bar is there
-  const bool room = !scene::shows_error_map(w);  // the legend takes it
+  const bool room = !scene::shows_error_map(w);        // the legend takes it
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.hand.drag) hints(ui);
 }
 

@@ -32,7 +32,8 @@ void record(const Context& ui, const std::string& name, bool enabled) {
 bool section(const Context& ui, const char* title, bool open_at_first) {
   ImGui::PushFont(ui.fonts.strong);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 3});
-  const bool open = ImGui::CollapsingHeader(title, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+  const bool open = ImGui::CollapsingHeader(
+      title, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
   ImGui::PopStyleVar();
   ImGui::PopFont();
   record(ui, std::string("section/") + title);
@@ -124,7 +125,8 @@ void recent_list(const Context& ui, std::size_t most) {
     const scene::RecentFile file = recent[i];  // what is clicked may change the list
     const std::string id = "##recent" + std::to_string(i);
     if (ImGui::Selectable((file.file.filename().string() + id).c_str())) {
-      ui.workspace.requests.open = scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
+      ui.workspace.requests.open =
+          scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
       ui.workspace.browser.open = false;
     }
     record(ui, "recent/" + std::to_string(i));

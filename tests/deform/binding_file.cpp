@@ -27,8 +27,7 @@ Saved save(const TemporaryFolder& folder, Weighting weighting, double tolerance)
   WorkerPool pool(2);
   Saved s{tube(120, 60, 0.3, 1.5), std::make_shared<const Cage>(make_cage(tube(7, 12, 0.6, 2))), nullptr,
           folder / "a.binding"};
-  s.binding =
-      std::make_shared<const TiledBinding>(bind_tiles(s.model, *s.cage, weighting, pool, tolerance));
+  s.binding = std::make_shared<const TiledBinding>(bind_tiles(s.model, *s.cage, weighting, pool, tolerance));
   write_binding(s.file, *s.binding, s.model, *s.cage);
   return s;
 }
@@ -58,7 +57,8 @@ std::string refusal(const Saved& s) {
 
 TEST_CASE("a_saved_binding_comes_back_to_the_last_bit_and_gives_the_same_frames") {
   const TemporaryFolder folder;
-  for (const Weighting weighting : {Weighting(Coordinates::face), Weighting(Coordinates::face, 2), Weighting(Coordinates::mean_value)}) {
+  for (const Weighting weighting :
+       {Weighting(Coordinates::face), Weighting(Coordinates::face, 2), Weighting(Coordinates::mean_value)}) {
     for (const double tolerance : {0.0, usual_tolerance}) {
       const Saved s = save(folder, weighting, tolerance);
       const TiledBinding back = read(s);
@@ -161,7 +161,8 @@ TEST_CASE("keys_tell_models_cages_coordinates_reaches_and_tolerances_apart") {
   CHECK(key != binding_key(model, cage, Coordinates::mean_value, 1e-5));
   CHECK(key == binding_key(model, cage, {Coordinates::face, whole_cage}, 1e-5));
   CHECK(key != binding_key(model, cage, {Coordinates::face, 3}, 1e-5));
-  CHECK(binding_key(model, cage, {Coordinates::face, 2}, 1e-5) != binding_key(model, cage, {Coordinates::face, 3}, 1e-5));
+  CHECK(binding_key(model, cage, {Coordinates::face, 2}, 1e-5) !=
+        binding_key(model, cage, {Coordinates::face, 3}, 1e-5));
   CHECK(key != binding_key(model, cage, Coordinates::face, 1e-4));
 }
 
@@ -238,7 +239,8 @@ TEST_CASE("lists_are_checked_like_ranks") {
     put_file(s.file, bytes);
     CHECK_MESSAGE(refusal(s) != "", at);
   }
-  for (const std::size_t length : {std::size_t(97), std::size_t(96 + 4 * s.binding->leaves.count() + 5), whole.size() - 1}) {
+  for (const std::size_t length :
+       {std::size_t(97), std::size_t(96 + 4 * s.binding->leaves.count() + 5), whole.size() - 1}) {
     put_file(s.file, whole.substr(0, length));
     CHECK(refusal(s).find("is cut short") == 0);
   }

@@ -12,9 +12,8 @@ using viete::sym3::Method;
 
 TEST_CASE("links_have_different_names") {
   std::set<std::string_view> names;
-  for (const auto link :
-       {Link::face_maps, Link::log_maps, Link::blend, Link::exp, Link::apply, Link::skeleton,
-        Link::fused, Link::normals})
+  for (const auto link : {Link::face_maps, Link::log_maps, Link::blend, Link::exp, Link::apply,
+                          Link::skeleton, Link::fused, Link::normals})
     names.insert(name(link));
   CHECK(names.size() == link_count);
 }
@@ -84,8 +83,8 @@ TEST_CASE("normals_turn_with_the_pose") {
 TEST_CASE("a_binding_for_the_fused_frame_takes_it_for_method_fast_and_for_mean_values") {
   for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
     Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2), c);
-    const auto tiled =
-        std::make_shared<const Binding>(bind(staged.model, *staged.cage, c, Path::fused, nullptr, staged.pool));
+    const auto tiled = std::make_shared<const Binding>(
+        bind(staged.model, *staged.cage, c, Path::fused, nullptr, staged.pool));
     CHECK(tiled->weights.empty());
     Deformer fused(staged.cage, tiled, staged.pool);
     CHECK(largest_distance(fused.normals(), staged.deformer.normals()) == 0);
@@ -99,7 +98,8 @@ TEST_CASE("a_binding_for_the_fused_frame_takes_it_for_method_fast_and_for_mean_v
     CHECK(fused.times()[Link::fused] > 0);
     CHECK(fused.matrices().empty() == (c == Coordinates::mean_value));
     for (std::size_t i = 0; i < fused.matrices().size(); ++i) {
-      const auto &a = fused.matrices()[i], &b = staged.deformer.matrices()[i * staged.model.positions.size() / fused.matrices().size()];
+      const auto &a = fused.matrices()[i],
+                 &b = staged.deformer.matrices()[i * staged.model.positions.size() / fused.matrices().size()];
       CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < 1e-13);
     }
     const auto both = std::make_shared<const Binding>(

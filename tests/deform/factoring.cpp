@@ -11,10 +11,14 @@ TEST_CASE("rows_of_low_rank_are_factors_of_a_few_of_them_on_every_instruction_se
   constexpr std::size_t tiles = 4, columns = 40, lanes = 16;
   Random random(23);
   std::vector<std::vector<double>> left(64, std::vector<double>(5)), right(5, std::vector<double>(columns));
-  for (auto& row : left) for (double& x : row) x = random(-1, 1);
-  for (auto& row : right) for (double& x : row) x = random(-1, 1);
+  for (auto& row : left)
+    for (double& x : row) x = random(-1, 1);
+  for (auto& row : right)
+    for (double& x : row) x = random(-1, 1);
   AlignedVector<float> rows(tiles * lanes * columns);
-  const auto entry = [&](std::size_t s, std::size_t j) { return rows[s / lanes * lanes * columns + j * lanes + s % lanes]; };
+  const auto entry = [&](std::size_t s, std::size_t j) {
+    return rows[s / lanes * lanes * columns + j * lanes + s % lanes];
+  };
   for (std::size_t s = 0; s < 64; ++s) {
     for (std::size_t j = 0; j < columns; ++j) {
       double sum = random(-1e-6, 1e-6);
@@ -32,7 +36,8 @@ TEST_CASE("rows_of_low_rank_are_factors_of_a_few_of_them_on_every_instruction_se
       double squared = 0;
       for (std::size_t j = 0; j < columns; ++j) {
         double sum = 0;
-        for (std::size_t t = 0; t < 5; ++t) sum += f.factors[s / lanes * lanes * 5 + t * lanes + s % lanes] * entry(f.pivots[t], j);
+        for (std::size_t t = 0; t < 5; ++t)
+          sum += f.factors[s / lanes * lanes * 5 + t * lanes + s % lanes] * entry(f.pivots[t], j);
         squared += (sum - entry(s, j)) * (sum - entry(s, j));
       }
       worst = std::max(worst, std::sqrt(squared));

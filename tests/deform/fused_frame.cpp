@@ -17,11 +17,12 @@ namespace {
 
 // The fused frame beside the staged one.
 struct Fused {
-  explicit Fused(const Bound& staged, int threads = 1, const viete::sym3::Kernel& kernel = viete::sym3::kernel(),
-                 double tolerance = 0, std::optional<Storage> storage = {})
+  explicit Fused(const Bound& staged, int threads = 1,
+                 const viete::sym3::Kernel& kernel = viete::sym3::kernel(), double tolerance = 0,
+                 std::optional<Storage> storage = {})
       : pool(threads),
-        binding(std::make_shared<const TiledBinding>(
-            bind_tiles(staged.model, *staged.cage, staged.binding->weighting(), pool, tolerance, nullptr, storage))),
+        binding(std::make_shared<const TiledBinding>(bind_tiles(
+            staged.model, *staged.cage, staged.binding->weighting(), pool, tolerance, nullptr, storage))),
         frame(staged.cage, binding, pool, kernel) {}
 
   std::vector<viete::mesh::Point> positions() const {
@@ -122,14 +123,16 @@ TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set")
 }
 
 TEST_CASE("fused_normals_are_those_of_any_triangles") {
-  // An open strip, a fan that 200 triangles share, two cones that touch in their tips, a stray vertex, a triangle
-  // that repeats a corner, an edge with three triangles.
+  // An open strip, a fan that 200 triangles share, two cones that touch in their tips, a stray vertex, a
+  // triangle that repeats a corner, an edge with three triangles.
   auto p = tube(4, 200, 0.4, 1).positions;
   auto t = tube(4, 200, 0.4, 1).triangles;
   t.resize(t.size() - 7);
   p.insert(p.end(), {{0, 0, 0.9}, {0.1, 0, 0.7}, {0, 0.1, 0.7}, {-0.1, 0, 0.7}, {0.7, 0.7, 0.7}});
   const auto n = static_cast<std::uint32_t>(p.size());
-  t.insert(t.end(), {{n - 5, n - 4, n - 3}, {n - 5, n - 3, n - 2}, {n - 5, n - 2, 0}, {n - 5, 1, 2}, {3, 3, 4}, {0, 1, 9}});
+  t.insert(
+      t.end(),
+      {{n - 5, n - 4, n - 3}, {n - 5, n - 3, n - 2}, {n - 5, n - 2, 0}, {n - 5, 1, 2}, {3, 3, 4}, {0, 1, 9}});
   Bound staged(viete::mesh::from_triangles(p, t), box());
   Fused fused(staged);
   CHECK_FALSE(fused.binding->rings.hubs.empty());
@@ -142,7 +145,8 @@ TEST_CASE("fused_normals_are_those_of_any_triangles") {
 TEST_CASE("compressed_weights_move_vertices_by_less_than_their_tolerance") {
   Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
   for (const double tolerance : {1e-3, 1e-4, 3e-5}) {
-    Fused one(staged, 1, viete::sym3::kernel(), tolerance), three(staged, 3, viete::sym3::kernel(), tolerance);
+    Fused one(staged, 1, viete::sym3::kernel(), tolerance),
+        three(staged, 3, viete::sym3::kernel(), tolerance);
     REQUIRE(one.binding->compressed());
     CHECK(2 * one.binding->bytes() < one.binding->dense_bytes());
     CHECK(one.binding->factors == three.binding->factors);
@@ -151,7 +155,8 @@ TEST_CASE("compressed_weights_move_vertices_by_less_than_their_tolerance") {
       staged.deform(pose);
       one.frame.deform(pose);
       three.frame.deform(pose);
-      CHECK(largest_distance(one.positions(), staged.deformer.positions()) < tolerance * staged.cage->diagonal);
+      CHECK(largest_distance(one.positions(), staged.deformer.positions()) <
+            tolerance * staged.cage->diagonal);
       CHECK(one.positions() == three.positions());
     }
     one.frame.deform(rest_pose(*staged.cage));
@@ -199,23 +204,27 @@ TEST_CASE("a_drag_leaves_alone_what_it_has_no_weight_on_and_the_border_gets_new_
   constexpr std::size_t lanes = tile_lanes<float>, vertex = 40;
   Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
   viete::base::WorkerPool one(1), four(4);
-  auto binding = std::make_shared<TiledBinding>(bind_tiles(staged.model, *staged.cage, Coordinates::face, one, 0));
+  auto binding =
+      std::make_shared<TiledBinding>(bind_tiles(staged.model, *staged.cage, Coordinates::face, one, 0));
   const auto& elements = staged.cage->surface.triangles;
   for (std::size_t slot = 0; slot < 5 * leaf_slots; ++slot) {
     float* weights = binding->weights.data() + slot / lanes * lanes * binding->handles + slot % lanes;
     double sum = 0;
     for (std::size_t e = 0; e < elements.size(); ++e) {
-      if (std::find(elements[e].begin(), elements[e].end(), vertex) != elements[e].end()) weights[e * lanes] = 0;
+      if (std::find(elements[e].begin(), elements[e].end(), vertex) != elements[e].end())
+        weights[e * lanes] = 0;
       sum += weights[e * lanes];
     }
-    for (std::size_t e = 0; e < elements.size(); ++e) weights[e * lanes] = static_cast<float>(weights[e * lanes] / sum);
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      weights[e * lanes] = static_cast<float>(weights[e * lanes] / sum);
   }
   const auto bytes = [](const FusedFrame& frame) { return std::as_bytes(frame.vertices()); };
   const auto distances = [](const FusedFrame& a, const FusedFrame& b) {
     double position = 0, normal = 0;
     for (std::size_t v = 0; v < a.vertices().size(); ++v) {
       for (int i = 0; i < 3; ++i) {
-        const double p = a.vertices()[v].position[i] - b.vertices()[v].position[i] + (a.origin() - b.origin())[i];
+        const double p =
+            a.vertices()[v].position[i] - b.vertices()[v].position[i] + (a.origin() - b.origin())[i];
         position = std::max(position, std::fabs(p));
         normal = std::max<double>(normal, std::fabs(a.vertices()[v].normal[i] - b.vertices()[v].normal[i]));
       }
@@ -240,14 +249,16 @@ TEST_CASE("a_drag_leaves_alone_what_it_has_no_weight_on_and_the_border_gets_new_
 }
 
 TEST_CASE("a_drag_that_turns_the_logs_of_others_is_a_full_frame") {
-  // One element is turned over until its neighbours take other branches, or are raised with the pose's mean stretch.
+  // One element is turned over until its neighbours take other branches, or are raised with the pose's mean
+  // stretch.
   Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   Fused dragged(staged);
   dragged.frame.set_dragging(true);
   Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -170 * degree, 170 * degree});
   for (int step = 0; step < 30; ++step) {
     const double angle = 24.0 * step * degree;
-    pose.positions[30] = pose.positions[30] + 0.3 * Vec3{std::cos(angle), std::sin(angle), std::cos(2 * angle)};
+    pose.positions[30] =
+        pose.positions[30] + 0.3 * Vec3{std::cos(angle), std::sin(angle), std::cos(2 * angle)};
     dragged.frame.deform(pose);
     staged.deform(pose);
     CHECK(largest_distance(dragged.positions(), staged.deformer.positions()) < 2e-6 * staged.cage->diagonal);
@@ -281,7 +292,8 @@ TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_reach_however_weights
   for (const double reach : reaches) {
     CAPTURE(reach);
     Bound staged = with_reach(reach);
-    Fused dense(staged, 1, viete::sym3::kernel(), 0, Storage::dense), lists(staged, 1, viete::sym3::kernel(), 0, Storage::lists);
+    Fused dense(staged, 1, viete::sym3::kernel(), 0, Storage::dense),
+        lists(staged, 1, viete::sym3::kernel(), 0, Storage::lists);
     Fused threaded(staged, 3, viete::sym3::kernel(), 0, Storage::lists);
     Fused factors(staged, 1, viete::sym3::kernel(), usual_tolerance, Storage::factors);
     CHECK(dense.binding->storage() == Storage::dense);
@@ -294,7 +306,8 @@ TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_reach_however_weights
       staged.deform(pose);
       for (Fused* fused : {&dense, &lists, &threaded, &factors}) fused->frame.deform(pose);
       CHECK(largest_distance(dense.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
-      CHECK(largest_distance(factors.positions(), staged.deformer.positions()) < usual_tolerance * staged.cage->diagonal);
+      CHECK(largest_distance(factors.positions(), staged.deformer.positions()) <
+            usual_tolerance * staged.cage->diagonal);
       CHECK(lists.positions() == dense.positions());
       CHECK(lists.normals() == dense.normals());
       CHECK(threaded.positions() == dense.positions());

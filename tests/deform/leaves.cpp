@@ -19,7 +19,8 @@ TEST_CASE("leaves_hold_every_vertex_once_and_fill_the_last_one") {
     CHECK(leaves.vertices == n);
     CHECK(leaves.slot_count() % slot_block == 0);
     CHECK(leaves.slot_count() < n + slot_block);
-    CHECK(std::set<std::uint32_t>(leaves.order.begin(), leaves.order.begin() + std::ptrdiff_t(n)).size() == n);
+    CHECK(std::set<std::uint32_t>(leaves.order.begin(), leaves.order.begin() + std::ptrdiff_t(n)).size() ==
+          n);
     for (std::size_t s = n; s < leaves.slot_count(); ++s) CHECK(leaves.order[s] == leaves.order[n - 1]);
     for (std::size_t leaf = 0; leaf < leaves.count(); ++leaf) {
       for (std::size_t s = leaves.begin(leaf) + 1; s < std::min(n, leaves.end(leaf)); ++s)
@@ -35,7 +36,8 @@ TEST_CASE("leaves_are_small_boxes") {
   const Leaves leaves = make_leaves(points, std::vector<std::uint32_t>(points.size(), 6));
   for (std::size_t leaf = 0; leaf < leaves.count(); ++leaf) {
     std::vector<viete::mesh::Point> inside;
-    for (std::size_t s = leaves.begin(leaf); s < leaves.end(leaf); ++s) inside.push_back(points[leaves.order[s]]);
+    for (std::size_t s = leaves.begin(leaf); s < leaves.end(leaf); ++s)
+      inside.push_back(points[leaves.order[s]]);
     CHECK(viete::mesh::bounds(inside).diagonal() < 0.3 * viete::mesh::bounds(points).diagonal());
   }
 }

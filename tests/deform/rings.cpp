@@ -31,7 +31,8 @@ TEST_CASE("walks_around_a_closed_surface_are_rings_or_end_where_they_began") {
       }
       REQUIRE(ring < length);
       if (ring > 0) CHECK(step(0) == step(ring));
-      for (std::size_t i = ring > 0 ? ring + 1 : 0; i < length; ++i) CHECK(step(i) == 4 / walk_floats * (s - leaves.begin(leaf)));
+      for (std::size_t i = ring > 0 ? ring + 1 : 0; i < length; ++i)
+        CHECK(step(i) == 4 / walk_floats * (s - leaves.begin(leaf)));
     }
     at += ring_group * length;
   }

@@ -11,14 +11,17 @@ using namespace viete::test;
 namespace {
 
 double largest_entry(const sym3::Sym3<double>& m) {
-  return std::max({std::abs(m.xx), std::abs(m.xy), std::abs(m.xz), std::abs(m.yy), std::abs(m.yz), std::abs(m.zz)});
+  return std::max(
+      {std::abs(m.xx), std::abs(m.xy), std::abs(m.xz), std::abs(m.yy), std::abs(m.yz), std::abs(m.zz)});
 }
 
 sym3::Sym3<double> minus(const sym3::Sym3<double>& a, const sym3::Sym3<double>& b) {
   return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
 }
 
-Vec3 bent(const Vec3& p) { return {p[0] + 0.3 * p[1] * p[1], 1.4 * p[1], p[2] - 0.2 * p[0]}; }
+Vec3 bent(const Vec3& p) {
+  return {p[0] + 0.3 * p[1] * p[1], 1.4 * p[1], p[2] - 0.2 * p[0]};
+}
 
 }  // namespace
 

@@ -27,14 +27,16 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   return points;
 }
 
-const Weighting weightings[] = {Coordinates::face, {Coordinates::face, lowest_reach}, {Coordinates::face, 3}, Coordinates::mean_value};
+const Weighting weightings[] = {
+    Coordinates::face, {Coordinates::face, lowest_reach}, {Coordinates::face, 3}, Coordinates::mean_value};
 
 }  // namespace
 
 TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
   auto surface = tube(5, 7, 0.8, 2);
-  surface = together(surface, viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0.1}, {3, 1e-3, 0.1}, {3, 0, 2}},
-                                                          {{0, 1, 2}, {3, 4, 5}}));  // one is a line, one a needle
+  surface = together(surface, viete::mesh::from_triangles(
+                                  {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0.1}, {3, 1e-3, 0.1}, {3, 0, 2}},
+                                  {{0, 1, 2}, {3, 4, 5}}));  // one is a line, one a needle
   const Cage cage = make_cage(surface);
   const auto points = points_around(cage);
   for (const auto& weighting : weightings) {
@@ -50,9 +52,12 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
         std::copy_n(points.begin() + std::ptrdiff_t(i), bind_lanes, eight.begin());
         weigher.weigh(eight, many);
         for (std::size_t l = 0; l < bind_lanes; ++l) {
-          if (c == Coordinates::face) inverse_distance_weights(cage, eight[l], one, weighting.reach);
-          else mean_value_weights(cage, eight[l], one);
-          for (std::size_t j = 0; j < one.size(); ++j) worst = std::max(worst, std::abs(many[j * bind_lanes + l] - one[j]));
+          if (c == Coordinates::face)
+            inverse_distance_weights(cage, eight[l], one, weighting.reach);
+          else
+            mean_value_weights(cage, eight[l], one);
+          for (std::size_t j = 0; j < one.size(); ++j)
+            worst = std::max(worst, std::abs(many[j * bind_lanes + l] - one[j]));
         }
       }
       CAPTURE(kernel.name);
@@ -105,7 +110,8 @@ TEST_CASE("mean_values_where_there_are_none_are_told_lane_by_lane") {
 
 TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
   auto surface = tube(5, 7, 0.8, 2);
-  surface = together(surface, viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}));  // a line
+  surface = together(surface,
+                     viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}));  // a line
   for (const double scale : {1e-30, 1.0, 1e30}) {
     auto scaled = surface;
     for (auto& p : scaled.positions) p = scale * p;

@@ -237,7 +237,8 @@ TEST_CASE("weights_with_a_reach_have_neither_jumps_nor_creases") {
   for (const double reach : {lowest_reach, 2.0, 3.0}) {
     CAPTURE(reach);
     // Through the cage, and inside where every element is some way off.
-    for (const auto& [a, b] : {std::pair{Vec3{-1, 0.3, 0.2}, Vec3{1, -0.2, 0.1}}, {Vec3{-0.2, -0.9, 0.1}, Vec3{0.15, 0.8, -0.2}}}) {
+    for (const auto& [a, b] : {std::pair{Vec3{-1, 0.3, 0.2}, Vec3{1, -0.2, 0.1}},
+                               {Vec3{-0.2, -0.9, 0.1}, Vec3{0.15, 0.8, -0.2}}}) {
       const Steps coarse = steps(cage, a, b, 4000, reach), fine = steps(cage, a, b, 16000, reach);
       CHECK(fine.first < 0.3 * coarse.first);
       if (std::abs(a[0]) < 0.5) CHECK(fine.second < 0.3 * coarse.second);
@@ -270,12 +271,14 @@ TEST_CASE("on_the_cage_a_reach_leaves_only_what_is_touched_at_every_length_scale
         };
         double touching = 0;
         for (std::size_t e = 0; e < w.size(); ++e) touching += corner(e);
-        for (std::size_t e = 0; e < w.size(); ++e) CHECK(w[e] == (corner(e) ? doctest::Approx(1 / touching) : doctest::Approx(0)));
+        for (std::size_t e = 0; e < w.size(); ++e)
+          CHECK(w[e] == (corner(e) ? doctest::Approx(1 / touching) : doctest::Approx(0)));
       }
       Random random(9);
       const Vec3 p = random.vector(1);
       const auto here = weights_at(cage, s * p, reach), there = weights_at(make_cage(unit), p, reach);
-      for (std::size_t e = 0; e < here.size(); ++e) CHECK(here[e] == doctest::Approx(there[e]).epsilon(1e-10));
+      for (std::size_t e = 0; e < here.size(); ++e)
+        CHECK(here[e] == doctest::Approx(there[e]).epsilon(1e-10));
     }
   }
 }

@@ -1,7 +1,8 @@
-// A small mutating fuzzer for compilers without libFuzzer: first the corpus as it is, then damaged copies of it.
+// A small mutating fuzzer for compilers without libFuzzer: first the corpus as it is, then damaged copies of
+// it.
 //
-// usage: fuzz_FORMAT CORPUS_FOLDER [SECONDS [SEED]]. The same seed makes the same inputs. An input that breaks the reader is in the
-// file `fuzz-last-input` of the working directory when the program dies.
+// usage: fuzz_FORMAT CORPUS_FOLDER [SECONDS [SEED]]. The same seed makes the same inputs. An input that
+// breaks the reader is in the file `fuzz-last-input` of the working directory when the program dies.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -21,10 +22,35 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::string;
 
-const char* const words[] = {"4294967295", "4294967296", "2147483647", "-1", "0", "1e400", "1e-400", "nan", "inf", "-inf", "\\\n", "\r\n", "\0",
-                             "f 1/1/1 2//2 3", "v 0 0 0", "element vertex 18446744073709551615", "element face 4000000000",
-                             "property list uchar int vertex_indices", "property list double double x", "format binary_big_endian 1.0",
-                             "format ascii 1.0", "end_header\n", "OFF", "COFF", "solid", "endsolid", "facet normal", "1.0e+100", "99999999999999999999999999"};
+const char* const words[] = {"4294967295",
+                             "4294967296",
+                             "2147483647",
+                             "-1",
+                             "0",
+                             "1e400",
+                             "1e-400",
+                             "nan",
+                             "inf",
+                             "-inf",
+                             "\\\n",
+                             "\r\n",
+                             "\0",
+                             "f 1/1/1 2//2 3",
+                             "v 0 0 0",
+                             "element vertex 18446744073709551615",
+                             "element face 4000000000",
+                             "property list uchar int vertex_indices",
+                             "property list double double x",
+                             "format binary_big_endian 1.0",
+                             "format ascii 1.0",
+                             "end_header\n",
+                             "OFF",
+                             "COFF",
+                             "solid",
+                             "endsolid",
+                             "facet normal",
+                             "1.0e+100",
+                             "99999999999999999999999999"};
 
 std::vector<Bytes> read_corpus(const fs::path& folder) {
   std::vector<fs::path> paths;
@@ -39,7 +65,7 @@ std::vector<Bytes> read_corpus(const fs::path& folder) {
 }
 
 class Mutator {
- public:
+public:
   Mutator(const std::vector<Bytes>& corpus, std::uint64_t seed) : corpus_(corpus), random_(seed) {}
 
   Bytes next() {
@@ -48,14 +74,18 @@ class Mutator {
     return bytes;
   }
 
- private:
+private:
   std::size_t below(std::size_t n) { return n == 0 ? 0 : static_cast<std::size_t>(random_() % n); }
 
   void mutate(Bytes& b) {
     const std::size_t at = below(b.size() + 1), length = below(std::min<std::size_t>(b.size() - at, 64) + 1);
     switch (below(8)) {
-      case 0: if (at < b.size()) b[at] = static_cast<char>(random_()); break;
-      case 1: if (at < b.size()) b[at] = static_cast<char>(b[at] ^ (1 << below(8))); break;
+      case 0:
+        if (at < b.size()) b[at] = static_cast<char>(random_());
+        break;
+      case 1:
+        if (at < b.size()) b[at] = static_cast<char>(b[at] ^ (1 << below(8)));
+        break;
       case 2: b.erase(at, length); break;
       case 3: b.insert(at, b.substr(at, length)); break;
       case 4: b.insert(at, words[below(std::size(words))]); break;

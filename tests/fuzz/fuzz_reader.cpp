@@ -1,6 +1,7 @@
 // One input, one reader: it must answer with a sound surface or with base::Error, and nothing else.
 //
-// Built once per format (VIETE_FUZZ_READ is the reader). With VIETE_LIBFUZZER and clang, libFuzzer calls it; else driver.cpp.
+// Built once per format (VIETE_FUZZ_READ is the reader). With VIETE_LIBFUZZER and clang, libFuzzer calls it;
+// else driver.cpp.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -31,7 +32,8 @@ void check_invariants(const Surface& s, std::size_t bytes) {
   for (const auto& t : s.triangles) {
     for (const auto v : t) require(v < s.positions.size());
   }
-  require(s.positions.size() <= bytes && s.corners.size() <= 4 * bytes + 64);  // no more than the file can hold
+  require(s.positions.size() <= bytes &&
+          s.corners.size() <= 4 * bytes + 64);  // no more than the file can hold
 }
 
 }  // namespace

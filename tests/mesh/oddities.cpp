@@ -39,8 +39,9 @@ TEST_CASE("an_edge_of_three_triangles_pinches_nothing") {
 }
 
 TEST_CASE("thin_triangles_are_named_at_every_scale_and_flat_ones_are_not") {
-  const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-4, 0}, {0.5, 0.5, 0}, {0.5, 0, 0}, {0.5, 1e-14, 0}},
-                                   {{0, 1, 3}, {0, 1, 2}, {0, 1, 4}, {0, 0, 1}, {2, 0, 1}, {0, 1, 5}});
+  const Surface s =
+      from_triangles({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-4, 0}, {0.5, 0.5, 0}, {0.5, 0, 0}, {0.5, 1e-14, 0}},
+                     {{0, 1, 3}, {0, 1, 2}, {0, 1, 4}, {0, 0, 1}, {2, 0, 1}, {0, 1, 5}});
   for (const double scale : {1e-100, 1e-30, 1.0, 1e30, 1e100}) {
     CHECK(thin_triangles(test::moved(s, scale), 1e-3) == List{1, 4});
     CHECK(thin_triangles(test::moved(s, scale), 1e-5).empty());

@@ -43,26 +43,28 @@ TEST_CASE("sound_surfaces_do_not_cut_themselves_at_any_scale_or_angle") {
 }
 
 TEST_CASE("a_triangle_through_another_names_both") {
-  const Surface s = from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}, {9, 0, 9}, {8, 0, 9}, {9, 1, 9}},
-                                   {{0, 1, 2}, {6, 7, 8}, {3, 4, 5}});
+  const Surface s = from_triangles(
+      {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}, {9, 0, 9}, {8, 0, 9}, {9, 1, 9}},
+      {{0, 1, 2}, {6, 7, 8}, {3, 4, 5}});
   CHECK(self_intersecting_triangles(s) == List{0, 2});
   CHECK(self_intersecting_triangles(rotated(s)) == List{0, 2});
 }
 
 TEST_CASE("an_edge_exactly_through_an_edge_or_a_vertex_counts") {
   // The second one's edge meets the first one's border from above to below.
-  CHECK(self_intersecting_triangles(
-            from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 0, -1}, {2, 0, 1}, {2, -3, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
+  CHECK(self_intersecting_triangles(from_triangles(
+            {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 0, -1}, {2, 0, 1}, {2, -3, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
         List{0, 1});
-  CHECK(self_intersecting_triangles(
-            from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 0, -1}, {4, 0, 1}, {9, 0, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
+  CHECK(self_intersecting_triangles(from_triangles(
+            {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 0, -1}, {4, 0, 1}, {9, 0, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
         List{0, 1});
 }
 
 TEST_CASE("touching_without_crossing_does_not_count") {
   // A vertex on a face, two boxes edge to edge and face to face in part with open interiors apart.
   CHECK(self_intersecting_triangles(
-            from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 2, 3}, {2, 1, 3}}, {{0, 1, 2}, {3, 4, 5}}))
+            from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 2, 3}, {2, 1, 3}},
+                           {{0, 1, 2}, {3, 4, 5}}))
             .empty());
   Surface beside = test::cube();
   for (Point& p : beside.positions) p[0] += 2, p[1] += 2;
@@ -70,11 +72,11 @@ TEST_CASE("touching_without_crossing_does_not_count") {
 }
 
 TEST_CASE("overlap_in_one_plane_counts_and_doubled_triangles_do") {
-  CHECK(self_intersecting_triangles(
-            from_triangles({{0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {1, 1, 1}, {5, 1, 1}, {1, 5, 1}, {-1, -1, 1}, {-2, 0, 1}},
-                           {{0, 1, 2}, {3, 4, 5}, {0, 7, 6}})) == List{0, 1});
-  CHECK(self_intersecting_triangles(
-            from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 1, 2}, {0, 2, 3}})) == List{0, 1});
+  CHECK(self_intersecting_triangles(from_triangles(
+            {{0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {1, 1, 1}, {5, 1, 1}, {1, 5, 1}, {-1, -1, 1}, {-2, 0, 1}},
+            {{0, 1, 2}, {3, 4, 5}, {0, 7, 6}})) == List{0, 1});
+  CHECK(self_intersecting_triangles(from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}},
+                                                   {{0, 1, 2}, {0, 2, 3}})) == List{0, 1});
 }
 
 TEST_CASE("a_neighbour_that_pierces_beyond_the_common_vertex_counts") {
@@ -107,14 +109,16 @@ TEST_CASE("the_sweep_finds_what_all_pairs_find") {
   std::vector<Triangle> triangles;
   for (std::uint32_t t = 0; t < 150; ++t) {
     const Point center{at(random), 3 * at(random), at(random)};
-    for (int i = 0; i < 3; ++i) points.push_back({center[0] + off(random), center[1] + off(random), center[2] + off(random)});
+    for (int i = 0; i < 3; ++i)
+      points.push_back({center[0] + off(random), center[1] + off(random), center[2] + off(random)});
     triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
   List expected;
   for (std::uint32_t s = 0; s < triangles.size(); ++s) {
     bool cut = false;
     for (std::uint32_t t = 0; t < triangles.size() && !cut; ++t) {
-      if (s != t) cut = !self_intersecting_triangles(from_triangles(points, {triangles[s], triangles[t]})).empty();
+      if (s != t)
+        cut = !self_intersecting_triangles(from_triangles(points, {triangles[s], triangles[t]})).empty();
     }
     if (cut) expected.push_back(s);
   }

@@ -140,7 +140,8 @@ TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_st
   CHECK(d.document().history.undo_count() == 1);
   const auto& message = d.workspace().messages.all().back();
   CHECK(message.severity == scene::Severity::error);
-  for (const char* part : {"50000 vertices", "524288 cage elements", " GB of memory", "are free", "coarser cage"}) {
+  for (const char* part :
+       {"50000 vertices", "524288 cage elements", " GB of memory", "are free", "coarser cage"}) {
     CHECK_MESSAGE(message.text.find(part) != std::string::npos, message.text);
   }
 }
@@ -151,7 +152,8 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   for (int levels = 2;; ++levels) {
     REQUIRE_MESSAGE(levels < 6, "mean value coordinates of 8192 triangles came at once");
     REQUIRE(scene::load_model(d.workspace(), dragon, ball_cage(folder.path(), levels)));
-    scene::set_coordinates(d.document(), deform::Coordinates::face);  // a new document keeps what the last one used
+    scene::set_coordinates(d.document(),
+                           deform::Coordinates::face);  // a new document keeps what the last one used
     d.settle();
     const auto rest = positions(d);
     scene::set_coordinates(d.document(), deform::Coordinates::mean_value);

@@ -110,7 +110,9 @@ TEST_CASE("the_highlight_follows_the_cage_when_it_is_dragged") {
   d.settle();
   const auto edge = find(d, scene::Oddity::open)->edges[0];
   d.move({700, 20});
-  const auto shot = [&] { return d.picture().pixel(static_cast<int>(d.vertex(edge[0]).x), static_cast<int>(d.vertex(edge[0]).y)); };
+  const auto shot = [&] {
+    return d.picture().pixel(static_cast<int>(d.vertex(edge[0]).x), static_cast<int>(d.vertex(edge[0]).y));
+  };
   auto& pose = d.document().pose.positions;
   for (auto& p : pose) p[1] += 0.02 * d.document().space.diagonal();
   ++d.document().posed;

@@ -27,18 +27,22 @@ struct Outcome {
 };
 
 Outcome run(const std::string& arguments, const std::string& environment = "") {
-  const std::string command = environment + " '" + std::string(VIETE_BUILD_DIR) + "/viete' " + arguments + " 2>&1 </dev/null";
+  const std::string command =
+      environment + " '" + std::string(VIETE_BUILD_DIR) + "/viete' " + arguments + " 2>&1 </dev/null";
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);
   std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    outcome.text.append(buffer.data(), n);
   const int status = pclose(pipe);
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
   return outcome;
 }
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+std::string quoted(const fs::path& path) {
+  return "'" + path.string() + "'";
+}
 
 struct Scratch {
   fs::path folder = fs::temp_directory_path() / ("viete-test-command-line-" + std::to_string(getpid()));
@@ -49,10 +53,13 @@ struct Scratch {
   ~Scratch() { fs::remove_all(folder); }
 };
 
-const fs::path dragon = test::assets_dir() / "dragon" / "dragon.ply", cage = test::assets_dir() / "dragon" / "cage.obj";
+const fs::path dragon = test::assets_dir() / "dragon" / "dragon.ply",
+               cage = test::assets_dir() / "dragon" / "cage.obj";
 const fs::path pose = test::assets_dir() / "dragon" / "pose_alert.obj";
 
-bool mentions(const Outcome& outcome, const std::string& text) { return outcome.text.find(text) != std::string::npos; }
+bool mentions(const Outcome& outcome, const std::string& text) {
+  return outcome.text.find(text) != std::string::npos;
+}
 
 }  // namespace
 
@@ -84,7 +91,8 @@ TEST_CASE("a_wrong_command_line_exits_with_2_and_says_what_is_wrong") {
 TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model") {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out.obj";
-  const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) + " -o " + quoted(out));
+  const auto outcome =
+      run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) + " -o " + quoted(out));
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
   const auto rest = mesh::read(dragon).surface, deformed = mesh::read(out).surface;
   REQUIRE(deformed.positions.size() == rest.positions.size());
@@ -96,14 +104,15 @@ TEST_CASE("deform_with_the_rest_cage_as_pose_gives_the_model") {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out.ply";
   for (const char* coordinates : {"face", "mvc"}) {
-    const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(cage) + " -o " + quoted(out) +
-                             " --coordinates " + coordinates);
+    const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(cage) +
+                             " -o " + quoted(out) + " --coordinates " + coordinates);
     CHECK_MESSAGE(outcome.code == 0, outcome.text);
     const auto rest = mesh::read(dragon).surface, same = mesh::read(out).surface;
     const double diagonal = mesh::bounds(rest.positions).diagonal();
     double largest = 0;
     for (std::size_t i = 0; i < rest.positions.size(); ++i) {
-      for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(rest.positions[i][k] - same.positions[i][k]));
+      for (int k = 0; k < 3; ++k)
+        largest = std::max(largest, std::abs(rest.positions[i][k] - same.positions[i][k]));
     }
     CHECK(largest < 1e-12 * diagonal);
   }
@@ -112,7 +121,8 @@ TEST_CASE("deform_with_the_rest_cage_as_pose_gives_the_model") {
 TEST_CASE("render_writes_a_picture_of_the_asked_size") {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out.png";
-  const auto outcome = run("render " + quoted(dragon) + " " + quoted(cage) + " -o " + quoted(out) + " --size 320x200 --scale 2");
+  const auto outcome = run("render " + quoted(dragon) + " " + quoted(cage) + " -o " + quoted(out) +
+                           " --size 320x200 --scale 2");
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
   const auto image = render::read_png(out);
   CHECK(image.width == 640);
@@ -122,8 +132,10 @@ TEST_CASE("render_writes_a_picture_of_the_asked_size") {
 
 TEST_CASE("bind_saves_what_render_then_takes_instead_of_binding") {
   const Scratch scratch;
-  const fs::path file = scratch.folder / "dragon.binding", out = scratch.folder / "out.png", same = scratch.folder / "same.png";
-  const std::string scene = quoted(dragon) + " " + quoted(cage), view = " --pose " + quoted(pose) + " --size 320x200 -o ";
+  const fs::path file = scratch.folder / "dragon.binding", out = scratch.folder / "out.png",
+                 same = scratch.folder / "same.png";
+  const std::string scene = quoted(dragon) + " " + quoted(cage),
+                    view = " --pose " + quoted(pose) + " --size 320x200 -o ";
   const auto bound = run("bind " + scene + " -o " + quoted(file));
   CHECK_MESSAGE(bound.code == 0, bound.text);
   CHECK(mentions(bound, "bound 50,000 vertices to 148 cage triangles in "));
@@ -134,7 +146,8 @@ TEST_CASE("bind_saves_what_render_then_takes_instead_of_binding") {
   CHECK(rendered.text == "");
   CHECK(render::read_png(out).rgba == render::read_png(same).rgba);
   CHECK(run("bind " + scene + " -o " + quoted(file) + " --tolerance 0 --coordinates mvc").code == 0);
-  CHECK(run("render " + scene + view + quoted(same) + " --coordinates mvc --binding " + quoted(file)).code == 0);
+  CHECK(run("render " + scene + view + quoted(same) + " --coordinates mvc --binding " + quoted(file)).code ==
+        0);
 }
 
 TEST_CASE("a_binding_that_is_stale_or_none_stops_render_and_writes_no_picture") {
@@ -143,7 +156,8 @@ TEST_CASE("a_binding_that_is_stale_or_none_stops_render_and_writes_no_picture") 
   const std::string scene = quoted(dragon) + " " + quoted(cage);
   REQUIRE(run("bind " + scene + " -o " + quoted(file)).code == 0);
   for (const auto& [arguments, reason] :
-       {std::pair{quoted(dragon) + " " + quoted(pose), "is stale: the cage is not the one that it was made for"},
+       {std::pair{quoted(dragon) + " " + quoted(pose),
+                  "is stale: the cage is not the one that it was made for"},
         {scene + " --coordinates mvc", "is stale: it is not for coordinates mvc"}}) {
     const auto outcome = run("render " + arguments + " -o " + quoted(out) + " --binding " + quoted(file));
     CHECK(outcome.code == 1);
@@ -167,7 +181,8 @@ TEST_CASE("a_reach_leaves_far_vertices_where_they_are_and_bad_ones_are_refused")
   std::size_t last = rest.size() + 1;
   for (const char* reach : {"all", "6", "2"}) {  // the shorter, the fewer move
     const fs::path out = scratch.folder / "out.ply";
-    const auto outcome = run("deform " + scene + " --pose " + quoted(pulled) + " -o " + quoted(out) + " --reach " + reach);
+    const auto outcome =
+        run("deform " + scene + " --pose " + quoted(pulled) + " -o " + quoted(out) + " --reach " + reach);
     REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
     const auto moved = mesh::read(out).surface.positions;
     std::size_t count = 0;
@@ -196,7 +211,8 @@ TEST_CASE("a_binding_of_another_reach_is_stale") {
   const fs::path file = scratch.folder / "dragon.binding", out = scratch.folder / "out.png";
   const std::string scene = quoted(dragon) + " " + quoted(cage);
   REQUIRE(run("bind " + scene + " -o " + quoted(file) + " --reach 3").code == 0);
-  const std::string render = "render " + scene + " --size 320x200 -o " + quoted(out) + " --binding " + quoted(file);
+  const std::string render =
+      "render " + scene + " --size 320x200 -o " + quoted(out) + " --binding " + quoted(file);
   CHECK(run(render + " --reach 3").text == "");
   const auto stale = run(render);
   CHECK(stale.code == 1);
@@ -214,7 +230,8 @@ TEST_CASE("bind_needs_a_cage_and_a_tolerance_that_makes_sense") {
 
 TEST_CASE("without_a_display_the_viewer_says_so_in_one_line_and_renders_a_picture") {
   const Scratch scratch;
-  const auto outcome = run(quoted(dragon) + " " + quoted(cage), "cd " + quoted(scratch.folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY");
+  const auto outcome = run(quoted(dragon) + " " + quoted(cage),
+                           "cd " + quoted(scratch.folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY");
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
   CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
   CHECK(mentions(outcome, "no window"));
@@ -247,9 +264,10 @@ TEST_CASE("errors_name_file_and_reason_and_exit_with_1") {
   const fs::path broken = scratch.folder / "broken.obj";
   std::ofstream(broken) << "v 0 0 0\nf 1 2 3\n";
   const fs::path out = scratch.folder / "out.png";
-  for (const std::string& line :
-       {"render " + quoted(broken) + " " + quoted(cage) + " -o " + quoted(out), "render " + quoted(dragon) + " " + quoted(broken) + " -o " + quoted(out),
-        "deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(broken) + " -o " + quoted(out)}) {
+  for (const std::string& line : {"render " + quoted(broken) + " " + quoted(cage) + " -o " + quoted(out),
+                                  "render " + quoted(dragon) + " " + quoted(broken) + " -o " + quoted(out),
+                                  "deform " + quoted(dragon) + " " + quoted(cage) + " --pose " +
+                                      quoted(broken) + " -o " + quoted(out)}) {
     const auto outcome = run(line);
     CHECK(outcome.code == 1);
     CHECK(mentions(outcome, "broken.obj:2"));
@@ -264,7 +282,8 @@ TEST_CASE("a_pose_with_another_number_of_vertices_is_refused_with_both_counts") 
   const Scratch scratch;
   const fs::path other = scratch.folder / "other.obj";
   std::ofstream(other) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(other) + " -o " + quoted(scratch.folder / "o.obj"));
+  const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(other) +
+                           " -o " + quoted(scratch.folder / "o.obj"));
   CHECK(outcome.code == 1);
   CHECK(mentions(outcome, "other.obj"));
   CHECK(mentions(outcome, "3"));
@@ -297,7 +316,8 @@ TEST_CASE("benchmarks_are_drawn_as_svg_with_every_method_and_layout") {
   const struct {
     const char* command;
     std::vector<const char*> names;
-  } cases[] = {{"bench exp --count 3000 --float", {"Diag", "Improved SD", "Fast, blocks", "copy, planes", "Fast, full", "3,000 matrices"}},
+  } cases[] = {{"bench exp --count 3000 --float",
+                {"Diag", "Improved SD", "Fast, blocks", "copy, planes", "Fast, full", "3,000 matrices"}},
                {"bench eigen --count 2000", {"QR", "Viete", "Fast", "copy"}}};
   for (const auto& c : cases) {
     const fs::path svg = scratch.folder / "plot.svg";
@@ -308,7 +328,8 @@ TEST_CASE("benchmarks_are_drawn_as_svg_with_every_method_and_layout") {
     CHECK(text.rfind("<svg ", 0) == 0);
     CHECK(text.find("nan") == std::string::npos);
     CHECK(text.ends_with("</svg>\n"));
-    for (const char* name : c.names) CHECK_MESSAGE(text.find(std::string(">") + name) != std::string::npos, name);
+    for (const char* name : c.names)
+      CHECK_MESSAGE(text.find(std::string(">") + name) != std::string::npos, name);
   }
 }
 
@@ -318,7 +339,8 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
     const fs::path json = scratch.folder / "accuracy.json";
     const auto outcome = run("bench accuracy --count 64 --json " + quoted(json) + precision);
     REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
-    for (const char* part : {"| zero ", "| gap ", "| spread ", "| scale ", "NaN 100 %", "Pade", "Direct"}) CHECK(mentions(outcome, part));
+    for (const char* part : {"| zero ", "| gap ", "| spread ", "| scale ", "NaN 100 %", "Pade", "Direct"})
+      CHECK(mentions(outcome, part));
     std::ifstream in(json);
     const auto tables = nlohmann::json::parse(in);
     REQUIRE(tables.size() == 5);
@@ -326,7 +348,8 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
     for (const auto& table : tables) {
       for (const auto& row : table["rows"]) {
         const auto& fast = row["methods"]["Fast"];
-        const double spread = table["by"] == "spread" ? double(row["value"]) : 35;  // of the other rows, at most
+        const double spread =
+            table["by"] == "spread" ? double(row["value"]) : 35;  // of the other rows, at most
         CHECK(fast["nan"] == 0);
         CHECK(fast["worst"] <= (8 + 2.5 * spread) * u);
       }

@@ -29,7 +29,9 @@ inline bool wait_until(const std::function<bool()>& condition, double seconds) {
   return false;
 }
 
-inline bool has_program(const std::string& name) { return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0; }
+inline bool has_program(const std::string& name) {
+  return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
+}
 
 // A child process that does not outlive the test.
 class Child {
@@ -79,8 +81,10 @@ struct Desktop {
   Desktop() {
     fs::create_directories(folder);
     const fs::path number = folder / "display";
-    server.emplace("Xvfb -displayfd 3 -screen 0 1440x900x24 -nolisten tcp 3>'" + number.string() + "'", folder / "xvfb.log");
-    REQUIRE_MESSAGE(wait_until([&] { return fs::exists(number) && fs::file_size(number) > 1; }, 20), "Xvfb did not start");
+    server.emplace("Xvfb -displayfd 3 -screen 0 1440x900x24 -nolisten tcp 3>'" + number.string() + "'",
+                   folder / "xvfb.log");
+    REQUIRE_MESSAGE(wait_until([&] { return fs::exists(number) && fs::file_size(number) > 1; }, 20),
+                    "Xvfb did not start");
     std::ifstream(number) >> display;
     display = ":" + display;
     setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);  // each desktop remembers for itself

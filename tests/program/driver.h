@@ -15,7 +15,7 @@
 namespace viete::test {
 
 class Driver {
- public:
+public:
   explicit Driver(app::ViewerOptions options = default_options(),
                   app::OffscreenContext::Kind kind = app::OffscreenContext::Kind::any)
       : offscreen_(options, kind), column_end_(static_cast<float>(options.size.y) - 30) {}
@@ -55,7 +55,9 @@ class Driver {
     if (shift) key(left_shift, false);
     if (ctrl) key(left_ctrl, false);
   }
-  void press_key(scene::Key k, bool ctrl = false, bool shift = false) { press_key(ui::key_code(k), ctrl, shift); }
+  void press_key(scene::Key k, bool ctrl = false, bool shift = false) {
+    press_key(ui::key_code(k), ctrl, shift);
+  }
 
   void click(glm::vec2 at, int b = 0) {
     move(at);
@@ -93,12 +95,13 @@ class Driver {
     const scene::Projector project(document().space, workspace().camera, workspace().viewport);
     return glm::vec2(*project(document().pose.positions[i]));
   }
-  /// A cage vertex near the camera (so that nothing hides it) that no other one is near on screen, and not far from the middle.
+  /// A cage vertex near the camera (so that nothing hides it) that no other one is near on screen, and not
+  /// far from the middle.
   std::uint32_t free_vertex();
 
   static constexpr int left_ctrl = 341, left_shift = 340;
 
- private:
+private:
   app::OffscreenViewer offscreen_;
   float column_end_;  // where the status bar begins, roughly
 };

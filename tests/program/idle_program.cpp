@@ -60,7 +60,8 @@ TEST_CASE("keys_of_one_frame_keep_their_modifiers_and_their_order") {
   const auto view = d.workspace().view;
   d.key(Driver::left_shift, true);
   for (const auto& [code, down] : {std::pair{t, true}, {Driver::left_shift, false}, {t, false}}) {
-    input.push(app::InputEvent::key(code, down));  // Shift is let go before the key: still Shift+T, which is no command
+    input.push(app::InputEvent::key(
+        code, down));  // Shift is let go before the key: still Shift+T, which is no command
   }
   d.frame(4);
   CHECK(d.workspace().view == view);

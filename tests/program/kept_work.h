@@ -9,7 +9,8 @@
 
 namespace viete::test {
 
-inline const fs::path dragon = assets_dir() / "dragon" / "dragon.ply", dragon_cage = assets_dir() / "dragon" / "cage.obj";
+inline const fs::path dragon = assets_dir() / "dragon" / "dragon.ply",
+                      dragon_cage = assets_dir() / "dragon" / "cage.obj";
 
 inline app::ViewerOptions remembering(const fs::path& state, glm::ivec2 size = {1280, 800}) {
   auto options = Driver::default_options();

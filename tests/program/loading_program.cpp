@@ -8,7 +8,8 @@ using What = scene::OpenRequest::What;
 
 namespace {
 
-// Frames until the bar with its button is there; false if the file was read before a person could have seen one.
+// Frames until the bar with its button is there; false if the file was read before a person could have seen
+// one.
 bool sees_loading_bar(Driver& d) {
   bool seen = false;
   const bool ended = wait_until(

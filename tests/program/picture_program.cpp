@@ -1,7 +1,8 @@
 // Pictures of the program against pictures that someone looked at (tests/program/pictures).
 //
-// Tolerance: at most 2 levels per channel for 99.9 % of pixels, the panels masked, because versions of ImGui move text.
-// A missing reference, or VIETE_UPDATE_PICTURES=1, writes the picture instead: look at it before you commit it.
+// Tolerance: at most 2 levels per channel for 99.9 % of pixels, the panels masked, because versions of ImGui
+// move text. A missing reference, or VIETE_UPDATE_PICTURES=1, writes the picture instead: look at it before
+// you commit it.
 #include <cstdlib>
 
 #include "program/driver.h"

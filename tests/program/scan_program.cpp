@@ -23,7 +23,8 @@ TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged") {
   d.settle();
   REQUIRE(d.viewer().deformer()->positions().size() == 537374);
 
-  const std::vector<mesh::Point> rest(d.viewer().deformer()->positions().begin(), d.viewer().deformer()->positions().end());
+  const std::vector<mesh::Point> rest(d.viewer().deformer()->positions().begin(),
+                                      d.viewer().deformer()->positions().end());
   const glm::vec2 from = glm::round(d.vertex(d.free_vertex()));
   d.move(from);
   d.button(0, true);

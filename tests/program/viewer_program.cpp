@@ -34,7 +34,9 @@ double largest_distance(const std::vector<mesh::Point>& a, const std::vector<mes
   return largest;
 }
 
-double diagonal(Driver& d) { return 2 / d.document().space.scale; }
+double diagonal(Driver& d) {
+  return 2 / d.document().space.scale;
+}
 
 // In double; the floats that are shown agree with it.
 std::vector<mesh::Point> positions(Driver& d) {
@@ -54,7 +56,8 @@ std::size_t followers(Driver& d) {
   const auto moved = positions(d);
   std::size_t count = 0;
   for (std::size_t i = 0; i < rest.size(); ++i) {
-    count += std::hypot(moved[i][0] - rest[i][0], moved[i][1] - rest[i][1], moved[i][2] - rest[i][2]) > 1e-9 * diagonal(d);
+    count += std::hypot(moved[i][0] - rest[i][0], moved[i][1] - rest[i][1], moved[i][2] - rest[i][2]) >
+             1e-9 * diagonal(d);
   }
   return count;
 }
@@ -73,17 +76,21 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   const glm::vec2 offset = d.vertex(v) - from;
   d.press_and_move(from, to);
   const auto during = positions(d);
-  CHECK_MESSAGE(largest_distance(rest, during) > 0.005 * diagonal(d), "the mesh moved before the button was released");
+  CHECK_MESSAGE(largest_distance(rest, during) > 0.005 * diagonal(d),
+                "the mesh moved before the button was released");
   CHECK(glm::distance(d.vertex(v), to + offset) < 0.05f);
   d.button(0, false);
   d.frame(2);
   CHECK(finite(positions(d)));
   CHECK(d.document().history.undo_count() == 1);
 
-  // Mesh pixels change where the deformer moved them: around the projected positions of the vertex that moved farthest.
+  // Mesh pixels change where the deformer moved them: around the projected positions of the vertex that moved
+  // farthest.
   const auto after = positions(d);
   std::size_t farthest = 0;
-  const auto shift = [&](std::size_t i) { return std::hypot(after[i][0] - rest[i][0], after[i][1] - rest[i][1], after[i][2] - rest[i][2]); };
+  const auto shift = [&](std::size_t i) {
+    return std::hypot(after[i][0] - rest[i][0], after[i][1] - rest[i][1], after[i][2] - rest[i][2]);
+  };
   for (std::size_t i = 0; i < after.size(); ++i) {
     if (shift(i) > shift(farthest)) farthest = i;
   }
@@ -110,7 +117,7 @@ TEST_CASE("the_selected_vertex_is_drawn_in_the_selection_colour") {
   d.frame(2);
   const glm::vec2 at = d.vertex(v);
   const auto pixel = d.picture().pixel(static_cast<int>(at.x), static_cast<int>(at.y));
-  CHECK(pixel[0] > 170);          // amber: much red,
+  CHECK(pixel[0] > 170);            // amber: much red,
   CHECK(pixel[0] > pixel[2] + 60);  // little blue
 }
 
@@ -126,7 +133,8 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
   d.frame(2);
   const auto reference = positions(d);
   const auto picture = d.picture();
-  // Bounds: Diag is exact to rounding, and Fast has compressed weights; SD loses up to 1e-4 on clustered eigenvalues, which most of a mesh near rest has.
+  // Bounds: Diag is exact to rounding, and Fast has compressed weights; SD loses up to 1e-4 on clustered
+  // eigenvalues, which most of a mesh near rest has.
   const struct {
     const char* widget;
     sym3::Method method;

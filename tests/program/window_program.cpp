@@ -1,4 +1,5 @@
-// The real window under a virtual display, with a real mouse: it does to the pixel what the offscreen program does.
+// The real window under a virtual display, with a real mouse: it does to the pixel what the offscreen program
+// does.
 #include <chrono>
 #include <thread>
 
@@ -81,8 +82,8 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
   d.workspace().document.selection.clear();
   const glm::ivec2 tip(glm::round(gizmo.arms[1].tip)), end = tip + glm::ivec2(20, -60);
   Desktop desktop;
-  Child viewer("env DISPLAY=" + desktop.display + " WAYLAND_DISPLAY= sh -c 'cd \"" + desktop.folder.string() + "\" && exec \"" +
-                   std::string(VIETE_BUILD_DIR) + "/viete\" --scale 1'",
+  Child viewer("env DISPLAY=" + desktop.display + " WAYLAND_DISPLAY= sh -c 'cd \"" + desktop.folder.string() +
+                   "\" && exec \"" + std::string(VIETE_BUILD_DIR) + "/viete\" --scale 1'",
                desktop.folder / "viete.log");
   desktop.xdotool("search --sync --onlyvisible --name dragon");
   std::this_thread::sleep_for(std::chrono::seconds(3));
@@ -90,7 +91,8 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
   d.press_key('A');
   d.drag(tip, end);
   d.press_key('E');
-  const glm::ivec2 ring(glm::round(scene::gizmo_of(d.workspace())->center + glm::vec2(scene::gizmo_view_ring, 0)));
+  const glm::ivec2 ring(
+      glm::round(scene::gizmo_of(d.workspace())->center + glm::vec2(scene::gizmo_view_ring, 0)));
   d.press_and_move(ring, ring + glm::ivec2(0, -24));
   d.type("30");
   d.press_key(scene::Key::enter);

@@ -38,13 +38,28 @@ inline const std::map<std::string, Room>& rooms() {
 /// The package that an include belongs to; none for the standard library and the system.
 inline std::optional<std::string> package_of(const std::string& include) {
   static const std::vector<std::pair<std::string, std::string>> prefixes = {
-      {"Eigen/", "eigen"},       {"unsupported/Eigen/", "eigen"}, {"hwy/", "highway"},
-      {"OpenMesh/", "openmesh"}, {"glm/", "glm"},                 {"nlohmann/", "json"},
-      {"GL/", "gl"},             {"EGL/", "gl"},                  {"KHR/", "gl"},
-      {"GLES", "gl"},            {"stb", "stb"},                  {"backends/imgui", "imgui_backends"},
-      {"imgui", "imgui"},        {"GLFW/", "glfw"},               {"CLI/", "cli11"},
-      {"doctest/", "doctest"},   {"quadmath", "quadmath"},        {"mpfr", "mpfr"},
-      {"pybind11/", "pybind11"}, {"boost/", "boost"},       {"fmt/", "fmt"},                 {"X11/", "x11"},
+      {"Eigen/", "eigen"},
+      {"unsupported/Eigen/", "eigen"},
+      {"hwy/", "highway"},
+      {"OpenMesh/", "openmesh"},
+      {"glm/", "glm"},
+      {"nlohmann/", "json"},
+      {"GL/", "gl"},
+      {"EGL/", "gl"},
+      {"KHR/", "gl"},
+      {"GLES", "gl"},
+      {"stb", "stb"},
+      {"backends/imgui", "imgui_backends"},
+      {"imgui", "imgui"},
+      {"GLFW/", "glfw"},
+      {"CLI/", "cli11"},
+      {"doctest/", "doctest"},
+      {"quadmath", "quadmath"},
+      {"mpfr", "mpfr"},
+      {"pybind11/", "pybind11"},
+      {"boost/", "boost"},
+      {"fmt/", "fmt"},
+      {"X11/", "x11"},
   };
   for (const auto& [prefix, package] : prefixes) {
     if (include.rfind(prefix, 0) == 0) return package;
@@ -65,7 +80,8 @@ inline std::vector<std::string> includes_of(const std::string& text) {
 }
 
 /// Why a file of `room` may not include `include`, or nothing when it may.
-inline std::optional<std::string> violation(const std::string& room, bool is_header, const std::string& include) {
+inline std::optional<std::string> violation(const std::string& room, bool is_header,
+                                            const std::string& include) {
   const Room& rules = rooms().at(room);
   if (const auto package = package_of(include)) {
     if (rules.packages.count(*package)) return std::nullopt;

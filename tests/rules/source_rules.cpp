@@ -16,7 +16,8 @@ void for_each_source(Visit visit) {
   for (const char* top : {"src", "tests", "shaders", "third_party", "assets"}) {
     for (const auto& entry : fs::recursive_directory_iterator(viete::test::source_dir() / top)) {
       const auto e = entry.path().extension();
-      if (e == ".h" || e == ".cpp" || e == ".vert" || e == ".frag" || e == ".glsl" || e == ".cmake" || e == ".sh" || e == ".inl") {
+      if (e == ".h" || e == ".cpp" || e == ".vert" || e == ".frag" || e == ".glsl" || e == ".cmake" ||
+          e == ".sh" || e == ".inl") {
         std::ifstream in(entry.path(), std::ios::binary);
         visit(entry.path(), std::string(std::istreambuf_iterator<char>(in), {}));
       }

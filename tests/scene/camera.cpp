@@ -57,7 +57,8 @@ TEST_CASE("zooming_keeps_the_point_under_the_cursor") {
   Camera camera;
   const glm::vec2 cursor(700, 250);
   const glm::vec2 from_middle = cursor - glm::vec2(660, 387);
-  const glm::vec3 under = camera.pose().target + glm::vec3(camera.plane_displacement(from_middle, camera.pose().distance, beside_panel));
+  const glm::vec3 under = camera.pose().target + glm::vec3(camera.plane_displacement(
+                                                     from_middle, camera.pose().distance, beside_panel));
   camera.zoom(3, cursor, beside_panel);
   CHECK(glm::distance(pixel(camera, beside_panel, under), cursor) < 0.5f);
   CHECK(camera.pose().distance < CameraPose{}.distance);
@@ -84,8 +85,9 @@ TEST_CASE("standard_views_look_along_the_axes_after_150_ms") {
   const struct {
     StandardView view;
     glm::vec3 forward;
-  } cases[] = {{StandardView::front, {0, 0, -1}}, {StandardView::back, {0, 0, 1}},  {StandardView::right, {-1, 0, 0}},
-               {StandardView::left, {1, 0, 0}},   {StandardView::top, {0, -1, 0}}, {StandardView::bottom, {0, 1, 0}}};
+  } cases[] = {{StandardView::front, {0, 0, -1}}, {StandardView::back, {0, 0, 1}},
+               {StandardView::right, {-1, 0, 0}}, {StandardView::left, {1, 0, 0}},
+               {StandardView::top, {0, -1, 0}},   {StandardView::bottom, {0, 1, 0}}};
   for (const auto& c : cases) {
     Camera camera;
     camera.look(c.view);
@@ -158,7 +160,8 @@ TEST_CASE("a_ray_holds_all_points_under_its_pixel") {
     const Ray ray = camera.ray(cursor, beside_panel);
     CHECK(glm::length(ray.direction) == doctest::Approx(1));
     for (const double t : {0.5, 4.0, 12.0}) {
-      CHECK(glm::distance(pixel(camera, beside_panel, glm::vec3(ray.origin + t * ray.direction)), cursor) < 0.05f);
+      CHECK(glm::distance(pixel(camera, beside_panel, glm::vec3(ray.origin + t * ray.direction)), cursor) <
+            0.05f);
     }
   }
 }

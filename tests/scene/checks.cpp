@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "scene/cube.h"
 #include "scene/check_view.h"
+#include "scene/cube.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -94,7 +94,8 @@ TEST_CASE("a_face_without_area_and_a_thin_one_are_named") {
     triangles.push_back({1, 8, 3});
     const auto found = check_in(with_triangles(s, triangles));
     const auto oddity = beside > 0 ? Oddity::thin : Oddity::degenerate;
-    const auto at = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.oddity == oddity; });
+    const auto at =
+        std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.oddity == oddity; });
     REQUIRE(at != found.end());
     CHECK(at->elements == List{12});
   }
@@ -147,7 +148,8 @@ TEST_CASE("faces_are_polygons_and_not_their_triangles") {
   mesh::fan_triangulate(s);
   s.positions[5] = s.positions[4];
   const auto found = check_model(s, mesh::facts(s));
-  const auto named = std::find_if(found.begin(), found.end(), [](const auto& f) { return f.oddity == Oddity::degenerate; });
+  const auto named =
+      std::find_if(found.begin(), found.end(), [](const auto& f) { return f.oddity == Oddity::degenerate; });
   REQUIRE(named != found.end());
   CHECK(named->elements == List{1});
   CHECK(vertices_of(*named, s, 0) == List{1, 4, 5, 6, 2});

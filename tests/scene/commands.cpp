@@ -66,7 +66,8 @@ TEST_CASE("shortcuts_read_as_on_the_keyboard") {
 
 TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {
   Workspace w = test::cube_workspace();
-  for (const auto& [name, count] : {std::pair{"select_vertices", 8u}, {"select_edges", 18u}, {"select_faces", 12u}}) {
+  for (const auto& [name, count] :
+       {std::pair{"select_vertices", 8u}, {"select_edges", 18u}, {"select_faces", 12u}}) {
     CHECK(run_command(w, name));
     CHECK(run_command(w, "select_all"));
     CHECK(w.document.selection.size() == count);
@@ -83,8 +84,10 @@ TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {
 
 TEST_CASE("tools_and_the_camera_are_switched_by_commands") {
   Workspace w;
-  for (const auto& [name, tool] : {std::pair{"tool_rotate", Tool::rotate}, {"tool_scale", Tool::scale},
-                                   {"tool_select", Tool::select}, {"tool_move", Tool::move}}) {
+  for (const auto& [name, tool] : {std::pair{"tool_rotate", Tool::rotate},
+                                   {"tool_scale", Tool::scale},
+                                   {"tool_select", Tool::select},
+                                   {"tool_move", Tool::move}}) {
     CHECK(run_command(w, name));
     CHECK(w.tool == tool);
   }

@@ -17,7 +17,8 @@ namespace {
 
 struct Files {
   fs::path folder = fs::temp_directory_path() / "viete-test-document";
-  fs::path model = folder / "model.obj", cage = folder / "cage.obj", pose = folder / "pose.obj", broken = folder / "broken.obj";
+  fs::path model = folder / "model.obj", cage = folder / "cage.obj", pose = folder / "pose.obj",
+           broken = folder / "broken.obj";
 
   Files() {
     fs::create_directories(folder);

@@ -70,7 +70,9 @@ glm::vec2 pixel(const Workspace& w, const mesh::Point& p) {
   return glm::vec2(*Projector(w.document.space, w.camera, w.viewport)(p));
 }
 
-bool has(const Workspace& w, std::uint32_t index, const mesh::Edge& edge) { return w.document.cage->edges[index] == edge; }
+bool has(const Workspace& w, std::uint32_t index, const mesh::Edge& edge) {
+  return w.document.cage->edges[index] == edge;
+}
 
 }  // namespace
 
@@ -131,7 +133,8 @@ TEST_CASE("a_box_picks_edges_and_faces_that_lie_wholly_inside") {
   CHECK(front);
   w.document.selection = Selection(ElementKind::face);
   for (const auto f : in_box()) {
-    for (const auto v : element_vertices(*w.document.cage, ElementKind::face, f)) CHECK(w.document.pose.positions[v][1] == 1.5);
+    for (const auto v : element_vertices(*w.document.cage, ElementKind::face, f))
+      CHECK(w.document.pose.positions[v][1] == 1.5);
   }
   CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 12);
   CHECK(pick_elements_in_box({}, w.camera, w.viewport, {0, 0}, {1000, 800}).empty());

@@ -81,7 +81,8 @@ TEST_CASE("the_whole_selection_moves_by_the_same_amount") {
   m.drag(m.vertex(2), m.vertex(2) + glm::vec2(25, 10));
   const auto& after = m.w.document.pose.positions;
   for (int v = 0; v < 8; ++v) {
-    for (int i = 0; i < 3; ++i) CHECK(after[v][i] - before[v][i] == doctest::Approx(after[0][i] - before[0][i]).epsilon(1e-12));
+    for (int i = 0; i < 3; ++i)
+      CHECK(after[v][i] - before[v][i] == doctest::Approx(after[0][i] - before[0][i]).epsilon(1e-12));
   }
 }
 

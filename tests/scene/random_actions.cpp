@@ -108,7 +108,9 @@ private:
     if (!gizmo) return select_all_now_and_then();
     const glm::vec2 ring(gizmo_view_ring, 0);
     const auto& arm = gizmo->arms[static_cast<std::size_t>(below(3))];
-    const glm::vec2 from = w.tool == Tool::rotate ? gizmo->center + ring : once_in(4) ? gizmo->center : arm.tip;
+    const glm::vec2 from = w.tool == Tool::rotate ? gizmo->center + ring
+                           : once_in(4)           ? gizmo->center
+                                                  : arm.tip;
     drag(left_button, glm::round(from), from + glm::vec2(below(201) - 100, below(201) - 100));
   }
   void select_all_now_and_then() {
@@ -135,7 +137,9 @@ struct Everything {
   bool operator==(const Everything&) const = default;
 };
 
-Everything of(const Document& document) { return {document.pose.positions, document.pose.turns}; }
+Everything of(const Document& document) {
+  return {document.pose.positions, document.pose.turns};
+}
 
 }  // namespace
 

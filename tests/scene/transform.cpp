@@ -148,6 +148,7 @@ TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
       place(slowly, before, upper, turn(seen + 10), seen - 30);  // a jump of 40: followed
     }
     CHECK(at_once.pose.positions == slowly.pose.positions);
-    for (int i = 0; i < 3; ++i) CHECK(at_once.pose.turns[0][i] == doctest::Approx(slowly.pose.turns[0][i]).epsilon(1e-9));
+    for (int i = 0; i < 3; ++i)
+      CHECK(at_once.pose.turns[0][i] == doctest::Approx(slowly.pose.turns[0][i]).epsilon(1e-9));
   }
 }

@@ -8,9 +8,13 @@
 
 namespace viete::test {
 
-inline std::filesystem::path source_dir() { return VIETE_SOURCE_DIR; }
+inline std::filesystem::path source_dir() {
+  return VIETE_SOURCE_DIR;
+}
 
-inline std::filesystem::path assets_dir() { return source_dir() / "assets"; }
+inline std::filesystem::path assets_dir() {
+  return source_dir() / "assets";
+}
 
 /// The folder of real meshes, or an empty path: then the test says that it is skipped and passes.
 inline std::filesystem::path shared_data(const std::string& below = "") {

@@ -1,8 +1,12 @@
-// How sanitizer builds see graphics drivers, which keep a few bytes per context: libraries stay loaded, so that reports can
-// name them, and what they keep is no leak of ours.
-extern "C" int dlclose(void*) { return 0; }
+// How sanitizer builds see graphics drivers, which keep a few bytes per context: libraries stay loaded, so
+// that reports can name them, and what they keep is no leak of ours.
+extern "C" int dlclose(void*) {
+  return 0;
+}
 
-extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+extern "C" const char* __lsan_default_options() {
+  return "print_suppressions=0";
+}
 
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libOSMesa\n"

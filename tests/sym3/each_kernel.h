@@ -9,8 +9,8 @@ namespace viete::test {
 /// `count` matrices of six numbers each.
 template <class T>
 void run(const sym3::Kernel& kernel, const T* in, T* out, std::size_t count) {
-  sym3::exp(sym3::SymView<const T>(sym3::Layout::packed, in), sym3::SymView<T>(sym3::Layout::packed, out), count,
-            {&kernel});
+  sym3::exp(sym3::SymView<const T>(sym3::Layout::packed, in), sym3::SymView<T>(sym3::Layout::packed, out),
+            count, {&kernel});
 }
 
 template <class T>

@@ -184,7 +184,8 @@ TEST_CASE_TEMPLATE("every_length_of_a_batch_of_polars_gives_the_bits_of_one", T,
   }
 }
 
-TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_any_layout_and_in_place", T, double, float) {
+TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_any_layout_and_in_place", T,
+                   double, float) {
   using sym3::Layout;
   constexpr std::size_t most = 150;
   constexpr int in_full[] = {0, 1, 2, 4, 5, 8};
@@ -212,7 +213,9 @@ TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_an
       for (std::size_t count = 0; count <= most; count += count < 67 ? 1 : 83) {
         std::vector<Mat3<T>> r = in;
         std::vector<T> u(9 * 160, T(-7));
-        run(r, layout == Layout::planes ? sym3::SymView<T>(u.data(), 160) : sym3::SymView<T>(layout, u.data()), count);
+        run(r,
+            layout == Layout::planes ? sym3::SymView<T>(u.data(), 160) : sym3::SymView<T>(layout, u.data()),
+            count);
         bool same = true;
         for (std::size_t i = 0; i < most; ++i) {
           const T* s = &one[i].stretch.xx;

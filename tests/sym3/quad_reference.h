@@ -39,7 +39,8 @@ inline void quad_rotate(std::array<std::array<Quad, 3>, 3>& a, std::array<std::a
                         int q) {
   if (a[p][q] == 0) return;
   const Quad theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-  const Quad size = fabsq(theta) + (theta * theta + 1) * quad_inverse_root(theta * theta + 1), t = (theta < 0 ? -1 : 1) / size;
+  const Quad size = fabsq(theta) + (theta * theta + 1) * quad_inverse_root(theta * theta + 1),
+             t = (theta < 0 ? -1 : 1) / size;
   const Quad c = quad_inverse_root(t * t + 1), s = t * c;
   const int r = 3 - p - q;
   const Quad shift = t * a[p][q], x = a[r][p], y = a[r][q];
@@ -99,7 +100,8 @@ inline std::array<Quad, 9> quad_rotation(const std::array<Quad, 3>& w) {
 /// To 64 bits, which is plenty for a norm and takes a tenth of the time.
 inline Quad quad_frobenius(const QuadSym& s) {
   const auto square = [](Quad x) { return static_cast<long double>(x) * static_cast<long double>(x); };
-  return std::sqrt(square(s.xx) + square(s.yy) + square(s.zz) + 2 * (square(s.xy) + square(s.xz) + square(s.yz)));
+  return std::sqrt(square(s.xx) + square(s.yy) + square(s.zz) +
+                   2 * (square(s.xy) + square(s.xz) + square(s.yz)));
 }
 
 /// |x - y|, Frobenius norm.

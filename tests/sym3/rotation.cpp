@@ -189,7 +189,9 @@ TEST_CASE_TEMPLATE("rotations_from_nan_and_infinity_are_nan", T, double, float) 
 
 TEST_CASE_TEMPLATE("logs_of_nan_infinity_and_overflow_are_three_nan", T, double, float) {
   const T big = std::numeric_limits<T>::max(), infinity = std::numeric_limits<T>::infinity();
-  const Mat3<T> turns[] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0, 0, -1, 0, 0, 0, -1}, {-1, 0, 0, 0, 1, 0, 0, 0, -1},
+  const Mat3<T> turns[] = {{1, 0, 0, 0, 1, 0, 0, 0, 1},
+                           {1, 0, 0, 0, -1, 0, 0, 0, -1},
+                           {-1, 0, 0, 0, 1, 0, 0, 0, -1},
                            {-1, 0, 0, 0, -1, 0, 0, 0, 1}};
   for (const auto& kernel : sym3::kernels()) {
     for (const auto& turn : turns) {
@@ -211,7 +213,8 @@ TEST_CASE("huge_angles_still_give_a_rotation") {
   CHECK(det == doctest::Approx(1).epsilon(1e-14));
 }
 
-TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_rotations_gives_the_bits_of_one", T, double, float) {
+TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_rotations_gives_the_bits_of_one", T, double,
+                   float) {
   Random random(65);
   std::vector<T> w(3 * 150);
   for (T& x : w) x = T(uniform(random, -1.5, 1.5));
@@ -224,22 +227,24 @@ TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_rotations_gives_the_bi
       }
       sym3::exp_rotation(sym3::VecView<const T>(sym3::Layout::packed, w.data()),
                          sym3::MatView<T>(sym3::Layout::packed, r.data()), count, {&kernel});
-      sym3::exp_rotation(sym3::VecView<const T>(planes.data(), 150), sym3::MatView<T>(out_planes.data(), 150), count,
-                         {&kernel});
+      sym3::exp_rotation(sym3::VecView<const T>(planes.data(), 150), sym3::MatView<T>(out_planes.data(), 150),
+                         count, {&kernel});
       bool same = r[9 * count] == T(-7);
       for (std::size_t i = 0; i < count; ++i) {
         T one[9];
         sym3::exp_rotation(sym3::VecView<const T>(sym3::Layout::packed, &w[3 * i]),
                            sym3::MatView<T>(sym3::Layout::packed, one), 1, {&kernel});
-        for (int k = 0; k < 9; ++k) same = same && r[9 * i + k] == one[k] && out_planes[k * 150 + i] == one[k];
+        for (int k = 0; k < 9; ++k)
+          same = same && r[9 * i + k] == one[k] && out_planes[k * 150 + i] == one[k];
       }
       CHECK(same);
     }
   }
 }
 
-TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_logs_of_rotations_gives_the_bits_of_one_in_any_layout", T, double,
-                   float) {
+TEST_CASE_TEMPLATE(
+    "every_kernel_and_length_of_a_batch_of_logs_of_rotations_gives_the_bits_of_one_in_any_layout", T, double,
+    float) {
   using sym3::Layout;
   constexpr std::size_t most = 150, line = 64 / sizeof(T);
   Random random(67);
@@ -255,11 +260,12 @@ TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_logs_of_rotations_give
     std::vector<Vec3<T>> one(most);
     for (std::size_t i = 0; i < most; ++i) one[i] = log_with(kernel, r[i]);
     for (std::size_t count = 0; count <= most; count += count < 70 ? 1 : 40) {
-      std::vector<T> row(3 * most, T(-7)), out_planes(3 * most, T(-7)), out_blocks(sym3::block_size<T, 3>(most), T(-7));
-      sym3::log_rotation(sym3::MatView<const T>(Layout::packed, r[0].data()), sym3::VecView<T>(Layout::packed, row.data()),
-                         count, {&kernel});
-      sym3::log_rotation(sym3::MatView<const T>(planes.data(), most), sym3::VecView<T>(out_planes.data(), most), count,
-                         {&kernel});
+      std::vector<T> row(3 * most, T(-7)), out_planes(3 * most, T(-7)),
+          out_blocks(sym3::block_size<T, 3>(most), T(-7));
+      sym3::log_rotation(sym3::MatView<const T>(Layout::packed, r[0].data()),
+                         sym3::VecView<T>(Layout::packed, row.data()), count, {&kernel});
+      sym3::log_rotation(sym3::MatView<const T>(planes.data(), most),
+                         sym3::VecView<T>(out_planes.data(), most), count, {&kernel});
       sym3::log_rotation(sym3::MatView<const T>(Layout::blocks, blocks.data()),
                          sym3::VecView<T>(Layout::blocks, out_blocks.data()), count, {&kernel});
       bool same = true;
@@ -275,8 +281,9 @@ TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_logs_of_rotations_give
   }
 }
 
-TEST_CASE_TEMPLATE("kernels_with_fused_multiply_add_agree_on_logs_of_rotations_to_the_bit_and_so_do_those_without", T, double,
-                   float) {
+TEST_CASE_TEMPLATE(
+    "kernels_with_fused_multiply_add_agree_on_logs_of_rotations_to_the_bit_and_so_do_those_without", T,
+    double, float) {
   Random random(68);
   for (int i = 0; i < 2000; ++i) {
     const auto r = rounded_rotation(vector_of_angle<T>(i % 7 ? uniform(random, 0, 3.15) : pi, i, random));

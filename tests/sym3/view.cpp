@@ -28,7 +28,7 @@ constexpr int in_full[6] = {0, 1, 2, 4, 5, 8};
 /// Matrices in one layout, `offset` numbers off 64 bytes, with a guard behind that nothing may touch.
 template <class T>
 class Arranged {
- public:
+public:
   Arranged(Layout layout, std::size_t count, std::size_t offset) : layout_(layout), count_(count) {
     stride_ = sym3::padded_stride<T>(count);
     const std::size_t whole = std::max({6 * stride_, 9 * count, sym3::block_size<T>(count)});
@@ -37,7 +37,9 @@ class Arranged {
     data_ = memory_.data() + (64 - bytes % 64) % 64 / sizeof(T) + offset;
   }
 
-  SymView<T> view() { return layout_ == Layout::planes ? SymView<T>(data_, stride_) : SymView<T>(layout_, data_); }
+  SymView<T> view() {
+    return layout_ == Layout::planes ? SymView<T>(data_, stride_) : SymView<T>(layout_, data_);
+  }
 
   T& entry(int k, std::size_t i) {
     constexpr std::size_t line = 64 / sizeof(T);
@@ -66,7 +68,7 @@ class Arranged {
 
   static constexpr T guard = T(-12345);
 
- private:
+private:
   Layout layout_;
   std::size_t count_, stride_;
   std::vector<T> memory_;
@@ -96,13 +98,15 @@ struct Case {
 };
 
 template <class T>
-void check(const Case<T>& c, Layout from, Layout to, std::size_t count, std::size_t offset, sym3::Stores stores) {
+void check(const Case<T>& c, Layout from, Layout to, std::size_t count, std::size_t offset,
+           sym3::Stores stores) {
   Arranged<T> in(from, count, offset), out(to, count, to == from ? offset : 0);
   for (std::size_t i = 0; i < count; ++i) in.set(i, c.in[i]);
   const std::size_t before = out.untouched();
   sym3::exp(SymView<const T>(in.view()), out.view(), count, {&c.kernel, nullptr, stores});
   bool same = true;
-  for (std::size_t i = 0; i < count; ++i) same = same && same_bits(out.get(i), c.expected[i]) && out.is_symmetric(i);
+  for (std::size_t i = 0; i < count; ++i)
+    same = same && same_bits(out.get(i), c.expected[i]) && out.is_symmetric(i);
   CAPTURE(c.kernel.name);
   CAPTURE(int(from));
   CAPTURE(int(to));
@@ -133,7 +137,8 @@ TEST_CASE_TEMPLATE("every_length_and_layout_of_a_batch_gives_the_bits_of_the_sin
     const auto expected = one_by_one(kernel, in);
     const Case<T> c{kernel, in, expected};
     for (const Layout layout : layouts) {
-      for (std::size_t count = 0; count <= 70; ++count) check(c, layout, layout, count, 0, sym3::Stores::automatic);
+      for (std::size_t count = 0; count <= 70; ++count)
+        check(c, layout, layout, count, 0, sym3::Stores::automatic);
     }
   }
 }
@@ -157,7 +162,8 @@ TEST_CASE_TEMPLATE("a_batch_goes_from_any_layout_to_any", T, double, float) {
   for (const auto& kernel : sym3::kernels()) {
     const auto expected = one_by_one(kernel, in);
     for (const Layout from : layouts) {
-      for (const Layout to : layouts) check(Case<T>{kernel, in, expected}, from, to, 197, 1, sym3::Stores::automatic);
+      for (const Layout to : layouts)
+        check(Case<T>{kernel, in, expected}, from, to, 197, 1, sym3::Stores::automatic);
     }
   }
 }
@@ -191,7 +197,8 @@ TEST_CASE_TEMPLATE("threads_do_not_change_a_bit_of_a_batch", T, double, float) {
 
 TEST_CASE("an_executor_is_asked_for_chunks_of_at_least_4096") {
   std::size_t asked = 0;
-  const auto count_tasks = [](void* self, std::size_t tasks, void (*task)(void*, std::size_t), void* context) {
+  const auto count_tasks = [](void* self, std::size_t tasks, void (*task)(void*, std::size_t),
+                              void* context) {
     *static_cast<std::size_t*>(self) = tasks;
     for (std::size_t i = 0; i < tasks; ++i) task(context, i);
   };
