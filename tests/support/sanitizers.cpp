@@ -18,6 +18,10 @@ extern "C" const char* __lsan_default_suppressions() {
          "leak:swrast\n";
 }
 
+extern "C" const char* __tsan_default_options() {
+  return "detect_deadlocks=0";  // LLVM holds more locks at a time than the detector has room for
+}
+
 // Their threads are not compiled with the sanitizer, which therefore cannot see how they wait for each other.
 extern "C" const char* __tsan_default_suppressions() {
   return "called_from_lib:libOSMesa.so\n"
