@@ -31,7 +31,7 @@ fs::path ball_cage(const fs::path& folder, int levels) {
 // Frames until the condition holds; false after a minute.
 template <class Condition>
 bool frames_until(Driver& d, Condition condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) return false;
     d.frame();
