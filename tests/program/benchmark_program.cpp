@@ -9,7 +9,7 @@ namespace {
 
 template <class Condition>
 bool frames_until(Driver& d, Condition condition) {
-  const double deadline = base::wall_seconds() + 120;
+  const double deadline = base::wall_seconds() + 600;
   while (!condition()) {
     if (base::wall_seconds() > deadline) return false;
     d.frame();

@@ -133,7 +133,7 @@ TEST_CASE("a_folder_that_cannot_be_written_is_a_message_and_nothing_else") {
   Driver d(keeping_in(folder / "file"));
   REQUIRE(scene::load_model(d.workspace(), dragon, dragon_cage));
   frame_of(d);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
   const auto& all = d.workspace().messages.all();
   while (all.empty() && std::chrono::steady_clock::now() < end) d.frame();
   REQUIRE(all.size() == 1);

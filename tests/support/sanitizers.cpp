@@ -22,12 +22,16 @@ extern "C" const char* __tsan_default_options() {
   return "detect_deadlocks=0";  // LLVM holds more locks at a time than the detector has room for
 }
 
-// Their threads are not compiled with the sanitizer, which therefore cannot see how they wait for each other.
+// Their threads are not compiled with the sanitizer, which therefore cannot see how they wait for each other;
+// of locks that the libraries of the window system share with them it sees one half.
 extern "C" const char* __tsan_default_suppressions() {
   return "called_from_lib:libOSMesa.so\n"
          "called_from_lib:libEGL_mesa.so\n"
          "called_from_lib:libGLX_mesa.so\n"
          "race:libOSMesa.so\n"
          "race:swrast_dri.so\n"
-         "race:libLLVM\n";
+         "race:libLLVM\n"
+         "mutex:libglfw.so\n"
+         "mutex:libX11.so\n"
+         "mutex:libxcb.so\n";
 }
