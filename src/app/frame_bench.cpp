@@ -74,6 +74,15 @@ struct Case {
   std::vector<deform::LinkTimes> link_ms{};
 };
 
+// Frames follow each other for as long as a hand drags: what the caches hold then is the frame before. A short
+// frame takes a few to get there, a long one flushes them anyway.
+void warm_up(const Case& c) {
+  constexpr int frames = 8;
+  constexpr double seconds = 0.02;
+  const double end = base::wall_seconds() + seconds;
+  for (int n = 0; n < frames && (n == 0 || base::wall_seconds() < end); ++n) c.run();
+}
+
 // Processor time, where several threads share the work of the one that took longest.
 void time_once(Case& c) {
   const auto cost = c.pool->cost();
@@ -130,7 +139,7 @@ public:
   void run(int rounds) {
     for (int round = 0; round < rounds; ++round) {
       for (Case& c : cases_) {
-        c.run();  // frames follow each other: what the caches hold is the frame before
+        warm_up(c);
         time_once(c);
       }
     }

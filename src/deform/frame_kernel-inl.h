@@ -27,6 +27,8 @@ constexpr int vectors_at_once = 1;
 template <class T>
 using Tag = hn::CappedTag<T, tile_lanes<T>>;
 
+constexpr std::size_t lines_ahead = 16;  // of weights, that are asked for before they are needed
+
 template <class T, std::size_t Columns>
 using Sums = hn::Vec<Tag<T>>[vectors_at_once][Columns];
 
@@ -37,12 +39,21 @@ static HWY_INLINE std::size_t place(std::size_t group, std::size_t rows) {
   return lane / tile_lanes<T> * rows * tile_lanes<T> + lane % tile_lanes<T>;
 }
 
+// Of an array with `rows` lines a tile, what the vector will want that takes this one's place next.
+template <class T>
+static HWY_INLINE void prefetch_next(const T* array, std::size_t vector, std::size_t rows) {
+  const T* next = array + place<T>(vector + vectors_at_once, rows);
+#pragma GCC unroll 12
+  for (std::size_t c = 0; c < rows; ++c) hwy::Prefetch(next + c * tile_lanes<T>);
+}
+
 template <class T, std::size_t Columns>
 static HWY_INLINE void load_base(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& s) {
   const Tag<T> d;
 #pragma GCC unroll 2
   for (int v = 0; v < vectors_at_once; ++v) {
     const T* base = run.base ? run.base + place<T>(group + v, Columns) : nullptr;
+    if (base) prefetch_next<T>(run.base, group + v, Columns);
 #pragma GCC unroll 12
     for (std::size_t c = 0; c < Columns; ++c) {
       s[v][c] = base ? hn::Load(d, base + c * tile_lanes<T>) : hn::Zero(d);
@@ -55,7 +66,6 @@ template <bool Listed, class T, std::size_t Columns>
 static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& sums) {
   const Tag<T> d;
   using V = hn::Vec<Tag<T>>;
-  constexpr std::size_t ahead = 1024 / sizeof(T);
   load_base<T, Columns>(run, group, sums);
   V s[vectors_at_once][Columns];
 #pragma GCC unroll 2
@@ -63,15 +73,19 @@ static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums
 #pragma GCC unroll 12
     for (std::size_t c = 0; c < Columns; ++c) s[v][c] = sums[v][c];
   }
-  const T* weights[vectors_at_once];
+  const T *weights[vectors_at_once], *next[vectors_at_once];
 #pragma GCC unroll 2
-  for (int v = 0; v < vectors_at_once; ++v) weights[v] = run.weights + place<T>(group + v, run.rows);
-  for (std::size_t j = 0; j < run.rows; ++j) {
+  for (int v = 0; v < vectors_at_once; ++v) {
+    weights[v] = run.weights + place<T>(group + v, run.rows);
+    next[v] = run.weights + place<T>(group + vectors_at_once + v, run.rows);
+  }
+  const auto add_row = [&](std::size_t j, const T* const(&soon)[vectors_at_once], std::size_t line) HWY_ATTR
+      __attribute__((always_inline)) {
     const T* entry = run.table + Columns * (Listed ? run.listed[j] : j);
     V w[vectors_at_once];
 #pragma GCC unroll 2
     for (int v = 0; v < vectors_at_once; ++v) {
-      hwy::Prefetch(weights[v] + j * tile_lanes<T> + ahead);
+      hwy::Prefetch(soon[v] + line * tile_lanes<T>);
       w[v] = hn::Load(d, weights[v] + j * tile_lanes<T>);
     }
 #pragma GCC unroll 12
@@ -80,7 +94,10 @@ static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums
 #pragma GCC unroll 2
       for (int v = 0; v < vectors_at_once; ++v) s[v][c] = hn::MulAdd(w[v], t, s[v][c]);
     }
-  }
+  };
+  std::size_t j = 0;
+  for (; j + lines_ahead < run.rows; ++j) add_row(j, weights, j + lines_ahead);
+  for (std::size_t line = 0; j < run.rows; ++j, ++line) add_row(j, next, line);
 #pragma GCC unroll 2
   for (int v = 0; v < vectors_at_once; ++v) {
 #pragma GCC unroll 12
@@ -120,6 +137,7 @@ template <class T>
 static HWY_INLINE Vector3<T> load_offset(const T* offsets, std::size_t group) {
   const Tag<T> d;
   const T* at = offsets + place<T>(group, position_size);
+  prefetch_next(offsets, group, position_size);
   return {hn::Load(d, at), hn::Load(d, at + tile_lanes<T>), hn::Load(d, at + 2 * tile_lanes<T>)};
 }
 
@@ -134,20 +152,6 @@ static HWY_INLINE void store_position(const Vector3<T>& p, std::size_t group, T*
 #endif
 }
 
-template <class T, class Nine>
-static HWY_INLINE Vector3<T> rotated(const Nine& r, const Vector3<T>& u) {
-  return {lanes::sum_of_products(r.xx, u.x, r.xy, u.y, r.xz, u.z),
-          lanes::sum_of_products(r.yx, u.x, r.yy, u.y, r.yz, u.z),
-          lanes::sum_of_products(r.zx, u.x, r.zy, u.y, r.zz, u.z)};
-}
-
-template <class T, class Six>
-static HWY_INLINE Vector3<T> stretched(const Six& m, const Vector3<T>& u) {
-  return {lanes::sum_of_products(m.xx, u.x, m.xy, u.y, m.xz, u.z),
-          lanes::sum_of_products(m.xy, u.x, m.yy, u.y, m.yz, u.z),
-          lanes::sum_of_products(m.xz, u.x, m.yz, u.y, m.zz, u.z)};
-}
-
 template <class T>
 static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, log_size>& s) {
   if (!run.mean) return;
@@ -160,37 +164,56 @@ static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, log_size>& s) {
   }
 }
 
-// Two vectors go through the same steps in turn: that hides the latency of each.
-template <class T, int G, class V = hn::Vec<Tag<T>>>
-static HWY_INLINE void exp_at_once(const lanes::Six<V> (&log)[G], lanes::Six<V> (&out)[G]) {
-  const Tag<T> d;
-  if constexpr (G == 2) {
-    const auto both = lanes::exp_lanes(d, lanes::together(log[0], log[1]));
-    out[0] = lanes::first(both), out[1] = lanes::second(both);
-  } else {
-    for (int v = 0; v < G; ++v) out[v] = lanes::exp_lanes(d, log[v]);
-  }
+// What is blended at once goes through the same steps in turn: that hides the latency of each.
+#if HWY_TARGET <= HWY_AVX3
+template <class T>
+using Batch = lanes::Two<hn::Vec<Tag<T>>>;
+
+template <class T>
+static HWY_INLINE Batch<T> column(const Sums<T, log_size>& s, std::size_t c) {
+  return {s[0][c], s[1][c]};
 }
+template <class T>
+static HWY_INLINE lanes::Three<Batch<T>> load_offsets(const T* offsets, std::size_t group) {
+  return lanes::together(load_offset(offsets, group), load_offset(offsets, group + 1));
+}
+template <class T>
+static HWY_INLINE void store_positions(const lanes::Three<Batch<T>>& p, std::size_t group, T* out) {
+  store_position(lanes::first(p), group, out), store_position(lanes::second(p), group + 1, out);
+}
+#else
+template <class T>
+using Batch = hn::Vec<Tag<T>>;
+
+template <class T>
+static HWY_INLINE Batch<T> column(const Sums<T, log_size>& s, std::size_t c) {
+  return s[0][c];
+}
+template <class T>
+static HWY_INLINE Vector3<T> load_offsets(const T* offsets, std::size_t group) {
+  return load_offset(offsets, group);
+}
+template <class T>
+static HWY_INLINE void store_positions(const Vector3<T>& p, std::size_t group, T* out) {
+  store_position(p, group, out);
+}
+#endif
 
 template <class T>
 static void deform_tiles(const TileRun<T>& run, const T* offsets, T* out) {
   const Tag<T> d;
-  using V = hn::Vec<Tag<T>>;
+  using V = Batch<T>;
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
     Sums<T, log_size> s;
     blend_group<T, log_size>(run, g, s);
     add_mean<T>(run, s);
-    lanes::Six<V> log[vectors_at_once], stretch[vectors_at_once];
-#pragma GCC unroll 2
-    for (int v = 0; v < vectors_at_once; ++v) log[v] = {s[v][0], s[v][1], s[v][2], s[v][3], s[v][4], s[v][5]};
-    exp_at_once<T>(log, stretch);
-#pragma GCC unroll 2
-    for (int v = 0; v < vectors_at_once; ++v) {
-      const Vector3<T> u = stretched<T>(stretch[v], load_offset(offsets, g + v));
-      const Vector3<T> turn{s[v][6], s[v][7], s[v][8]};
-      const Vector3<T> p = rotated<T>(lanes::exp_rotation_lanes(d, turn), u);
-      store_position<T>({hn::Add(p.x, s[v][9]), hn::Add(p.y, s[v][10]), hn::Add(p.z, s[v][11])}, g + v, out);
-    }
+    const lanes::Six<V> log{column<T>(s, 0), column<T>(s, 1), column<T>(s, 2),
+                            column<T>(s, 3), column<T>(s, 4), column<T>(s, 5)};
+    const lanes::Three<V> u = lanes::times(lanes::exp_lanes(d, log), load_offsets(offsets, g));
+    const lanes::Three<V> turn{column<T>(s, 6), column<T>(s, 7), column<T>(s, 8)};
+    const lanes::Three<V> p = lanes::rotate_lanes(d, turn, u);
+    store_positions<T>({Add(p.x, column<T>(s, 9)), Add(p.y, column<T>(s, 10)), Add(p.z, column<T>(s, 11))}, g,
+                       out);
   }
 }
 
@@ -201,8 +224,9 @@ static void move_tiles(const TileRun<T>& run, const T* offsets, T* out) {
     blend_group<T, position_size>(run, g, s);
     for (int v = 0; v < vectors_at_once; ++v) {
       const Vector3<T> offset = load_offset(offsets, g + v);
-      store_position<T>({hn::Add(s[v][0], offset.x), hn::Add(s[v][1], offset.y), hn::Add(s[v][2], offset.z)},
-                        g + v, out);
+      store_position<T>(
+          Vector3<T>{hn::Add(s[v][0], offset.x), hn::Add(s[v][1], offset.y), hn::Add(s[v][2], offset.z)},
+          g + v, out);
     }
   }
 }

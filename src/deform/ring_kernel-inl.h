@@ -62,13 +62,23 @@ static HWY_INLINE void store_vertices(OnePoint d, const Points& position, const 
   store(d, position, vertices[*order].position), store(d, normal, vertices[*order].normal);
 }
 
-// z x y 0 to unit x y z 0.
-static HWY_INLINE void normalise(OnePoint, Points (&areas)[4]) {
-  for (Points& a : areas) {
+// Of 4 areas z x y 0, 1 / length; 0 where there is no area.
+static HWY_INLINE Points inverse_lengths(OnePoint, const Points (&areas)[4]) {
+  float inverse[4];
+  for (int k = 0; k < 4; ++k) {
+    const Points& a = areas[k];
     const float squared = (a.x * a.x + a.z * a.z) + a.y * a.y;
-    const bool has_area = squared > smallest && squared < largest;
-    const float scale = has_area ? 1 / __builtin_sqrtf(squared) : 0.0f;
-    a = has_area ? Points{a.y * scale, a.z * scale, a.x * scale, 0} : Points{0, 0, 1, 0};
+    inverse[k] = squared > smallest && squared < largest ? 1 / __builtin_sqrtf(squared) : 0.0f;
+  }
+  return {inverse[0], inverse[1], inverse[2], inverse[3]};
+}
+
+// z x y 0 to unit x y z 0.
+static HWY_INLINE void normalise(OnePoint, const Points& inverse_length, Points (&areas)[4]) {
+  const float scale[4] = {inverse_length.x, inverse_length.y, inverse_length.z, inverse_length.w};
+  for (int k = 0; k < 4; ++k) {
+    const Points a = areas[k];
+    areas[k] = scale[k] == 0 ? Points{0, 0, 1, 0} : Points{a.y * scale[k], a.z * scale[k], a.x * scale[k], 0};
   }
 }
 
@@ -164,19 +174,24 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// z x y 0 to unit x y z 0.
+// Of 4 registers of areas z x y 0, 1 / length: in lane k of a block that of area k; 0 where there is no area.
 template <class D, class V = hn::Vec<D> >
-static HWY_INLINE void normalise(D d, V (&areas)[4]) {
+static HWY_INLINE V inverse_lengths(D d, const V (&areas)[4]) {
   const V squares[4] = {hn::Mul(areas[0], areas[0]), hn::Mul(areas[1], areas[1]), hn::Mul(areas[2], areas[2]),
                         hn::Mul(areas[3], areas[3])};
   const V squared = block_sums(d, squares);
   const auto has_area = hn::And(hn::Gt(squared, hn::Set(d, smallest)), hn::Lt(squared, hn::Set(d, largest)));
-  const V scale = hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared)));
-  const bool all_have_area = hn::AllTrue(d, has_area);
-  scale_one<0>(d, scale, all_have_area, areas[0]);
-  scale_one<1>(d, scale, all_have_area, areas[1]);
-  scale_one<2>(d, scale, all_have_area, areas[2]);
-  scale_one<3>(d, scale, all_have_area, areas[3]);
+  return hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared)));
+}
+
+// z x y 0 to unit x y z 0.
+template <class D, class V = hn::Vec<D> >
+static HWY_INLINE void normalise(D d, V inverse_length, V (&areas)[4]) {
+  const bool all_have_area = hn::AllFalse(d, hn::Eq(inverse_length, hn::Zero(d)));
+  scale_one<0>(d, inverse_length, all_have_area, areas[0]);
+  scale_one<1>(d, inverse_length, all_have_area, areas[1]);
+  scale_one<2>(d, inverse_length, all_have_area, areas[2]);
+  scale_one<3>(d, inverse_length, all_have_area, areas[3]);
 }
 
 #endif
@@ -235,17 +250,14 @@ static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint1
   return areas_around<true, stride, floats>(d, positions, walk, length - closed_ring, self);
 }
 
-// Of 4 registers of slots from s on; `walk` goes on behind them.
-template <class D, class V>
-static HWY_INLINE void next_areas(D d, const RingRun& run, const float* positions, std::size_t s,
-                                  const std::uint16_t*& walk, V (&areas)[4]) {
-#pragma GCC unroll 4
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t slot = s + k * points(d);
-    const std::size_t length = run.lengths[slot / ring_group];
-    areas[k] = areas_of_group(d, positions, walk + slot % ring_group, length, load(d, positions + 4 * slot));
-    if ((slot + points(d)) % ring_group == 0) walk += ring_group * (length % closed_ring);
-  }
+// Of the register of slots from s on; `walk` goes on behind them.
+template <class D>
+static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& walk) {
+  const float* positions = run.positions + 4 * run.first;
+  const std::size_t length = run.lengths[s / ring_group];
+  const auto areas = areas_of_group(d, positions, walk + s % ring_group, length, load(d, positions + 4 * s));
+  if ((s + points(d)) % ring_group == 0) walk += ring_group * (length % closed_ring);
+  return areas;
 }
 
 // From places of other leaves; those of the next leaf are on their way meanwhile. Answers whether a bit
@@ -274,37 +286,63 @@ static HWY_INLINE void prefetch_vertices(const RingRun& run, std::size_t begin, 
   for (std::size_t s = begin; s < end; ++s) hwy::Prefetch(vertices + run.order[s]);
 }
 
-// Slots [s, s + 4 registers) to vertices[order[0]], ...; `walk` goes on behind them.
-static HWY_INLINE void ring_registers(const RingRun& run, std::size_t s, const std::uint16_t*& walk,
-                                      const std::uint32_t* order, FrameVertex* vertices) {
-  const ManyPoints d;
-  const float* positions = run.positions + 4 * run.first;
-  decltype(zero(d)) areas[4];
-  next_areas(d, run, positions, s, walk, areas);
-  normalise(d, areas);
+template <class D>
+static HWY_INLINE void load_four(D d, const float* from, decltype(zero(D())) (&out)[4]) {
 #pragma GCC unroll 4
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t i = k * points(d);
-    store_vertices(d, scaled(d, load(d, positions + 4 * (s + i)), run.unit), areas[k], order + i, vertices);
-  }
+  for (std::size_t k = 0; k < 4; ++k) out[k] = load(d, from + 4 * k * points(d));
 }
 
-static void ring_vertices(const RingRun& run, FrameVertex* HWY_RESTRICT vertices) {
-  constexpr std::size_t ahead = 32,
-                        at_once = 4 * points(ManyPoints());  // leaves are filled up to multiples of 32 slots
-  if (!fill_halo(run)) return;
-  prefetch_vertices(run, 0, ahead, vertices);
-  const std::uint16_t* walk = run.walk;
-  std::size_t s = 0;
-  for (; s + at_once <= run.vertices; s += at_once) {
-    if (s + ahead < run.slots) prefetch_vertices(run, s + ahead, s + ahead + at_once, vertices);
-    ring_registers(run, s, walk, run.order + s, vertices);
+// 4 registers of slots from s on to vertices[order[0]], ...
+static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const float* areas,
+                                       const float* inverse_length, const std::uint32_t* order,
+                                       FrameVertex* vertices) {
+  const ManyPoints d;
+  decltype(zero(d)) normals[4], positions[4];
+  load_four(d, areas, normals);
+  load_four(d, run.positions + 4 * (run.first + s), positions);
+  normalise(d, load(d, inverse_length), normals);
+#pragma GCC unroll 4
+  for (std::size_t k = 0; k < 4; ++k)
+    store_vertices(d, scaled(d, positions[k], run.unit), normals[k], order + k * points(d), vertices);
+}
+
+constexpr std::size_t ring_block = 128;  // slots; leaves are filled up to multiples of 32
+
+// The slots of a block, from `begin` on, go through each step before any goes through the next: roots and
+// quotients then wait for nothing.
+static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& walk,
+                                  FrameVertex* HWY_RESTRICT vertices) {
+  const ManyPoints d;
+  constexpr std::size_t at_once = 4 * points(d);
+  const std::size_t slots = std::min(ring_block, run.slots - begin);
+  const std::size_t filled = std::min(slots, run.vertices - begin);
+  const std::uint32_t* order = run.order + begin;
+  HWY_ALIGN float areas[4 * ring_block], inverse[ring_block];
+  for (std::size_t i = 0; i < slots; i += points(d)) {
+    for (std::size_t k = 0; k < points(d); ++k) hwy::Prefetch(vertices + order[i + k]);
+    store(d, next_areas(d, run, begin + i, walk), areas + 4 * i);
   }
-  if (s == run.vertices) return;
+  for (std::size_t i = 0; i < slots; i += at_once) {
+    decltype(zero(d)) four[4];
+    load_four(d, areas + 4 * i, four);
+    store(d, inverse_lengths(d, four), inverse + i);
+  }
+  std::size_t i = 0;
+  for (; i + at_once <= filled; i += at_once)
+    store_registers(run, begin + i, areas + 4 * i, inverse + i, order + i, vertices);
+  if (i == filled) return;
   static constexpr std::uint32_t in_a_row[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   FrameVertex last[at_once];
-  ring_registers(run, s, walk, in_a_row, last);
-  for (std::size_t i = 0; s + i < run.vertices; ++i) vertices[run.order[s + i]] = last[i];
+  store_registers(run, begin + i, areas + 4 * i, inverse + i, in_a_row, last);
+  for (std::size_t k = 0; i + k < filled; ++k) vertices[order[i + k]] = last[k];
+}
+
+static void ring_vertices(const RingRun& leaf, FrameVertex* HWY_RESTRICT vertices) {
+  const RingRun run = leaf;  // a copy, which no store to vertices can change
+  if (!fill_halo(run)) return;
+  const std::uint16_t* walk = run.walk;
+  for (std::size_t begin = 0; begin < run.vertices; begin += ring_block)
+    ring_slots(run, begin, walk, vertices);
 }
 
 static void ring_hub(const float* positions, const std::uint32_t* walk, std::size_t length,
@@ -313,7 +351,7 @@ static void ring_hub(const float* positions, const std::uint32_t* walk, std::siz
   const auto self = load(d, positions + 4 * std::size_t(place));
   decltype(zero(d)) areas[4] = {areas_around<false, 1, 4>(d, positions, walk, length, self), zero(d), zero(d),
                                 zero(d)};
-  normalise(d, areas);
+  normalise(d, inverse_lengths(d, areas), areas);
   store(d, areas[0], vertex.normal);
 }
 

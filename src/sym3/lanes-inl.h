@@ -79,6 +79,19 @@ static HWY_INLINE Six<V> second(const Six<Two<V>>& m) {
 }
 
 template <class V>
+static HWY_INLINE Three<Two<V>> together(const Three<V>& a, const Three<V>& b) {
+  return {{a.x, b.x}, {a.y, b.y}, {a.z, b.z}};
+}
+template <class V>
+static HWY_INLINE Three<V> first(const Three<Two<V>>& u) {
+  return {u.x.a, u.y.a, u.z.a};
+}
+template <class V>
+static HWY_INLINE Three<V> second(const Three<Two<V>>& u) {
+  return {u.x.b, u.y.b, u.z.b};
+}
+
+template <class V>
 static HWY_INLINE Six<V> times(const Six<V>& m, V s) {
   return {hn::Mul(m.xx, s), hn::Mul(m.xy, s), hn::Mul(m.xz, s),
           hn::Mul(m.yy, s), hn::Mul(m.yz, s), hn::Mul(m.zz, s)};
@@ -115,6 +128,18 @@ static HWY_INLINE V difference_of_products(V a, V b, V c, V d) {
 }
 
 template <class V>
+static HWY_INLINE Three<V> cross(const Three<V>& a, const Three<V>& b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+template <class V>
+static HWY_INLINE Three<V> times(const Six<V>& m, const Three<V>& u) {
+  return {sum_of_products(m.xx, u.x, m.xy, u.y, m.xz, u.z), sum_of_products(m.xy, u.x, m.yy, u.y, m.yz, u.z),
+          sum_of_products(m.xz, u.x, m.yz, u.y, m.zz, u.z)};
+}
+
+template <class V>
 static HWY_INLINE Six<V> adjugate(const Six<V>& a) {
   return {difference_of_products(a.yy, a.zz, a.yz, a.yz), difference_of_products(a.xz, a.yz, a.xy, a.zz),
           difference_of_products(a.xy, a.yz, a.xz, a.yy), difference_of_products(a.xx, a.zz, a.xz, a.xz),
@@ -137,11 +162,11 @@ static HWY_INLINE hn::Mask<D> is_diagonal(D d, const Six<V>& m) {
 }
 
 /// c_0 + c_1 x + ... times scale, where the products c_k scale are the compiler's.
-template <class D, class T, std::size_t N, class V = hn::Vec<D>>
+template <class D, class T, std::size_t N, class V>
 static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
   V sum = hn::Set(d, c[N - 1] * scale);
 #pragma GCC unroll 32
-  for (int k = static_cast<int>(N) - 2; k >= 0; --k) sum = hn::MulAdd(sum, x, hn::Set(d, c[k] * scale));
+  for (int k = static_cast<int>(N) - 2; k >= 0; --k) sum = MulAdd(sum, x, hn::Set(d, c[k] * scale));
   return sum;
 }
 

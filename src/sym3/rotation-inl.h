@@ -49,45 +49,86 @@ static HWY_INLINE Nine<V> to_matrix(D d, const Quaternion<V>& q) {
           hn::Sub(hn::Sub(one, xx), yy)};
 }
 
+/// cos(angle / 2) and sin(angle / 2) / angle.
+template <class V>
+struct HalfAngle {
+  V cosine, sine;
+};
+
 /// |w|^2 / 4; NaN or infinite where w is, and where it overflows.
-template <class D, class V = hn::Vec<D>>
+template <class D, class V>
 static HWY_INLINE V quarter_of_square(D d, const Three<V>& w) {
-  return hn::Mul(sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z), hn::Set(d, hn::TFromD<D>(0.25)));
+  return Mul(sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z), hn::Set(d, hn::TFromD<D>(0.25)));
 }
 
-/// Angles up to 3.24 in every lane (h up to h_limit).
+/// True where the polynomials serve: angles up to 3.24.
 template <class D, class V = hn::Vec<D>>
-static HWY_INLINE Nine<V> exp_rotation_quick(D d, const Three<V>& w, V h) {
+static HWY_INLINE hn::Mask<D> is_small_angle(D d, V h) {
+  return hn::Le(h, hn::Set(d, RotationTables<hn::TFromD<D>>::h_limit));
+}
+template <class D, class V>
+static HWY_INLINE hn::Mask<D> is_small_angle(D d, Two<V> h) {
+  return hn::And(is_small_angle(d, h.a), is_small_angle(d, h.b));
+}
+
+template <class D, class V>
+static HWY_INLINE HalfAngle<V> half_angle_quick(D d, V h) {
   using C = RotationTables<hn::TFromD<D>>;
-  return to_matrix(d, half_angle_quaternion(horner(d, C::cosine, h), horner(d, C::sine, h), w));
+  return {horner(d, C::cosine, h), horner(d, C::sine, h)};
 }
 
 /// Any angle: the lanes beyond one by one.
 template <class D, class V = hn::Vec<D>>
-static HWY_NOINLINE Nine<V> exp_rotation_general(D d, const Three<V>& w, const V& h) {
+static HWY_NOINLINE HalfAngle<V> half_angle_general(D d, const Three<V>& w, const V& h) {
   using T = hn::TFromD<D>;
-  using C = RotationTables<T>;
   constexpr std::size_t lanes = hn::MaxLanes(D());
+  const HalfAngle<V> quick = half_angle_quick(d, h);
   HWY_ALIGN T x[lanes], y[lanes], z[lanes], cosine[lanes], sine[lanes], hs[lanes];
   hn::Store(w.x, d, x), hn::Store(w.y, d, y), hn::Store(w.z, d, z), hn::Store(h, d, hs);
-  hn::Store(horner(d, C::cosine, h), d, cosine), hn::Store(horner(d, C::sine, h), d, sine);
+  hn::Store(quick.cosine, d, cosine), hn::Store(quick.sine, d, sine);
   for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
-    if (hs[i] <= C::h_limit) continue;
+    if (hs[i] <= RotationTables<T>::h_limit) continue;
     const T one[3] = {x[i], y[i], z[i]};
     T both[2];
     half_angle(one, both);
     cosine[i] = both[0], sine[i] = both[1];
   }
-  return to_matrix(d, half_angle_quaternion(hn::Load(d, cosine), hn::Load(d, sine), w));
+  return {hn::Load(d, cosine), hn::Load(d, sine)};
+}
+template <class D, class V>
+static HWY_INLINE HalfAngle<Two<V>> half_angle_general(D d, const Three<Two<V>>& w, const Two<V>& h) {
+  const Three<V> wa = first(w), wb = second(w);
+  const V ha = h.a, hb = h.b;
+  const HalfAngle<V> a = half_angle_general(d, wa, ha), b = half_angle_general(d, wb, hb);
+  return {{a.cosine, b.cosine}, {a.sine, b.sine}};
+}
+
+template <class D, class V>
+static HWY_INLINE HalfAngle<V> half_angle_lanes(D d, const Three<V>& w) {
+  const V h = quarter_of_square(d, w);
+  if (HWY_LIKELY(hn::AllTrue(d, is_small_angle(d, h)))) return half_angle_quick(d, h);
+  const Three<V> vector = w;  // a copy: what is passed by reference lives in memory, on the quick way too
+  return half_angle_general(d, vector, h);
 }
 
 /// The rotations about w / |w| by |w| radians, one a lane. T = float or double; any number of lanes.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Nine<V> exp_rotation_lanes(D d, const Three<V>& w) {
-  const V h = quarter_of_square(d, w);
-  const auto ok = hn::Le(h, hn::Set(d, RotationTables<hn::TFromD<D>>::h_limit));
-  if (HWY_LIKELY(hn::AllTrue(d, ok))) return exp_rotation_quick(d, w, h);
-  return exp_rotation_general(d, w, h);
+  const HalfAngle<V> half = half_angle_lanes(d, w);
+  return to_matrix(d, half_angle_quaternion(half.cosine, half.sine, w));
+}
+
+/// exp_rotation_lanes(d, w) u without the matrix: u + 2 c s w x u + 2 s^2 w x (w x u) for c and s of half the
+/// angle. V is one register or Two.
+template <class D, class V>
+static HWY_INLINE Three<V> rotate_lanes(D d, const Three<V>& w, const Three<V>& u) {
+  const HalfAngle<V> half = half_angle_lanes(d, w);
+  const V sine2 = Add(half.sine, half.sine);
+  const V first_order = Mul(half.cosine, sine2), second_order = Mul(half.sine, sine2);
+  const Three<V> t = cross(w, u), tt = cross(w, t);
+  return {MulAdd(second_order, tt.x, MulAdd(first_order, t.x, u.x)),
+          MulAdd(second_order, tt.y, MulAdd(first_order, t.y, u.y)),
+          MulAdd(second_order, tt.z, MulAdd(first_order, t.z, u.z))};
 }
 
 template <class M, class V>
