@@ -43,83 +43,93 @@ std::vector<Pair> spanning_forest(std::span<const Pair> edges, Rotations rotatio
   return forest;
 }
 
-// The elements of one part with their logs, for one branch of the root's log.
+// The elements that hang together with a root, parents first.
+struct Part {
+  std::vector<std::uint32_t> elements, parents;  // parents: places in elements
+};
+
+Part part_of(const Adjacency& forest, std::uint32_t root) {
+  Part part{{root}, {0}};
+  for (std::uint32_t n = 0; n < part.elements.size(); ++n) {
+    const std::uint32_t parent = part.elements[part.parents[n]];
+    for (const auto child : forest.of(part.elements[n])) {
+      if (child == parent) continue;
+      part.elements.push_back(child);
+      part.parents.push_back(n);
+    }
+  }
+  return part;
+}
+
+// What the logs of a part are compared with.
+struct Anchors {
+  Vec3 reference, leader;
+};
+
+// The logs of a part for one branch of the root's log. Distances are root mean squares: unlike that of the
+// mean they cannot be small by cancelling.
 struct Branching {
-  std::vector<std::uint32_t> elements;  // parents first
   std::vector<Vec3> logs;
-  double roughness = 0;  // root mean square difference from the parents
+  double roughness = 0;  // distance from the parents
+  double to_reference = 0, to_leader = 0;
 
   Vec3 mean() const {
     Vec3 sum{0, 0, 0};
     for (const auto& log : logs) sum = sum + log;
     return (1 / static_cast<double>(logs.size())) * sum;
   }
-
-  // Root mean square: unlike the distance of the mean it cannot be small by cancelling.
-  double distance(const Vec3& reference) const {
-    double sum = 0;
-    for (const auto& log : logs) sum += squared_norm(log - reference);
-    return std::sqrt(sum / static_cast<double>(logs.size()));
-  }
 };
 
-Branching follow(const Adjacency& forest, std::uint32_t root, const Vec3& log,
-                 std::span<const Vec3> principal) {
-  Branching b{{root}, {log}, 0};
-  std::vector<std::uint32_t> parents{root};
-  for (std::size_t n = 0; n < b.elements.size(); ++n) {
-    for (const auto child : forest.of(b.elements[n])) {
-      if (child == parents[n]) continue;
-      b.elements.push_back(child);
-      b.logs.push_back(nearest_branch(principal[child], b.logs[n]));
-      b.roughness += squared_norm(b.logs.back() - b.logs[n]);
-      parents.push_back(b.elements[n]);
-    }
+Branching follow(const Part& part, const Vec3& root_log, std::span<const Vec3> principal,
+                 const Anchors& anchors) {
+  Branching b;
+  b.logs.reserve(part.elements.size());
+  double roughness = 0, to_reference = 0, to_leader = 0;
+  for (std::size_t n = 0; n < part.elements.size(); ++n) {
+    const Vec3 log = n == 0 ? root_log : nearest_branch(principal[part.elements[n]], b.logs[part.parents[n]]);
+    b.logs.push_back(log);
+    roughness += squared_norm(log - b.logs[part.parents[n]]);
+    to_reference += squared_norm(log - anchors.reference);
+    to_leader += squared_norm(log - anchors.leader);
   }
-  b.roughness = std::sqrt(b.roughness / static_cast<double>(b.logs.size()));
+  const auto count = static_cast<double>(b.logs.size());
+  b.roughness = std::sqrt(roughness / count);
+  b.to_reference = std::sqrt(to_reference / count);
+  b.to_leader = std::sqrt(to_leader / count);
   return b;
 }
 
-// Half a turn from the reference two branches are equally near: then the one nearer to `leader` is better.
-bool better(const Branching& a, const Branching& b, const Vec3& reference, const Vec3& leader) {
+// Half a turn from the reference two branches are equally near: then the one nearer to the leader is better.
+bool better(const Branching& a, const Branching& b) {
   if (a.roughness > 1.1 * b.roughness + 1e-3) return false;
-  const double gain = b.distance(reference) - a.distance(reference);
+  const double gain = b.to_reference - a.to_reference;
   if (std::abs(gain) >= half_turn_tie) return gain > 0;
-  return a.distance(leader) < b.distance(leader) - half_turn_tie;
+  return a.to_leader < b.to_leader - half_turn_tie;
 }
 
 // Tries the branches of the root's log around the reference.
-Branching choose(const Adjacency& forest, std::uint32_t root, std::span<const Vec3> principal,
-                 const Vec3& reference, const Vec3& leader) {
-  const Vec3 log = nearest_branch(principal[root], reference);
-  Branching best = follow(forest, root, log, principal);
+Branching choose(const Part& part, std::span<const Vec3> principal, const Anchors& anchors) {
+  const Vec3 log = nearest_branch(principal[part.elements[0]], anchors.reference);
+  Branching best = follow(part, log, principal, anchors);
   const double length = norm(log);
   for (const double k : {-turn, turn}) {
     if (length == 0) break;
-    Branching other = follow(forest, root, ((length + k) / length) * log, principal);
-    if (better(other, best, reference, leader)) best = std::move(other);
+    Branching other = follow(part, ((length + k) / length) * log, principal, anchors);
+    if (better(other, best)) best = std::move(other);
   }
   return best;
 }
 
-// Of the elements that hang together with each root.
 std::vector<Vec3> part_means(const Cage& cage, std::span<const Vec3> logs) {
-  std::vector<std::uint32_t> parent(logs.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  for (const auto& [i, j] : cage.dual_edges) parent[find(parent, i)] = find(parent, j);
-  std::vector<Vec3> sums(logs.size(), {0, 0, 0});
-  std::vector<std::size_t> counts(logs.size());
-  for (std::uint32_t e = 0; e < logs.size(); ++e) {
-    const std::uint32_t part = find(parent, e);
-    sums[part] = sums[part] + logs[e];
-    ++counts[part];
+  std::vector<Vec3> sums(cage.roots.size() + 1, {0, 0, 0});
+  std::vector<std::size_t> counts(cage.roots.size() + 1);
+  for (std::size_t e = 0; e < logs.size(); ++e) {
+    sums[cage.parts[e]] = sums[cage.parts[e]] + logs[e];
+    ++counts[cage.parts[e]];
   }
-  std::vector<Vec3> means;
-  for (const auto root : cage.roots) {
-    const std::uint32_t part = find(parent, root);
-    means.push_back((1 / static_cast<double>(counts[part])) * sums[part]);
-  }
-  return means;
+  sums.pop_back();  // of elements without area
+  for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = (1 / static_cast<double>(counts[p])) * sums[p];
+  return sums;
 }
 
 // True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, with room to spare.
@@ -146,8 +156,9 @@ bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::
 }  // namespace
 
 Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
-  const double length = norm(reference), angle = norm(v);
-  if (length > turn / 2) {
+  const double angle = norm(v);
+  if (squared_norm(reference) > turn * turn / 4) {
+    const double length = norm(reference);
     const Vec3 axis = (1 / length) * reference;
     const double along = dot(v, axis);
     if (norm(v - along * axis) <= along_reference) {
@@ -178,11 +189,11 @@ Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const 
     return result;
   }
   const Adjacency forest = adjacency(rotations.size(), spanning_forest(cage.dual_edges, rotations));
-  for (std::size_t part = 0; part < cage.roots.size(); ++part) {
-    const Vec3 reference = part < turns.size() ? turns[part] : Vec3{0, 0, 0};
-    const Vec3 leader = part > 0 ? result.turns[0] : reference;
-    const Branching chosen = choose(forest, cage.roots[part], principal, reference, leader);
-    for (std::size_t n = 0; n < chosen.logs.size(); ++n) result.logs[chosen.elements[n]] = chosen.logs[n];
+  for (std::size_t p = 0; p < cage.roots.size(); ++p) {
+    const Vec3 reference = p < turns.size() ? turns[p] : Vec3{0, 0, 0};
+    const Part part = part_of(forest, cage.roots[p]);
+    const Branching chosen = choose(part, principal, {reference, p > 0 ? result.turns[0] : reference});
+    for (std::size_t n = 0; n < chosen.logs.size(); ++n) result.logs[part.elements[n]] = chosen.logs[n];
     result.turns.push_back(chosen.mean());
   }
   return result;

@@ -103,6 +103,7 @@ void connect(Cage& cage) {
   refuse_fins(graph);
   cage.dual_edges = std::move(graph.edges);
   cage.roots = graph_centers(cage.element_count(), cage.dual_edges, cage.degenerate);
+  cage.parts = graph_parts(cage.element_count(), cage.dual_edges, cage.roots);
   cage.closed = graph.open + graph.nonmanifold + graph.misoriented == 0;
   const auto warn = [&cage](std::size_t count, const char* what) {
     if (count > 0) cage.warnings.push_back(std::to_string(count) + " cage edges " + what);

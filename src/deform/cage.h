@@ -25,6 +25,8 @@ struct Cage {
   /// The element where rotation branches start, one per connected part of the dual graph: its centre (least
   /// eccentricity, lowest index). A function of the rest cage alone.
   std::vector<std::uint32_t> roots;
+  std::vector<std::uint32_t>
+      parts;            ///< of each element the part, a place in roots; without area: roots.size()
   double diagonal = 0;  ///< of the rest bounding box, the unit of tolerances
   double contact =
       0;  ///< a point nearer than this to an element lies on it: what rounding cannot tell from 0

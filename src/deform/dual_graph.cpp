@@ -182,4 +182,16 @@ std::vector<std::uint32_t> graph_centers(std::size_t elements, std::span<const P
   return centers;
 }
 
+std::vector<std::uint32_t> graph_parts(std::size_t elements, std::span<const Pair> edges,
+                                       std::span<const std::uint32_t> centers) {
+  const Adjacency graph = adjacency(elements, edges);
+  std::vector<std::uint32_t> parts(elements, static_cast<std::uint32_t>(centers.size()));
+  Sweep sweep(elements);
+  for (std::uint32_t p = 0; p < centers.size(); ++p) {
+    sweep.run(graph, centers[p]);
+    for (const auto i : sweep.order) parts[i] = p;
+  }
+  return parts;
+}
+
 }  // namespace viete::deform

@@ -31,6 +31,11 @@ std::vector<std::uint32_t> graph_centers(std::size_t elements,
                                          std::span<const std::array<std::uint32_t, 2>> edges,
                                          std::span<const std::uint8_t> skip);
 
+/// Of each element the place in `centers` of the one it hangs together with; centers.size() if with none.
+std::vector<std::uint32_t> graph_parts(std::size_t elements,
+                                       std::span<const std::array<std::uint32_t, 2>> edges,
+                                       std::span<const std::uint32_t> centers);
+
 /// Neighbours in a graph: those of i are targets[starts[i]] up to starts[i + 1], ascending in the order of
 /// the edges.
 struct Adjacency {
