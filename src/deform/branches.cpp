@@ -166,8 +166,9 @@ Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
     }
   }
   if (angle == 0) return v;
-  const double k = std::round((dot(reference, v) / angle - angle) / turn);
-  return k == 0 ? v : ((angle + turn * k) / angle) * v;
+  const double gap = dot(reference, v) / angle - angle;
+  if (std::abs(gap) < turn / 2) return v;
+  return ((angle + turn * std::round(gap / turn)) / angle) * v;
 }
 
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
