@@ -9,6 +9,7 @@
 #include "app/options.h"
 #include "app/window.h"
 #include "base/error.h"
+#include "scene/session.h"
 
 namespace viete::app {
 
@@ -28,6 +29,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   viewer_options.bindings = {.folder = bindings_folder(), .named = options.binding};
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
+  set_settings(workspace.document, options);
   if (!scene::open_now(workspace,
                        {scene::OpenRequest::What::model, {options.model, options.cage, options.pose}})) {
     throw base::Error("", workspace.messages.all().back().text);
@@ -38,6 +40,8 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
 }
 
 int view(WindowOptions options) {
+  scene::Document tried;
+  set_settings(tried, options);  // contradictions are told before anything opens
   if (options.model.empty()) {
     const BundledModel bundled = bundled_model();
     options.model = bundled.model;
@@ -58,6 +62,8 @@ void add_view_command(CLI::App& app, Action& action) {
       "Mesh to deform (OBJ, PLY, OFF, STL), or a session (.viete); default: the bundled dragon");
   command->add_option("CAGE", options->cage, "Cage around it");
   command->add_option("--pose", options->pose, "Posed version of the cage, same vertices in the same order");
+  add_method_option(*command, options->method);
+  add_weighting_options(*command, options->weighting);
   add_binding_option(*command, options->binding);
   command
       ->add_option("--scale", options->scale,
@@ -65,8 +71,13 @@ void add_view_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.5, 4.0));
   command->add_option("--frames", options->frames, "Close after so many frames")
       ->check(CLI::NonNegativeNumber);
-  command->callback([options, &action] {
+  command->callback([command, options, &action] {
     check_session_stands_alone(options->model, options->cage, options->pose);
+    for (const char* setting : {"--method", "--coordinates", "--reach"}) {
+      if (scene::is_session(options->model) && command->count(setting) > 0)
+        throw CLI::ValidationError(setting, "the session " + options->model.string() +
+                                                " has its own: leave it out, and change it in the window");
+    }
     action = [options] { return view(*options); };
   });
 }

@@ -11,6 +11,7 @@
 #include "app/state_folder.h"
 #include "app/viewer.h"
 #include "base/clock.h"
+#include "scene/edit.h"
 #include "scene/saving.h"
 
 namespace viete::app {
@@ -223,6 +224,11 @@ void Window::run(int frames) {
 
 }  // namespace
 
+void set_settings(scene::Document& document, const WindowOptions& options) {
+  scene::set_method(document, options.method);
+  options.weighting.apply(document, false);
+}
+
 bool run_window(const WindowOptions& options, std::string& reason) {
   const GlfwSession session;
   if (!session.open) {
@@ -247,6 +253,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   scene::Workspace& workspace = window.viewer().workspace();
   if (state_folder().empty())
     workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
+  set_settings(workspace.document, options);
   workspace.requests.open =
       scene::OpenRequest{scene::OpenRequest::What::model, {options.model, options.cage, options.pose}};
   window.run(options.frames);

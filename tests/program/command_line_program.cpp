@@ -239,6 +239,27 @@ TEST_CASE("without_a_display_the_viewer_says_so_in_one_line_and_renders_a_pictur
   CHECK(render::read_png(scratch.folder / "viete.png").width == 1440);
 }
 
+TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
+  const Scratch scratch;
+  const std::string here = "cd " + quoted(scratch.folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY";
+  const std::string scene = "view " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose);
+  std::vector<std::vector<std::uint8_t>> pictures;
+  for (const char* settings : {"", " --reach 2", " --coordinates mvc"}) {
+    const auto outcome = run(scene + settings, here);
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+    pictures.push_back(render::read_png(scratch.folder / "viete.png").rgba);
+  }
+  CHECK(pictures[0] != pictures[1]);
+  CHECK(pictures[0] != pictures[2]);
+  CHECK(pictures[1] != pictures[2]);
+  const auto both = run("view --coordinates mvc --reach 3", here);
+  CHECK(both.code == 1);
+  CHECK(mentions(both, "mean value coordinates have no reach"));
+  const auto session = run("view a.viete --reach 3", here);
+  CHECK(session.code == 2);
+  CHECK(mentions(session, "--reach: the session a.viete has its own"));
+}
+
 TEST_CASE("the_bundled_model_is_found_from_any_working_directory") {
   const Scratch scratch;
   const auto outcome = run("", "cd " + quoted(scratch.folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY");
