@@ -61,13 +61,13 @@ void set_method(Document& document, sym3::Method method) {
 void set_coordinates(Document& document, deform::Coordinates coordinates) {
   if (document.coordinates == coordinates) return;
   document.coordinates = coordinates;
-  ++document.topology;
+  if (document.has_cage()) ++document.topology;
 }
 
 void set_reach(Document& document, double reach) {
   if (document.reach == reach) return;
   document.reach = reach;
-  if (document.coordinates == deform::Coordinates::face) ++document.topology;
+  if (document.has_cage() && document.coordinates == deform::Coordinates::face) ++document.topology;
 }
 
 }  // namespace viete::scene

@@ -64,6 +64,17 @@ std::size_t followers(Driver& d) {
 
 }  // namespace
 
+TEST_CASE("settings_made_before_anything_is_open_are_kept_for_what_is_opened") {
+  Driver d;
+  scene::set_coordinates(d.document(), deform::Coordinates::mean_value);
+  scene::set_reach(d.document(), 3);
+  d.frame(3);  // with nothing to show
+  open_dragon(d);
+  CHECK(d.document().coordinates == deform::Coordinates::mean_value);
+  CHECK(d.document().reach == 3);
+  CHECK(d.viewer().deformer()->logs().empty());  // as mean value coordinates have none
+}
+
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   Driver d;
   open_dragon(d);
