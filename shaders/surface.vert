@@ -13,7 +13,10 @@ void main() {
   vec4 first = texelFetch(vertices, vertex);
   vec4 second = texelFetch(vertices, vertex + 1);
   int place = gl_VertexID % 3;
-  normal_and_occlusion = vec4(mat3(eye_from_model) * second.xyz, first.w);
+  mat3 turn = mat3(eye_from_model);  // by the model's scale too large or too small to be squared
+  vec3 column = abs(turn[0]);
+  turn /= max(column.x, max(column.y, column.z));
+  normal_and_occlusion = vec4(turn * second.xyz, first.w);
   corner_and_scalar = vec3(place == 0, place == 1, second.w);
   gl_Position = clip_from_eye * (eye_from_model * vec4(first.xyz, 1.0));
 }

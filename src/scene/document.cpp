@@ -1,6 +1,7 @@
 #include "scene/document.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "base/error.h"
@@ -26,6 +27,18 @@ Document document_of(OpenedSurface model) {
   document.model = std::move(model);
   document.space = space_for(document.model.bounds);
   return document;
+}
+
+void check_drawable(const Document& document) {
+  constexpr double least = 1e-32, most = 1e32;  // whose squares are not, but whose products with 1e5 are
+  for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
+    if (!opened->surface) continue;
+    const double size = opened->bounds.diagonal();
+    if (size == 0 || (size >= least && size <= most)) continue;
+    char text[64];
+    std::snprintf(text, sizeof text, "a size of %.2g cannot be drawn", size);
+    throw base::Error(opened->path.string(), text, "scale it to something between 1e-32 and 1e32");
+  }
 }
 
 void set_cage(Document& document, OpenedSurface cage) {

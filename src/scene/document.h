@@ -56,6 +56,8 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
 
 /// A new document of surfaces that were read. Throws base::Error if the cage is none.
 Document document_of(OpenedSurface model);
+/// Throws base::Error if model or cage are too large or too small for graphics cards, which compute in float.
+void check_drawable(const Document& document);
 void set_cage(Document& document, OpenedSurface cage);
 
 /// Reads a model and, if the path is not empty, a cage, into a new document. Throws base::Error; the caller's

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "mesh/source.h"
 
@@ -65,6 +66,7 @@ void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const s
   browser.open = browser.appearing = true;
   browser.purpose = purpose;
   browser.problem.clear();
+  browser.warned.clear();
   std::error_code ignored;
   if (!folder.empty()) enter(browser, folder);
   if (folder.empty() || !browser.problem.empty()) enter(browser, fs::current_path(ignored));
@@ -100,8 +102,18 @@ void move_highlight(FileBrowser& browser, int steps) {
       static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(wanted, 0, std::max<std::ptrdiff_t>(last, 0)));
 }
 
+bool filters_by_path(const FileBrowser& browser) {
+  return !browser.filter.empty() && (browser.filter[0] == '/' || browser.filter[0] == '~');
+}
+
+fs::path typed_path(const FileBrowser& browser) {
+  const char* home = std::getenv("HOME");
+  if (home && (browser.path == "~" || browser.path.starts_with("~/"))) return home + browser.path.substr(1);
+  return browser.folder / browser.path;
+}
+
 fs::path chosen_file(const FileBrowser& browser) {
-  fs::path file = browser.folder / browser.path;
+  fs::path file = typed_path(browser);
   const bool session = browser.purpose == Purpose::save_session;
   if (session && mesh::extension_of(file) != "viete") file += ".viete";
   if (browser.saves() && !session && file.extension().empty()) file += ".obj";

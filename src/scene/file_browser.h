@@ -26,6 +26,7 @@ struct FileBrowser {
   std::string problem;          ///< why the folder could not be listed; empty if it could
   std::string suggested;        ///< file name to save under; kept while folders are walked
   std::string filter;           ///< only entries that contain it, without regard to case, are shown
+  std::string warned;           ///< the path whose file Enter would have replaced: a second Enter does
   std::size_t highlighted = 0;  ///< among the entries that are shown; what Enter takes
 
   bool saves() const { return purpose >= Purpose::save_session; }
@@ -44,7 +45,12 @@ std::vector<const FileBrowser::Entry*> shown(const FileBrowser& browser);
 /// Up or down the list by so many, as far as it goes.
 void move_highlight(FileBrowser& browser, int steps);
 
-/// The file of the text field: relative to the folder, and with the extension that the purpose asks for if it
+/// Whether the filter is the beginning of a path, with / or ~, rather than of a name.
+bool filters_by_path(const FileBrowser& browser);
+
+/// What the text field names, as it is typed: relative to the folder, ~ being the home folder.
+std::filesystem::path typed_path(const FileBrowser& browser);
+/// The same with the extension that the purpose asks for if it
 /// has none.
 std::filesystem::path chosen_file(const FileBrowser& browser);
 /// Another extension for the file to be saved: "ply".

@@ -19,10 +19,52 @@ void append(std::vector<std::string>& all, const std::vector<std::string>& more)
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// What is odd about the surfaces themselves is left to the checks.
+// How many of up to a hundred of its vertices, spread over all, are outside.
+struct Outside {
+  std::size_t count, of;
+};
+
+Outside outside(const mesh::Surface& outer, const mesh::Surface& inner) {
+  constexpr std::size_t samples = 100;
+  const auto& points = inner.positions;
+  std::vector<mesh::Point> sample;
+  const std::size_t n = std::min(samples, points.size());
+  for (std::size_t i = 0; i < n; ++i) sample.push_back(points[i * points.size() / n]);
+  return {mesh::points_outside(outer, sample).size(), n};
+}
+
+bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
+  for (int k = 0; k < 3; ++k) {
+    if (outer.low[k] > inner.low[k] || outer.high[k] < inner.high[k]) return false;
+  }
+  return true;
+}
+
+// One vertex in ten may stick out.
+bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
+  if (inner.positions.empty() || outer.triangles.empty()) return false;
+  if (!box_contains(mesh::used_bounds(outer), mesh::used_bounds(inner))) return false;
+  const Outside found = outside(outer, inner);
+  return 10 * found.count <= found.of;
+}
+
+// What is odd about the surfaces themselves is left to the checks, but not a cage that was made for another
+// model.
+void take_cage_warnings(Opened& opened) {
+  const Document& document = *opened.document;
+  append(opened.warnings, document.cage_file.warnings);
+  if (!document.has_cage() || !document.cage->closed) return;
+  const Outside found = outside(document.cage->surface, *document.model.surface);
+  if (2 * found.count <= found.of) return;
+  opened.warnings.push_back(
+      document.cage_file.path.string() + ": " + (found.count == found.of ? "all" : "most") + " of " +
+      document.model.path.filename().string() +
+      " is outside of this cage; see that both are of the same size and at the same place");
+}
+
 void take_warnings(Opened& opened) {
   append(opened.warnings, opened.document->model.warnings);
-  append(opened.warnings, opened.document->cage_file.warnings);
+  take_cage_warnings(opened);
 }
 
 Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) {
@@ -42,7 +84,7 @@ Opened open_cage(OpenedSurface cage, const Document& current) {
   Opened opened;
   opened.document = document_of(current.model);
   set_cage(*opened.document, std::move(cage));
-  append(opened.warnings, opened.document->cage_file.warnings);
+  take_cage_warnings(opened);
   return opened;
 }
 
@@ -96,25 +138,6 @@ Opened open_session(const fs::path& file, base::Progress* progress) {
   opened.document = std::move(document);
   take_warnings(opened);
   return opened;
-}
-
-bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
-  for (int k = 0; k < 3; ++k) {
-    if (outer.low[k] > inner.low[k] || outer.high[k] < inner.high[k]) return false;
-  }
-  return true;
-}
-
-// By a sample of the inner one's vertices: one in ten may stick out.
-bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
-  constexpr std::size_t samples = 100;
-  const auto& points = inner.positions;
-  if (points.empty() || outer.triangles.empty()) return false;
-  if (!box_contains(mesh::used_bounds(outer), mesh::used_bounds(inner))) return false;
-  std::vector<mesh::Point> sample;
-  const std::size_t n = std::min(samples, points.size());
-  for (std::size_t i = 0; i < n; ++i) sample.push_back(points[i * points.size() / n]);
-  return 10 * mesh::points_outside(outer, sample).size() <= n;
 }
 
 std::string name_of(const OpenedSurface& surface) {

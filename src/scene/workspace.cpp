@@ -24,6 +24,19 @@ std::vector<mesh::Point> corners(const mesh::Bounds& box) {
   return points;
 }
 
+// Where the cage's elements are; vertices without any say nothing.
+std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::Pose& pose) {
+  std::vector<bool> used(pose.positions.size());
+  for (const auto& t : cage.surface.triangles) {
+    for (const auto v : t) used[v] = true;
+  }
+  std::vector<mesh::Point> points;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v]) points.push_back(pose.positions[v]);
+  }
+  return points;
+}
+
 }  // namespace
 
 bool shows_error_map(const Workspace& w) {
@@ -57,7 +70,7 @@ void frame_all(Workspace& workspace, bool eased) {
   if (!document.model.surface) return;
   // A cage encloses its model: its vertices say where both are.
   const std::vector<mesh::Point> points =
-      document.has_cage() ? document.pose.positions : corners(document.model.bounds);
+      document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
   workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
 }
 

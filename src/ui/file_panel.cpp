@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "scene/file_browser.h"
 #include "ui/format.h"
@@ -49,7 +50,8 @@ void choose(scene::Workspace& w, const std::filesystem::path& path) {
 }
 
 void choose_typed(scene::Workspace& w) {
-  const std::filesystem::path typed = w.browser.folder / w.browser.path;
+  if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
+  const std::filesystem::path typed = scene::typed_path(w.browser);
   std::error_code ignored;
   choose(w, std::filesystem::is_directory(typed, ignored) ? typed : scene::chosen_file(w.browser));
 }
@@ -78,7 +80,10 @@ void path_field(const Context& ui) {
   record(ui, "file_path");
   hint(browser.saves() ? "The file to write; its extension chooses the format."
                        : "Type or paste a path; Enter opens it.");
-  if (enter) choose_typed(ui.workspace);
+  if (!enter) return;
+  if (!browser.replaces() || browser.warned == browser.path) return choose_typed(ui.workspace);
+  browser.warned = browser.path;  // one Enter too many loses no file
+  ImGui::SetKeyboardFocusHere(-1);
 }
 
 // OBJ, PLY, OFF, STL as buttons that change the extension.
@@ -135,9 +140,10 @@ const Browser::Entry* entry_list(const Context& ui, const std::vector<const Brow
   }
   if (!entries.empty()) return clicked;
   const bool sessions = ui.workspace.browser.purpose == Purpose::save_session;
-  note(ui, !ui.workspace.browser.filter.empty() ? "Nothing here has that in its name."
-           : sessions                           ? "No session here yet."
-                                                : "No OBJ, PLY, OFF or STL file here.");
+  note(ui, scene::filters_by_path(ui.workspace.browser) ? "Enter goes to this path."
+           : !ui.workspace.browser.filter.empty()       ? "Nothing here has that in its name."
+           : sessions                                   ? "No session here yet."
+                                                        : "No OBJ, PLY, OFF or STL file here.");
   return clicked;
 }
 
@@ -159,6 +165,11 @@ bool handle_keys(const Context& ui, bool typing_path) {
   if (typing_path) return steps != 0;
   if (key_pressed(scene::Key::backspace) && browser.filter.empty())
     scene::enter(browser, browser.folder.parent_path());
+  if (key_pressed(scene::Key::enter) && !browser.saves() && scene::filters_by_path(browser)) {
+    choose_typed(ui.workspace);
+    browser.appearing = browser.open;
+    return false;
+  }
   const auto entries = scene::shown(browser);
   if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
@@ -196,7 +207,10 @@ void button_row(const Context& ui) {
   record(ui, "file_cancel");
   if (replaces) {
     ImGui::SameLine();
-    note(ui, scene::chosen_file(browser).filename().string() + " is there already and will be replaced.",
+    const std::string name = scene::chosen_file(browser).filename().string();
+    note(ui,
+         name + (browser.warned == browser.path ? " is there already; Enter again replaces it."
+                                                : " is there already and will be replaced."),
          ui.colors.warn);
     record(ui, "file_replaces");
   }

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "mesh/read.h"
+#include "mesh/write.h"
 #include "program/driver.h"
 #include "scene/edit.h"
 
@@ -251,6 +253,61 @@ TEST_CASE("a_broken_file_is_refused_through_the_file_panel_and_the_document_stay
   CHECK(message.severity == scene::Severity::error);
   CHECK(message.text.find("viete-broken-program.obj:3") != std::string::npos);
   std::filesystem::remove(broken);
+}
+
+TEST_CASE("a_path_typed_where_the_keyboard_is_opens_it") {
+  Driver d;
+  open_dragon(d);
+  const auto cage = test::assets_dir() / "dragon" / "cage.obj";
+  d.press_key(scene::key('O'), true);
+  d.frame(2);
+  REQUIRE(d.workspace().browser.open);
+  d.type(cage.string());
+  d.press_key(257);
+  d.settle();
+  CHECK_FALSE(d.workspace().browser.open);
+  CHECK(d.document().model.path == cage);
+}
+
+TEST_CASE("the_first_enter_does_not_replace_a_file") {
+  Driver d;
+  open_dragon(d);
+  const auto file = std::filesystem::temp_directory_path() / "viete-kept-program.obj";
+  std::ofstream(file) << "mine";
+  d.press_key(scene::key('E'), true);
+  d.frame(2);
+  REQUIRE(d.workspace().browser.open);
+  d.press_key('A', true);
+  d.type(file.string());
+  d.press_key(257);
+  d.frame(3);
+  CHECK(d.workspace().browser.open);
+  CHECK(std::filesystem::file_size(file) == 4);
+  d.press_key(257);
+  d.settle();
+  CHECK_FALSE(d.workspace().browser.open);
+  CHECK(std::filesystem::file_size(file) > 1000);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("a_model_of_any_size_looks_the_same") {
+  std::vector<render::Image> pictures;
+  for (const double scale : {1.0, 1e30, 1e-30}) {
+    auto cage = mesh::read(test::assets_dir() / "dragon" / "cage.obj").surface;
+    for (auto& p : cage.positions) {
+      for (double& x : p) x *= scale;
+    }
+    const auto file = std::filesystem::temp_directory_path() / "viete-sized-program.obj";
+    mesh::write(file, cage);
+    Driver d;
+    d.workspace().view.panels = d.workspace().view.hints = d.workspace().view.grid = false;
+    REQUIRE(scene::load_model(d.workspace(), file, {}));
+    d.settle();
+    pictures.push_back(d.picture());
+    std::filesystem::remove(file);
+  }
+  CHECK(render::difference(pictures[0], pictures[1], 8) < 0.002);
+  CHECK(render::difference(pictures[0], pictures[2], 8) < 0.002);
 }
 
 TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {

@@ -8,6 +8,7 @@
 #include "mesh/write.h"
 #include "scene/cube.h"
 #include "scene/edit.h"
+#include "scene/files.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -31,6 +32,19 @@ struct Files {
 };
 
 }  // namespace
+
+TEST_CASE("sizes_that_float_can_draw_are_told_from_those_that_it_cannot") {
+  const test::CubeFiles files;
+  for (const double size : {1e-60, 1e-30, 1.0, 1e30, 1e60}) {
+    mesh::write(files / "sized.obj", test::cube(size));
+    const auto document = open_document(files / "sized.obj", {});
+    if (size > 1e-31 && size < 1e31) {
+      CHECK_NOTHROW(check_drawable(document));
+    } else {
+      CHECK_THROWS_WITH_AS(check_drawable(document), doctest::Contains("sized.obj: a size of"), base::Error);
+    }
+  }
+}
 
 TEST_CASE("opening_a_model_and_a_cage_fills_a_document") {
   const Files files;

@@ -75,6 +75,27 @@ TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {
   CHECK(browser.highlighted == 0);
 }
 
+TEST_CASE("a_path_may_be_typed_as_a_filter_and_begin_at_home") {
+  FileBrowser browser;
+  browser.folder = "/some/where";
+  for (const char* name : {"", "dragon", "a/b", ".."}) {
+    browser.filter = name;
+    CHECK_FALSE(filters_by_path(browser));
+  }
+  for (const char* path : {"/", "/tmp/x.obj", "~", "~/x.obj"}) {
+    browser.filter = path;
+    CHECK(filters_by_path(browser));
+  }
+  browser.path = "x.obj";
+  CHECK(typed_path(browser) == "/some/where/x.obj");
+  browser.path = "/tmp/x.obj";
+  CHECK(typed_path(browser) == "/tmp/x.obj");
+  browser.path = "~/x.obj";
+  CHECK(typed_path(browser) == fs::path(std::getenv("HOME")) / "x.obj");
+  browser.path = "~other";
+  CHECK(typed_path(browser) == "/some/where/~other");
+}
+
 TEST_CASE("the_file_to_save_gets_the_extension_it_lacks_and_an_existing_one_is_known") {
   const test::TemporaryFolder folder;
   put_files(folder);

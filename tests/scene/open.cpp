@@ -61,6 +61,43 @@ TEST_CASE("where_neither_encloses_the_one_with_fewer_vertices_is_the_cage_and_th
   CHECK(said(w, "does not enclose it"));
 }
 
+TEST_CASE("a_cage_that_most_of_the_model_is_outside_of_is_named_whichever_way_it_faces") {
+  const test::CubeFiles files;
+  auto far_away = test::cube(1.5), inside_out = test::cube(1.5);
+  for (auto& p : far_away.positions) p[0] += 9;
+  for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
+  mesh::write(files / "far.obj", far_away);
+  mesh::write(files / "inside_out.obj", mesh::from_triangles(inside_out.positions, inside_out.triangles));
+  const std::string warning = "far.obj: all of model.obj is outside of this cage";
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files / "far.obj"));
+  CHECK(said(w, warning));
+  Workspace later;
+  REQUIRE(load_model(later, files.model, {}));
+  REQUIRE(load_cage(later, files / "far.obj"));
+  CHECK(said(later, warning));
+  for (const auto& cage : {files.cage, files / "inside_out.obj"}) {
+    Workspace fits;
+    REQUIRE(load_model(fits, files.model, cage));
+    CHECK_FALSE(said(fits, "outside"));
+  }
+}
+
+TEST_CASE("vertices_of_the_cage_that_have_no_face_do_not_move_the_view_away") {
+  const test::CubeFiles files;
+  auto stray = test::cube(1.5);
+  stray.positions.push_back({99, 99, 99});
+  mesh::write(files / "stray.obj", stray);
+  Workspace plain, with_stray;
+  REQUIRE(load_model(plain, files.model, files.cage));
+  mesh::write(files / "same.obj", test::cube(1.5));
+  REQUIRE(load_model(plain, files.model, files / "same.obj"));
+  REQUIRE(load_model(with_stray, files.model, files / "stray.obj"));
+  frame_all(plain, false);
+  frame_all(with_stray, false);
+  CHECK(with_stray.camera.pose().distance == doctest::Approx(plain.camera.pose().distance));
+}
+
 TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose") {
   const test::CubeFiles files;
   Workspace w;
