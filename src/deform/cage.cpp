@@ -106,11 +106,13 @@ void connect(Cage& cage) {
   cage.parts = graph_parts(cage.element_count(), cage.dual_edges, cage.roots);
   cage.closed = graph.open + graph.nonmanifold + graph.misoriented == 0;
   const auto warn = [&cage](std::size_t count, const char* what) {
-    if (count > 0) cage.warnings.push_back(std::to_string(count) + " cage edges " + what);
+    if (count == 0) return;
+    cage.warnings.push_back(std::to_string(count) + (count == 1 ? " cage edge is " : " cage edges are ") +
+                            what);
   };
-  warn(graph.open, "belong to one triangle only: the cage is open");
-  warn(graph.nonmanifold, "belong to four or more triangles: parts of the cage touch there");
-  warn(graph.misoriented, "lie between triangles of opposite orientation");
+  warn(graph.open, "of one triangle only: the cage is open");
+  warn(graph.nonmanifold, "of four or more triangles: parts of the cage touch there");
+  warn(graph.misoriented, "between triangles of opposite orientation");
 }
 
 }  // namespace

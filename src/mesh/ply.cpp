@@ -172,8 +172,9 @@ ReadResult read_ply(const Source& source) {
 }
 
 bool looks_like_ply(const Source& source) {
-  return source.bytes.starts_with("ply") && source.bytes.size() > 3 &&
-         (source.bytes[3] == '\n' || source.bytes[3] == '\r');
+  std::string_view bytes = source.bytes;
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // as TextCursor does
+  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
 }
 
 std::string ply_bytes(const Surface& surface, const std::vector<std::string>& comments) {

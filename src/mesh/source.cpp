@@ -28,7 +28,11 @@ std::size_t regular_file_size(const fs::path& path) {
   if (status.type() == fs::file_type::directory) {
     throw base::Error(path.string(), "this is a folder", "name a file in it");
   }
-  if (code) throw base::Error(path.string(), "cannot be opened: " + code.message(), "check the permissions");
+  if (code) {
+    const bool circle = code == std::errc::too_many_symbolic_link_levels;
+    throw base::Error(path.string(), "cannot be opened: " + code.message(),
+                      circle ? "the link leads to itself: name the file" : "check the permissions");
+  }
   if (status.type() != fs::file_type::regular) {
     throw base::Error(path.string(), "this is not a regular file", "copy the data into a file first");
   }

@@ -124,7 +124,10 @@ double TextCursor::unusual_number(const char* from) {
 }
 
 std::int64_t TextCursor::leading_integer(std::string_view what) {
-  if (at_line_end()) fail("a " + std::string(what) + " is missing", "repair or export the file again");
+  if (at_line_end()) {
+    const bool vowel = std::string_view("aeiou").find(what[0]) != std::string_view::npos;
+    fail((vowel ? "an " : "a ") + std::string(what) + " is missing", "repair or export the file again");
+  }
   const char* const from = at_ + (*at_ == '+' ? 1 : 0);
   std::int64_t value = 0;
   const auto [to, code] = std::from_chars(from, end_, value);

@@ -13,9 +13,10 @@ std::string plural(std::size_t n, const char* one, const char* many) {
 std::vector<std::string> pose_notes(const deform::LogReport& report) {
   std::vector<std::string> notes;
   if (!report.collapsed.empty()) {
-    notes.push_back(plural(report.collapsed.size(), "cage triangle has", "cage triangles have") +
-                    " collapsed (first: " + std::to_string(report.collapsed.front()) +
-                    "); its stretch is floored");
+    notes.push_back(
+        plural(report.collapsed.size(), "cage triangle has", "cage triangles have") +
+        " collapsed (first: " + std::to_string(report.collapsed.front()) +
+        (report.collapsed.size() == 1 ? "); its stretch is floored" : "); their stretches are floored"));
   }
   if (!report.torn.empty()) {
     const auto& [a, b] = report.torn.front();

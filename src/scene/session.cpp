@@ -157,9 +157,10 @@ void check_version(const JsonReader& json, const fs::path& file) {
   }
   const auto version = json.at("version").index();
   if (version >= 1 && version <= newest_version) return;
-  json.at("version").fail("the session has version " + std::to_string(version) +
-                              ", this program reads 1 to " + std::to_string(newest_version),
-                          "open it with a newer program");
+  json.at("version").fail(
+      "the session has version " + std::to_string(version) + ", this program reads 1 to " +
+          std::to_string(newest_version),
+      version > newest_version ? "open it with a newer program" : "save the session again");
 }
 
 }  // namespace

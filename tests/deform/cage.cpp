@@ -47,7 +47,7 @@ TEST_CASE("open_and_misoriented_cages_warn") {
   const Cage open = make_cage(from_triangles(box().positions, t));
   CHECK_FALSE(open.closed);
   REQUIRE(open.warnings.size() == 1);
-  CHECK(open.warnings[0].find("3 cage edges") == 0);
+  CHECK(open.warnings[0].find("3 cage edges are of one triangle only") == 0);
 
   t = box().triangles;
   std::swap(t[3][0], t[3][1]);

@@ -101,6 +101,16 @@ TEST_CASE("ply_triangle_strips_alternate_and_restart") {
   CHECK(r.surface.triangles == std::vector<Triangle>{{0, 1, 3}, {3, 1, 2}, {0, 1, 2}});
 }
 
+TEST_CASE("ply_may_begin_with_a_byte_order_mark_whether_text_or_binary") {
+  Bytes b;
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) b.put(x);
+  const std::string triangle = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  for (const std::string& file : {ascii(triangle, "0 0 0\n1 0 0\n0 1 0\n"), binary(triangle, b)}) {
+    const ReadResult r = test::read_text("\xEF\xBB\xBF" + file, "ply");
+    CHECK(r.surface.positions == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  }
+}
+
 TEST_CASE("ply_sizes_are_not_believed") {
   const std::string many =
       "element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n";
@@ -110,6 +120,8 @@ TEST_CASE("ply_sizes_are_not_believed") {
   CHECK(holds(test::refusal(ascii("element vertex 9223372036854775807\nproperty float x\n", rows4), "ply"),
               "announces"));
   CHECK(holds(test::refusal(ascii("element vertex 99999999999999999999\n", ""), "ply"), "is too large"));
+  CHECK(
+      holds(test::refusal(ascii("element vertex\n", ""), "ply"), "given.ply:3: an element count is missing"));
   CHECK(holds(test::refusal(ascii("element vertex -3\n", ""), "ply"),
               "given.ply:3: element count -3 is negative"));
   CHECK(holds(test::refusal(ascii(vertices4 + faces2, rows4 + "2000000000 0 1 2\n3 0 1 2\n"), "ply"),
