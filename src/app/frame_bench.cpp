@@ -55,12 +55,6 @@ mesh::Surface benchmark_model(std::size_t count) {
   return mesh::from_triangles(std::move(model.positions), kept);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Something that is timed, and what it found out on the way.
 struct Case {
   std::string name;
@@ -74,8 +68,8 @@ struct Case {
   std::vector<deform::LinkTimes> link_ms{};
 };
 
-// Frames follow each other for as long as a hand drags: what the caches hold then is the frame before. A short
-// frame takes a few to get there, a long one flushes them anyway.
+// Frames follow each other for as long as a hand drags: what the caches hold then is the frame before. A
+// short frame takes a few to get there, a long one flushes them anyway.
 void warm_up(const Case& c) {
   constexpr int frames = 8;
   constexpr double seconds = 0.02;

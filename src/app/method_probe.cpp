@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/bench_rounds.h"
 #include "base/clock.h"
 #include "sym3/exp.h"
 #include "sym3/reference.h"
@@ -17,12 +18,6 @@ constexpr double pause_seconds = 0.33;
 constexpr int rounds = 5;
 constexpr std::size_t method_count = scene::compared_methods.size();
 using Matrix = sym3::Sym3<double>;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 scene::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
   std::vector<double> errors(matrices.size());

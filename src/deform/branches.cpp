@@ -19,11 +19,6 @@ constexpr double turn = 2 * std::numbers::pi;
 constexpr double along_reference = 1e-13;
 constexpr double half_turn_tie = 1e-2;
 
-std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 // Kruskal: the pairs of a spanning forest with the smallest relative angles.
 std::vector<Pair> spanning_forest(std::span<const Pair> edges, Rotations rotations) {
   std::vector<std::pair<double, std::uint32_t>> order(edges.size());

@@ -54,11 +54,6 @@ bool is_fin(std::span<const HalfEdge> edge, std::span<const std::uint8_t> skip) 
   return std::none_of(edge.begin(), edge.end(), [&](const HalfEdge& h) { return skip[h.element]; });
 }
 
-std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 void sort_unique(std::vector<Pair>& pairs) {
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -130,6 +125,11 @@ std::uint32_t middle_of_longest_path(const Adjacency& graph, Sweep& sweep) {
 }
 
 }  // namespace
+
+std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
 
 Adjacency adjacency(std::size_t nodes, std::span<const Pair> edges) {
   Adjacency graph{std::vector<std::uint32_t>(nodes + 1, 0), std::vector<std::uint32_t>(2 * edges.size())};

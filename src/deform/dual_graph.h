@@ -36,6 +36,9 @@ std::vector<std::uint32_t> graph_parts(std::size_t elements,
                                        std::span<const std::array<std::uint32_t, 2>> edges,
                                        std::span<const std::uint32_t> centers);
 
+/// The representative of i among sets that point to their parents (union-find), the path to it shortened.
+std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t i);
+
 /// Neighbours in a graph: those of i are targets[starts[i]] up to starts[i + 1], ascending in the order of
 /// the edges.
 struct Adjacency {

@@ -30,7 +30,7 @@ Document document_of(OpenedSurface model) {
 }
 
 void check_drawable(const Document& document) {
-  constexpr double least = 1e-32, most = 1e32;  // whose squares are not, but whose products with 1e5 are
+  constexpr double least = 1e-32, most = 1e32;  // float ends near 1e-38 and 1e38
   for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
     if (!opened->surface) continue;
     const double size = opened->bounds.diagonal();

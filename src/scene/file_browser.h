@@ -50,8 +50,7 @@ bool filters_by_path(const FileBrowser& browser);
 
 /// What the text field names, as it is typed: relative to the folder, ~ being the home folder.
 std::filesystem::path typed_path(const FileBrowser& browser);
-/// The same with the extension that the purpose asks for if it
-/// has none.
+/// The same with the extension that the purpose asks for if it has none.
 std::filesystem::path chosen_file(const FileBrowser& browser);
 /// Another extension for the file to be saved: "ply".
 void set_format(FileBrowser& browser, const std::string& extension);

@@ -45,7 +45,9 @@ bool shows_error_map(const Workspace& w) {
 
 bool open_now(Workspace& workspace, const OpenRequest& request) {
   try {
-    take(workspace, open_files(request, workspace.document));
+    Opened opened = open_files(request, workspace.document);
+    if (opened.document) check_drawable(*opened.document);
+    take(workspace, std::move(opened));
     return true;
   } catch (const std::exception& error) {
     workspace.messages.error(error.what());

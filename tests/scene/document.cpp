@@ -42,6 +42,9 @@ TEST_CASE("sizes_that_float_can_draw_are_told_from_those_that_it_cannot") {
       CHECK_NOTHROW(check_drawable(document));
     } else {
       CHECK_THROWS_WITH_AS(check_drawable(document), doctest::Contains("sized.obj: a size of"), base::Error);
+      Workspace w;
+      CHECK_FALSE(load_model(w, files / "sized.obj", {}));
+      CHECK_FALSE(w.document.model.surface);
     }
   }
 }
