@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "app/build_facts.h"
 #include "base/error.h"
 
 namespace viete::app {
@@ -18,7 +19,7 @@ fs::path assets_folder() {
   std::vector<fs::path> places;
   if (const char* named = std::getenv("VIETE_ASSETS")) places.emplace_back(named);
   places.push_back(program_folder() / ".." / "share" / "viete");
-  places.emplace_back(VIETE_SOURCE_ASSETS);
+  places.emplace_back(source_assets());
   std::string looked;
   for (const auto& place : places) {
     std::error_code ignored;

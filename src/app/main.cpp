@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "app/build_facts.h"
 #include "app/command_line.h"
 #include "sym3/kernel.h"
 
 namespace {
 
+using namespace viete;
 using namespace viete::app;
 
 constexpr const char* footer =
@@ -35,7 +37,8 @@ std::vector<std::string> with_default_command(int argc, char** argv, const CLI::
 int run(int argc, char** argv) {
   CLI::App app("Viete: deform a mesh by its cage, through the exponential of symmetric 3x3 matrices",
                "viete");
-  app.set_version_flag("--version", "viete " VIETE_VERSION);
+  app.set_version_flag("--version", std::string("viete ") + version() + "\n" + build_type() + ", kernel " +
+                                        std::string(sym3::kernel_name()));
   app.footer(footer);
   app.failure_message(usage_error);
   app.require_subcommand(1);

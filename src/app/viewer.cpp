@@ -6,6 +6,7 @@
 #include <ctime>
 #include <utility>
 
+#include "app/build_facts.h"
 #include "base/clock.h"
 #include "deform/vertex_sample.h"
 #include "render/palette.h"
@@ -45,7 +46,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   for (const glm::vec3& c : render::surface_palette(33)) {
     error_colors_.push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
   }
-  workspace_.about = {VIETE_VERSION, VIETE_BUILD, std::string(sym3::kernel_name()), gl.renderer};
+  workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer};
   place_viewport();
 }
 

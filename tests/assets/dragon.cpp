@@ -29,7 +29,7 @@ fs::path dragon_dir() {
 }  // namespace
 
 TEST_CASE("generator_makes_the_committed_files_byte_for_byte") {
-  const fs::path made = fs::path(VIETE_BUILD_DIR) / "dragon_made_again";
+  const fs::path made = test::build_dir() / "dragon_made_again";
   fs::remove_all(made);
   fs::create_directories(made);
   dragon::write_files(made);

@@ -28,7 +28,7 @@ struct Outcome {
 
 Outcome run(const std::string& arguments, const std::string& environment = "") {
   const std::string command =
-      environment + " '" + std::string(VIETE_BUILD_DIR) + "/viete' " + arguments + " 2>&1 </dev/null";
+      environment + " '" + test::build_dir().string() + "/viete' " + arguments + " 2>&1 </dev/null";
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);

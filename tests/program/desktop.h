@@ -107,7 +107,7 @@ struct Desktop {
   /// The command that starts the viewer here, in the desktop's folder.
   std::string viete(const std::string& arguments) const {
     return "env DISPLAY=" + display + " WAYLAND_DISPLAY= sh -c 'cd \"" + folder.string() + "\" && exec \"" +
-           std::string(VIETE_BUILD_DIR) + "/viete\" --scale 1 " + arguments + "'";
+           test::build_dir().string() + "/viete\" --scale 1 " + arguments + "'";
   }
   std::optional<fs::path> screenshot() {
     for (const auto& entry : fs::directory_iterator(folder)) {

@@ -33,7 +33,7 @@ void compare(const std::string& name, render::Image picture, bool panels, float 
   }
   REQUIRE_MESSAGE(fs::exists(reference), reference.string());
   const double differing = render::difference(picture, render::read_png(reference), 2);
-  if (differing > 0.001) render::write_png(fs::path(VIETE_BUILD_DIR) / (name + "-now.png"), picture);
+  if (differing > 0.001) render::write_png(test::build_dir() / (name + "-now.png"), picture);
   CHECK_MESSAGE(differing <= 0.001, name, ": compare with ", name, "-now.png in the build folder");
 }
 

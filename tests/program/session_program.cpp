@@ -30,7 +30,7 @@ std::string run(const std::string& command) {
 }
 
 std::string run_viete(const std::string& arguments, const fs::path& folder) {
-  return run("cd '" + folder.string() + "' && '" + std::string(VIETE_BUILD_DIR) + "/viete' " + arguments);
+  return run("cd '" + folder.string() + "' && '" + test::build_dir().string() + "/viete' " + arguments);
 }
 
 }  // namespace
@@ -69,8 +69,8 @@ TEST_CASE("a_session_opens_to_the_same_picture_also_elsewhere") {
     CHECK(std::equal(positions.begin(), positions.end(), mesh_before.begin(), mesh_before.end()));
     const double differing = render::difference(before, after, 0);
     if (differing > 0) {
-      render::write_png(fs::path(VIETE_BUILD_DIR) / "session-before.png", before);
-      render::write_png(fs::path(VIETE_BUILD_DIR) / "session-after.png", after);
+      render::write_png(test::build_dir() / "session-before.png", before);
+      render::write_png(test::build_dir() / "session-after.png", after);
     }
     CHECK(differing == 0);
   }
@@ -117,7 +117,7 @@ TEST_CASE("a_session_on_the_command_line_stands_alone_and_its_errors_name_it") {
   for (const char* line : {"render a.viete -o a.png", "deform a.viete -o a.ply", "a.viete"}) {
     const std::string said =
         run("cd '" + folder.path().string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY '" +
-            std::string(VIETE_BUILD_DIR) + "/viete' " + line);
+            test::build_dir().string() + "/viete' " + line);
     CHECK_MESSAGE((said.starts_with("1 ") && said.find("a.viete: model: ") != std::string::npos &&
                    said.find("gone.ply: there is no such file") != std::string::npos),
                   said);

@@ -61,8 +61,8 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
   cut_panels(offscreen);
   const double differing = render::difference(real, offscreen, 2);
   if (differing > 0.001) {
-    render::write_png(fs::path(VIETE_BUILD_DIR) / "window-real.png", real);
-    render::write_png(fs::path(VIETE_BUILD_DIR) / "window-offscreen.png", offscreen);
+    render::write_png(test::build_dir() / "window-real.png", real);
+    render::write_png(test::build_dir() / "window-offscreen.png", offscreen);
   }
   CHECK(differing <= 0.001);
 }
@@ -83,7 +83,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
   const glm::ivec2 tip(glm::round(gizmo.arms[1].tip)), end = tip + glm::ivec2(20, -60);
   Desktop desktop;
   Child viewer("env DISPLAY=" + desktop.display + " WAYLAND_DISPLAY= sh -c 'cd \"" + desktop.folder.string() +
-                   "\" && exec \"" + std::string(VIETE_BUILD_DIR) + "/viete\" --scale 1'",
+                   "\" && exec \"" + test::build_dir().string() + "/viete\" --scale 1'",
                desktop.folder / "viete.log");
   desktop.xdotool("search --sync --onlyvisible --name dragon");
   std::this_thread::sleep_for(std::chrono::seconds(3));
@@ -126,8 +126,8 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
   cut_panels(offscreen);
   const double differing = render::difference(real, offscreen, 2);
   if (differing > 0.001) {
-    render::write_png(fs::path(VIETE_BUILD_DIR) / "window-gizmo-real.png", real);
-    render::write_png(fs::path(VIETE_BUILD_DIR) / "window-gizmo-offscreen.png", offscreen);
+    render::write_png(test::build_dir() / "window-gizmo-real.png", real);
+    render::write_png(test::build_dir() / "window-gizmo-offscreen.png", offscreen);
   }
   CHECK(differing <= 0.001);
 }

@@ -8,9 +8,9 @@
 
 namespace viete::test {
 
-inline std::filesystem::path source_dir() {
-  return VIETE_SOURCE_DIR;
-}
+/// Of this checkout, and of the build that the test belongs to.
+std::filesystem::path source_dir();
+std::filesystem::path build_dir();
 
 inline std::filesystem::path assets_dir() {
   return source_dir() / "assets";

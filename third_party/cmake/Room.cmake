@@ -25,15 +25,21 @@ elseif(VIETE_SANITIZE MATCHES address)
   set(VIETE_KERNEL_OPTIONS -fno-sanitize-address-use-after-scope)
 endif()
 
-# viete_room(deform SOURCES a.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
-# makes target viete::deform with include prefix "deform/".
+# Several sources of a room are compiled as one: headers are read once, which halves the time of the whole build.
+option(VIETE_UNITY "Compile the sources of the rooms that allow it in batches" ON)
+
+# viete_room(deform [UNITY] SOURCES a.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
+# makes target viete::deform with include prefix "deform/". UNITY: no two of its sources use a name for two things.
 function(viete_room room)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   # What a library uses inside is no business of who finds it installed.
   list(TRANSFORM ARG_PRIVATE_USES REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")
   add_library(viete_${room} STATIC ${ARG_SOURCES})
   add_library(viete::${room} ALIAS viete_${room})
   set_target_properties(viete_${room} PROPERTIES EXPORT_NAME ${room} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  if(ARG_UNITY AND VIETE_UNITY)
+    set_target_properties(viete_${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
   target_include_directories(viete_${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   target_compile_features(viete_${room} PUBLIC cxx_std_20)
   target_link_libraries(viete_${room} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE_USES} $<BUILD_INTERFACE:viete_compile>)
