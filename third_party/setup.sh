@@ -1,63 +1,219 @@
 #!/bin/sh
-# From a fresh Debian or Ubuntu to a running program, in one command.
-#   setup.sh [run [ARGS...]]   install what is missing, build, open the viewer on the bundled model
-#   setup.sh test [CTEST ARGS] the same up to the tests
-#   setup.sh build             the same up to the program, build/viete
-#   setup.sh deps              install what is missing, nothing else
+# From a fresh Debian or Ubuntu to a running program, in one command; see usage() below.
 set -eu
-cd "$(dirname "$0")/.."
+here=$(CDPATH='' cd -P -- "$(dirname -- "$(readlink -f -- "$0")")/.." && pwd)
 
-need="g++ cmake ninja-build pkg-config libglfw3-dev libglm-dev libeigen3-dev libhwy-dev libimgui-dev libopenmesh-dev
-libstb-dev libcli11-dev nlohmann-json3-dev doctest-dev pybind11-dev python3-dev python3-numpy libegl-dev libgl-dev libegl1 libgl1 libgl1-mesa-dri
-fonts-inter fonts-jetbrains-mono"
-# Used where the distribution has them: offscreen rendering (gone from Mesa 25.1; EGL takes over), and a
-# virtual display with a mouse for the tests of the real window.
-want="libosmesa6 xvfb xdotool"
+usage() {
+  cat <<'TEXT'
+usage: third_party/setup.sh [COMMAND] [ARGS...]
+  run [ARGS...]         install what is missing, build the program, start it (this is what no command does)
+  test [CTEST ARGS...]  install what is missing, build program and tests, run the tests
+  build                 install what is missing, build the program: build/viete
+  deps [test]           install what is missing for the program (or the tests too), nothing else
+  help                  this text
+The first run builds kernels for this machine's processor alone, which is quicker; test builds all of them.
+JOBS=2 bounds how many compilers run at once.
+TEXT
+}
+
+# What the program cannot be built or drawn without.
+program="g++ cmake ninja-build pkg-config libglfw3-dev libglm-dev libeigen3-dev libhwy-dev libimgui-dev libopenmesh-dev
+libstb-dev libcli11-dev nlohmann-json3-dev libegl-dev libgl-dev libegl1 libgl1 libgl1-mesa-dri"
+# Nicer with: fonts, drawing without a display (gone from Mesa 25.1, where EGL takes over), title bars on Wayland.
+program_wish="fonts-inter fonts-jetbrains-mono libosmesa6 libdecor-0-plugin-1-cairo"
+tests="doctest-dev pybind11-dev python3-dev python3-numpy"
+# A virtual display with a mouse, and what looks into packages.
+tests_wish="xvfb xdotool dpkg-dev file"
+
+say() { echo "setup.sh: $*" >&2; }
 
 installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
 
+# Those of the packages that are not installed.
+missing_of() {
+  for p in "$@"; do installed "$p" || printf '%s ' "$p"; done
+}
+
+# So many percent of the work: on one line of a terminal, otherwise a line every tenth.
+percent() {
+  if [ $terminal = 1 ]; then
+    [ "$2" -le "$shown" ] || { printf '\r  %s %d %%' "$1" "$2" >&2; shown=$2; }
+  elif [ "$2" -ge $((shown + 10)) ]; then
+    shown=$(($2 - $2 % 10))
+    printf '  %s %d %%\n' "$1" "$shown" >&2
+  fi
+}
+
+end_of_line() {
+  if [ $terminal = 1 ] && [ "$shown" -gt 0 ]; then echo >&2; fi
+}
+
+# apt-get's "dlstatus:1:37.5:..." and "pmstatus:package:62.0:..."; fetching is the first half.
+installing() {
+  shown=0
+  while IFS=: read -r kind _ part _; do
+    case "$kind" in
+      dlstatus) percent installing $((${part%%.*} / 2)) ;;
+      pmstatus) percent installing $((50 + ${part%%.*} / 2)) ;;
+    esac
+  done
+  end_of_line
+}
+
+# apt-get, patient with another package manager that holds a lock; what it says is shown only if it fails.
+apt() {
+  tries=0
+  while :; do
+    rm -f "$work/done"
+    { $root env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get -q -o APT::Status-Fd=1 "$@" 2>&1 && : >"$work/done"; } |
+      tee "$work/apt.log" | installing
+    [ ! -e "$work/done" ] || return 0
+    if ! grep -q 'Could not get lock\|Unable to lock' "$work/apt.log" || [ $tries -ge 120 ]; then
+      grep -v '^dlstatus\|^pmstatus' "$work/apt.log" >&2
+      return 1
+    fi
+    [ $tries -gt 0 ] || say "waiting for another package manager to end"
+    tries=$((tries + 1))
+    sleep 5
+  done
+}
+
+# deps PROGRAM-OR-TEST: what is missing is installed; what is only wished for never stops anything.
 deps() {
+  need=$program wish=$program_wish
+  if [ "$1" = test ]; then need="$need $tests" wish="$wish $tests_wish"; fi
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-    echo "setup.sh: no apt-get here; install by hand the equivalents of: $need $want" >&2
+    say "no apt-get here; install by hand the equivalents of:" $need "and, where there are such:" $wish
     return 0
   fi
-  missing="" optional=""
-  for p in $need; do installed "$p" || missing="$missing $p"; done
-  for p in $want; do installed "$p" || optional="$optional $p"; done
-  stamp=.cache/optional-packages
-  if [ -z "$missing" ] && { [ -z "$optional" ] || [ "$(cat $stamp 2>/dev/null)" = "$optional" ]; }; then return 0; fi
+  missing=$(missing_of $need) wished=$(missing_of $wish)
+  # What this release does not have was found out before: no server is asked again.
+  stamp=$here/.cache/not-in-this-release
+  unknown=""
+  [ "$verb" = deps ] || unknown=$(cat "$stamp" 2>/dev/null || true)
+  for p in $wished; do
+    case " $unknown " in *" $p "*) ;; *) asked=1 ;; esac
+  done
+  if [ -z "$missing" ] && [ -z "${asked:-}" ]; then return 0; fi
   root=""
   if [ "$(id -u)" != 0 ]; then
-    command -v sudo >/dev/null || { echo "setup.sh: run as root once, or install:$missing$optional" >&2; return 1; }
-    root=sudo
+    if command -v sudo >/dev/null; then
+      root=sudo
+    elif [ -z "$missing" ]; then
+      say "not installed, and not needed: ${wished% }"
+      return 0
+    else
+      say "these packages are missing: ${missing% }"
+      say "there is no sudo here; let root install them: su -c '$here/third_party/setup.sh deps $1'"
+      return 1
+    fi
   fi
-  $root apt-get update -qq
-  for p in $optional; do
-    if apt-cache show "$p" >/dev/null 2>&1; then missing="$missing $p"; fi
+  say "asking for the newest list of packages"
+  apt update
+  left=""
+  for p in $wished; do
+    if apt-cache show "$p" >/dev/null 2>&1; then missing="$missing $p"; else left="$left $p"; fi
   done
   if [ -n "$missing" ]; then
-    echo "setup.sh: installing$missing"
-    $root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
+    say "installing $(LC_ALL=C apt-get -s install --no-install-recommends $missing 2>/dev/null | grep -c '^Inst' || true) packages"
+    apt -y install --no-install-recommends $missing
   fi
-  # Remember what this release does not have, so that the next start asks no server.
-  left=""
-  for p in $want; do installed "$p" || left="$left $p"; done
-  mkdir -p .cache && printf '%s' "$left" >$stamp
+  mkdir -p "$here/.cache"
+  echo $unknown $left >"$stamp"
 }
 
+# build TARGET CMAKE-OPTIONS...: the options are for a folder that is not configured yet, or `test`.
 build() {
-  cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release >build-configure.log 2>&1 ||
-    { cat build-configure.log >&2; return 1; }
-  rm -f build-configure.log
-  cmake --build build -j "${JOBS:-$(nproc)}"
+  target=$1
+  shift
+  if [ -e "$here/build" ] && [ ! -w "$here/build" ]; then
+    say "$here/build belongs to $(stat -c %U "$here/build"); remove it, or give it to yourself: sudo chown -R $(id -un) '$here/build' '$here/.cache'"
+    return 1
+  fi
+  mkdir -p "$here/build"
+  if [ ! -e "$here/build/build.ninja" ] || [ "$target" = all ]; then
+    if ! cmake -S "$here" -B "$here/build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$here/build/configure.log" 2>&1; then
+      cat "$here/build/configure.log" >&2
+      say "configuring failed; the text above is in $here/build/configure.log"
+      return 1
+    fi
+  fi
+  rm -f "$work/done"
+  { cmake --build "$here/build" --target "$target" -j "${JOBS:-$(nproc)}" 2>&1 && : >"$work/done"; } | compiling
+  [ -e "$work/done" ]
 }
 
+# Ninja's "[3/80] Building ..." becomes how far it is; whatever else it says is passed on.
+compiling() {
+  shown=0
+  while IFS= read -r line; do
+    case "$line" in
+      \[[0-9]*/[0-9]*\]*)
+        step=${line#?}
+        step=${step%%\]*}
+        if [ "${step#*/}" -gt 3 ]; then percent building $((100 * ${step%/*} / ${step#*/})); fi
+        ;;
+      "-- "* | "ninja: no work to do.") ;;
+      *)
+        end_of_line
+        shown=0
+        printf '%s\n' "$line" >&2
+        ;;
+    esac
+  done
+  end_of_line
+}
+
+# Root may build in somebody's folder; what it leaves behind is theirs.
+give_back() {
+  [ "$(id -u)" = 0 ] || return 0
+  owner=$(stat -c %u:%g "$here")
+  for made in "$here/build" "$here/.cache"; do
+    if [ -e "$made" ] && [ "$(stat -c %u:%g "$made")" != "$owner" ]; then chown -R "$owner" "$made"; fi
+  done
+}
+
+build_program() {
+  if [ ! -e "$here/build/viete" ]; then say "building the program, one to three minutes on two cores"; fi
+  build viete -DVIETE_BUILD_TESTS=OFF -DVIETE_BUILD_PYTHON=OFF -DVIETE_KERNELS=native
+}
+
+build_tests() {
+  say "building the program and its tests"
+  build all -DVIETE_BUILD_TESTS=ON -UVIETE_BUILD_PYTHON -DVIETE_KERNELS=all
+}
+
+clean_up() {
+  rm -rf "$work"
+  give_back
+}
+
+terminal=0
+[ ! -t 2 ] || terminal=1
 verb="${1:-run}"
 [ $# -eq 0 ] || shift
 case "$verb" in
-  deps) deps ;;
-  build) deps; build ;;
-  run) deps; build; exec build/viete "$@" ;;
-  test) deps; build; exec ctest --test-dir build --output-on-failure "$@" ;;
-  *) echo "usage: third_party/setup.sh [run [ARGS...] | test [CTEST ARGS...] | build | deps]" >&2; exit 2 ;;
+  run | test | build | deps) ;;
+  help | -h | --help) usage; exit 0 ;;
+  *) usage >&2; exit 2 ;;
+esac
+work=$(mktemp -d)
+trap clean_up EXIT
+trap 'exit 130' INT TERM HUP
+case "$verb" in
+  deps)
+    case "${1:-program}" in
+      program | test) deps "${1:-program}" ;;
+      *) usage >&2; exit 2 ;;
+    esac
+    exit 0
+    ;;
+  build | run) deps program; build_program ;;
+  test) deps test; build_tests ;;
+esac
+clean_up
+trap - EXIT
+case "$verb" in
+  run) exec "$here/build/viete" "$@" ;;
+  test) exec ctest --test-dir "$here/build" --output-on-failure -j "${JOBS:-$(nproc)}" "$@" ;;
 esac

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deform/frame_kernel.h"
+
 namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t lanes = 16;
 
 float* row(const LeafRows& leaf, std::size_t slot) {
   return leaf.rows + slot / lanes * lanes * leaf.columns + slot % lanes;

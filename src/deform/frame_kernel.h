@@ -26,6 +26,7 @@ struct alignas(32) FrameVertex {
 /// One 64-byte line of vertices: what weights, offsets and sums are stored by.
 template <class T>
 inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
+inline constexpr std::size_t lanes = tile_lanes<float>;  ///< of weights as they are kept
 
 /// Consecutive tiles whose vertices share a table. Everything is aligned to 64 bytes.
 template <class T>

@@ -11,7 +11,6 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t lanes = tile_lanes<float>;
 constexpr std::size_t few = 4;               // of the elements, at most one in so many is few
 constexpr std::size_t skeleton_block = 256;  // slots that one thread blends at once
 

@@ -12,7 +12,6 @@ namespace viete::deform {
 
 namespace {
 
-using Rotations = std::vector<sym3::Mat3<double>>;
 
 constexpr double flatness_floor = 1e-3;   // of the element's largest stretch
 constexpr double size_floor = 1e-4;       // of the pose's mean stretch
@@ -73,7 +72,7 @@ void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const M
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report) {
   report = {};
   const double mean = mean_stretch(cage, splits);
-  Rotations rotations(maps.size());
+  std::vector<sym3::Mat3<double>> rotations(maps.size());
   std::vector<Vec3> principal(maps.size());
   for (std::uint32_t e = 0; e < maps.size(); ++e) {
     MapSplit split = splits[e];

@@ -14,7 +14,6 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t lanes = tile_lanes<float>;
 constexpr std::size_t fewest_handles = 32;  // to compress
 constexpr double worth_factoring = 0.7;     // of the multiply-adds without, for what it leaves out
 

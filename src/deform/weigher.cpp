@@ -14,7 +14,6 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t lanes = tile_lanes<float>;
 
 // Arrays of arrays as the kernels take them.
 template <class Arrays>

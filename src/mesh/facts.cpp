@@ -11,14 +11,10 @@ namespace viete::mesh {
 namespace {
 
 // One side of a triangle, kept at its smaller vertex.
-struct Side {
+struct KeptSide {
   std::uint32_t other;  // the larger vertex
   bool forward;         // runs from the smaller to the larger
 };
-
-bool repeats_corner(const Triangle& t) {
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
 
 // Sides of all triangles, grouped by their smaller vertex (counting sort), then sorted by the larger one.
 class SideTable {
@@ -34,7 +30,7 @@ public:
     for (std::size_t v = 0; v < vertices; ++v) {
       std::sort(sides_.begin() + static_cast<std::ptrdiff_t>(starts_[v]),
                 sides_.begin() + static_cast<std::ptrdiff_t>(starts_[v + 1]),
-                [](const Side& a, const Side& b) { return a.other < b.other; });
+                [](const KeptSide& a, const KeptSide& b) { return a.other < b.other; });
     }
   }
 
@@ -59,12 +55,12 @@ private:
   }
 
   std::vector<std::size_t> starts_;
-  std::vector<Side> sides_;
+  std::vector<KeptSide> sides_;
 };
 
 void find_edges(const Surface& surface, Facts& facts) {
   const SideTable table(surface.positions.size(), surface.triangles);
-  table.for_each_edge([&](std::uint32_t v, const Side* first, const Side* last) {
+  table.for_each_edge([&](std::uint32_t v, const KeptSide* first, const KeptSide* last) {
     const std::array<std::uint32_t, 2> edge = {v, first->other};
     ++facts.edges;
     if (last - first == 1) facts.boundary_edges.push_back(edge);

@@ -9,7 +9,7 @@ namespace viete::mesh {
 
 namespace {
 
-constexpr double unit = 0x1p-53;  // half an ulp of 1
+constexpr double roundoff = 0x1p-53;  // half an ulp of 1
 
 int sign(double x) {
   return (x > 0) - (x < 0);
@@ -65,7 +65,7 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d) 
     determinant += w[i] * (u[j] * v[k] - u[k] * v[j]);
     permanent += std::abs(w[i]) * (std::abs(u[j] * v[k]) + std::abs(u[k] * v[j]));
   }
-  if (std::abs(determinant) > (7 + 56 * unit) * unit * permanent) return sign(determinant);
+  if (std::abs(determinant) > (7 + 56 * roundoff) * roundoff * permanent) return sign(determinant);
   ExactSum sum;
   sum.add_determinant(b, c, d, 1);
   sum.add_determinant(a, c, d, -1);
@@ -76,7 +76,7 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d) 
 
 int orientation(const Point2& a, const Point2& b, const Point2& c) {
   const double left = (b[0] - a[0]) * (c[1] - a[1]), right = (b[1] - a[1]) * (c[0] - a[0]);
-  if (std::abs(left - right) > (3 + 16 * unit) * unit * (std::abs(left) + std::abs(right))) {
+  if (std::abs(left - right) > (3 + 16 * roundoff) * roundoff * (std::abs(left) + std::abs(right))) {
     return sign(left - right);
   }
   ExactSum sum;

@@ -53,9 +53,9 @@ bool holds_nul(const Source& source) {
 }
 
 // Joins equal corners.
-class Corners {
+class CornerJoiner {
 public:
-  explicit Corners(SurfaceBuilder& builder) : builder_(builder) {}
+  explicit CornerJoiner(SurfaceBuilder& builder) : builder_(builder) {}
 
   void add(Point p) {
     for (double& x : p) x += 0.0;  // -0 becomes 0
@@ -91,7 +91,7 @@ ReadResult read_binary(const Source& source) {
   }
   SurfaceBuilder builder(source);
   builder.comment(head_text(source.bytes.substr(0, 80)));
-  Corners corners(builder);
+  CornerJoiner corners(builder);
   const std::size_t triangles = (needed - head_bytes) / triangle_bytes;
   for (std::size_t t = 0; t < triangles; ++t) {
     const char* const at = source.bytes.data() + head_bytes + triangle_bytes * t + 12;
@@ -166,7 +166,7 @@ private:
   const Source& source_;
   TextCursor text_;
   SurfaceBuilder builder_;
-  Corners corners_;
+  CornerJoiner corners_;
   std::size_t lines_ = 0;
   int facet_corners_ = 0;
   bool in_facet_ = false, ended_ = false;

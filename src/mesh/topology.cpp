@@ -18,10 +18,6 @@ void silence_openmesh() {
   std::call_once(once, [] { ::omerr().disable(); });
 }
 
-bool repeats_corner(const Triangle& t) {
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
 // False if a face does not fit.
 bool build(const Surface& surface, HalfEdges& mesh) {
   mesh.reserve(surface.positions.size(), 3 * surface.triangles.size() / 2, surface.triangles.size());
