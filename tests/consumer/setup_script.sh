@@ -1,0 +1,139 @@
+#!/bin/sh
+# third_party/setup.sh on machines that are not there: its own copy of the script, and stand-ins for the programs it
+# calls, which write down how they were called. setup_script.sh SETUP.SH
+set -u
+setup=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+# A checkout in a folder whose name has a blank, and a machine with every package.
+fresh() {
+  rm -rf "${scratch:?}"/*
+  mkdir -p "$scratch/check out/third_party" "$scratch/bin" "$scratch/elsewhere"
+  cp "$setup" "$scratch/check out/third_party/setup.sh"
+  calls=$scratch/calls
+  : >"$calls"
+  stand_in dpkg-query 'echo installed'
+  stand_in apt-get 'case "$*" in *-s*) echo "Inst one" ;; esac'
+  stand_in apt-cache 'exit 0'
+  stand_in cmake 'case "$1" in
+    -S) : >"$4/build.ninja" ;;
+    --build) printf "[1/4] a\n[4/4] b\n"; printf "#!/bin/sh\npwd; echo \"\$@\"\n" >"$2/viete"; chmod +x "$2/viete" ;;
+  esac'
+  stand_in ctest 'exit 0'
+  stand_in sleep 'exit 0'
+  stand_in id 'case "$1" in -un) echo somebody ;; *) echo 1000 ;; esac'
+  for tool in sh awk basename cat chmod chown cp dirname env grep ln mkdir mktemp nproc printf pwd readlink rm stat tee; do
+    [ -e "$scratch/bin/$tool" ] || ln -s "$(command -v $tool)" "$scratch/bin/$tool"
+  done
+}
+
+# stand_in NAME BODY
+stand_in() {
+  printf '#!/bin/sh\necho "%s $*" >>"%s"\n%s\n' "$1" "$calls" "$2" >"$scratch/bin/$1"
+  chmod +x "$scratch/bin/$1"
+}
+
+# run SCRIPT ARGS...: in $scratch/elsewhere; output in $out, exit status in $code.
+run() {
+  out=$(cd "$scratch/elsewhere" && PATH=$scratch/bin CDPATH=$scratch:/ sh "$@" 2>&1)
+  code=$?
+}
+
+expect() {
+  what=$1
+  shift
+  if ! "$@"; then
+    failures=$((failures + 1))
+    printf 'NOT SO: %s\n  exit status %s, output:\n%s\n  calls:\n%s\n' "$what" "$code" "$out" "$(cat "$calls")"
+  fi
+}
+
+says() { printf '%s' "$out" | grep -q -e "$1"; }
+called() { grep -q -e "$1" "$calls"; }
+no() { ! "$@"; }
+ended_with() { [ "$code" -eq "$1" ]; }
+
+script="$scratch/check out/third_party/setup.sh"
+
+fresh
+run "$script" --help
+expect 'help is no error' ended_with 0
+expect 'help says how it is used' says '^usage'
+run "$script" frobnicate
+expect 'an unknown command is an error' ended_with 2
+expect 'and nothing was installed or built' no called '^cmake'
+
+fresh
+run "$script" run model.obj 'a cage.obj'
+expect 'the program is started' ended_with 0
+expect 'in the folder of the caller, whose paths mean what they say' says "^$scratch/elsewhere$"
+expect 'with the arguments of the caller' says '^model.obj a cage.obj$'
+expect 'only the program is built' called '--target viete'
+expect 'without the tests' called 'VIETE_BUILD_TESTS=OFF'
+expect 'and says how far it is' says 'building 100 %'
+expect 'in a screen of text' [ "$(printf '%s\n' "$out" | wc -l)" -lt 24 ]
+: >"$calls"
+run "$script" run
+expect 'what is configured is not configured again' no called 'cmake -S'
+
+fresh
+ln -s "$script" "$scratch/setup-here"
+run "$scratch/setup-here" build
+expect 'called by a link it builds the checkout' called "cmake -S $scratch/check out "
+
+fresh
+run "$script" test -L unit
+expect 'the tests are built' called 'VIETE_BUILD_TESTS=ON'
+expect 'with every kernel' called 'VIETE_KERNELS=all'
+expect 'and run side by side, as the caller says' called 'ctest .*-j [0-9]* -L unit'
+
+fresh
+stand_in cmake 'echo "no compiler"; exit 1'
+run "$script" build
+expect 'a failed configuration is an error' ended_with 1
+expect 'that shows why' says 'no compiler'
+expect 'and leaves nothing beside build' [ "$(cd "$scratch/check out" && echo *)" = 'build third_party' ]
+
+fresh
+stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) echo "[1/9] a"; echo "a.cpp:1: error: no"; exit 1 ;; esac'
+run "$script" run
+expect 'a failed build is an error' ended_with 1
+expect 'that shows what the compiler said' says 'a.cpp:1: error: no'
+
+fresh
+stand_in dpkg-query 'case "$*" in *fonts-inter*) ;; *) echo installed ;; esac'
+run "$script" build
+expect 'without sudo a package that is only wished for stops nothing' ended_with 0
+expect 'and is named' says 'not needed: fonts-inter'
+stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
+run "$script" build
+expect 'one that is needed does' ended_with 1
+expect 'with advice that leaves nothing of root behind' says "su -c '$script deps program'"
+
+fresh
+stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
+stand_in sudo 'exec "$@"'
+stand_in apt-get 'case "$*" in
+  *update*) tries=$(grep -c "apt-get.*update" "'"$calls"'"); [ $tries -gt 2 ] || { echo "E: Could not get lock /var/lib/apt/lists/lock"; exit 100; } ;;
+  *-s*) echo "Inst one" ;;
+  *install*) echo "dlstatus:1:50.0:x"; echo "pmstatus:one:100.0:x" ;;
+esac'
+run "$script" build
+expect 'a lock is waited for' ended_with 0
+expect 'which is said' says 'waiting for another package manager'
+expect 'until it is gone and packages are installed' called 'apt-get.* -y install .*libglm-dev'
+expect 'and how far that is' says 'installing 100 %'
+
+fresh
+stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
+stand_in sudo 'exec "$@"'
+stand_in apt-get 'case "$*" in *install*) echo "E: no space"; exit 100 ;; esac'
+run "$script" build
+expect 'packages that cannot be installed are an error' ended_with 1
+expect 'with what apt-get said' says 'E: no space'
+expect 'and nothing is built' no called '^cmake'
+
+[ $failures -eq 0 ] && echo "setup.sh: all is as it should be"
+exit $failures
