@@ -65,8 +65,9 @@ apt() {
   tries=0
   while :; do
     rm -f "$work/done"
-    { $root env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get -q -o APT::Status-Fd=1 "$@" 2>&1 && : >"$work/done"; } |
-      tee "$work/apt.log" | installing
+    # Status lines have a descriptor of their own, made behind sudo, which closes others: dpkg keeps it from its scripts.
+    { $root env LC_ALL=C DEBIAN_FRONTEND=noninteractive sh -c 'exec apt-get -q -o APT::Status-Fd=3 "$@" 3>&1' apt "$@" 2>&1 &&
+      : >"$work/done"; } | tee "$work/apt.log" | installing
     [ ! -e "$work/done" ] || return 0
     if ! grep -q 'Could not get lock\|Unable to lock' "$work/apt.log" || [ $tries -ge 120 ]; then
       grep -v '^dlstatus\|^pmstatus' "$work/apt.log" >&2
