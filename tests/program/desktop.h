@@ -33,6 +33,9 @@ inline bool has_program(const std::string& name) {
   return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
+/// The key itself: some keyboard maps have the symbol F12 on another key too, and xdotool takes the first.
+constexpr const char* f12_keycode = "96";
+
 // A child process that does not outlive the test.
 class Child {
 public:

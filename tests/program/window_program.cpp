@@ -44,7 +44,7 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
   desktop.drag(from, to);
   desktop.xdotool("mousemove 1430 20");
   std::this_thread::sleep_for(std::chrono::seconds(1));
-  desktop.xdotool("key F12");
+  desktop.xdotool(std::string("key ") + f12_keycode);
   REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
   auto real = render::read_png(*desktop.screenshot());
   desktop.xdotool("key ctrl+q");
@@ -113,7 +113,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
   desktop.xdotool("mouseup 1");
   desktop.xdotool("mousemove 1430 20");
   std::this_thread::sleep_for(std::chrono::seconds(1));
-  desktop.xdotool("key F12");
+  desktop.xdotool(std::string("key ") + f12_keycode);
   REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
   auto real = render::read_png(*desktop.screenshot());
   desktop.xdotool("key ctrl+q");
