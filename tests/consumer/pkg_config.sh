@@ -4,7 +4,7 @@ set -eu
 export PKG_CONFIG_PATH="$1"
 program=$(mktemp)
 trap 'rm -f "$program"' EXIT
-# Unquoted: these are words.
-$2 -std=c++20 "$3" $(pkg-config --cflags viete) $(pkg-config --libs viete) -o "$program"
+# Through a shell, as make does it: blanks in a path come escaped.
+eval "\"\$2\" -std=c++20 \"\$3\" $(pkg-config --cflags --libs viete) -o \"\$program\""
 "$program"
 pkg-config --atleast-version=0.1 viete
