@@ -6,6 +6,10 @@ add_library(viete_compile INTERFACE)
 target_compile_features(viete_compile INTERFACE cxx_std_20)
 target_compile_options(viete_compile INTERFACE
   -Wall -Wextra -Wconversion -Wno-sign-conversion -ffp-contract=off)
+# Inside a project that chose neither a build type nor a level, nothing would be optimised but the kernels.
+if(NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
+  target_compile_options(viete_compile INTERFACE $<$<STREQUAL:$<CONFIG>,>:-O2>)
+endif()
 # GCC 12 warns of std::string's own + (its bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(viete_compile INTERFACE -Wno-restrict)

@@ -1,0 +1,22 @@
+#!/bin/sh
+# optimised.sh CMAKE GENERATOR COMPILER PROJECT BUILD: in a project that sets no build type the library is optimised all the same,
+# unless the flags say another level. Configures only.
+set -eu
+cmake="$1" generator="$2" compiler="$3" project="$4" build="$5"
+unset CXXFLAGS CMAKE_BUILD_TYPE
+
+# levels FLAGS: the level that counts, the last, of every source of the library but the kernels.
+levels() {
+  rm -rf "$build"
+  "$cmake" -S "$project" -B "$build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$1" \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+  grep '"command".*/src/sym3/' "$build/compile_commands.json" | grep -v -e _kernel.cpp -e exp_paper.cpp | sed 's/.* \(-O[0-3a-z]*\) .*/\1/' | sort -u
+}
+
+expect() {
+  found=$(levels "$1")
+  [ "$found" = "$2" ] || { echo "with flags '$1': $found, not $2" >&2; exit 1; }
+}
+
+expect "-g" -O2
+expect "-g -Os" -Os
