@@ -1,0 +1,78 @@
+# viete(1) in bash, on the functions of bash-completion. tests/consumer/completion.sh compares it with the program's own --help.
+
+_viete_meshes='@(obj|ply|off|stl)'
+
+# Completes the value of option $prev of command $1; fails where that takes none.
+_viete_value() {
+  local words=
+  case $prev in
+    --pose | --cage) _filedir "$_viete_meshes" ;;
+    --binding) _filedir ;;
+    --json) _filedir json ;;
+    --plot) _filedir svg ;;
+    -o | --output)
+      case $1 in
+        render) _filedir png ;;
+        deform) _filedir "$_viete_meshes" ;;
+        *) _filedir ;;
+      esac
+      ;;
+    --method) words='fast diag sd improved_sd' ;;
+    --coordinates) words='face mvc' ;;
+    --reach) words='all 1.5 2 3 5' ;;
+    --look) words='home front back left right top bottom' ;;
+    --size) words='1280x800 1920x1080 3840x2160' ;;
+    --scale | --frames | --tolerance | --count | --faces | --rounds) ;;
+    *) return 1 ;;
+  esac
+  [[ -z $words ]] || COMPREPLY=($(compgen -W "$words" -- "$cur"))
+}
+
+_viete_options() {
+  local options=--help
+  case $1 in
+    '' | view)
+      options+=' --pose --method --coordinates --reach --binding --scale --frames'
+      [[ $1 ]] || options+=' --version'
+      ;;
+    render)
+      options+=' --output --pose --size --scale --method --coordinates --reach --binding --look --panels --light --wireframe
+        --error-map --no-cage --no-grid'
+      ;;
+    deform) options+=' --output --pose --method --coordinates --reach' ;;
+    bind) options+=' --output --coordinates --reach --tolerance' ;;
+    info) options+=' --cage' ;;
+    'bench exp') options+=' --count --json --float --plot' ;;
+    'bench eigen') options+=' --count --json --plot' ;;
+    'bench accuracy') options+=' --count --json --float' ;;
+    'bench sym3') options+=' --count --json' ;;
+    'bench frame') options+=' --count --faces --rounds --tolerance --reach --json' ;;
+    'bench bind') options+=' --count --faces --rounds --json' ;;
+  esac
+  COMPREPLY=($(compgen -W "$options" -- "$cur"))
+}
+
+_viete() {
+  local cur prev words cword split
+  _init_completion -s || return
+
+  local commands='view render deform bind info bench' benches='exp eigen accuracy sym3 frame bind'
+  local command=${words[1]}
+  [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
+  [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
+
+  _viete_value "$command" && return
+  $split && return
+  case $cur:$command in
+    -*) _viete_options "$command" ;;
+    *:bench) COMPREPLY=($(compgen -W "$benches" -- "$cur")) ;;
+    *:bench\ *) ;;
+    *:info) _filedir "$_viete_meshes" ;;
+    *)
+      _filedir '@(obj|ply|off|stl|viete)'
+      [[ $cword -gt 1 ]] || COMPREPLY+=($(compgen -W "$commands" -- "$cur"))
+      ;;
+  esac
+}
+
+complete -F _viete viete

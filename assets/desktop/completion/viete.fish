@@ -1,0 +1,55 @@
+# viete(1) in fish. tests/consumer/completion.sh compares it with the program's own --help.
+
+# The command is one of these; "view" may be left out.
+function __viete_in
+    set -l words (commandline -opc) view
+    contains -- "$words[2]" view render deform bind info bench; or set words[2] view
+    contains -- "$words[2]" $argv
+end
+
+# The benchmark is one of these.
+function __viete_bench
+    set -l words (commandline -opc)
+    test "$words[2]" = bench; and contains -- "$words[3]" $argv
+end
+
+function __viete_first
+    test (count (commandline -opc)) = $argv[1]
+end
+
+set -l c complete -c viete
+$c -n '__viete_first 1' -a view -d 'Open the viewer'
+$c -n '__viete_first 1' -a render -d 'Render a picture'
+$c -n '__viete_first 1' -a deform -d 'Deform a mesh by a posed cage'
+$c -n '__viete_first 1' -a bind -d 'Bind a model to its cage'
+$c -n '__viete_first 1' -a info -d 'What mesh files hold'
+$c -n '__viete_first 1' -a bench -d 'Measure speed and accuracy'
+$c -n '__viete_first 1' -l version -d 'Version, compiler and kernel'
+$c -s h -l help -d 'What it can do'
+
+$c -n '__viete_in render deform bind' -s o -l output -r -d 'File to write'
+$c -n '__viete_in view render deform' -l pose -r -d 'Posed cage'
+$c -n '__viete_in info' -l cage -r -d 'Cage to check'
+$c -n '__viete_in view render' -l binding -r -d 'What viete bind has saved'
+$c -n '__viete_in view render deform' -l method -x -a 'fast diag sd improved_sd' -d 'How exp is computed'
+$c -n '__viete_in view render deform bind' -l coordinates -x -a 'face mvc' -d 'How the cage moves the mesh'
+$c -n '__viete_in view render deform bind; or __viete_bench frame' -l reach -x -a 'all 1.5 2 3 5' -d 'How far a triangle moves the mesh'
+$c -n '__viete_in bind; or __viete_bench frame' -l tolerance -x -d 'Of compressed weights'
+$c -n '__viete_in view render' -l scale -x -d 'Device pixels per logical pixel'
+$c -n '__viete_in view' -l frames -x -d 'Close after so many frames'
+$c -n '__viete_in render' -l size -x -a '1280x800 1920x1080 3840x2160' -d 'Logical pixels'
+$c -n '__viete_in render' -l look -x -a 'home front back left right top bottom' -d 'From where'
+$c -n '__viete_in render' -l panels -d 'With the panels'
+$c -n '__viete_in render' -l light -d 'Light theme'
+$c -n '__viete_in render' -l wireframe -d 'With the edges of the mesh'
+$c -n '__viete_in render' -l error-map -d 'With the error as colours'
+$c -n '__viete_in render' -l no-cage -d 'Without the cage'
+$c -n '__viete_in render' -l no-grid -d 'Without the grid'
+
+$c -n '__viete_in bench; and __viete_first 2' -x -a 'exp eigen accuracy sym3 frame bind'
+$c -n '__viete_bench exp eigen accuracy sym3 frame bind' -l count -x -d 'Matrices or vertices'
+$c -n '__viete_bench exp eigen accuracy sym3 frame bind' -l json -r -d 'Also write the numbers'
+$c -n '__viete_bench exp eigen' -l plot -r -d 'Also draw them'
+$c -n '__viete_bench exp accuracy' -l float -d 'Single precision'
+$c -n '__viete_bench frame bind' -l faces -x -d 'Triangles of the cage'
+$c -n '__viete_bench frame bind' -l rounds -x -d 'Repetitions'

@@ -1,0 +1,62 @@
+#compdef viete
+# viete(1) in zsh. tests/consumer/completion.sh compares it with the program's own --help.
+
+local any="_files -g '*.(#i)(obj|ply|off|stl|viete)(-.)'" mesh="_files -g '*.(#i)(obj|ply|off|stl)(-.)'"
+local -a help=('(-h --help)'{-h,--help}'[what it can do]')
+local -a files=("1:model or session:$any" "2:cage:$mesh")
+local -a output=('(-o --output)'{-o+,--output=}'[file to write]:file:_files')
+local -a pose=("--pose=[posed cage]:pose:$mesh")
+local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_sd)')
+local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
+local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 5)')
+local -a tolerance=('--tolerance=[of compressed weights]:tolerance:')
+local -a binding=('--binding=[what viete bind has saved]:binding:_files')
+local -a scale=('--scale=[device pixels per logical pixel]:scale:')
+local -a count=('--count=[matrices or vertices]:count:')
+local -a rounds=('--faces=[triangles of the cage]:triangles:' '--rounds=[repetitions]:rounds:')
+local -a json=("--json=[also write the numbers]:file:_files -g '*.json'")
+local -a plot=("--plot=[also draw them]:file:_files -g '*.svg'")
+local -a float=('--float[single precision]')
+
+local -a specs=($help)
+local command=$words[2]
+[[ $command == bench ]] && command="bench $words[3]"
+case $command in
+  render)
+    specs+=($files $output $pose $method $coordinates $reach $binding $scale
+      '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
+      '--look=[from where]:view:(home front back left right top bottom)'
+      '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
+      '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
+    ;;
+  deform) specs+=($files $output $pose $method $coordinates $reach) ;;
+  bind) specs+=($files $output $coordinates $reach $tolerance) ;;
+  info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
+  'bench exp') specs+=($count $json $plot $float) ;;
+  'bench eigen') specs+=($count $json $plot) ;;
+  'bench accuracy') specs+=($count $json $float) ;;
+  'bench sym3') specs+=($count $json) ;;
+  'bench frame') specs+=($count $json $rounds $tolerance $reach) ;;
+  'bench bind') specs+=($count $json $rounds) ;;
+  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind)') ;;
+  *) # view, which may be left out
+    specs+=($files $pose $method $coordinates $reach $binding $scale '--frames=[close after so many frames]:frames:')
+    [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
+    ;;
+esac
+
+if ((CURRENT == 2)) && [[ $PREFIX != -* ]]; then
+  local -a commands=('view:open the viewer' 'render:render a picture' 'deform:deform a mesh by a posed cage'
+    'bind:bind a model to its cage' 'info:what mesh files hold' 'bench:measure speed and accuracy')
+  _describe command commands
+  eval "$any"
+  return
+fi
+
+# The words of the command are no files.
+local -i skip=0
+[[ $command == (view|render|deform|bind|info|bench\ *) ]] && skip=1
+[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind) ]] && ((CURRENT > 3)) && skip=2
+shift $skip words
+((CURRENT -= skip))
+_arguments -s $specs

@@ -1,0 +1,42 @@
+# Sourced: what the program's own --help says, as words. $program is the program.
+
+# commands_of COMMAND...: its commands, one a line.
+commands_of() {
+  "$program" "$@" --help | awk '/^[^ ]/ { on = tolower($0) ~ /commands:$/ } on && /^ +[a-z]/ { print $1 }'
+}
+
+# all_commands: every command that does something: "view" and "bench exp", not "bench".
+all_commands() {
+  for command in $(commands_of); do
+    inner=$(commands_of "$command")
+    [ -n "$inner" ] || echo "$command"
+    for word in $inner; do echo "$command $word"; done
+  done
+}
+
+# options_of COMMAND...: its options, one a line, with all their names: "-o --output".
+options_of() {
+  "$program" "$@" --help | awk '/^ +-/ {
+    names = ""
+    while (match($0, /^[ ,]*--?[a-z][a-z-]*/)) {
+      name = substr($0, RSTART, RLENGTH); sub(/^[ ,]*/, "", name)
+      names = names " " name
+      $0 = substr($0, RLENGTH + 1)
+    }
+    print substr(names, 2) }'
+}
+
+long_options_of() {
+  options_of "$@" | tr ' ' '\n' | grep '^--' | sort
+}
+
+# values_of OPTION COMMAND...: the words it takes, where it takes one of a few.
+values_of() {
+  option="$1" && shift
+  "$program" "$@" --help | grep -e "$option.*{" | sed 's/.*{\([^}]*\)}.*/\1/' | tr ',' '\n' | sort
+}
+
+wrong() {
+  echo "$*" >&2
+  exit 1
+}
