@@ -96,7 +96,7 @@ struct Saved {
 
 /// What runs, for the status bar and the help.
 struct About {
-  std::string version;   ///< "0.1.0"
+  std::string version;   ///< "0.2.0"
   std::string build;     ///< build type and compiler
   std::string kernel;    ///< of the exponential
   std::string renderer;  ///< of OpenGL

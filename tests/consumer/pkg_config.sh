@@ -7,4 +7,4 @@ trap 'rm -f "$program"' EXIT
 # Through a shell, as make does it: blanks in a path come escaped.
 eval "\"\$2\" -std=c++20 \"\$3\" $(pkg-config --cflags --libs viete) -o \"\$program\""
 "$program"
-pkg-config --atleast-version=0.1 viete
+pkg-config --atleast-version=0.2 viete
