@@ -1,0 +1,52 @@
+# Packages for Debian and Ubuntu, by `cpack` in the build folder: `viete`, the program, and `libviete-dev`, the library with its headers.
+# The Python module is in neither.
+
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_GENERATOR DEB)
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/check_package_tools.cmake)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_PACKAGE_CONTACT "The Viete authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # it would stand before that of each package
+set(CPACK_SOURCE_IGNORE_FILES "/\\.git" "/\\.cache/" "/build")
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+# What Debian alone asks for: a copyright file in each package, and zsh's completion where its packages have theirs.
+set(copyright ${CMAKE_CURRENT_LIST_DIR}/copyright)
+
+set(CPACK_COMPONENTS_ALL library library_debian)
+set(CPACK_COMPONENT_LIBRARY_GROUP library)
+set(CPACK_COMPONENT_LIBRARY_DEBIAN_GROUP library)
+install(FILES ${copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libviete-dev COMPONENT library_debian EXCLUDE_FROM_ALL)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libviete-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "g++, cmake | pkgconf, libeigen3-dev, libhwy-dev")
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "functions of symmetric 3x3 matrices, one or millions
+Exponential, logarithm, roots, powers and eigenvalues of symmetric 3x3
+matrices, rotations and polar decomposition, in vector code that is chosen at
+run time: C++20 headers and a static library.")
+
+if(VIETE_BUILD_VIEWER)
+  list(APPEND CPACK_COMPONENTS_ALL viewer viewer_debian)
+  set(CPACK_COMPONENT_VIEWER_GROUP program)
+  set(CPACK_COMPONENT_VIEWER_DEBIAN_GROUP program)
+  install(FILES ${copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/viete COMPONENT viewer_debian EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_SOURCE_DIR}/assets/desktop/completion/viete.zsh RENAME _viete
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT viewer_debian EXCLUDE_FROM_ALL)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME viete)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
+  # Libraries that are linked, and those that are opened at run time.
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libgl1, libegl1 | libosmesa6")
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS
+    "libgl1-mesa-dri, libxcursor1, libxi6, libxinerama1, libxrandr2, fonts-inter, fonts-jetbrains-mono")
+  set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "deform a mesh by dragging the cage around it
+A viewer: drag the cage, and the mesh follows in the same frame, while panels
+say what every step of the frame costs and how exact it is. From the command
+line too: pictures, deformed meshes, benchmarks.")
+endif()
+
+include(CPack)
