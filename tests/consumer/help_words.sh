@@ -2,7 +2,7 @@
 
 # commands_of COMMAND...: its commands, one a line.
 commands_of() {
-  "$program" "$@" --help | awk '/^[^ ]/ { on = tolower($0) ~ /commands:$/ } on && /^ +[a-z]/ { print $1 }'
+  "$program" "$@" --help | awk '/^[^ ]/ { on = tolower($0) ~ /commands:$/ } on && /^  [a-z]/ { print $1 }'
 }
 
 # all_commands: every command that does something: "view" and "bench exp", not "bench".
@@ -16,7 +16,7 @@ all_commands() {
 
 # options_of COMMAND...: its options, one a line, with all their names: "-o --output".
 options_of() {
-  "$program" "$@" --help | awk '/^ +-/ {
+  "$program" "$@" --help | awk '/^  -/ {
     names = ""
     while (match($0, /^[ ,]*--?[a-z][a-z-]*/)) {
       name = substr($0, RSTART, RLENGTH); sub(/^[ ,]*/, "", name)
@@ -30,10 +30,13 @@ long_options_of() {
   options_of "$@" | tr ' ' '\n' | grep '^--' | sort
 }
 
-# values_of OPTION COMMAND...: the words it takes, where it takes one of a few.
+# values_of OPTION COMMAND...: the words it takes, where it takes one of a few: those that are named when it is given another.
 values_of() {
   option="$1" && shift
-  "$program" "$@" --help | grep -e "$option.*{" | sed 's/.*{\([^}]*\)}.*/\1/' | tr ',' '\n' | sort
+  if "$program" "$@" --help | grep -q -e "^  $option WORD" -e "^  $option TEXT:{"; then
+    said=$("$program" "$@" "$option" '?' 2>&1 || true)
+    echo "$said" | sed -n 's/, not ?$//; s/.*needs //p; s/}$//; s/.*{//p' | sed 's/, \| or \|,/\n/g' | sort
+  fi
 }
 
 wrong() {
