@@ -5,8 +5,10 @@ set -eu
 unset VIETE_ASSETS
 "$1" info | grep -F "$2/dragon/dragon.ply"
 
-moved=$(mktemp -d)
-trap 'rm -rf "$moved"' EXIT
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+moved="$work/moved here"
+mkdir "$moved"
 cp -r "$(dirname "$(dirname "$1")")"/. "$moved"
 cd /
 "$moved/bin/viete" info | grep -F "$moved/share/viete/dragon/dragon.ply"

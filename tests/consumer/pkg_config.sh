@@ -1,10 +1,19 @@
 #!/bin/sh
-# pkg_config.sh PKGCONFIG_DIR COMPILER SOURCE: builds and runs the example as a Makefile would.
+# pkg_config.sh PKGCONFIG_DIR COMPILER SOURCE README: builds and runs the example as a Makefile would, and as the README says.
 set -eu
-export PKG_CONFIG_PATH="$1"
-program=$(mktemp)
-trap 'rm -f "$program"' EXIT
+compiler="$2"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
 # Through a shell, as make does it: blanks in a path come escaped.
-eval "\"\$2\" -std=c++20 \"\$3\" $(pkg-config --cflags --libs viete) -o \"\$program\""
-"$program"
+export PKG_CONFIG_PATH="$1"
 pkg-config --atleast-version=0.2 viete
+eval "\"\$compiler\" -std=c++20 \"\$3\" $(pkg-config --cflags --libs viete) -o \"\$work/program\""
+"$work/program"
+
+# The README's line, word for word but for the compiler, by a path without blanks.
+line=$(sed -n 's/^g++ \(.*pkg-config.*\)/\1/p' "$4")
+ln -s "$1" "$work/pkgconfig"
+cp "$3" "$work/example.cpp"
+cd "$work"
+PKG_CONFIG_PATH="$work/pkgconfig" sh -euc "\"\$0\" $line" "$compiler"
