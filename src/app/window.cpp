@@ -63,6 +63,12 @@ WindowPtr open_window(glm::ivec2 size) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, 0);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    // Whose window it is: the desktop looks for these in assets/desktop/viete.desktop.
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
+#ifdef GLFW_WAYLAND_APP_ID
+    glfwWindowHintString(GLFW_WAYLAND_APP_ID, "viete");
+#endif
     if (GLFWwindow* window = glfwCreateWindow(size.x, size.y, "Viete", nullptr, nullptr)) {
       return {window, glfwDestroyWindow};
     }
