@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "scene/saving.h"
 
@@ -23,6 +24,7 @@ fs::path remembered_file(const fs::path& state) {
 FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace& workspace)
     : state_(state), saved_(std::move(saved)), autosave_(recovery_folder(state), errands_) {
   if (state_.empty()) return;
+  base::remove_stale_parts(recovery_folder(state_));
   workspace.leftovers = scene::find_leftovers(recovery_folder(state_));
   try {
     workspace.remembered = scene::read_remembered(remembered_file(state_));

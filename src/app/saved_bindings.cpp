@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/state_folder.h"
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "deform/binding_file.h"
 
@@ -30,28 +31,31 @@ struct Kept {
   std::uintmax_t bytes;
 };
 
-// Another program may be at work in the folder too: what cannot be looked at is not there.
-std::vector<Kept> all_kept(const fs::path& folder) {
+// And what others are writing now. Another program may be at work in the folder too: what cannot be looked at
+// is not there.
+std::vector<Kept> all_ours(const fs::path& folder) {
   std::vector<Kept> all;
   std::error_code code;
   for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
     std::error_code gone;
-    if (at->path().extension() != extension) continue;
+    if (const auto ending = at->path().extension(); ending != extension && ending != ".part") continue;
     const Kept kept{at->path(), at->last_write_time(gone), gone ? 0 : at->file_size(gone)};
     if (!gone) all.push_back(kept);
   }
   return all;
 }
 
-// Down to so many bytes, those used longest ago first.
+// Down to so many bytes in all, the bindings used longest ago first.
 void drop_oldest(const fs::path& folder, std::uintmax_t limit) {
-  auto all = all_kept(folder);
-  std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used > b.used; });
+  auto all = all_ours(folder);
+  const auto bindings = std::partition(all.begin(), all.end(),
+                                       [](const Kept& kept) { return kept.file.extension() != extension; });
+  std::sort(bindings, all.end(), [](const Kept& a, const Kept& b) { return a.used > b.used; });
   std::uintmax_t sum = 0;
-  for (const Kept& kept : all) {
-    sum += kept.bytes;
+  for (auto kept = all.begin(); kept != all.end(); ++kept) {
+    sum += kept->bytes;
     std::error_code ignored;
-    if (sum > limit) fs::remove(kept.file, ignored);
+    if (sum > limit && kept >= bindings) fs::remove(kept->file, ignored);
   }
 }
 
@@ -95,6 +99,7 @@ void keep_binding(const SavedBindings& saved, const deform::TiledBinding& tiles,
   if (saved.folder.empty() || bytes > saved.limit) return;
   std::error_code ignored;  // what is wrong with the folder, writing says
   fs::create_directories(saved.folder, ignored);
+  base::remove_stale_parts(saved.folder);
   drop_oldest(saved.folder, saved.limit - bytes);
   deform::write_binding(kept_file(saved, model, cage, tiles.weighting()), tiles, model, cage,
                         base::Outlives::program);

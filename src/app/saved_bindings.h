@@ -18,7 +18,7 @@ struct SavedBindings {
   std::filesystem::path folder{};        ///< empty: nothing is kept
   std::filesystem::path named{};         ///< tried first; empty: none
   double worth_keeping = 1;              ///< seconds that a binding must have taken
-  std::uintmax_t limit = 2'000'000'000;  ///< bytes in the folder
+  std::uintmax_t limit = 2'000'000'000;  ///< bytes in the folder, what others are writing there included
 };
 
 /// That of the program, in cache_folder(); empty if there is no home folder.

@@ -1,14 +1,18 @@
 #include "base/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
+#include "base/process.h"
 
 namespace viete::base {
 
@@ -29,16 +33,75 @@ fs::path target_of(const fs::path& path) {
   return code ? path : real;
 }
 
+constexpr std::string_view part_extension = ".part";
+
+// "dragon.obj" becomes "dragon.obj.PROCESS-0.part".
+fs::path part_of(const fs::path& target, int number) {
+  return target.string() + "." + base::process_name() + "-" + std::to_string(number) +
+         std::string(part_extension);
+}
+
+// The process that such a name tells of; empty for a name of another form.
+std::string_view process_of_part(std::string_view name) {
+  if (!name.ends_with(part_extension)) return "";
+  name.remove_suffix(part_extension.size());
+  const auto number = name.rfind('-'), target_end = name.rfind('.');
+  if (number == name.npos || target_end == name.npos || number < target_end) return "";
+  const auto digits = [](std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+  };
+  const std::string_view process = name.substr(target_end + 1, number - target_end - 1);
+  const auto middle = process.find('-');
+  const bool ours = middle != process.npos && digits(process.substr(0, middle)) &&
+                    digits(process.substr(middle + 1)) && digits(name.substr(number + 1));
+  return ours ? process : "";
+}
+
+// A process in another container, or on another machine that shares the folder, is not in our list of
+// processes, but its part is locked.
+void remove_if_stale(const fs::path& part) {
+  if (process_runs(process_of_part(part.filename().string()))) return;
+  const int handle = open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (handle < 0) return;
+  struct stat status {};
+  const bool ours = fstat(handle, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid();
+  if (ours && flock(handle, LOCK_EX | LOCK_NB) == 0) unlink(part.c_str());
+  close(handle);
+}
+
+// Those of one target, or of any for an empty name.
+void remove_stale_parts(const fs::path& folder, const std::string& target) {
+  std::vector<fs::path> parts;
+  std::error_code code;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end;
+       at.increment(code)) {
+    const std::string name = at->path().filename().string();
+    const std::string_view process = process_of_part(name);
+    if (process.empty() || (!target.empty() && !name.starts_with(target + "." + std::string(process))))
+      continue;
+    parts.push_back(at->path());
+  }
+  std::for_each(parts.begin(), parts.end(), remove_if_stale);
+}
+
+// What may be kept of an existing file's mode: a program that was handed other rights (setuid, setgid) loses
+// them with its content.
+constexpr mode_t kept_mode = 0777;
+
 // Removes the new file unless it was renamed.
 class NewFile {
 public:
   explicit NewFile(const fs::path& target) : target_(target) {
+    remove_stale_parts(target.parent_path(), target.filename().string());
+    struct stat existing {};
+    const mode_t mode = stat(target.c_str(), &existing) == 0 ? existing.st_mode & kept_mode : 0666;
     for (int i = 0; handle_ < 0 && i < 1000; ++i) {
-      path_ = target.string() + "." + std::to_string(getpid()) + "-" + std::to_string(i) + ".part";
-      handle_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      path_ = part_of(target, i);
+      handle_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
       if (handle_ < 0 && errno != EEXIST) break;
     }
     if (handle_ < 0) fail(target, errno);
+    flock(handle_, LOCK_EX | LOCK_NB);  // tells others that it is at work, where the file system can
   }
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
@@ -59,8 +122,10 @@ public:
 
   void become_target(Outlives outlives) {
     struct stat existing {};
-    if (stat(target_.c_str(), &existing) == 0 && fchmod(handle_, existing.st_mode & 07777) != 0)
-      fail(target_, errno);
+    if (stat(target_.c_str(), &existing) == 0) {
+      keep_owner(existing);
+      if (fchmod(handle_, existing.st_mode & kept_mode) != 0) fail(target_, errno);
+    }
     if (outlives == Outlives::power_cut && fsync(handle_) != 0) fail(target_, errno);
     const int closed = close(handle_);
     handle_ = -1;
@@ -70,6 +135,12 @@ public:
   }
 
 private:
+  // Only root may give a file away, and only members of a group may give it to the group.
+  bool keep_owner(const struct stat& existing) {
+    return fchown(handle_, existing.st_uid, existing.st_gid) == 0 ||
+           fchown(handle_, static_cast<uid_t>(-1), existing.st_gid) == 0;
+  }
+
   fs::path target_;
   std::string path_;
   int handle_ = -1;
@@ -83,6 +154,20 @@ void sync_folder(const fs::path& folder) {
   close(handle);
 }
 
+// Root may write everywhere; what its owner has protected stays all the same.
+void check_rights(const fs::path& path, const fs::path& target) {
+  struct stat existing {};
+  if (stat(target.c_str(), &existing) != 0) return;
+  if ((existing.st_mode & S_IWUSR) == 0 || access(target.c_str(), W_OK) != 0)
+    throw Error(path.string(), "this file is write-protected",
+                "choose another name, or give the right to write it (chmod u+w)");
+  if (existing.st_nlink > 1)
+    throw Error(path.string(),
+                "this file has " + std::to_string(existing.st_nlink) +
+                    " names (hard links), which replacing it would part",
+                "choose another name, or remove this one first");
+}
+
 // Where the bytes go; throws where no file can be.
 fs::path checked_target(const fs::path& path) {
   const fs::path target = target_of(path);
@@ -94,10 +179,15 @@ fs::path checked_target(const fs::path& path) {
     throw Error(path.string(), "this is not a regular file", "choose another name");
   }
   if (target.empty()) throw Error("", "no file is named", "name a file");
+  check_rights(path, target);
   return target;
 }
 
 }  // namespace
+
+void remove_stale_parts(const fs::path& folder) {
+  remove_stale_parts(folder, "");
+}
 
 void check_replaceable(const fs::path& path) {
   NewFile probe(checked_target(path));  // removed again: it never becomes the target

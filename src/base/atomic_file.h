@@ -12,8 +12,14 @@ namespace viete::base {
 enum class Outlives { program, power_cut };
 
 /// Writes the bytes to a new file in the same folder, syncs it, and renames it to path. On failure the
-/// existing file stays as it was and the new one is removed. A link is followed; permissions of an existing
-/// file are kept. Throws Error (a folder, a device, an unwritable folder, a full disk). Thread-safe.
+/// existing file stays as it was and the new one is removed. A link is followed. Of an existing file the
+/// rights to read, write and run are kept, and its owner where the system allows that; setuid, setgid and
+/// sticky bits are not. Throws Error: a folder, a device, an unwritable folder, a full disk, a file whose
+/// owner may not write it (root is refused too), a file of several names (hard links: the new content would
+/// come under one of them only). Thread-safe.
+///
+/// The new file is called `NAME.PROCESS-NUMBER.part`, see process_name(). What a program that was killed has
+/// left of this file is removed.
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
                   Outlives outlives = Outlives::power_cut);
 
@@ -24,5 +30,9 @@ void replace_file(const std::filesystem::path& path, std::span<const std::string
 /// Throws what replace_file() would throw now for this place, for work that takes long before it writes. An
 /// existing file stays as it is.
 void check_replaceable(const std::filesystem::path& path);
+
+/// Removes every part in a folder of our own that a program left when it was killed. A part of a running
+/// program, of another user, or of another form stays. A folder that is not there is empty. Thread-safe.
+void remove_stale_parts(const std::filesystem::path& folder);
 
 }  // namespace viete::base

@@ -1,11 +1,16 @@
 #include "base/atomic_file.h"
 
 #include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 
 #include "base/error.h"
+#include "base/process.h"
 #include "support/folder.h"
 
 namespace fs = std::filesystem;
@@ -84,4 +89,71 @@ TEST_CASE("parts_are_written_one_after_the_other") {
   const std::string_view parts[] = {"one ", "", "and two"};
   replace_file(folder / "a", parts);
   CHECK(test::file_bytes(folder / "a") == "one and two");
+}
+
+TEST_CASE("a_write_protected_file_stays_even_where_root_writes") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "a", "precious");
+  fs::permissions(folder / "a", fs::perms::owner_read | fs::perms::group_write);
+  fs::create_symlink("a", folder / "link");
+  for (const char* name : {"a", "link"}) {
+    CHECK_THROWS_WITH_AS(replace_file(folder / name, "x"), doctest::Contains("write-protected"), base::Error);
+    CHECK_THROWS_WITH_AS(check_replaceable(folder / name), doctest::Contains("write-protected"), base::Error);
+  }
+  CHECK(test::file_bytes(folder / "a") == "precious");
+  CHECK(folder.entries() == 2);
+}
+
+TEST_CASE("a_file_of_two_names_is_not_parted_from_the_other") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "a", "precious");
+  fs::create_hard_link(folder / "a", folder / "b");
+  CHECK_THROWS_WITH_AS(replace_file(folder / "a", "x"), doctest::Contains("2 names"), base::Error);
+  CHECK_THROWS_WITH_AS(check_replaceable(folder / "a"), doctest::Contains("2 names"), base::Error);
+  CHECK(test::file_bytes(folder / "a") == "precious");
+  fs::remove(folder / "b");
+  replace_file(folder / "a", "x");
+  CHECK(test::file_bytes(folder / "a") == "x");
+}
+
+TEST_CASE("a_replaced_file_runs_with_nobody_elses_rights") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "a", "one");
+  REQUIRE(chmod((folder / "a").c_str(), 07755) == 0);
+  replace_file(folder / "a", "two");
+  CHECK(fs::status(folder / "a").permissions() == fs::perms(0755));
+}
+
+TEST_CASE("what_a_killed_program_left_goes_when_the_file_is_next_written") {
+  const test::TemporaryFolder folder;
+  const std::string running = "a." + base::process_name() + "-7.part", stale = "a.999999999-1-0.part";
+  const char* others[] = {"b.999999999-1-0.part",     "a.part",
+                          "a.999999999-0.part",       "a.x-1-0.part",
+                          "a.999999999-1-0.part.obj", "a.b.999999999-1-0.part"};
+  for (const char* name : others) test::put_file(folder / name, "of somebody else");
+  test::put_file(folder / running, "half");
+  test::put_file(folder / stale, "half");
+  replace_file(folder / "a", "whole");
+  CHECK_FALSE(fs::exists(folder / stale));
+  CHECK(fs::exists(folder / running));
+  for (const char* name : others) CHECK_MESSAGE(fs::exists(folder / name), name);
+  CHECK(folder.entries() == std::size(others) + 2);
+}
+
+TEST_CASE("a_folder_is_swept_of_parts_but_not_of_those_at_work") {
+  const test::TemporaryFolder folder;
+  base::remove_stale_parts(folder / "none");
+  fs::create_directory(folder / "d.999999999-1-0.part");
+  for (const char* name : {"a.999999999-1-0.part", "b.999999999-1-3.part", "locked.999999999-1-0.part", "a"})
+    test::put_file(folder / name, "x");
+  test::put_file(folder / ("a." + base::process_name() + "-0.part"), "x");
+  const int handle = open((folder / "locked.999999999-1-0.part").c_str(), O_RDONLY);
+  REQUIRE(flock(handle, LOCK_EX) == 0);  // as a program in another container holds it
+  base::remove_stale_parts(folder.path());
+  CHECK(folder.entries() == 4);
+  CHECK_FALSE(fs::exists(folder / "a.999999999-1-0.part"));
+  CHECK_FALSE(fs::exists(folder / "b.999999999-1-3.part"));
+  close(handle);
+  base::remove_stale_parts(folder.path());
+  CHECK_FALSE(fs::exists(folder / "locked.999999999-1-0.part"));
 }

@@ -46,6 +46,15 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
   CHECK_MESSAGE(kept_files(state).size() == 1, "quitting without saving keeps the work");
 }
 
+TEST_CASE("what_a_killed_program_was_still_writing_goes_at_the_next_start") {
+  const test::TemporaryFolder folder;
+  const fs::path recovery = folder / "state" / "recovery", half = recovery / "9-1.viete.999999999-1-0.part";
+  fs::create_directories(recovery);
+  test::put_file(half, "half");
+  const Driver d(remembering(folder / "state"));
+  CHECK_FALSE(fs::exists(half));
+}
+
 TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_brings_them_back") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "app/saved_bindings.h"
+#include "base/process.h"
 #include "deform/binding_file.h"
 #include "deform/fused_frame.h"
 #include "mesh/shapes.h"
@@ -169,6 +170,32 @@ TEST_CASE("those_used_longest_ago_go_when_there_are_too_many") {
   app::keep_binding(saved, deform::bind_tiles(ball, cage, deform::Coordinates::face, pool), ball, cage);
   CHECK(fs::exists(kept / "note.txt"));
   CHECK(fs::exists(files[0]));  // one that is larger than all may be is not kept, and drives none out
+}
+
+TEST_CASE("what_others_are_writing_counts_and_what_killed_programs_left_goes") {
+  const test::TemporaryFolder folder;
+  base::WorkerPool pool;
+  const auto ball = test::sphere(8);
+  app::SavedBindings saved{.folder = folder.path(), .worth_keeping = 0};
+  const auto keep = [&](double size) {
+    const auto cage = deform::make_cage(test::moved(test::sphere(2), size));
+    const auto tiles = deform::bind_tiles(ball, cage, deform::Coordinates::face, pool, 0);
+    saved.limit = 2 * (tiles.bytes() + 1000);
+    app::keep_binding(saved, tiles, ball, cage);
+    return tiles.bytes();
+  };
+  const std::size_t bytes = keep(5);
+  const fs::path first = only_file(folder.path()), stale = folder / "a.binding.999999999-1-0.part",
+                 working = folder / ("b.binding." + base::process_name() + "-99.part");
+  test::put_file(stale, std::string(bytes, 'x'));
+  keep(6);
+  CHECK_FALSE(fs::exists(stale));
+  CHECK(fs::exists(first));
+  fs::last_write_time(first, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  test::put_file(working, std::string(bytes, 'x'));
+  keep(7);
+  CHECK(fs::exists(working));
+  CHECK_FALSE(fs::exists(first));
 }
 
 TEST_CASE("a_named_binding_is_used_and_a_stale_or_foreign_one_is_said_and_bound_anew") {
