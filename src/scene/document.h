@@ -56,8 +56,11 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
 
 /// A new document of surfaces that were read. Throws base::Error if the cage is none.
 Document document_of(OpenedSurface model);
-/// Throws base::Error if model or cage are too large or too small for graphics cards, which compute in float.
+/// Throws base::Error if the model, its cage or its pose is too large or too small for graphics cards, which
+/// compute in float: larger or farther from 0 than 1e32, or smaller than 1e-32.
 void check_drawable(const Document& document);
+/// The same for deforming in double, up to 1e60 and down to 1e-60.
+void check_deformable(const Document& document);
 void set_cage(Document& document, OpenedSurface cage);
 
 /// Reads a model and, if the path is not empty, a cage, into a new document. Throws base::Error; the caller's

@@ -49,6 +49,28 @@ TEST_CASE("sizes_that_float_can_draw_are_told_from_those_that_it_cannot") {
   }
 }
 
+TEST_CASE("sizes_that_double_can_deform_are_told_from_those_that_it_cannot") {
+  const test::CubeFiles files;
+  const fs::path model = files / "sized.obj", cage = files / "sized_cage.obj";
+  for (const double size : {1e-61, 1e-59, 1.0, 1e59, 1e61}) {
+    mesh::write(model, test::cube(size));
+    mesh::write(cage, test::cube(1.5 * size));
+    auto document = open_document(model, cage);
+    if (size > 1e-60 && size < 1e60) {
+      CHECK_NOTHROW(check_deformable(document));
+      document.pose.positions[0][1] = 1e61;
+      CHECK_THROWS_WITH_AS(check_deformable(document), doctest::Contains("sized_cage.obj: its pose: a size"),
+                           base::Error);
+    } else {
+      CHECK_THROWS_WITH_AS(check_deformable(document), doctest::Contains("sized.obj: a size of"), base::Error);
+    }
+  }
+  auto point = test::cube(0);  // but far away
+  for (auto& p : point.positions) p[2] = 1e70;
+  mesh::write(model, point);
+  CHECK_THROWS_AS(check_deformable(open_document(model, {})), base::Error);
+}
+
 TEST_CASE("opening_a_model_and_a_cage_fills_a_document") {
   const Files files;
   const Document document = open_document(files.model, files.cage);
