@@ -224,6 +224,10 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
   base::replace_file(file, parts, outlives);
 }
 
+bool is_binding(std::string_view beginning) {
+  return beginning.starts_with(std::string_view(format.data(), format.size()));
+}
+
 TiledBinding read_binding(const fs::path& file, const mesh::Surface& model, const Cage& cage,
                           Weighting weighting, base::Progress* progress) {
   Reader reader(file, progress);

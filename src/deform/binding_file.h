@@ -32,6 +32,9 @@ std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, Weightin
 void write_binding(const std::filesystem::path& file, const TiledBinding& binding, const mesh::Surface& model,
                    const Cage& cage, base::Outlives outlives = base::Outlives::power_cut);
 
+/// True if a file that begins with these bytes (16 at least) calls itself a binding.
+bool is_binding(std::string_view beginning);
+
 /// The binding that was written, to the last bit. Throws StaleBinding when it is of something else, saying of
 /// what; base::Error when it is no such file, damaged, cut short, of another version or byte order, or when
 /// it does not fit the memory that is free; base::Cancelled.

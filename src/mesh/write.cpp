@@ -31,4 +31,8 @@ void write(const std::filesystem::path& path, const Surface& surface,
   base::replace_file(path, format_for(path)(surface, comments));
 }
 
+void check_format(const std::filesystem::path& path) {
+  format_for(path);
+}
+
 }  // namespace viete::mesh

@@ -17,4 +17,7 @@ namespace viete::mesh {
 void write(const std::filesystem::path& path, const Surface& surface,
            const std::vector<std::string>& comments = {});
 
+/// Throws what write() throws for this name's extension.
+void check_format(const std::filesystem::path& path);
+
 }  // namespace viete::mesh
