@@ -30,7 +30,7 @@ struct Options {
   std::size_t count = 0;  ///< vertices at least; 0: those of the bundled model
   std::size_t faces = 300;
   std::size_t rounds = 5;
-  std::filesystem::path json;
+  BenchFiles files;
 };
 
 /// One model in one cage, and every way to bind them.
@@ -136,7 +136,7 @@ int bench_bind(const Options& options) {
               static_cast<double>(contest.dense().bytes()) * 1e-6,
               static_cast<double>(contest.compressed().bytes()) * 1e-6, contest.compressed().tolerance);
   bars.check("memory: dense / compressed", memory, contest.size() < 400'000 ? 4 : 9, true);
-  write_json(options.json, {{"figure", "bind"}, {"results", to_json(results)}, {"bars", bars.rows}});
+  write_json(options.files.json, {{"figure", "bind"}, {"results", to_json(results)}, {"bars", bars.rows}});
   return exit_ok;
 }
 
@@ -146,12 +146,18 @@ void add_bind_bench(CLI::App& bench, Action& action) {
   auto* command =
       bench.add_subcommand("bind", "Binding the bundled model: time against plain loops, and memory");
   auto options = std::make_shared<Options>();
-  command->add_option("--count", options->count, "Vertices at least, by subdivision (default: all 50,000)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--faces", options->faces, "Cage triangles (default 300)")->check(CLI::Range(8, 10000));
-  command->add_option("--rounds", options->rounds, "Repetitions (default 5)")->check(CLI::PositiveNumber);
-  add_result_option(*command, "--json", options->json, "Also write the numbers to this file");
-  command->callback([options, &action] { action = [options] { return bench_bind(*options); }; });
+  auto* count = command->add_option("--count", options->count, "Vertices at least, by subdivision");
+  whole_in_range(count, 1, most_vertices)->default_str("all 50,000");
+  auto* faces = command->add_option("--faces", options->faces, "Cage triangles");
+  whole_in_range(faces, 8, 10'000)->default_str("300");
+  add_rounds_option(*command, options->rounds, "5");
+  add_bench_files(*command, options->files);
+  command->callback([options, &action] {
+    action = [options] {
+      options->files.check();
+      return bench_bind(*options);
+    };
+  });
 }
 
 }  // namespace viete::app

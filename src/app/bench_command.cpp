@@ -12,6 +12,8 @@
 #include "app/options.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/memory.h"
+#include "scene/quantity.h"
 #include "sym3/kernel.h"
 
 namespace viete::app {
@@ -21,16 +23,29 @@ namespace {
 struct BenchOptions {
   std::size_t count = 0;  ///< 0: the benchmark's own
   bool in_float = false;
-  std::filesystem::path json, plot;
+  BenchFiles files;
 };
 
 constexpr std::size_t paper_count = 10'000'000;
+constexpr std::int64_t most_matrices = 1'000'000'000;
+
+// Before the system stops the program for it. A matrix comes in and goes out, as nine doubles at most.
+void require_memory_for(std::size_t count) {
+  const double bytes = 160.0 * static_cast<double>(count);
+  const auto free = base::free_memory();
+  if (!free || bytes <= 0.9 * *free) return;
+  throw base::Error("--count",
+                    grouped(count) + " matrices take " + scene::memory_size(static_cast<std::size_t>(bytes)) +
+                        " of memory, of which " + scene::memory_size(static_cast<std::size_t>(*free)) +
+                        " are free",
+                    "give a smaller number");
+}
 
 template <class Bench>
 int report(const Bench& bench, const BenchOptions& options) {
   print(bench);
-  write_json(options.json, to_json(bench));
-  if (!options.plot.empty()) base::replace_file(options.plot, draw_plot(plot_of(bench)));
+  write_json(options.files.json, to_json(bench));
+  if (!options.files.plot.empty()) base::replace_file(options.files.plot, draw_plot(plot_of(bench)));
   return exit_ok;
 }
 
@@ -51,7 +66,7 @@ int bench_accuracy(const BenchOptions& options) {
   std::printf("Largest relative error (Frobenius norm) in u = 2^%d against 106 bits, kernel %s\n\n",
               options.in_float ? -24 : -53, std::string(sym3::kernel_name()).c_str());
   for (const auto& table : tables) print(table, options.in_float);
-  write_json(options.json, to_json(tables));
+  write_json(options.files.json, to_json(tables));
   return exit_ok;
 }
 
@@ -64,25 +79,33 @@ void add_bench_command(CLI::App& app, Action& action) {
     const char* name;
     const char* text;
     const char* count;
+    const char* usual_count;
+    std::int64_t most;
     bool has_plot, has_float;
     int (*run)(const BenchOptions&);
   } benches[] = {
-      {"exp", "Time of exp by method, layout and size", "Matrices (default 10,000,000)", true, true,
+      {"exp", "Time of exp by method, layout and size", "Matrices", "10,000,000", most_matrices, true, true,
        bench_exp},
-      {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices (default 10,000,000)",
-       true, false, bench_eigen},
-      {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale",
-       "Matrices a row (default 4,096)", false, true, bench_accuracy},
-      {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory (default 10,000,000)",
-       false, false, [](const BenchOptions& o) { return bench_sym3(o.count, o.json); }}};
+      {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices", "10,000,000",
+       most_matrices, true, false, bench_eigen},
+      {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row", "4,096",
+       1'000'000, false, true, bench_accuracy},
+      {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory", "10,000,000",
+       most_matrices, false, false, [](const BenchOptions& o) { return bench_sym3(o.count, o.files.json); }}};
   for (const auto& bench : benches) {
     auto* sub = command->add_subcommand(bench.name, bench.text);
     auto options = std::make_shared<BenchOptions>();
-    sub->add_option("--count", options->count, bench.count)->check(CLI::PositiveNumber);
-    add_result_option(*sub, "--json", options->json, "Also write the numbers to this file");
+    whole_in_range(sub->add_option("--count", options->count, bench.count), 1, bench.most)
+        ->default_str(bench.usual_count);
+    add_bench_files(*sub, options->files, bench.has_plot);
     if (bench.has_float) sub->add_flag("--float", options->in_float, "In single precision");
-    if (bench.has_plot) add_result_option(*sub, "--plot", options->plot, "Also draw them: an SVG file");
-    sub->callback([options, &action, run = bench.run] { action = [options, run] { return run(*options); }; });
+    sub->callback([options, &action, run = bench.run] {
+      action = [options, run] {
+        options->files.check();
+        require_memory_for(options->count);
+        return run(*options);
+      };
+    });
   }
   add_frame_bench(*command, action);
   add_bind_bench(*command, action);

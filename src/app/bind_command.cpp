@@ -6,6 +6,7 @@
 #include "app/bench_rounds.h"
 #include "app/command_line.h"
 #include "app/options.h"
+#include "app/output.h"
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/worker_pool.h"
@@ -20,6 +21,7 @@ struct BindOptions {
   std::filesystem::path model, cage, output;
   WeightingOptions weighting;
   double tolerance = deform::usual_tolerance;
+  bool force = false;
 };
 
 void print(const deform::TiledBinding& tiles, double seconds) {
@@ -36,6 +38,8 @@ void print(const deform::TiledBinding& tiles, double seconds) {
 }
 
 int bind_files(const BindOptions& options) {
+  check_output(options.output, Content::binding, with_files_of_sessions({options.model, options.cage}),
+               options.force);
   scene::Opened opened =
       scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage}}, {});
   for (const auto& warning : opened.warnings) std::fprintf(stderr, "viete: note: %s\n", warning.c_str());
@@ -43,6 +47,7 @@ int bind_files(const BindOptions& options) {
   if (!document.has_cage())
     throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
   options.weighting.apply(document, opened.session.has_value());
+  scene::check_drawable(document);  // what is bound is for pictures
   base::WorkerPool pool;
   base::Stopwatch watch;
   const auto tiles = deform::bind_tiles(*document.model.surface, *document.cage, document.weighting(), pool,
@@ -58,20 +63,21 @@ void add_bind_command(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("bind", "Bind a model to its cage and save that, for view and render --binding");
   auto o = std::make_shared<BindOptions>();
-  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL), or a session (.viete) with its cage")
+  add_file_option(*command, "MODEL", o->model,
+                  "Mesh (OBJ, PLY, OFF, STL), or a session (.viete) with its cage")
       ->required();
-  command->add_option("CAGE", o->cage, "Cage around it, at rest");
-  command->add_option("-o,--output", o->output, "File to write")->required();
+  add_file_option(*command, "CAGE", o->cage, "Cage around it, at rest");
+  add_file_option(*command, "-o,--output", o->output, "File to write")->required();
+  add_force_option(*command, o->force);
   add_weighting_options(*command, o->weighting);
-  command
-      ->add_option("--tolerance", o->tolerance,
-                   "What compression may change the weights of a vertex by (root of the sum of squares); 0: "
-                   "no compression")
-      ->check(CLI::Range(0.0, 0.1))
-      ->default_str("3e-5");
+  auto* tolerance = command->add_option(
+      "--tolerance", o->tolerance,
+      "What compression may change the weights of a vertex by (root of the sum of squares; 0: no "
+      "compression)");
+  in_range(tolerance, 0, 0.1)->default_str("3e-5");
   command->footer(
       "The file is checked against model and cage whenever it is used. view and render also keep bindings "
-      "that took\n"
+      "that took "
       "more than a second by themselves, in ~/.cache/viete/bindings ($XDG_CACHE_HOME), 2 GB at most.");
   command->callback([o, &action] {
     check_session_stands_alone(o->model, o->cage, {});

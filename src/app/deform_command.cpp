@@ -6,6 +6,7 @@
 
 #include "app/command_line.h"
 #include "app/options.h"
+#include "app/output.h"
 #include "base/error.h"
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
@@ -21,7 +22,7 @@ struct DeformOptions {
   std::filesystem::path model, cage, pose, output;
   sym3::Method method = sym3::Method::fast;
   WeightingOptions weighting;
-  bool method_given = false;
+  bool method_given = false, force = false;
 };
 
 void warn(const std::vector<std::string>& warnings) {
@@ -38,10 +39,13 @@ scene::Document open(const DeformOptions& options) {
     throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
   if (!opened.session || options.method_given) document.method = options.method;
   options.weighting.apply(document, opened.session.has_value());
+  scene::check_deformable(document);
   return document;
 }
 
 int deform_file(const DeformOptions& options) {
+  check_output(options.output, Content::surface,
+               with_files_of_sessions({options.model, options.cage, options.pose}), options.force);
   const scene::Document document = open(options);
   base::WorkerPool pool;
   auto binding = std::make_shared<deform::Binding>(
@@ -61,14 +65,14 @@ int deform_file(const DeformOptions& options) {
 void add_deform_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("deform", "Deform a mesh by a posed cage and write it");
   auto o = std::make_shared<DeformOptions>();
-  command
-      ->add_option("MODEL", o->model,
-                   "Mesh (OBJ, PLY, OFF, STL), or a session (.viete) with its cage and pose")
+  add_file_option(*command, "MODEL", o->model,
+                  "Mesh (OBJ, PLY, OFF, STL), or a session (.viete) with its cage and pose")
       ->required();
-  command->add_option("CAGE", o->cage, "Cage around it, at rest");
-  command->add_option("--pose", o->pose, "Posed version of the cage, same vertices in the same order");
-  command->add_option("-o,--output", o->output, "File to write; the extension chooses the format")
+  add_file_option(*command, "CAGE", o->cage, "Cage around it, at rest");
+  add_file_option(*command, "--pose", o->pose, "Posed version of the cage, same vertices in the same order");
+  add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
       ->required();
+  add_force_option(*command, o->force);
   add_method_option(*command, o->method);
   add_weighting_options(*command, o->weighting);
   command->callback([o, command, &action] {

@@ -36,10 +36,10 @@ struct Options {
   std::vector<std::size_t> counts = {
       0};  ///< vertices: the bundled model is cut off or subdivided; 0: as it is
   std::vector<std::size_t> faces = {50, 100, 300, 600};
-  int rounds = 11;
+  std::size_t rounds = 11;
   double tolerance = deform::usual_tolerance;
   double reach = deform::whole_cage;
-  std::filesystem::path json;
+  BenchFiles files;
 };
 
 // The bundled model, its first vertices, or subdivided until it has about as many.
@@ -130,8 +130,8 @@ public:
     add_floors();
   }
 
-  void run(int rounds) {
-    for (int round = 0; round < rounds; ++round) {
+  void run(std::size_t rounds) {
+    for (std::size_t round = 0; round < rounds; ++round) {
       for (Case& c : cases_) {
         warm_up(c);
         time_once(c);
@@ -318,7 +318,7 @@ int bench_frame(const Options& options) {
         std::max<std::size_t>(1, model.positions.size() / 50'000);  // of the rounds, for large models
     for (const std::size_t faces : options.faces) {
       Contest contest(model, faces, options.tolerance, options.reach);
-      contest.run(std::max(3, options.rounds / static_cast<int>(share)));
+      contest.run(std::max<std::size_t>(3, options.rounds / share));
       const auto times = contest.times();
       contest.print(times);
       all.insert(all.end(), times.begin(), times.end());
@@ -329,7 +329,7 @@ int bench_frame(const Options& options) {
   if (options.reach == deform::whole_cage) check_frame(all, bars);  // which are of 1/d^2 without an end
   nlohmann::json results = nlohmann::json::array();
   for (const auto& t : all) results.push_back(to_json(t));
-  write_json(options.json, {{"figure", "frame"}, {"results", results}, {"bars", bars.rows}});
+  write_json(options.files.json, {{"figure", "frame"}, {"results", results}, {"bars", bars.rows}});
   return exit_ok;
 }
 
@@ -338,19 +338,22 @@ int bench_frame(const Options& options) {
 void add_frame_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand("frame", "A frame of the bundled model: by path, cage and stage");
   auto options = std::make_shared<Options>();
-  command
-      ->add_option("--count", options->counts, "Vertices (default: all 50,000; 200000 and 800000 subdivide)")
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber);
-  command->add_option("--faces", options->faces, "Cage triangles (default: 50,100,300,600)")
-      ->delimiter(',')
-      ->check(CLI::Range(8, 10000));
-  command->add_option("--rounds", options->rounds, "Repetitions (default 11)")->check(CLI::PositiveNumber);
-  command->add_option("--tolerance", options->tolerance, "Of compressed weights (default 3e-5)")
-      ->check(CLI::NonNegativeNumber);
+  auto* counts = command->add_option("--count", options->counts,
+                                     "Vertices, several with commas; 200000 and 800000 subdivide");
+  whole_in_range(counts, 1, most_vertices)->delimiter(',')->default_str("all 50,000");
+  auto* faces = command->add_option("--faces", options->faces, "Cage triangles, several with commas");
+  whole_in_range(faces, 8, 10'000)->delimiter(',')->default_str("50,100,300,600");
+  add_rounds_option(*command, options->rounds, "11");
+  auto* tolerance = command->add_option("--tolerance", options->tolerance, "Of compressed weights");
+  in_range(tolerance, 0, 0.1)->default_str("3e-5");
   add_reach_option(*command, options->reach);
-  add_result_option(*command, "--json", options->json, "Also write the numbers to this file");
-  command->callback([options, &action] { action = [options] { return bench_frame(*options); }; });
+  add_bench_files(*command, options->files);
+  command->callback([options, &action] {
+    action = [options] {
+      options->files.check();
+      return bench_frame(*options);
+    };
+  });
 }
 
 }  // namespace viete::app

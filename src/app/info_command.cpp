@@ -6,6 +6,7 @@
 
 #include "app/assets.h"
 #include "app/command_line.h"
+#include "app/options.h"
 #include "base/error.h"
 #include "mesh/read.h"
 #include "scene/checks.h"
@@ -35,6 +36,14 @@ void print(const scene::OpenedSurface& surface) {
   std::printf("  area        %g\n", f.area);
   if (f.closed()) std::printf("  volume      %g\n", f.volume);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
+  const auto document = scene::document_of(surface);
+  for (const auto check : {scene::check_drawable, scene::check_deformable}) {
+    try {
+      check(document);
+    } catch (const base::Error& error) {
+      std::printf("  note        %s; %s\n", error.problem().c_str(), error.advice().c_str());
+    }
+  }
 }
 
 void print(const std::vector<scene::Finding>& findings) {
@@ -77,7 +86,7 @@ void add_info_command(CLI::App& app, Action& action) {
   auto files = std::make_shared<std::vector<fs::path>>();
   auto cage = std::make_shared<fs::path>();
   command->add_option("FILE", *files, "OBJ, PLY, OFF or STL files (default: the bundled model in its cage)");
-  command->add_option("--cage", *cage, "Check this cage around them too");
+  add_file_option(*command, "--cage", *cage, "Check this cage around them too");
   command->callback([files, cage, &action] {
     action = [files, cage] {
       if (!files->empty()) return info(*files, *cage);

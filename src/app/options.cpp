@@ -1,34 +1,103 @@
 #include "app/options.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
-#include <map>
 
-#include "base/atomic_file.h"
+#include "app/bench_rounds.h"
+#include "app/words.h"
 #include "base/error.h"
 #include "scene/edit.h"
 #include "scene/session.h"
 
 namespace viete::app {
 
+namespace {
+
+template <class Number>
+bool read_whole_text(const std::string& text, Number& number) {
+  const auto end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, number);
+  return code == std::errc() && stop == end;
+}
+
+// "0.5", "1,000,000".
+std::string number_text(double number) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+std::string number_text(std::int64_t number) {
+  return (number < 0 ? "-" : "") + grouped(static_cast<std::size_t>(std::abs(number)));
+}
+
+template <class Number>
+CLI::Option* limit(CLI::Option* option, Number low, Number high, const std::string& what) {
+  const std::string range = number_text(low) + " to " + number_text(high);
+  option->option_text("NUMBER")->description(option->get_description() + ", " + range);
+  return option->check([=](const std::string& text) -> std::string {
+    Number number{};
+    if (read_whole_text(text, number) && number >= low && number <= high) return {};  // NaN is neither
+    return "needs " + what + " from " + range + ", not " + text;
+  });
+}
+
+}  // namespace
+
+CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::filesystem::path& file,
+                             const std::string& text) {
+  return app.add_option(name, file, text)->option_text("FILE");
+}
+
+CLI::Option* in_range(CLI::Option* option, double low, double high) {
+  return limit(option, low, high, "a number");
+}
+
+CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t high) {
+  return limit(option, low, high, "a whole number");
+}
+
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
+  return option->option_text("WORD")->check([words](const std::string& text) -> std::string {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return {};
+    const std::string meant = nearest(text, words);
+    return "needs " + listed(words) + ", not " + text +
+           (meant.empty() ? "" : "; did you mean " + meant + "?");
+  });
+}
+
+void add_force_option(CLI::App& app, bool& force) {
+  app.add_flag("--force", force,
+               "Also replace a file that is read, or one that holds something else than what is written");
+}
+
+void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual) {
+  whole_in_range(app.add_option("--rounds", rounds, "Repetitions"), 1, 1000)->default_str(usual);
+}
+
+void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot) {
+  add_file_option(app, "--json", files.json, "Also write the numbers to this file");
+  if (has_plot) add_file_option(app, "--plot", files.plot, "Also draw them: an SVG file");
+  add_force_option(app, files.force);
+}
+
 void add_method_option(CLI::App& app, sym3::Method& method) {
-  app.add_option_function<std::string>(
-         "--method", [&method](const std::string& word) { method = *sym3::method_from_name(word); },
-         "How exp is computed: diag, sd, improved_sd or fast")
-      ->check(CLI::IsMember({"diag", "sd", "improved_sd", "fast"}))
-      ->default_str("fast");
+  auto* option = app.add_option_function<std::string>(
+      "--method", [&method](const std::string& word) { method = *sym3::method_from_name(word); },
+      "How exp is computed: diag, sd, improved_sd or fast");
+  one_of(option, {"diag", "sd", "improved_sd", "fast"})->default_str("fast");
 }
 
 void add_weighting_options(CLI::App& app, WeightingOptions& options) {
-  app.add_option_function<std::string>(
-         "--coordinates",
-         [&options](const std::string& word) {
-           options.coordinates = *deform::coordinates_from_name(word);
-           options.coordinates_given = true;
-         },
-         "How the cage moves the mesh: face (affine maps blended in log space) or mvc (mean value "
-         "coordinates)")
-      ->check(CLI::IsMember({"face", "mvc"}))
-      ->default_str("face");
+  auto* option = app.add_option_function<std::string>(
+      "--coordinates",
+      [&options](const std::string& word) {
+        options.coordinates = *deform::coordinates_from_name(word);
+        options.coordinates_given = true;
+      },
+      "How the cage moves the mesh: face (affine maps blended in log space) or mvc (mean value "
+      "coordinates)");
+  one_of(option, {"face", "mvc"})->default_str("face");
   add_reach_option(app, options.reach)->each([&options](const std::string&) { options.reach_given = true; });
 }
 
@@ -40,11 +109,13 @@ CLI::Option* add_reach_option(CLI::App& app, double& reach) {
           [&reach, lowest](const std::string& text) {
             const auto number = deform::reach_from_text(text);
             if (!number)
-              throw CLI::ValidationError("--reach", "needs a number from " + lowest + " on, or all");
+              throw CLI::ValidationError("--reach",
+                                         "needs a number from " + lowest + " on, or all, not " + text);
             reach = *number;
           },
           "Of coordinates face: how many times as far as the nearest faces a face still moves the mesh, " +
               lowest + " or more, or all: every face moves all of it")
+      ->option_text("NUMBER")
       ->default_str("all");
 }
 
@@ -59,8 +130,8 @@ void WeightingOptions::apply(scene::Document& document, bool of_session) const {
 }
 
 void add_binding_option(CLI::App& app, std::filesystem::path& file) {
-  app.add_option("--binding", file,
-                 "What viete bind has saved of this model and cage, instead of binding them");
+  add_file_option(app, "--binding", file,
+                  "What viete bind has saved of this model and cage, instead of binding them");
 }
 
 void check_session_stands_alone(const std::filesystem::path& model, const std::filesystem::path& cage,
@@ -78,25 +149,13 @@ void add_size_option(CLI::App& app, glm::ivec2& size) {
            char rest = 0;
            const bool whole = std::sscanf(text.c_str(), "%dx%d%c", &w, &h, &rest) == 2;
            if (!whole || w < 16 || h < 16 || w > 8192 || h > 8192) {
-             throw CLI::ValidationError("--size",
-                                        "needs WIDTHxHEIGHT, each 16 to 8192, for example 1280x800");
+             throw CLI::ValidationError("--size", "needs WIDTHxHEIGHT, each 16 to 8192, not " + text);
            }
            size = {w, h};
          },
-         "Size of the picture in logical pixels, WIDTHxHEIGHT")
+         "Size of the picture in logical pixels, each 16 to 8192")
+      ->option_text("WIDTHxHEIGHT")
       ->default_str("1280x800");
-}
-
-void add_result_option(CLI::App& app, const std::string& name, std::filesystem::path& target,
-                       const std::string& text) {
-  app.add_option(name, target, text)->check([](const std::string& path) -> std::string {
-    try {
-      base::check_replaceable(path);
-      return {};
-    } catch (const base::Error& error) {
-      return error.what();
-    }
-  });
 }
 
 }  // namespace viete::app

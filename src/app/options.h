@@ -2,14 +2,36 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
+#include <vector>
 
+#include "app/output.h"
 #include "scene/document.h"
 #include "sym3/exp.h"
 
 namespace viete::app {
+
+/// A file to be read or written.
+CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::filesystem::path& file,
+                             const std::string& text);
+/// Takes a number from low to high, neither NaN nor infinity: says so in help and errors.
+CLI::Option* in_range(CLI::Option* option, double low, double high);
+/// The same of whole numbers.
+CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t high);
+/// Takes one of these words.
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
+/// --force, of a command that writes files, see check_output().
+void add_force_option(CLI::App& app, bool& force);
+
+/// --rounds, 1 to 1,000.
+void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual);
+/// Vertices of a benchmark's model, which is subdivided until it has so many.
+constexpr std::int64_t most_vertices = 10'000'000;
+/// --json, --force and, if asked for, --plot.
+void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 
 /// --method diag|sd|improved_sd|fast. The target must outlive parsing.
 void add_method_option(CLI::App& app, sym3::Method& method);
@@ -33,10 +55,5 @@ void check_session_stands_alone(const std::filesystem::path& model, const std::f
                                 const std::filesystem::path& pose);
 /// --size WxH in logical pixels, 16 to 8192 each.
 void add_size_option(CLI::App& app, glm::ivec2& size);
-
-/// An option that names a file to be written once the work is done. The place is tried at parsing, so that
-/// minutes of work are not lost to a misspelt folder: throws CLI::ValidationError.
-void add_result_option(CLI::App& app, const std::string& name, std::filesystem::path& target,
-                       const std::string& text);
 
 }  // namespace viete::app

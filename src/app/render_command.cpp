@@ -9,7 +9,9 @@
 #include "app/command_line.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
+#include "app/output.h"
 #include "base/error.h"
+#include "mesh/source.h"
 #include "scene/edit.h"
 #include "scene/open.h"
 
@@ -24,7 +26,7 @@ struct RenderOptions {
   WeightingOptions weighting;
   bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
   std::string look = "home";
-  bool method_given = false, size_given = false, look_given = false;
+  bool force = false, method_given = false, size_given = false, look_given = false;
 };
 
 const std::map<std::string, scene::StandardView> looks = {
@@ -63,11 +65,18 @@ void aim(Viewer& viewer, bool has_camera, const RenderOptions& options) {
   scene::frame_all(workspace, false);
 }
 
-int render(const RenderOptions& options) {
-  if (options.output.extension() != ".png") {
+void check_output(const RenderOptions& options) {
+  if (mesh::extension_of(options.output) != "png") {
     throw base::Error(options.output.string(), "pictures are written as PNG only",
                       "give the file the extension .png");
   }
+  const auto inputs =
+      with_files_of_sessions({options.model, options.cage, options.pose, options.viewer.bindings.named});
+  check_output(options.output, Content::picture, inputs, options.force);
+}
+
+int render(const RenderOptions& options) {
+  check_output(options);
   scene::Opened opened =
       scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage, options.pose}}, {});
   scene::check_drawable(*opened.document);
@@ -98,23 +107,21 @@ int render(const RenderOptions& options) {
 void add_render_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("render", "Render a picture without a window");
   auto o = std::make_shared<RenderOptions>();
-  command
-      ->add_option("MODEL", o->model,
-                   "Mesh (OBJ, PLY, OFF, STL), or a session (.viete), which has its own view")
+  add_file_option(*command, "MODEL", o->model,
+                  "Mesh (OBJ, PLY, OFF, STL), or a session (.viete), which has its own view")
       ->required();
-  command->add_option("CAGE", o->cage, "Cage around it");
-  command->add_option("--pose", o->pose, "Posed version of the cage");
-  command->add_option("-o,--output", o->output, "PNG file to write")->required();
+  add_file_option(*command, "CAGE", o->cage, "Cage around it");
+  add_file_option(*command, "--pose", o->pose, "Posed version of the cage");
+  add_file_option(*command, "-o,--output", o->output, "PNG file to write")->required();
+  add_force_option(*command, o->force);
   add_size_option(*command, o->viewer.size);
-  command->add_option("--scale", o->viewer.scale, "Device pixels per logical pixel")
-      ->check(CLI::Range(0.5, 4.0))
-      ->default_str("1");
+  auto* scale = command->add_option("--scale", o->viewer.scale, "Device pixels per logical pixel");
+  in_range(scale, 0.5, 4)->default_str("1");
   add_method_option(*command, o->method);
   add_weighting_options(*command, o->weighting);
   add_binding_option(*command, o->viewer.bindings.named);
-  command->add_option("--look", o->look, "home, front, back, left, right, top or bottom")
-      ->check(CLI::IsMember({"home", "front", "back", "left", "right", "top", "bottom"}))
-      ->default_str("home");
+  auto* look = command->add_option("--look", o->look, "home, front, back, left, right, top or bottom");
+  one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
   command->add_flag("--panels", o->panels, "With the panels");
   command->add_flag("--light", o->light, "Light theme");
   command->add_flag("--wireframe", o->wireframe, "With the edges of the mesh");

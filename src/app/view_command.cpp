@@ -8,6 +8,7 @@
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
 #include "app/window.h"
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "scene/session.h"
 
@@ -17,11 +18,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without a display: one line that says so, and the picture that the window would have shown.
+// viete.png in the working folder, or viete-2.png, viete-3.png ..., whichever is not there.
+fs::path new_picture() {
+  const fs::path folder = fs::current_path();
+  fs::path picture = folder / "viete.png";
+  for (int i = 2; fs::exists(fs::symlink_status(picture)); ++i)
+    picture = folder / ("viete-" + std::to_string(i) + ".png");
+  return picture;
+}
+
+// Without a display: the picture that the window would have shown, and one line that says so.
 int render_instead(const WindowOptions& options, const std::string& reason) {
-  const fs::path picture = "viete.png";
-  std::fprintf(stderr, "viete: no window (%s), writing a picture to %s instead\n", reason.c_str(),
-               picture.c_str());
+  const fs::path picture = new_picture();
+  try {
+    base::check_replaceable(picture);
+  } catch (const base::Error& error) {
+    throw base::Error("", "no window (" + reason + "), and no picture instead: " + error.what());
+  }
   ViewerOptions viewer_options;
   viewer_options.samples = 4;
   viewer_options.scale = options.scale > 0 ? options.scale : 1;
@@ -36,6 +49,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   }
   offscreen.settle();
   render::write_png(picture, offscreen.viewer().picture());
+  std::fprintf(stderr, "viete: no window (%s); its picture is in %s\n", reason.c_str(), picture.c_str());
   return exit_ok;
 }
 
@@ -57,20 +71,19 @@ int view(WindowOptions options) {
 void add_view_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("view", "Open the viewer (this is what `viete` alone does)");
   auto options = std::make_shared<WindowOptions>();
-  command->add_option(
-      "MODEL", options->model,
-      "Mesh to deform (OBJ, PLY, OFF, STL), or a session (.viete); default: the bundled dragon");
-  command->add_option("CAGE", options->cage, "Cage around it");
-  command->add_option("--pose", options->pose, "Posed version of the cage, same vertices in the same order");
+  add_file_option(*command, "MODEL", options->model,
+                  "Mesh to deform (OBJ, PLY, OFF, STL), or a session (.viete); default: the bundled dragon");
+  add_file_option(*command, "CAGE", options->cage, "Cage around it");
+  add_file_option(*command, "--pose", options->pose,
+                  "Posed version of the cage, same vertices in the same order");
   add_method_option(*command, options->method);
   add_weighting_options(*command, options->weighting);
   add_binding_option(*command, options->binding);
-  command
-      ->add_option("--scale", options->scale,
-                   "Device pixels per logical pixel; default: what the display says")
-      ->check(CLI::Range(0.5, 4.0));
-  command->add_option("--frames", options->frames, "Close after so many frames")
-      ->check(CLI::NonNegativeNumber);
+  in_range(command->add_option("--scale", options->scale, "Device pixels per logical pixel"), 0.5, 4)
+      ->default_str("what the display says");
+  whole_in_range(command->add_option("--frames", options->frames, "Close after so many frames"), 0,
+                 1'000'000'000)
+      ->default_str("never");
   command->callback([command, options, &action] {
     check_session_stands_alone(options->model, options->cage, options->pose);
     for (const char* setting : {"--method", "--coordinates", "--reach"}) {

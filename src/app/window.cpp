@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <utility>
 
@@ -49,6 +50,16 @@ struct GlfwSession {
     if (open) glfwTerminate();
   }
 };
+
+// Where neither is named, nothing is asked: the Wayland library would complain on stderr where the session has
+// no runtime folder, and open a window on whatever display of that folder it finds.
+bool display_is_named() {
+  const auto given = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return value && *value;
+  };
+  return given("DISPLAY") || given("WAYLAND_DISPLAY") || given("WAYLAND_SOCKET");
+}
 
 using WindowPtr = std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)>;
 
@@ -236,6 +247,10 @@ void set_settings(scene::Document& document, const WindowOptions& options) {
 }
 
 bool run_window(const WindowOptions& options, std::string& reason) {
+  if (!display_is_named()) {
+    reason = "there is no display: DISPLAY and WAYLAND_DISPLAY are not set";
+    return false;
+  }
   const GlfwSession session;
   if (!session.open) {
     reason = last_glfw_error();

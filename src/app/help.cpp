@@ -1,0 +1,170 @@
+#include "app/help.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/words.h"
+
+namespace viete::app {
+
+namespace {
+
+using OptionList = std::vector<const CLI::Option*>;
+
+constexpr std::size_t text_column = 26;
+
+std::string line(const std::string& name, const std::string& text) {
+  std::string out = "  " + name;
+  if (text.empty()) return out + '\n';
+  if (out.size() + 2 > text_column) {
+    out += '\n';
+    out.append(text_column, ' ');
+  } else {
+    out.resize(text_column, ' ');
+  }
+  return out + wrapped(text, text_column, text_column) + '\n';
+}
+
+// "FILE"; empty for a flag.
+std::string value_of(const CLI::Option& option) {
+  if (option.get_items_expected_max() == 0) return "";
+  return option.get_option_text().empty() ? "VALUE" : option.get_option_text();
+}
+
+// "-o, --output FILE", or "MODEL".
+std::string name_of(const CLI::Option& option) {
+  if (option.get_positional()) return option.get_name(true, false);
+  std::string name;
+  for (const std::string& letter : option.get_snames()) name += "-" + letter + ", ";
+  for (const std::string& word : option.get_lnames()) name += "--" + word;
+  const std::string value = value_of(option);
+  return value.empty() ? name : name + " " + value;
+}
+
+std::string shortest_name(const CLI::Option& option) {
+  return option.get_snames().empty() ? "--" + option.get_lnames().front() : "-" + option.get_snames().front();
+}
+
+std::string text_of(const CLI::Option& option) {
+  std::string text = option.get_description();
+  if (!option.get_default_str().empty()) text += " (default: " + option.get_default_str() + ")";
+  return text;
+}
+
+// "MODEL [CAGE] -o FILE [OPTIONS]"
+std::string words_of(const CLI::App& command) {
+  std::string words, required;
+  bool others = false;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional()) {
+      others |= !option->get_required();
+      if (option->get_required()) required += " " + shortest_name(*option) + " " + value_of(*option);
+      continue;
+    }
+    const std::string name = name_of(*option) + (option->get_expected_max() > 1 ? "..." : "");
+    words += option->get_required() ? " " + name : " [" + name + "]";
+  }
+  if (!command_names(command).empty()) words += " COMMAND ...";
+  return words + required + (others ? " [OPTIONS]" : "");
+}
+
+std::string usage_of(const CLI::App& app) {
+  if (app.get_parent()) return "Usage: " + name_of_command(app) + words_of(app) + '\n';
+  return "Usage: viete [MODEL [CAGE]] [OPTIONS of view]\n"
+         "       viete COMMAND ...\n"
+         "       viete help COMMAND\n";
+}
+
+std::string list(const char* title, const OptionList& options) {
+  if (options.empty()) return "";
+  std::string out = std::string("\n") + title + ":\n";
+  for (const CLI::Option* option : options) out += line(name_of(*option), text_of(*option));
+  return out;
+}
+
+class HelpFormatter : public CLI::FormatterBase {
+public:
+  std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
+    const OptionList words = app->get_options([](const CLI::Option* o) { return o->get_positional(); });
+    const OptionList options = app->get_options([](const CLI::Option* o) { return o->nonpositional(); });
+    std::string out = wrapped(app->get_description(), 0, 0) + "\n\n" + usage_of(*app);
+    out += list("Files", words);
+    const auto commands = app->get_subcommands([](const CLI::App*) { return true; });
+    if (!commands.empty()) out += "\nCommands:\n";
+    for (const CLI::App* command : commands) out += line(command->get_name(), command->get_description());
+    out += list("Options", options);
+    return out + '\n' + wrapped(app->get_footer(), 0, 0) + '\n';
+  }
+};
+
+// The command that the words have led to.
+const CLI::App& last_command(const CLI::App& app) {
+  const CLI::App* last = &app;
+  while (!last->get_subcommands().empty()) last = last->get_subcommands().back();
+  return *last;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
+  const std::string name = nearest(word, names);
+  return name.empty() ? "" : "; did you mean " + name + "?";
+}
+
+// "--output: 1 required TEXT missing", or "--output: At Most 1 required but received 2".
+std::string wrong_count(const std::string& words) {
+  const std::string option = words.substr(0, words.find(':'));
+  return option + (words.find("missing") == words.npos ? " is given more than once" : " needs a value");
+}
+
+std::string unknown(const CLI::App& command, const std::vector<std::string>& words) {
+  const std::string& first = words.front();
+  if (first.size() > 1 && first[0] == '-')
+    return name_of_command(command) + " has no option " + first +
+           suggestion(first.substr(0, first.find('=')), option_names(command));
+  if (const auto names = command_names(command); !names.empty())
+    return name_of_command(command) + " has no command " + first + suggestion(first, names);
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+  return "more than " + name_of_command(command) + " takes: " + all;
+}
+
+}  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() {
+  return std::make_shared<HelpFormatter>();
+}
+
+std::string name_of_command(const CLI::App& app) {
+  return app.get_parent() ? name_of_command(*app.get_parent()) + " " + app.get_name() : app.get_name();
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::string usage_error(const CLI::App& app, const CLI::Error& error) {
+  const CLI::App& command = last_command(app);
+  const auto words = command.remaining();
+  std::string text = error.what();
+  if (!words.empty()) {
+    text = unknown(command, words);
+  } else if (const auto names = command_names(command);
+             !names.empty() && error.get_name() == "RequiredError") {
+    text = name_of_command(command) + " needs one of " + listed(names);
+  } else if (error.get_name() == "ArgumentMismatch") {
+    text = wrong_count(text);
+  }
+  return "viete: " + text + "\nRun " + name_of_command(command) + " --help for more.\n";
+}
+
+}  // namespace viete::app

@@ -1,0 +1,79 @@
+// viete bench: small runs of every benchmark, their files and tables.
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "program/command_line.h"
+
+using namespace viete;
+using namespace viete::test;
+
+TEST_CASE("small_benchmarks_run_and_write_json") {
+  const TemporaryFolder scratch;
+  for (const char* what : {"exp", "eigen", "frame", "sym3"}) {
+    const fs::path json = scratch.path() / (std::string(what) + ".json");
+    const auto outcome = run(std::string("bench ") + what + " --count 2000 --json " + quoted(json));
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    CHECK(mentions(outcome, what == std::string("frame") ? "floor" : "copy"));
+    CHECK(fs::file_size(json) > 100);
+  }
+}
+
+TEST_CASE("a_small_benchmark_of_binding_says_whether_its_bars_are_met") {
+  const TemporaryFolder scratch;
+  const fs::path json = scratch.path() / "bind.json";
+  const auto outcome = run("bench bind --faces 8 --rounds 1 --json " + quoted(json));
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(mentions(outcome, "50,000 vertices, 8 cage triangles"));
+  CHECK(mentions(outcome, "plain loops"));
+  CHECK(mentions(outcome, ">= 45"));
+  CHECK(fs::file_size(json) > 100);
+}
+
+TEST_CASE("benchmarks_are_drawn_as_svg_with_every_method_and_layout") {
+  const TemporaryFolder scratch;
+  const struct {
+    const char* command;
+    std::vector<const char*> names;
+  } cases[] = {{"bench exp --count 3000 --float",
+                {"Diag", "Improved SD", "Fast, blocks", "copy, planes", "Fast, full", "3,000 matrices"}},
+               {"bench eigen --count 2000", {"QR", "Viete", "Fast", "copy"}}};
+  for (const auto& c : cases) {
+    const fs::path svg = scratch.path() / "plot.svg";
+    const auto outcome = run(std::string(c.command) + " --plot " + quoted(svg));
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+    std::ifstream in(svg);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    CHECK(text.rfind("<svg ", 0) == 0);
+    CHECK(text.find("nan") == std::string::npos);
+    CHECK(text.ends_with("</svg>\n"));
+    for (const char* name : c.names)
+      CHECK_MESSAGE(text.find(std::string(">") + name) != std::string::npos, name);
+  }
+}
+
+TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
+  const TemporaryFolder scratch;
+  for (const char* precision : {"", " --float"}) {
+    const fs::path json = scratch.path() / "accuracy.json";
+    const auto outcome = run("bench accuracy --count 64 --json " + quoted(json) + precision);
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+    for (const char* part : {"| zero ", "| gap ", "| spread ", "| scale ", "NaN 100 %", "Pade", "Direct"})
+      CHECK(mentions(outcome, part));
+    std::ifstream in(json);
+    const auto tables = nlohmann::json::parse(in);
+    REQUIRE(tables.size() == 5);
+    const double u = *precision ? 0x1p-24 : 0x1p-53;
+    for (const auto& table : tables) {
+      for (const auto& row : table["rows"]) {
+        const auto& fast = row["methods"]["Fast"];
+        const double spread =
+            table["by"] == "spread" ? double(row["value"]) : 35;  // of the other rows, at most
+        CHECK(fast["nan"] == 0);
+        CHECK(fast["worst"] <= (8 + 2.5 * spread) * u);
+      }
+    }
+    CHECK(tables[0]["rows"][6]["methods"]["ISD as printed"]["nan"] == 1);
+    CHECK(tables[2]["rows"][4]["methods"]["SD"]["worst"] > 1e4 * u);
+  }
+}

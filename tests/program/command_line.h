@@ -1,0 +1,54 @@
+// The program as a shell runs it, for tests of its command line.
+#pragma once
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "support/data.h"
+#include "support/folder.h"
+
+namespace viete::test {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string text;  ///< stdout and stderr
+};
+
+inline Outcome run(const std::string& arguments, const std::string& environment = "") {
+  const std::string command =
+      environment + " '" + build_dir().string() + "/viete' " + arguments + " 2>&1 </dev/null";
+  Outcome outcome;
+  FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe);
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    outcome.text.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  return outcome;
+}
+
+inline std::string quoted(const fs::path& path) {
+  return "'" + path.string() + "'";
+}
+
+/// The working folder, and no display.
+inline std::string without_display(const fs::path& folder) {
+  return "cd " + quoted(folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY";
+}
+
+inline bool mentions(const Outcome& outcome, const std::string& text) {
+  return outcome.text.find(text) != std::string::npos;
+}
+
+const fs::path dragon = assets_dir() / "dragon" / "dragon.ply", cage = assets_dir() / "dragon" / "cage.obj",
+               pose = assets_dir() / "dragon" / "pose_alert.obj";
+
+}  // namespace viete::test

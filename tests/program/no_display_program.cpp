@@ -1,0 +1,72 @@
+// The viewer where there is no display: a picture, and one line that says where it is.
+#include <algorithm>
+#include <vector>
+
+#include "program/command_line.h"
+#include "render/image.h"
+
+using namespace viete;
+using namespace viete::test;
+
+TEST_CASE("without_a_display_the_viewer_says_so_in_one_line_and_renders_a_picture") {
+  for (const char* more : {"", " XDG_RUNTIME_DIR=/nowhere", " -u XDG_RUNTIME_DIR"}) {
+    const TemporaryFolder scratch;
+    const auto outcome = run(quoted(dragon) + " " + quoted(cage), without_display(scratch.path()) + more);
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    CHECK_MESSAGE(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1, outcome.text);
+    CHECK(mentions(outcome, "no window"));
+    CHECK_MESSAGE(mentions(outcome, fs::canonical(scratch.path() / "viete.png").string()), outcome.text);
+    CHECK(render::read_png(scratch.path() / "viete.png").width == 1440);
+  }
+}
+
+TEST_CASE("a_picture_that_is_there_stays_and_so_does_what_a_link_of_its_name_leads_to") {
+  const TemporaryFolder scratch;
+  put_file(scratch / "precious", "precious");
+  fs::create_symlink("precious", scratch / "viete.png");
+  fs::create_symlink("nowhere", scratch / "viete-2.png");
+  const auto outcome = run(quoted(cage), without_display(scratch.path()));
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(file_bytes(scratch / "precious") == "precious");
+  CHECK_FALSE(fs::exists(scratch / "nowhere"));
+  CHECK_MESSAGE(mentions(outcome, "viete-3.png"), outcome.text);
+  CHECK(render::read_png(scratch / "viete-3.png").width == 1440);
+}
+
+TEST_CASE("nothing_is_announced_of_a_file_that_cannot_be_opened") {
+  const TemporaryFolder scratch;
+  const auto outcome = run("none.obj", without_display(scratch.path()));
+  CHECK(outcome.code == 1);
+  CHECK_MESSAGE(mentions(outcome, "none.obj: "), outcome.text);
+  CHECK_FALSE(mentions(outcome, "picture"));
+  CHECK(scratch.entries() == 0);
+}
+
+TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
+  const TemporaryFolder scratch;
+  const std::string here = without_display(scratch.path());
+  const std::string scene = "view " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose);
+  std::vector<std::vector<std::uint8_t>> pictures;
+  for (const char* settings : {"", " --reach 2", " --coordinates mvc"}) {
+    const auto outcome = run(scene + settings, here);
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+    pictures.push_back(render::read_png(scratch / "viete.png").rgba);
+    fs::remove(scratch / "viete.png");
+  }
+  CHECK(pictures[0] != pictures[1]);
+  CHECK(pictures[0] != pictures[2]);
+  CHECK(pictures[1] != pictures[2]);
+  const auto both = run("view --coordinates mvc --reach 3", here);
+  CHECK(both.code == 1);
+  CHECK(mentions(both, "mean value coordinates have no reach"));
+  const auto session = run("view a.viete --reach 3", here);
+  CHECK(session.code == 2);
+  CHECK(mentions(session, "--reach: the session a.viete has its own"));
+}
+
+TEST_CASE("the_bundled_model_is_found_from_any_working_directory") {
+  const TemporaryFolder scratch;
+  const auto outcome = run("", without_display(scratch.path()));
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(fs::exists(scratch / "viete.png"));
+}

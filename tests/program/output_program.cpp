@@ -1,0 +1,109 @@
+// What the commands may write over, and what they must leave.
+#include <vector>
+
+#include "mesh/write.h"
+#include "program/command_line.h"
+#include "render/image.h"
+#include "scene/cube.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+// A model, its cage, a pose and a session of them, small.
+struct SmallFiles : TemporaryFolder {
+  SmallFiles() {
+    mesh::write(*this / "model.obj", cube(1));
+    mesh::write(*this / "cage.obj", cube(1.5));
+    mesh::write(*this / "pose.obj", cube(2));
+    put_file(*this / "s.viete",
+             R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
+  }
+  Outcome run(const std::string& arguments) const {
+    return test::run(arguments, "cd " + quoted(path()) + " &&");
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what_is_read_is_not_written_over_whatever_it_is_called") {
+  const SmallFiles files;
+  fs::create_symlink("model.obj", files / "link.obj");
+  fs::create_symlink("model.obj", files / "link.png");
+  const std::string deform = "deform model.obj cage.obj --pose pose.obj -o ";
+  const char* names[] = {"model.obj", "cage.obj", "pose.obj", "s.viete"};
+  std::vector<std::string> before;
+  for (const char* name : names) before.push_back(file_bytes(files / name));
+  for (const std::string& line :
+       {deform + "model.obj", deform + "cage.obj", deform + "./pose.obj", deform + "link.obj",
+        deform + quoted(files / "cage.obj"), std::string("deform s.viete -o cage.obj"),
+        std::string("bind model.obj cage.obj -o model.obj"),
+        std::string("bind model.obj cage.obj -o cage.obj"), std::string("bind s.viete -o s.viete"),
+        std::string("bind s.viete -o link.obj"), std::string("render model.obj -o link.png"),
+        std::string("bench exp --json a.svg --plot a.svg")}) {
+    const Outcome outcome = files.run(line);
+    CHECK(outcome.code == 1);
+    CHECK_MESSAGE(mentions(outcome, "is one of those that are read"), line << '\n' << outcome.text);
+    for (std::size_t i = 0; i < before.size(); ++i) CHECK(file_bytes(files / names[i]) == before[i]);
+  }
+  CHECK(files.run(deform + "pose.obj --force").code == 0);
+  CHECK(file_bytes(files / "pose.obj") != before[2]);
+}
+
+TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
+  const SmallFiles files;
+  const std::string bind = "bind model.obj cage.obj -o ", render = "render model.obj --size 64x64 -o ";
+  for (const std::string& line :
+       {bind + "a.txt", bind + "a.png", render + "a.png", std::string("bench exp --json a.txt"),
+        std::string("bench exp --plot a.txt"), std::string("bench exp --json s.viete")}) {
+    put_file(files / "a.txt", "precious");
+    put_file(files / "a.png", "precious");
+    const Outcome outcome = files.run(line);
+    CHECK(outcome.code == 1);
+    CHECK_MESSAGE(mentions(outcome, "there is a file of this name already, which is not a"),
+                  line << '\n'
+                       << outcome.text);
+    CHECK(file_bytes(files / "a.txt") == "precious");
+    CHECK(file_bytes(files / "a.png") == "precious");
+  }
+  for (const std::string& line : {bind + "a.txt --force", bind + "a.txt", render + "a.png --force",
+                                  render + "a.png", std::string("bench exp --count 64 --json b.json"),
+                                  std::string("bench exp --count 64 --json b.json --plot b.svg"),
+                                  std::string("bench exp --count 64 --plot b.svg")}) {
+    const Outcome outcome = files.run(line);
+    CHECK_MESSAGE(outcome.code == 0, line << '\n' << outcome.text);
+  }
+  put_file(files / "empty", "");
+  CHECK(files.run(bind + "empty").code == 0);
+}
+
+TEST_CASE("where_results_go_is_looked_at_before_the_work_starts") {
+  const SmallFiles files;
+  put_file(files / "locked.obj", "precious");
+  fs::permissions(files / "locked.obj", fs::perms::owner_read);
+  for (const auto& [line, reason] :
+       {std::pair{"deform none.obj cage.obj --pose pose.obj -o none/a.obj", "none/a.obj: cannot be written"},
+        {"deform none.obj cage.obj --pose pose.obj -o a.txt", "a.txt: unknown extension .txt"},
+        {"deform none.obj cage.obj --pose pose.obj -o locked.obj --force",
+         "locked.obj: this file is write-pro"},
+        {"bind none.obj cage.obj -o none/a", "none/a: cannot be written"},
+        {"render none.obj -o none/a.png", "none/a.png: cannot be written"},
+        {"render none.obj -o a.jpg", "a.jpg: pictures are written as PNG only"},
+        {"bench exp --json none/a", "none/a: cannot be written"},
+        {"bench frame --json none/a", "none/a: cannot be written"},
+        {"bench bind --json none/a", "none/a: cannot be written"}}) {
+    const Outcome outcome = files.run(line);
+    CHECK(outcome.code == 1);
+    CHECK_MESSAGE(mentions(outcome, reason), line << '\n' << outcome.text);
+  }
+}
+
+TEST_CASE("extensions_are_taken_in_capitals_too") {
+  const SmallFiles files;
+  CHECK(files.run("render model.obj --size 64x64 -o A.PNG").code == 0);
+  CHECK(render::read_png(files / "A.PNG").width == 64);
+  CHECK(files.run("deform model.obj cage.obj --pose pose.obj -o A.OBJ").code == 0);
+  fs::rename(files / "s.viete", files / "S.VIETE");
+  CHECK(files.run("render S.VIETE --size 64x64 -o b.png").code == 0);
+}

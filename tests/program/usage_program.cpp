@@ -1,0 +1,169 @@
+// What the command line says about itself and of wrong words, options and numbers.
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "app/words.h"
+#include "program/command_line.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+const std::vector<std::string> commands = {"view", "render", "deform", "bind", "info", "bench"},
+                               benches = {"exp", "eigen", "accuracy", "sym3", "frame", "bind"};
+
+void check_width(const Outcome& help) {
+  std::istringstream lines(help.text);
+  for (std::string line; std::getline(lines, line);) CHECK_MESSAGE(line.size() <= 80, line);
+}
+
+std::string copies(const std::string& text, std::size_t count) {
+  std::string all;
+  while (count-- > 0) all += text;
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("help_of_every_command_is_there_and_fits_eighty_columns") {
+  const Outcome top = run("--help");
+  CHECK(top.code == 0);
+  check_width(top);
+  CHECK(mentions(top, "viete [MODEL [CAGE]]"));
+  CHECK(mentions(top, "Exit codes"));
+  for (const std::string& command : commands) {
+    CHECK_MESSAGE(mentions(top, "\n  " + command + " "), command);
+    const Outcome help = run(command + " --help");
+    CHECK(help.code == 0);
+    check_width(help);
+    CHECK(mentions(help, "Usage: viete " + command));
+    CHECK(run("help " + command).text == help.text);
+  }
+  for (const std::string& bench : benches) {
+    const Outcome help = run("bench " + bench + " --help");
+    CHECK(help.code == 0);
+    check_width(help);
+    CHECK(run("help bench " + bench).text == help.text);
+  }
+  CHECK(run("help").text == top.text);
+  CHECK(mentions(run("render --help"), "-o, --output FILE"));
+  CHECK(mentions(run("render --help"), "Device pixels per logical pixel, 0.5 to 4 (default: 1)"));
+}
+
+TEST_CASE("the_version_tells_of_the_build") {
+  const Outcome version = run("--version");
+  CHECK(version.code == 0);
+  CHECK(mentions(version, "viete "));
+  CHECK(mentions(version, ", kernel "));
+}
+
+TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_to_read") {
+  const std::pair<const char*, const char*> cases[] = {
+      {"render", "MODEL is required\nRun viete render --help"},
+      {"deform a b", "--output is required\nRun viete deform --help"},
+      {"render --bogus", "viete render has no option --bogus\nRun viete render --help"},
+      {"render --bogus 3 a.obj", "viete render has no option --bogus"},
+      {"render a b -o x.png --no-cages", "--no-cages; did you mean --no-cage?"},
+      {"render a b --out x.png", "no option --out; did you mean --output?"},
+      {"render a b --look=top --siez=3x3 -o a.png", "no option --siez=3x3; did you mean --size?"},
+      {"render a b -o", "--output needs a value\n"},
+      {"render a b -o x.png --scale", "--scale needs a value\n"},
+      {"render a b -o x.png -o y.png", "--output is given more than once\n"},
+      {"render a b -q -o x.png", "no option -q\n"},
+      {"render a b c d -o x.png", "more than viete render takes: c d\n"},
+      {"bench", "viete bench needs one of exp, eigen, accuracy, sym3, frame or bind\nRun viete bench --help"},
+      {"bench nothing", "viete bench has no command nothing\n"},
+      {"bench exponential", "no command exponential; did you mean exp?"},
+      {"bench frame --face 8", "no option --face; did you mean --faces?\nRun viete bench frame --help"},
+      {"frobnicate", "frobnicate: there is neither a command nor a file of this name\nRun viete --help"},
+      {"rendr a b", "rendr: there is neither a command nor a file of this name; did you mean viete render?"},
+      {"help rendr", "did you mean viete render?"},
+      {"--bogus", "viete view has no option --bogus\n"},
+      {"render a b -o x.png --method fats",
+       "--method: needs diag, sd, improved_sd or fast, not fats; did you "
+       "mean fast?"},
+      {"render a b -o x.png --look up",
+       "--look: needs home, front, back, left, right, top or bottom, not up"},
+      {"render a b -o x.png --size 12", "--size: needs WIDTHxHEIGHT, each 16 to 8192, not 12"}};
+  const TemporaryFolder empty;
+  for (const auto& [line, words] : cases) {
+    const Outcome outcome = run(line, without_display(empty.path()));
+    CHECK(outcome.code == 2);
+    CHECK_MESSAGE(mentions(outcome, words), line << '\n' << outcome.text);
+    CHECK_FALSE(mentions(outcome, "picture is in"));
+  }
+  CHECK(empty.entries() == 0);
+}
+
+TEST_CASE("a_file_that_is_called_like_no_command_is_opened") {
+  const TemporaryFolder folder;
+  fs::copy_file(cage, folder / "rendr");
+  const Outcome outcome = run("rendr", without_display(folder.path()));
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(mentions(outcome, "viete.png"));
+}
+
+TEST_CASE("every_number_has_a_range_without_nan_and_infinity_and_says_it_in_short") {
+  const std::string scene = " " + quoted(dragon) + " " + quoted(cage);
+  const struct {
+    std::string line;
+    const char* range;
+  } cases[] = {{"render" + scene + " -o x.png --scale ", "needs a number from 0.5 to 4, not "},
+               {"view --scale ", "needs a number from 0.5 to 4, not "},
+               {"view --frames ", "needs a whole number from 0 to 1,000,000,000, not "},
+               {"bind" + scene + " -o x --tolerance ", "needs a number from 0 to 0.1, not "},
+               {"deform" + scene + " --pose p -o x.ply --reach ", "needs a number from 1.5 on, or all, not "},
+               {"bench exp --count ", "needs a whole number from 1 to 1,000,000,000, not "},
+               {"bench eigen --count ", "needs a whole number from 1 to 1,000,000,000, not "},
+               {"bench sym3 --count ", "needs a whole number from 1 to 1,000,000,000, not "},
+               {"bench accuracy --count ", "needs a whole number from 1 to 1,000,000, not "},
+               {"bench frame --count ", "needs a whole number from 1 to 10,000,000, not "},
+               {"bench frame --faces ", "needs a whole number from 8 to 10,000, not "},
+               {"bench frame --rounds ", "needs a whole number from 1 to 1,000, not "},
+               {"bench frame --tolerance ", "needs a number from 0 to 0.1, not "},
+               {"bench frame --reach ", "needs a number from 1.5 on, or all, not "},
+               {"bench bind --count ", "needs a whole number from 1 to 10,000,000, not "},
+               {"bench bind --faces ", "needs a whole number from 8 to 10,000, not "},
+               {"bench bind --rounds ", "needs a whole number from 1 to 1,000, not "}};
+  for (const auto& c : cases) {
+    for (const char* bad : {"nan", "inf", "-inf", "-1", "1e400", "10000000000x", "0x10", "''"}) {
+      const Outcome outcome = run(c.line + bad);
+      CHECK(outcome.code == 2);
+      CHECK_MESSAGE(mentions(outcome, c.range), (c.line + bad + "\n" + outcome.text));
+      CHECK(outcome.text.size() < 200);
+    }
+  }
+  CHECK(run("bench exp --count 10000000000").code == 2);
+  CHECK(mentions(run("bench frame --faces 8,nan"), "needs a whole number from 8 to 10,000, not nan"));
+}
+
+TEST_CASE("lines_break_at_blanks") {
+  using app::wrapped;
+  CHECK(wrapped("", 0, 2, 10) == "");
+  CHECK(wrapped("one two three", 0, 2, 80) == "one two three");
+  CHECK(wrapped("one two three", 0, 2, 8) == "one two\n  three");
+  CHECK(wrapped("one two three", 3, 3, 8) == "one\n   two\n   three");
+  CHECK(wrapped("averylongword b", 0, 1, 5) == "averylongword\n b");
+  CHECK(wrapped("one\ntwo", 0, 1, 80) == "one\n two");
+  CHECK(wrapped(copies("abc ", 20) + "x", 0, 0, 80) == copies("abc ", 19) + "abc\nx");
+}
+
+TEST_CASE("the_nearest_name_is_one_of_few_corrections_or_of_the_same_beginning") {
+  using app::nearest;
+  const std::vector<std::string> names = {"view", "render", "deform", "bind", "info", "bench"};
+  for (const auto& [word, name] : {std::pair{"rendr", "render"},
+                                   {"redner", "render"},
+                                   {"deforme", "deform"},
+                                   {"defrom", "deform"},
+                                   {"inof", "info"},
+                                   {"benchmark", "bench"},
+                                   {"vie", "view"},
+                                   {"frobnicate", ""},
+                                   {"x", ""},
+                                   {"", ""}})
+    CHECK(nearest(word, names) == name);
+  CHECK(app::misspellings("kitten", "sitting") == 3);
+  CHECK(app::misspellings("", "abc") == 3);
+}
