@@ -1,6 +1,7 @@
 #include "scene/json_file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,50 @@ std::string described(const json& value) {
   return value.is_object() ? "an object" : "null";
 }
 
+bool is_utf8(const std::string& text) {
+  try {
+    (void)ordered_json(text).dump();
+    return true;
+  } catch (const ordered_json::type_error&) {
+    return false;
+  }
+}
+
+// As in file URIs (RFC 3986): what is not plain ASCII by two hexadecimal digits, the percent sign too.
+std::string percent_encoded(const std::string& bytes) {
+  constexpr char digits[] = "0123456789ABCDEF";
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte > ' ' && byte < 0x7f && c != '%') {
+      text += c;
+    } else {
+      text += {'%', digits[byte >> 4], digits[byte & 15]};
+    }
+  }
+  return text;
+}
+
+// Nothing where two digits are missing.
+std::optional<std::string> percent_decoded(const std::string& text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      bytes += text[i];
+      continue;
+    }
+    if (i + 2 >= text.size()) return std::nullopt;
+    unsigned byte = 0;
+    const char* const end = text.data() + i + 3;
+    if (std::from_chars(text.data() + i + 1, end, byte, 16).ptr != end) return std::nullopt;
+    bytes += static_cast<char>(byte);
+    i += 2;
+  }
+  return bytes;
+}
+
+constexpr const char* encoded_key = "percent_encoded";
+
 }  // namespace
 
 std::string readable(const ordered_json& value, const std::filesystem::path& file) {
@@ -59,6 +104,12 @@ std::string readable(const ordered_json& value, const std::filesystem::path& fil
     throw base::Error(file.string(), "the name of a file in it is not UTF-8", "rename that file");
   }
   return out + '\n';
+}
+
+ordered_json path_json(const std::filesystem::path& path) {
+  const std::string name = path.generic_string();
+  if (is_utf8(name)) return name;
+  return {{encoded_key, percent_encoded(name)}};
 }
 
 json read_json(const std::filesystem::path& path) {
@@ -114,6 +165,15 @@ std::uint32_t JsonReader::index() const {
 std::string JsonReader::text() const {
   if (!value_.is_string()) expected("a text");
   return value_.get<std::string>();
+}
+
+std::filesystem::path JsonReader::path() const {
+  if (value_.is_string()) return text();
+  const auto encoded = value_.is_object() ? find(encoded_key) : std::nullopt;
+  if (!encoded) expected("the name of a file");
+  const auto name = percent_decoded(encoded->text());
+  if (!name) encoded->fail("two hexadecimal digits belong behind each %");
+  return *name;
 }
 
 // Without the cost of naming each element, for the long lists.

@@ -17,6 +17,10 @@ namespace viete::scene {
 /// not UTF-8.
 std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
 
+/// The name of a file: a string; where it is not UTF-8, which JSON strings are, {"percent_encoded":
+/// "caf%E9"}. JsonReader::path() reads both back to the same bytes.
+nlohmann::ordered_json path_json(const std::filesystem::path& path);
+
 /// Throws base::Error naming the file, and the line of a mistake.
 nlohmann::json read_json(const std::filesystem::path& path);
 
@@ -38,6 +42,7 @@ public:
   double number() const;  ///< finite
   std::uint32_t index() const;
   std::string text() const;
+  std::filesystem::path path() const;  ///< as path_json() writes it
   /// An array of exactly N numbers.
   template <std::size_t N>
   std::array<double, N> numbers() const {

@@ -19,14 +19,14 @@ fs::path from_root(const fs::path& path) {
 }
 
 RecentFile recent_of(const JsonReader& json) {
-  RecentFile recent{json.at("file").text(), {}};
-  if (const auto cage = json.find("cage")) recent.cage = cage->text();
+  RecentFile recent{json.at("file").path(), {}};
+  if (const auto cage = json.find("cage")) recent.cage = cage->path();
   return recent;
 }
 
 ordered_json to_json(const RecentFile& recent) {
-  ordered_json json = {{"file", recent.file.string()}};
-  if (!recent.cage.empty()) json["cage"] = recent.cage.string();
+  ordered_json json = {{"file", path_json(recent.file)}};
+  if (!recent.cage.empty()) json["cage"] = path_json(recent.cage);
   return json;
 }
 
@@ -67,7 +67,7 @@ Remembered read_remembered(const fs::path& file) {
     for (std::size_t i = 0; i < list->size(); ++i) recent.push_back(recent_of(list->item(i)));
   }
   append_missing(remembered, recent);
-  if (const auto folder = json.find("folder")) remembered.folder = folder->text();
+  if (const auto folder = json.find("folder")) remembered.folder = folder->path();
   if (const auto hints = json.find("hints")) remembered.hints = hints->boolean();
   return remembered;
 }
@@ -78,7 +78,7 @@ void write_remembered(const fs::path& file, const Remembered& remembered) {
   ordered_json json = {{"format", "viete remembered"}, {"version", 1}};
   json["recent"] = ordered_json::array();
   for (const auto& entry : all.recent) json["recent"].push_back(to_json(entry));
-  json["folder"] = all.folder.string();
+  json["folder"] = path_json(all.folder);
   json["hints"] = all.hints;
   base::replace_file(file, readable(json, file), base::Outlives::program);
 }

@@ -40,10 +40,10 @@ fs::path resolved(const fs::path& path) {
   return code ? absolute : folder / absolute.filename();
 }
 
-std::string stored(const fs::path& path, const fs::path& file, bool portable) {
+ordered_json stored(const fs::path& path, const fs::path& file, bool portable) {
   const fs::path target = resolved(path);
   const fs::path relative = portable ? target.lexically_relative(resolved(file).parent_path()) : fs::path();
-  return (relative.empty() ? target : relative).generic_string();
+  return path_json(relative.empty() ? target : relative);
 }
 
 // 0.3f as 0.3, not as 0.30000001192092896, where that gives the same float back.
@@ -205,9 +205,9 @@ Session read_session(const fs::path& file) {
   check_version(json, file);
   const fs::path folder = resolved(file).parent_path();
   Session session;
-  session.model = resolved(folder / json.at("model").text());
-  if (const auto v = json.find("cage")) session.cage = resolved(folder / v->text());
-  if (const auto v = json.find("session")) session.origin = resolved(folder / v->text());
+  session.model = resolved(folder / json.at("model").path());
+  if (const auto v = json.find("cage")) session.cage = resolved(folder / v->path());
+  if (const auto v = json.find("session")) session.origin = resolved(folder / v->path());
   if (const auto v = json.find("method"))
     session.method = word_of(*v, sym3::method_from_name, "diag, sd, improved_sd or fast");
   if (const auto v = json.find("coordinates"))

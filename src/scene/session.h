@@ -13,7 +13,8 @@ namespace viete::scene {
 
 /// What a session file holds. JSON, version 1:
 ///   "format": "viete session", "version": 1,
-///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing
+///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
+///                         that are not UTF-8 as path_json() writes them
 ///   "session"             only in recovered work: the session file that it belongs to
 ///   "method"              "diag", "sd", "improved_sd" or "fast"
 ///   "coordinates"         "face" or "mvc"

@@ -74,3 +74,27 @@ TEST_CASE("a_wrong_type_names_file_and_key_and_both_types") {
   CHECK_FALSE(json.find("null").has_value());
   CHECK_FALSE(json.find("gone").has_value());
 }
+
+TEST_CASE("names_of_files_come_back_to_the_byte_also_where_they_are_not_utf_8") {
+  const test::TemporaryFolder folder;
+  const std::string all_bytes = [] {
+    std::string bytes;
+    for (int c = 1; c < 256; ++c) bytes += static_cast<char>(c);
+    return bytes;
+  }();
+  for (const std::string& name : {std::string("plain 100%.obj"), std::string("caf\xc3\xa9.obj"),
+                                  std::string("caf\xe9 100%.obj"), all_bytes, std::string()}) {
+    CAPTURE(path_json(name).dump());
+    test::put_file(folder / "n", readable({{"name", path_json(name)}}, "f"));
+    const json back = read_json(folder / "n");
+    CHECK(JsonReader(back, "n").at("name").path() == name);
+  }
+  CHECK(path_json("caf\xc3\xa9 %.obj").is_string());
+  CHECK(path_json("caf\xe9 %.obj").dump() == R"({"percent_encoded":"caf%E9%20%25.obj"})");
+  for (const char* wrong :
+       {R"({"percent_encoded": "a%2"})", R"({"percent_encoded": "%zz"})", R"({"b": 1})", "7"}) {
+    CAPTURE(wrong);
+    const json value = json::parse(wrong);
+    CHECK_THROWS_AS(JsonReader(value, "n").path(), base::Error);
+  }
+}

@@ -25,7 +25,10 @@ TEST_CASE("what_is_remembered_comes_back") {
   CHECK(read_remembered(folder / "r.json") == remembered);
   remembered.add({"/a.ply", "/c.obj"});
   remembered.add({"/b.viete", {}});
-  remembered.folder = "/somewhere";
+  remembered.add({"/caf\xe9/a.ply", "/caf\xe9/c.obj"});
+  remembered.folder =
+      "/some\xff"
+      "where";
   remembered.hints = false;
   write_remembered(folder / "r.json", remembered);
   CHECK(read_remembered(folder / "r.json") == remembered);

@@ -238,3 +238,20 @@ TEST_CASE("damaged_sessions_are_opened_or_refused_and_never_more") {
   }
   CHECK(refused > 300);
 }
+
+TEST_CASE("a_model_and_a_cage_whose_names_are_not_utf_8_come_back") {
+  const test::CubeFiles files;
+  const fs::path folder = files / "caf\xe9 100%";
+  fs::create_directories(folder);
+  fs::rename(files.model, folder / "m\xff.obj");
+  fs::rename(files.cage, folder / "c\xff.obj");
+  Workspace w;
+  REQUIRE(load_model(w, folder / "m\xff.obj", folder / "c\xff.obj"));
+  for (const fs::path& session : {folder / "s\xff.viete", files / "s.viete"}) {
+    REQUIRE(save_session(w, session));
+    Workspace back;
+    REQUIRE(open_now(back, {OpenRequest::What::model, {session}}));
+    CHECK(back.document.model.path.filename() == "m\xff.obj");
+    CHECK(back.document.cage_file.path.filename() == "c\xff.obj");
+  }
+}
