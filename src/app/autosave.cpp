@@ -30,7 +30,8 @@ Autosave::Autosave(fs::path folder, Errands& errands) : folder_(std::move(folder
 
 void Autosave::follow(scene::Workspace& workspace) {
   if (folder_.empty()) return;
-  const Moment now{workspace.opened, workspace.document.history.revision(), workspace.saved.revision};
+  const Moment now{workspace.opened, workspace.document.history.revision(), workspace.saved.revision,
+                   workspace.document.weighting()};
   if (now == seen_) return;
   if (now.opened != seen_.opened && written_) set_aside(workspace);
   seen_ = now;

@@ -234,7 +234,7 @@ void take_view(Workspace& w, const Session& session) {
 void take_pose(Workspace& w, deform::Pose&& pose) {
   const bool was_saved = !has_unsaved_edits(w);
   set_pose(w.document, std::move(pose));
-  if (was_saved) mark_saved(w);  // nothing is lost with it: it stands in the file
+  if (was_saved) mark_pose_saved(w);  // nothing is lost with it: it stands in the file
 }
 
 }  // namespace
@@ -262,7 +262,7 @@ void take(Workspace& w, Opened&& opened) {
   const bool same_model = opened.document->model.surface == w.document.model.surface;
   take_document(w, std::move(*opened.document), !opened.session);
   w.saved.session.clear();
-  w.saved.positions.clear();
+  w.saved.pose = {};
   ++w.saved.revision;
   w.recovered_from.clear();
   if (opened.session) {

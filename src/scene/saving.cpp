@@ -1,5 +1,8 @@
 #include "scene/saving.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -27,6 +30,23 @@ bool attempt(Workspace& workspace, const char* what, const fs::path& path, Step 
   }
 }
 
+// Turns that were missing are filled in at the first frame, by half a turn at most; another branch of the
+// same rotation is a whole turn away.
+bool same_turns(const deform::Vec3& a, const deform::Vec3& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < std::numbers::pi + 1e-3;
+}
+
+bool same_pose(const deform::Pose& a, const deform::Pose& b) {
+  if (a.positions != b.positions) return false;
+  const auto turn = [](const deform::Pose& pose, std::size_t part) {
+    return part < pose.turns.size() ? pose.turns[part] : deform::Vec3{0, 0, 0};
+  };
+  for (std::size_t part = 0; part < std::max(a.turns.size(), b.turns.size()); ++part) {
+    if (!same_turns(turn(a, part), turn(b, part))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool save_session(Workspace& workspace, const fs::path& path) {
@@ -41,7 +61,7 @@ bool save_session(Workspace& workspace, const fs::path& path) {
 bool save_pose(Workspace& workspace, const fs::path& path) {
   return attempt(workspace, "pose", path, [&] {
     deform::write_pose(path, *workspace.document.cage, workspace.document.pose);
-    if (mesh::extension_of(path) != "stl") mark_saved(workspace);
+    if (mesh::extension_of(path) != "stl") mark_pose_saved(workspace);
   });
 }
 
@@ -53,12 +73,18 @@ bool save_model(Workspace& workspace, const fs::path& path, std::span<const mesh
   });
 }
 
-bool has_unsaved_edits(const Workspace& workspace) {
-  return workspace.document.has_cage() && workspace.document.pose.positions != workspace.saved.positions;
+bool has_unsaved_edits(const Workspace& w) {
+  return w.document.has_cage() &&
+         (w.document.weighting() != w.saved.weighting || !same_pose(w.document.pose, w.saved.pose));
 }
 
 void mark_saved(Workspace& workspace) {
-  workspace.saved.positions = workspace.document.pose.positions;
+  workspace.saved.weighting = workspace.document.weighting();
+  mark_pose_saved(workspace);
+}
+
+void mark_pose_saved(Workspace& workspace) {
+  workspace.saved.pose = workspace.document.pose;
   ++workspace.saved.revision;
 }
 

@@ -9,16 +9,19 @@
 namespace viete::scene {
 
 /// Write the session, the posed cage with its turns, or the model with these positions. Atomic; a message
-/// says where, or what went wrong, and then the file is as it was. Return success. A session or a pose that
-/// keeps every vertex (not STL) makes the edits saved.
+/// says where, or what went wrong, and then the file is as it was. Return success. A session makes all edits
+/// saved, a pose that keeps every vertex (not STL) those of the pose.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 bool save_model(Workspace& workspace, const std::filesystem::path& path,
                 std::span<const mesh::Point> positions);
 
-/// True if the pose is neither the one that was opened nor the one that was saved last.
+/// True if what shapes the model is neither what was opened nor what was saved last: the pose, its whole
+/// turns included, coordinates and reach. The method is not among it (every one gives the same model), nor
+/// are camera, view and selection: a session keeps them, but they are no work that could be lost.
 bool has_unsaved_edits(const Workspace& workspace);
-/// What is open now is safe.
+/// What is open now is safe, or only its pose.
 void mark_saved(Workspace& workspace);
+void mark_pose_saved(Workspace& workspace);
 
 }  // namespace viete::scene

@@ -89,9 +89,10 @@ struct WorkState {
 
 /// What is safe in files of the user's: edits that led away from it are unsaved.
 struct Saved {
-  std::filesystem::path session;       ///< where Save writes; empty until there is one
-  std::vector<mesh::Point> positions;  ///< the pose that was opened or saved last; empty for recovered work
-  unsigned long revision = 0;          ///< grows with each change
+  std::filesystem::path session;  ///< where Save writes; empty until there is one
+  deform::Pose pose;              ///< that was opened or saved last; empty for recovered work
+  deform::Weighting weighting{deform::Coordinates::face};  ///< likewise
+  unsigned long revision = 0;                              ///< grows with each change
 };
 
 /// What runs, for the status bar and the help.

@@ -17,6 +17,8 @@
 #include <string>
 #include <thread>
 
+#include "support/data.h"
+
 namespace viete::test {
 
 namespace fs = std::filesystem;

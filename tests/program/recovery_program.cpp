@@ -4,6 +4,7 @@
 #include "program/kept_work.h"
 #include "scene/edit.h"
 #include "scene/saving.h"
+#include "scene/transform.h"
 
 using namespace viete;
 using namespace test;
@@ -53,6 +54,32 @@ TEST_CASE("what_a_killed_program_was_still_writing_goes_at_the_next_start") {
   test::put_file(half, "half");
   const Driver d(remembering(folder / "state"));
   CHECK_FALSE(fs::exists(half));
+}
+
+TEST_CASE("a_whole_turn_and_another_reach_are_kept_without_a_moved_vertex") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  const fs::path state = folder / "state";
+  Driver d(remembering(state));
+  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  d.settle();
+  const auto settled = [&](std::size_t files) {
+    d.settle();
+    return wait_until([&] { return kept_files(state).size() == files; }, 5);
+  };
+  scene::set_reach(d.document(), 3);
+  REQUIRE(settled(1));
+  CHECK(scene::read_session(kept_files(state).front()).reach == 3);
+  scene::set_reach(d.document(), deform::whole_cage);
+  REQUIRE(settled(0));
+  d.press_key(scene::key('A'));
+  scene::Transform turn;
+  turn.degrees = 360;
+  scene::transform_selection(d.document(), scene::Tool::rotate, turn);
+  REQUIRE(settled(1));
+  const auto kept = scene::read_session(kept_files(state).front());
+  CHECK(kept.pose->positions == d.document().cage->surface.positions);
+  CHECK(kept.pose->turns[0] == d.document().pose.turns[0]);
 }
 
 TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_brings_them_back") {

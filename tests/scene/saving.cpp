@@ -5,6 +5,7 @@
 #include "mesh/read.h"
 #include "scene/edit.h"
 #include "scene/files.h"
+#include "scene/transform.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -43,6 +44,50 @@ TEST_CASE("undoing_to_what_was_opened_leaves_nothing_to_save") {
   Workspace w = edited(files);
   undo(w.document);
   CHECK_FALSE(has_unsaved_edits(w));
+}
+
+TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  w.document.pose.turns = {{0, 3.14159, 0}};
+  CHECK_FALSE(has_unsaved_edits(w));
+  w.document.pose.turns = {{0, 1e-9, 0}};
+  CHECK_FALSE(has_unsaved_edits(w));
+  Transform turn;
+  turn.degrees = 360;
+  w.document.selection.select_all(w.document.pose.positions.size());
+  transform_selection(w.document, Tool::rotate, turn);
+  CHECK(w.document.pose.positions == w.saved.pose.positions);
+  CHECK(has_unsaved_edits(w));
+  REQUIRE(save_pose(w, files / "p.obj"));
+  CHECK_FALSE(has_unsaved_edits(w));
+  undo(w.document);
+  CHECK(has_unsaved_edits(w));
+}
+
+TEST_CASE("coordinates_and_reach_are_edits_that_a_session_keeps_and_a_pose_does_not_and_the_method_is_none") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  set_method(w.document, sym3::Method::diag);
+  CHECK_FALSE(has_unsaved_edits(w));
+  set_reach(w.document, 3);
+  CHECK(has_unsaved_edits(w));
+  REQUIRE(save_pose(w, files / "p.obj"));
+  CHECK(has_unsaved_edits(w));
+  REQUIRE(save_session(w, files / "a.viete"));
+  CHECK_FALSE(has_unsaved_edits(w));
+  set_coordinates(w.document, deform::Coordinates::mean_value);
+  CHECK(has_unsaved_edits(w));
+  set_coordinates(w.document, deform::Coordinates::face);
+  CHECK_FALSE(has_unsaved_edits(w));
+
+  Workspace back;
+  REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+  CHECK_FALSE(has_unsaved_edits(back));
+  set_reach(back.document, deform::whole_cage);
+  CHECK(has_unsaved_edits(back));
 }
 
 TEST_CASE("posed_cage_and_deformed_model_are_written_in_every_format") {
