@@ -1,5 +1,7 @@
 #include "app/autosave.h"
 
+#include <chrono>
+#include <memory>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -14,12 +16,18 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double longest_wait = 1e-3;  // seconds of a frame
+constexpr double patience = 10;        // seconds before the question whether to go on without
 
 void make_folder(const fs::path& folder) {
   std::error_code code;
   fs::create_directories(folder, code);
   if (code)
     throw base::Error(folder.string(), "unsaved work cannot be kept here: " + code.message(), "save often");
+}
+
+bool ready(const std::future<void>& result, double wait_seconds) {
+  return result.valid() &&
+         result.wait_for(std::chrono::duration<double>(wait_seconds)) == std::future_status::ready;
 }
 
 }  // namespace
@@ -30,51 +38,99 @@ Autosave::Autosave(fs::path folder, Errands& errands) : folder_(std::move(folder
 
 void Autosave::follow(scene::Workspace& workspace) {
   if (folder_.empty()) return;
+  take_result(workspace, 0);
   const Moment now{workspace.opened, workspace.document.history.revision(), workspace.saved.revision,
                    workspace.document.weighting()};
   if (now == seen_) return;
-  if (now.opened != seen_.opened && written_) set_aside(workspace);
+  const bool other = now.opened != seen_.opened;
+  if (other && has_file_) {
+    take_result(workspace, patience);
+    if (!move_aside(workspace)) workspace.messages.error(problem_);
+  }
   seen_ = now;
+  kept_ = false;
+  writing_ = {};  // of a moment that is over
   if (scene::has_unsaved_edits(workspace)) {
     write(workspace);
-  } else if (written_) {
-    remove(file_);
-    written_ = false;
+  } else if (!other) {
+    remove(std::exchange(workspace.recovered_from, {}));
   }
-  errands_.wait(longest_wait);
+  take_result(workspace, longest_wait);
 }
 
-// The file of the document that was there before.
-void Autosave::set_aside(scene::Workspace& workspace) {
-  written_ = false;
-  errands_.wait(60);
-  const fs::path aside = scene::set_aside_file(folder_);
-  std::error_code code;
-  fs::rename(file_, aside, code);
-  if (code)
-    return workspace.messages.error(file_.string() +
-                                    ": unsaved work could not be set aside: " + code.message());
-  workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(aside));
+bool Autosave::has_news() const {
+  return ready(writing_, 0);
 }
 
-// Work that was brought back is removed from where it lay only when it lies here.
+bool Autosave::keep_now(scene::Workspace& workspace) {
+  follow(workspace);
+  if (folder_.empty()) return false;
+  take_result(workspace, patience);
+  if (!kept_ && !writing_.valid()) {
+    write(workspace);
+    take_result(workspace, patience);
+  }
+  return kept_;
+}
+
+bool Autosave::set_aside(scene::Workspace& workspace) {
+  return keep_now(workspace) && move_aside(workspace);
+}
+
+std::string Autosave::problem() const {
+  if (folder_.empty()) return "There is no home folder to keep them in.";
+  if (writing_.valid()) return file_.string() + ": still being written";
+  return problem_;
+}
+
+// Work that was brought back is removed from where it lay once it lies here.
 void Autosave::write(scene::Workspace& workspace) {
-  written_ = true;
-  auto session = scene::session_of(workspace);
-  const fs::path old = std::exchange(workspace.recovered_from, {});
-  std::erase_if(workspace.leftovers, [&](const auto& leftover) { return leftover.file == old; });
-  errands_.add([session = std::move(session), folder = folder_, file = file_, old] {
-    make_folder(folder);
-    base::replace_file(file, scene::session_text(session, file, false), base::Outlives::program);
-    std::error_code ignored;
-    if (!old.empty()) fs::remove(old, ignored);
-  });
+  kept_ = false;
+  has_file_ = true;
+  replaced_ = workspace.recovered_from;
+  std::erase_if(workspace.leftovers, [&](const auto& leftover) { return leftover.file == replaced_; });
+  const auto errand = std::make_shared<std::packaged_task<void()>>(
+      [session = scene::session_of(workspace), folder = folder_, file = file_, old = replaced_] {
+        make_folder(folder);
+        base::replace_file(file, scene::session_text(session, file, false), base::Outlives::program);
+        std::error_code ignored;
+        if (!old.empty()) fs::remove(old, ignored);
+      });
+  writing_ = errand->get_future();
+  errands_.add([errand] { (*errand)(); });
 }
 
-void Autosave::remove(const fs::path& file) {
-  errands_.add([file] {
+void Autosave::take_result(scene::Workspace& workspace, double wait_seconds) {
+  if (!ready(writing_, wait_seconds)) return;
+  try {
+    writing_.get();
+    kept_ = true;
+    if (workspace.recovered_from == replaced_) workspace.recovered_from.clear();
+  } catch (const std::exception& error) {
+    problem_ = error.what();
+    workspace.messages.error(problem_);
+  }
+}
+
+// The file of the document that was there before, as far as it was written.
+bool Autosave::move_aside(scene::Workspace& workspace) {
+  kept_ = has_file_ = false;
+  std::error_code code;
+  if (!fs::exists(file_, code)) return true;
+  const fs::path aside = scene::set_aside_file(folder_);
+  fs::rename(file_, aside, code);
+  if (code) problem_ = file_.string() + ": unsaved work could not be set aside: " + code.message();
+  if (!code) workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(aside));
+  return !code;
+}
+
+// With the leftover that was open, if it still lies where it lay.
+void Autosave::remove(const fs::path& leftover) {
+  if (!std::exchange(has_file_, false) && leftover.empty()) return;
+  errands_.add([file = file_, leftover] {
     std::error_code ignored;
     fs::remove(file, ignored);
+    if (!leftover.empty()) fs::remove(leftover, ignored);
   });
 }
 

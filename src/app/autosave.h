@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
+#include <string>
 
 #include "app/errands.h"
 #include "scene/workspace.h"
@@ -12,7 +14,8 @@ namespace viete::app {
 /// After each finished edit the whole session is written aside, replacing the one before; the frame waits for
 /// it a millisecond at most. The file goes away when the edits are saved or taken back. When another document
 /// is opened over unsaved edits, their file is set aside and offered as a leftover. Whatever way the program
-/// ends, the next start finds what is unsaved.
+/// ends, the next start finds what is unsaved. Edits are kept once they are written, not before; what cannot
+/// be written is a message, and tried again with the next edit.
 ///
 /// Written for the end of the program, not for a power cut: then the file may be the one before.
 class Autosave {
@@ -22,8 +25,17 @@ public:
 
   /// Call at the end of each frame.
   void follow(scene::Workspace& workspace);
-  /// True if the edits of this moment are on their way into the file, or there.
-  bool keeping() const { return written_; }
+  /// True if the edits of this moment have been written.
+  bool kept() const { return kept_; }
+  /// True if a file was written, or could not be, since follow().
+  bool has_news() const;
+  /// The edits of this moment, at once: waits until they are written, and tries once more if they could not
+  /// be. False if they are not kept: see problem().
+  bool keep_now(scene::Workspace& workspace);
+  /// The same, and then sets them aside, because another document is about to take their place.
+  bool set_aside(scene::Workspace& workspace);
+  /// Why the edits of this moment are not kept.
+  std::string problem() const;
 
 private:
   struct Moment {
@@ -33,14 +45,18 @@ private:
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 
-  void set_aside(scene::Workspace& workspace);
   void write(scene::Workspace& workspace);
-  void remove(const std::filesystem::path& file);
+  void take_result(scene::Workspace& workspace, double wait_seconds);
+  bool move_aside(scene::Workspace& workspace);
+  void remove(const std::filesystem::path& leftover);
 
   std::filesystem::path folder_, file_;
   Errands& errands_;
   Moment seen_;
-  bool written_ = false;
+  std::future<void> writing_;
+  std::filesystem::path replaced_;  // the leftover that is open and goes once its edits are written here
+  bool kept_ = false, has_file_ = false;
+  std::string problem_;
 };
 
 }  // namespace viete::app

@@ -1,14 +1,17 @@
 #include "app/file_desk.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "scene/file_commands.h"
 #include "scene/saving.h"
 
 namespace viete::app {
 
 namespace fs = std::filesystem;
+using Kind = scene::Question::Kind;
 
 namespace {
 
@@ -25,6 +28,7 @@ FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace&
     : state_(state), saved_(std::move(saved)), autosave_(recovery_folder(state), errands_) {
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
+  scene::remove_discarded(recovery_folder(state_));
   workspace.leftovers = scene::find_leftovers(recovery_folder(state_));
   try {
     workspace.remembered = scene::read_remembered(remembered_file(state_));
@@ -35,13 +39,18 @@ FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace&
   written_ = workspace.remembered;
 }
 
+FileDesk::~FileDesk() {
+  if (!state_.empty()) scene::remove_discarded(recovery_folder(state_));
+}
+
 void FileDesk::take_requests(scene::Workspace& w, const std::function<std::vector<mesh::Point>()>& deformed,
                              bool hand_is_free) {
   auto& r = w.requests;
+  if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
   if (const auto request = std::exchange(r.open, std::nullopt))
     loader_.start(*request, w.document, take_saved());
   if (r.stop_work) loader_.stop();
-  if (const auto file = std::exchange(r.save_session, std::nullopt)) scene::save_session(w, *file);
+  if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt)) {
     if (const auto positions = deformed(); positions.empty()) {
@@ -51,7 +60,10 @@ void FileDesk::take_requests(scene::Workspace& w, const std::function<std::vecto
     }
   }
   if (const auto file = std::exchange(r.discard, std::nullopt)) discard(w, *file);
-  if (hand_is_free) take_loaded(w, false);
+  if (std::exchange(r.undo_discard, false)) undo_discard(w);
+  go_on_after_saving(w);
+  if (std::exchange(r.quit, false) && !w.question) close(w);
+  if (hand_is_free && !w.question) take_loaded(w, false);
 }
 
 void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
@@ -59,15 +71,65 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
   w.loading = loader_.state();
   if (!result) return;
   if (result->opened) {
-    if (result->look.surface) look_ = std::move(result->look);
-    if (result->bound.binding) bound_ = std::move(result->bound);
-    autosave_.follow(w);  // an edit that ended in this very frame is kept before its document goes
-    scene::take(w, *std::move(result->opened));
+    const bool replaces_edits = result->opened->document && scene::has_unsaved_edits(w);
+    if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result));
+    waiting_ = std::move(result);
+    w.question = scene::ask_before_opening(w, autosave_.problem());
   } else {
     const char* stopped = result->was_binding ? "Stopped binding; everything is as it was."
                                               : "Stopped reading; everything is as it was.";
     w.messages.say(result->problem.empty() ? scene::Severity::info : scene::Severity::error,
                    result->problem.empty() ? stopped : result->problem);
+  }
+}
+
+void FileDesk::take(scene::Workspace& w, Loader::Result&& result) {
+  if (result.look.surface) look_ = std::move(result.look);
+  if (result.bound.binding) bound_ = std::move(result.bound);
+  scene::take(w, *std::move(result.opened));
+}
+
+void FileDesk::close(scene::Workspace& w) {
+  if (!scene::has_unsaved_edits(w) || autosave_.keep_now(w)) return go_on(w, Kind::close);
+  w.question = scene::ask_before_closing(w, autosave_.problem());
+}
+
+void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
+  if (!w.question) return;
+  const Kind kind = std::exchange(w.question, std::nullopt)->kind;
+  if (answer == scene::Answer::cancel) return give_up(w);
+  if (kind == Kind::replace) {
+    if (answer == scene::Answer::save) return scene::browse_to_save_session(w);
+    return save_session(w, w.saved.session, true);
+  }
+  if (answer == scene::Answer::go_on) return go_on(w, kind);
+  w.after_saving = kind;
+  scene::save(w);
+}
+
+void FileDesk::go_on(scene::Workspace& w, Kind kind) {
+  w.after_saving.reset();
+  if (kind == Kind::close) closed_ = true;
+  if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
+}
+
+// What waits for saving goes on, or is given up where saving was.
+void FileDesk::go_on_after_saving(scene::Workspace& w) {
+  if (!w.after_saving || w.question) return;
+  if (!scene::has_unsaved_edits(w)) return go_on(w, *w.after_saving);
+  if (!w.browser.open) give_up(w);
+}
+
+void FileDesk::give_up(scene::Workspace& w) {
+  w.after_saving.reset();
+  if (std::exchange(waiting_, std::nullopt)) w.messages.info("Opened nothing; everything is as it was.");
+}
+
+void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over_changes) {
+  if (!over_changes && scene::changed_on_disk(w, file)) {
+    w.question = scene::ask_before_replacing(file);
+  } else if (!scene::save_session(w, file) && w.after_saving) {
+    w.question = scene::ask_after_failed_save(w, *w.after_saving, w.messages.all().back().text);
   }
 }
 
@@ -85,10 +147,28 @@ void FileDesk::keep_binding(const Bound& bound) {
 }
 
 void FileDesk::discard(scene::Workspace& w, const fs::path& file) {
-  std::erase_if(w.leftovers, [&](const auto& leftover) { return leftover.file == file; });
-  std::error_code code;
-  fs::remove(file, code);
-  if (code) w.messages.error(file.string() + ": cannot be removed: " + code.message());
+  const auto leftover =
+      std::find_if(w.leftovers.begin(), w.leftovers.end(), [&](const auto& l) { return l.file == file; });
+  if (leftover == w.leftovers.end()) return;
+  try {
+    w.discarded.push_back(scene::discard(*leftover));
+    w.leftovers.erase(leftover);
+    w.tell_discarded = true;
+  } catch (const base::Error& error) {
+    w.messages.error(error.what());
+  }
+}
+
+void FileDesk::undo_discard(scene::Workspace& w) {
+  if (w.discarded.empty()) return;
+  try {
+    scene::undo_discard(w.discarded.back());
+    w.leftovers.insert(w.leftovers.begin(), w.discarded.back().leftover);
+    w.discarded.pop_back();
+    w.tell_discarded = w.tell_discarded && !w.discarded.empty();
+  } catch (const base::Error& error) {
+    w.messages.error(error.what());
+  }
 }
 
 void FileDesk::keep(scene::Workspace& w) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,17 +20,26 @@ public:
   /// state: the folder to remember in; empty: nothing is remembered or kept. Fills the workspace with what
   /// was remembered.
   FileDesk(const std::filesystem::path& state, SavedBindings saved, scene::Workspace& workspace);
+  /// What was discarded is gone for good.
+  ~FileDesk();
 
-  /// Before the frame's work: takes requests, and what was read once the hand is free, so that nothing is
-  /// taken away under a drag. deformed() gives the deformed model's positions when they are to be saved;
-  /// empty while there are none.
+  /// Before the frame's work: takes requests and answers, and what was read once the hand is free, so that
+  /// nothing is taken away under a drag. Asks before edits are lost that cannot be kept. deformed() gives the
+  /// deformed model's positions when they are to be saved; empty while there are none.
   void take_requests(scene::Workspace& workspace, const std::function<std::vector<mesh::Point>()>& deformed,
                      bool hand_is_free);
   /// After it: keeps what is new.
   void keep(scene::Workspace& workspace);
 
-  /// True while edits are unsaved and kept for the next start.
-  bool keeping() const { return autosave_.keeping(); }
+  /// True once the program may end, as was requested: nothing is unsaved, or it is kept, or the user has said
+  /// so.
+  bool closed() const { return closed_; }
+  /// True if the edits of this moment have been written for the next start.
+  bool kept() const { return autosave_.kept(); }
+  /// Waits until they are; false if they cannot be.
+  bool keep_now(scene::Workspace& workspace) { return autosave_.keep_now(workspace); }
+  /// True if something was kept, or could not be, since keep().
+  bool has_news() const { return autosave_.has_news(); }
   bool loading() const { return loader_.running(); }
   /// Waits for the files that are being read, and takes them.
   void finish_loading(scene::Workspace& workspace) { take_loaded(workspace, true); }
@@ -44,7 +54,15 @@ public:
 
 private:
   void take_loaded(scene::Workspace& workspace, bool wait);
+  void take(scene::Workspace& workspace, Loader::Result&& result);
+  void take_answer(scene::Workspace& workspace, scene::Answer answer);
+  void go_on(scene::Workspace& workspace, scene::Question::Kind kind);
+  void go_on_after_saving(scene::Workspace& workspace);
+  void give_up(scene::Workspace& workspace);
+  void save_session(scene::Workspace& workspace, const std::filesystem::path& file, bool over_changes);
+  void close(scene::Workspace& workspace);
   void discard(scene::Workspace& workspace, const std::filesystem::path& file);
+  void undo_discard(scene::Workspace& workspace);
   void remember(scene::Workspace& workspace);
 
   std::filesystem::path state_;
@@ -52,6 +70,8 @@ private:
   Loader loader_;
   ModelLook look_;
   Bound bound_;
+  std::optional<Loader::Result> waiting_;  // for the answer whether it may take the place of what is open
+  bool closed_ = false;
   Errands errands_;
   Autosave autosave_;
   scene::Remembered written_;

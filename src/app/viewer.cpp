@@ -12,6 +12,7 @@
 #include "render/palette.h"
 #include "scene/binding_plan.h"
 #include "scene/pose_notes.h"
+#include "scene/saving.h"
 #include "sym3/kernel.h"
 #include "ui/input.h"
 #include "ui/panels.h"
@@ -98,7 +99,7 @@ void Viewer::frame(float seconds) {
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
   count(times);
-  files_.keep(workspace_);
+  keep_files();
   if (options_.probe) probe();
   follow_error_map(false);
   if (take_screenshot_) save_screenshot();
@@ -122,13 +123,28 @@ bool Viewer::wants_refinement() const {
   return options_.still_samples > 0 && !refined_ && base::wall_seconds() - last_change_ > rest_seconds;
 }
 
+bool Viewer::keeping() const {
+  return scene::has_unsaved_edits(workspace_) && files_.kept();
+}
+
+bool Viewer::finish_keeping() {
+  return scene::has_unsaved_edits(workspace_) && files_.keep_now(workspace_);
+}
+
+// What there is to say of it is to be seen.
+void Viewer::keep_files() {
+  const unsigned said = workspace_.messages.revision();
+  files_.keep(workspace_);
+  if (workspace_.messages.revision() != said) settle_frames_ = std::max(settle_frames_, 3u);
+}
+
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
   const bool reports = files_.loading() || binder_.running() || checks_.running() || bench_.running();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
-  return changing() || wants_refinement() || method_probe_.has_result() || probe_is_due() ||
-         binder_.has_result() || checks_.has_result() || bench_.has_result() || error_map_.has_result() ||
-         error_map_is_due();
+  return changing() || files_.has_news() || wants_refinement() || method_probe_.has_result() ||
+         probe_is_due() || binder_.has_result() || checks_.has_result() || bench_.has_result() ||
+         error_map_.has_result() || error_map_is_due();
 }
 
 bool Viewer::changing() const {

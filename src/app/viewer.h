@@ -60,7 +60,11 @@ public:
   /// True while the methods are being measured aside.
   bool measuring() const { return method_probe_.busy(); }
   /// True while edits are unsaved and kept for the next start.
-  bool keeping() const { return files_.keeping(); }
+  bool keeping() const;
+  /// Waits until unsaved edits are; false if there are none, or if they cannot be.
+  bool finish_keeping();
+  /// True once the program may end, as was requested.
+  bool closed() const { return files_.closed(); }
   /// True while files are being read, and what they hold is bound, aside.
   bool loading() const { return files_.loading(); }
   /// True while something is read or bound aside that a person waits for.
@@ -96,6 +100,7 @@ private:
   std::span<const mesh::Point> model_positions() const;
   void frame_finding();
   void deform(scene::FrameTimes& times);
+  void keep_files();
   void count(const scene::FrameTimes& times);
   void upload(scene::FrameTimes& times);
   void draw(scene::FrameTimes& times);

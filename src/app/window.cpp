@@ -2,8 +2,10 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <signal.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -59,6 +61,22 @@ bool display_is_named() {
     return value && *value;
   };
   return given("DISPLAY") || given("WAYLAND_DISPLAY") || given("WAYLAND_SOCKET");
+}
+
+// The only thing that a signal handler may touch.
+volatile std::sig_atomic_t end_signal = 0;
+
+// The first one is a request, as by the window's close button; the next one ends the program at once. What
+// was told to be ignored (nohup) stays so.
+void take_end_signals() {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    struct sigaction before {
+    }, action{};
+    if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
+    action.sa_handler = [](int) { end_signal = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    sigaction(signal, &action, nullptr);
+  }
 }
 
 using WindowPtr = std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)>;
@@ -122,6 +140,8 @@ private:
   void follow_size();
   void set_title();
   void draw(float seconds);
+  bool asked_to_end();
+  void call_for_attention();
 
   // Window units are pixels on X11 and logical on Wayland: events are converted by what one unit is in device
   // pixels.
@@ -136,7 +156,7 @@ private:
   float scale_;
   std::unique_ptr<render::Gl> gl_;
   std::unique_ptr<Viewer> viewer_;
-  bool exposed_ = true;
+  bool exposed_ = true, asks_ = false;
   std::string title_;
 };
 
@@ -220,6 +240,22 @@ void Window::draw(float seconds) {
   if (width > 0 && height > 0) viewer_->framebuffer().blit_to_window({width, height});
   glfwSwapBuffers(window_);
   set_title();
+  call_for_attention();
+}
+
+// By the window's close button or a signal; each time once.
+bool Window::asked_to_end() {
+  const bool asked = glfwWindowShouldClose(window_) || end_signal;
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  end_signal = 0;
+  return asked;
+}
+
+// The window may be behind others when the program is asked to end.
+void Window::call_for_attention() {
+  const bool asks = viewer_->workspace().question.has_value();
+  if (asks && !asks_) glfwRequestWindowAttention(window_);
+  asks_ = asks;
 }
 
 // Draws when something changed, and otherwise waits for events.
@@ -229,12 +265,13 @@ void Window::run(int frames) {
     glfwPollEvents();
     const bool needed = exposed_ || viewer_->wants_frame();
     if (!needed) glfwWaitEventsTimeout(viewer_->working() ? 0.02 : 0.1);
-    if (glfwWindowShouldClose(window_) || viewer_->workspace().requests.quit) return;
+    if (asked_to_end()) viewer_->workspace().requests.quit = exposed_ = true;
     if (!exposed_ && !viewer_->wants_frame() && frames == 0) continue;
     exposed_ = false;
     const double now = base::wall_seconds();
     draw(static_cast<float>(std::min(now - last, 0.1)));
     last = now;
+    if (viewer_->closed()) return;
     if (!viewer_->loading()) ++drawn;
   }
 }
@@ -277,7 +314,9 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   set_settings(workspace.document, options);
   workspace.requests.open =
       scene::OpenRequest{scene::OpenRequest::What::model, {options.model, options.cage, options.pose}};
+  take_end_signals();
   window.run(options.frames);
+  if (!window.viewer().closed()) window.viewer().finish_keeping();
   if (window.viewer().keeping()) {
     std::fprintf(stderr, "viete: unsaved edits are kept; the next start offers to bring them back\n");
   }

@@ -33,6 +33,8 @@ constexpr Condition is_not_measuring{[](const Workspace& w) { return !w.benchmar
 constexpr Condition has_leftover{
     [](const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; },
     "There are no unsaved edits of an earlier run."};
+constexpr Condition has_discarded{[](const Workspace& w) { return !w.discarded.empty(); },
+                                  "Nothing was discarded since the program was started."};
 constexpr Condition can_undo{[](const Workspace& w) { return w.document.history.can_undo() && !w.hand.drag; },
                              "There is no edit to take back."};
 constexpr Condition can_redo{[](const Workspace& w) { return w.document.history.can_redo() && !w.hand.drag; },
@@ -124,9 +126,14 @@ const std::vector<Command>& table() {
        [](Workspace& w) { w.requests.stop_work = true; }},
       {"restore_leftover", "Restore", "Bring unsaved edits back.", "File", {key('B'), true}, {}, has_leftover,
        restore_leftover},
-      {"discard_leftover", "Discard", "Remove unsaved edits for good.", "File", {}, {}, has_leftover, discard_leftover},
       {"put_off_leftover", "Later", "Keep unsaved edits for the next start.", "File", {}, {}, has_leftover,
        put_off_leftover},
+      {"discard_leftover", "Discard", "Drop unsaved edits; until the program ends they can be brought back.", "File",
+       {}, {}, has_leftover, discard_leftover},
+      {"undo_discard", "Undo", "Take back that unsaved edits were discarded.", "File", {key('B'), true, true}, {},
+       has_discarded, undo_discard_leftover},
+      {"hide_discarded", "OK", "Hide this line; until the program ends Ctrl+Shift+B brings the edits back.", "File",
+       {}, {}, has_discarded, hide_discarded},
       {"screenshot", "Screenshot", "Save a picture of the window.", "File", {Key::f12}, {}, always,
        [](Workspace& w) { w.requests.screenshot = true; }},
       {"quit", "Quit", "Close the program.", "File", {key('Q'), true}, {}, always,
@@ -224,6 +231,9 @@ std::string key_name(Key k) {
     case Key::backspace: return "Backspace";
     case Key::up: return "Up";
     case Key::down: return "Down";
+    case Key::left: return "Left";
+    case Key::right: return "Right";
+    case Key::tab: return "Tab";
     case Key::f1: return "F1";
     case Key::f2: return "F2";
     case Key::f12: return "F12";

@@ -57,6 +57,14 @@ void discard_leftover(Workspace& w) {
   w.requests.discard = w.leftovers.front().file;
 }
 
+void undo_discard_leftover(Workspace& w) {
+  w.requests.undo_discard = true;
+}
+
+void hide_discarded(Workspace& w) {
+  w.tell_discarded = false;
+}
+
 void put_off_leftover(Workspace& w) {
   w.leftovers.erase(w.leftovers.begin());
 }

@@ -14,9 +14,13 @@ void browse_to_save_session(Workspace& workspace);
 void browse_to_save_pose(Workspace& workspace);
 void browse_to_save_model(Workspace& workspace);
 
-/// With the first leftover: open it, remove it, or leave it for another day. Require one.
+/// With the first leftover: open it, move it aside until the program ends, or leave it for another day.
+/// Require one.
 void restore_leftover(Workspace& workspace);
 void discard_leftover(Workspace& workspace);
 void put_off_leftover(Workspace& workspace);
+/// Brings back what was discarded last, or says no more of it. Require something discarded.
+void undo_discard_leftover(Workspace& workspace);
+void hide_discarded(Workspace& workspace);
 
 }  // namespace viete::scene

@@ -122,6 +122,7 @@ Document document_of_session(const Session& session, const fs::path& file, base:
 Opened open_session(const fs::path& file, base::Progress* progress) {
   Opened opened;
   opened.file = file;
+  opened.content = content_of(file);  // before it is read: what changes in between is noticed
   opened.session = read_session(file);
   Session& session = *opened.session;
   Document document = document_of_session(session, file, progress);
@@ -262,12 +263,14 @@ void take(Workspace& w, Opened&& opened) {
   const bool same_model = opened.document->model.surface == w.document.model.surface;
   take_document(w, std::move(*opened.document), !opened.session);
   w.saved.session.clear();
+  w.saved.content.reset();
   w.saved.pose = {};
   ++w.saved.revision;
   w.recovered_from.clear();
   if (opened.session) {
     take_view(w, *opened.session);
     w.saved.session = opened.recovered ? opened.session->origin : opened.file;
+    w.saved.content = opened.recovered ? opened.session->origin_content : opened.content;
   }
   if (opened.recovered) {
     w.recovered_from = opened.file;

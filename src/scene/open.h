@@ -17,8 +17,9 @@ struct Opened {
   std::optional<Document> document;  ///< another model, another cage, or a session
   std::optional<deform::Pose> pose;  ///< or another pose of the open cage
   std::optional<Session> session;
-  std::filesystem::path file;  ///< the session or pose
-  bool recovered = false;      ///< the session is unsaved work
+  std::filesystem::path file;            ///< the session or pose
+  std::optional<std::uint64_t> content;  ///< checksum of the session file; of unsaved work nothing
+  bool recovered = false;                ///< the session is unsaved work
   std::vector<std::string> warnings;
   std::string taken_as;  ///< of dropped files: which was taken as what
 };

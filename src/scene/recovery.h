@@ -17,10 +17,22 @@ struct Leftover {
   friend bool operator==(const Leftover&, const Leftover&) = default;
 };
 
+/// One that is no longer wanted: moved aside until the program ends, so that it can come back.
+struct Discarded {
+  Leftover leftover;
+  std::filesystem::path aside;
+};
+
 /// Where the running program keeps its work: PROCESS.viete in the folder, see base::process_name().
 std::filesystem::path recovery_file(const std::filesystem::path& folder);
 /// Another name of this program in that folder, for work that was set aside when another file was opened.
 std::filesystem::path set_aside_file(const std::filesystem::path& folder);
+
+/// Moves the file aside, and back. Throw base::Error, and then it is where it was.
+Discarded discard(const Leftover& leftover);
+void undo_discard(const Discarded& discarded);
+/// Removes for good what was discarded by this program and by those that have ended.
+void remove_discarded(const std::filesystem::path& folder);
 
 Leftover describe_leftover(const std::filesystem::path& file);
 

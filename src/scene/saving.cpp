@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/checksum.h"
 #include "deform/pose_io.h"
 #include "mesh/source.h"
 #include "mesh/write.h"
@@ -30,6 +31,12 @@ bool attempt(Workspace& workspace, const char* what, const fs::path& path, Step 
   }
 }
 
+std::uint64_t checksum(std::string_view bytes) {
+  base::Checksum sum;
+  sum.add(bytes.data(), bytes.size());
+  return sum.value();
+}
+
 // Turns that were missing are filled in at the first frame, by half a turn at most; another branch of the
 // same rotation is a whole turn away.
 bool same_turns(const deform::Vec3& a, const deform::Vec3& b) {
@@ -51,8 +58,10 @@ bool same_pose(const deform::Pose& a, const deform::Pose& b) {
 
 bool save_session(Workspace& workspace, const fs::path& path) {
   return attempt(workspace, "session", path, [&] {
-    base::replace_file(path, session_text(session_of(workspace), path));
+    const std::string text = session_text(session_of(workspace), path);
+    base::replace_file(path, text);
     workspace.saved.session = path;
+    workspace.saved.content = checksum(text);
     workspace.remembered.add({path, {}});
     mark_saved(workspace);
   });
@@ -71,6 +80,20 @@ bool save_model(Workspace& workspace, const fs::path& path, std::span<const mesh
     deformed.positions.assign(positions.begin(), positions.end());
     mesh::write(path, deformed);
   });
+}
+
+bool changed_on_disk(const Workspace& w, const fs::path& session) {
+  std::error_code ignored;
+  return session == w.saved.session && w.saved.content && fs::exists(session, ignored) &&
+         content_of(session) != w.saved.content;
+}
+
+std::optional<std::uint64_t> content_of(const fs::path& file) {
+  try {
+    return checksum(mesh::FileBytes(file, nullptr).view());
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
 }
 
 bool has_unsaved_edits(const Workspace& w) {

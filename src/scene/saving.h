@@ -1,7 +1,9 @@
 // Saving, and what is not saved yet.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "scene/workspace.h"
@@ -15,6 +17,11 @@ bool save_session(Workspace& workspace, const std::filesystem::path& path);
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 bool save_model(Workspace& workspace, const std::filesystem::path& path,
                 std::span<const mesh::Point> positions);
+
+/// True if Save would replace a session that is not the one that was opened or saved here last.
+bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& session);
+/// Checksum of a file; nothing if it cannot be read.
+std::optional<std::uint64_t> content_of(const std::filesystem::path& file);
 
 /// True if what shapes the model is neither what was opened nor what was saved last: the pose, its whole
 /// turns included, coordinates and reach. The method is not among it (every one gives the same model), nor

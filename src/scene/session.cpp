@@ -55,6 +55,21 @@ double tidy(float value) {
   return static_cast<float>(shortest) == value ? shortest : value;
 }
 
+std::string hexadecimal(std::uint64_t number) {
+  char text[16];
+  const auto end = std::to_chars(text, text + sizeof text, number, 16).ptr;
+  return std::string(16 - static_cast<std::size_t>(end - text), '0') + std::string(text, end);
+}
+
+std::uint64_t from_hexadecimal(const JsonReader& json) {
+  const std::string text = json.text();
+  const char* const end = text.data() + text.size();
+  std::uint64_t number = 0;
+  if (text.size() != 16 || std::from_chars(text.data(), end, number, 16).ptr != end)
+    json.expected("16 digits");
+  return number;
+}
+
 ordered_json camera_json(const CameraPose& c) {
   return {{"target", {tidy(c.target.x), tidy(c.target.y), tidy(c.target.z)}},
           {"distance", tidy(c.distance)},
@@ -170,6 +185,7 @@ Session session_of(const Workspace& w) {
   session.model = w.document.model.path;
   session.cage = w.document.cage_file.path;
   session.origin = w.saved.session;
+  session.origin_content = w.saved.content;
   session.method = w.document.method;
   session.coordinates = w.document.coordinates;
   session.reach = w.document.reach;
@@ -186,7 +202,10 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   ordered_json json = {{"format", format_name}, {"version", newest_version}};
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
-  if (!portable && !session.origin.empty()) json["session"] = stored(session.origin, file, false);
+  if (!portable && !session.origin.empty()) {
+    json["session"] = stored(session.origin, file, false);
+    if (session.origin_content) json["session_content"] = hexadecimal(*session.origin_content);
+  }
   json["method"] = sym3::name(session.method);
   json["coordinates"] = deform::name(session.coordinates);
   if (session.reach < deform::whole_cage) json["reach"] = session.reach;
@@ -208,6 +227,7 @@ Session read_session(const fs::path& file) {
   session.model = resolved(folder / json.at("model").path());
   if (const auto v = json.find("cage")) session.cage = resolved(folder / v->path());
   if (const auto v = json.find("session")) session.origin = resolved(folder / v->path());
+  if (const auto v = json.find("session_content")) session.origin_content = from_hexadecimal(*v);
   if (const auto v = json.find("method"))
     session.method = word_of(*v, sym3::method_from_name, "diag, sd, improved_sd or fast");
   if (const auto v = json.find("coordinates"))

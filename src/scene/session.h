@@ -16,6 +16,7 @@ namespace viete::scene {
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
 ///                         that are not UTF-8 as path_json() writes them
 ///   "session"             only in recovered work: the session file that it belongs to
+///   "session_content"     likewise: checksum of that file as it was then, 16 hexadecimal digits
 ///   "method"              "diag", "sd", "improved_sd" or "fast"
 ///   "coordinates"         "face" or "mvc"
 ///   "reach"               of faces, 1.5 or more; missing: the whole cage
@@ -32,6 +33,7 @@ namespace viete::scene {
 struct Session {
   std::filesystem::path model, cage;  ///< absolute; cage may be empty
   std::filesystem::path origin;       ///< "session"; absolute; may be empty
+  std::optional<std::uint64_t> origin_content;
   sym3::Method method = sym3::Method::fast;
   deform::Coordinates coordinates = deform::Coordinates::face;
   double reach = deform::whole_cage;

@@ -17,6 +17,7 @@
 #include "scene/file_browser.h"
 #include "scene/frame_stats.h"
 #include "scene/messages.h"
+#include "scene/question.h"
 #include "scene/recovery.h"
 #include "scene/remembered.h"
 #include "scene/tool.h"
@@ -76,6 +77,8 @@ struct Requests {
   std::optional<OpenRequest> open;
   std::optional<std::filesystem::path> save_session, save_pose, save_model;
   std::optional<std::filesystem::path> discard;  ///< a leftover
+  bool undo_discard = false;                     ///< the last one that was discarded
+  std::optional<Answer> answer;                  ///< to the question
 };
 
 /// How far work is that is done aside and that a person waits for.
@@ -90,7 +93,9 @@ struct WorkState {
 /// What is safe in files of the user's: edits that led away from it are unsaved.
 struct Saved {
   std::filesystem::path session;  ///< where Save writes; empty until there is one
-  deform::Pose pose;              ///< that was opened or saved last; empty for recovered work
+  std::optional<std::uint64_t>
+      content;        ///< checksum of that file as it was read or written here; nothing: not known
+  deform::Pose pose;  ///< that was opened or saved last; empty for recovered work
   deform::Weighting weighting{deform::Coordinates::face};  ///< likewise
   unsigned long revision = 0;                              ///< grows with each change
 };
@@ -127,6 +132,10 @@ struct Workspace {
   std::filesystem::path recovered_from;  ///< the leftover that is open, until its work is safe elsewhere
   Revision opened = 0;                   ///< another document was opened
   std::vector<std::string> pose_notes;   ///< what the deformer had to decide in this pose, one line each
+  std::vector<Discarded> discarded;      ///< newest last; gone when the program ends
+  bool tell_discarded = false;           ///< the last of them is to be shown
+  std::optional<Question> question;      ///< waits for an answer; nothing else is done meanwhile
+  std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
   FileBrowser browser;
   About about;
 };

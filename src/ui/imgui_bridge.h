@@ -19,6 +19,9 @@ constexpr int key_code(scene::Key key) {
     case Key::backspace: return 259;
     case Key::down: return 264;
     case Key::up: return 265;
+    case Key::left: return 263;
+    case Key::right: return 262;
+    case Key::tab: return 258;
     case Key::f1: return 290;
     case Key::f2: return 291;
     case Key::f12: return 301;

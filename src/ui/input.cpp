@@ -17,7 +17,7 @@ bool matches(const scene::Shortcut& shortcut, const ImGuiIO& io) {
 // While the mouse is at work keys are its own: they must not change what it holds.
 void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput || pointer.active()) return;
+  if (io.WantTextInput || pointer.active() || workspace.question) return;
   for (const auto& command : scene::commands()) {
     if (!matches(command.shortcut, io) && !matches(command.alternative, io)) continue;
     if (command.enabled(workspace)) command.run(workspace);
@@ -25,7 +25,8 @@ void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
   }
 }
 
-scene::PointerInput pointer_input() {
+// A question that waits for its answer has the keyboard to itself.
+scene::PointerInput pointer_input(bool keys) {
   const ImGuiIO& io = ImGui::GetIO();
   scene::PointerInput input;
   input.position = {io.MousePos.x, io.MousePos.y};
@@ -35,8 +36,8 @@ scene::PointerInput pointer_input() {
   input.ctrl = io.KeyCtrl;
   input.alt = io.KeyAlt;
   input.over_view = !io.WantCaptureMouse && ImGui::IsMousePosValid();
-  input.escape = key_pressed(scene::Key::escape);
-  if (io.WantTextInput) return input;
+  input.escape = keys && key_pressed(scene::Key::escape);
+  if (io.WantTextInput || !keys) return input;
   input.enter = key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter);
   input.backspace = key_pressed(scene::Key::backspace);
   for (const ImWchar c : io.InputQueueCharacters) {
@@ -48,8 +49,9 @@ scene::PointerInput pointer_input() {
 }  // namespace
 
 void handle_input(scene::Workspace& workspace, scene::Pointer& pointer) {
-  if (workspace.view.help && key_pressed(scene::Key::escape)) workspace.view.help = false;
-  pointer.frame(workspace, pointer_input());
+  const bool keys = !workspace.question;
+  if (keys && workspace.view.help && key_pressed(scene::Key::escape)) workspace.view.help = false;
+  pointer.frame(workspace, pointer_input(keys));
   run_shortcuts(workspace, pointer);
 }
 

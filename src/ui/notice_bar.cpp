@@ -8,19 +8,57 @@ namespace viete::ui {
 
 namespace {
 
-std::string notice(const scene::Workspace& w) {
-  const scene::Leftover& leftover = w.leftovers.front();
-  const std::size_t others = w.leftovers.size() - 1;
+std::string edits_of(const scene::Leftover& leftover) {
+  return "edits of " + leftover.name + ", " + scene::when(leftover.time, std::time(nullptr));
+}
+
+// What loses something stands apart: behind a line, at the far end.
+void apart() {
+  ImGui::SameLine(0, 18);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 2}, {at.x, at.y + ImGui::GetFrameHeight() - 2},
+                                      ImGui::GetColorU32(ImGuiCol_Separator));
+  ImGui::Dummy({1, 0});
+  ImGui::SameLine(0, 18);
+}
+
+void notice_words(const std::string& text, const std::string& tip) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text.c_str());
+  hint(tip);
+  ImGui::SameLine(0, 16);
+}
+
+void leftover_line(const Context& ui) {
+  const auto& leftovers = ui.workspace.leftovers;
+  const std::size_t others = leftovers.size() - 1;
   const std::string more = others > 0 ? "  (and " + std::to_string(others) + " more)" : "";
-  return "Unsaved edits of " + leftover.name + ", " + scene::when(leftover.time, std::time(nullptr)) + more;
+  notice_words("Unsaved " + edits_of(leftovers.front()) + more, leftovers.front().file.string());
+  command_button(ui, "restore_leftover");
+  ImGui::SameLine();
+  command_button(ui, "put_off_leftover");
+  if (leftovers.empty()) return;
+  apart();
+  ImGui::PushStyleColor(ImGuiCol_Button, 0);
+  command_button(ui, "discard_leftover");
+  ImGui::PopStyleColor();
+}
+
+void discarded_line(const Context& ui) {
+  notice_words("Discarded the " + edits_of(ui.workspace.discarded.back().leftover),
+               "They are gone for good when the program ends.");
+  command_button(ui, "undo_discard");
+  ImGui::SameLine();
+  command_button(ui, "hide_discarded");
 }
 
 }  // namespace
 
-// A line at the top of the view that waits and stops nothing.
+// Lines at the top of the view that wait and stop nothing.
 void notice_bar(const Context& ui) {
   const auto& w = ui.workspace;
-  if (w.leftovers.empty() || w.hand.drag || w.hand.box) return;
+  const bool discarded = w.tell_discarded && !w.discarded.empty();
+  if ((w.leftovers.empty() && !discarded) || w.hand.drag || w.hand.box) return;
   const auto& v = w.viewport;
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 12}, ImGuiCond_Always, {0.5f, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
@@ -28,14 +66,8 @@ void notice_bar(const Context& ui) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNav);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(notice(w).c_str());
-  hint(w.leftovers.front().file.string());
-  for (const char* command : {"restore_leftover", "discard_leftover", "put_off_leftover"}) {
-    ImGui::SameLine();
-    command_button(ui, command);
-    if (w.leftovers.empty()) break;
-  }
+  if (!w.leftovers.empty()) leftover_line(ui);
+  if (discarded) discarded_line(ui);
   ImGui::End();
   ImGui::PopStyleVar();
 }

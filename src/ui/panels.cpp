@@ -38,7 +38,8 @@ void draw_panels(const Context& ui) {
   notice_bar(ui);
   work_bar(ui);
   if (ui.workspace.view.help) help_overlay(ui);
-  if (ui.workspace.browser.open) file_panel(ui);
+  if (ui.workspace.browser.open && !ui.workspace.question) file_panel(ui);
+  question_panel(ui);
 }
 
 }  // namespace viete::ui

@@ -111,6 +111,7 @@ void apply_style(bool dark) {
   s.Colors[ImGuiCol_ScrollbarBg] = rgba(t.window, 0);
   s.Colors[ImGuiCol_ScrollbarGrab] = rgba(t.active);
   s.Colors[ImGuiCol_PlotHistogram] = rgba(t.accent);
+  s.Colors[ImGuiCol_ModalWindowDimBg] = dark ? rgba(0x0c0f13, 0.5f) : rgba(0x2d3641, 0.25f);
   s.Colors[ImGuiCol_TextSelectedBg] = rgba(t.accent, 0.35f);
 }
 

@@ -71,6 +71,8 @@ public:
     waitpid(pid_, nullptr, 0);
     pid_ = 0;
   }
+  /// As the end of a desktop's session does it; to the program itself, which is the shell's successor.
+  void terminate() { kill(pid_, SIGTERM); }
   int exit_code() const { return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : 128 + WTERMSIG(*status_); }
 
 private:

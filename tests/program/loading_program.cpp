@@ -28,9 +28,7 @@ bool sees_loading_bar(Driver& d) {
 TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
-  auto options = Driver::default_options();
-  options.size = {640, 400};
-  Driver d(options);
+  Driver d(remembering(folder / "state", {640, 400}));
   const scene::OpenRequest request{What::model, {folder / "large.obj"}};
 
   // 348,000 vertices, 36 MB of text; a machine that reads them in a moment gets more.

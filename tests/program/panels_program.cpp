@@ -24,6 +24,10 @@ bool overlap(const ui::WidgetRect& a, const ui::WidgetRect& b) {
   return a.x0 + rounding < b.x1 && b.x0 + rounding < a.x1 && a.y0 + rounding < b.y1 && b.y0 + rounding < a.y1;
 }
 
+bool on_notice_bar(const std::string& name) {
+  return name.ends_with("_leftover") || name.ends_with("_discard") || name.ends_with("_discarded");
+}
+
 void check_places(const Widgets& widgets, glm::vec2 window) {
   CHECK(widgets.size() > 20);
   for (auto a = widgets.begin(); a != widgets.end(); ++a) {
@@ -37,7 +41,10 @@ void check_places(const Widgets& widgets, glm::vec2 window) {
     if (rect.x0 < column) CHECK(rect.x1 <= column);
     for (auto b = std::next(a); b != widgets.end(); ++b) {
       const bool both_in_column = b->second.visible && rect.x1 <= column && b->second.x1 <= column;
-      CHECK_MESSAGE(!(both_in_column && overlap(rect, b->second)), "covers ", b->first);
+      const bool both_asked = name.starts_with("question_") && b->first.starts_with("question_");
+      const bool both_told = on_notice_bar(name) && on_notice_bar(b->first);
+      CHECK_MESSAGE(!((both_in_column || both_asked || both_told) && overlap(rect, b->second)), "covers ",
+                    b->first);
     }
   }
 }
@@ -89,8 +96,46 @@ void visit_panels(Driver& d, const std::string& look) {
   d.press_key(scene::key('E'), true);
   show(d, look + "_export");
   d.press_key(scene::Key::escape);
+  visit_questions(d, look);
+  visit_notices(d, look);
   d.press_key(scene::Key::f1);
   show(d, look + "_help");
+}
+
+void visit_questions(Driver& d, const std::string& look) {
+  auto& w = d.workspace();
+  w.question =
+      scene::ask_before_closing(w,
+                                "/home/somebody/.local/state/viete/recovery: unsaved work cannot be kept "
+                                "here: Not a directory; save often");
+  d.frame(2);
+  show(d, look + "_question_close");
+  REQUIRE(d.viewer().recorder().find("question_go_on"));
+  w.question = scene::ask_before_opening(w, "There is no home folder to keep them in.");
+  w.question->chosen = 2;
+  d.frame(2);
+  show(d, look + "_question_open");
+  w.question = scene::ask_before_replacing("/home/somebody/a_walk_with_a_long_name.viete");
+  d.frame(2);
+  show(d, look + "_question_replace");
+  w.question.reset();
+  d.frame(2);
+}
+
+void visit_notices(Driver& d, const std::string& look) {
+  auto& w = d.workspace();
+  w.leftovers = {{"/a.viete", "walk.viete", 0}, {"/b.viete", "b", 0}};
+  d.frame(2);
+  show(d, look + "_leftover");
+  w.discarded = {{{"/b.viete", "dragon.ply", 0}, "/b.discarded"}};
+  w.tell_discarded = true;
+  d.frame(2);
+  show(d, look + "_leftover_and_discarded");
+  w.leftovers.clear();
+  d.frame(2);
+  show(d, look + "_discarded");
+  w.discarded.clear();
+  d.frame(2);
 }
 
 }  // namespace

@@ -108,28 +108,69 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   CHECK(scene::read_session(kept_files(folder / "state").front()).pose->positions == posed);
 }
 
-TEST_CASE("discarded_work_is_removed_and_work_put_off_stays") {
+TEST_CASE("discarded_work_comes_back_until_the_program_ends_and_work_put_off_stays") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path state = folder / "state";
   fs::create_directories(state / "recovery");
-  for (const char* name : {"999999999-1.viete", "999999999-2.viete"})
-    test::put_file(state / "recovery" / name, "{}");
+  for (const char* name : {"999999999-1.viete", "999999999-2.viete", "999999998-1_1.discarded"})
+    test::put_file(state / "recovery" / name, name);
+  const auto sessions = [&] {
+    const auto files = kept_files(state);
+    return std::count_if(files.begin(), files.end(), scene::is_session);
+  };
+  {
+    Driver d(remembering(state));
+    d.frame(3);
+    CHECK_FALSE(fs::exists(state / "recovery" / "999999998-1_1.discarded"));
+    REQUIRE(d.workspace().leftovers.size() == 2);
+    d.click("put_off_leftover");
+    d.frame(3);
+    CHECK(sessions() == 2);
+    REQUIRE(d.workspace().leftovers.size() == 1);
+    const fs::path file = d.workspace().leftovers[0].file;
+    const std::string bytes = test::file_bytes(file);
+    d.click("restore_leftover");  // it is broken: said, and still there
+    d.settle();
+    CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
+    CHECK(d.workspace().leftovers.size() == 1);
+
+    d.click("discard_leftover");
+    d.frame(3);
+    CHECK(d.workspace().leftovers.empty());
+    CHECK(sessions() == 1);
+    d.click("undo_discard");
+    d.frame(3);
+    REQUIRE(d.workspace().leftovers.size() == 1);
+    CHECK(d.workspace().leftovers[0].file == file);
+    CHECK(test::file_bytes(file) == bytes);
+
+    d.click("discard_leftover");
+    d.frame(3);
+    d.click("hide_discarded");
+    d.frame(3);
+    CHECK_FALSE(d.viewer().recorder().find("undo_discard"));
+    d.press_key(scene::key('B'), true, true);
+    d.frame(3);
+    CHECK(d.workspace().leftovers.size() == 1);
+    d.click("discard_leftover");
+    d.frame(3);
+  }
+  CHECK(kept_files(state).size() == 1);
+}
+
+TEST_CASE("leftovers_that_cannot_be_discarded_stay_and_it_is_said") {
+  const test::TemporaryFolder folder;
+  const fs::path state = folder / "state";
+  fs::create_directories(state / "recovery");
+  test::put_file(state / "recovery" / "999999999-1.viete", "{}");
   Driver d(remembering(state));
   d.frame(3);
-  REQUIRE(d.workspace().leftovers.size() == 2);
-  d.click("put_off_leftover");
-  d.frame(3);
-  CHECK(kept_files(state).size() == 2);
-  REQUIRE(d.workspace().leftovers.size() == 1);
-  d.click("restore_leftover");  // it is broken: said, and still there
-  d.settle();
-  CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
-  CHECK(d.workspace().leftovers.size() == 1);
+  fs::remove_all(state / "recovery");
   d.click("discard_leftover");
   d.frame(3);
-  CHECK(d.workspace().leftovers.empty());
-  CHECK(kept_files(state).size() == 1);
+  CHECK(d.workspace().leftovers.size() == 1);
+  CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
 }
 
 TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks") {
@@ -149,6 +190,193 @@ TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks
       5));
   CHECK(d.workspace().messages.all().back().text.find((folder / "state").string()) != std::string::npos);
   CHECK(d.document().history.undo_count() == 1);
+}
+
+namespace {
+
+// The folder of what is kept is a file now: nothing more can be written there.
+void break_recovery(const fs::path& state) {
+  fs::remove_all(state / "recovery");
+  fs::create_directories(state);
+  test::put_file(state / "recovery", "a file, not a folder");
+}
+
+void mend_recovery(const fs::path& state) {
+  fs::remove(state / "recovery");
+}
+
+void quit(Driver& d) {
+  d.press_key(scene::key('Q'), true);
+  d.frame(3);
+}
+
+struct Unkept {
+  test::TemporaryFolder folder;
+  SmallModel small{folder.path()};
+  fs::path state = folder / "state";
+  Driver d{remembering(state)};
+
+  Unkept() {
+    REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+    d.settle();
+    drag_some_vertex(d, {30, 20});
+    REQUIRE(wait_until([&] { return kept_files(state).size() == 1; }, 5));
+    break_recovery(state);
+    drag_some_vertex(d, {-20, 10});
+  }
+  bool asks(scene::Question::Kind kind) {
+    const auto& question = d.workspace().question;
+    return question && question->kind == kind;
+  }
+};
+
+using Kind = scene::Question::Kind;
+
+}  // namespace
+
+TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_cancel_leaves_everything_as_it_was") {
+  Unkept u;
+  quit(u.d);
+  REQUIRE(u.asks(Kind::close));
+  CHECK_FALSE(u.d.viewer().closed());
+  CHECK_FALSE(u.d.viewer().keeping());
+  CHECK(u.d.workspace().question->why.find((u.state / "recovery").string()) != std::string::npos);
+  const auto posed = u.d.document().pose.positions;
+  u.d.press_key(scene::key('Z'), true);  // nothing else is done meanwhile
+  u.d.press_key(scene::Key::delete_key);
+  const glm::vec2 at = glm::round(u.d.vertex(u.d.free_vertex()));
+  u.d.drag(at, at + glm::vec2(30, 30));
+  CHECK(u.d.document().pose.positions == posed);
+  u.d.press_key(scene::Key::escape);
+  u.d.frame(3);
+  CHECK_FALSE(u.d.workspace().question);
+  CHECK_FALSE(u.d.viewer().closed());
+  CHECK(scene::has_unsaved_edits(u.d.workspace()));
+}
+
+TEST_CASE("closing_does_not_ask_once_edits_can_be_kept_again") {
+  Unkept u;
+  quit(u.d);
+  REQUIRE(u.asks(Kind::close));
+  u.d.click("question_cancel");
+  mend_recovery(u.state);
+  quit(u.d);
+  CHECK(u.d.viewer().closed());
+  CHECK(u.d.viewer().keeping());
+  REQUIRE(kept_files(u.state).size() == 1);
+  CHECK(scene::read_session(kept_files(u.state).front()).pose->positions == u.d.document().pose.positions);
+}
+
+TEST_CASE("enter_saves_and_closes_and_a_save_that_is_called_off_or_fails_closes_nothing") {
+  Unkept u;
+  Driver& d = u.d;
+  quit(d);
+  d.press_key(scene::Key::enter);
+  d.frame(3);
+  REQUIRE(d.workspace().browser.open);
+  d.press_key(scene::Key::escape);
+  d.frame(3);
+  CHECK_FALSE(d.workspace().after_saving);
+  CHECK_FALSE(d.viewer().closed());
+
+  d.workspace().saved.session = u.folder / "none" / "a.viete";
+  quit(d);
+  d.press_key(scene::Key::enter);
+  d.frame(3);
+  REQUIRE(u.asks(Kind::close));
+  CHECK(d.workspace().question->why.find("a.viete") != std::string::npos);
+  d.press_key(scene::Key::escape);
+  d.frame(3);
+  CHECK_FALSE(d.viewer().closed());
+
+  d.workspace().saved.session.clear();
+  quit(d);
+  d.click("question_save");
+  d.frame(3);
+  REQUIRE(d.workspace().browser.open);
+  d.press_key(scene::Key::enter);
+  d.frame(3);
+  CHECK(d.viewer().closed());
+  CHECK(scene::read_session(u.folder / "small.viete").pose->positions == d.document().pose.positions);
+}
+
+TEST_CASE("the_answers_are_walked_with_tab_and_arrows_and_closing_without_saving_closes") {
+  Unkept u;
+  quit(u.d);
+  REQUIRE(u.asks(Kind::close));
+  constexpr int tab = 258, right = 262, left = 263;
+  u.d.press_key(tab);
+  CHECK(u.d.workspace().question->chosen == 1);
+  u.d.press_key(tab, false, true);
+  u.d.press_key(left);
+  CHECK(u.d.workspace().question->chosen == 2);
+  u.d.press_key(right);
+  CHECK(u.d.workspace().question->chosen == 0);
+  u.d.press_key(left);
+  u.d.press_key(scene::Key::enter);
+  u.d.frame(3);
+  CHECK(u.d.viewer().closed());
+  CHECK_FALSE(u.d.viewer().keeping());
+}
+
+TEST_CASE("without_a_home_folder_closing_asks_and_without_edits_it_does_not") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  for (const bool edited : {false, true}) {
+    CAPTURE(edited);
+    Driver d;
+    REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+    d.settle();
+    if (edited) drag_some_vertex(d, {30, 20});
+    quit(d);
+    CHECK(d.viewer().closed() == !edited);
+    REQUIRE(d.workspace().question.has_value() == edited);
+    if (edited) CHECK(d.workspace().question->why.find("no home folder") != std::string::npos);
+  }
+}
+
+TEST_CASE("another_file_takes_the_place_of_edits_that_could_not_be_set_aside_only_when_told_to") {
+  Unkept u;
+  Driver& d = u.d;
+  const auto open_cage_as_model = [&] {
+    d.workspace().requests.open = scene::OpenRequest{What::model, {u.small.cage}};
+    d.settle();
+    d.frame(2);
+  };
+  open_cage_as_model();
+  REQUIRE(u.asks(Kind::open));
+  CHECK(d.document().model.path == u.small.model);
+  d.click("question_cancel");
+  d.frame(2);
+  CHECK(d.document().model.path == u.small.model);
+  CHECK(scene::has_unsaved_edits(d.workspace()));
+
+  open_cage_as_model();
+  d.click("question_save");
+  d.frame(3);
+  d.press_key(scene::Key::enter);
+  d.frame(3);
+  CHECK(d.document().model.path == u.small.cage);
+  CHECK(fs::exists(u.folder / "small.viete"));
+}
+
+TEST_CASE("edits_of_a_model_whose_name_is_not_utf_8_are_kept") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  const fs::path state = folder / "state", odd = folder / "caf\xe9.ply";
+  fs::rename(small.model, odd);
+  {
+    Driver d(remembering(state));
+    REQUIRE(scene::load_model(d.workspace(), odd, small.cage));
+    d.settle();
+    drag_some_vertex(d, {30, 20});
+    quit(d);
+    CHECK(d.viewer().closed());
+    CHECK(d.viewer().keeping());
+  }
+  REQUIRE(kept_files(state).size() == 1);
+  CHECK(scene::read_session(kept_files(state).front()).model == odd);
+  CHECK(scene::read_remembered(state / "remembered.json").recent.at(0).file == odd);
 }
 
 // Runs in a process of its own, see the next test: finishes edit after edit, and says in a log which one is

@@ -221,3 +221,51 @@ TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {
   CHECK(d.document().model.path == small.model);
   CHECK(d.document().cage_file.path == small.cage);
 }
+
+TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  const fs::path session = folder / "a.viete";
+  Driver d;
+  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(scene::save_session(d.workspace(), session));
+  d.workspace().requests.open = scene::OpenRequest{What::model, {session}};
+  d.settle();
+  scene::Workspace other;
+  REQUIRE(scene::open_now(other, {What::model, {session}}));
+  scene::set_reach(other.document, 3);
+  REQUIRE(scene::save_session(other, session));
+  const std::string theirs = test::file_bytes(session);
+
+  drag_some_vertex(d, {-30, 10});
+  const auto save = [&] {
+    d.press_key(scene::key('S'), true);
+    d.frame(3);
+    REQUIRE(d.workspace().question);
+    CHECK(d.workspace().question->kind == scene::Question::Kind::replace);
+    CHECK(test::file_bytes(session) == theirs);
+  };
+  save();
+  d.press_key(scene::Key::escape);
+  d.frame(3);
+  CHECK(test::file_bytes(session) == theirs);
+  CHECK(scene::has_unsaved_edits(d.workspace()));
+
+  save();
+  d.press_key(scene::Key::enter);  // the safe answer: under another name
+  d.frame(3);
+  CHECK(d.workspace().browser.open);
+  CHECK(test::file_bytes(session) == theirs);
+  d.press_key(scene::Key::escape);
+  d.frame(3);
+
+  save();
+  d.click("question_go_on");
+  d.frame(3);
+  CHECK(scene::read_session(session).pose->positions == d.document().pose.positions);
+  drag_some_vertex(d, {10, 10});
+  d.press_key(scene::key('S'), true);  // it is this window's again
+  d.frame(3);
+  CHECK_FALSE(d.workspace().question);
+  CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+}

@@ -6,6 +6,7 @@
 #include "program/desktop.h"
 #include "program/driver.h"
 #include "scene/pointer.h"
+#include "support/folder.h"
 
 using namespace viete;
 using test::Child;
@@ -130,4 +131,45 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
     render::write_png(test::build_dir() / "window-gizmo-offscreen.png", offscreen);
   }
   CHECK(differing <= 0.001);
+}
+
+TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_not") {
+  if (test::no_desktop()) return;
+  auto options = Driver::default_options();
+  options.size = {1440, 900};
+  Driver d(options);
+  const auto assets = test::assets_dir() / "dragon";
+  REQUIRE(scene::load_model(d.workspace(), assets / "dragon.ply", assets / "cage.obj"));
+  d.frame();
+  const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
+
+  for (const bool can_keep : {true, false}) {
+    CAPTURE(can_keep);
+    Desktop desktop;
+    const fs::path state = desktop.folder / "state" / "viete", log = desktop.folder / "viete.log";
+    fs::create_directories(state);
+    if (!can_keep) test::put_file(state / "recovery", "a file, not a folder");
+    Child viewer(desktop.viete(""), log);
+    desktop.xdotool("search --sync --onlyvisible --name dragon");
+    std::this_thread::sleep_for(std::chrono::seconds(3));
+    desktop.drag(from, to);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    viewer.terminate();
+    if (can_keep) {
+      REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
+      CHECK(viewer.exit_code() == 0);
+      CHECK(test::file_bytes(log).find("unsaved edits are kept") != std::string::npos);
+      continue;
+    }
+    CHECK_FALSE(wait_until([&] { return viewer.finished(); }, 2));
+    desktop.xdotool("key Escape");  // it has asked: back to work, and then by the close button
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    desktop.xdotool("search --onlyvisible --name dragon windowquit");
+    CHECK_FALSE(wait_until([&] { return viewer.finished(); }, 2));
+    desktop.xdotool("key Left");
+    desktop.xdotool("key Return");  // close without saving
+    REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
+    CHECK(viewer.exit_code() == 0);
+    CHECK(test::file_bytes(log).find("kept") == std::string::npos);
+  }
 }

@@ -54,4 +54,8 @@ TEST_CASE("leftovers_are_restored_discarded_and_put_off_one_at_a_time") {
   REQUIRE(run_command(w, "put_off_leftover"));
   REQUIRE(run_command(w, "discard_leftover"));
   CHECK(w.requests.discard == "/b.viete");
+  CHECK_FALSE(run_command(w, "undo_discard"));
+  w.discarded = {{{"/b.viete", "b", 0}, "/b.discarded"}};
+  REQUIRE(run_command(w, "undo_discard"));
+  CHECK(w.requests.undo_discard);
 }

@@ -5,6 +5,7 @@
 #include "mesh/read.h"
 #include "scene/edit.h"
 #include "scene/files.h"
+#include "scene/session.h"
 #include "scene/transform.h"
 
 using namespace viete;
@@ -120,4 +121,37 @@ TEST_CASE("a_failed_save_leaves_file_and_edits_as_they_were") {
   CHECK(has_unsaved_edits(w));
   CHECK(w.saved.session.empty());
   CHECK(test::file_bytes(files.model) == before);
+}
+
+TEST_CASE("a_session_changed_on_disk_is_noticed_by_its_content") {
+  const test::CubeFiles files;
+  Workspace w = edited(files);
+  const auto session = files / "a.viete";
+  CHECK_FALSE(changed_on_disk(w, session));
+  REQUIRE(save_session(w, session));
+  CHECK_FALSE(changed_on_disk(w, session));
+  const std::string bytes = test::file_bytes(session);
+  test::put_file(session, bytes);  // touched, but the same
+  CHECK_FALSE(changed_on_disk(w, session));
+  test::put_file(session, bytes + " ");
+  CHECK(changed_on_disk(w, session));
+  CHECK_FALSE(changed_on_disk(w, files / "b.viete"));
+  fs::remove(session);
+  CHECK_FALSE(changed_on_disk(w, session));  // nothing is lost by writing it again
+}
+
+TEST_CASE("recovered_work_knows_whether_its_session_has_changed_since") {
+  const test::CubeFiles files;
+  const auto session = files / "a.viete", kept = files / "r.viete";
+  Workspace w = edited(files);
+  REQUIRE(save_session(w, session));
+  undo(w.document);
+  test::put_file(kept, session_text(session_of(w), kept, false));
+  for (const bool changed : {false, true}) {
+    CAPTURE(changed);
+    if (changed) test::put_file(session, test::file_bytes(session) + " ");
+    Workspace back;
+    REQUIRE(open_now(back, {OpenRequest::What::recovery, {kept}}));
+    CHECK(changed_on_disk(back, back.saved.session) == changed);
+  }
 }
