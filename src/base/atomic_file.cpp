@@ -198,9 +198,19 @@ void replace_file(const fs::path& path, std::string_view bytes, Outlives outlive
 }
 
 void replace_file(const fs::path& path, std::span<const std::string_view> parts, Outlives outlives) {
+  replace_file(
+      path,
+      [parts](const ByteSink& out) {
+        for (const auto bytes : parts) out(bytes);
+      },
+      outlives);
+}
+
+void replace_file(const fs::path& path, const std::function<void(const ByteSink&)>& produce,
+                  Outlives outlives) {
   const fs::path target = checked_target(path);
   NewFile file(target);
-  for (const auto bytes : parts) file.write_all(bytes);
+  produce([&file](std::string_view bytes) { file.write_all(bytes); });
   file.become_target(outlives);
   if (outlives == Outlives::power_cut) sync_folder(target.parent_path());
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -25,6 +26,15 @@ void replace_file(const std::filesystem::path& path, std::string_view bytes,
 
 /// The same with bytes that lie in several places, one after the other.
 void replace_file(const std::filesystem::path& path, std::span<const std::string_view> parts,
+                  Outlives outlives = Outlives::power_cut);
+
+/// Takes a portion of the bytes of a file.
+using ByteSink = std::function<void(std::string_view)>;
+
+/// The same with bytes that are made while they are written: produce() hands them on, portion by portion, and
+/// no more than a portion needs to be in memory. What it throws is thrown, and the existing file stays as it
+/// was.
+void replace_file(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce,
                   Outlives outlives = Outlives::power_cut);
 
 /// Throws what replace_file() would throw now for this place, for work that takes long before it writes. An

@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
-#include "mesh/text_writer.h"
 
 namespace viete::mesh {
 
@@ -147,18 +146,23 @@ bool looks_like_obj(const Source& source) {
   return word == "v" || word == "f" || is_other_word(word);
 }
 
-std::string obj_bytes(const Surface& surface, const std::vector<std::string>& comments) {
-  TextWriter out;
+void write_obj(const Content& content, TextWriter& out) {
+  const auto& [surface, positions, comments] = content;
+  const std::size_t all = positions.size() + surface.polygon_count();
+  std::size_t done = 0;
   out.comments("# ", comments);
-  for (const Point& p : surface.positions) out.text("v ").point(p).text("\n");
+  for (const Point& p : positions) {
+    out.text("v ").point(p).text("\n");
+    out.element_done(++done, all);
+  }
   for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
     out.text("f");
     for (auto c = surface.polygon_starts[p]; c < surface.polygon_starts[p + 1]; ++c) {
       out.text(" ").number(std::uint64_t{surface.corners[c]} + 1);
     }
     out.text("\n");
+    out.element_done(++done, all);
   }
-  return out.take();
 }
 
 }  // namespace viete::mesh

@@ -7,6 +7,7 @@
 
 #include "mesh/read.h"
 #include "mesh/source.h"
+#include "mesh/text_writer.h"
 
 namespace viete::mesh {
 
@@ -18,6 +19,6 @@ ReadResult read_obj(const Source& source);
 /// True if the first line that holds more than a comment starts with a word that only OBJ files use.
 bool looks_like_obj(const Source& source);
 
-std::string obj_bytes(const Surface& surface, const std::vector<std::string>& comments);
+void write_obj(const Content& content, TextWriter& out);
 
 }  // namespace viete::mesh

@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
-#include "mesh/text_writer.h"
 
 namespace viete::mesh {
 
@@ -123,19 +122,24 @@ bool looks_like_off(const Source& source) {
   return text.next_filled_line() && is_off_word(text.word());
 }
 
-std::string off_bytes(const Surface& surface, const std::vector<std::string>& comments) {
-  TextWriter out;
+void write_off(const Content& content, TextWriter& out) {
+  const auto& [surface, positions, comments] = content;
+  const std::size_t all = positions.size() + surface.polygon_count();
+  std::size_t done = 0;
   out.text("OFF\n").comments("# ", comments);
-  out.number(std::uint64_t{surface.positions.size()}).text(" ");
+  out.number(std::uint64_t{positions.size()}).text(" ");
   out.number(std::uint64_t{surface.polygon_count()}).text(" 0\n");
-  for (const Point& p : surface.positions) out.point(p).text("\n");
+  for (const Point& p : positions) {
+    out.point(p).text("\n");
+    out.element_done(++done, all);
+  }
   for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
     const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
     out.number(std::uint64_t{end - begin});
     for (auto c = begin; c < end; ++c) out.text(" ").number(std::uint64_t{surface.corners[c]});
     out.text("\n");
+    out.element_done(++done, all);
   }
-  return out.take();
 }
 
 }  // namespace viete::mesh

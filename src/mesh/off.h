@@ -6,6 +6,7 @@
 
 #include "mesh/read.h"
 #include "mesh/source.h"
+#include "mesh/text_writer.h"
 
 namespace viete::mesh {
 
@@ -17,6 +18,6 @@ ReadResult read_off(const Source& source);
 /// True if the first word is OFF or one of its forms.
 bool looks_like_off(const Source& source);
 
-std::string off_bytes(const Surface& surface, const std::vector<std::string>& comments);
+void write_off(const Content& content, TextWriter& out);
 
 }  // namespace viete::mesh

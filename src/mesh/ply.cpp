@@ -10,7 +10,6 @@
 #include "mesh/ply_values.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
-#include "mesh/text_writer.h"
 
 namespace viete::mesh {
 
@@ -147,10 +146,10 @@ private:
 };
 
 template <class T>
-void append_little_endian(std::string& out, T value) {
+void write_little_endian(TextWriter& out, T value) {
   auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
   if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-  out.append(raw.data(), raw.size());
+  out.text({raw.data(), raw.size()});
 }
 
 }  // namespace
@@ -177,32 +176,33 @@ bool looks_like_ply(const Source& source) {
   return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
 }
 
-std::string ply_bytes(const Surface& surface, const std::vector<std::string>& comments) {
+void write_ply(const Content& content, TextWriter& out) {
+  const auto& [surface, positions, comments] = content;
   const std::uint64_t polygons = surface.polygon_count();
   bool large = false;  // a polygon of more than 255 corners
   for (std::size_t p = 0; p < polygons; ++p)
     large |= surface.polygon_starts[p + 1] - surface.polygon_starts[p] > 255;
-  TextWriter header;
-  header.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", comments);
-  header.text("element vertex ").number(std::uint64_t{surface.positions.size()});
-  header.text("\nproperty double x\nproperty double y\nproperty double z\nelement face ").number(polygons);
-  header.text(large ? "\nproperty list uint uint" : "\nproperty list uchar uint")
+  out.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", comments);
+  out.text("element vertex ").number(std::uint64_t{positions.size()});
+  out.text("\nproperty double x\nproperty double y\nproperty double z\nelement face ").number(polygons);
+  out.text(large ? "\nproperty list uint uint" : "\nproperty list uchar uint")
       .text(" vertex_indices\nend_header\n");
-  std::string out = header.take();
-  out.reserve(out.size() + 24 * surface.positions.size() + 4 * (surface.corners.size() + polygons));
-  for (const Point& p : surface.positions) {
-    for (const double x : p) append_little_endian(out, x);
+  const std::size_t all = positions.size() + polygons;
+  std::size_t done = 0;
+  for (const Point& p : positions) {
+    for (const double x : p) write_little_endian(out, x);
+    out.element_done(++done, all);
   }
   for (std::size_t p = 0; p < polygons; ++p) {
     const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
     if (large) {
-      append_little_endian(out, end - begin);
+      write_little_endian(out, end - begin);
     } else {
-      append_little_endian(out, static_cast<std::uint8_t>(end - begin));
+      write_little_endian(out, static_cast<std::uint8_t>(end - begin));
     }
-    for (auto c = begin; c < end; ++c) append_little_endian(out, surface.corners[c]);
+    for (auto c = begin; c < end; ++c) write_little_endian(out, surface.corners[c]);
+    out.element_done(++done, all);
   }
-  return out;
 }
 
 }  // namespace viete::mesh

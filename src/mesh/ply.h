@@ -7,6 +7,7 @@
 
 #include "mesh/read.h"
 #include "mesh/source.h"
+#include "mesh/text_writer.h"
 
 namespace viete::mesh {
 
@@ -20,6 +21,6 @@ ReadResult read_ply(const Source& source);
 bool looks_like_ply(const Source& source);
 
 /// Binary, little-endian, positions in double.
-std::string ply_bytes(const Surface& surface, const std::vector<std::string>& comments);
+void write_ply(const Content& content, TextWriter& out);
 
 }  // namespace viete::mesh

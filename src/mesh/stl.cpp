@@ -10,7 +10,6 @@
 #include "mesh/point_index.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
-#include "mesh/text_writer.h"
 #include "mesh/vector.h"
 
 namespace viete::mesh {
@@ -201,17 +200,18 @@ bool looks_like_stl(const Source& source) {
   return is_exact_binary(source) || starts_solid(source);
 }
 
-std::string stl_bytes(const Surface& surface, const std::vector<std::string>& comments) {
-  TextWriter out;
+void write_stl(const Content& content, TextWriter& out) {
+  const auto& [surface, positions, comments] = content;
+  std::size_t done = 0;
   out.text("solid ").text(comments.empty() ? "surface" : TextWriter::one_line(comments.front())).text("\n");
   for (const Triangle& t : surface.triangles) {
-    const Point &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
+    const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
     out.text(" facet normal ").point(unit_normal(a, b, c)).text("\n  outer loop\n");
     for (const Point& p : {a, b, c}) out.text("   vertex ").point(p).text("\n");
     out.text("  endloop\n endfacet\n");
+    out.element_done(++done, surface.triangles.size());
   }
   out.text("endsolid\n");
-  return out.take();
 }
 
 }  // namespace viete::mesh

@@ -6,6 +6,7 @@
 
 #include "mesh/read.h"
 #include "mesh/source.h"
+#include "mesh/text_writer.h"
 
 namespace viete::mesh {
 
@@ -20,6 +21,6 @@ bool looks_like_stl(const Source& source);
 
 /// Text, because binary STL would round the positions to float. Keeps triangles only: unused vertices are
 /// lost.
-std::string stl_bytes(const Surface& surface, const std::vector<std::string>& comments);
+void write_stl(const Content& content, TextWriter& out);
 
 }  // namespace viete::mesh

@@ -2,18 +2,34 @@
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/atomic_file.h"
+#include "base/progress.h"
 #include "mesh/surface.h"
 
 namespace viete::mesh {
 
+/// What a file is written of.
+struct Content {
+  const Surface& surface;
+  std::span<const Point> positions;  ///< of its vertices, instead of its own
+  const std::vector<std::string>& comments;
+};
+
+/// Hands bytes on whenever a portion of them has come together, so that large files are never in memory as a
+/// whole.
 class TextWriter {
 public:
+  explicit TextWriter(base::ByteSink sink, base::Progress* progress = nullptr)
+      : sink_(std::move(sink)), progress_(progress) {}
+
   TextWriter& text(std::string_view s) {
     out_.append(s);
     return *this;
@@ -38,7 +54,19 @@ public:
     return text;
   }
 
-  std::string take() { return std::move(out_); }
+  /// After each element: so many elements of so many are written. Throws base::Cancelled.
+  void element_done(std::size_t count, std::size_t of) {
+    constexpr std::size_t portion = 1 << 18;
+    if (out_.size() < portion) return;
+    finish();
+    if (progress_) progress_->report(static_cast<double>(count) / static_cast<double>(of));
+  }
+
+  /// Hands on what is left.
+  void finish() {
+    sink_(out_);
+    out_.clear();
+  }
 
 private:
   template <class Number>
@@ -48,6 +76,8 @@ private:
     return *this;
   }
 
+  base::ByteSink sink_;
+  base::Progress* progress_;
   std::string out_;
 };
 

@@ -12,14 +12,14 @@ namespace viete::mesh {
 
 namespace {
 
-using Format = std::string (*)(const Surface&, const std::vector<std::string>&);
+using Format = void (*)(const Content&, TextWriter&);
 
 Format format_for(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
-  if (extension == "obj") return obj_bytes;
-  if (extension == "ply") return ply_bytes;
-  if (extension == "off") return off_bytes;
-  if (extension == "stl") return stl_bytes;
+  if (extension == "obj") return write_obj;
+  if (extension == "ply") return write_ply;
+  if (extension == "off") return write_off;
+  if (extension == "stl") return write_stl;
   const std::string found = extension.empty() ? "no extension" : "unknown extension ." + extension;
   throw base::Error(path.string(), found, "use .obj, .ply, .off or .stl");
 }
@@ -28,7 +28,17 @@ Format format_for(const std::filesystem::path& path) {
 
 void write(const std::filesystem::path& path, const Surface& surface,
            const std::vector<std::string>& comments) {
-  base::replace_file(path, format_for(path)(surface, comments));
+  write(path, surface, surface.positions, comments);
+}
+
+void write(const std::filesystem::path& path, const Surface& surface, std::span<const Point> positions,
+           const std::vector<std::string>& comments, base::Progress* progress) {
+  const Format format = format_for(path);
+  base::replace_file(path, [&](const base::ByteSink& sink) {
+    TextWriter out(sink, progress);
+    format({surface, positions, comments}, out);
+    out.finish();
+  });
 }
 
 void check_format(const std::filesystem::path& path) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "mesh/surface.h"
 
 namespace viete::mesh {
@@ -16,6 +18,11 @@ namespace viete::mesh {
 /// it was. Throws base::Error (an unknown extension lists the known ones).
 void write(const std::filesystem::path& path, const Surface& surface,
            const std::vector<std::string>& comments = {});
+
+/// The same with other positions for its vertices, one each. Needs no more memory than a fixed portion of the
+/// file takes. progress may be null. Throws base::Cancelled too, and then an existing file is as it was.
+void write(const std::filesystem::path& path, const Surface& surface, std::span<const Point> positions,
+           const std::vector<std::string>& comments = {}, base::Progress* progress = nullptr);
 
 /// Throws what write() throws for this name's extension.
 void check_format(const std::filesystem::path& path);

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/process.h"
+#include "base/progress.h"
 #include "support/folder.h"
 
 namespace fs = std::filesystem;
@@ -81,6 +82,23 @@ TEST_CASE("without_waiting_for_the_disk_a_file_is_still_replaced_as_a_whole") {
   replace_file(folder / "a", "one");
   replace_file(folder / "a", "two", base::Outlives::program);
   CHECK(test::file_bytes(folder / "a") == "two");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("what_is_made_while_it_is_written_replaces_the_file_when_all_of_it_is_there") {
+  const test::TemporaryFolder folder;
+  replace_file(folder / "a", [&](const base::ByteSink& out) {
+    out("one ");
+    out("and two");
+    CHECK_FALSE(std::filesystem::exists(folder / "a"));
+  });
+  CHECK(test::file_bytes(folder / "a") == "one and two");
+  const auto fails = [](const base::ByteSink& out) {
+    out("half");
+    throw base::Cancelled();
+  };
+  CHECK_THROWS_AS(replace_file(folder / "a", fails), base::Cancelled);
+  CHECK(test::file_bytes(folder / "a") == "one and two");
   CHECK(folder.entries() == 1);
 }
 

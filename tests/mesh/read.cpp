@@ -34,10 +34,11 @@ std::string refusal_of(const fs::path& path) {
 
 TEST_CASE("content_decides_the_format_and_not_the_extension") {
   const Surface s = test::sphere(1);
-  const std::pair<std::string, std::string> files[] = {{"OBJ", obj_bytes(s, {})},
-                                                       {"PLY binary little-endian", ply_bytes(s, {})},
-                                                       {"OFF", off_bytes(s, {})},
-                                                       {"STL ascii", stl_bytes(s, {})}};
+  const std::pair<std::string, std::string> files[] = {
+      {"OBJ", test::bytes_by(write_obj, s)},
+      {"PLY binary little-endian", test::bytes_by(write_ply, s)},
+      {"OFF", test::bytes_by(write_off, s)},
+      {"STL ascii", test::bytes_by(write_stl, s)}};
   for (const auto& [format, bytes] : files) {
     for (const char* extension : {"obj", "ply", "off", "stl", "", "txt"}) {
       if (format == "OBJ" && std::string(extension) == "stl") continue;  // binary STL has no mark of its own
@@ -76,7 +77,7 @@ TEST_CASE("files_that_cannot_be_read_say_why") {
 
 TEST_CASE("file_names_may_hold_anything") {
   const test::TemporaryFolder folder;
-  const std::string text = obj_bytes(test::cube(), {});
+  const std::string text = test::bytes_by(write_obj, test::cube());
   for (const std::string name : {"-dash.obj", "it's \"odd\" & $HOME;.OBJ", "\xE5\x90\x8D\xE5\x89\x8D.obj",
                                  "a.b.c", "none", " ", "new\nline.obj"}) {
     test::put_file(folder / name, text);
@@ -105,11 +106,12 @@ TEST_CASE("damaged_files_are_read_or_refused_and_never_break_an_invariant") {
   std::string ascii_ply =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  const std::pair<std::string, std::string> seeds[] = {{"obj", obj_bytes(test::cube(), {"a comment"})},
-                                                       {"ply", ply_bytes(s, {"a comment"})},
-                                                       {"ply", ascii_ply},
-                                                       {"off", off_bytes(s, {"a comment"})},
-                                                       {"stl", stl_bytes(s, {})}};
+  const std::pair<std::string, std::string> seeds[] = {
+      {"obj", test::bytes_by(write_obj, test::cube(), {"a comment"})},
+      {"ply", test::bytes_by(write_ply, s, {"a comment"})},
+      {"ply", ascii_ply},
+      {"off", test::bytes_by(write_off, s, {"a comment"})},
+      {"stl", test::bytes_by(write_stl, s)}};
   std::mt19937 random(11);
   const std::string alphabet = std::string("0123456789.-+eE/\\#\r\n \t\0\x7f\xffvf", 28);
   int loaded = 0, refused = 0;

@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "mesh/read.h"
 #include "mesh/surface.h"
+#include "mesh/text_writer.h"
 #include "support/folder.h"
 
 namespace viete::test {
@@ -94,6 +95,16 @@ inline Surface moved(Surface s, double scale, double offset = 0) {
     for (double& x : p) x = x * scale + offset;
   }
   return s;
+}
+
+/// What write_obj() and its like write.
+inline std::string bytes_by(void (*format)(const mesh::Content&, mesh::TextWriter&), const Surface& s,
+                            const std::vector<std::string>& comments = {}) {
+  std::string all;
+  mesh::TextWriter out([&](std::string_view portion) { all += portion; });
+  format({s, s.positions, comments}, out);
+  out.finish();
+  return all;
 }
 
 inline mesh::ReadResult read_text(const std::string& bytes, const std::string& extension) {

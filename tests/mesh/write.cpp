@@ -4,7 +4,11 @@
 
 #include <random>
 
+#include "mesh/obj.h"
+#include "mesh/off.h"
+#include "mesh/ply.h"
 #include "mesh/shapes.h"
+#include "mesh/stl.h"
 
 namespace fs = std::filesystem;
 using namespace viete;
@@ -70,6 +74,55 @@ TEST_CASE("a_comment_cannot_break_the_file") {
     CHECK(r.surface.positions.size() == 8);
     CHECK(r.comments.at(0) == "line v 1 2 3  end_header");
   }
+}
+
+TEST_CASE("other_positions_take_the_place_of_the_surfaces_own") {
+  const test::TemporaryFolder folder;
+  const Surface s = awkward(1);
+  auto positions = s.positions;
+  for (Point& p : positions) p[1] += 1.0 / 7;
+  for (const char* name : {"a.obj", "a.ply", "a.off"}) {
+    write(folder / name, s, positions, {"a comment"});
+    const ReadResult r = read(folder / name);
+    CHECK(r.surface.positions == positions);
+    CHECK(r.surface.corners == s.corners);
+    CHECK(r.comments == std::vector<std::string>{"a comment"});
+  }
+  write(folder / "a.stl", s, positions);
+  CHECK(read(folder / "a.stl").surface.positions[0] == positions[s.corners[0]]);
+}
+
+TEST_CASE("a_large_file_is_written_in_portions_and_can_be_stopped_between_them") {
+  const Surface s = test::sphere(7);
+  for (const auto format : {write_obj, write_ply, write_off, write_stl}) {
+    const std::string whole = test::bytes_by(format, s);
+    base::Progress progress;
+    std::string all;
+    double before = -1;
+    TextWriter out(
+        [&](std::string_view portion) {
+          CHECK(portion.size() < 300'000);
+          CHECK(progress.done() > before);  // what was reported after the portion before
+          before = progress.done();
+          all += portion;
+        },
+        &progress);
+    format({s, s.positions, {}}, out);
+    out.finish();
+    CHECK(all == whole);
+    CHECK(progress.done() > 0.5);
+    CHECK(progress.done() <= 1);
+  }
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
+    write(folder / name, test::cube());
+    const std::string before = test::file_bytes(folder / name);
+    base::Progress stopped;
+    stopped.cancel();
+    CHECK_THROWS_AS(write(folder / name, s, s.positions, {}, &stopped), base::Cancelled);
+    CHECK(test::file_bytes(folder / name) == before);
+  }
+  CHECK(folder.entries() == 4);
 }
 
 TEST_CASE("a_set_of_points_and_nothing_can_be_written") {
