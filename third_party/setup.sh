@@ -36,6 +36,7 @@ missing_of() {
 
 # So many percent of the work: on one line of a terminal, otherwise a line every tenth.
 percent() {
+  what=$1
   if [ $terminal = 1 ]; then
     [ "$2" -le "$shown" ] || { printf '\r  %s %d %%' "$1" "$2" >&2; shown=$2; }
   elif [ "$2" -ge $((shown + 10)) ]; then
@@ -48,13 +49,13 @@ end_of_line() {
   if [ $terminal = 1 ] && [ "$shown" -gt 0 ]; then echo >&2; fi
 }
 
-# apt-get's "dlstatus:1:37.5:..." and "pmstatus:package:62.0:..."; fetching is the first half.
+# apt-get's "dlstatus:1:37.5:..." and "pmstatus:package:62.0:...".
 installing() {
-  shown=0
+  shown=0 what=""
   while IFS=: read -r kind _ part _; do
     case "$kind" in
-      dlstatus) percent installing $((${part%%.*} / 2)) ;;
-      pmstatus) percent installing $((50 + ${part%%.*} / 2)) ;;
+      dlstatus) percent fetching "${part%%.*}" ;;
+      pmstatus) [ "$what" = installing ] || { end_of_line; shown=0; }; percent installing "${part%%.*}" ;;
     esac
   done
   end_of_line
@@ -116,7 +117,8 @@ deps() {
     if apt-cache show "$p" >/dev/null 2>&1; then missing="$missing $p"; else left="$left $p"; fi
   done
   if [ -n "$missing" ]; then
-    say "installing $(LC_ALL=C apt-get -s install --no-install-recommends $missing 2>/dev/null | grep -c '^Inst' || true) packages"
+    LC_ALL=C apt-get --assume-no install --no-install-recommends $missing 2>/dev/null |
+      sed -n 's/^0 upgraded, \([0-9]* newly installed\).*/  \1/p; s/^\(Need to get\|After this operation\)/  &/p' >&2
     apt -y install --no-install-recommends $missing
   fi
   mkdir -p "$here/.cache"

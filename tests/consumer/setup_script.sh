@@ -15,7 +15,7 @@ fresh() {
   calls=$scratch/calls
   : >"$calls"
   stand_in dpkg-query 'echo installed'
-  stand_in apt-get 'case "$*" in *-s*) echo "Inst one" ;; esac'
+  stand_in apt-get 'exit 0'
   stand_in apt-cache 'exit 0'
   stand_in cmake 'case "$1" in
     -S) : >"$4/build.ninja" ;;
@@ -24,7 +24,7 @@ fresh() {
   stand_in ctest 'exit 0'
   stand_in sleep 'exit 0'
   stand_in id 'case "$1" in -un) echo somebody ;; *) echo 1000 ;; esac'
-  for tool in sh awk basename cat chmod chown cp dirname env grep ln mkdir mktemp nproc printf pwd readlink rm stat tee; do
+  for tool in sh awk basename cat chmod chown cp dirname env grep ln mkdir mktemp nproc printf pwd readlink rm sed stat tee; do
     [ -e "$scratch/bin/$tool" ] || ln -s "$(command -v $tool)" "$scratch/bin/$tool"
   done
 }
@@ -117,14 +117,15 @@ stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
 stand_in sudo 'exec "$@"'
 stand_in apt-get 'case "$*" in
   *update*) tries=$(grep -c "apt-get.*update" "'"$calls"'"); [ $tries -gt 2 ] || { echo "E: Could not get lock /var/lib/apt/lists/lock"; exit 100; } ;;
-  *-s*) echo "Inst one" ;;
+  *--assume-no*) echo "Need to get 7 MB of archives." ;;
   *install*) echo "dlstatus:1:50.0:x"; echo "pmstatus:one:100.0:x" ;;
 esac'
 run "$script" build
 expect 'a lock is waited for' ended_with 0
 expect 'which is said' says 'waiting for another package manager'
 expect 'until it is gone and packages are installed' called 'apt-get.* -y install .*libglm-dev'
-expect 'and how far that is' says 'installing 100 %'
+expect 'how much that is' says 'Need to get 7 MB'
+expect 'and how far it is' says 'installing 100 %'
 
 fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
