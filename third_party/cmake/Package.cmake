@@ -15,13 +15,16 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
-# What Debian alone asks for: a copyright file in each package, and zsh's completion where its packages have theirs.
+# What Debian alone asks for: a copyright file in each package, a compressed manual page, zsh's completion in another folder.
+function(install_debian component folder)
+  install(FILES ${ARGN} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
+endfunction()
 set(copyright ${CMAKE_CURRENT_LIST_DIR}/copyright)
 
 set(CPACK_COMPONENTS_ALL library library_debian)
 set(CPACK_COMPONENT_LIBRARY_GROUP library)
 set(CPACK_COMPONENT_LIBRARY_DEBIAN_GROUP library)
-install(FILES ${copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libviete-dev COMPONENT library_debian EXCLUDE_FROM_ALL)
+install_debian(library_debian doc/libviete-dev ${copyright})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libviete-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "g++, cmake | pkgconf, libeigen3-dev, libhwy-dev")
@@ -34,9 +37,10 @@ if(VIETE_BUILD_VIEWER)
   list(APPEND CPACK_COMPONENTS_ALL viewer viewer_debian)
   set(CPACK_COMPONENT_VIEWER_GROUP program)
   set(CPACK_COMPONENT_VIEWER_DEBIAN_GROUP program)
-  install(FILES ${copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/viete COMPONENT viewer_debian EXCLUDE_FROM_ALL)
-  install(FILES ${PROJECT_SOURCE_DIR}/assets/desktop/completion/viete.zsh RENAME _viete
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT viewer_debian EXCLUDE_FROM_ALL)
+  execute_process(COMMAND gzip -9nc ${PROJECT_BINARY_DIR}/assets/desktop/viete.1 OUTPUT_FILE ${CMAKE_CURRENT_BINARY_DIR}/viete.1.gz)
+  install_debian(viewer_debian doc/viete ${copyright})
+  install_debian(viewer_debian man/man1 ${CMAKE_CURRENT_BINARY_DIR}/viete.1.gz)
+  install_debian(viewer_debian zsh/vendor-completions ${PROJECT_SOURCE_DIR}/assets/desktop/completion/viete.zsh RENAME _viete)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME viete)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
   # Libraries that are linked, and those that are opened at run time.
