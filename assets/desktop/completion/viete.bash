@@ -62,7 +62,7 @@ _viete() {
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
 
   _viete_value "$command" && return
-  $split && return
+  [[ $split != true ]] || return
   case $cur:$command in
     -*) _viete_options "$command" ;;
     *:bench) COMPREPLY=($(compgen -W "$benches" -- "$cur")) ;;
