@@ -33,9 +33,9 @@ long_options_of() {
 # values_of OPTION COMMAND...: the words it takes, where it takes one of a few: those that are named when it is given another.
 values_of() {
   option="$1" && shift
-  if "$program" "$@" --help | grep -q -e "^  $option WORD" -e "^  $option TEXT:{"; then
+  if "$program" "$@" --help | grep -q -e "^  $option WORD"; then
     said=$("$program" "$@" "$option" '?' 2>&1 || true)
-    echo "$said" | sed -n 's/, not ?$//; s/.*needs //p; s/}$//; s/.*{//p' | sed 's/, \| or \|,/\n/g' | sort
+    echo "$said" | sed -n 's/, not ?$//; s/.*needs //p' | sed 's/, \| or /\n/g' | sort
   fi
 }
 

@@ -36,18 +36,18 @@ _viete_options() {
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --pose --size --scale --method --coordinates --reach --binding --look --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --coordinates --reach --binding --look --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --pose --method --coordinates --reach' ;;
-    bind) options+=' --output --coordinates --reach --tolerance' ;;
+    deform) options+=' --output --force --pose --method --coordinates --reach' ;;
+    bind) options+=' --output --force --coordinates --reach --tolerance' ;;
     info) options+=' --cage' ;;
-    'bench exp') options+=' --count --json --float --plot' ;;
-    'bench eigen') options+=' --count --json --plot' ;;
-    'bench accuracy') options+=' --count --json --float' ;;
-    'bench sym3') options+=' --count --json' ;;
-    'bench frame') options+=' --count --faces --rounds --tolerance --reach --json' ;;
-    'bench bind') options+=' --count --faces --rounds --json' ;;
+    'bench exp') options+=' --force --count --json --float --plot' ;;
+    'bench eigen') options+=' --force --count --json --plot' ;;
+    'bench accuracy') options+=' --force --count --json --float' ;;
+    'bench sym3') options+=' --force --count --json' ;;
+    'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
+    'bench bind') options+=' --force --count --faces --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))
 }
@@ -56,7 +56,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform bind info bench' benches='exp eigen accuracy sym3 frame bind'
+  local commands='view render deform bind info bench help' benches='exp eigen accuracy sym3 frame bind'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"

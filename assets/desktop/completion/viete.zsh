@@ -4,7 +4,8 @@
 local any="_files -g '*.(#i)(obj|ply|off|stl|viete)(-.)'" mesh="_files -g '*.(#i)(obj|ply|off|stl)(-.)'"
 local -a help=('(-h --help)'{-h,--help}'[what it can do]')
 local -a files=("1:model or session:$any" "2:cage:$mesh")
-local -a output=('(-o --output)'{-o+,--output=}'[file to write]:file:_files')
+local -a force=('--force[replace other files too]')
+local -a output=($force '(-o --output)'{-o+,--output=}'[file to write]:file:_files')
 local -a pose=("--pose=[posed cage]:pose:$mesh")
 local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_sd)')
 local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
@@ -14,7 +15,7 @@ local -a binding=('--binding=[what viete bind has saved]:binding:_files')
 local -a scale=('--scale=[device pixels per logical pixel]:scale:')
 local -a count=('--count=[matrices or vertices]:count:')
 local -a rounds=('--faces=[triangles of the cage]:triangles:' '--rounds=[repetitions]:rounds:')
-local -a json=("--json=[also write the numbers]:file:_files -g '*.json'")
+local -a json=($force "--json=[also write the numbers]:file:_files -g '*.json'")
 local -a plot=("--plot=[also draw them]:file:_files -g '*.svg'")
 local -a float=('--float[single precision]')
 
@@ -47,7 +48,8 @@ esac
 
 if ((CURRENT == 2)) && [[ $PREFIX != -* ]]; then
   local -a commands=('view:open the viewer' 'render:render a picture' 'deform:deform a mesh by a posed cage'
-    'bind:bind a model to its cage' 'info:what mesh files hold' 'bench:measure speed and accuracy')
+    'bind:bind a model to its cage' 'info:what mesh files hold' 'bench:measure speed and accuracy'
+    'help:what a command can do')
   _describe command commands
   eval "$any"
   return
