@@ -21,7 +21,7 @@ namespace viete::app {
 namespace {
 
 struct BenchOptions {
-  std::size_t count = 0;  ///< 0: the benchmark's own
+  std::size_t count = 0;
   bool in_float = false;
   BenchFiles files;
 };
@@ -51,18 +51,17 @@ int report(const Bench& bench, const BenchOptions& options) {
 
 int bench_exp(const BenchOptions& options) {
   base::Progress progress;
-  return report(measure_exp(options.count ? options.count : paper_count, options.in_float, progress),
-                options);
+  return report(measure_exp(options.count, options.in_float, progress), options);
 }
 
 int bench_eigen(const BenchOptions& options) {
   base::Progress progress;
-  return report(measure_eigen(options.count ? options.count : paper_count, progress), options);
+  return report(measure_eigen(options.count, progress), options);
 }
 
 int bench_accuracy(const BenchOptions& options) {
   base::Progress progress;
-  const auto tables = measure_accuracy(options.count ? options.count : 4096, options.in_float, progress);
+  const auto tables = measure_accuracy(options.count, options.in_float, progress);
   std::printf("Largest relative error (Frobenius norm) in u = 2^%d against 106 bits, kernel %s\n\n",
               options.in_float ? -24 : -53, std::string(sym3::kernel_name()).c_str());
   for (const auto& table : tables) print(table, options.in_float);
@@ -79,24 +78,25 @@ void add_bench_command(CLI::App& app, Action& action) {
     const char* name;
     const char* text;
     const char* count;
-    const char* usual_count;
+    std::size_t usual_count;
     std::int64_t most;
     bool has_plot, has_float;
     int (*run)(const BenchOptions&);
   } benches[] = {
-      {"exp", "Time of exp by method, layout and size", "Matrices", "10,000,000", most_matrices, true, true,
+      {"exp", "Time of exp by method, layout and size", "Matrices", paper_count, most_matrices, true, true,
        bench_exp},
-      {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices", "10,000,000",
+      {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices", paper_count,
        most_matrices, true, false, bench_eigen},
-      {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row", "4,096",
+      {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row", 4096,
        1'000'000, false, true, bench_accuracy},
-      {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory", "10,000,000",
+      {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory", paper_count,
        most_matrices, false, false, [](const BenchOptions& o) { return bench_sym3(o.count, o.files.json); }}};
   for (const auto& bench : benches) {
     auto* sub = command->add_subcommand(bench.name, bench.text);
     auto options = std::make_shared<BenchOptions>();
+    options->count = bench.usual_count;
     whole_in_range(sub->add_option("--count", options->count, bench.count), 1, bench.most)
-        ->default_str(bench.usual_count);
+        ->default_str(grouped(bench.usual_count));
     add_bench_files(*sub, options->files, bench.has_plot);
     if (bench.has_float) sub->add_flag("--float", options->in_float, "In single precision");
     sub->callback([options, &action, run = bench.run] {

@@ -18,18 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// viete.png in the working folder, or viete-2.png, viete-3.png ..., whichever is not there.
-fs::path new_picture() {
-  const fs::path folder = fs::current_path();
-  fs::path picture = folder / "viete.png";
-  for (int i = 2; fs::exists(fs::symlink_status(picture)); ++i)
-    picture = folder / ("viete-" + std::to_string(i) + ".png");
-  return picture;
-}
-
 // Without a display: the picture that the window would have shown, and one line that says so.
 int render_instead(const WindowOptions& options, const std::string& reason) {
-  const fs::path picture = new_picture();
+  const fs::path picture = base::unused_name(fs::current_path() / "viete.png");
   try {
     base::check_replaceable(picture);
   } catch (const base::Error& error) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/build_facts.h"
+#include "base/atomic_file.h"
 #include "base/clock.h"
 #include "deform/vertex_sample.h"
 #include "render/palette.h"
@@ -414,7 +415,7 @@ void Viewer::save_screenshot() {
   std::strftime(name, sizeof name, "viete-%Y%m%d-%H%M%S.png", &local);
   try {
     std::error_code ignored;
-    const fs::path path = fs::current_path(ignored) / name;
+    const fs::path path = base::unused_name(fs::current_path(ignored) / name);
     render::write_png(path, framebuffer_.read());
     workspace_.messages.info("Saved " + path.string());
   } catch (const std::exception& error) {

@@ -161,11 +161,15 @@ void check_rights(const fs::path& path, const fs::path& target) {
   if ((existing.st_mode & S_IWUSR) == 0 || access(target.c_str(), W_OK) != 0)
     throw Error(path.string(), "this file is write-protected",
                 "choose another name, or give the right to write it (chmod u+w)");
-  if (existing.st_nlink > 1)
-    throw Error(path.string(),
-                "this file has " + std::to_string(existing.st_nlink) +
-                    " names (hard links), which replacing it would part",
-                "choose another name, or remove this one first");
+}
+
+void check_names(const fs::path& path, const fs::path& target) {
+  struct stat existing {};
+  if (stat(target.c_str(), &existing) != 0 || existing.st_nlink == 1) return;
+  throw Error(path.string(),
+              "this file has " + std::to_string(existing.st_nlink) +
+                  " names (hard links), which replacing it would part",
+              "choose another name, or remove this one first");
 }
 
 // Where the bytes go; throws where no file can be.
@@ -185,12 +189,22 @@ fs::path checked_target(const fs::path& path) {
 
 }  // namespace
 
+fs::path unused_name(const fs::path& path) {
+  std::error_code ignored;
+  fs::path name = path;
+  for (int i = 2; fs::exists(fs::symlink_status(name, ignored)); ++i)
+    name = path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string());
+  return name;
+}
+
 void remove_stale_parts(const fs::path& folder) {
   remove_stale_parts(folder, "");
 }
 
 void check_replaceable(const fs::path& path) {
-  NewFile probe(checked_target(path));  // removed again: it never becomes the target
+  const fs::path target = checked_target(path);
+  check_names(path, target);
+  NewFile probe(target);  // removed again: it never becomes the target
 }
 
 void replace_file(const fs::path& path, std::string_view bytes, Outlives outlives) {

@@ -16,8 +16,8 @@ enum class Outlives { program, power_cut };
 /// existing file stays as it was and the new one is removed. A link is followed. Of an existing file the
 /// rights to read, write and run are kept, and its owner where the system allows that; setuid, setgid and
 /// sticky bits are not. Throws Error: a folder, a device, an unwritable folder, a full disk, a file whose
-/// owner may not write it (root is refused too), a file of several names (hard links: the new content would
-/// come under one of them only). Thread-safe.
+/// owner may not write it (root is refused too). Of a file of several names (hard links) this name alone gets
+/// the new content, as a backup that is made of such links wants it; see check_replaceable(). Thread-safe.
 ///
 /// The new file is called `NAME.PROCESS-NUMBER.part`, see process_name(). What a program that was killed has
 /// left of this file is removed.
@@ -37,9 +37,14 @@ using ByteSink = std::function<void(std::string_view)>;
 void replace_file(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce,
                   Outlives outlives = Outlives::power_cut);
 
-/// Throws what replace_file() would throw now for this place, for work that takes long before it writes. An
-/// existing file stays as it is.
+/// Throws what replace_file() would throw now for this place, for work that takes long before it writes; and
+/// for a file that a user has chosen: throws Error too where it has several names, which a user may not want
+/// to be parted. An existing file stays as it is.
 void check_replaceable(const std::filesystem::path& path);
+
+/// The path, or where something is of this name, be it a link that leads nowhere: "viete-2.png",
+/// "viete-3.png" ...
+std::filesystem::path unused_name(const std::filesystem::path& path);
 
 /// Removes every part in a folder of our own that a program left when it was killed. A part of a running
 /// program, of another user, or of another form stays. A folder that is not there is empty. Thread-safe.

@@ -85,13 +85,14 @@ void warn(const Cage& cage, std::size_t failed, Binding& binding) {
 
 }  // namespace
 
-std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path) {
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path, Coordinates coordinates) {
   const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
+  const bool compressed = coordinates == Coordinates::face && compressible(vertices, handles);
   // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and the lists around
   // vertices
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
   // weights; offset, place, vertex, walk; rest, position, normal, triangles and the lists around vertices
-  const double fused = (compressible(vertices, handles) ? k : 4 * k) + 12 + 20 + 32 + 20 + 24 + 24 + 24 + 28;
+  const double fused = (compressed ? k : 4 * k) + 12 + 20 + 32 + 20 + 24 + 24 + 24 + 28;
   return static_cast<std::size_t>(std::min(0x1p63, n * (path == Path::staged ? staged : fused)));
 }
 

@@ -39,9 +39,10 @@ struct Binding {
 };
 
 /// Bytes that bind() asks for before it begins, for n vertices and k handles; at most 2^63. For the fused
-/// frame: at most, or where weights can be compressed, a quarter of that, of which less is left by the
-/// compression.
-std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path = Path::staged);
+/// frame: at most, or where weights can be compressed (those of faces), a quarter of that, of which less is
+/// left by the compression.
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path = Path::staged,
+                          Coordinates coordinates = Coordinates::face);
 
 /// For the staged frame. Cost O(n k), shared over the pool; the result does not depend on the number of
 /// threads. Throws base::Cancelled; throws base::Error when the memory that is free now would not suffice, or

@@ -9,7 +9,7 @@ BindingPlan binding_plan(const Document& document, deform::Coordinates coordinat
   const bool faces = coordinates == deform::Coordinates::face;
   plan.vertices = document.model.surface->positions.size();
   plan.handles = faces ? document.cage->element_count() : document.cage->surface.positions.size();
-  plan.bytes = deform::binding_bytes(plan.vertices, plan.handles, deform::Path::fused);
+  plan.bytes = deform::binding_bytes(plan.vertices, plan.handles, deform::Path::fused, coordinates);
   plan.coordinates = coordinates;
   return plan;
 }

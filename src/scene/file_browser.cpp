@@ -120,6 +120,10 @@ fs::path chosen_file(const FileBrowser& browser) {
   return file;
 }
 
+std::string format_of(const FileBrowser& browser) {
+  return mesh::extension_of(browser.path);
+}
+
 void set_format(FileBrowser& browser, const std::string& extension) {
   fs::path path = browser.path;
   browser.path = path.replace_extension(extension).string();

@@ -52,7 +52,9 @@ bool filters_by_path(const FileBrowser& browser);
 std::filesystem::path typed_path(const FileBrowser& browser);
 /// The same with the extension that the purpose asks for if it has none.
 std::filesystem::path chosen_file(const FileBrowser& browser);
-/// Another extension for the file to be saved: "ply".
+/// The extension of the file to be saved, in lower case: "ply".
+std::string format_of(const FileBrowser& browser);
+/// Another extension for it.
 void set_format(FileBrowser& browser, const std::string& extension);
 
 }  // namespace viete::scene

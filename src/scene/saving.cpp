@@ -22,6 +22,7 @@ namespace {
 template <class Step>
 bool attempt(Workspace& workspace, const char* what, const fs::path& path, Step step) {
   try {
+    base::check_replaceable(path);
     step();
     workspace.messages.info(std::string("Saved the ") + what + " to " + path.string());
     return true;

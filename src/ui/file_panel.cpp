@@ -89,12 +89,12 @@ void path_field(const Context& ui) {
 // OBJ, PLY, OFF, STL as buttons that change the extension.
 void format_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
-  const std::string now = std::filesystem::path(browser.path).extension().string();
+  const std::string now = scene::format_of(browser);
   for (const char* format : {"obj", "ply", "off", "stl"}) {
     std::string label = format;
     for (char& c : label) c = static_cast<char>(c - 32);
     ImGui::SameLine();
-    const bool active = now == std::string(".") + format;
+    const bool active = now == format;
     ImGui::PushStyleColor(ImGuiCol_Button, active ? ui.colors.card_active : ui.colors.card);
     ImGui::PushStyleColor(ImGuiCol_Text, active ? ui.colors.text : ui.colors.faint);
     if (ImGui::Button(label.c_str())) scene::set_format(browser, format);

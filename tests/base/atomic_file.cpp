@@ -122,16 +122,16 @@ TEST_CASE("a_write_protected_file_stays_even_where_root_writes") {
   CHECK(folder.entries() == 2);
 }
 
-TEST_CASE("a_file_of_two_names_is_not_parted_from_the_other") {
+TEST_CASE("a_file_of_two_names_is_told_before_it_is_parted_from_the_other") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a", "precious");
   fs::create_hard_link(folder / "a", folder / "b");
-  CHECK_THROWS_WITH_AS(replace_file(folder / "a", "x"), doctest::Contains("2 names"), base::Error);
   CHECK_THROWS_WITH_AS(check_replaceable(folder / "a"), doctest::Contains("2 names"), base::Error);
   CHECK(test::file_bytes(folder / "a") == "precious");
-  fs::remove(folder / "b");
   replace_file(folder / "a", "x");
   CHECK(test::file_bytes(folder / "a") == "x");
+  CHECK(test::file_bytes(folder / "b") == "precious");
+  check_replaceable(folder / "a");
 }
 
 TEST_CASE("a_replaced_file_runs_with_nobody_elses_rights") {
@@ -174,4 +174,13 @@ TEST_CASE("a_folder_is_swept_of_parts_but_not_of_those_at_work") {
   close(handle);
   base::remove_stale_parts(folder.path());
   CHECK_FALSE(fs::exists(folder / "locked.999999999-1-0.part"));
+}
+
+TEST_CASE("a_name_that_is_taken_is_numbered") {
+  const test::TemporaryFolder folder;
+  CHECK(base::unused_name(folder / "a.b.png") == folder / "a.b.png");
+  test::put_file(folder / "a.b.png", "x");
+  fs::create_symlink("nowhere", folder / "a.b-2.png");
+  CHECK(base::unused_name(folder / "a.b.png") == folder / "a.b-3.png");
+  CHECK(base::unused_name(folder / "none" / "a") == folder / "none" / "a");
 }

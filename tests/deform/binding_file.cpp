@@ -283,3 +283,23 @@ TEST_CASE("reading_a_binding_reports_progress_and_can_be_cancelled") {
   CHECK_THROWS_AS(read_binding(s.file, s.model, *s.cage, Coordinates::face, &progress),
                   viete::base::Cancelled);
 }
+
+TEST_CASE("what_a_binding_is_expected_to_take_is_at_least_its_file") {
+  for (const Weighting weighting : {Coordinates::face, Coordinates::mean_value}) {
+    const TemporaryFolder folder;
+    const Saved s = save(folder, weighting, viete::deform::usual_tolerance);
+    const std::size_t expected = viete::deform::binding_bytes(
+        s.model.positions.size(), s.binding->handles, viete::deform::Path::fused, weighting.coordinates);
+    CHECK(expected >= fs::file_size(s.file));
+    CHECK(expected <= 3 * fs::file_size(s.file));
+  }
+}
+
+TEST_CASE("a_binding_is_known_by_its_beginning") {
+  const TemporaryFolder folder;
+  const Saved s = save(folder, Coordinates::face, 0);
+  CHECK(viete::deform::is_binding(file_bytes(s.file).substr(0, 16)));
+  CHECK_FALSE(viete::deform::is_binding("viete binding"));
+  CHECK_FALSE(viete::deform::is_binding("# a surface: vertices"));
+  CHECK_FALSE(viete::deform::is_binding(""));
+}

@@ -208,6 +208,7 @@ TEST_CASE("what_a_binding_takes_is_known_before") {
   open_dragon(d);
   const auto plan = scene::binding_plan(d.document(), deform::Coordinates::mean_value);
   CHECK(plan.handles == d.document().pose.positions.size());
-  CHECK(plan.bytes == deform::binding_bytes(50000, plan.handles, deform::Path::fused));
+  CHECK(plan.bytes ==
+        deform::binding_bytes(50000, plan.handles, deform::Path::fused, deform::Coordinates::mean_value));
   CHECK(scene::text(plan).rfind("Binding 50,000 vertices to 76 vertices, ", 0) == 0);
 }

@@ -111,6 +111,10 @@ TEST_CASE("the_file_to_save_gets_the_extension_it_lacks_and_an_existing_one_is_k
   CHECK(browser.replaces());
   set_format(browser, "ply");
   CHECK(chosen_file(browser) == browser.folder / "Beta.ply");
+  CHECK(format_of(browser) == "ply");
+  browser.path = "Beta.OBJ";
+  CHECK(format_of(browser) == "obj");
+  set_format(browser, "ply");
   CHECK_FALSE(browser.replaces());
   enter(browser, folder / "Sub");
   CHECK(chosen_file(browser).filename() == "Beta.ply");

@@ -117,6 +117,11 @@ TEST_CASE("a_failed_save_leaves_file_and_edits_as_they_were") {
   CHECK_FALSE(save_session(w, files / "none" / "a.viete"));
   CHECK_FALSE(save_pose(w, files / "a.xyz"));
   CHECK_FALSE(save_model(w, files / "none" / "a.obj", w.document.model.surface->positions));
+  fs::create_hard_link(files.model, files / "linked.obj");
+  CHECK_FALSE(save_pose(w, files.model));
+  fs::remove(files / "linked.obj");
+  fs::permissions(files.model, fs::perms::owner_read);
+  CHECK_FALSE(save_pose(w, files.model));
   CHECK(w.messages.all().back().severity == Severity::error);
   CHECK(has_unsaved_edits(w));
   CHECK(w.saved.session.empty());
