@@ -19,7 +19,7 @@ struct SizeRange {
 };
 
 // A single point has no size; where it lies counts all the same.
-void check_size(const std::filesystem::path& file, const mesh::Bounds& box, const SizeRange& range) {
+void check_size(const std::string& place, const mesh::Bounds& box, const SizeRange& range) {
   double size = box.diagonal();
   for (int k = 0; k < 3; ++k) size = std::max({size, std::abs(box.low[k]), std::abs(box.high[k])});
   if (size <= range.most) size = box.diagonal();
@@ -27,15 +27,15 @@ void check_size(const std::filesystem::path& file, const mesh::Bounds& box, cons
   char text[64], advice[64];
   std::snprintf(text, sizeof text, "a size of %.2g cannot be %s", size, range.use);
   std::snprintf(advice, sizeof advice, "scale it to something between %g and %g", range.least, range.most);
-  throw base::Error(file.string(), text, advice);
+  throw base::Error(place, text, advice);
 }
 
 void check_sizes(const Document& document, const SizeRange& range) {
   for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
-    if (opened->surface) check_size(opened->path, opened->bounds, range);
+    if (opened->surface) check_size(opened->path.string(), opened->bounds, range);
   }
   if (document.cage_file.surface)
-    check_size(document.cage_file.path.string() + ": its pose", mesh::bounds(document.pose.positions),
+    check_size("the pose of " + document.cage_file.path.string(), mesh::bounds(document.pose.positions),
                {0, range.most, range.use});
 }
 

@@ -102,6 +102,10 @@ Opened open_pose(const fs::path& file, const Document& current) {
   Opened opened;
   opened.file = file;
   opened.pose = deform::read_pose(file, *current.cage, opened.warnings);
+  Document posed;
+  posed.cage_file = current.cage_file;
+  posed.pose = *opened.pose;
+  check_drawable(posed);
   return opened;
 }
 

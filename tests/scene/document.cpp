@@ -59,16 +59,28 @@ TEST_CASE("sizes_that_double_can_deform_are_told_from_those_that_it_cannot") {
     if (size > 1e-60 && size < 1e60) {
       CHECK_NOTHROW(check_deformable(document));
       document.pose.positions[0][1] = 1e61;
-      CHECK_THROWS_WITH_AS(check_deformable(document), doctest::Contains("sized_cage.obj: its pose: a size"),
+      CHECK_THROWS_WITH_AS(check_deformable(document), doctest::Contains("sized_cage.obj: a size"),
                            base::Error);
     } else {
-      CHECK_THROWS_WITH_AS(check_deformable(document), doctest::Contains("sized.obj: a size of"), base::Error);
+      CHECK_THROWS_WITH_AS(check_deformable(document), doctest::Contains("sized.obj: a size of"),
+                           base::Error);
     }
   }
   auto point = test::cube(0);  // but far away
   for (auto& p : point.positions) p[2] = 1e70;
   mesh::write(model, point);
   CHECK_THROWS_AS(check_deformable(open_document(model, {})), base::Error);
+}
+
+TEST_CASE("a_pose_that_cannot_be_drawn_is_refused_and_the_old_one_stays") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(load_model(w, files.model, files.cage));
+  mesh::write(files / "far.obj", test::cube(1e40));
+  const auto before = w.document.pose.positions;
+  CHECK_FALSE(open_now(w, {OpenRequest::What::pose, {files / "far.obj"}}));
+  CHECK(w.messages.all().back().text.find("cannot be drawn") != std::string::npos);
+  CHECK(w.document.pose.positions == before);
 }
 
 TEST_CASE("opening_a_model_and_a_cage_fills_a_document") {
