@@ -15,6 +15,7 @@ scene::Document without_history(const scene::Document& document) {
   copy.model = document.model;
   copy.cage_file = document.cage_file;
   copy.cage = document.cage;
+  copy.method = document.method;
   copy.coordinates = document.coordinates;
   copy.reach = document.reach;
   return copy;
@@ -50,12 +51,13 @@ void Loader::open(Job& job) {
   job.progress.section(1, 1);
   if (opened.document && opened.document->has_cage()) {
     const scene::Document& document = *opened.document;
-    const auto weighting = opened.session ? document.weighting() : job.current.weighting();
+    const scene::Document& settings = opened.session ? document : job.current;  // that take() will leave
+    const auto weighting = settings.weighting();
     job.result.was_binding = true;
     job.begin_part(scene::text(scene::binding_plan(document, weighting.coordinates)));
     job.progress.section(0, 1);
     job.result.bound =
-        bind(document.model.surface, document.cage, weighting, document.method, {}, job.saved, job.progress);
+        bind(document.model.surface, document.cage, weighting, settings.method, {}, job.saved, job.progress);
   }
   job.result.opened = std::move(opened);
 }

@@ -8,6 +8,7 @@
 #include "program/driver.h"
 #include "scene/binding_plan.h"
 #include "scene/edit.h"
+#include "scene/saving.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -119,6 +120,33 @@ TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
   }));
   CHECK(d.document().cage->element_count() == 32);
   CHECK(d.viewer().deformer()->matrices().size() > 0);
+}
+
+TEST_CASE("what_was_opened_is_bound_once_for_the_method_that_was_chosen_before") {
+  const test::TemporaryFolder folder;
+  const fs::path balls[] = {ball_cage(folder.path(), 1), ball_cage(folder.path(), 2)};
+  Driver d(small_window());
+  scene::set_method(d.document(), sym3::Method::diag);
+  for (const auto& request :
+       {scene::OpenRequest{What::model, {balls[1], dragon_cage}}, scene::OpenRequest{What::cage, {balls[0]}},
+        scene::OpenRequest{What::model, {folder / "a.viete"}}}) {
+    const auto opened = d.workspace().opened;
+    bool bound_again = false;
+    d.workspace().requests.open = request;
+    d.frame();
+    REQUIRE(frames_until(d, [&] {
+      bound_again |= d.workspace().binding.running;
+      return d.workspace().opened != opened;
+    }));
+    d.frame();
+    bound_again |= d.workspace().binding.running;
+    CHECK_FALSE(bound_again);
+    CHECK(d.document().method == sym3::Method::diag);
+    REQUIRE(d.viewer().deformer());
+    CHECK(d.viewer().deformer()->path(sym3::Method::diag) == deform::Path::staged);
+    REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+    scene::set_method(d.document(), request.what == What::cage ? sym3::Method::fast : sym3::Method::diag);
+  }
 }
 
 TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_stays") {
