@@ -22,8 +22,9 @@ template <class Value>
 class BackgroundJob {
 public:
   struct Result {
-    std::optional<Value> value;  ///< nothing when it failed
+    std::optional<Value> value;  ///< nothing when it failed or was stopped
     std::string problem;
+    bool stopped = false;
   };
 
   BackgroundJob() = default;
@@ -46,6 +47,11 @@ public:
     if (!job_) return;
     job_->progress.cancel();
     left_.push_back(std::move(job_));
+  }
+
+  /// Asks it to stop: its result comes all the same, and says whether it did or was finished before.
+  void stop() {
+    if (job_) job_->progress.cancel();
   }
 
   bool running() const { return job_ != nullptr; }
@@ -85,6 +91,8 @@ private:
   static void run(Job& job, const std::function<Value(base::Progress&)>& work) {
     try {
       job.result.value = work(job.progress);
+    } catch (const base::Cancelled&) {
+      job.result.stopped = true;
     } catch (const std::exception& error) {
       job.result.problem = error.what();
     }

@@ -8,11 +8,8 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "base/error.h"
-#include "base/worker_pool.h"
-#include "deform/deformer.h"
-#include "mesh/write.h"
+#include "scene/export.h"
 #include "scene/open.h"
-#include "scene/pose_notes.h"
 
 namespace viete::app {
 
@@ -46,17 +43,7 @@ scene::Document open(const DeformOptions& options) {
 int deform_file(const DeformOptions& options) {
   check_output(options.output, Content::surface,
                with_files_of_sessions({options.model, options.cage, options.pose}), options.force);
-  const scene::Document document = open(options);
-  base::WorkerPool pool;
-  auto binding = std::make_shared<deform::Binding>(
-      deform::bind(*document.model.surface, *document.cage, document.weighting(), pool));
-  warn(binding->warnings);
-  deform::Deformer deformer(document.cage, binding, pool);
-  deformer.deform(document.pose, document.method);
-  warn(scene::pose_notes(deformer.report()));
-  mesh::Surface deformed = *document.model.surface;
-  deformed.positions.assign(deformer.positions().begin(), deformer.positions().end());
-  mesh::write(options.output, deformed);
+  warn(scene::write_deformed(scene::export_of(open(options), options.output)));
   return exit_ok;
 }
 

@@ -43,8 +43,7 @@ FileDesk::~FileDesk() {
   if (!state_.empty()) scene::remove_discarded(recovery_folder(state_));
 }
 
-void FileDesk::take_requests(scene::Workspace& w, const std::function<std::vector<mesh::Point>()>& deformed,
-                             bool hand_is_free) {
+void FileDesk::take_requests(scene::Workspace& w, bool hand_is_free) {
   auto& r = w.requests;
   if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
   if (const auto request = std::exchange(r.open, std::nullopt))
@@ -52,17 +51,15 @@ void FileDesk::take_requests(scene::Workspace& w, const std::function<std::vecto
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
-  if (const auto file = std::exchange(r.save_model, std::nullopt)) {
-    if (const auto positions = deformed(); positions.empty()) {
-      w.messages.error("The model is not bound yet; save it when it is.");
-    } else {
-      scene::save_model(w, *file, positions);
-    }
-  }
+  if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.has_cage())
+    exporter_.add(scene::export_of(w.document, *file));
+  if (std::exchange(r.stop_export, false)) exporter_.stop();
+  follow_exports(w, false);
   if (const auto file = std::exchange(r.discard, std::nullopt)) discard(w, *file);
   if (std::exchange(r.undo_discard, false)) undo_discard(w);
   go_on_after_saving(w);
   if (std::exchange(r.quit, false) && !w.question) close(w);
+  show_exports(w);
   if (hand_is_free && !w.question) take_loaded(w, false);
 }
 
@@ -90,6 +87,8 @@ void FileDesk::take(scene::Workspace& w, Loader::Result&& result) {
 }
 
 void FileDesk::close(scene::Workspace& w) {
+  closing_ = exporter_.running();
+  if (closing_) return;
   if (!scene::has_unsaved_edits(w) || autosave_.keep_now(w)) return go_on(w, Kind::close);
   w.question = scene::ask_before_closing(w, autosave_.problem());
 }
@@ -131,6 +130,22 @@ void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over
   } else if (!scene::save_session(w, file) && w.after_saving) {
     w.question = scene::ask_after_failed_save(w, *w.after_saving, w.messages.all().back().text);
   }
+}
+
+// A window that was about to close goes on with that when all is written, and stays for what went wrong.
+void FileDesk::follow_exports(scene::Workspace& w, bool wait) {
+  if (!exporter_.follow(w.messages, wait)) closing_ = false;
+  if (!exporter_.running() && std::exchange(closing_, false)) w.requests.quit = true;
+}
+
+void FileDesk::show_exports(scene::Workspace& w) {
+  w.exporting = exporter_.state();
+  if (closing_) w.exporting.what += ", then closing";
+}
+
+void FileDesk::finish_exports(scene::Workspace& w) {
+  while (exporter_.running()) follow_exports(w, true);
+  show_exports(w);
 }
 
 SavedBindings FileDesk::take_saved() {

@@ -3,13 +3,12 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "app/autosave.h"
 #include "app/errands.h"
+#include "app/exporter.h"
 #include "app/loader.h"
 #include "scene/workspace.h"
 
@@ -24,10 +23,9 @@ public:
   ~FileDesk();
 
   /// Before the frame's work: takes requests and answers, and what was read once the hand is free, so that
-  /// nothing is taken away under a drag. Asks before edits are lost that cannot be kept. deformed() gives the
-  /// deformed model's positions when they are to be saved; empty while there are none.
-  void take_requests(scene::Workspace& workspace, const std::function<std::vector<mesh::Point>()>& deformed,
-                     bool hand_is_free);
+  /// nothing is taken away under a drag. Asks before edits are lost that cannot be kept. Closes when exports
+  /// are written, and not if one fails.
+  void take_requests(scene::Workspace& workspace, bool hand_is_free);
   /// After it: keeps what is new.
   void keep(scene::Workspace& workspace);
 
@@ -41,8 +39,12 @@ public:
   /// True if something was kept, or could not be, since keep().
   bool has_news() const { return autosave_.has_news(); }
   bool loading() const { return loader_.running(); }
+  /// True while deformed models are written.
+  bool exporting() const { return exporter_.running(); }
   /// Waits for the files that are being read, and takes them.
   void finish_loading(scene::Workspace& workspace) { take_loaded(workspace, true); }
+  /// Waits for those that are being written, and says so.
+  void finish_exports(scene::Workspace& workspace);
   /// The look of the model that was read last.
   ModelLook& look() { return look_; }
   /// What was bound with the document that was taken last; once.
@@ -61,6 +63,8 @@ private:
   void give_up(scene::Workspace& workspace);
   void save_session(scene::Workspace& workspace, const std::filesystem::path& file, bool over_changes);
   void close(scene::Workspace& workspace);
+  void follow_exports(scene::Workspace& workspace, bool wait);
+  void show_exports(scene::Workspace& workspace);
   void discard(scene::Workspace& workspace, const std::filesystem::path& file);
   void undo_discard(scene::Workspace& workspace);
   void remember(scene::Workspace& workspace);
@@ -68,10 +72,11 @@ private:
   std::filesystem::path state_;
   SavedBindings saved_;
   Loader loader_;
+  Exporter exporter_;
   ModelLook look_;
   Bound bound_;
   std::optional<Loader::Result> waiting_;  // for the answer whether it may take the place of what is open
-  bool closed_ = false;
+  bool closing_ = false, closed_ = false;  // closing waits for exports
   Errands errands_;
   Autosave autosave_;
   scene::Remembered written_;

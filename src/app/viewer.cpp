@@ -141,7 +141,7 @@ void Viewer::keep_files() {
 
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
-  const bool reports = files_.loading() || binder_.running() || checks_.running() || bench_.running();
+  const bool reports = files_.loading() || files_.exporting() || binder_.running() || checks_.running() || bench_.running();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
   return changing() || files_.has_news() || wants_refinement() || method_probe_.has_result() ||
          probe_is_due() || binder_.has_result() || checks_.has_result() || bench_.has_result() ||
@@ -157,10 +157,7 @@ bool Viewer::changing() const {
 }
 
 void Viewer::take_requests() {
-  const auto positions = [this] {
-    return deformer_ ? deformer_->exact_positions() : std::vector<mesh::Point>();
-  };
-  files_.take_requests(workspace_, positions, !pointer_.active());
+  files_.take_requests(workspace_, !pointer_.active());
   if (std::exchange(workspace_.requests.run_benchmark, false)) {
     bench_.start([](base::Progress& progress) { return measure_exp(benchmark_count, false, progress); });
   }

@@ -67,10 +67,14 @@ public:
   bool closed() const { return files_.closed(); }
   /// True while files are being read, and what they hold is bound, aside.
   bool loading() const { return files_.loading(); }
-  /// True while something is read or bound aside that a person waits for.
-  bool working() const { return loading() || binder_.running(); }
+  /// True while deformed models are written aside.
+  bool exporting() const { return files_.exporting() || workspace_.requests.save_model.has_value(); }
+  /// True while something is read, bound or written aside that a person waits for.
+  bool working() const { return loading() || exporting() || binder_.running(); }
   /// Waits for the files that are being read.
   void finish_loading() { files_.finish_loading(workspace_); }
+  /// Waits for the deformed models that are being written.
+  void finish_exports() { files_.finish_exports(workspace_); }
   /// Waits until the model is bound, without drawing: the next frame deforms it.
   void finish_binding();
   /// True while model and cage are being checked aside.

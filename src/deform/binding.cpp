@@ -31,20 +31,9 @@ void allocate(Binding& binding) {
   }
 }
 
-// x - sum w c, taken as blend() takes it, so that a cage at rest gives x back to the last bits. What is only
-// the rounding of x itself is dropped: it would not shrink with a pose that does.
-Vec3 offset(std::span<const Vec3> handles, const Vec3& origin, const mesh::Point& x,
-            std::span<const double> weights, double rounding) {
-  Vec3 sum{0, 0, 0};
-  for (std::size_t j = 0; j < handles.size(); ++j) sum = sum + weights[j] * (handles[j] - origin);
-  const Vec3 left = (x - origin) - sum;
-  return largest_abs(left) > rounding ? left : Vec3{0, 0, 0};
-}
-
-// Weights of rows [begin, end); returns how many have no mean value coordinates.
-std::size_t fill_rows(const Cage& cage, std::size_t begin, std::size_t end, Binding& b) {
-  const auto& handles = b.coordinates == Coordinates::mean_value ? cage.surface.positions : cage.centers;
-  const Vec3 origin = middle(cage.surface.positions);
+// Weights of rows [begin, end), handles relative to origin; returns how many have no mean value coordinates.
+std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec3& origin, std::size_t begin,
+                      std::size_t end, Binding& b) {
   std::size_t failed = 0;
   for (std::size_t i = begin; i < end; ++i) {
     const std::span<double> row(b.weights.data() + i * b.handles, b.handles);
@@ -53,34 +42,22 @@ std::size_t fill_rows(const Cage& cage, std::size_t begin, std::size_t end, Bind
     } else {
       inverse_distance_weights(cage, b.rest[i], row, b.reach);
     }
-    b.offsets[i] = offset(handles, origin, b.rest[i], row, 4e-15 * cage.diagonal);
+    b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }
   return failed;
 }
 
 std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, base::Progress* progress) {
   std::atomic<std::size_t> done{0}, failed{0};
+  const Vec3 origin = middle(cage.surface.positions);
+  const auto handles = relative_to(
+      origin, binding.coordinates == Coordinates::mean_value ? cage.surface.positions : cage.centers);
   pool.for_blocks(binding.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
-    failed += fill_rows(cage, begin, end, binding);
+    failed += fill_rows(cage, handles, origin, begin, end, binding);
     done += end - begin;
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(binding.vertices));
   });
   return failed;
-}
-
-void warn(const Cage& cage, std::size_t failed, Binding& binding) {
-  if (binding.coordinates != Coordinates::mean_value) return;
-  if (!cage.closed) {
-    binding.warnings.push_back(
-        "mean value coordinates need a closed cage with consistent faces; with this one the model does not "
-        "follow "
-        "rotations and stretches exactly");
-  }
-  if (failed > 0) {
-    binding.warnings.push_back(
-        std::to_string(failed) + " of " + std::to_string(binding.vertices) +
-        " vertices have no mean value coordinates; they follow the closest point of the cage");
-  }
 }
 
 }  // namespace
@@ -94,6 +71,23 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path, 
   // weights; offset, place, vertex, walk; rest, position, normal, triangles and the lists around vertices
   const double fused = (compressed ? k : 4 * k) + 12 + 20 + 32 + 20 + 24 + 24 + 24 + 28;
   return static_cast<std::size_t>(std::min(0x1p63, n * (path == Path::staged ? staged : fused)));
+}
+
+std::vector<std::string> weight_warnings(const Cage& cage, Coordinates coordinates, std::size_t failed,
+                                         std::size_t vertices) {
+  std::vector<std::string> warnings;
+  if (coordinates != Coordinates::mean_value) return warnings;
+  if (!cage.closed) {
+    warnings.push_back(
+        "mean value coordinates need a closed cage with consistent faces; with this one the model does not "
+        "follow "
+        "rotations and stretches exactly");
+  }
+  if (failed > 0) {
+    warnings.push_back(std::to_string(failed) + " of " + std::to_string(vertices) +
+                       " vertices have no mean value coordinates; they follow the closest point of the cage");
+  }
+  return warnings;
 }
 
 Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, base::WorkerPool& pool,
@@ -121,7 +115,7 @@ Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, 
   }
   const std::size_t failed =
       path == Path::staged ? fill(cage, binding, pool, progress) : binding.tiles->failed;
-  warn(cage, failed, binding);
+  binding.warnings = weight_warnings(cage, weighting.coordinates, failed, binding.vertices);
   return binding;
 }
 

@@ -38,6 +38,11 @@ struct Binding {
   Weighting weighting() const { return {coordinates, reach}; }
 };
 
+/// What a person should know of the weights: of mean values where the cage is not closed, and of so many
+/// vertices that have none.
+std::vector<std::string> weight_warnings(const Cage& cage, Coordinates coordinates, std::size_t failed,
+                                         std::size_t vertices);
+
 /// Bytes that bind() asks for before it begins, for n vertices and k handles; at most 2^63. For the fused
 /// frame: at most, or where weights can be compressed (those of faces), a quarter of that, of which less is
 /// left by the compression.

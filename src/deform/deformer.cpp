@@ -103,26 +103,16 @@ std::span<const MapLog> Deformer::logs() const {
 double Deformer::sampled_error() const {
   if (!fused_ran_) return 0;
   const auto vertices = spread_vertices(*binding_, error_sample);
-  const auto exact = fused_->in_double(part_of(*weigher_, *binding_, vertices));
+  std::vector<mesh::Point> exact;
+  for (const auto v : vertices) exact.push_back(binding_->rest[v]);
+  const BoundPart part = bind_part(*weigher_, exact);
+  place_vertices(part.binding, fused_->posed_handles(), sym3::Method::fast, exact);
   double worst = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto& p = fused_->vertices()[vertices[i]].position;
     worst = std::max(worst, norm(fused_->origin() + Vec3{p[0], p[1], p[2]} - exact[i]));
   }
   return worst / cage_->diagonal;
-}
-
-std::vector<mesh::Point> Deformer::exact_positions() const {
-  if (!fused_ran_) return positions_;
-  constexpr std::size_t portion = 1024;
-  std::vector<mesh::Point> positions(binding_->vertices);
-  pool_.for_blocks(binding_->vertices, portion, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::size_t> vertices(end - begin);
-    std::iota(vertices.begin(), vertices.end(), begin);
-    const auto part = fused_->in_double(part_of(*weigher_, *binding_, vertices));
-    std::copy(part.begin(), part.end(), positions.begin() + static_cast<std::ptrdiff_t>(begin));
-  });
-  return positions;
 }
 
 std::optional<Path> Deformer::path(sym3::Method method) const {

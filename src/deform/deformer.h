@@ -64,9 +64,6 @@ public:
   /// After a fused frame made of its vertices when they are asked for.
   std::span<const mesh::Point> positions() const;
   std::span<const mesh::Point> normals() const;
-  /// The last frame in double precision, for files: after a fused frame made anew, in about the time that
-  /// binding takes.
-  std::vector<mesh::Point> exact_positions() const;
   /// The last frame, if it was fused, as it left it; null otherwise.
   const FusedFrame* fused() const { return fused_ran_ ? fused_.get() : nullptr; }
   const LinkTimes& times() const { return times_; }

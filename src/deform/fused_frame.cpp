@@ -79,22 +79,11 @@ void FusedFrame::deform(const Pose& pose) {
   times_[Link::normals] = watch.lap_ms();
 }
 
-std::vector<mesh::Point> FusedFrame::in_double(const Binding& part) const {
-  const std::size_t n = part.offsets.size();
-  std::vector<mesh::Point> positions(n);
-  const Vec3 origin = pose_origin(*cage_, pose_);
-  if (part.coordinates == Coordinates::mean_value) {
-    std::vector<Vec3> posed;
-    for (const auto& p : pose_) posed.push_back(p - origin);
-    blend_positions(part, posed, origin, 0, n, positions);
-    return positions;
-  }
-  BlendedLogs sums{std::vector<sym3::Sym3<double>>(n), std::vector<Vec3>(n), std::vector<Vec3>(n)};
-  blend(part, logs_, 0, n, sums);
-  std::vector<sym3::Sym3<double>> stretches(n);
-  sym3::exp<double>(sums.stretch, stretches);
-  apply(part, sums, stretches, origin, 0, n, positions);
-  return positions;
+PosedHandles FusedFrame::posed_handles() const {
+  PosedHandles posed{pose_origin(*cage_, pose_), logs_, {}};
+  if (binding_->coordinates == Coordinates::mean_value)
+    posed.positions = relative_to(posed.origin, pose_);
+  return posed;
 }
 
 void FusedFrame::set_dragging(bool on) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "deform/deformer.h"
+#include "deform/exact.h"
 #include "deform/frame_kernel.h"
 #include "deform/tiled_binding.h"
 
@@ -43,8 +44,8 @@ public:
   const Vec3& origin() const { return origin_; }
   /// The cage's logs; empty for mean value coordinates.
   std::span<const MapLog> logs() const { return logs_; }
-  /// The last pose in double, by the staged links, for vertices with these weights and offsets.
-  std::vector<mesh::Point> in_double(const Binding& part) const;
+  /// What the last pose gives the staged links.
+  PosedHandles posed_handles() const;
   const LinkTimes& times() const { return times_; }
   const LogReport& report() const { return report_; }
   /// True if the last frame added the moved elements alone.

@@ -58,8 +58,8 @@ public:
         b_(lay_out(model, cage, weighting)) {}
 
   TiledBinding bind(double tolerance, std::optional<Storage> wanted) {
-    const bool sample = worth_sampling(tolerance) || b_.weighting().local();
-    require(sample ? 0.25 : 1);
+    const bool local = b_.weighting().local(), sample = worth_sampling(tolerance) || local;
+    require(local ? 0 : sample ? 0.25 : 1);  // what lists take, only the sample tells
     const Shares shares = sample ? sampled_shares(tolerance) : Shares();
     const double lossless = std::min(shares.lists, 1.0);
     const bool compress = shares.factors < worth_factoring * lossless;

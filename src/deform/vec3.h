@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "deform/cage.h"
 
@@ -34,6 +35,11 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
 
 inline double largest_abs(const Vec3& a) {
   return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
+}
+
+inline std::vector<Vec3> relative_to(const Vec3& origin, std::vector<Vec3> points) {
+  for (Vec3& p : points) p = p - origin;
+  return points;
 }
 
 }  // namespace viete::deform

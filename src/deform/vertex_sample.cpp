@@ -1,6 +1,7 @@
 #include "deform/vertex_sample.h"
 
 #include "deform/vec3.h"
+#include "deform/weights.h"
 
 namespace viete::deform {
 
@@ -10,17 +11,19 @@ std::vector<std::size_t> spread_vertices(const Binding& binding, std::size_t lim
   return vertices;
 }
 
-Binding part_of(const Weigher& weigher, const Binding& binding, std::span<const std::size_t> vertices) {
-  Binding part;
-  part.coordinates = binding.coordinates;
-  part.reach = binding.reach;
-  part.vertices = vertices.size();
-  part.handles = binding.handles;
-  visit_vertices(weigher, binding, vertices, [&](std::size_t vertex, const std::vector<double>& weights) {
-    part.weights.insert(part.weights.end(), weights.begin(), weights.end());
-    Vec3 sum{0, 0, 0};
-    for (std::size_t j = 0; j < weights.size(); ++j) sum = sum + weights[j] * weigher.handle_positions()[j];
-    part.offsets.push_back((binding.rest[vertex] - weigher.origin()) - sum);
+BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points) {
+  BoundPart part;
+  Binding& b = part.binding;
+  b.coordinates = weigher.weighting().coordinates;
+  b.reach = weigher.weighting().reach;
+  b.vertices = points.size();
+  b.handles = weigher.handles();
+  b.weights.reserve(b.vertices * b.handles);
+  b.offsets.reserve(b.vertices);
+  part.failed = visit_weights(weigher, points, [&](std::size_t i, const std::vector<double>& weights) {
+    b.weights.insert(b.weights.end(), weights.begin(), weights.end());
+    b.offsets.push_back(
+        rest_offset(weigher.cage(), weigher.handle_positions(), points[i] - weigher.origin(), weights));
   });
   return part;
 }
@@ -31,11 +34,12 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
   constexpr std::size_t portion = 1024;
   std::vector<sym3::Sym3<double>> sample;
   if (logs.empty()) return sample;
-  const auto vertices = spread_vertices(binding, limit);
-  sample.reserve(vertices.size());
-  visit_vertices(weigher, binding, vertices, [&](std::size_t, const std::vector<double>& weights) {
+  std::vector<mesh::Point> points;
+  for (const auto v : spread_vertices(binding, limit)) points.push_back(binding.rest[v]);
+  sample.reserve(points.size());
+  visit_weights(weigher, points, [&](std::size_t, const std::vector<double>& weights) {
     if (progress && sample.size() % portion == 0) {
-      progress->report(static_cast<double>(sample.size()) / static_cast<double>(vertices.size()));
+      progress->report(static_cast<double>(sample.size()) / static_cast<double>(points.size()));
     }
     sym3::Sym3<double> m{};
     for (std::size_t j = 0; j < weights.size(); ++j) {

@@ -17,27 +17,33 @@ namespace viete::deform {
 /// At most `limit` vertices, spread evenly over the model.
 std::vector<std::size_t> spread_vertices(const Binding& binding, std::size_t limit);
 
-/// visit(vertex, row of weights) for each of the vertices in turn. visit may throw.
+/// visit(i, row of weights) for each of the points in turn. visit may throw. Returns how many have no mean
+/// value coordinates.
 template <class Visit>
-void visit_vertices(const Weigher& weigher, const Binding& binding, std::span<const std::size_t> vertices,
-                    const Visit& visit) {
-  const std::size_t handles = binding.handles;
+std::size_t visit_weights(const Weigher& weigher, std::span<const mesh::Point> points, const Visit& visit) {
+  const std::size_t handles = weigher.handles();
   std::vector<double> weights(weigher.room()), row(handles);
-  for (std::size_t s = 0; s < vertices.size(); s += bind_lanes) {
-    std::array<mesh::Point, bind_lanes> points;
-    for (std::size_t l = 0; l < bind_lanes; ++l) {
-      points[l] = binding.rest[vertices[std::min(s + l, vertices.size() - 1)]];
-    }
-    weigher.weigh(points, weights);
-    for (std::size_t l = 0; l < std::min(bind_lanes, vertices.size() - s); ++l) {
+  std::size_t failed = 0;
+  for (std::size_t s = 0; s < points.size(); s += bind_lanes) {
+    const std::size_t count = std::min(bind_lanes, points.size() - s);
+    std::array<mesh::Point, bind_lanes> lanes;
+    for (std::size_t l = 0; l < bind_lanes; ++l) lanes[l] = points[s + std::min(l, count - 1)];
+    const unsigned lost = weigher.weigh(lanes, weights);
+    for (std::size_t l = 0; l < count; ++l) {
       for (std::size_t j = 0; j < handles; ++j) row[j] = weights[j * bind_lanes + l];
-      visit(vertices[s + l], row);
+      failed += lost >> l & 1;
+      visit(s + l, row);
     }
   }
+  return failed;
 }
 
-/// Weights and offsets of these vertices alone, as the staged frame has them.
-Binding part_of(const Weigher& weigher, const Binding& binding, std::span<const std::size_t> vertices);
+/// Vertices at these points, with weights and offsets as the staged frame has them.
+struct BoundPart {
+  Binding binding;
+  std::size_t failed = 0;  ///< have no mean value coordinates
+};
+BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
 
 /// The symmetric logs that at most `limit` vertices, spread evenly over the model, blend: what their
 /// exponential is taken of. Empty if logs is. Throws base::Cancelled.

@@ -44,7 +44,7 @@ Weigher::Weigher(const Cage& cage, Weighting weighting, const sym3::Kernel& kern
       origin_(middle(cage.surface.positions)),
       scale_(std::exp2(-std::round(std::log2(cage.diagonal)))) {
   const bool faces = weighting.coordinates == Coordinates::face;
-  for (const Vec3& h : faces ? cage.centers : cage.surface.positions) handles_.push_back(h - origin_);
+  handles_ = relative_to(origin_, faces ? cage.centers : cage.surface.positions);
   for (const Vec3& p : cage.surface.positions) corners_.push_back(scaled(p));
   faces ? add_triangles() : add_views();
 }

@@ -19,6 +19,8 @@ class Weigher {
 public:
   Weigher(const Cage& cage, Weighting weighting, const sym3::Kernel& kernel = sym3::kernel());
 
+  const Cage& cage() const { return cage_; }
+  const Weighting& weighting() const { return weighting_; }
   std::size_t handles() const { return handles_.size(); }
   /// How many numbers weigh() needs room for.
   std::size_t room() const;

@@ -1,6 +1,7 @@
 #include "deform/weights.h"
 
 #include "deform/closest.h"
+#include "deform/vec3.h"
 
 namespace viete::deform {
 
@@ -36,6 +37,14 @@ void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<
   double sum = 0;
   for (const double w : weights) sum += w;
   for (double& w : weights) w /= sum;
+}
+
+Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
+                 std::span<const double> weights) {
+  Vec3 sum{0, 0, 0};
+  for (std::size_t j = 0; j < handles.size(); ++j) sum = sum + weights[j] * handles[j];
+  const Vec3 left = x - sum;
+  return largest_abs(left) > 4e-15 * cage.diagonal ? left : Vec3{0, 0, 0};
 }
 
 }  // namespace viete::deform

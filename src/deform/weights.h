@@ -29,4 +29,10 @@ namespace viete::deform {
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
                               double reach = whole_cage);
 
+/// Of a vertex at x at rest: x - sum w h, taken as blend() takes it, so that a cage at rest gives x back to
+/// the last bits. What is only the rounding of x itself is dropped: it would not shrink with a pose that
+/// does. handles and x relative to the same origin.
+Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
+                 std::span<const double> weights);
+
 }  // namespace viete::deform

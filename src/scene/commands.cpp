@@ -26,6 +26,8 @@ constexpr Condition has_selection_or_hover{
     "Select something first, or point at it."};
 constexpr Condition is_working{[](const Workspace& w) { return w.loading.running || w.binding.running; },
                                "Nothing is being read or bound."};
+constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
+                                 "Nothing is being exported."};
 constexpr Condition is_measuring{[](const Workspace& w) { return w.benchmark.running; },
                                  "Nothing is being measured."};
 constexpr Condition is_not_measuring{[](const Workspace& w) { return !w.benchmark.running; },
@@ -124,6 +126,8 @@ const std::vector<Command>& table() {
        browse_to_save_model},
       {"stop_work", "Cancel", "Stop reading or binding; everything stays as it is.", "File", {Key::escape}, {}, is_working,
        [](Workspace& w) { w.requests.stop_work = true; }},
+      {"stop_export", "Cancel", "Stop writing the deformed mesh; no file is changed.", "File", {}, {}, is_exporting,
+       [](Workspace& w) { w.requests.stop_export = true; }},
       {"restore_leftover", "Restore", "Bring unsaved edits back.", "File", {key('B'), true}, {}, has_leftover,
        restore_leftover},
       {"put_off_leftover", "Later", "Keep unsaved edits for the next start.", "File", {}, {}, has_leftover,

@@ -9,7 +9,6 @@
 #include "base/checksum.h"
 #include "deform/pose_io.h"
 #include "mesh/source.h"
-#include "mesh/write.h"
 #include "scene/session.h"
 
 namespace viete::scene {
@@ -72,14 +71,6 @@ bool save_pose(Workspace& workspace, const fs::path& path) {
   return attempt(workspace, "pose", path, [&] {
     deform::write_pose(path, *workspace.document.cage, workspace.document.pose);
     if (mesh::extension_of(path) != "stl") mark_pose_saved(workspace);
-  });
-}
-
-bool save_model(Workspace& workspace, const fs::path& path, std::span<const mesh::Point> positions) {
-  return attempt(workspace, "deformed model", path, [&] {
-    mesh::Surface deformed = *workspace.document.model.surface;
-    deformed.positions.assign(positions.begin(), positions.end());
-    mesh::write(path, deformed);
   });
 }
 

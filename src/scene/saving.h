@@ -4,19 +4,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 
 #include "scene/workspace.h"
 
 namespace viete::scene {
 
-/// Write the session, the posed cage with its turns, or the model with these positions. Atomic; a message
-/// says where, or what went wrong, and then the file is as it was. Return success. A session makes all edits
-/// saved, a pose that keeps every vertex (not STL) those of the pose.
+/// Write the session, or the posed cage with its turns. Atomic; a message says where, or what went wrong, and
+/// then the file is as it was. Return success. A session makes all edits saved, a pose that keeps every vertex
+/// (not STL) those of the pose.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
-bool save_model(Workspace& workspace, const std::filesystem::path& path,
-                std::span<const mesh::Point> positions);
 
 /// True if Save would replace a session that is not the one that was opened or saved here last.
 bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& session);

@@ -72,6 +72,7 @@ struct Requests {
   bool quit = false;
   bool screenshot = false;
   bool stop_work = false;      ///< reading or binding
+  bool stop_export = false;
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool run_benchmark = false, stop_benchmark = false;
   std::optional<OpenRequest> open;
@@ -124,6 +125,7 @@ struct Workspace {
       0;  ///< of the fused frame, against double: measured aside, in diagonals of the cage; 0 if staged
   WorkState loading;  ///< opening files: reading them, then binding
   WorkState binding;  ///< of what is open, to other coordinates
+  WorkState exporting;
   CheckState checks;
   Benchmark benchmark;
   Saved saved;

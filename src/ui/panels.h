@@ -22,7 +22,7 @@ void status_bar(const Context& ui);
 void help_overlay(const Context& ui);
 void file_panel(const Context& ui);
 void question_panel(const Context& ui);    ///< what must be answered first, see scene/question.h
-void work_bar(const Context& ui);          ///< what is being read or bound, how far, and Cancel
+void work_bar(const Context& ui);          ///< what is being read, bound or written, how far, and Cancel
 void notice_bar(const Context& ui);        ///< unsaved work that can be brought back
 void transform_fields(const Context& ui);  ///< a part of the cage's panel
 void gizmo_overlay(const Context& ui);

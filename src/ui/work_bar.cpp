@@ -26,14 +26,28 @@ void bar(const Context& ui, float width, double done) {
   ImGui::Dummy({width, 8});
 }
 
+// What is done, how far, and a way to stop it.
+void row(const Context& ui, const scene::WorkState& work, const char* stop) {
+  constexpr float widest = 420;
+  const float width = std::min(widest, 0.8f * ui.workspace.viewport.size.x);
+  const float right = ImGui::GetCursorScreenPos().x + width;
+  text_right(ui, right, time_left(work), ui.colors.faint);
+  ImGui::TextUnformatted(work.what.c_str());
+  bar(ui, width, work.done);
+  command_button(ui, stop);
+}
+
+bool shows(const scene::WorkState& work) {
+  return work.running && work.age >= silent_seconds;
+}
+
 }  // namespace
 
 void work_bar(const Context& ui) {
   const auto& w = ui.workspace;
   const scene::WorkState& work = w.loading.running ? w.loading : w.binding;
-  if (!work.running || work.age < silent_seconds) return;
+  if (!shows(work) && !shows(w.exporting)) return;
   const auto& v = ui.workspace.viewport;
-  const float width = std::min(420.0f, 0.8f * v.size.x);
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + v.size.y - 16}, ImGuiCond_Always,
                           {0.5f, 1});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
@@ -41,11 +55,9 @@ void work_bar(const Context& ui) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNav);
-  const float right = ImGui::GetCursorScreenPos().x + width;
-  text_right(ui, right, time_left(work), ui.colors.faint);
-  ImGui::TextUnformatted(work.what.c_str());
-  bar(ui, width, work.done);
-  command_button(ui, "stop_work");
+  if (shows(w.exporting)) row(ui, w.exporting, "stop_export");
+  if (shows(w.exporting) && shows(work)) ImGui::Spacing();
+  if (shows(work)) row(ui, work, "stop_work");
   ImGui::End();
   ImGui::PopStyleVar();
 }

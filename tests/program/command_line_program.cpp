@@ -80,6 +80,24 @@ TEST_CASE("a_size_near_the_end_of_the_range_deforms_to_the_same_bits_and_one_bey
   }
 }
 
+TEST_CASE("deform_says_what_a_method_loses_and_only_where_it_does") {
+  const TemporaryFolder scratch;
+  auto stretched = mesh::read(cage).surface;
+  for (auto& p : stretched.positions) p = {2 * p[0], (2 - 1e-5) * p[1], (2 + 1e-5) * p[2]};
+  const fs::path close = scratch / "close.obj";
+  mesh::write(close, stretched);
+  const auto deform = [&](const fs::path& posed, const std::string& method) {
+    return run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(posed) + " -o " +
+               quoted(scratch / "out.ply") + " --method " + method);
+  };
+  const auto lost = deform(close, "sd");
+  CHECK_MESSAGE(lost.code == 0, lost.text);
+  for (const char* part : {"viete: note: ", "method sd are off by up to ", "fast"})
+    CHECK_MESSAGE(mentions(lost, part), lost.text);
+  for (const char* method : {"diag", "fast"}) CHECK_FALSE(mentions(deform(close, method), "method"));
+  CHECK_FALSE(mentions(deform(pose, "sd"), "method"));
+}
+
 TEST_CASE("render_writes_a_picture_of_the_asked_size") {
   const TemporaryFolder scratch;
   const fs::path out = scratch.path() / "out.png";

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "app/offscreen_viewer.h"
+#include "base/worker_pool.h"
+#include "deform/exact.h"
 #include "scene/commands.h"
 #include "scene/picking.h"
 #include "support/data.h"
@@ -89,6 +91,14 @@ public:
     }
     FAIL("cannot scroll to " << widget);
     return {};
+  }
+
+  /// The deformed model in double, as it is written to files.
+  std::vector<mesh::Point> exact_positions() {
+    base::WorkerPool pool;
+    const scene::Document& d = document();
+    return deform::deform_exactly(d.model.surface->positions, *d.cage, d.weighting(), d.pose, d.method, pool)
+        .positions;
   }
 
   glm::vec2 vertex(std::uint32_t i) {

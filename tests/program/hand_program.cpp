@@ -27,7 +27,7 @@ struct Hand : Driver {
   const std::vector<mesh::Point>& pose() { return document().pose.positions; }
   // In double; the floats that are shown agree with it.
   std::vector<mesh::Point> mesh() {
-    const auto exact = viewer().deformer()->exact_positions();
+    const auto exact = exact_positions();
     const auto shown = viewer().deformer()->positions();
     double largest = 0;
     for (std::size_t i = 0; i < exact.size(); ++i) {

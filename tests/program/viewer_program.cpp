@@ -42,7 +42,7 @@ double diagonal(Driver& d) {
 
 // In double; the floats that are shown agree with it.
 std::vector<mesh::Point> positions(Driver& d) {
-  auto exact = d.viewer().deformer()->exact_positions();
+  auto exact = d.exact_positions();
   const auto shown = d.viewer().deformer()->positions();
   CHECK(largest_distance({shown.begin(), shown.end()}, exact) < 2e-5 * diagonal(d));
   return exact;

@@ -1,0 +1,38 @@
+// Writes deformed models aside, so that the view stays live.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "app/background_job.h"
+#include "scene/export.h"
+#include "scene/messages.h"
+#include "scene/workspace.h"
+
+namespace viete::app {
+
+/// One after the other, in the order they were asked for. Call from one thread. The destructor stops what is
+/// not finished: files that are not written yet are as they were.
+class Exporter {
+public:
+  void add(scene::Export what);
+  /// Asks the one that is being written to stop, which it does within moments; those that wait follow.
+  void stop() { job_.stop(); }
+  bool running() const { return job_.running(); }
+  /// True when follow() would have something to say.
+  bool has_result() const { return job_.has_result(); }
+  scene::WorkState state() const;
+  /// Says what was written since the last call, or what went wrong, and goes on with the next. With wait,
+  /// waits for the one that is being written. Returns false if one failed.
+  bool follow(scene::Messages& messages, bool wait = false);
+
+private:
+  void start_next();
+
+  std::deque<scene::Export> waiting_;
+  std::filesystem::path file_;  ///< that is being written
+  BackgroundJob<std::vector<std::string>> job_;
+};
+
+}  // namespace viete::app

@@ -1,0 +1,109 @@
+#include "deform/exact.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "base/error.h"
+#include "deform/apply.h"
+#include "deform/blend.h"
+#include "deform/deformer.h"
+#include "deform/face_maps.h"
+#include "deform/vec3.h"
+#include "deform/vertex_sample.h"
+#include "deform/weigher.h"
+
+namespace viete::deform {
+
+namespace {
+
+using Matrix = sym3::Sym3<double>;
+
+// As many vertices as have a megabyte of weights, within limits.
+std::size_t vertices_per_block(std::size_t handles) {
+  constexpr std::size_t weights = 1 << 17, most = 4096;
+  return std::clamp(weights / handles / bind_lanes * bind_lanes, bind_lanes, most);
+}
+
+double squared_norm(const Matrix& m) {
+  return m.xx * m.xx + m.yy * m.yy + m.zz * m.zz + 2 * (m.xy * m.xy + m.xz * m.xz + m.yz * m.yz);
+}
+
+double relative_difference(const Matrix& a, const Matrix& b) {
+  const Matrix d{a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
+  const double difference = std::sqrt(squared_norm(d) / squared_norm(b));
+  return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+}
+
+double error_of(std::span<const Matrix> computed, std::span<const Matrix> logs) {
+  std::vector<Matrix> exact(logs.size());
+  sym3::exp<double>(logs, exact);
+  double worst = 0;
+  for (std::size_t i = 0; i < logs.size(); ++i)
+    worst = std::max(worst, relative_difference(computed[i], exact[i]));
+  return worst;
+}
+
+PosedHandles posed_handles(const Cage& cage, Coordinates coordinates, const Pose& pose, LogReport& report) {
+  PosedHandles posed;
+  posed.origin = pose_origin(cage, pose.positions);
+  if (coordinates == Coordinates::mean_value) {
+    posed.positions = relative_to(posed.origin, pose.positions);
+    report = {pose.turns, {}, {}};
+    return posed;
+  }
+  std::vector<FaceMap> maps(cage.element_count());
+  posed.logs.resize(maps.size());
+  face_maps(cage, pose.positions, maps);
+  log_maps(cage, maps, pose.turns, posed.logs, report);
+  return posed;
+}
+
+}  // namespace
+
+double place_vertices(const Binding& binding, const PosedHandles& posed, sym3::Method method,
+                      std::span<mesh::Point> positions) {
+  const std::size_t n = positions.size();
+  if (binding.coordinates == Coordinates::mean_value) {
+    blend_positions(binding, posed.positions, posed.origin, 0, n, positions);
+    return 0;
+  }
+  BlendedLogs sums{std::vector<Matrix>(n), std::vector<Vec3>(n), std::vector<Vec3>(n)};
+  blend(binding, posed.logs, 0, n, sums);
+  std::vector<Matrix> stretches(n);
+  sym3::exp<double>(sums.stretch, stretches, method);
+  apply(binding, sums, stretches, posed.origin, 0, n, positions);
+  return method == sym3::Method::fast ? 0 : error_of(stretches, sums.stretch);
+}
+
+ExactModel deform_exactly(std::span<const mesh::Point> rest, const Cage& cage, Weighting weighting,
+                          const Pose& pose, sym3::Method method, base::WorkerPool& pool,
+                          base::Progress* progress) {
+  check_pose(cage, pose);
+  if (rest.empty()) throw base::Error("", "the model has no vertices", "choose another file");
+  ExactModel model;
+  const PosedHandles posed = posed_handles(cage, weighting.coordinates, pose, model.report);
+  const Weigher weigher(cage, weighting);
+  model.positions.resize(rest.size());
+  std::atomic<std::size_t> done{0}, failed{0};
+  std::mutex mutex;  // of exp_error
+  pool.for_blocks(rest.size(), vertices_per_block(weigher.handles()),
+                  [&](std::size_t begin, std::size_t end) {
+                    const auto block = rest.subspan(begin, end - begin);
+                    const BoundPart part = bind_part(weigher, block);
+                    const double error = place_vertices(
+                        part.binding, posed, method, std::span(model.positions).subspan(begin, end - begin));
+                    failed += part.failed;
+                    done += end - begin;
+                    if (progress)
+                      progress->report(static_cast<double>(done) / static_cast<double>(rest.size()));
+                    const std::lock_guard lock(mutex);
+                    model.exp_error = std::max(model.exp_error, error);
+                  });
+  model.warnings = weight_warnings(cage, weighting.coordinates, failed, rest.size());
+  return model;
+}
+
+}  // namespace viete::deform

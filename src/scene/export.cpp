@@ -1,0 +1,47 @@
+#include "scene/export.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "base/atomic_file.h"
+#include "base/worker_pool.h"
+#include "deform/exact.h"
+#include "mesh/write.h"
+#include "scene/pose_notes.h"
+
+namespace viete::scene {
+
+Export export_of(const Document& document, const std::filesystem::path& file) {
+  return {file, document.model.surface, document.cage, document.pose, document.weighting(), document.method};
+}
+
+std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
+  mesh::check_format(what.file);
+  base::check_replaceable(what.file);
+  base::WorkerPool pool;
+  if (progress) progress->section(0, 0.5);
+  const deform::ExactModel deformed = deform::deform_exactly(
+      what.model->positions, *what.cage, what.weighting, what.pose, what.method, pool, progress);
+  if (progress) progress->section(0.5, 1);
+  mesh::write(what.file, *what.model, deformed.positions, {}, progress);
+  std::vector<std::string> notes = deformed.warnings;
+  for (auto& note : pose_notes(deformed.report)) notes.push_back(std::move(note));
+  if (const std::string note = method_note(what.method, deformed.exp_error); !note.empty())
+    notes.push_back(note);
+  return notes;
+}
+
+std::string method_note(sym3::Method method, double worst_error) {
+  constexpr double matters = 1e-9;  // a thousand times what the methods lose where eigenvalues lie apart
+  if (worst_error <= matters) return "";
+  const std::string name(sym3::name(method));
+  if (!std::isfinite(worst_error))
+    return "method " + name + " gave no numbers in this pose; use method fast or diag";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", worst_error);
+  return "exponentials by method " + name + " are off by up to " + text +
+         " (relative) in this pose, where eigenvalues nearly coincide; methods fast and diag are exact to "
+         "1e-14";
+}
+
+}  // namespace viete::scene

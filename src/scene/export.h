@@ -1,0 +1,38 @@
+// The deformed model as a file: the same from the window and from the command line.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "scene/document.h"
+
+namespace viete::scene {
+
+/// All that the file is made of, as it is at one moment: surfaces are shared, the pose is a copy, so that the
+/// document may change or go while the file is written.
+struct Export {
+  std::filesystem::path file;
+  std::shared_ptr<const mesh::Surface> model;
+  std::shared_ptr<const deform::Cage> cage;
+  deform::Pose pose;
+  deform::Weighting weighting;
+  sym3::Method method;
+};
+
+/// Requires a cage.
+Export export_of(const Document& document, const std::filesystem::path& file);
+
+/// Deforms the model in double and writes it; the extension chooses the format. Atomic: whatever goes wrong,
+/// an existing file is as it was. Uses a pool of its own for as long as it takes. progress may be null.
+/// Returns what a person should know of the result, one line each. Throws base::Error and base::Cancelled.
+/// Thread-safe.
+std::vector<std::string> write_deformed(const Export& what, base::Progress* progress = nullptr);
+
+/// That exponentials by this method were off by so much, relative, and what to do; empty where that is too
+/// little to matter.
+std::string method_note(sym3::Method method, double worst_error);
+
+}  // namespace viete::scene

@@ -1,0 +1,160 @@
+#include "deform/exact.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <limits>
+
+#include "base/error.h"
+#include "deform/bound.h"
+
+using namespace viete;
+using namespace viete::test;
+using sym3::Method;
+
+namespace {
+
+constexpr Method methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
+
+// So many points without faces.
+mesh::Surface cloud(std::size_t count) {
+  Random random(7);
+  mesh::Surface surface;
+  for (std::size_t i = 0; i < count; ++i) surface.positions.push_back(random.vector(0.95));
+  return surface;
+}
+
+// Eigenvalues of its stretch lie apart, so that every method is exact.
+Vec3 bent(const Vec3& p) {
+  return {0.6 * p[0] + 0.1 * p[1] * p[1], 1.4 * p[1], 2.2 * p[2] - 0.2 * p[0]};
+}
+
+ExactModel deform_exactly(const Bound& b, const Pose& pose, Method method = Method::fast, int threads = 2) {
+  base::WorkerPool pool(threads);
+  return deform::deform_exactly(b.model.positions, *b.cage, b.binding->weighting(), pose, method, pool);
+}
+
+double diagonals_from_staged(Bound& b, const Pose& pose, Method method) {
+  const auto exact = deform_exactly(b, pose, method);
+  return largest_distance(exact.positions, b.deform(pose, method)) / b.cage->diagonal;
+}
+
+// Of /proc/self/status, in bytes; nothing where the system does not say.
+std::optional<double> memory(const std::string& key) {
+  std::ifstream in("/proc/self/status");
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with(key + ":")) return 1024 * std::stod(line.substr(key.size() + 1));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("block_by_block_gives_the_staged_frame_by_every_method_and_weighting") {
+  for (const Weighting weighting :
+       {Weighting(Coordinates::face), Weighting(Coordinates::face, 2), Weighting(Coordinates::mean_value)}) {
+    Bound b(cloud(700), tube(9, 12, 1.4, 4), weighting);
+    const Pose pose = b.pose(bent);
+    for (const Method method : methods) {
+      CAPTURE(sym3::name(method));
+      CHECK(diagonals_from_staged(b, pose, method) < 1e-12);
+    }
+    b.deform(pose);
+    CHECK(deform_exactly(b, pose).report.turns == b.deformer.report().turns);
+  }
+}
+
+// A cage of 12 elements has blocks of 4096 vertices, one of 7200 blocks of 16; lanes are eight.
+TEST_CASE("numbers_of_vertices_at_the_edges_of_blocks_and_lanes_lose_nothing") {
+  for (const std::size_t n : {1, 7, 8, 9, 4095, 4096, 4097, 8200}) {
+    CAPTURE(n);
+    Bound b(cloud(n), box());
+    CHECK(diagonals_from_staged(b, b.pose(bent), Method::fast) < 1e-12);
+  }
+  for (const std::size_t n : {15, 16, 17, 53}) {
+    CAPTURE(n);
+    Bound b(cloud(n), tube(60, 60, 1.4, 4), Weighting(Coordinates::face, 3));
+    CHECK(diagonals_from_staged(b, b.pose(bent), Method::fast) < 1e-12);
+  }
+}
+
+TEST_CASE("block_by_block_gives_the_same_bits_for_any_number_of_threads") {
+  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+    const Bound b(cloud(9000), box(), c);
+    const Pose pose = b.pose(bent);
+    const auto one = deform_exactly(b, pose, Method::diag, 1),
+               four = deform_exactly(b, pose, Method::diag, 4);
+    CHECK(one.positions == four.positions);
+    CHECK(one.exp_error == four.exp_error);
+  }
+}
+
+TEST_CASE("block_by_block_a_cage_at_rest_gives_the_model_back") {
+  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+    const Bound b(cloud(500), tube(9, 12, 1.4, 4), c);
+    const auto exact = deform_exactly(b, rest_pose(*b.cage));
+    CHECK(largest_distance(exact.positions, b.model.positions) < 4e-15 * b.cage->diagonal);
+  }
+}
+
+TEST_CASE("turns_are_taken_and_handed_on_as_in_frames") {
+  Bound b(cloud(300), tube(9, 12, 1.4, 4));
+  const Pose turned = b.pose(bent, {{0, 0, 2 * std::numbers::pi}});
+  CHECK(diagonals_from_staged(b, turned, Method::fast) < 1e-12);
+  CHECK(largest_distance(deform_exactly(b, turned).report.turns, b.deformer.report().turns) == 0);
+}
+
+TEST_CASE("what_a_method_loses_where_eigenvalues_nearly_coincide_is_told") {
+  const Bound b(cloud(200), box());
+  double lost = 0;
+  for (const double gap : {1e-4, 3e-5, 1e-5, 3e-6, 2e-6}) {
+    const Pose pose = b.pose(Affine{{2, 0, 0, 0, 2 - gap, 0, 0, 0, 2 + gap}, {}});
+    lost = std::max(lost, deform_exactly(b, pose, Method::sd).exp_error);
+    CHECK(deform_exactly(b, pose, Method::diag).exp_error < 1e-13);
+    CHECK(deform_exactly(b, pose, Method::fast).exp_error == 0);
+  }
+  CHECK(lost > 1e-9);
+  CHECK(lost < 1);
+  CHECK(deform_exactly(b, b.pose(bent), Method::sd).exp_error < 1e-12);
+}
+
+TEST_CASE("weights_are_warned_of_as_in_a_binding") {
+  auto t = box().triangles;
+  t.pop_back();
+  const Bound b(cloud(50), mesh::from_triangles(box().positions, t), Coordinates::mean_value);
+  CHECK(b.binding->warnings.size() == 1);
+  CHECK(deform_exactly(b, rest_pose(*b.cage)).warnings == b.binding->warnings);
+}
+
+TEST_CASE("exact_positions_of_nothing_or_of_another_pose_are_refused_and_work_can_be_cancelled") {
+  const Bound b(cloud(9000), box());
+  base::WorkerPool pool(2);
+  const Pose pose = rest_pose(*b.cage);
+  CHECK_THROWS_AS(deform::deform_exactly({}, *b.cage, Coordinates::face, pose, Method::fast, pool),
+                  base::Error);
+  CHECK_THROWS_AS(deform_exactly(b, Pose{{{0, 0, 0}}, {}}), base::Error);
+  base::Progress progress;
+  deform::deform_exactly(b.model.positions, *b.cage, Coordinates::face, pose, Method::fast, pool, &progress);
+  CHECK(progress.done() == 1);
+  progress.cancel();
+  CHECK_THROWS_AS(deform::deform_exactly(b.model.positions, *b.cage, Coordinates::face, pose, Method::fast,
+                                         pool, &progress),
+                  base::Cancelled);
+}
+
+TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once") {
+  const auto model = cloud(16'000);
+  const Cage cage = make_cage(tube(50, 60, 1.4, 4));
+  const double matrix = 8.0 * static_cast<double>(model.positions.size() * cage.element_count());
+  std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+  const auto before = memory("VmHWM");
+  const auto now = memory("VmRSS");
+  if (!before || !now || *before > 1.1 * *now) {
+    MESSAGE("this system does not tell the peak of memory: not tested");
+    return;
+  }
+  base::WorkerPool pool(2);
+  deform::deform_exactly(model.positions, cage, Weighting(Coordinates::face, 3), rest_pose(cage),
+                         Method::fast, pool);
+  CHECK(*memory("VmHWM") - *before < 0.5 * matrix);
+}

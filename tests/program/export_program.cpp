@@ -1,0 +1,146 @@
+// Deformed models written aside, of the moment they were asked for.
+#include "mesh/read.h"
+#include "program/kept_work.h"
+#include "scene/saving.h"
+
+using namespace viete;
+using namespace test;
+
+namespace {
+
+const std::string saved = "Saved the deformed model";
+
+// A model so large that writing it takes many frames, in its cage, posed.
+struct LargeModel : Driver {
+  explicit LargeModel(const fs::path& folder, std::uint32_t cells = 160) : Driver(small_window()) {
+    mesh::write(folder / "large.ply", SmallModel::grid_ball(cells));
+    mesh::write(folder / "cage.obj", SmallModel::scaled(SmallModel::grid_ball(3), 1.4));
+    REQUIRE(scene::load_model(workspace(), folder / "large.ply", folder / "cage.obj"));
+    workspace().view.model = false;  // a software rasteriser would need longer for it than the export
+    settle();
+    drag_some_vertex(*this, {20, 10});
+  }
+  static app::ViewerOptions small_window() {
+    auto options = Driver::default_options();
+    options.size = {640, 400};
+    return options;
+  }
+  void ask_for(const fs::path& file) {
+    workspace().requests.save_model = file;
+    frame();
+  }
+  const std::string& last_message() { return workspace().messages.all().back().text; }
+  template <class Done>
+  void frames_until(const Done& done) {
+    REQUIRE(wait_until(
+        [&] {
+          frame();
+          return done();
+        },
+        120));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an_export_is_written_aside_with_the_pose_it_was_asked_for") {
+  const test::TemporaryFolder folder;
+  LargeModel d(folder.path());
+  const auto expected = d.exact_positions();
+  const fs::path file = folder / "out.ply";
+  d.ask_for(file);
+  CHECK(d.viewer().exporting());
+  CHECK(d.workspace().exporting.what == "Exporting out.ply");
+  drag_some_vertex(d, {-40, 25});  // the view stays live
+  double furthest = 0;
+  d.frames_until([&] {
+    const auto& exporting = d.workspace().exporting;
+    CHECK((d.last_message().find(saved) == std::string::npos || fs::exists(file)));
+    if (exporting.running) CHECK(exporting.done >= furthest);
+    furthest = std::max(furthest, exporting.done);
+    return !d.viewer().exporting();
+  });
+  CHECK(d.last_message() == saved + " to " + file.string());
+  CHECK(mesh::read(file).surface.positions == expected);
+  CHECK(d.exact_positions() != expected);
+}
+
+TEST_CASE("a_cancelled_export_changes_no_file") {
+  const test::TemporaryFolder folder;
+  LargeModel d(folder.path());
+  const fs::path file = folder / "out.obj";
+  test::put_file(file, "old");
+  const auto before = folder.entries();
+  d.workspace().requests.stop_export = true;  // in the frame that begins it: no machine is faster
+  d.ask_for(file);
+  d.frames_until([&] { return !d.viewer().exporting(); });
+  CHECK(d.last_message() == "Stopped exporting out.obj; no file was changed.");
+  CHECK(test::file_bytes(file) == "old");
+  CHECK(folder.entries() == before);
+
+  d.ask_for(file);
+  CHECK_FALSE_MESSAGE(scene::run_command(d.workspace(), "stop_work"), "Esc is not for what runs beside work");
+  d.frames_until(
+      [&] { return d.viewer().recorder().find("stop_export").has_value() || !d.viewer().exporting(); });
+  const auto button = d.viewer().recorder().find("stop_export");
+  if (button) d.click(glm::vec2(0.5f * (button->x0 + button->x1), 0.5f * (button->y0 + button->y1)));
+  d.frames_until([&] { return !d.viewer().exporting(); });
+  const bool was_faster = d.last_message().find(saved) != std::string::npos;
+  CHECK((test::file_bytes(file) == "old") == !was_faster);
+}
+
+TEST_CASE("exports_are_written_in_the_order_they_were_asked_for") {
+  const test::TemporaryFolder folder;
+  LargeModel d(folder.path(), 60);
+  const auto first = d.exact_positions();
+  d.ask_for(folder / "a.ply");
+  drag_some_vertex(d, {-40, 25});
+  const auto second = d.exact_positions();
+  d.ask_for(folder / "b.ply");
+  d.viewer().finish_exports();
+  CHECK(mesh::read(folder / "a.ply").surface.positions == first);
+  CHECK(mesh::read(folder / "b.ply").surface.positions == second);
+  CHECK(d.last_message() == saved + " to " + (folder / "b.ply").string());
+}
+
+TEST_CASE("a_window_that_is_to_close_waits_for_its_export_and_stays_if_that_fails") {
+  const test::TemporaryFolder folder;
+  LargeModel d(folder.path());
+  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+  for (const bool fails : {true, false}) {
+    const fs::path file = fails ? folder / "none" / "out.ply" : folder / "out.ply";
+    d.workspace().requests.quit = true;
+    d.ask_for(file);
+    CHECK_FALSE(d.viewer().closed());
+    CHECK(d.workspace().exporting.what == "Exporting out.ply, then closing");
+    d.frames_until([&] {
+      CHECK((!d.viewer().closed() || fs::exists(file)));
+      return !d.viewer().exporting();
+    });
+    d.frame(2);
+    CHECK(d.viewer().closed() == !fails);
+    if (!fails) continue;
+    CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
+    CHECK(d.last_message().find("none/out.ply") != std::string::npos);
+  }
+}
+
+TEST_CASE("an_export_says_what_its_method_has_lost") {
+  const test::TemporaryFolder folder;
+  mesh::write(folder / "ball.ply", SmallModel::grid_ball(6));
+  mesh::write(folder / "cage.obj", SmallModel::scaled(SmallModel::grid_ball(2), 1.4));
+  Driver d(LargeModel::small_window());
+  REQUIRE(scene::load_model(d.workspace(), folder / "ball.ply", folder / "cage.obj"));
+  d.document().method = sym3::Method::sd;
+  d.settle();
+  for (auto& p : d.document().pose.positions) p = {2 * p[0], (2 - 1e-5) * p[1], (2 + 1e-5) * p[2]};
+  ++d.document().posed;
+  d.workspace().requests.save_model = folder / "out.ply";
+  d.frame();
+  d.viewer().finish_exports();
+  const auto& all = d.workspace().messages.all();
+  CHECK(std::any_of(all.begin(), all.end(), [](const scene::Message& m) {
+    return m.severity == scene::Severity::warning && m.text.find("by method sd are off") != std::string::npos;
+  }));
+  CHECK(all.back().text.starts_with(saved));
+}
