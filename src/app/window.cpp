@@ -2,7 +2,6 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <csignal>
@@ -66,16 +65,19 @@ bool display_is_named() {
 // The only thing that a signal handler may touch.
 volatile std::sig_atomic_t end_signal = 0;
 
-// The first one is a request, as by the window's close button; the next one ends the program at once. What
-// was told to be ignored (nohup) stays so.
-void take_end_signals() {
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
-    struct sigaction before {
-    }, action{};
-    if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
-    action.sa_handler = [](int) { end_signal = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    sigaction(signal, &action, nullptr);
+// A request, as by the window's close button. One more before the window has taken notice ends the program.
+void take_end_signal(int number) {
+  if (end_signal) {
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+  }
+  end_signal = 1;
+}
+
+// What was told to be ignored (nohup) stays so.
+void listen_to_end_signals() {
+  for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
+    if (std::signal(number, take_end_signal) == SIG_IGN) std::signal(number, SIG_IGN);
   }
 }
 
@@ -314,7 +316,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   set_settings(workspace.document, options);
   workspace.requests.open =
       scene::OpenRequest{scene::OpenRequest::What::model, {options.model, options.cage, options.pose}};
-  take_end_signals();
+  listen_to_end_signals();
   window.run(options.frames);
   if (!window.viewer().closed()) window.viewer().finish_keeping();
   if (window.viewer().keeping()) {

@@ -20,7 +20,7 @@ std::string title_before(const Workspace& w, Kind kind) {
 
 Question ask_before_closing(const Workspace& w, const std::string& why) {
   return {Kind::close, title_before(w, Kind::close),
-          "Unsaved edits are kept for the next start. These could not be:", why};
+          "Unsaved edits wait for the next start, but these could not be kept:", why};
 }
 
 Question ask_before_opening(const Workspace& w, const std::string& why) {

@@ -1,5 +1,9 @@
+#include <algorithm>
 #include <ctime>
+#include <initializer_list>
+#include <string_view>
 
+#include "scene/commands.h"
 #include "scene/recovery.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -12,28 +16,47 @@ std::string edits_of(const scene::Leftover& leftover) {
   return "edits of " + leftover.name + ", " + scene::when(leftover.time, std::time(nullptr));
 }
 
+constexpr float apart_gap = 18;
+
 // What loses something stands apart: behind a line, at the far end.
 void apart() {
-  ImGui::SameLine(0, 18);
+  ImGui::SameLine(0, apart_gap);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 2}, {at.x, at.y + ImGui::GetFrameHeight() - 2},
                                       ImGui::GetColorU32(ImGuiCol_Separator));
   ImGui::Dummy({1, 0});
-  ImGui::SameLine(0, 18);
+  ImGui::SameLine(0, apart_gap);
 }
 
-void notice_words(const std::string& text, const std::string& tip) {
+float buttons_width(std::initializer_list<std::string_view> commands, float gaps) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = gaps;
+  for (const auto name : commands) {
+    const std::string_view label = scene::find_command(name)->label;
+    width += ImGui::CalcTextSize(label.data(), label.data() + label.size()).x + 2 * style.FramePadding.x;
+  }
+  return width;
+}
+
+// With the buttons beside it, or below where the view is too narrow.
+void notice_words(const Context& ui, const std::string& text, const std::string& tip, float buttons) {
+  constexpr float margin = 48, gap = 16;
+  const float room = std::max(200.0f, ui.workspace.viewport.size.x - margin);
   ImGui::AlignTextToFramePadding();
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room);
   ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
   hint(tip);
-  ImGui::SameLine(0, 16);
+  if (ImGui::CalcTextSize(text.c_str()).x + gap + buttons <= room) ImGui::SameLine(0, gap);
 }
 
 void leftover_line(const Context& ui) {
   const auto& leftovers = ui.workspace.leftovers;
   const std::size_t others = leftovers.size() - 1;
   const std::string more = others > 0 ? "  (and " + std::to_string(others) + " more)" : "";
-  notice_words("Unsaved " + edits_of(leftovers.front()) + more, leftovers.front().file.string());
+  notice_words(
+      ui, "Unsaved " + edits_of(leftovers.front()) + more, leftovers.front().file.string(),
+      buttons_width({"restore_leftover", "put_off_leftover", "discard_leftover"}, 2 * apart_gap + 16));
   command_button(ui, "restore_leftover");
   ImGui::SameLine();
   command_button(ui, "put_off_leftover");
@@ -45,8 +68,9 @@ void leftover_line(const Context& ui) {
 }
 
 void discarded_line(const Context& ui) {
-  notice_words("Discarded the " + edits_of(ui.workspace.discarded.back().leftover),
-               "They are gone for good when the program ends.");
+  notice_words(ui, "Discarded the " + edits_of(ui.workspace.discarded.back().leftover),
+               "They are gone for good when the program ends.",
+               buttons_width({"undo_discard", "hide_discarded"}, 8));
   command_button(ui, "undo_discard");
   ImGui::SameLine();
   command_button(ui, "hide_discarded");

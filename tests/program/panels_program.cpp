@@ -67,41 +67,6 @@ fs::path open_cage(const fs::path& folder) {
   return path;
 }
 
-void visit_panels(Driver& d, const std::string& look) {
-  const test::TemporaryFolder scratch;
-  const fs::path model = test::assets_dir() / "dragon" / "dragon.ply", cage = open_cage(scratch.path());
-  show(d, look + "_empty");
-  REQUIRE(scene::load_model(d.workspace(), model, cage));
-  d.settle();
-  d.press_key(scene::key('A'));
-  for (const char* title : {"Checks", "Accuracy", "Benchmark"}) d.click(std::string("section/") + title);
-  if (!d.viewer().recorder().find("finding/0"))
-    d.click("section/Checks");  // it was open, as there is a finding
-  REQUIRE(d.viewer().recorder().find("finding/0"));
-  deform::Pose pose = d.document().pose;
-  for (std::size_t i = 0; i < pose.positions.size(); i += 3) pose.positions[i][1] *= 1.2;
-  scene::set_pose(d.document(), pose);
-  show(d, look + "_all_sections");
-
-  d.click("toggle_error_map");
-  d.press_key(scene::key('E'));
-  show(d, look + "_error_map_rotate");
-  CHECK_FALSE(scene::load_model(d.workspace(), scratch.path() / "none.ply", cage));
-  d.frame();
-  show(d, look + "_failed_load");
-
-  d.press_key(scene::key('O'), true);
-  show(d, look + "_open");
-  d.press_key(scene::Key::escape);
-  d.press_key(scene::key('E'), true);
-  show(d, look + "_export");
-  d.press_key(scene::Key::escape);
-  visit_questions(d, look);
-  visit_notices(d, look);
-  d.press_key(scene::Key::f1);
-  show(d, look + "_help");
-}
-
 void visit_questions(Driver& d, const std::string& look) {
   auto& w = d.workspace();
   w.question =
@@ -138,6 +103,41 @@ void visit_notices(Driver& d, const std::string& look) {
   d.frame(2);
 }
 
+void visit_panels(Driver& d, const std::string& look) {
+  const test::TemporaryFolder scratch;
+  const fs::path model = test::assets_dir() / "dragon" / "dragon.ply", cage = open_cage(scratch.path());
+  show(d, look + "_empty");
+  REQUIRE(scene::load_model(d.workspace(), model, cage));
+  d.settle();
+  d.press_key(scene::key('A'));
+  for (const char* title : {"Checks", "Accuracy", "Benchmark"}) d.click(std::string("section/") + title);
+  if (!d.viewer().recorder().find("finding/0"))
+    d.click("section/Checks");  // it was open, as there is a finding
+  REQUIRE(d.viewer().recorder().find("finding/0"));
+  deform::Pose pose = d.document().pose;
+  for (std::size_t i = 0; i < pose.positions.size(); i += 3) pose.positions[i][1] *= 1.2;
+  scene::set_pose(d.document(), pose);
+  show(d, look + "_all_sections");
+
+  d.click("toggle_error_map");
+  d.press_key(scene::key('E'));
+  show(d, look + "_error_map_rotate");
+  CHECK_FALSE(scene::load_model(d.workspace(), scratch.path() / "none.ply", cage));
+  d.frame();
+  show(d, look + "_failed_load");
+
+  d.press_key(scene::key('O'), true);
+  show(d, look + "_open");
+  d.press_key(scene::Key::escape);
+  d.press_key(scene::key('E'), true);
+  show(d, look + "_export");
+  d.press_key(scene::Key::escape);
+  visit_questions(d, look);
+  visit_notices(d, look);
+  d.press_key(scene::Key::f1);
+  show(d, look + "_help");
+}
+
 }  // namespace
 
 TEST_CASE("no_panel_leaves_the_window_or_covers_another_in_any_theme_or_scale") {
@@ -153,4 +153,34 @@ TEST_CASE("no_panel_leaves_the_window_or_covers_another_in_any_theme_or_scale") 
       visit_panels(d, std::string(dark ? "dark" : "light") + (scale == 1 ? "_1x" : "_2x"));
     }
   }
+}
+
+TEST_CASE("questions_and_notices_fit_into_the_smallest_window") {
+  auto options = Driver::default_options();
+  options.size = {640, 400};
+  Driver d(options);
+  const fs::path assets = test::assets_dir() / "dragon";
+  REQUIRE(scene::load_model(d.workspace(), assets / "dragon.ply", assets / "cage.obj"));
+  const std::string name = "a_model_whose_name_somebody_took_some_time_to_think_about.ply";
+  auto& w = d.workspace();
+  w.leftovers = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
+  w.discarded = {{{"/b.viete", name, 0}, "/b.discarded"}};
+  w.tell_discarded = true;
+  w.question =
+      scene::ask_before_closing(w, "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
+  d.frame(5);
+  std::size_t seen = 0;
+  for (const auto& [widget, rect] : d.viewer().recorder().all()) {
+    if (!widget.starts_with("question_") && !on_notice_bar(widget)) continue;
+    CAPTURE(widget);
+    ++seen;
+    CHECK(rect.visible);
+    CHECK(rect.x0 >= (on_notice_bar(widget) ? column : 0));
+    CHECK(rect.x1 <= 640);
+    CHECK(rect.y0 >= 0);
+    CHECK(rect.y1 <= 400);
+  }
+  CHECK(seen == 8);
+  if (const char* folder = std::getenv("VIETE_PICTURES"))
+    render::write_png(fs::path(folder) / "smallest_window.png", d.picture());
 }
