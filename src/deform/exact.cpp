@@ -27,13 +27,13 @@ std::size_t vertices_per_block(std::size_t handles) {
   return std::clamp(weights / handles / bind_lanes * bind_lanes, bind_lanes, most);
 }
 
-double squared_norm(const Matrix& m) {
+double squared_frobenius(const Matrix& m) {
   return m.xx * m.xx + m.yy * m.yy + m.zz * m.zz + 2 * (m.xy * m.xy + m.xz * m.xz + m.yz * m.yz);
 }
 
 double relative_difference(const Matrix& a, const Matrix& b) {
   const Matrix d{a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
-  const double difference = std::sqrt(squared_norm(d) / squared_norm(b));
+  const double difference = std::sqrt(squared_frobenius(d) / squared_frobenius(b));
   return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
 

@@ -14,7 +14,7 @@ using sym3::Method;
 
 namespace {
 
-constexpr Method methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
+constexpr Method all_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
 // So many points without faces.
 mesh::Surface cloud(std::size_t count) {
@@ -25,7 +25,7 @@ mesh::Surface cloud(std::size_t count) {
 }
 
 // Eigenvalues of its stretch lie apart, so that every method is exact.
-Vec3 bent(const Vec3& p) {
+Vec3 bent_and_stretched(const Vec3& p) {
   return {0.6 * p[0] + 0.1 * p[1] * p[1], 1.4 * p[1], 2.2 * p[2] - 0.2 * p[0]};
 }
 
@@ -54,8 +54,8 @@ TEST_CASE("block_by_block_gives_the_staged_frame_by_every_method_and_weighting")
   for (const Weighting weighting :
        {Weighting(Coordinates::face), Weighting(Coordinates::face, 2), Weighting(Coordinates::mean_value)}) {
     Bound b(cloud(700), tube(9, 12, 1.4, 4), weighting);
-    const Pose pose = b.pose(bent);
-    for (const Method method : methods) {
+    const Pose pose = b.pose(bent_and_stretched);
+    for (const Method method : all_methods) {
       CAPTURE(sym3::name(method));
       CHECK(diagonals_from_staged(b, pose, method) < 1e-12);
     }
@@ -69,19 +69,19 @@ TEST_CASE("numbers_of_vertices_at_the_edges_of_blocks_and_lanes_lose_nothing") {
   for (const std::size_t n : {1, 7, 8, 9, 4095, 4096, 4097, 8200}) {
     CAPTURE(n);
     Bound b(cloud(n), box());
-    CHECK(diagonals_from_staged(b, b.pose(bent), Method::fast) < 1e-12);
+    CHECK(diagonals_from_staged(b, b.pose(bent_and_stretched), Method::fast) < 1e-12);
   }
   for (const std::size_t n : {15, 16, 17, 53}) {
     CAPTURE(n);
     Bound b(cloud(n), tube(60, 60, 1.4, 4), Weighting(Coordinates::face, 3));
-    CHECK(diagonals_from_staged(b, b.pose(bent), Method::fast) < 1e-12);
+    CHECK(diagonals_from_staged(b, b.pose(bent_and_stretched), Method::fast) < 1e-12);
   }
 }
 
 TEST_CASE("block_by_block_gives_the_same_bits_for_any_number_of_threads") {
   for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
     const Bound b(cloud(9000), box(), c);
-    const Pose pose = b.pose(bent);
+    const Pose pose = b.pose(bent_and_stretched);
     const auto one = deform_exactly(b, pose, Method::diag, 1),
                four = deform_exactly(b, pose, Method::diag, 4);
     CHECK(one.positions == four.positions);
@@ -99,7 +99,7 @@ TEST_CASE("block_by_block_a_cage_at_rest_gives_the_model_back") {
 
 TEST_CASE("turns_are_taken_and_handed_on_as_in_frames") {
   Bound b(cloud(300), tube(9, 12, 1.4, 4));
-  const Pose turned = b.pose(bent, {{0, 0, 2 * std::numbers::pi}});
+  const Pose turned = b.pose(bent_and_stretched, {{0, 0, 2 * std::numbers::pi}});
   CHECK(diagonals_from_staged(b, turned, Method::fast) < 1e-12);
   CHECK(largest_distance(deform_exactly(b, turned).report.turns, b.deformer.report().turns) == 0);
 }
@@ -115,7 +115,7 @@ TEST_CASE("what_a_method_loses_where_eigenvalues_nearly_coincide_is_told") {
   }
   CHECK(lost > 1e-9);
   CHECK(lost < 1);
-  CHECK(deform_exactly(b, b.pose(bent), Method::sd).exp_error < 1e-12);
+  CHECK(deform_exactly(b, b.pose(bent_and_stretched), Method::sd).exp_error < 1e-12);
 }
 
 TEST_CASE("weights_are_warned_of_as_in_a_binding") {

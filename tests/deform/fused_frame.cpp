@@ -45,7 +45,7 @@ struct Fused {
 constexpr Coordinates both[] = {Coordinates::face, Coordinates::mean_value};
 
 // 1,802 vertices: three full leaves and one that is not.
-viete::mesh::Surface model() {
+viete::mesh::Surface fine_tube() {
   return tube(60, 30, 0.3, 1.5);
 }
 
@@ -53,7 +53,7 @@ viete::mesh::Surface model() {
 
 TEST_CASE("fused_frame_agrees_with_the_staged_one_within_1e_6_of_the_diagonal") {
   for (const auto c : both) {
-    Bound staged(model(), box({1, 1.3, 1}), c);
+    Bound staged(fine_tube(), box({1, 1.3, 1}), c);
     Fused fused(staged);
     const double diagonal = staged.cage->diagonal;
     const auto check = [&](const Pose& pose) {
@@ -78,7 +78,7 @@ TEST_CASE("fused_frame_is_as_exact_far_from_the_origin_and_at_any_size") {
       for (auto& p : s.positions) p = size * (p + Vec3{300, -200, 100});
       return s;
     };
-    Bound staged(scaled(model()), scaled(box()));
+    Bound staged(scaled(fine_tube()), scaled(box()));
     Fused fused(staged);
     Random random(7);
     Pose pose = rest_pose(*staged.cage);
@@ -92,7 +92,7 @@ TEST_CASE("fused_frame_is_as_exact_far_from_the_origin_and_at_any_size") {
 
 TEST_CASE("fused_frames_have_the_same_bits_for_any_number_of_threads") {
   for (const auto c : both) {
-    Bound staged(model(), box(), c);
+    Bound staged(fine_tube(), box(), c);
     Fused one(staged, 1), four(staged, 4);
     const Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, 0, 150 * degree});
     one.frame.deform(pose);
@@ -104,7 +104,7 @@ TEST_CASE("fused_frames_have_the_same_bits_for_any_number_of_threads") {
 }
 
 TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set") {
-  Bound staged(model(), box());
+  Bound staged(fine_tube(), box());
   const Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, 0, 250 * degree});
   staged.deform(pose);
   const auto first_with = [&](bool fused_arithmetic) {
@@ -266,7 +266,7 @@ TEST_CASE("a_drag_that_turns_the_logs_of_others_is_a_full_frame") {
 }
 
 TEST_CASE("fused_frame_refuses_a_pose_with_another_number_of_vertices") {
-  Bound staged(model(), box());
+  Bound staged(fine_tube(), box());
   Fused fused(staged);
   Pose pose = rest_pose(*staged.cage);
   pose.positions.pop_back();
@@ -275,7 +275,7 @@ TEST_CASE("fused_frame_refuses_a_pose_with_another_number_of_vertices") {
 
 namespace {
 
-constexpr double reaches[] = {lowest_reach, 2, 3, 6};
+constexpr double leaf_reaches[] = {lowest_reach, 2, 3, 6};
 
 // A model of 29 leaves in a cage of 308 triangles.
 Bound with_reach(double reach) {
@@ -289,7 +289,7 @@ Fused listed(const Bound& staged, int threads = 1) {
 }  // namespace
 
 TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_reach_however_weights_are_kept") {
-  for (const double reach : reaches) {
+  for (const double reach : leaf_reaches) {
     CAPTURE(reach);
     Bound staged = with_reach(reach);
     Fused dense(staged, 1, viete::sym3::kernel(), 0, Storage::dense),

@@ -39,7 +39,7 @@ Matrix stretch(const Polar& p) {
   return times(times(p.axes, diagonal(p.stretches)), transposed(p.axes));
 }
 
-const Matrix identity = diagonal({1, 1, 1});
+const Matrix unity = diagonal({1, 1, 1});
 
 }  // namespace
 
@@ -51,14 +51,14 @@ TEST_CASE("rotation_times_stretch_is_the_matrix") {
     if (determinant(m) < 0) m = times(m, diagonal({1, 1, -1}));
     const Polar p = polar(m);
     CHECK(difference(times(p.rotation, stretch(p)), m) < 5e-15);
-    CHECK(difference(times(p.rotation, transposed(p.rotation)), identity) < 5e-15);
+    CHECK(difference(times(p.rotation, transposed(p.rotation)), unity) < 5e-15);
     CHECK(determinant(p.rotation) == doctest::Approx(1));
   }
 }
 
 TEST_CASE("identity_has_exactly_the_identity_and_log_zero") {
-  const Polar p = polar(identity);
-  CHECK(p.rotation == identity);
+  const Polar p = polar(unity);
+  CHECK(p.rotation == unity);
   CHECK(log_stretch(p) == viete::sym3::Sym3<double>{});
 }
 
@@ -76,12 +76,12 @@ TEST_CASE("a_similarity_has_its_rotation_and_an_isotropic_log_at_any_scale") {
 
 TEST_CASE("a_mirror_has_the_closest_proper_rotation") {
   const Polar p = polar(diagonal({3, 2, -1}));
-  CHECK(difference(p.rotation, identity) < 1e-15);
+  CHECK(difference(p.rotation, unity) < 1e-15);
   CHECK(determinant(polar(diagonal({-1, -2, -3})).rotation) == doctest::Approx(1));
 }
 
 TEST_CASE("singular_matrices_have_a_proper_rotation_and_zero_has_the_identity") {
-  CHECK(polar({0, 0, 0, 0, 0, 0, 0, 0, 0}).rotation == identity);
+  CHECK(polar({0, 0, 0, 0, 0, 0, 0, 0, 0}).rotation == unity);
   for (const Matrix& m : {diagonal({1, 0, 0}), diagonal({1, 1, 0}), Matrix{1, 2, 3, 2, 4, 6, 3, 6, 9}}) {
     const Polar p = polar(m);
     CHECK(determinant(p.rotation) == doctest::Approx(1));

@@ -6,6 +6,7 @@
 
 using namespace viete;
 using namespace viete::mesh;
+using viete::test::holds;
 
 namespace {
 
@@ -16,10 +17,6 @@ Surface surface_of(const std::string& text) {
   CHECK(result.format == "OBJ");
   test::check_invariants(result.surface);
   return result.surface;
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

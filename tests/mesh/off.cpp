@@ -6,14 +6,11 @@
 
 using namespace viete;
 using namespace viete::mesh;
+using viete::test::holds;
 
 namespace {
 
 const std::string body = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n4 0 1 2 3\n";
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 
 using namespace viete;
 using namespace viete::mesh;
+using viete::test::holds;
 
 namespace {
 
@@ -18,10 +19,6 @@ const std::string rows4 = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 std::string ascii(const std::string& elements, const std::string& body) {
   return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + body;
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 // Builds binary bodies of either byte order.

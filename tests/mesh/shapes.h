@@ -23,6 +23,10 @@
 
 namespace viete::test {
 
+inline bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 using mesh::Point;
 using mesh::Surface;
 using mesh::Triangle;

@@ -9,6 +9,7 @@
 
 using namespace viete;
 using namespace viete::mesh;
+using viete::test::holds;
 
 namespace {
 
@@ -33,10 +34,6 @@ std::string binary_stl(const Surface& s, const std::string& title) {
 
 const std::string facet =
     "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 

@@ -12,10 +12,6 @@ using sym3::DoubleDouble;
 
 namespace {
 
-Quad to_quad(const DoubleDouble& x) {
-  return Quad(x.hi) + Quad(x.lo);
-}
-
 DoubleDouble random_number(Random& random) {
   const double hi = uniform(random, -2, 2) * std::exp2(uniform(random, -20, 20));
   return sym3::quick_two_sum(hi, hi * 0x1p-54 * uniform(random, -1, 1));

@@ -15,13 +15,6 @@ using sym3::Sym3;
 
 namespace {
 
-Quad to_quad(double x) {
-  return x;
-}
-Quad to_quad(const DoubleDouble& x) {
-  return Quad(x.hi) + Quad(x.lo);
-}
-
 /// |S - V diag(values) V^T| and |V^T V - I|, over |S| and 1: the larger.
 template <class Real>
 double residual(const Sym3<double>& s) {

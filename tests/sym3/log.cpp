@@ -19,7 +19,7 @@ using sym3::Sym3;
 namespace {
 
 template <class T>
-constexpr double bar = sizeof(T) == 8 ? 24 : 1.5;
+constexpr double log_bar = sizeof(T) == 8 ? 24 : 1.5;
 
 /// Positive definite matrices of a given condition: clustered at either end, spread, and anything between.
 template <class T>
@@ -36,8 +36,8 @@ std::vector<Sym3<T>> with_condition(double condition, double size, int count) {
 
 template <class T>
 void check(const Sym3<T>& s) {
-  CHECK(error_in_u(sym3::log(s), quad_log(to_quad(s))) <= bar<T>);
-  CHECK(error_in_u(sym3::inv_sqrt(s), quad_inv_sqrt(to_quad(s))) <= bar<T>);
+  CHECK(error_in_u(sym3::log(s), quad_log(to_quad(s))) <= log_bar<T>);
+  CHECK(error_in_u(sym3::inv_sqrt(s), quad_inv_sqrt(to_quad(s))) <= log_bar<T>);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ TEST_CASE("log_is_relatively_exact_near_the_identity") {
       const double size = std::pow(10.0, -digits);
       Sym3<double> s = with_eigenvalues<double>({size, uniform(random, -size, size), -size}, random);
       s.xx += 1, s.yy += 1, s.zz += 1;
-      CHECK(error_in_u(sym3::log(s), quad_log(to_quad(s))) <= bar<double>);
+      CHECK(error_in_u(sym3::log(s), quad_log(to_quad(s))) <= log_bar<double>);
     }
   }
 }
@@ -77,7 +77,7 @@ TEST_CASE("log_keeps_its_bar_across_the_border_of_near_the_identity") {
     const double off = uniform(random, 0.05, 0.3), d = std::pow(10.0, uniform(random, -4, -0.5));
     const auto any = [&random](double size) { return uniform(random, -size, size); };
     const Sym3<double> s = {1 + any(d), off, any(off), 1 + any(d), any(off) * (i % 2), 1 + any(d)};
-    CHECK(error_in_u(sym3::log(s), quad_log(to_quad(s))) <= bar<double>);
+    CHECK(error_in_u(sym3::log(s), quad_log(to_quad(s))) <= log_bar<double>);
   }
 }
 

@@ -92,7 +92,7 @@ void check_bars(double condition) {
 }
 
 template <class T>
-bool same_bits(const Sym3<T>& a, const Sym3<T>& b) {
+bool same_or_both_nan(const Sym3<T>& a, const Sym3<T>& b) {
   return a == b || (all_nan(a) && all_nan(b));
 }
 
@@ -140,7 +140,7 @@ TEST_CASE_TEMPLATE("beyond_the_range_of_the_kernels_a_batch_has_the_single_answe
       for (std::size_t i = 0; i < in.size(); ++i) {
         CAPTURE(i);
         CAPTURE(int(which));
-        if (which != Which::pow) CHECK(same_bits(out[i], one(which, in[i])));
+        if (which != Which::pow) CHECK(same_or_both_nan(out[i], one(which, in[i])));
         if (which == Which::pow) CHECK(all_nan(out[i]) == all_nan(one(which, in[i])));
       }
     }
@@ -166,7 +166,7 @@ TEST_CASE_TEMPLATE("every_length_of_a_batch_of_functions_gives_the_bits_of_one",
                count, {&kernel});
         bool same = true;
         for (std::size_t i = 0; i < count; ++i) {
-          same = same && same_bits(Sym3<T>{out[i], out[stride + i], out[2 * stride + i], out[3 * stride + i],
+          same = same && same_or_both_nan(Sym3<T>{out[i], out[stride + i], out[2 * stride + i], out[3 * stride + i],
                                            out[4 * stride + i], out[5 * stride + i]},
                                    expected[i]);
         }

@@ -20,7 +20,7 @@ namespace {
 using QuadMat = std::array<Quad, 9>;
 
 template <class T>
-QuadMat to_quad(const Mat3<T>& m) {
+QuadMat matrix_to_quad(const Mat3<T>& m) {
   QuadMat q;
   for (int k = 0; k < 9; ++k) q[k] = m[k];
   return q;
@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("polar_keeps_its_bar_for_either_sign_of_the_determinant", T, 
     for (int i = 0; i < 30; ++i) {
       const double size = i % 3 ? 1 : std::pow(10.0, uniform(random, -3, 3));
       const auto m = with_singular_values<T>({size * shape[0], size * shape[1], size * shape[2]}, random);
-      const Truth truth = quad_polar(to_quad(m));
+      const Truth truth = quad_polar(matrix_to_quad(m));
       for (const auto& kernel : sym3::kernels()) {
         CAPTURE(kernel.name);
         CAPTURE(shape[0]);
@@ -109,7 +109,7 @@ TEST_CASE_TEMPLATE("polar_keeps_its_bar_on_random_matrices", T, double, float) {
   for (int i = 0; i < 2000; ++i) {
     Mat3<T> m;
     for (T& x : m) x = T(uniform(random, -1, 1));
-    const Truth truth = quad_polar(to_quad(m));
+    const Truth truth = quad_polar(matrix_to_quad(m));
     CHECK(error(sym3::polar(m).rotation, truth) <= 8 * truth.condition);
   }
 }

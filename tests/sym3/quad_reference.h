@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "sym3/double_double.h"
 #include "sym3/rotation.h"
 #include "sym3/sym3.h"
 
@@ -16,11 +17,18 @@ namespace viete::test {
 using Quad = __float128;
 using QuadSym = sym3::Sym3<Quad>;
 
+inline Quad to_quad(double x) {
+  return x;
+}
 inline QuadSym to_quad(const sym3::Sym3<double>& s) {
   return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
 }
 inline QuadSym to_quad(const sym3::Sym3<float>& s) {
   return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+}
+
+inline Quad to_quad(const sym3::DoubleDouble& x) {
+  return Quad(x.hi) + Quad(x.lo);
 }
 
 /// 1 / sqrt x to 112 bits: one step of Newton's method from 64 (sqrtq takes ten times as long).

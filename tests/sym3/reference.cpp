@@ -17,10 +17,6 @@ using sym3::Sym3;
 
 namespace {
 
-Quad to_quad(const sym3::DoubleDouble& x) {
-  return Quad(x.hi) + Quad(x.lo);
-}
-
 double reference_error(const Sym3<double>& s) {
   const auto r = sym3::exp_reference(s);
   const QuadSym exact = quad_exp(test::to_quad(s));
