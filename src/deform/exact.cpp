@@ -19,26 +19,26 @@ namespace viete::deform {
 
 namespace {
 
-using Matrix = sym3::Sym3<double>;
+using Stretch = sym3::Sym3<double>;
 
 // As many vertices as have a megabyte of weights, within limits.
-std::size_t vertices_per_block(std::size_t handles) {
+std::size_t weighed_at_once(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
   return std::clamp(weights / handles / bind_lanes * bind_lanes, bind_lanes, most);
 }
 
-double squared_frobenius(const Matrix& m) {
+double squared_frobenius(const Stretch& m) {
   return m.xx * m.xx + m.yy * m.yy + m.zz * m.zz + 2 * (m.xy * m.xy + m.xz * m.xz + m.yz * m.yz);
 }
 
-double relative_difference(const Matrix& a, const Matrix& b) {
-  const Matrix d{a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
+double relative_difference(const Stretch& a, const Stretch& b) {
+  const Stretch d{a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
   const double difference = std::sqrt(squared_frobenius(d) / squared_frobenius(b));
   return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
 
-double error_of(std::span<const Matrix> computed, std::span<const Matrix> logs) {
-  std::vector<Matrix> exact(logs.size());
+double worst_difference(std::span<const Stretch> computed, std::span<const Stretch> logs) {
+  std::vector<Stretch> exact(logs.size());
   sym3::exp<double>(logs, exact);
   double worst = 0;
   for (std::size_t i = 0; i < logs.size(); ++i)
@@ -70,12 +70,12 @@ double place_vertices(const Binding& binding, const PosedHandles& posed, sym3::M
     blend_positions(binding, posed.positions, posed.origin, 0, n, positions);
     return 0;
   }
-  BlendedLogs sums{std::vector<Matrix>(n), std::vector<Vec3>(n), std::vector<Vec3>(n)};
+  BlendedLogs sums{std::vector<Stretch>(n), std::vector<Vec3>(n), std::vector<Vec3>(n)};
   blend(binding, posed.logs, 0, n, sums);
-  std::vector<Matrix> stretches(n);
+  std::vector<Stretch> stretches(n);
   sym3::exp<double>(sums.stretch, stretches, method);
   apply(binding, sums, stretches, posed.origin, 0, n, positions);
-  return method == sym3::Method::fast ? 0 : error_of(stretches, sums.stretch);
+  return method == sym3::Method::fast ? 0 : worst_difference(stretches, sums.stretch);
 }
 
 ExactModel deform_exactly(std::span<const mesh::Point> rest, const Cage& cage, Weighting weighting,
@@ -89,19 +89,17 @@ ExactModel deform_exactly(std::span<const mesh::Point> rest, const Cage& cage, W
   model.positions.resize(rest.size());
   std::atomic<std::size_t> done{0}, failed{0};
   std::mutex mutex;  // of exp_error
-  pool.for_blocks(rest.size(), vertices_per_block(weigher.handles()),
-                  [&](std::size_t begin, std::size_t end) {
-                    const auto block = rest.subspan(begin, end - begin);
-                    const BoundPart part = bind_part(weigher, block);
-                    const double error = place_vertices(
-                        part.binding, posed, method, std::span(model.positions).subspan(begin, end - begin));
-                    failed += part.failed;
-                    done += end - begin;
-                    if (progress)
-                      progress->report(static_cast<double>(done) / static_cast<double>(rest.size()));
-                    const std::lock_guard lock(mutex);
-                    model.exp_error = std::max(model.exp_error, error);
-                  });
+  pool.for_blocks(rest.size(), weighed_at_once(weigher.handles()), [&](std::size_t begin, std::size_t end) {
+    const auto block = rest.subspan(begin, end - begin);
+    const BoundPart part = bind_part(weigher, block);
+    const double error =
+        place_vertices(part.binding, posed, method, std::span(model.positions).subspan(begin, end - begin));
+    failed += part.failed;
+    done += end - begin;
+    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(rest.size()));
+    const std::lock_guard lock(mutex);
+    model.exp_error = std::max(model.exp_error, error);
+  });
   model.warnings = weight_warnings(cage, weighting.coordinates, failed, rest.size());
   return model;
 }
