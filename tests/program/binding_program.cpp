@@ -50,6 +50,7 @@ void open_dragon(Driver& d) {
   d.settle();
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(40, 20));
+  scene::mark_saved(d.workspace());  // so that another cage takes its place without a question
 }
 
 // Bytes of memory that are free now, as the system says.
