@@ -12,6 +12,7 @@ using namespace viete;
 using test::Child;
 using test::Desktop;
 using test::Driver;
+using test::f12_keycode;
 using test::wait_until;
 namespace fs = std::filesystem;
 
