@@ -1,16 +1,16 @@
 #!/bin/sh
 # optimised.sh CMAKE GENERATOR COMPILER PROJECT BUILD: in a project that sets no build type the library is optimised all the same,
-# unless the flags say another level. Configures only.
+# unless the flags say another level; kernels have their own. Configures only.
 set -eu
 cmake="$1" generator="$2" compiler="$3" project="$4" build="$5"
 unset CXXFLAGS CMAKE_BUILD_TYPE
 
-# levels FLAGS: the level that counts, the last, of every source of the library but the kernels.
+# levels FLAGS: the level that counts, the last, of every source of the library that has not that of kernels.
 levels() {
   rm -rf "$build"
   "$cmake" -S "$project" -B "$build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$1" \
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
-  grep '"command".*/src/sym3/' "$build/compile_commands.json" | grep -v -e _kernel.cpp -e exp_paper.cpp | sed 's/.* \(-O[0-3a-z]*\) .*/\1/' | sort -u
+  grep '"command".*/src/sym3/' "$build/compile_commands.json" | sed 's/.* \(-O[0-3a-z]*\) .*/\1/' | grep -v -x -e -O3 | sort -u
 }
 
 expect() {
