@@ -40,6 +40,9 @@ struct Cage {
 /// (an edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.
 Cage make_cage(mesh::Surface surface);
 
+/// Radians of one turn vector: a file with longer ones is not believed.
+inline constexpr double largest_turn = 1e6;
+
 /// Posed positions, and the whole turns that the pose has made: for each part of the cage (see roots) the
 /// rotation vector that its elements' logs must be nearest to, radians. Missing or 0: the least rotation. A
 /// full pose is both; the second is what makes window and command line agree.

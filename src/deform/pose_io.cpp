@@ -44,7 +44,7 @@ bool read_turn(std::string_view line, std::vector<Vec3>& turns) {
   Vec3 v{};
   const bool read = take_word(line, turns_mark) && take_word(line, "part") && take(line, part) &&
                     take_word(line, ":") && take(line, v[0]) && take(line, v[1]) && take(line, v[2]);
-  if (!read || part >= turns.size() || !(norm(v) < 1e6)) return false;  // norm: false for NaN too
+  if (!read || part >= turns.size() || !(norm(v) <= largest_turn)) return false;  // norm: false for NaN too
   turns[part] = v;
   return true;
 }

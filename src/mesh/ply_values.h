@@ -62,7 +62,7 @@ public:
 
   double coordinate(PlyType type) {
     const double value = take(type);
-    if (!(std::abs(value) <= 1e100))
+    if (!(std::abs(value) <= largest_coordinate))
       fail("a coordinate is not a finite number up to 1e100", "repair the vertex");
     return value;
   }

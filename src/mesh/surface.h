@@ -11,6 +11,9 @@ namespace viete::mesh {
 using Point = std::array<double, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// Files with larger ones are refused, so that volumes stay finite.
+inline constexpr double largest_coordinate = 1e100;
+
 /// Such a triangle has no area and no proper edges.
 inline bool repeats_corner(const Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];

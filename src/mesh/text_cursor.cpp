@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "mesh/surface.h"
 
 namespace viete::mesh {
 
@@ -99,7 +100,7 @@ double TextCursor::coordinate() {
   } else {
     value = unusual_number(from);
   }
-  if (!(std::abs(value) <= 1e100)) {
+  if (!(std::abs(value) <= largest_coordinate)) {
     at_ = from;
     fail("coordinate " + in_quotes(rest_of_word()) + " is not a finite number up to 1e100",
          "repair the vertex");

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scene/range.h"
+
 namespace viete::scene {
 
 namespace {
 
 constexpr float ease_seconds = 0.15f;
 constexpr float half_pi = 1.57079633f;
-constexpr float nearest = 1e-3f, farthest = 1e3f;
 
 float shortest_turn(float from, float to) {
   return from + std::remainder(to - from, 4 * half_pi);
@@ -33,6 +34,21 @@ glm::mat4 orthographic_lens(float distance, float aspect) {
   return glm::ortho(-half * aspect, half * aspect, -half, half, -20.0f, distance + 20.0f);
 }
 
+float clamped(float value, float least, float most, float otherwise) {
+  return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
+}
+
+// Places beyond the range of floats are seen from the model.
+CameraPose in_range(CameraPose pose) {
+  const CameraPose home;
+  constexpr auto far = static_cast<float>(farthest_place);
+  for (int i = 0; i < 3; ++i) pose.target[i] = clamped(pose.target[i], -far, far, home.target[i]);
+  pose.distance = clamped(pose.distance, nearest_camera, farthest_camera, home.distance);
+  pose.yaw = std::isfinite(pose.yaw) ? pose.yaw : home.yaw;
+  pose.pitch = clamped(pose.pitch, -half_pi, half_pi, home.pitch);
+  return pose;
+}
+
 CameraPose mix(const CameraPose& a, const CameraPose& b, float t) {
   return {glm::mix(a.target, b.target, t), a.distance * std::pow(b.distance / a.distance, t),
           glm::mix(a.yaw, b.yaw, t), glm::mix(a.pitch, b.pitch, t), b.orthographic};
@@ -47,7 +63,7 @@ void Camera::set_pose(const CameraPose& pose) {
 
 // What the hand does at once replaces what is being eased.
 void Camera::jump() {
-  goal_ = current_;
+  goal_ = current_ = in_range(current_);
   remaining_ = 0;
 }
 
@@ -116,7 +132,8 @@ void Camera::pan(const glm::vec2& pixels, const Viewport& v) {
 }
 
 void Camera::zoom(float steps, const glm::vec2& cursor, const Viewport& v) {
-  const float distance = std::clamp(current_.distance * std::pow(0.88f, steps), nearest, farthest);
+  const float distance =
+      std::clamp(current_.distance * std::pow(0.88f, steps), nearest_camera, farthest_camera);
   const glm::vec2 from_middle = cursor - (v.origin + 0.5f * v.size);
   const glm::dvec3 before = plane_displacement(from_middle, current_.distance, v);
   current_.distance = distance;
@@ -127,8 +144,8 @@ void Camera::zoom(float steps, const glm::vec2& cursor, const Viewport& v) {
 void Camera::ease_to(const CameraPose& goal) {
   start_ = current_;
   start_.yaw = std::remainder(start_.yaw, 4 * half_pi);
-  goal_ = goal;
-  goal_.yaw = shortest_turn(start_.yaw, goal.yaw);
+  goal_ = in_range(goal);
+  goal_.yaw = shortest_turn(start_.yaw, goal_.yaw);
   remaining_ = ease_seconds;
 }
 
@@ -163,7 +180,7 @@ void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool ea
     const float nearer = current_.orthographic ? 0 : -glm::dot(d, goal.forward());
     distance = std::max(distance, std::max(side.x / tangent.x, side.y / tangent.y) + nearer);
   }
-  goal.current_.distance = std::clamp(distance, nearest, farthest);
+  goal.current_.distance = std::clamp(distance, nearest_camera, farthest_camera);
   if (eased) return ease_to(goal.current_);
   set_pose(goal.current_);
 }

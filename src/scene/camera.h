@@ -16,7 +16,8 @@ struct Viewport {
 
 enum class StandardView { front, back, right, left, top, bottom, home };
 
-/// Angles in radians; lengths in view units (scene/space.h). Y is up.
+/// Angles in radians; lengths in view units (scene/space.h). Y is up. What a Camera has is always in range
+/// (scene/range.h), whatever it was told.
 struct CameraPose {
   glm::vec3 target{0, 0, 0};
   float distance = 4;

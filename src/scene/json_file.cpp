@@ -42,6 +42,81 @@ std::string line_of(std::string_view text, std::size_t byte) {
   return std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
 
+// Reads along without keeping anything, to find out whether a file is worth its memory.
+class Survey : public nlohmann::json_sax<json> {
+public:
+  std::size_t error_at = 0;                ///< byte behind the mistake
+  std::size_t too_large_at = 0, size = 0;  ///< of the first number that is too large; size 0: there is none
+  bool too_deep = false;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return enter(); }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return leave(); }
+  bool start_array(std::size_t) override { return enter(); }
+  bool end_array() override { return leave(); }
+  bool parse_error(std::size_t position, const std::string& token, const json::exception& problem) override {
+    error_at = position;
+    if (dynamic_cast<const json::out_of_range*>(&problem) && token.size() <= position) {
+      size = token.size();
+      too_large_at = position - size;
+    }
+    return false;
+  }
+
+private:
+  bool enter() {
+    too_deep = ++depth_ > most_json_depth;
+    return !too_deep;
+  }
+  bool leave() {
+    --depth_;
+    return true;
+  }
+
+  std::size_t depth_ = 0;
+};
+
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string_view text, std::size_t byte,
+                         const std::string& problem) {
+  throw base::Error(file.string() + ":" + line_of(text, byte), problem,
+                    "correct the file or take an older copy of it");
+}
+
+void check_length(std::size_t bytes, const std::filesystem::path& file) {
+  if (bytes <= most_json_bytes) return;
+  throw base::Error(
+      file.string(),
+      std::to_string(bytes) + " bytes are more than this program reads: " + std::to_string(most_json_bytes),
+      "take another file");
+}
+
+// The same text with numbers that a double holds, and in it nothing that takes the machine down.
+std::string surveyed(std::string_view bytes, const std::filesystem::path& file) {
+  constexpr int most_corrected = 16;
+  std::string text(bytes);
+  for (int corrected = 0;; ++corrected) {
+    Survey survey;
+    if (json::sax_parse(text, &survey)) return text;
+    if (survey.too_deep) {
+      throw base::Error(file.string(),
+                        "lists and objects in it stand more than " + std::to_string(most_json_depth) +
+                            " deep in each other",
+                        "take another file");
+    }
+    if (survey.size == 0) refuse(file, text, survey.error_at, "this is not valid JSON");
+    if (corrected == most_corrected)
+      refuse(file, text, survey.error_at, "this and other numbers are too large");
+    text.replace(survey.too_large_at, survey.size, text[survey.too_large_at] == '-' ? "-1e300" : "1e300");
+  }
+}
+
 std::string described(const json& value) {
   if (value.is_number()) return "a number";
   if (value.is_string()) return "a text";
@@ -103,7 +178,9 @@ std::string readable(const ordered_json& value, const std::filesystem::path& fil
   } catch (const ordered_json::type_error&) {
     throw base::Error(file.string(), "the name of a file in it is not UTF-8", "rename that file");
   }
-  return out + '\n';
+  out += '\n';
+  check_length(out.size(), file);
+  return out;
 }
 
 ordered_json path_json(const std::filesystem::path& path) {
@@ -113,15 +190,11 @@ ordered_json path_json(const std::filesystem::path& path) {
 }
 
 json read_json(const std::filesystem::path& path) {
-  const mesh::FileBytes bytes(path, nullptr);
-  try {
-    return json::parse(bytes.view());
-  } catch (const json::parse_error& error) {
-    throw base::Error(path.string() + ":" + line_of(bytes.view(), error.byte), "this is not valid JSON",
-                      "correct the file or take an older copy of it");
-  } catch (const json::exception&) {
-    throw base::Error(path.string(), "it holds a number that is too large", "correct it in the file");
-  }
+  std::error_code code;
+  const auto size = std::filesystem::file_size(path, code);
+  if (!code) check_length(size, path);  // of what is no file, reading knows better words
+  const std::string text = surveyed(mesh::FileBytes(path, nullptr).view(), path);
+  return json::parse(text);
 }
 
 std::optional<JsonReader> JsonReader::find(const std::string& key) const {
@@ -164,7 +237,12 @@ std::uint32_t JsonReader::index() const {
 
 std::string JsonReader::text() const {
   if (!value_.is_string()) expected("a text");
-  return value_.get<std::string>();
+  const auto& text = value_.get_ref<const std::string&>();
+  if (text.size() > longest_text) {
+    fail("a text of " + std::to_string(text.size()) + " bytes is longer than any that belongs here (" +
+         std::to_string(longest_text) + ")");
+  }
+  return text;
 }
 
 std::filesystem::path JsonReader::path() const {
@@ -176,10 +254,17 @@ std::filesystem::path JsonReader::path() const {
   return *name;
 }
 
-// Without the cost of naming each element, for the long lists.
-double JsonReader::quick_number(std::size_t i) const {
-  const json& value = value_[i];
-  return value.is_number() ? value.get<double>() : item(i).number();
+// Without the cost of naming each element: these lists are long.
+std::optional<std::array<double, 3>> JsonReader::point(std::size_t index, double limit) const {
+  const json& values = value_[index];
+  if (!values.is_array() || values.size() != 3) return std::nullopt;
+  std::array<double, 3> point;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!values[i].is_number()) return std::nullopt;
+    point[i] = values[i].get<double>();
+    if (!(std::abs(point[i]) <= limit)) return std::nullopt;
+  }
+  return point;
 }
 
 void JsonReader::check_size(std::size_t n) const {

@@ -12,16 +12,21 @@
 
 namespace viete::scene {
 
+/// What a file may have: more is no file of this program's, and is refused before it takes memory. The bytes
+/// are those of a pose of half a million vertices and more; a text is the name of a file.
+inline constexpr std::size_t most_json_bytes = 64 << 20, most_json_depth = 32, longest_text = 4096;
+
 /// One key a line; an array stands on one line unless it holds arrays or objects, which get a line each.
 /// Numbers with the digits that read back as the same double. Throws base::Error naming `file` if a string is
-/// not UTF-8.
+/// not UTF-8, or if read_json() would refuse the length.
 std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
 
 /// The name of a file: a string; where it is not UTF-8, which JSON strings are, {"percent_encoded":
 /// "caf%E9"}. JsonReader::path() reads both back to the same bytes.
 nlohmann::ordered_json path_json(const std::filesystem::path& path);
 
-/// Throws base::Error naming the file, and the line of a mistake.
+/// A number that no double holds becomes 1e300 or -1e300, which is out of every range. Throws base::Error
+/// naming the file, and the line of a mistake.
 nlohmann::json read_json(const std::filesystem::path& path);
 
 /// A value and the key that leads to it. Everything throws base::Error, `file: key: problem`, if the value is
@@ -41,16 +46,18 @@ public:
   bool boolean() const;
   double number() const;  ///< finite
   std::uint32_t index() const;
-  std::string text() const;
+  std::string text() const;            ///< at most longest_text bytes
   std::filesystem::path path() const;  ///< as path_json() writes it
   /// An array of exactly N numbers.
   template <std::size_t N>
   std::array<double, N> numbers() const {
     check_size(N);
     std::array<double, N> all;
-    for (std::size_t i = 0; i < N; ++i) all[i] = quick_number(i);
+    for (std::size_t i = 0; i < N; ++i) all[i] = item(i).number();
     return all;
   }
+  /// Of an array of points: its item `index`; nothing if that is no [x, y, z] with |x|, |y|, |z| <= limit.
+  std::optional<std::array<double, 3>> point(std::size_t index, double limit) const;
 
   [[noreturn]] void fail(const std::string& problem,
                          const std::string& advice = "correct it in the file") const;
@@ -58,7 +65,6 @@ public:
 
 private:
   void check_size(std::size_t n) const;
-  double quick_number(std::size_t i) const;
 
   const nlohmann::json& value_;
   std::string file_, key_;

@@ -134,13 +134,14 @@ Opened open_session(const fs::path& file, base::Progress* progress) {
   document.coordinates = session.coordinates;
   document.reach = session.reach;
   if (document.has_cage()) {
-    check_fits(session, *document.cage, file);
+    fit_to_cage(session, *document.cage, file);
     if (session.pose) document.pose = std::move(*session.pose);
     document.selection = Selection(session.selecting);
     document.selection.apply(session.selection, SelectMode::replace);
   }
   session.pose.reset();
   opened.document = std::move(document);
+  append(opened.warnings, session.warnings);
   take_warnings(opened);
   return opened;
 }

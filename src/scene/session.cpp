@@ -4,11 +4,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "mesh/source.h"
+#include "mesh/text_cursor.h"
 #include "scene/elements.h"
 #include "scene/json_file.h"
+#include "scene/range.h"
 
 namespace viete::scene {
 
@@ -19,7 +22,6 @@ namespace {
 
 constexpr const char* format_name = "viete session";
 constexpr std::uint32_t newest_version = 1;
-constexpr double largest_coordinate = 1e100;  // as in mesh::read
 
 struct ViewFlag {
   const char* key;
@@ -84,42 +86,92 @@ ordered_json view_json(const ViewOptions& view) {
   return json;
 }
 
+// What is damaged costs its own part: that stays as if the key was missing, and a warning says so.
+template <class Part, class Read>
+void take_part(const JsonReader& json, const char* key, Part& part, Read read, const char* instead,
+               std::vector<std::string>& warnings) {
+  try {
+    if (const auto value = json.find(key)) part = read(*value);
+  } catch (const base::Error& error) {
+    warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
+  }
+}
+
+float number_within(const JsonReader& json, double least, double most) {
+  const double number = json.number();
+  if (!(number >= least && number <= most)) json.fail("this number is out of range");
+  return static_cast<float>(number);
+}
+
 CameraPose camera_of(const JsonReader& json) {
-  const auto target = json.at("target").numbers<3>();
-  const double distance = json.at("distance").number();
-  if (!(distance > 0)) json.at("distance").fail("a camera needs a distance greater than 0");
   CameraPose pose;
-  pose.target = {static_cast<float>(target[0]), static_cast<float>(target[1]), static_cast<float>(target[2])};
-  pose.distance = static_cast<float>(std::clamp(distance, 1e-3, 1e3));
+  const JsonReader target = json.at("target");
+  const auto place = target.numbers<3>();
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(place[i]) <= farthest_place)) target.fail("this is too far away");
+    pose.target[i] = static_cast<float>(place[i]);
+  }
+  pose.distance = number_within(json.at("distance"), nearest_camera, farthest_camera);
   const double yaw = json.at("yaw").number();
   pose.yaw = static_cast<float>(std::abs(yaw) < 4 ? yaw : std::remainder(yaw, 6.283185307179586));
-  pose.pitch = std::clamp(static_cast<float>(json.at("pitch").number()), -1.57079633f, 1.57079633f);
+  pose.pitch = number_within(json.at("pitch"), -1.6, 1.6);  // a quarter turn, however it was rounded
   if (const auto v = json.find("orthographic")) pose.orthographic = v->boolean();
   return pose;
 }
 
-ViewOptions view_of(const JsonReader& json) {
+ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) {
   ViewOptions view;
   for (const auto& flag : view_flags) {
-    if (const auto value = json.find(flag.key)) view.*flag.option = value->boolean();
+    take_part(
+        json, flag.key, view.*flag.option, [](const JsonReader& v) { return v.boolean(); },
+        "it stays as it is in a new window", warnings);
   }
   return view;
 }
 
-std::vector<mesh::Point> points_of(const JsonReader& json, double limit) {
-  std::vector<mesh::Point> points(json.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i] = json.item(i).numbers<3>();
-    for (const double x : points[i]) {
-      if (!(std::abs(x) <= limit)) json.item(i).fail("a number is too large");
+struct Points {
+  std::vector<mesh::Point> all;
+  std::vector<std::size_t> unread;
+};
+
+Points points_of(const JsonReader& json, double limit, double otherwise) {
+  Points points{std::vector<mesh::Point>(json.size(), {otherwise, otherwise, otherwise}), {}};
+  for (std::size_t i = 0; i < points.all.size(); ++i) {
+    if (const auto point = json.point(i, limit)) {
+      points.all[i] = *point;
+    } else {
+      points.unread.push_back(i);
     }
   }
   return points;
 }
 
-deform::Pose pose_of(const JsonReader& json) {
-  deform::Pose pose{points_of(json.at("positions"), largest_coordinate), {}};
-  if (const auto turns = json.find("turns")) pose.turns = points_of(*turns, 1e6);
+void tell_unread(const JsonReader& json, const std::vector<std::size_t>& unread, const std::string& instead,
+                 std::vector<std::string>& warnings) {
+  if (unread.empty()) return;
+  const std::string others = unread.size() == 1 ? "" : " and " + std::to_string(unread.size() - 1) + " more";
+  try {
+    json.item(unread.front()).numbers<3>();
+    json.item(unread.front()).fail("a number is too large");
+  } catch (const base::Error& error) {
+    warnings.emplace_back(
+        base::Error(error.place(), error.problem(), instead + std::to_string(unread.front()) + others)
+            .what());
+  }
+}
+
+deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  const JsonReader positions = json.at("positions");
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  Points points = points_of(positions, largest_coordinate, unknown);
+  tell_unread(positions, points.unread, "at rest instead: vertex ", warnings);
+  deform::Pose pose{std::move(points.all), {}};
+  const auto turns_of = [&](const JsonReader& turns) {
+    Points read = points_of(turns, largest_turn, 0);
+    tell_unread(turns, read.unread, "without whole turns instead: part ", warnings);
+    return std::move(read.all);
+  };
+  take_part(json, "turns", pose.turns, turns_of, "no part has made a whole turn", warnings);
   return pose;
 }
 
@@ -140,28 +192,23 @@ std::optional<ElementKind> kind_from_name(std::string_view name) {
 }
 
 template <class Parse>
-auto word_of(const JsonReader& json, Parse parse, const char* known) {
+auto word_of(const JsonReader& json, Parse parse) {
   const auto value = parse(json.text());
-  if (!value) json.fail("\"" + json.text() + "\" is not known", std::string("use ") + known);
+  if (!value) json.fail(mesh::in_quotes(json.text()) + " is not known");
   return *value;
 }
 
 double reach_of(const JsonReader& json) {
   const double reach = json.number();
   if (!(reach >= deform::lowest_reach)) {
-    json.fail("a reach must be " + deform::text_of_reach(deform::lowest_reach) + " or more",
-              "leave it out for the whole cage");
+    json.fail("a reach must be " + deform::text_of_reach(deform::lowest_reach) + " or more");
   }
   return reach;
 }
 
-bool is_window(const glm::dvec2& size) {
-  return size.x >= 16 && size.y >= 16 && size.x <= 8192 && size.y <= 8192;
-}
-
 glm::ivec2 window_of(const JsonReader& json) {
   const auto [width, height] = json.numbers<2>();
-  if (!is_window({width, height})) json.fail("each side must be 16 to 8192");
+  if (!is_window(width, height)) json.fail("no window has this size");
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
@@ -191,7 +238,7 @@ Session session_of(const Workspace& w) {
   session.reach = w.document.reach;
   session.camera = w.camera.destination();
   session.view = w.view;
-  if (is_window(w.viewport.window)) session.window = glm::ivec2(w.viewport.window);
+  if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
   session.selecting = w.document.selection.kind();
   session.selection = w.document.selection.indices();
   if (w.document.has_cage()) session.pose = w.document.pose;
@@ -218,6 +265,42 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   return readable(json, file);
 }
 
+namespace {
+
+void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
+  const auto take = [&](const char* key, auto& part, auto read, const char* instead) {
+    take_part(json, key, part, read, instead, s.warnings);
+  };
+  take(
+      "session", s.origin, [&](const auto& v) { return resolved(folder / v.path()); },
+      "saving will ask for a name");
+  take("session_content", s.origin_content, from_hexadecimal, "whether it has changed is not known");
+  take(
+      "method", s.method, [](const auto& v) { return word_of(v, sym3::method_from_name); },
+      "fast instead, of diag, sd, improved_sd and fast");
+  take(
+      "coordinates", s.coordinates, [](const auto& v) { return word_of(v, deform::coordinates_from_name); },
+      "face instead, of face and mvc");
+  take("reach", s.reach, reach_of, "the whole cage instead");
+  take("camera", s.camera, camera_of, "the whole model is shown instead");
+  take(
+      "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");
+  take("window", s.window, window_of, "the usual size instead");
+  std::optional<ElementKind> kind = ElementKind::vertex;
+  take(
+      "selecting", kind,
+      [&](const auto& v) {
+        kind.reset();  // of an unknown kind nothing is selected
+        return word_of(v, kind_from_name);
+      },
+      "nothing is selected");
+  if (!kind) return;
+  s.selecting = *kind;
+  take("selection", s.selection, selection_of, "nothing is selected");
+}
+
+}  // namespace
+
 Session read_session(const fs::path& file) {
   const nlohmann::json whole = read_json(file);
   const JsonReader json(whole, file.string());
@@ -226,43 +309,48 @@ Session read_session(const fs::path& file) {
   Session session;
   session.model = resolved(folder / json.at("model").path());
   if (const auto v = json.find("cage")) session.cage = resolved(folder / v->path());
-  if (const auto v = json.find("session")) session.origin = resolved(folder / v->path());
-  if (const auto v = json.find("session_content")) session.origin_content = from_hexadecimal(*v);
-  if (const auto v = json.find("method"))
-    session.method = word_of(*v, sym3::method_from_name, "diag, sd, improved_sd or fast");
-  if (const auto v = json.find("coordinates"))
-    session.coordinates = word_of(*v, deform::coordinates_from_name, "face or mvc");
-  if (const auto v = json.find("reach")) session.reach = reach_of(*v);
-  if (const auto v = json.find("camera")) session.camera = camera_of(*v);
-  if (const auto v = json.find("view")) session.view = view_of(*v);
-  if (const auto v = json.find("window")) session.window = window_of(*v);
-  if (const auto v = json.find("selecting"))
-    session.selecting = word_of(*v, kind_from_name, "vertices, edges or faces");
-  if (const auto v = json.find("selection")) session.selection = selection_of(*v);
-  if (const auto v = json.find("pose")) session.pose = pose_of(*v);
+  if (const auto v = json.find("pose")) session.pose = pose_of(*v, session.warnings);
+  read_settings(json, folder, session);
   return session;
 }
 
-void check_fits(const Session& session, const deform::Cage& cage, const fs::path& file) {
-  const std::size_t vertices = cage.surface.positions.size();
+namespace {
+
+// Elements are listed in ascending order.
+void drop_selection_beyond(Session& session, const deform::Cage& cage, const fs::path& file) {
+  const std::size_t count = element_count(cage, session.selecting);
+  if (session.selection.empty() || session.selection.back() < count) return;
+  const std::string last = std::to_string(session.selection.back());
+  session.warnings.emplace_back(base::Error(file.string() + ": selection",
+                                            element_name(session.selecting) + ' ' + last + " is selected, " +
+                                                "the cage " + session.cage.string() + " has " +
+                                                counted(session.selecting, count),
+                                            "nothing is selected instead")
+                                    .what());
+  session.selection.clear();
+}
+
+}  // namespace
+
+void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& file) {
+  drop_selection_beyond(session, cage, file);
+  if (!session.pose) return;
   const std::string advice = "the cage has changed since the session was saved: bring back the older one";
-  const std::string has = ", the cage " + session.cage.string() + " has " + std::to_string(vertices);
-  if (session.pose && session.pose->positions.size() != vertices) {
+  auto& [positions, turns] = *session.pose;
+  const auto& rest = cage.surface.positions;
+  if (positions.size() != rest.size()) {
     throw base::Error(file.string() + ": pose.positions",
-                      "there are " + std::to_string(session.pose->positions.size()) + " vertices" + has,
+                      "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
+                          session.cage.string() + " has " + std::to_string(rest.size()),
                       advice);
   }
-  if (session.pose && session.pose->turns.size() > cage.roots.size()) {
+  if (turns.size() > cage.roots.size()) {
     throw base::Error(file.string() + ": pose.turns",
                       "there are more than the " + std::to_string(cage.roots.size()) + " parts of the cage",
                       advice);
   }
-  if (!session.selection.empty() && session.selection.back() >= element_count(cage, session.selecting)) {
-    const std::string last = std::to_string(session.selection.back());
-    const std::string one = session.selecting == ElementKind::vertex ? "vertex "
-                            : session.selecting == ElementKind::edge ? "edge "
-                                                                     : "face ";
-    throw base::Error(file.string() + ": selection", one + last + " is selected" + has + " vertices", advice);
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (std::isnan(positions[v][0])) positions[v] = rest[v];
   }
 }
 

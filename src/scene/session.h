@@ -29,7 +29,8 @@ namespace viete::scene {
 ///   "pose"                "turns": rotation vectors in radians, one per part of the cage;
 ///                         "positions": [x, y, z] per cage vertex
 /// Only format, version and model are required. Unknown keys are ignored, so that newer programs may add
-/// some.
+/// some. Ranges are those of scene/range.h. What is damaged beside model, cage and the list of positions
+/// costs its own part: it counts as missing, and a warning says so.
 struct Session {
   std::filesystem::path model, cage;  ///< absolute; cage may be empty
   std::filesystem::path origin;       ///< "session"; absolute; may be empty
@@ -42,7 +43,8 @@ struct Session {
   std::optional<glm::ivec2> window;
   ElementKind selecting = ElementKind::vertex;
   std::vector<std::uint32_t> selection;
-  std::optional<deform::Pose> pose;  ///< missing: at rest
+  std::optional<deform::Pose> pose;   ///< missing: at rest; NaN: a position that could not be read
+  std::vector<std::string> warnings;  ///< one line each, naming file and key, and what is taken instead
 };
 
 Session session_of(const Workspace& workspace);
@@ -50,11 +52,13 @@ Session session_of(const Workspace& workspace);
 /// File names relative to the folder of `file`; absolute with `portable` false. Throws base::Error.
 std::string session_text(const Session& session, const std::filesystem::path& file, bool portable = true);
 
-/// Throws base::Error naming file and key. Whether the pose fits the cage is not known here: see check_fits.
+/// Throws base::Error naming file and key. Whether the pose fits the cage is not known here: see
+/// fit_to_cage.
 Session read_session(const std::filesystem::path& file);
 
-/// Throws base::Error naming `file` and the key that does not fit.
-void check_fits(const Session& session, const deform::Cage& cage, const std::filesystem::path& file);
+/// Positions that could not be read become those at rest, and a selection of what the cage does not have is
+/// dropped, both with a warning. Throws base::Error naming `file` and the key if the pose is of another cage.
+void fit_to_cage(Session& session, const deform::Cage& cage, const std::filesystem::path& file);
 
 /// By its extension, .viete.
 bool is_session(const std::filesystem::path& file);

@@ -7,6 +7,7 @@
 #include "deform/log_maps.h"
 #include "deform/vec3.h"
 #include "scene/elements.h"
+#include "scene/range.h"
 
 namespace viete::scene {
 
@@ -91,10 +92,12 @@ private:
   }
 };
 
-bool all_finite(std::span<const mesh::Point> points, std::span<const std::uint32_t> vertices) {
-  return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
-    return std::all_of(points[v].begin(), points[v].end(), [](double x) { return std::isfinite(x); });
-  });
+bool is_in_range(const Document& document, std::span<const std::uint32_t> vertices) {
+  const deform::Pose& pose = document.pose;
+  return std::all_of(vertices.begin(), vertices.end(),
+                     [&](auto v) { return is_in_reach(document.space, pose.positions[v]); }) &&
+         std::all_of(pose.turns.begin(), pose.turns.end(),
+                     [](const auto& turn) { return deform::norm(turn) <= largest_turn; });
 }
 
 }  // namespace
@@ -124,7 +127,7 @@ glm::dvec3 selection_center(const Document& document) {
   return sum;
 }
 
-void place(Document& document, const deform::Pose& before, std::span<const std::uint32_t> vertices,
+bool place(Document& document, const deform::Pose& before, std::span<const std::uint32_t> vertices,
            const Transform& transform, double degrees_seen) {
   Motion motion{document, before, vertices, transform};
   const double jump = transform.degrees - degrees_seen;
@@ -134,17 +137,21 @@ void place(Document& document, const deform::Pose& before, std::span<const std::
     motion.follow(degrees_seen + 360.0 * whole, transform.degrees);
   }
   motion.show(transform.degrees);
-  if (!all_finite(document.pose.positions, vertices)) document.pose = before;
   ++document.posed;
+  if (is_in_range(document, vertices)) return true;
+  document.pose = before;
+  return false;
 }
 
-void transform_selection(Document& document, Tool tool, const Transform& transform) {
+bool transform_selection(Document& document, Tool tool, const Transform& transform) {
   const Snapshot before{document.pose, document.selection};
   Transform bounded = transform;
   bounded.degrees = std::clamp(transform.degrees, -most_degrees, most_degrees);
-  place(document, before.pose, selected_vertices(*document.cage, document.selection), bounded, 0);
-  if (document.pose.positions == before.pose.positions && transform.degrees == 0) return;
-  document.history.record(edit_label(tool, document.selection), before);
+  if (!place(document, before.pose, selected_vertices(*document.cage, document.selection), bounded, 0))
+    return false;
+  if (document.pose.positions != before.pose.positions || transform.degrees != 0)
+    document.history.record(edit_label(tool, document.selection), before);
+  return true;
 }
 
 std::string edit_label(Tool tool, const Selection& selection) {

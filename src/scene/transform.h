@@ -38,13 +38,14 @@ glm::dvec3 selection_center(const Document& document);
 /// Puts the vertices where the transform takes them from their place in `before`. If the turn differs from
 /// `degrees_seen`, the transform that the document shows, by more than a mouse can turn in a frame, it is
 /// followed in small steps, so that the pose's whole turns are what a slow turn would have made them.
-/// |degrees| is at most most_degrees. What would leave the range of doubles leaves the pose as it was before.
-void place(Document& document, const deform::Pose& before, std::span<const std::uint32_t> vertices,
+/// |degrees| is at most most_degrees. False, and the pose is as it was before, if a vertex or the turns would
+/// leave their range (scene/range.h).
+bool place(Document& document, const deform::Pose& before, std::span<const std::uint32_t> vertices,
            const Transform& transform, double degrees_seen);
 
 /// The whole edit at once, one entry of the history; nothing is recorded if nothing moves. Requires a cage
-/// and a selection.
-void transform_selection(Document& document, Tool tool, const Transform& transform);
+/// and a selection. False if it would leave the range of a pose: then nothing moves.
+bool transform_selection(Document& document, Tool tool, const Transform& transform);
 
 /// "rotate 3 faces".
 std::string edit_label(Tool tool, const Selection& selection);

@@ -66,7 +66,7 @@ void TransformDrag::update(Document& document, const DragInput& input, const Cam
   transform_ = value ? typed(*value) : by_mouse;
   const bool same_axis = transform_.axis == seen.axis;
   if (!same_axis) document.pose.turns = before_.pose.turns;
-  place(document, before_.pose, vertices_, transform_, same_axis ? seen.degrees : 0);
+  in_range_ = place(document, before_.pose, vertices_, transform_, same_axis && in_range_ ? seen.degrees : 0);
 }
 
 bool TransformDrag::type(char c) {
@@ -189,7 +189,7 @@ Transform TransformDrag::typed(double value) const {
 }
 
 void TransformDrag::commit(Document& document) const {
-  if (document.pose.positions == before_.pose.positions && transform_.degrees == 0) return;
+  if (!in_range_ || (document.pose.positions == before_.pose.positions && transform_.degrees == 0)) return;
   document.history.record(edit_label(tool_, before_.selection), before_);
 }
 
@@ -219,8 +219,9 @@ std::string TransformDrag::amounts() const {
 std::string TransformDrag::readout() const {
   const bool named = tool_ == Tool::rotate && constraint_.kind == Kind::axis;
   const std::string axis = std::string(1, static_cast<char>('X' + constraint_.axis)) + ' ';
-  if (entry_.empty()) return (named ? axis : "") + amounts();
-  return (constraint_.kind == Kind::axis ? axis : "") + entry_.text() + '_';
+  const std::string beyond = in_range_ ? "" : "   too far";
+  if (entry_.empty()) return (named ? axis : "") + amounts() + beyond;
+  return (constraint_.kind == Kind::axis ? axis : "") + entry_.text() + '_' + beyond;
 }
 
 }  // namespace viete::scene

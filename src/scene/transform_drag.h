@@ -51,7 +51,7 @@ public:
   const Transform& transform() const { return transform_; }
   glm::vec2 press() const { return press_; }
   /// The amount as people read it: "X 0.125", "Z 405.0\u00b0", "1.20"; what is being typed ends with an
-  /// underscore.
+  /// underscore. What would leave the range of a pose, and so moves nothing, is said to.
   std::string readout() const;
 
 private:
@@ -77,6 +77,7 @@ private:
   glm::dvec3 pulled_{0, 0, 0};             // the move that the mouse alone would make
   NumberEntry entry_;
   Transform transform_;
+  bool in_range_ = true;  // of the last update
 };
 
 }  // namespace viete::scene

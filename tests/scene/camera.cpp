@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
+
+#include "scene/range.h"
 
 using namespace viete::scene;
 
@@ -175,4 +178,32 @@ TEST_CASE("an_eased_view_stays_orthographic_and_switching_meanwhile_lasts") {
   camera.set_orthographic(false);
   camera.animate(1);
   CHECK_FALSE(camera.pose().orthographic);
+}
+
+TEST_CASE("a_camera_stays_in_range_whatever_it_is_told") {
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  const auto is_sane = [](const CameraPose& p) {
+    const float far = static_cast<float>(farthest_place);
+    for (int i = 0; i < 3; ++i) {
+      if (!(std::abs(p.target[i]) <= far)) return false;
+    }
+    return p.distance >= nearest_camera && p.distance <= farthest_camera && std::isfinite(p.yaw) &&
+           std::abs(p.pitch) <= 1.5708f;
+  };
+  for (const float x : {3e38f, -3e38f, inf, -inf, nan}) {
+    Camera camera;
+    camera.set_pose({{x, 0, x}, x, x, x});
+    CHECK(is_sane(camera.pose()));
+    const glm::vec3 points[] = {{x, 0, 0}, {0, -x, 0}, {1, 2, 3}};
+    for (const bool eased : {false, true}) {
+      camera.frame(points, whole, eased);
+      CHECK(is_sane(camera.pose()));
+      CHECK(is_sane(camera.destination()));
+    }
+    while (camera.animate(0.01f)) CHECK(is_sane(camera.pose()));
+  }
+  Camera camera;
+  camera.set_pose({{0, 0, 0}, farthest_camera, 0, 0});
+  for (int i = 0; i < 10000; ++i) camera.pan({800, 0}, whole);
+  CHECK(is_sane(camera.pose()));
 }

@@ -51,10 +51,64 @@ TEST_CASE("a_mistake_is_named_with_its_line_and_a_missing_file_as_such") {
   test::put_file(folder / "broken", "{\n  \"a\": 1,\n  \"b\" 2\n}");
   CHECK(message_of([&] { read_json(folder / "broken"); }).find("broken:3: this is not valid JSON") !=
         std::string::npos);
-  test::put_file(folder / "huge", "{\"a\": 1e999}");
-  CHECK(message_of([&] { read_json(folder / "huge"); }).find("too large") != std::string::npos);
   CHECK(message_of([&] { read_json(folder / "none"); }).find("no such file") != std::string::npos);
   CHECK_THROWS_AS(readable({{"a", "\xff"}}, "f"), base::Error);
+}
+
+TEST_CASE("a_number_that_no_double_holds_costs_nothing_but_itself") {
+  const test::TemporaryFolder folder;
+  const std::string digits(400, '9');
+  test::put_file(folder / "huge",
+                 "{\"1e999\": \"1e999\", \"a\": [1e999, -1e999, 1e309, -" + digits + "], \"b\": 2}");
+  const json back = read_json(folder / "huge");
+  CHECK(back["1e999"] == "1e999");
+  CHECK(back["a"] == json{1e300, -1e300, 1e300, -1e300});
+  CHECK(back["b"] == 2);
+  std::string many = "[0";
+  for (int i = 0; i < 100; ++i) many += ",\n1e999";
+  test::put_file(folder / "many", many + "]");
+  CHECK(message_of([&] {
+          read_json(folder / "many");
+        }).find("many:18: this and other numbers are too large") != std::string::npos);
+}
+
+TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
+  const test::TemporaryFolder folder;
+  const auto said = [&](const std::string& text) {
+    test::put_file(folder / "bomb", text);
+    return message_of([&] {
+      const json whole = read_json(folder / "bomb");
+      (void)JsonReader(whole, "bomb").at("model").text();
+    });
+  };
+  for (const char* open : {"[", "{\"a\":", "[{\"a\":"}) {
+    std::string deep;
+    while (deep.size() < 1 << 20) deep += open;
+    CHECK(said(deep).find("bomb: lists and objects in it stand more than 32 deep in each other") !=
+          std::string::npos);
+  }
+  const std::string name = said("{\"model\": \"" + std::string(1 << 20, 'x') + "\"}");
+  CHECK(name ==
+        "bomb: model: a text of 1048576 bytes is longer than any that belongs here (4096); correct it "
+        "in the file");
+  test::put_file(folder / "long", "");
+  std::filesystem::resize_file(folder / "long", most_json_bytes + 1);  // of zeros that take no disk
+  CHECK(message_of([&] {
+          read_json(folder / "long");
+        }).find("67108865 bytes are more than this program reads") != std::string::npos);
+  CHECK_MESSAGE(message_of([&] {
+                  readable({{"a", std::string(most_json_bytes, 'x')}}, "f");
+                }).find("more than this program reads") != std::string::npos,
+                "nor is it written");
+}
+
+TEST_CASE("points_of_a_list_are_read_one_by_one") {
+  const json whole = {{"p", {{1, 2, 3}, {1, 2}, {1, "x", 3}, 7, {1, 2, -1e9}, {1, nullptr, 2}}}};
+  const JsonReader list = JsonReader(whole, "f").at("p");
+  CHECK(list.point(0, 3) == std::array<double, 3>{1, 2, 3});
+  CHECK_FALSE(list.point(0, 2.9));
+  CHECK(list.point(4, 1e9));
+  for (const std::size_t i : {1, 2, 3, 5}) CHECK_FALSE(list.point(i, 1e9));
 }
 
 TEST_CASE("a_wrong_type_names_file_and_key_and_both_types") {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <random>
 
 #include "base/error.h"
@@ -135,27 +136,121 @@ TEST_CASE("what_is_wrong_in_a_session_is_named_with_file_and_key") {
   const struct {
     const char *key, *value, *said;
   } cases[] = {
-      {"method", "\"best\"", "a.viete: method: \"best\" is not known; use diag"},
-      {"method", "7", "a.viete: method: found a number where a text belongs"},
-      {"coordinates", "\"x\"", "a.viete: coordinates"},
-      {"reach", "1.4", "a.viete: reach: a reach must be 1.5 or more; leave it out for the whole cage"},
-      {"reach", "-3", "a.viete: reach: a reach must be 1.5 or more"},
-      {"reach", "\"far\"", "a.viete: reach: found a text where a number belongs"},
-      {"camera", "[]", "a.viete: camera: found a list of 0 where an object belongs"},
-      {"camera", R"({"target": [0, 0, 0], "distance": -1, "yaw": 0, "pitch": 0})", "camera.distance"},
-      {"camera", R"({"target": [0, 0, "z"], "distance": 1, "yaw": 0, "pitch": 0})", "camera.target[2]"},
-      {"view", R"({"grid": 1})", "a.viete: view.grid: found a number where true or false belongs"},
-      {"window", "[1, 1]", "a.viete: window"},
-      {"selection", "[1, -1]", "a.viete: selection[1]"},
-      {"selection", "[1, 8]", "a.viete: selection: vertex 8 is selected, the cage"},
-      {"pose", R"({"positions": [[0, 0, 0]]})", "a.viete: pose.positions: there are 1 vertices, the cage"},
-      {"pose", R"({"positions": [[0, 0, 1e200]]})", "a.viete: pose.positions[0]: a number is too large"},
+      {"cage", "7", "a.viete: cage: found a number where the name of a file belongs"},
+      {"pose", R"({"positions": [[0, 0, 0]]})",
+       "a.viete: pose.positions: this is a pose of a vertex, the cage"},
       {"pose", R"({"positions": 3})", "a.viete: pose.positions: found a number where a list belongs"},
       {"pose", "{}", "a.viete: pose: the key \"positions\" is missing"}};
   for (const auto& c : cases) {
     test::put_file(files / "a.viete", with(c.key, c.value));
     const std::string said = refusal(files / "a.viete");
     CHECK_MESSAGE(mentions(said, c.said), said);
+  }
+}
+
+TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") {
+  const test::CubeFiles files;
+  const struct {
+    const char *key, *value, *said;
+  } cases[] = {
+      {"method", "\"best\"", "a.viete: method: \"best\" is not known; fast instead, of diag"},
+      {"method", "7", "a.viete: method: found a number where a text belongs; fast instead"},
+      {"coordinates", "\"x\"", "a.viete: coordinates: \"x\" is not known; face instead"},
+      {"reach", "1.4", "a.viete: reach: a reach must be 1.5 or more; the whole cage instead"},
+      {"reach", "-1e999", "a.viete: reach"},
+      {"reach", "\"far\"", "a.viete: reach: found a text where a number belongs"},
+      {"camera", "[]",
+       "a.viete: camera: found a list of 0 where an object belongs; the whole model is shown"},
+      {"camera", R"({"target": [0, 0, 0], "distance": -1, "yaw": 0, "pitch": 0})", "camera.distance"},
+      {"camera", R"({"target": [0, 0, 0], "distance": 1e9, "yaw": 0, "pitch": 0})", "camera.distance"},
+      {"camera", R"({"target": [0, 0, 0], "distance": 1, "yaw": null, "pitch": 0})",
+       "camera: the key \"yaw\""},
+      {"camera", R"({"target": [0, 0, 0], "distance": 1, "yaw": 0, "pitch": 1e308})", "camera.pitch"},
+      {"camera", R"({"target": [0, 1e308, 0], "distance": 1, "yaw": 0, "pitch": 0})",
+       "camera.target: this is too far"},
+      {"camera", R"({"target": [0, null, 0], "distance": 1, "yaw": 0, "pitch": 0})",
+       "camera.target[1]: found null"},
+      {"camera", R"({"target": [0, 0, "z"], "distance": 1, "yaw": 0, "pitch": 0})", "camera.target[2]"},
+      {"view", R"({"grid": 1})", "a.viete: view.grid: found a number where true or false belongs; it stays"},
+      {"view", "3", "a.viete: view"},
+      {"window", "[1, 1]", "a.viete: window: no window has this size; the usual size instead"},
+      {"window", "[8192, 8192]", "a.viete: window: no window has this size"},
+      {"window", "[1e999, 800]", "a.viete: window: no window has this size"},
+      {"session", "7", "a.viete: session: found a number where the name of a file belongs; saving will ask for a name"},
+      {"selecting", "\"holes\"", "a.viete: selecting: \"holes\" is not known; nothing is selected"},
+      {"selection", "[1, -1]",
+       "a.viete: selection[1]: found a number where a whole number from 0 on belongs"},
+      {"selection", "[1, 8]", "a.viete: selection: vertex 8 is selected, the cage"},
+      {"selecting\": \"edges\", \"selection", "[99]", "has 18 edges; nothing is selected instead"},
+      {"selecting\": \"faces\", \"selection", "[12]", "face 12 is selected, the cage"},
+      {"selecting\": \"faces\", \"selection", "[12]", "has 12 faces"}};
+  for (const auto& c : cases) {
+    test::put_file(files / "a.viete", with(c.key, c.value));
+    Workspace w;
+    REQUIRE_MESSAGE(open_now(w, {OpenRequest::What::model, {files / "a.viete"}}), c.value);
+    REQUIRE(w.messages.all().size() == 1);
+    CHECK(w.messages.all()[0].severity == Severity::warning);
+    CHECK_MESSAGE(mentions(w.messages.all()[0].text, c.said), w.messages.all()[0].text);
+    CHECK(w.document.method == sym3::Method::fast);
+    CHECK(w.document.reach == deform::whole_cage);
+    CHECK(w.document.selection.empty());
+    CHECK(std::isfinite(w.camera.pose().target.y));
+    CHECK(w.view == ViewOptions{});
+  }
+}
+
+TEST_CASE("one_bad_number_of_a_pose_costs_its_vertex") {
+  const test::CubeFiles files;
+  Workspace w = worked(files);
+  w.document.pose.positions[0] = {9, 9, 9};
+  w.document.pose.positions[5] = {-8, 8, 8};
+  REQUIRE(save_session(w, files / "a.viete"));
+  const std::string whole = test::file_bytes(files / "a.viete");
+  const auto opened = [&](const std::string& from, const std::string& to) {
+    std::string damaged = whole;
+    const auto at = damaged.find(from);
+    REQUIRE(at != std::string::npos);
+    test::put_file(files / "a.viete", damaged.replace(at, from.size(), to));
+    Workspace back;
+    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    return back;
+  };
+  for (const char* bad :
+       {"[9.0,9.0,1e200]", "[9.0,9.0,1e999]", "[9.0,null,9.0]", "[9.0,9.0]", "\"x\"", "{}"}) {
+    const Workspace back = opened("[9.0,9.0,9.0]", bad);
+    CHECK(back.document.pose.positions[0] == back.document.cage->surface.positions[0]);
+    CHECK(back.document.pose.positions[5] == mesh::Point{-8, 8, 8});
+    REQUIRE(back.messages.all().size() == 1);
+    const std::string said = back.messages.all()[0].text;
+    CHECK_MESSAGE(mentions(said, "a.viete: pose.positions[0]"), said);
+    CHECK_MESSAGE(mentions(said, "; at rest instead: vertex 0"), said);
+  }
+  const Workspace turned = opened("6.3", "1e9");
+  CHECK(turned.document.pose.turns == std::vector<deform::Vec3>{{0, 0, 0}});
+  CHECK(mentions(turned.messages.all()[0].text, "pose.turns[0]: a number is too large; without whole turns"));
+  const Workspace none = opened("\"turns\": [\n      [0.1,6.3,-1e-09]\n    ]", "\"turns\": 3");
+  CHECK(none.document.pose.turns.empty());
+  CHECK(none.document.pose.positions[5] == mesh::Point{-8, 8, 8});
+}
+
+TEST_CASE("whatever_is_typed_or_looked_at_can_be_saved_and_opened_again") {
+  const test::CubeFiles files;
+  for (const double amount : {1e150, -1e150, 1e99, 1e20, 1e5, 1e-300}) {
+    Workspace w = worked(files);
+    w.view.cage = true;
+    Transform t;
+    t.shift = {amount, 0, 0};
+    t.factors = {1, amount, 1};
+    t.degrees = amount;
+    for (const Tool tool : {Tool::move, Tool::scale, Tool::rotate}) transform_selection(w.document, tool, t);
+    frame_selection(w, false);
+    w.camera.pan({1e30f, -1e30f}, w.viewport);
+    REQUIRE(save_session(w, files / "a.viete"));
+    CHECK_FALSE(mentions(test::file_bytes(files / "a.viete"), "null"));
+    Workspace back;
+    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    CHECK_MESSAGE(back.messages.all().empty(), back.messages.all().back().text);
+    check_same(w, back);
   }
 }
 
@@ -231,7 +326,10 @@ TEST_CASE("damaged_sessions_are_opened_or_refused_and_never_more") {
     }
     test::put_file(files / "b.viete", damaged);
     Workspace back;
-    if (open_now(back, {OpenRequest::What::model, {files / "b.viete"}})) continue;
+    if (open_now(back, {OpenRequest::What::model, {files / "b.viete"}})) {
+      for (const auto& p : back.document.pose.positions) CHECK(std::isfinite(p[0] + p[1] + p[2]));
+      continue;
+    }
     ++refused;
     CHECK(back.messages.all().back().text.find("b.viete") != std::string::npos);
     CHECK_FALSE(back.document.model.surface);

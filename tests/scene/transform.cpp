@@ -129,12 +129,48 @@ TEST_CASE("absurd_amounts_neither_hang_nor_leave_the_range_of_numbers") {
   CHECK(document.pose.turns[0][1] == doctest::Approx(most_degrees * degree));
   undo(document);
   Transform grow;
-  grow.factors = {1e300, 1e300, 1e300};
-  transform_selection(document, Tool::scale, grow);
+  grow.factors = {1e5, 1e5, 1e5};
+  CHECK(transform_selection(document, Tool::scale, grow));
   const auto large = document.pose.positions;
-  transform_selection(document, Tool::scale, grow);
-  CHECK(document.pose.positions == large);
+  for (const double factor : {1e5, 1e300, 1e308}) {
+    grow.factors = {factor, 1, factor};
+    CHECK_FALSE(transform_selection(document, Tool::scale, grow));
+    CHECK(document.pose.positions == large);
+  }
   CHECK(document.history.undo_count() == 1);
+}
+
+TEST_CASE("an_edit_stays_within_what_can_be_drawn_whatever_the_size_and_place_of_the_model") {
+  for (const double size : {1e-30, 1.0, 1e30}) {
+    Document document = selected_cube();
+    for (auto* points : {&document.pose.positions}) {
+      for (auto& p : *points) p = {p[0] * size + 7 * size, p[1] * size, p[2] * size};
+    }
+    document.space = {{7 * size, 0, 0}, 2 / (size * std::sqrt(12.0))};
+    const auto before = document.pose.positions;
+    Transform far;
+    far.shift = {1e7 * size, 0, 0};
+    CHECK_FALSE(transform_selection(document, Tool::move, far));
+    CHECK(document.pose.positions == before);
+    far.shift = {1e5 * size, 0, 0};
+    CHECK(transform_selection(document, Tool::move, far));
+    CHECK(document.pose.positions != before);
+    far.shift = {-1e5 * size, 0, 0};
+    CHECK(transform_selection(document, Tool::move, far));
+  }
+}
+
+TEST_CASE("turns_add_up_to_what_a_session_can_hold_and_no_further") {
+  Document document = selected_cube();
+  int times = 0;
+  while (times < 1000 && transform_selection(document, Tool::rotate, turn(most_degrees))) ++times;
+  CHECK(times > 100);  // of about 6283 radians each
+  CHECK(times < 1000);
+  const auto turns = document.pose.turns;
+  CHECK(std::hypot(turns[0][0], turns[0][1], turns[0][2]) <= deform::largest_turn);
+  CHECK_FALSE(transform_selection(document, Tool::rotate, turn(most_degrees)));
+  CHECK(document.pose.turns == turns);
+  CHECK(transform_selection(document, Tool::rotate, turn(-most_degrees)));
 }
 
 TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
