@@ -1,8 +1,22 @@
 #include "scene/number_entry.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace viete::scene {
+
+std::optional<double> number_of(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  std::string digits(text);
+  std::replace(digits.begin(), digits.end(), ',', '.');
+  double value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto parsed = std::from_chars(digits.data(), end, value);
+  const bool whole = parsed.ec == std::errc() && parsed.ptr == end;
+  if (!whole || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
 
 bool NumberEntry::type(char c) {
   constexpr std::size_t longest = 15;
@@ -31,10 +45,8 @@ void NumberEntry::clear() {
 }
 
 std::optional<double> NumberEntry::value() const {
-  double value = 0;
-  const auto parsed = std::from_chars(digits_.data(), digits_.data() + digits_.size(), value);
-  if (parsed.ec != std::errc()) return std::nullopt;
-  return negative_ ? -value : value;
+  const auto value = number_of(digits_);
+  return value && negative_ ? -*value : value;
 }
 
 }  // namespace viete::scene

@@ -1,10 +1,15 @@
-// A number as it is typed during a drag.
+// A number as it is typed: during a drag, key by key, or as the whole text of a field.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace viete::scene {
+
+/// What a text says, with a decimal point or comma; nothing if that is no number, or none that a double
+/// holds.
+std::optional<double> number_of(std::string_view text);
 
 class NumberEntry {
 public:

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,6 +53,12 @@ struct Hand {
     SelectMode mode;
   };
   std::optional<Box> box;  ///< a selection box is being drawn
+};
+
+/// What stands in a field while it is being edited.
+struct TypedText {
+  std::string text;
+  int frame = 0;  ///< in which it was seen last
 };
 
 /// Files to be opened: see open_files() in scene/open.h.
@@ -139,6 +146,7 @@ struct Workspace {
   std::optional<Question> question;      ///< waits for an answer; nothing else is done meanwhile
   std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
   FileBrowser browser;
+  std::map<std::string, TypedText> typed;  ///< by the name of the field
   About about;
 };
 

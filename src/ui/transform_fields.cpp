@@ -1,21 +1,14 @@
 // In the Cage panel: what is selected, with which tool, and numbers to type.
-#include <cstdio>
+#include <algorithm>
 
 #include "scene/elements.h"
+#include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
 
 namespace {
-
-constexpr const char* format = "%.5g";
-
-std::string printed(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 struct Fields {
   const char* label;
@@ -32,33 +25,38 @@ Fields fields(const scene::Document& document, scene::Tool tool) {
   return {"Centre", "Where the centre of the selection is; type a place and press Enter", center};
 }
 
-void apply(scene::Document& document, scene::Tool tool, int axis, double value) {
+void apply(scene::Workspace& workspace, int axis, double value) {
+  scene::Document& document = workspace.document;
+  scene::Tool tool = workspace.tool;
   scene::Transform transform;
   transform.pivot = scene::selection_center(document);
   if (tool == scene::Tool::rotate) {
     transform.axis = glm::dvec3(0);
     transform.axis[axis] = 1;
-    transform.degrees = value;
+    transform.degrees = std::clamp(value, -scene::most_degrees, scene::most_degrees);
+    if (transform.degrees != value)
+      workspace.messages.info("Turned by " + count(static_cast<std::size_t>(scene::most_degrees)) +
+                              " degrees, the most at once");
   } else if (tool == scene::Tool::scale) {
     transform.factors[axis] = value;
   } else {
     transform.shift[axis] = value - transform.pivot[axis];
     tool = scene::Tool::move;
   }
-  scene::transform_selection(document, tool, transform);
+  if (scene::transform_selection(document, tool, transform)) return;
+  workspace.messages.warn(tool == scene::Tool::rotate
+                              ? "The cage has been turned round as often as it can be; nothing was changed"
+                              : "That is too far away from the model to be drawn; nothing was moved");
 }
 
-// An Enter that changes no digit changes nothing: the field shows fewer of them than the number has.
 void field(const Context& ui, const Fields& fields, int axis, float width) {
   const std::string name = std::string("transform_") + static_cast<char>('x' + axis);
-  double value = fields.values[axis];
   ImGui::SetNextItemWidth(width);
-  constexpr auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
-  const bool entered = ImGui::InputDouble(("##" + name).c_str(), &value, 0, 0, format, flags);
-  record(ui, name, !ui.workspace.document.selection.empty());
+  const auto number = number_field(ui, name, fields.values[axis]);
+  const bool enabled = !ui.workspace.document.selection.empty();
+  record(ui, name, enabled);
   hint(fields.hint);
-  if (entered && printed(value) != printed(fields.values[axis]))
-    apply(ui.workspace.document, ui.workspace.tool, axis, value);
+  if (number && enabled) apply(ui.workspace, axis, *number);
 }
 
 }  // namespace

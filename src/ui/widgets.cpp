@@ -1,8 +1,11 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstring>
 
 #include "scene/commands.h"
+#include "scene/number_entry.h"
 
 namespace viete::ui {
 
@@ -19,6 +22,28 @@ const scene::Command& require(std::string_view name) {
   const scene::Command* command = scene::find_command(name);
   IM_ASSERT(command && "no such command");
   return *command;
+}
+
+std::string printed(double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.5g", value);
+  return text;
+}
+
+int filter_number(ImGuiInputTextCallbackData* data) {
+  if (data->EventChar == ',') data->EventChar = '.';
+  const bool known =
+      data->EventChar < 128 && std::strchr("+-.eE0123456789", static_cast<int>(data->EventChar));
+  return known ? 0 : 1;
+}
+
+// What was typed into a field up to the last frame: versions of ImGui differ in whether they still tell when
+// another widget has taken the keyboard.
+std::string typed_so_far(const Context& ui, const std::string& name, const std::string& otherwise) {
+  const auto typed = ui.workspace.typed.find(name);
+  if (typed == ui.workspace.typed.end()) return otherwise;
+  const bool still_there = typed->second.frame + 1 == ImGui::GetFrameCount();
+  return still_there ? typed->second.text : otherwise;
 }
 
 }  // namespace
@@ -117,6 +142,26 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
   ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
   ImGui::TextUnformatted(label);
   ImGui::PopStyleColor();
+}
+
+// Neither InputDouble, which leaves commas out, nor EnterReturnsTrue, which newer versions know for texts
+// only.
+std::optional<double> number_field(const Context& ui, const std::string& name, double value) {
+  const std::string shown = printed(value);
+  char text[64] = "";
+  typed_so_far(ui, name, shown).copy(text, sizeof text - 1);
+  constexpr auto flags = ImGuiInputTextFlags_CallbackCharFilter | ImGuiInputTextFlags_AutoSelectAll;
+  ImGui::InputText(("##" + name).c_str(), text, sizeof text, flags, filter_number);
+  if (ImGui::IsItemActive()) {
+    ui.workspace.typed[name] = {text, ImGui::GetFrameCount()};
+    return std::nullopt;
+  }
+  ui.workspace.typed.erase(name);
+  if (!ImGui::IsItemDeactivatedAfterEdit() || text == shown) return std::nullopt;
+  const auto number = scene::number_of(text);
+  if (!number)
+    ui.workspace.messages.warn('"' + std::string(text) + "\" is not a number; nothing was changed");
+  return number;
 }
 
 void recent_list(const Context& ui, std::size_t most) {

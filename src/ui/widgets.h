@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,6 +36,11 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
 void note(const Context& ui, const std::string& text, ImU32 color = 0);
 /// A tooltip for the last item, wrapped.
 void hint(const std::string& text);
+
+/// A field for a number, with a decimal point or comma: shows `value`, and gives what was typed when it is
+/// left by Enter, Tab or a click elsewhere; nothing while it is being edited, after Esc, and if no digit was
+/// changed. What is no number is said in the messages.
+std::optional<double> number_field(const Context& ui, const std::string& name, double value);
 
 /// The newest recent files, at most so many, each a line that opens it.
 void recent_list(const Context& ui, std::size_t most);

@@ -347,3 +347,123 @@ TEST_CASE("numbers_are_typed_in_the_cage_panel") {
   d.click("undo");
   CHECK(d.pose() == rest);
 }
+
+namespace {
+
+// Something is selected, and a number stands in the field of the panel, not yet taken.
+struct TypingHand : Hand {
+  std::uint32_t vertex_selected = free_vertex();
+  std::vector<mesh::Point> rest = pose();
+
+  TypingHand() { click(glm::round(vertex(vertex_selected))); }
+  void type_in(const char* field, const char* number) {
+    click(field);
+    press_key('A', true);
+    type(number);
+  }
+  const mesh::Point& point() { return pose()[vertex_selected]; }
+  std::size_t edits() { return document().history.undo_count(); }
+  std::string last_message() {
+    const auto& all = workspace().messages.all();
+    return all.empty() ? "" : all.back().text;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a_decimal_comma_is_a_point_in_the_fields_as_in_a_drag") {
+  TypingHand d;
+  d.type_in("transform_y", "12,5");
+  d.press_key(scene::Key::enter);
+  d.frame(2);
+  CHECK(d.point()[1] == 12.5);
+  d.type_in("transform_z", "-1,5e-1");
+  d.press_key(scene::Key::enter);
+  d.frame(2);
+  CHECK(d.point()[2] == doctest::Approx(-0.15));
+  const auto posed = d.pose();
+  d.type_in("transform_x", "1.234,5");
+  d.press_key(scene::Key::enter);
+  d.frame(2);
+  CHECK(d.pose() == posed);
+  CHECK(d.last_message() == "\"1.234.5\" is not a number; nothing was changed");
+}
+
+TEST_CASE("a_field_takes_its_number_when_it_is_left_and_not_before") {
+  TypingHand d;
+  d.type_in("transform_y", "1.5");
+  d.frame(3);
+  CHECK(d.pose() == d.rest);
+  SUBCASE("by a click into the next field") {
+    d.click("transform_z");
+    CHECK(d.point()[1] == 1.5);
+  }
+  SUBCASE("by a click into the field before it, which takes the keyboard first") {
+    d.click("transform_x");
+    CHECK(d.point()[1] == 1.5);
+  }
+  SUBCASE("by a click into the view, for what was selected until then") {
+    d.click(glm::vec2(1270, 20));
+    CHECK(d.document().selection.empty());
+    CHECK(d.point()[1] == 1.5);
+    d.press_key('Z', true);
+    CHECK(d.pose() == d.rest);
+  }
+  SUBCASE("by a click on a button") {
+    d.click("tool_scale");
+    CHECK(d.point()[1] == 1.5);
+    CHECK(d.edits() == 1);
+  }
+}
+
+TEST_CASE("esc_takes_back_what_stands_in_a_field") {
+  TypingHand d;
+  d.type_in("transform_y", "1.5");
+  d.press_key(scene::Key::escape);
+  d.frame(3);
+  CHECK(d.pose() == d.rest);
+  CHECK(d.edits() == 0);
+  d.click("transform_x");
+  d.press_key(scene::Key::enter);
+  d.frame(2);
+  CHECK(d.pose() == d.rest);
+  d.type_in("transform_y", "1.5");
+  d.press_key(scene::Key::f1);  // what is being typed is no command
+  d.workspace().view.panels = false;
+  d.frame(3);
+  d.workspace().view.panels = true;
+  d.frame(3);
+  CHECK_MESSAGE(d.pose() == d.rest, "nor is what was typed in a field that went away");
+}
+
+TEST_CASE("a_number_that_leads_out_of_range_moves_nothing_and_says_so") {
+  TypingHand d;
+  for (const char* number : {"1e150", "-1e9", "1e308"}) {
+    d.type_in("transform_y", number);
+    d.press_key(scene::Key::enter);
+    d.frame(2);
+    CHECK(d.pose() == d.rest);
+    CHECK(d.edits() == 0);
+    CHECK(d.last_message().find("too far away") != std::string::npos);
+  }
+  const glm::vec2 at = glm::round(d.vertex(d.vertex_selected));
+  d.press_and_move(at, at + glm::vec2(30, 30));
+  d.type("x");
+  d.type("99999999999");
+  CHECK(d.pose() == d.rest);
+  CHECK(d.workspace().hand.drag->readout() == "X 99999999999_   too far");
+  for (int i = 0; i < 9; ++i) d.press_key(scene::Key::backspace);
+  CHECK(d.workspace().hand.drag->readout() == "X 99_");
+  CHECK(d.point()[0] == d.rest[d.vertex_selected][0] + 99);
+  d.type("999999999");
+  d.press_key(scene::Key::enter);
+  d.button(0, false);
+  CHECK(d.pose() == d.rest);
+  CHECK(d.edits() == 0);
+  d.click("select_all");
+  d.click("tool_rotate");
+  d.type_in("transform_y", "1e15");
+  d.press_key(scene::Key::enter);
+  d.frame(2);
+  CHECK(d.last_message() == "Turned by 360,000 degrees, the most at once");
+}

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+using viete::scene::number_of;
 using viete::scene::NumberEntry;
 
 namespace {
@@ -20,6 +21,16 @@ TEST_CASE("digits_and_a_point_or_comma_make_a_number") {
   CHECK(typed(".25").value() == 0.25);
   CHECK(typed("1.2.3").value() == 1.23);
   CHECK(typed("7.").value() == 7);
+}
+
+TEST_CASE("the_text_of_a_field_means_what_the_same_keys_mean_during_a_drag") {
+  CHECK(number_of("12,5") == 12.5);
+  CHECK(number_of("12.5") == typed("12,5").value());
+  CHECK(number_of(",25") == 0.25);
+  CHECK(number_of("+7") == 7);
+  CHECK(number_of("-1e-3") == -1e-3);
+  for (const char* text : {"", "-", "1.234,5", "1,234.5", "12 5", "1e999", "nan", "inf", "+-3", "++3", "3x"})
+    CHECK_FALSE_MESSAGE(number_of(text), text);
 }
 
 TEST_CASE("minus_changes_the_sign_wherever_it_is_typed") {
