@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "deform/vec3.h"
 #include "mesh/read.h"
+#include "mesh/source.h"
 #include "mesh/write.h"
 
 namespace viete::deform {
@@ -93,6 +94,14 @@ void check_count(std::size_t found, std::size_t expected, const std::string& fil
       "choose a pose that was made from this cage");
 }
 
+// Its reader joins loose triangles, so that vertices stand in the order in which the faces name them first:
+// the cage's only where the faces come out the same.
+void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::string& file) {
+  if (!read.format.starts_with("STL") || read.surface.triangles == cage.surface.triangles) return;
+  throw base::Error(file, "STL keeps no order of the vertices, so that those of the cage are not found again",
+                    "export the pose as OBJ, PLY or OFF");
+}
+
 std::string turn_line(std::size_t part, const Vec3& v) {
   char text[200];
   std::snprintf(text, sizeof text, "%.*s part %zu: ", static_cast<int>(turns_mark.size()), turns_mark.data(),
@@ -111,6 +120,7 @@ std::string turn_line(std::size_t part, const Vec3& v) {
 Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<std::string>& warnings) {
   mesh::ReadResult read = mesh::read(path);
   const std::string file = path.string();
+  refuse_permuted(read, cage, file);
   check_count(read.surface.positions.size(), cage.surface.positions.size(), file);
   warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
   if (read.surface.triangles != cage.surface.triangles) {
@@ -124,6 +134,10 @@ Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<
 
 void write_pose(const std::filesystem::path& path, const Cage& cage, const Pose& pose) {
   check_count(pose.positions.size(), cage.surface.positions.size(), path.string());
+  if (mesh::extension_of(path) == "stl") {
+    throw base::Error(path.string(), "STL keeps neither the order of the vertices nor the turns of a pose",
+                      "save it as .obj, .ply or .off");
+  }
   std::vector<std::string> comments;
   for (std::size_t part = 0; part < pose.turns.size(); ++part) {
     if (largest_abs(pose.turns[part]) > 0) comments.push_back(turn_line(part, pose.turns[part]));

@@ -14,15 +14,12 @@ using Entry = FileBrowser::Entry;
 
 namespace {
 
-bool is_surface_file(const fs::path& path) {
-  constexpr std::array known = {"obj", "ply", "off", "stl"};
-  return std::find(known.begin(), known.end(), mesh::extension_of(path)) != known.end();
-}
-
-bool fits(const fs::path& path, Purpose purpose) {
-  const bool session = mesh::extension_of(path) == "viete";
-  if (purpose == Purpose::save_session) return session;
-  return is_surface_file(path) || (purpose == Purpose::model && session);
+bool fits(const fs::path& path, const FileBrowser& browser) {
+  const std::string extension = mesh::extension_of(path);
+  const auto formats = browser.formats();
+  const bool session = browser.purpose == Purpose::model || browser.purpose == Purpose::save_session;
+  return (session && extension == "viete") ||
+         std::find(formats.begin(), formats.end(), extension) != formats.end();
 }
 
 std::string lower(std::string text) {
@@ -38,7 +35,7 @@ bool before(const Entry& a, const Entry& b) {
   return x != y ? x < y : a.name < b.name;
 }
 
-std::vector<Entry> list(const fs::path& folder, Purpose purpose) {
+std::vector<Entry> list(const fs::path& folder, const FileBrowser& browser) {
   std::vector<Entry> entries;
   for (const auto& entry : fs::directory_iterator(folder)) {
     std::error_code ignored;
@@ -46,7 +43,7 @@ std::vector<Entry> list(const fs::path& folder, Purpose purpose) {
     if (name.empty() || name[0] == '.') continue;
     if (entry.is_directory(ignored)) {
       entries.push_back({name, true, 0});
-    } else if (fits(entry.path(), purpose)) {
+    } else if (fits(entry.path(), browser)) {
       entries.push_back({name, false, entry.file_size(ignored)});
     }
   }
@@ -55,6 +52,13 @@ std::vector<Entry> list(const fs::path& folder, Purpose purpose) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> FileBrowser::formats() const {
+  static constexpr std::array<std::string_view, 4> all = {"obj", "ply", "off", "stl"};
+  if (purpose == Purpose::save_session) return {};
+  const bool pose = purpose == Purpose::pose || purpose == Purpose::save_pose;
+  return std::span(all).first(pose ? 3 : 4);
+}
 
 bool FileBrowser::replaces() const {
   std::error_code ignored;
@@ -75,7 +79,7 @@ void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const s
 void enter(FileBrowser& browser, const fs::path& folder) {
   try {
     const fs::path absolute = fs::weakly_canonical(fs::absolute(folder));
-    browser.entries = list(absolute, browser.purpose);
+    browser.entries = list(absolute, browser);
     browser.folder = absolute;
     browser.path = (browser.saves() ? absolute / browser.suggested : absolute).string();
     browser.problem.clear();

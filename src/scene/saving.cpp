@@ -70,7 +70,7 @@ bool save_session(Workspace& workspace, const fs::path& path) {
 bool save_pose(Workspace& workspace, const fs::path& path) {
   return attempt(workspace, "pose", path, [&] {
     deform::write_pose(path, *workspace.document.cage, workspace.document.pose);
-    if (mesh::extension_of(path) != "stl") mark_pose_saved(workspace);
+    mark_pose_saved(workspace);
   });
 }
 

@@ -10,8 +10,7 @@
 namespace viete::scene {
 
 /// Write the session, or the posed cage with its turns. Atomic; a message says where, or what went wrong, and
-/// then the file is as it was. Return success. A session makes all edits saved, a pose that keeps every vertex
-/// (not STL) those of the pose.
+/// then the file is as it was. Return success. A session makes all edits saved, a pose those of the pose.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 

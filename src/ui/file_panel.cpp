@@ -86,20 +86,35 @@ void path_field(const Context& ui) {
   ImGui::SetKeyboardFocusHere(-1);
 }
 
-// OBJ, PLY, OFF, STL as buttons that change the extension.
+std::string in_capitals(std::string_view format) {
+  std::string text(format);
+  for (char& c : text) c = static_cast<char>(c - 32);
+  return text;
+}
+
+// "OBJ, PLY or OFF".
+std::string format_list(const Browser& browser) {
+  std::string text;
+  for (const auto format : browser.formats()) {
+    const bool last = format == browser.formats().back();
+    text += (text.empty() ? "" : last ? " or " : ", ") + in_capitals(format);
+  }
+  return text;
+}
+
+// OBJ, PLY and so on as buttons that change the extension.
 void format_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   const std::string now = scene::format_of(browser);
-  for (const char* format : {"obj", "ply", "off", "stl"}) {
-    std::string label = format;
-    for (char& c : label) c = static_cast<char>(c - 32);
+  for (const std::string_view format : browser.formats()) {
+    const std::string label = in_capitals(format);
     ImGui::SameLine();
     const bool active = now == format;
     ImGui::PushStyleColor(ImGuiCol_Button, active ? ui.colors.card_active : ui.colors.card);
     ImGui::PushStyleColor(ImGuiCol_Text, active ? ui.colors.text : ui.colors.faint);
-    if (ImGui::Button(label.c_str())) scene::set_format(browser, format);
+    if (ImGui::Button(label.c_str())) scene::set_format(browser, std::string(format));
     ImGui::PopStyleColor(2);
-    record(ui, std::string("format_") + format);
+    record(ui, "format_" + std::string(format));
     hint("Write " + label + ".");
   }
 }
@@ -112,7 +127,8 @@ void filter_row(const Context& ui) {
   ImGui::SameLine();
   if (browser.appearing && !browser.saves()) ImGui::SetKeyboardFocusHere();
   const bool formats = browser.purpose == Purpose::save_pose || browser.purpose == Purpose::save_model;
-  ImGui::SetNextItemWidth(formats ? -212.0f : -1.0f);
+  constexpr float button_width = 53;
+  ImGui::SetNextItemWidth(formats ? -button_width * static_cast<float>(browser.formats().size()) : -1.0f);
   const std::string before = browser.filter;
   text_field("##filter", "Filter", browser.filter, 0);
   record(ui, "file_filter");
@@ -143,7 +159,7 @@ const Browser::Entry* entry_list(const Context& ui, const std::vector<const Brow
   note(ui, scene::filters_by_path(ui.workspace.browser) ? "Enter goes to this path."
            : !ui.workspace.browser.filter.empty()       ? "Nothing here has that in its name."
            : sessions                                   ? "No session here yet."
-                                                        : "No OBJ, PLY, OFF or STL file here.");
+                      : "No " + format_list(ui.workspace.browser) + " file here.");
   return clicked;
 }
 

@@ -157,7 +157,7 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
     return std::nullopt;
   }
   ui.workspace.typed.erase(name);
-  if (!ImGui::IsItemDeactivatedAfterEdit() || text == shown) return std::nullopt;
+  if (!ImGui::IsItemDeactivatedAfterEdit() || text[0] == 0 || text == shown) return std::nullopt;
   const auto number = scene::number_of(text);
   if (!number)
     ui.workspace.messages.warn('"' + std::string(text) + "\" is not a number; nothing was changed");

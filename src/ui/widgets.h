@@ -38,7 +38,7 @@ void note(const Context& ui, const std::string& text, ImU32 color = 0);
 void hint(const std::string& text);
 
 /// A field for a number, with a decimal point or comma: shows `value`, and gives what was typed when it is
-/// left by Enter, Tab or a click elsewhere; nothing while it is being edited, after Esc, and if no digit was
+/// left by Enter or a click elsewhere; nothing while it is being edited, after Esc, and if no digit was
 /// changed. What is no number is said in the messages.
 std::optional<double> number_field(const Context& ui, const std::string& name, double value);
 

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "deform/shapes.h"
+#include "mesh/read.h"
 #include "mesh/write.h"
 
 using namespace viete::test;
@@ -46,6 +47,31 @@ TEST_CASE("a_pose_comes_back_with_every_bit_and_its_turns") {
     CHECK(back.positions == pose.positions);
     CHECK(back.turns == pose.turns);
     CHECK(warnings.empty());
+  }
+}
+
+TEST_CASE("a_pose_in_stl_is_refused_unless_its_faces_are_the_cages") {
+  const Folder folder;
+  const Cage cage = make_cage(box());  // whose faces do not name the vertices in their order
+  auto posed = box();
+  for (auto& p : posed.positions) p[1] *= 2;
+  viete::mesh::write(folder / "pose.stl", posed);
+  try {
+    read(folder / "pose.stl", cage);
+    FAIL("accepted");
+  } catch (const viete::base::Error& error) {
+    CHECK(contains(error.what(), "pose.stl: STL keeps no order of the vertices"));
+    CHECK(contains(error.what(), "export the pose as OBJ, PLY or OFF"));
+  }
+  CHECK_THROWS_AS(write_pose(folder / "own.stl", cage, rest_pose(cage)), viete::base::Error);
+  CHECK_FALSE(fs::exists(folder / "own.stl"));
+
+  viete::mesh::write(folder / "cage.stl", box());
+  const Cage of_stl = make_cage(viete::mesh::read(folder / "cage.stl").surface);
+  const Pose pose = read(folder / "pose.stl", of_stl);
+  for (std::size_t v = 0; v < pose.positions.size(); ++v) {
+    const auto& rest = of_stl.surface.positions[v];
+    CHECK(pose.positions[v] == Vec3{rest[0], 2 * rest[1], rest[2]});
   }
 }
 

@@ -57,6 +57,25 @@ TEST_CASE("names_are_sorted_without_regard_to_case_and_sessions_are_listed_where
   CHECK(names(browser) == "Sub gamma.viete ");
 }
 
+TEST_CASE("stl_is_offered_for_surfaces_but_not_for_poses") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.stl", "b.obj"}) test::put_file(folder / name, "x");
+  FileBrowser browser;
+  for (const auto purpose :
+       {FileBrowser::Purpose::model, FileBrowser::Purpose::cage, FileBrowser::Purpose::save_model}) {
+    show(browser, purpose, folder.path());
+    CHECK(names(browser) == "a.stl b.obj ");
+    CHECK(browser.formats().size() == 4);
+  }
+  for (const auto purpose : {FileBrowser::Purpose::pose, FileBrowser::Purpose::save_pose}) {
+    show(browser, purpose, folder.path());
+    CHECK(names(browser) == "b.obj ");
+    CHECK(browser.formats().size() == 3);
+  }
+  show(browser, FileBrowser::Purpose::save_session, folder.path());
+  CHECK(browser.formats().empty());
+}
+
 TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {
   const test::TemporaryFolder folder;
   put_files(folder);
