@@ -27,6 +27,10 @@ bool is_other_word(std::string_view word) {
   return word == "vt" || std::binary_search(other_words.begin(), other_words.end(), word);
 }
 
+bool is_word(std::string_view word) {
+  return word == "v" || word == "f" || word == "fo" || is_other_word(word);
+}
+
 class ObjReader {
 public:
   explicit ObjReader(const Source& source) : source_(source), text_(source, obj_rules), builder_(source) {}
@@ -39,6 +43,7 @@ public:
       if (++lines_ % 8192 == 0) source_.report(text_.done());
     }
     check_highest();
+    refuse_other_content();
     tell_skipped();
     return builder_.finish("OBJ");
   }
@@ -58,10 +63,18 @@ private:
     } else if (word == "f" || word == "fo") {  // fo: how faces were called before version 3.0
       face();
     } else if (!is_other_word(word)) {
-      skip_unknown(word);
+      shouted(word);
     } else if (word == "curv" || word == "surf") {
       ++free_forms_;
     }
+  }
+
+  // OBJ has words in small letters; some programs write them in capitals.
+  void shouted(std::string_view word) {
+    std::string small(word);
+    for (char& c : small) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+    if (small == word || !is_word(small)) return skip_unknown(word);
+    statement(small);
   }
 
   void face() {
@@ -111,6 +124,13 @@ private:
     if (unknown_++ > 0) return;
     first_unknown_ = in_quotes(word);
     first_unknown_line_ = text_.line();
+  }
+
+  void refuse_other_content() const {
+    if (builder_.vertex_count() > 0 || unknown_ == 0) return;
+    throw base::Error(text_.place(first_unknown_line_),
+                      "OBJ has no lines that start with " + first_unknown_ + ", and no vertices were found",
+                      "export the model again");
   }
 
   void tell_skipped() {

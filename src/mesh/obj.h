@@ -12,8 +12,9 @@
 namespace viete::mesh {
 
 /// Source: Wavefront Advanced Visualizer manual, appendix B1. Read: v (x y z; a weight or a colour behind
-/// them is passed over), f with v, v/vt, v//vn, v/vt/vn, relative indices, continued lines. A face may stand
-/// before its vertices. Texture and normal indices are not looked at. Throws base::Error, base::Cancelled.
+/// them is passed over), f with v, v/vt, v//vn, v/vt/vn, relative indices, continued lines; also in capitals.
+/// A face may stand before its vertices. Texture and normal indices are not looked at. Throws base::Error,
+/// base::Cancelled.
 ReadResult read_obj(const Source& source);
 
 /// True if the first line that holds more than a comment starts with a word that only OBJ files use.

@@ -92,6 +92,22 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
   CHECK(holds(test::refusal("# nothing\n", "obj"), "no vertices found"));
 }
 
+TEST_CASE("obj_words_in_capitals_mean_the_same") {
+  const ReadResult read =
+      test::read_text("MTLLIB A\nV 0 0 0\nV 1 0 0\nv 1 1 0\nVN 0 0 1\nVt 0 0\nF 1 2 3\n", "obj");
+  CHECK(read.surface.positions.size() == 3);
+  CHECK(read.surface.triangles == std::vector<Triangle>{{0, 1, 2}});
+  CHECK(read.warnings.empty());
+}
+
+TEST_CASE("obj_a_file_of_something_else_names_its_first_odd_line") {
+  CHECK(test::refusal("# made by hand\n\nVERTEX 0 0 0\nVERTEX 1 0 0\n", "obj") ==
+        "given.obj:3: OBJ has no lines that start with \"VERTEX\", and no vertices were found; export the "
+        "model "
+        "again");
+  CHECK(holds(test::refusal("g a\nusemtl x\n", "obj"), "no vertices found"));
+}
+
 TEST_CASE("obj_the_line_of_an_error_counts_continued_lines") {
   CHECK(holds(test::refusal("v 0 \\\n0 \\\n0\nv 0 0 x\n", "obj"), "given.obj:4:"));
 }
