@@ -310,7 +310,7 @@ void Viewer::deform(scene::FrameTimes& times) {
   deformer_->set_dragging(dragging);
   deformer_->deform(document.pose, deformer_->path(document.method) ? document.method : sym3::Method::fast);
   document.pose.turns = deformer_->report().turns;
-  workspace_.pose_notes = scene::pose_notes(deformer_->report());
+  workspace_.pose_notes = scene::pose_notes(deformer_->report(), *document.cage, document.pose);
   posed_seen_ = document.posed;
   times.links = deformer_->times();
 }

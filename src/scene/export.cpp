@@ -25,7 +25,7 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
   if (progress) progress->section(0.5, 1);
   mesh::write(what.file, *what.model, deformed.positions, {}, progress);
   std::vector<std::string> notes = deformed.warnings;
-  for (auto& note : pose_notes(deformed.report)) notes.push_back(std::move(note));
+  for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
   if (const std::string note = method_note(what.method, deformed.exp_error); !note.empty())
     notes.push_back(note);
   return notes;
