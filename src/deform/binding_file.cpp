@@ -13,6 +13,7 @@
 
 #include "base/checksum.h"
 #include "deform/memory.h"
+#include "mesh/content_key.h"
 
 namespace viete::deform {
 
@@ -40,13 +41,6 @@ template <class T>
 std::uint64_t checksum(const std::vector<T>& values) {
   base::Checksum sum;
   sum.add(values.data(), values.size() * sizeof(T));
-  return sum.value();
-}
-
-std::uint64_t checksum(const mesh::Surface& surface) {
-  base::Checksum sum;
-  sum.add(surface.positions.data(), surface.positions.size() * sizeof(mesh::Point));
-  sum.add(surface.triangles.data(), surface.triangles.size() * sizeof(mesh::Triangle));
   return sum.value();
 }
 
@@ -138,7 +132,8 @@ private:
 
 void require_same(const Reader& reader, const Header& h, const mesh::Surface& model, const Cage& cage,
                   Weighting weighting) {
-  const bool other_model = h.model != checksum(model), other_cage = h.cage != checksum(cage.surface);
+  const bool other_model = h.model != mesh::content_key(model),
+             other_cage = h.cage != mesh::content_key(cage.surface);
   if (other_model && other_cage) reader.stale("model and cage are not those that it was made for");
   if (other_model) reader.stale("the model is not the one that it was made for");
   if (other_cage) reader.stale("the cage is not the one that it was made for");
@@ -193,8 +188,8 @@ void make_room(const Reader& reader, TiledBinding& b) {
 
 std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, Weighting weighting,
                           double tolerance) {
-  const Header key{.model = checksum(model),
-                   .cage = checksum(cage.surface),
+  const Header key{.model = mesh::content_key(model),
+                   .cage = mesh::content_key(cage.surface),
                    .coordinates = static_cast<std::uint32_t>(weighting.coordinates),
                    .reach = weighting.reach,
                    .tolerance = tolerance};
@@ -204,8 +199,8 @@ std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, Weightin
 void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surface& model, const Cage& cage,
                    base::Outlives outlives) {
   const auto ranks = ranks_of(b);
-  Header h{.model = checksum(model),
-           .cage = checksum(cage.surface),
+  Header h{.model = mesh::content_key(model),
+           .cage = mesh::content_key(cage.surface),
            .order = checksum(b.leaves.order),
            .coordinates = static_cast<std::uint32_t>(b.coordinates),
            .storage = static_cast<std::uint32_t>(b.storage()),

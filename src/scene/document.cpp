@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "deform/pose_io.h"
+#include "mesh/content_key.h"
 #include "mesh/read.h"
 
 namespace viete::scene {
@@ -49,6 +50,7 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
   opened.facts = mesh::facts(read.surface);
   opened.bounds = mesh::used_bounds(read.surface);
   opened.warnings = std::move(read.warnings);
+  opened.content = mesh::content_key(read.surface);
   opened.surface = std::make_shared<const mesh::Surface>(std::move(read.surface));
   return opened;
 }

@@ -1,6 +1,7 @@
 // The one home of state: model, cage, pose, selection and settings, each with a revision.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -26,6 +27,7 @@ struct OpenedSurface {
   mesh::Facts facts;
   mesh::Bounds bounds;  ///< of the vertices that a polygon uses
   std::vector<std::string> warnings;
+  std::uint64_t content = 0;  ///< mesh::content_key(); 0: not known
 };
 
 /// Grows by one with each change; whoever derives something from a part remembers the number it was derived

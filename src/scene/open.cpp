@@ -134,11 +134,12 @@ Opened open_session(const fs::path& file, base::Progress* progress) {
   document.coordinates = session.coordinates;
   document.reach = session.reach;
   if (document.has_cage()) {
-    fit_to_cage(session, *document.cage, file);
+    fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
     if (session.pose) document.pose = std::move(*session.pose);
     document.selection = Selection(session.selecting);
     document.selection.apply(session.selection, SelectMode::replace);
   }
+  tell_what_changed(session, document, file);
   session.pose.reset();
   opened.document = std::move(document);
   append(opened.warnings, session.warnings);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
+#include "mesh/content_key.h"
 #include "mesh/source.h"
 #include "mesh/text_cursor.h"
 #include "scene/elements.h"
@@ -68,7 +70,7 @@ std::uint64_t from_hexadecimal(const JsonReader& json) {
   const char* const end = text.data() + text.size();
   std::uint64_t number = 0;
   if (text.size() != 16 || std::from_chars(text.data(), end, number, 16).ptr != end)
-    json.expected("16 digits");
+    json.fail("these are not 16 hexadecimal digits");
   return number;
 }
 
@@ -121,6 +123,7 @@ CameraPose camera_of(const JsonReader& json) {
 
 ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) {
   ViewOptions view;
+  (void)json.find("");  // what is no object is said once
   for (const auto& flag : view_flags) {
     take_part(
         json, flag.key, view.*flag.option, [](const JsonReader& v) { return v.boolean(); },
@@ -146,17 +149,20 @@ Points points_of(const JsonReader& json, double limit, double otherwise) {
   return points;
 }
 
-void tell_unread(const JsonReader& json, const std::vector<std::size_t>& unread, const std::string& instead,
-                 std::vector<std::string>& warnings) {
+// "vertex 5 is at rest instead".
+void tell_unread(const JsonReader& json, const std::vector<std::size_t>& unread, const std::string& element,
+                 const std::string& instead, std::vector<std::string>& warnings) {
   if (unread.empty()) return;
-  const std::string others = unread.size() == 1 ? "" : " and " + std::to_string(unread.size() - 1) + " more";
+  const bool one = unread.size() == 1;
+  const std::string others = one ? "" : " and " + std::to_string(unread.size() - 1) + " more";
   try {
     json.item(unread.front()).numbers<3>();
     json.item(unread.front()).fail("a number is too large");
   } catch (const base::Error& error) {
-    warnings.emplace_back(
-        base::Error(error.place(), error.problem(), instead + std::to_string(unread.front()) + others)
-            .what());
+    warnings.emplace_back(base::Error(error.place(), error.problem(),
+                                      element + ' ' + std::to_string(unread.front()) + others +
+                                          (one ? " is " : " are ") + instead)
+                              .what());
   }
 }
 
@@ -164,16 +170,19 @@ deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings)
   const JsonReader positions = json.at("positions");
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   Points points = points_of(positions, largest_coordinate, unknown);
-  tell_unread(positions, points.unread, "at rest instead: vertex ", warnings);
+  tell_unread(positions, points.unread, "vertex", "at rest instead", warnings);
   deform::Pose pose{std::move(points.all), {}};
   const auto turns_of = [&](const JsonReader& turns) {
     Points read = points_of(turns, largest_turn, 0);
-    tell_unread(turns, read.unread, "without whole turns instead: part ", warnings);
+    tell_unread(turns, read.unread, "part", "without whole turns instead", warnings);
     return std::move(read.all);
   };
   take_part(json, "turns", pose.turns, turns_of, "no part has made a whole turn", warnings);
   return pose;
 }
+
+// Keys are of bytes as the machine stores them: others than the common ones say nothing.
+constexpr bool keys_are_common = std::endian::native == std::endian::little;
 
 std::vector<std::uint32_t> selection_of(const JsonReader& json) {
   std::vector<std::uint32_t> indices(json.size());
@@ -231,6 +240,8 @@ Session session_of(const Workspace& w) {
   Session session;
   session.model = w.document.model.path;
   session.cage = w.document.cage_file.path;
+  session.model_content = w.document.model.content;
+  session.cage_content = w.document.cage_file.content;
   session.origin = w.saved.session;
   session.origin_content = w.saved.content;
   session.method = w.document.method;
@@ -249,6 +260,9 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   ordered_json json = {{"format", format_name}, {"version", newest_version}};
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
+  if (keys_are_common && session.model_content != 0)
+    json["model_content"] = hexadecimal(session.model_content);
+  if (keys_are_common && session.cage_content != 0) json["cage_content"] = hexadecimal(session.cage_content);
   if (!portable && !session.origin.empty()) {
     json["session"] = stored(session.origin, file, false);
     if (session.origin_content) json["session_content"] = hexadecimal(*session.origin_content);
@@ -274,7 +288,10 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take(
       "session", s.origin, [&](const auto& v) { return resolved(folder / v.path()); },
       "saving will ask for a name");
-  take("session_content", s.origin_content, from_hexadecimal, "whether it has changed is not known");
+  const char* unknown = "whether it has changed is not known";
+  take("session_content", s.origin_content, from_hexadecimal, unknown);
+  if (keys_are_common) take("model_content", s.model_content, from_hexadecimal, unknown);
+  if (keys_are_common) take("cage_content", s.cage_content, from_hexadecimal, unknown);
   take(
       "method", s.method, [](const auto& v) { return word_of(v, sym3::method_from_name); },
       "fast instead, of diag, sd, improved_sd and fast");
@@ -332,10 +349,29 @@ void drop_selection_beyond(Session& session, const deform::Cage& cage, const fs:
 
 }  // namespace
 
+void tell_what_changed(Session& session, const Document& document, const fs::path& file) {
+  const auto tell = [&](const char* key, std::uint64_t then, const OpenedSurface& now, const char* advice) {
+    if (then == 0 || now.content == 0 || then == now.content) return;
+    session.warnings.emplace_back(
+        base::Error(file.string() + ": " + key,
+                    now.path.string() + " is another one than when the session was saved", advice)
+            .what());
+  };
+  tell("model", session.model_content, document.model,
+       "if the result is not what you expect, bring back the older one");
+  tell(
+      "cage", session.cage_content, document.cage_file,
+      "its vertices may have another order, and the pose may not be of it: if it looks wrong, bring back the "
+      "older one");
+}
+
 void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& file) {
   drop_selection_beyond(session, cage, file);
   if (!session.pose) return;
-  const std::string advice = "the cage has changed since the session was saved: bring back the older one";
+  const bool same = session.cage_content != 0 && session.cage_content == mesh::content_key(cage.surface);
+  const std::string advice =
+      same ? "the session is damaged: take an older copy of it"
+           : "the cage has changed since the session was saved: bring back the older one";
   auto& [positions, turns] = *session.pose;
   const auto& rest = cage.surface.positions;
   if (positions.size() != rest.size()) {

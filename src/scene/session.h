@@ -15,6 +15,7 @@ namespace viete::scene {
 ///   "format": "viete session", "version": 1,
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
 ///                         that are not UTF-8 as path_json() writes them
+///   "model_content", "cage_content"   mesh::content_key() of what they were, 16 hexadecimal digits
 ///   "session"             only in recovered work: the session file that it belongs to
 ///   "session_content"     likewise: checksum of that file as it was then, 16 hexadecimal digits
 ///   "method"              "diag", "sd", "improved_sd" or "fast"
@@ -35,6 +36,7 @@ struct Session {
   std::filesystem::path model, cage;  ///< absolute; cage may be empty
   std::filesystem::path origin;       ///< "session"; absolute; may be empty
   std::optional<std::uint64_t> origin_content;
+  std::uint64_t model_content = 0, cage_content = 0;  ///< 0: not known
   sym3::Method method = sym3::Method::fast;
   deform::Coordinates coordinates = deform::Coordinates::face;
   double reach = deform::whole_cage;
@@ -56,8 +58,13 @@ std::string session_text(const Session& session, const std::filesystem::path& fi
 /// fit_to_cage.
 Session read_session(const std::filesystem::path& file);
 
+/// A warning if the content of model or cage is another than when the session was saved: then the pose may be
+/// that of another cage.
+void tell_what_changed(Session& session, const Document& document, const std::filesystem::path& file);
+
 /// Positions that could not be read become those at rest, and a selection of what the cage does not have is
-/// dropped, both with a warning. Throws base::Error naming `file` and the key if the pose is of another cage.
+/// dropped, both with a warning. Throws base::Error naming `file` and the key if the pose cannot be of this
+/// cage.
 void fit_to_cage(Session& session, const deform::Cage& cage, const std::filesystem::path& file);
 
 /// By its extension, .viete.

@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "base/error.h"
+#include "mesh/read.h"
 #include "scene/edit.h"
 #include "scene/files.h"
 #include "scene/open.h"
@@ -176,7 +178,8 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
       {"window", "[1, 1]", "a.viete: window: no window has this size; the usual size instead"},
       {"window", "[8192, 8192]", "a.viete: window: no window has this size"},
       {"window", "[1e999, 800]", "a.viete: window: no window has this size"},
-      {"session", "7", "a.viete: session: found a number where the name of a file belongs; saving will ask for a name"},
+      {"session", "7",
+       "a.viete: session: found a number where the name of a file belongs; saving will ask for a name"},
       {"selecting", "\"holes\"", "a.viete: selecting: \"holes\" is not known; nothing is selected"},
       {"selection", "[1, -1]",
        "a.viete: selection[1]: found a number where a whole number from 0 on belongs"},
@@ -223,11 +226,12 @@ TEST_CASE("one_bad_number_of_a_pose_costs_its_vertex") {
     REQUIRE(back.messages.all().size() == 1);
     const std::string said = back.messages.all()[0].text;
     CHECK_MESSAGE(mentions(said, "a.viete: pose.positions[0]"), said);
-    CHECK_MESSAGE(mentions(said, "; at rest instead: vertex 0"), said);
+    CHECK_MESSAGE(mentions(said, "; vertex 0 is at rest instead"), said);
   }
   const Workspace turned = opened("6.3", "1e9");
   CHECK(turned.document.pose.turns == std::vector<deform::Vec3>{{0, 0, 0}});
-  CHECK(mentions(turned.messages.all()[0].text, "pose.turns[0]: a number is too large; without whole turns"));
+  CHECK(mentions(turned.messages.all()[0].text,
+                 "pose.turns[0]: a number is too large; part 0 is without whole turns"));
   const Workspace none = opened("\"turns\": [\n      [0.1,6.3,-1e-09]\n    ]", "\"turns\": 3");
   CHECK(none.document.pose.turns.empty());
   CHECK(none.document.pose.positions[5] == mesh::Point{-8, 8, 8});
@@ -284,6 +288,79 @@ TEST_CASE("another_format_and_a_newer_version_are_refused_with_advice") {
     test::put_file(files / "a.viete", text);
     CHECK_MESSAGE(mentions(refusal(files / "a.viete"), "a.viete"), text);
   }
+}
+
+namespace {
+
+// The same cage with its vertices in another order.
+void permute(const fs::path& cage) {
+  mesh::Surface surface = mesh::read(cage).surface;
+  const auto n = static_cast<std::uint32_t>(surface.positions.size());
+  std::reverse(surface.positions.begin(), surface.positions.end());
+  for (auto& t : surface.triangles) {
+    for (auto& v : t) v = n - 1 - v;
+  }
+  mesh::write(cage, mesh::from_triangles(surface.positions, surface.triangles));
+}
+
+std::vector<std::string> said_on_opening(const fs::path& session) {
+  Workspace w;
+  REQUIRE(open_now(w, {OpenRequest::What::model, {session}}));
+  std::vector<std::string> all;
+  for (const auto& message : w.messages.all()) all.push_back(message.text);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a_model_or_cage_that_has_changed_since_is_said_when_the_session_is_opened") {
+  const test::CubeFiles files;
+  Workspace w = worked(files);
+  REQUIRE(save_session(w, files / "a.viete"));
+  fs::copy(files.cage, files / "same.obj");
+  fs::rename(files / "same.obj", files.cage);  // a new file with the old content
+  CHECK(said_on_opening(files / "a.viete").empty());
+
+  permute(files.cage);
+  auto said = said_on_opening(files / "a.viete");
+  REQUIRE(said.size() == 1);
+  CHECK_MESSAGE(
+      (mentions(said[0], "a.viete: cage: ") && mentions(said[0], "cage.obj is another one than when")),
+      said[0]);
+  CHECK(mentions(said[0], "bring back the older one"));
+
+  mesh::write(files.model, test::cube(1.25));
+  said = said_on_opening(files / "a.viete");
+  REQUIRE(said.size() == 2);
+  CHECK(mentions(said[0], "model.obj is another one than when"));
+
+  Workspace again;
+  REQUIRE(open_now(again, {OpenRequest::What::model, {files / "a.viete"}}));
+  REQUIRE(save_session(again, files / "a.viete"));
+  CHECK_MESSAGE(said_on_opening(files / "a.viete").empty(), "what was saved since is of the new ones");
+}
+
+TEST_CASE("a_session_of_an_older_program_and_one_with_odd_keys_opens_too") {
+  const test::CubeFiles files;
+  test::put_file(files / "a.viete", with("method", "\"fast\""));
+  CHECK(said_on_opening(files / "a.viete").empty());
+  for (const char* odd : {"\"xyz\"", "7", "[]", "\"00\"", "\"0123456789abcdeg\""}) {
+    test::put_file(files / "a.viete", with("cage_content", odd));
+    const auto said = said_on_opening(files / "a.viete");
+    REQUIRE(said.size() == 1);
+    CHECK_MESSAGE((mentions(said[0], "a.viete: cage_content: ") && mentions(said[0], "is not known")),
+                  said[0]);
+  }
+}
+
+TEST_CASE("a_pose_that_is_cut_short_is_not_blamed_on_the_cage") {
+  const test::CubeFiles files;
+  Workspace w = worked(files);
+  w.document.pose.positions.pop_back();
+  REQUIRE(save_session(w, files / "a.viete"));
+  CHECK(mentions(refusal(files / "a.viete"), "take an older copy"));
+  mesh::write(files.cage, test::cube(1.25));
+  CHECK(mentions(refusal(files / "a.viete"), "the cage has changed"));
 }
 
 TEST_CASE("a_missing_or_broken_model_names_both_files") {
