@@ -9,6 +9,7 @@
 #include "deform/pose_io.h"
 #include "mesh/content_key.h"
 #include "mesh/read.h"
+#include "scene/range.h"
 
 namespace viete::scene {
 
@@ -63,7 +64,7 @@ Document document_of(OpenedSurface model) {
 }
 
 void check_drawable(const Document& document) {
-  check_sizes(document, {1e-32, 1e32, "drawn"});  // float ends near 1e-38 and 1e38
+  check_sizes(document, {least_drawn, most_drawn, "drawn"});
 }
 
 // Squares of areas are the highest powers of a length that are formed. Measured: from 1e-75 to 1e76 the

@@ -13,8 +13,8 @@
 namespace viete::scene {
 
 /// What a file may have: more is no file of this program's, and is refused before it takes memory. The bytes
-/// are those of a pose of half a million vertices and more; a text is the name of a file.
-inline constexpr std::size_t most_json_bytes = 64 << 20, most_json_depth = 32, longest_text = 4096;
+/// are those of a pose of half a million vertices and more; a text is the name of a file, percent-encoded.
+inline constexpr std::size_t most_json_bytes = 64 << 20, most_json_depth = 32, longest_text = 3 * 4096;
 
 /// One key a line; an array stands on one line unless it holds arrays or objects, which get a line each.
 /// Numbers with the digits that read back as the same double. Throws base::Error naming `file` if a string is

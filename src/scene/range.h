@@ -18,6 +18,10 @@ using mesh::largest_coordinate;
 /// where a camera looks. Floats still tell parts of the model from each other there.
 inline constexpr double farthest_place = 1e6;
 
+/// Sizes and places, in the file's units, that graphics cards can draw, which compute in float: it ends near
+/// 1e-38 and 1e38. What is larger or smaller is not opened.
+inline constexpr double least_drawn = 1e-32, most_drawn = 1e32;
+
 /// View units between a camera and what it looks at.
 inline constexpr float nearest_camera = 1e-3f, farthest_camera = 1e3f;
 
@@ -33,7 +37,7 @@ inline bool is_window(double width, double height) {
 inline bool is_in_reach(const Space& space, const mesh::Point& p) {
   for (int i = 0; i < 3; ++i) {
     const bool near = std::abs((p[i] - space.center[i]) * space.scale) <= farthest_place;
-    if (!near || !(std::abs(p[i]) <= largest_coordinate)) return false;
+    if (!near || !(std::abs(p[i]) <= most_drawn)) return false;
   }
   return true;
 }

@@ -94,7 +94,8 @@ private:
 
 bool is_in_range(const Document& document, std::span<const std::uint32_t> vertices) {
   const deform::Pose& pose = document.pose;
-  return std::all_of(vertices.begin(), vertices.end(),
+  return mesh::bounds(pose.positions).diagonal() <= most_drawn &&
+         std::all_of(vertices.begin(), vertices.end(),
                      [&](auto v) { return is_in_reach(document.space, pose.positions[v]); }) &&
          std::all_of(pose.turns.begin(), pose.turns.end(),
                      [](const auto& turn) { return deform::norm(turn) <= largest_turn; });

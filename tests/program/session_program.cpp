@@ -1,5 +1,6 @@
 // Sessions that open to the same picture; open and save by hand.
 #include "mesh/read.h"
+#include "mesh/write.h"
 #include "program/kept_work.h"
 #include "scene/edit.h"
 #include "scene/saving.h"
@@ -94,8 +95,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   // The window shows floats; what is written is double, by the window too.
   const auto written = mesh::read(folder / "a.ply").surface.positions;
   CHECK(largest_difference(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage->diagonal);
-  CHECK(largest_difference(written, d.exact_positions()) <
-        1e-11 * d.document().cage->diagonal);
+  CHECK(largest_difference(written, d.exact_positions()) < 1e-11 * d.document().cage->diagonal);
   d.workspace().requests.save_model = folder / "window.ply";
   d.frame();
   d.viewer().finish_exports();
@@ -123,6 +123,47 @@ TEST_CASE("a_session_on_the_command_line_stands_alone_and_its_errors_name_it") {
                    said.find("gone.ply: there is no such file") != std::string::npos),
                   said);
   }
+}
+
+TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one") {
+  const test::TemporaryFolder folder;
+  const std::string head = R"({"format": "viete session", "version": 1, "model": ")" + dragon.string() +
+                           R"(", "cage": ")" + dragon_cage.string() + R"(", )";
+  test::put_file(folder / "a.viete",
+                 head + R"("window": [8192, 8192], "camera": {"target": [1e308, null, 0], "distance": 1}})");
+  const std::string said = run_viete("render a.viete -o a.png", folder.path());
+  CHECK_MESSAGE(
+      (said.starts_with("0 ") && said.find("a.viete: window: no window has this size") < said.size() &&
+       said.find("a.viete: camera.target[1]: found null") < said.size()),
+      said);
+  CHECK(render::read_png(folder / "a.png").width == 1280);
+  const std::string bombs[] = {
+      std::string(20 << 20, '['), head + "\"pose\": " + std::string(1 << 20, '['),
+      R"({"format": "viete session", "version": 1, "model": ")" + std::string(50 << 20, 'x') + "\"}"};
+  for (const std::string& bomb : bombs) {
+    test::put_file(folder / "b.viete", bomb);
+    const std::string refused = run_viete("deform b.viete -o b.obj", folder.path());
+    CHECK_MESSAGE((refused.starts_with("1 viete: b.viete: ") && refused.size() < 300),
+                  refused.substr(0, 300));
+  }
+}
+
+TEST_CASE("a_permuted_pose_is_refused_and_a_mirrored_one_told_by_the_command_line") {
+  const test::TemporaryFolder folder;
+  mesh::Surface pose = mesh::read(dragon_cage).surface;
+  mesh::write(folder / "pose.stl", pose);
+  for (auto& p : pose.positions) p[0] = -p[0];
+  mesh::write(folder / "mirrored.obj", pose);
+  const auto deform = [&](const std::string& with) {
+    return run_viete(
+        "deform " + dragon.string() + " " + dragon_cage.string() + " --pose " + with + " -o a.obj",
+        folder.path());
+  };
+  const std::string permuted = deform("pose.stl"), mirrored = deform("mirrored.obj");
+  CHECK_MESSAGE(
+      (permuted.starts_with("1 ") && permuted.find("pose.stl: STL keeps no order") < permuted.size()),
+      permuted);
+  CHECK_MESSAGE((mirrored.starts_with("0 ") && mirrored.find("as by a mirror") < mirrored.size()), mirrored);
 }
 
 TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {

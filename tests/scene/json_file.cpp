@@ -89,7 +89,7 @@ TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
   }
   const std::string name = said("{\"model\": \"" + std::string(1 << 20, 'x') + "\"}");
   CHECK(name ==
-        "bomb: model: a text of 1048576 bytes is longer than any that belongs here (4096); correct it "
+        "bomb: model: a text of 1048576 bytes is longer than any that belongs here (12288); correct it "
         "in the file");
   test::put_file(folder / "long", "");
   std::filesystem::resize_file(folder / "long", most_json_bytes + 1);  // of zeros that take no disk

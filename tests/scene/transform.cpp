@@ -141,7 +141,7 @@ TEST_CASE("absurd_amounts_neither_hang_nor_leave_the_range_of_numbers") {
 }
 
 TEST_CASE("an_edit_stays_within_what_can_be_drawn_whatever_the_size_and_place_of_the_model") {
-  for (const double size : {1e-30, 1.0, 1e30}) {
+  for (const double size : {1e-30, 1.0, 1e20}) {
     Document document = selected_cube();
     for (auto* points : {&document.pose.positions}) {
       for (auto& p : *points) p = {p[0] * size + 7 * size, p[1] * size, p[2] * size};
@@ -158,6 +158,19 @@ TEST_CASE("an_edit_stays_within_what_can_be_drawn_whatever_the_size_and_place_of
     far.shift = {-1e5 * size, 0, 0};
     CHECK(transform_selection(document, Tool::move, far));
   }
+}
+
+TEST_CASE("an_edit_of_a_huge_model_leaves_a_pose_that_can_be_opened_again") {
+  Document document = selected_cube();
+  for (auto& p : document.pose.positions) p = {1e31 * p[0], 1e31 * p[1], 1e31 * p[2]};
+  document.space = {{0, 0, 0}, 2 / (3e31 * std::sqrt(3.0))};
+  Transform far;
+  far.shift = {5e31, 0, 0};
+  CHECK(transform_selection(document, Tool::move, far));
+  CHECK_FALSE(transform_selection(document, Tool::move, far));
+  Transform grow;
+  grow.factors = {1, 4, 1};
+  CHECK_FALSE(transform_selection(document, Tool::scale, grow));
 }
 
 TEST_CASE("turns_add_up_to_what_a_session_can_hold_and_no_further") {
