@@ -42,12 +42,12 @@ int bind_files(const BindOptions& options) {
                options.force);
   scene::Opened opened =
       scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage}}, {});
+  scene::check_drawable(opened);  // what is bound is for pictures
   for (const auto& warning : opened.warnings) std::fprintf(stderr, "viete: note: %s\n", warning.c_str());
   scene::Document& document = *opened.document;
   if (!document.has_cage())
     throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
   options.weighting.apply(document, opened.session.has_value());
-  scene::check_drawable(document);  // what is bound is for pictures
   base::WorkerPool pool;
   base::Stopwatch watch;
   const auto tiles = deform::bind_tiles(*document.model.surface, *document.cage, document.weighting(), pool,

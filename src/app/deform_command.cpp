@@ -30,13 +30,13 @@ void warn(const std::vector<std::string>& warnings) {
 scene::Document open(const DeformOptions& options) {
   scene::Opened opened =
       scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage, options.pose}}, {});
+  scene::check_deformable(opened);
   warn(opened.warnings);
   scene::Document document = *std::move(opened.document);
   if (!document.has_cage())
     throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
   if (!opened.session || options.method_given) document.method = options.method;
   options.weighting.apply(document, opened.session.has_value());
-  scene::check_deformable(document);
   return document;
 }
 

@@ -43,7 +43,7 @@ void Loader::Job::begin_part(std::string name) {
 
 void Loader::open(Job& job) {
   scene::Opened opened = scene::open_files(job.request, job.current, &job.progress);
-  if (opened.document) scene::check_drawable(*opened.document);
+  scene::check_drawable(opened);
   if (opened.document && opened.document->model.surface != job.current.model.surface) {
     job.progress.section(0.8, 1);
     job.result.look = look_of(opened.document->model.surface);

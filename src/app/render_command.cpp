@@ -79,7 +79,7 @@ int render(const RenderOptions& options) {
   check_output(options);
   scene::Opened opened =
       scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage, options.pose}}, {});
-  scene::check_drawable(*opened.document);
+  scene::check_drawable(opened);
   const bool has_camera = opened.session && opened.session->camera;
   ViewerOptions viewer_options = options.viewer;
   if (opened.session && opened.session->window && !options.size_given)

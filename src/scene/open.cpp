@@ -207,6 +207,16 @@ Opened open_dropped(const std::vector<fs::path>& files, const Document& current,
   return open_dropped_pair(std::move(first), open_surface(files[1], progress));
 }
 
+void check(const Opened& opened, void (*check_document)(const Document&)) {
+  if (!opened.document) return;
+  try {
+    check_document(*opened.document);
+  } catch (const base::Error& error) {
+    if (!opened.session) throw;
+    throw base::Error(opened.file.string() + ": " + error.place(), error.problem(), error.advice());
+  }
+}
+
 void report(Workspace& workspace, const Opened& opened) {
   if (!opened.taken_as.empty()) workspace.messages.info(opened.taken_as);
   for (const auto& warning : opened.warnings) workspace.messages.warn(warning);
@@ -261,6 +271,13 @@ Opened open_files(const OpenRequest& request, const Document& current, base::Pro
     }
   }
   return is_session(first) ? open_session(first, progress) : open_model(request.files, progress);
+}
+
+void check_drawable(const Opened& opened) {
+  check(opened, check_drawable);
+}
+void check_deformable(const Opened& opened) {
+  check(opened, check_deformable);
 }
 
 void take(Workspace& w, Opened&& opened) {

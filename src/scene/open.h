@@ -34,6 +34,10 @@ struct Opened {
 /// both, the one with fewer vertices.
 Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress = nullptr);
 
+/// Those of its document, if there is one; of a session the error names the session too.
+void check_drawable(const Opened& opened);
+void check_deformable(const Opened& opened);
+
 /// Takes it into the workspace; messages say what is to be said.
 void take(Workspace& workspace, Opened&& opened);
 

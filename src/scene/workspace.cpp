@@ -46,7 +46,7 @@ bool shows_error_map(const Workspace& w) {
 bool open_now(Workspace& workspace, const OpenRequest& request) {
   try {
     Opened opened = open_files(request, workspace.document);
-    if (opened.document) check_drawable(*opened.document);
+    check_drawable(opened);
     take(workspace, std::move(opened));
     return true;
   } catch (const std::exception& error) {
