@@ -20,8 +20,6 @@ public:
   /// Asks the one that is being written to stop, which it does within moments; those that wait follow.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
-  /// True when follow() would have something to say.
-  bool has_result() const { return job_.has_result(); }
   scene::WorkState state() const;
   /// Says what was written since the last call, or what went wrong, and goes on with the next. With wait,
   /// waits for the one that is being written. Returns false if one failed.

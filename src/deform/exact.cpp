@@ -1,7 +1,6 @@
 #include "deform/exact.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -87,18 +86,20 @@ ExactModel deform_exactly(std::span<const mesh::Point> rest, const Cage& cage, W
   const PosedHandles posed = posed_handles(cage, weighting.coordinates, pose, model.report);
   const Weigher weigher(cage, weighting);
   model.positions.resize(rest.size());
-  std::atomic<std::size_t> done{0}, failed{0};
-  std::mutex mutex;  // of exp_error
-  pool.for_blocks(rest.size(), weighed_at_once(weigher.handles()), [&](std::size_t begin, std::size_t end) {
-    const auto block = rest.subspan(begin, end - begin);
-    const BoundPart part = bind_part(weigher, block);
-    const double error =
-        place_vertices(part.binding, posed, method, std::span(model.positions).subspan(begin, end - begin));
-    failed += part.failed;
-    done += end - begin;
-    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(rest.size()));
+  std::size_t done = 0, failed = 0;
+  std::mutex mutex;  // of these, and of exp_error
+  const auto take = [&](std::size_t count, std::size_t lost, double error) {
     const std::lock_guard lock(mutex);
+    done += count;
+    failed += lost;
     model.exp_error = std::max(model.exp_error, error);
+    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(rest.size()));
+  };
+  pool.for_blocks(rest.size(), weighed_at_once(weigher.handles()), [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = end - begin;
+    const BoundPart part = bind_part(weigher, rest.subspan(begin, count));
+    const auto positions = std::span(model.positions).subspan(begin, count);
+    take(count, part.failed, place_vertices(part.binding, posed, method, positions));
   });
   model.warnings = weight_warnings(cage, weighting.coordinates, failed, rest.size());
   return model;
