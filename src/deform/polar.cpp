@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 
 namespace viete::deform {
 
@@ -9,11 +10,22 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
+// Of a matrix that is not finite Eigen computes nothing.
+Polar not_a_number() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Polar result;
+  result.rotation.fill(nan);
+  result.axes.fill(nan);
+  result.stretches.fill(nan);
+  return result;
+}
+
 }  // namespace
 
 Polar polar(const sym3::Mat3<double>& m) {
   const Eigen::Matrix3d matrix = Eigen::Map<const RowMajor>(m.data());
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  if (svd.info() != Eigen::Success) return not_a_number();
   Eigen::Matrix3d u = svd.matrixU();
   if (u.determinant() * svd.matrixV().determinant() < 0) u.col(2) = -u.col(2);
   Polar result;

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "deform/shapes.h"
 
 using namespace viete::test;
@@ -78,6 +81,15 @@ TEST_CASE("a_mirror_has_the_closest_proper_rotation") {
   const Polar p = polar(diagonal({3, 2, -1}));
   CHECK(difference(p.rotation, unity) < 1e-15);
   CHECK(determinant(polar(diagonal({-1, -2, -3})).rotation) == doctest::Approx(1));
+}
+
+TEST_CASE("a_matrix_that_is_not_finite_has_no_rotation_and_no_stretch") {
+  for (const double odd :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const Polar p = polar({1, 0, 0, 0, odd, 0, 0, 0, 1});
+    for (const double x : p.rotation) CHECK(std::isnan(x));
+    for (const double x : p.stretches) CHECK(std::isnan(x));
+  }
 }
 
 TEST_CASE("singular_matrices_have_a_proper_rotation_and_zero_has_the_identity") {
