@@ -53,6 +53,13 @@ std::vector<std::string> with_command(std::vector<std::string> words, const CLI:
   return words;
 }
 
+// A value that is wrong is told before what is missing, in every version of CLI11.
+void values_first([[maybe_unused]] CLI::App& app) {
+#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
+  app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);
+#endif
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Viete: deform a mesh by its cage, through the exponential of symmetric 3x3 matrices",
                "viete");
@@ -64,6 +71,7 @@ int run(int argc, char** argv) {
   app.formatter(help_formatter());
   app.set_help_flag("-h,--help", "Say this and exit");
   app.require_subcommand(1);
+  values_first(app);  // before the commands, which take it over
   Action action;
   add_view_command(app, action);
   add_render_command(app, action);

@@ -98,6 +98,12 @@ TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_
   CHECK(empty.entries() == 0);
 }
 
+TEST_CASE("a_wrong_value_is_told_before_what_is_missing") {
+  const Outcome outcome = run("render --method best");
+  CHECK(outcome.code == 2);
+  CHECK(mentions(outcome, "--method: needs diag"));
+}
+
 TEST_CASE("a_file_that_is_called_like_no_command_is_opened") {
   const TemporaryFolder folder;
   fs::copy_file(cage, folder / "rendr");
