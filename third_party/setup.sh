@@ -89,8 +89,8 @@ deps() {
     return 0
   fi
   missing=$(missing_of $need) wished=$(missing_of $wish)
-  # What this release does not have was found out before: no server is asked again.
-  stamp=$here/.cache/not-in-this-release
+  # What could not be had was found out before: no server is asked again, but by `deps`.
+  stamp=$here/.cache/packages-not-to-be-had
   unknown=""
   [ "$verb" = deps ] || unknown=$(cat "$stamp" 2>/dev/null || true)
   for p in $wished; do
@@ -110,19 +110,28 @@ deps() {
       return 1
     fi
   fi
-  say "asking for the newest list of packages"
-  apt update
   left=""
-  for p in $wished; do
-    if apt-cache show "$p" >/dev/null 2>&1; then missing="$missing $p"; else left="$left $p"; fi
-  done
-  if [ -n "$missing" ]; then
-    LC_ALL=C apt-get --assume-no install --no-install-recommends $missing 2>/dev/null |
-      sed -n 's/^0 upgraded, \([0-9]* newly installed\).*/  \1/p; s/^\(Need to get\|After this operation\)/  &/p' >&2
-    apt -y install --no-install-recommends $missing
+  if say "asking for the newest list of packages" && apt update; then
+    if [ -n "$missing" ]; then fetch $missing; fi
+    found=""
+    for p in $wished; do
+      if apt-cache show "$p" >/dev/null 2>&1; then found="$found $p"; else left="$left $p"; fi
+    done
+    if [ -n "$found" ] && ! fetch $found; then left="$left$found"; fi
+  else
+    [ -z "$missing" ] || return 1
+    left=" $wished"
   fi
+  if [ -n "$left" ]; then say "not installed, and not needed:${left% }"; fi
   mkdir -p "$here/.cache"
-  echo $unknown $left >"$stamp"
+  echo $left >"$stamp"
+}
+
+# Says how much that is, and installs it.
+fetch() {
+  LC_ALL=C apt-get --assume-no install --no-install-recommends "$@" 2>/dev/null |
+    sed -n 's/^0 upgraded, \([0-9]* newly installed\).*/  \1/p; s/^\(Need to get\|After this operation\)/  &/p' >&2
+  apt -y install --no-install-recommends "$@"
 }
 
 # build TARGET CMAKE-OPTIONS...: the options are for a folder that is not configured yet, or `test`.

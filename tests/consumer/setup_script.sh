@@ -136,5 +136,23 @@ expect 'packages that cannot be installed are an error' ended_with 1
 expect 'with what apt-get said' says 'E: no space'
 expect 'and nothing is built' no called '^cmake'
 
+fresh
+stand_in dpkg-query 'case "$*" in *fonts-inter*) ;; *) echo installed ;; esac'
+stand_in sudo 'echo "somebody is not in the sudoers file"; exit 1'
+run "$script" build
+expect 'who may not use sudo builds all the same' ended_with 0
+expect 'and is told what is left out' says 'not needed: fonts-inter'
+: >"$calls"
+run "$script" build
+expect 'once' no called '^sudo'
+
+fresh
+stand_in dpkg-query 'case "$*" in *libglm-dev* | *fonts-inter*) ;; *) echo installed ;; esac'
+stand_in sudo 'exec "$@"'
+stand_in apt-get 'case "$*" in *" -y install "*fonts-inter*) echo "E: held broken packages"; exit 100 ;; esac'
+run "$script" build
+expect 'a package that is only wished for and cannot be installed stops nothing' ended_with 0
+expect 'and the needed ones are installed' called ' -y install .*libglm-dev'
+
 [ $failures -eq 0 ] && echo "setup.sh: all is as it should be"
 exit $failures
