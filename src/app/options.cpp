@@ -9,6 +9,7 @@
 #include "app/words.h"
 #include "base/error.h"
 #include "scene/edit.h"
+#include "scene/range.h"
 #include "scene/session.h"
 
 namespace viete::app {
@@ -148,9 +149,10 @@ void add_size_option(CLI::App& app, glm::ivec2& size) {
            int w = 0, h = 0;
            char rest = 0;
            const bool whole = std::sscanf(text.c_str(), "%dx%d%c", &w, &h, &rest) == 2;
-           if (!whole || w < 16 || h < 16 || w > 8192 || h > 8192) {
+           if (!whole || w < 16 || h < 16 || w > 8192 || h > 8192)
              throw CLI::ValidationError("--size", "needs WIDTHxHEIGHT, each 16 to 8192, not " + text);
-           }
+           if (!scene::is_window(w, h))
+             throw CLI::ValidationError("--size", "needs at most as many pixels as 4096x4096, not " + text);
            size = {w, h};
          },
          "Size of the picture in logical pixels, each 16 to 8192")

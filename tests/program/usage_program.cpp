@@ -98,6 +98,12 @@ TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_
   CHECK(empty.entries() == 0);
 }
 
+TEST_CASE("a_picture_is_no_larger_than_that_of_a_session_may_be") {
+  const Outcome outcome = run("render a b -o x.png --size 8192x8192");
+  CHECK(outcome.code == 2);
+  CHECK(mentions(outcome, "at most as many pixels as 4096x4096"));
+}
+
 TEST_CASE("a_wrong_value_is_told_before_what_is_missing") {
   const Outcome outcome = run("render --method best");
   CHECK(outcome.code == 2);
