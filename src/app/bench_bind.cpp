@@ -102,7 +102,7 @@ private:
   base::WorkerPool pool_{1};
   std::unique_ptr<PlainWeights> plain_;
   std::vector<mesh::Point> leaf_points_;
-  deform::AlignedVector<float> leaf_rows_;
+  base::AlignedVector<float> leaf_rows_;
   deform::TiledBinding dense_, compressed_;
 };
 

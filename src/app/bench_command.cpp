@@ -13,7 +13,6 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/memory.h"
-#include "scene/quantity.h"
 #include "sym3/kernel.h"
 
 namespace viete::app {
@@ -31,14 +30,8 @@ constexpr std::int64_t most_matrices = 1'000'000'000;
 
 // Before the system stops the program for it. A matrix comes in and goes out, as nine doubles at most.
 void require_memory_for(std::size_t count) {
-  const double bytes = 160.0 * static_cast<double>(count);
-  const auto free = base::free_memory();
-  if (!free || bytes <= 0.9 * *free) return;
-  throw base::Error("--count",
-                    grouped(count) + " matrices take " + scene::memory_size(static_cast<std::size_t>(bytes)) +
-                        " of memory, of which " + scene::memory_size(static_cast<std::size_t>(*free)) +
-                        " are free",
-                    "give a smaller number");
+  base::require_memory({160.0 * static_cast<double>(count), grouped(count) + " matrices take",
+                        "give a smaller number", "--count"});
 }
 
 template <class Bench>

@@ -260,7 +260,7 @@ private:
   std::vector<std::unique_ptr<deform::FusedFrame>> frames_;
   std::vector<mesh::Point> expected_;
   std::vector<Case> cases_;
-  deform::AlignedVector<float> exp_in_, exp_out_;
+  base::AlignedVector<float> exp_in_, exp_out_;
   volatile float sink_ = 0;
 };
 

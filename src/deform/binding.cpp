@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "deform/face_maps.h"
 #include "deform/mean_value.h"
-#include "deform/memory.h"
 #include "deform/tiled_binding.h"
 #include "deform/vec3.h"
 #include "deform/weights.h"
@@ -20,14 +19,15 @@ constexpr std::size_t rows_per_block = 64;
 
 void allocate(Binding& binding) {
   const auto bytes = static_cast<double>(binding_bytes(binding.vertices, binding.handles));
-  require_memory(bytes, binding.vertices, binding.handles);
+  const auto need = binding_memory(bytes, binding.vertices, binding.handles);
+  base::require_memory(need);
   try {
     binding.weights.resize(binding.vertices * binding.handles);
     binding.offsets.resize(binding.vertices);
   } catch (const std::bad_alloc&) {
-    refuse_memory(bytes, binding.vertices, binding.handles);
+    base::refuse_memory(need);
   } catch (const std::length_error&) {
-    refuse_memory(bytes, binding.vertices, binding.handles);
+    base::refuse_memory(need);
   }
 }
 
@@ -71,6 +71,13 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path, 
   // weights; offset, place, vertex, walk; rest, position, normal, triangles and the lists around vertices
   const double fused = (compressed ? k : 4 * k) + 12 + 20 + 32 + 20 + 24 + 24 + 24 + 28;
   return static_cast<std::size_t>(std::min(0x1p63, n * (path == Path::staged ? staged : fused)));
+}
+
+base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t handles) {
+  return {bytes,
+          "binding " + std::to_string(vertices) + " vertices to " + std::to_string(handles) +
+              " cage elements takes",
+          "use a coarser cage or a coarser model", ""};
 }
 
 std::vector<std::string> weight_warnings(const Cage& cage, Coordinates coordinates, std::size_t failed,

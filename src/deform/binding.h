@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/memory.h"
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/cage.h"
@@ -48,6 +49,9 @@ std::vector<std::string> weight_warnings(const Cage& cage, Coordinates coordinat
 /// left by the compression.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path = Path::staged,
                           Coordinates coordinates = Coordinates::face);
+
+/// What a binding of so many bytes says when they are not to be had.
+base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t handles);
 
 /// For the staged frame. Cost O(n k), shared over the pool; the result does not depend on the number of
 /// threads. Throws base::Cancelled; throws base::Error when the memory that is free now would not suffice, or

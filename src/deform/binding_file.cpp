@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/checksum.h"
-#include "deform/memory.h"
 #include "mesh/content_key.h"
 
 namespace viete::deform {
@@ -178,7 +177,7 @@ void make_room(const Reader& reader, TiledBinding& b) {
                                               : b.leaves.slot_count() * b.handles;
   const auto [factors, skeleton] = b.place_factors();
   reader.expect(sizeof(float) * (b.offsets.size() + weights + factors + skeleton));
-  require_memory(static_cast<double>(reader.left()), b.leaves.vertices, b.handles);
+  base::require_memory(binding_memory(static_cast<double>(reader.left()), b.leaves.vertices, b.handles));
   b.weights.resize(weights);
   b.factors.resize(factors);
   b.skeleton.resize(skeleton);

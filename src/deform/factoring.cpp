@@ -25,8 +25,8 @@ Factors factor_rows(const LeafRows& leaf, std::size_t vertices, double tolerance
                     const BindKernel& kernel) {
   const std::size_t slots = leaf.tiles * lanes;
   std::vector<float> unit(leaf.columns, 0.0f);
-  AlignedVector<float> norms(slots), taken(slots);
-  std::vector<AlignedVector<float>> coefficients;
+  base::AlignedVector<float> norms(slots), taken(slots);
+  std::vector<base::AlignedVector<float>> coefficients;
   Factors result;
   kernel.take_out(leaf, unit.data(), taken.data(), norms.data());
   for (;;) {

@@ -4,14 +4,14 @@
 #include <cstddef>
 #include <vector>
 
-#include "deform/aligned.h"
+#include "base/aligned.h"
 #include "deform/bind_kernel.h"
 
 namespace viete::deform {
 
 struct Factors {
   std::vector<std::size_t> pivots;  ///< slots of the leaf; empty if there is no point in it
-  AlignedVector<float> factors;     ///< [tile][pivot][lane]: row = sum of factor times the pivot's row
+  base::AlignedVector<float> factors;     ///< [tile][pivot][lane]: row = sum of factor times the pivot's row
 };
 
 /// Row interpolative decomposition with pivoting: takes out the largest row of what is left until none is

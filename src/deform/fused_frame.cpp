@@ -180,7 +180,7 @@ void FusedFrame::hold(const Elements& moving) {
   held_.sums.resize(slots * log_size);
   held_.weights.resize(list_moving());
   held_.rows.assign(held_.row_count() * log_size, 0.0f);
-  AlignedVector<float> others = table_;
+  base::AlignedVector<float> others = table_;
   for (const auto j : moving)
     std::fill_n(others.begin() + static_cast<std::ptrdiff_t>(j * log_size), log_size, 0.0f);
   blend_skeleton(others.data());
@@ -188,7 +188,7 @@ void FusedFrame::hold(const Elements& moving) {
     if (held_.row_count(leaf) == 0) return;
     kernel_.in_float.blend(leaf_run(leaf, others.data()),
                            held_.sums.data() + binding_->leaves.begin(leaf) * log_size);
-    AlignedVector<float> scratch(leaf_slots * log_size);
+    base::AlignedVector<float> scratch(leaf_slots * log_size);
     pack_weights(leaf, scratch.data());
   });
 }
@@ -232,7 +232,7 @@ void FusedFrame::pack_weights(std::size_t leaf, float* scratch) {
   const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
   const std::size_t count = held_.row_count();
   TileRun<float> run = leaf_run(leaf, nullptr);
-  AlignedVector<float> pivots(run.rows * log_size);
+  base::AlignedVector<float> pivots(run.rows * log_size);
   const bool factored = b.compressed() && !b.factored[leaf].dense;
   float* const out = held_.weights.data() + begin * count;
   for (std::size_t m = 0; m < count; m += log_size) {

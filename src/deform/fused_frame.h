@@ -82,12 +82,12 @@ private:
   std::vector<MapLog> logs_;
   Elements moved_;                                     // in this frame
   std::vector<std::array<double, log_size>> entries_;  // [handle], what table_ is made of
-  AlignedVector<float> table_;                         // [handle][column], less the mean of its column
+  base::AlignedVector<float> table_;                         // [handle][column], less the mean of its column
   std::array<float, log_size> mean_{};                 // [column]
-  AlignedVector<float> skeleton_sums_;                 // [tile][column][lane]
-  AlignedVector<float> skeleton_table_;                // [pivot][column]
-  AlignedVector<float> positions_;                     // [place] of the rings, x y z x in units
-  AlignedVector<FrameVertex> vertices_;
+  base::AlignedVector<float> skeleton_sums_;                 // [tile][column][lane]
+  base::AlignedVector<float> skeleton_table_;                // [pivot][column]
+  base::AlignedVector<float> positions_;                     // [place] of the rings, x y z x in units
+  base::AlignedVector<FrameVertex> vertices_;
   std::vector<std::uint8_t> leaf_moved_;  // [leaf] its slots, in this frame
   Vec3 origin_{0, 0, 0};
   std::vector<mesh::Point> pose_;         // of the last frame
@@ -98,14 +98,14 @@ private:
   /// While a few elements move: what the others amount to.
   struct Held {
     Elements moving;
-    AlignedVector<float> table;  // when it was formed
+    base::AlignedVector<float> table;  // when it was formed
     Vec3 origin{0, 0, 0};
     std::vector<std::size_t> starts;    // in `listed`, one more than leaves
     std::vector<std::uint32_t> listed;  // which of those that move have weight in a leaf, leaf by leaf
-    AlignedVector<float>
+    base::AlignedVector<float>
         sums;  // [tile][column][lane], of the elements that do not move; of leaves that others move
-    AlignedVector<float> weights;  // [tile][row][lane], of those that do, in the order of `listed`
-    AlignedVector<float> rows;     // their part of the table
+    base::AlignedVector<float> weights;  // [tile][row][lane], of those that do, in the order of `listed`
+    base::AlignedVector<float> rows;     // their part of the table
     bool placed = false;           // a frame was computed from these: leaves without rows stay as they are
     std::size_t row_count() const { return moving.size(); }
     std::size_t row_count(std::size_t leaf) const { return starts[leaf + 1] - starts[leaf]; }

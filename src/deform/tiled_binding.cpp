@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "deform/factoring.h"
 #include "deform/frame_kernel.h"
-#include "deform/memory.h"
 #include "deform/vec3.h"
 #include "deform/weigher.h"
 
@@ -27,7 +26,7 @@ std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
 
 /// What one leaf needs while it is being bound.
 struct LeafWeights {
-  AlignedVector<float> rows;  // [tile][handle][lane]
+  base::AlignedVector<float> rows;  // [tile][handle][lane]
   std::vector<Vec3> sums;     // of weight times handle position, a slot
 };
 
@@ -39,7 +38,7 @@ struct LeafResult {
 /// Of a leaf, where weights are kept as lists.
 struct LeafList {
   std::vector<std::uint32_t> handles;
-  AlignedVector<float> rows;  // [tile][place in the list][lane]
+  base::AlignedVector<float> rows;  // [tile][place in the list][lane]
 };
 
 /// Multiply-adds of a frame over those of a dense one.
@@ -88,8 +87,8 @@ private:
 
   void require(double share) const {
     const double dense = 4.0 * static_cast<double>(b_.leaves.slot_count()) * static_cast<double>(b_.handles);
-    require_memory(share * dense + 100.0 * static_cast<double>(b_.leaves.slot_count()), b_.leaves.vertices,
-                   b_.handles);
+    const double bytes = share * dense + 100.0 * static_cast<double>(b_.leaves.slot_count());
+    base::require_memory(binding_memory(bytes, b_.leaves.vertices, b_.handles));
   }
 
   template <class Body>
@@ -143,7 +142,7 @@ private:
     const auto& kernel = bind_kernel(sym3::kernel());
     w.rows.resize(slots(leaf) * b_.handles);
     weigh(leaf, w.rows.data(), w.sums);
-    AlignedVector<float> left = w.rows;
+    base::AlignedVector<float> left = w.rows;
     LeafResult result;
     const std::size_t most = std::min(b_.handles, slots(leaf)) / 2;
     result.factors =
@@ -178,7 +177,7 @@ private:
   }
 
   // Those that have weight somewhere in the leaf.
-  std::vector<std::uint32_t> handles_in(std::size_t leaf, const AlignedVector<float>& rows) const {
+  std::vector<std::uint32_t> handles_in(std::size_t leaf, const base::AlignedVector<float>& rows) const {
     std::vector<std::uint32_t> handles;
     for (std::uint32_t j = 0; j < b_.handles; ++j) {
       bool any = false;

@@ -8,7 +8,7 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "deform/aligned.h"
+#include "base/aligned.h"
 #include "deform/binding.h"
 #include "deform/leaves.h"
 #include "deform/rings.h"
@@ -47,14 +47,14 @@ struct TiledBinding {
   std::size_t failed = 0;  ///< vertices that have no mean value coordinates
   double unit = 1;         ///< a power of two near the cage's diagonal: lengths are stored as multiples of it
   double tolerance = 0;    ///< of the compression; 0: none
-  AlignedVector<float> offsets;  ///< [tile][3][lane], in units
+  base::AlignedVector<float> offsets;  ///< [tile][3][lane], in units
   /// [tile][handle][lane], with lists [tile][place in the list][lane]; empty if compressed
-  AlignedVector<float> weights;
+  base::AlignedVector<float> weights;
   std::vector<std::size_t> list_starts;  ///< in `listed`, one more than leaves; empty without lists
   std::vector<std::uint32_t> listed;     ///< the handles that have weight in a leaf, ascending, leaf by leaf
   std::vector<LeafFactors> factored;     ///< one a leaf; empty if not compressed
-  AlignedVector<float> factors;
-  AlignedVector<float> skeleton;  ///< the pivots' weights, [tile][handle][lane], an even number of tiles
+  base::AlignedVector<float> factors;
+  base::AlignedVector<float> skeleton;  ///< the pivots' weights, [tile][handle][lane], an even number of tiles
 
   Weighting weighting() const { return {coordinates, reach}; }
   bool compressed() const { return !factored.empty(); }

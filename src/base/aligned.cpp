@@ -1,4 +1,4 @@
-#include "base/pages.h"
+#include "base/aligned.h"
 
 #include <cstdlib>
 #include <new>
@@ -16,7 +16,7 @@ constexpr std::size_t large_page = std::size_t{2} << 20;
 
 }  // namespace
 
-void* allocate_pages(std::size_t bytes) {
+void* allocate_aligned(std::size_t bytes) {
   const std::size_t alignment = bytes >= large_page ? large_page : line;
   const std::size_t size = (bytes + line - 1) / line * line;
   void* memory = nullptr;
@@ -27,7 +27,7 @@ void* allocate_pages(std::size_t bytes) {
   return memory;
 }
 
-void free_pages(void* memory) {
+void free_aligned(void* memory) {
   std::free(memory);
 }
 
