@@ -54,6 +54,7 @@ function(viete_kernels)
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS "${VIETE_KERNEL_OPTIONS}")
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_DEFINITIONS "VIETE_KERNELS_LEFT_OUT=${VIETE_KERNELS_LEFT_OUT}")
   set_property(SOURCE ${ARGN} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+  set_property(GLOBAL APPEND PROPERTY VIETE_KERNEL_SOURCES ${ARGN})  # for tests/rules
 endfunction()
 
 # Several sources of a room are compiled as one: headers are read once, which halves the time of the whole build.

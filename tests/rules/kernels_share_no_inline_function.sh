@@ -1,0 +1,19 @@
+#!/bin/sh
+# kernels_share_no_inline_function.sh NM "SOURCE.cpp ..." LIBRARY.a...: a kernel's object file has weak symbols (inline functions,
+# templates) only in the namespaces of its instruction sets, N_*. Of any other the linker would keep one copy for the whole program,
+# which may be the one compiled for newer hardware.
+set -eu
+nm="$1" sources="$2"
+shift 2
+list=$(mktemp)
+trap 'rm -f "$list"' EXIT
+for library in "$@"; do "$nm" "$library"; done >"$list"
+
+status=0
+for source in $sources; do
+  symbols=$(sed -n "/^$(echo "$source" | sed 's/\./\\./g')\\.o:\$/,/^\$/p" "$list")
+  [ -n "$symbols" ] || { echo "no object of $source in $*"; status=1; }
+  shared=$(echo "$symbols" | grep ' [VWu] ' | grep -v -e '[0-9]N_' -e ' DW\.ref\.' || true)
+  [ -z "$shared" ] || { echo "$source shares"; echo "$shared"; status=1; }
+done
+exit $status
