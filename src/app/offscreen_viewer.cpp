@@ -5,8 +5,8 @@
 
 namespace viete::app {
 
-OffscreenViewer::OffscreenViewer(const ViewerOptions& options, OffscreenContext::Kind kind)
-    : context_(OffscreenContext::create(kind)) {
+OffscreenViewer::OffscreenViewer(const ViewerOptions& options, platform::OffscreenContext::Kind kind)
+    : context_(platform::OffscreenContext::create(kind)) {
   gl_ = std::make_unique<render::Gl>(
       render::load_gl([this](const char* name) { return context_->get_proc_address(name); }));
   viewer_ = std::make_unique<Viewer>(*gl_, options);

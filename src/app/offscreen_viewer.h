@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "app/offscreen_context.h"
 #include "app/viewer.h"
+#include "platform/offscreen_context.h"
 
 namespace viete::app {
 
@@ -12,7 +12,7 @@ class OffscreenViewer {
 public:
   /// Throws base::Error when no offscreen context can be had.
   explicit OffscreenViewer(const ViewerOptions& options,
-                           OffscreenContext::Kind kind = OffscreenContext::Kind::any);
+                           platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any);
 
   Viewer& viewer() { return *viewer_; }
   std::string context_name() const { return context_->name(); }
@@ -20,7 +20,7 @@ public:
   void settle();
 
 private:
-  std::unique_ptr<OffscreenContext> context_;
+  std::unique_ptr<platform::OffscreenContext> context_;
   std::unique_ptr<render::Gl> gl_;
   std::unique_ptr<Viewer> viewer_;
 };

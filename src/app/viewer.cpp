@@ -44,7 +44,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
       stage_(gl) {
   fonts_ = ui::add_fonts(options.scale, options.builtin_font);
   imgui_renderer_.upload_fonts();
-  InputQueue::configure();
+  platform::InputQueue::configure();
   for (const glm::vec3& c : render::surface_palette(33)) {
     error_colors_.push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
   }
@@ -141,7 +141,8 @@ void Viewer::keep_files() {
 
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
-  const bool reports = files_.loading() || files_.exporting() || binder_.running() || checks_.running() || bench_.running();
+  const bool reports =
+      files_.loading() || files_.exporting() || binder_.running() || checks_.running() || bench_.running();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
   return changing() || files_.has_news() || wants_refinement() || method_probe_.has_result() ||
          probe_is_due() || binder_.has_result() || checks_.has_result() || bench_.has_result() ||

@@ -10,17 +10,18 @@
 #include "app/bound.h"
 #include "app/error_map.h"
 #include "app/file_desk.h"
-#include "app/imgui_renderer.h"
-#include "app/input_queue.h"
 #include "app/method_probe.h"
 #include "app/saved_bindings.h"
 #include "app/stage.h"
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
+#include "platform/imgui_renderer.h"
+#include "platform/input_queue.h"
 #include "render/framebuffer.h"
 #include "scene/pointer.h"
 #include "scene/workspace.h"
 #include "ui/context.h"
+#include "ui/imgui_bridge.h"
 
 namespace viete::app {
 
@@ -46,7 +47,7 @@ public:
 
   scene::Workspace& workspace() { return workspace_; }
   const scene::Workspace& workspace() const { return workspace_; }
-  InputQueue& input() { return input_; }
+  platform::InputQueue& input() { return input_; }
   ui::Recorder& recorder() { return recorder_; }
 
   void resize(glm::ivec2 logical_size);
@@ -126,10 +127,10 @@ private:
   scene::Workspace workspace_;
   FileDesk files_;
   scene::Pointer pointer_;
-  InputQueue input_;
+  platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;
   ui::Fonts fonts_;
-  ImGuiRenderer imgui_renderer_;
+  platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;
   Stage stage_;
   base::WorkerPool pool_;

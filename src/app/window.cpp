@@ -20,6 +20,8 @@ namespace viete::app {
 
 namespace {
 
+using platform::InputEvent;
+
 std::string last_glfw_error() {
   const char* text = nullptr;
   glfwGetError(&text);
@@ -52,8 +54,8 @@ struct GlfwSession {
   }
 };
 
-// Where neither is named, nothing is asked: the Wayland library would complain on stderr where the session has
-// no runtime folder, and open a window on whatever display of that folder it finds.
+// Where neither is named, nothing is asked: the Wayland library would complain on stderr where the session
+// has no runtime folder, and open a window on whatever display of that folder it finds.
 bool display_is_named() {
   const auto given = [](const char* variable) {
     const char* value = std::getenv(variable);

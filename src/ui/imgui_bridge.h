@@ -35,13 +35,15 @@ constexpr int key_code(scene::Key key) {
   return static_cast<int>(key);
 }
 
-#if IMGUI_VERSION_NUM >= 18700
-/// ImGui's key for a platform key code; ImGuiKey_None if the program does not use it.
-inline ImGuiKey imgui_key(int code) {
-  if (code >= 'A' && code <= 'Z') return static_cast<ImGuiKey>(ImGuiKey_A + (code - 'A'));
-  if (code >= '0' && code <= '9') return static_cast<ImGuiKey>(ImGuiKey_0 + (code - '0'));
-  if (code >= 290 && code <= 301) return static_cast<ImGuiKey>(ImGuiKey_F1 + (code - 290));
-  if (code >= 320 && code <= 329) return static_cast<ImGuiKey>(ImGuiKey_Keypad0 + (code - 320));
+/// ImGui's key for a platform key code; 0 if the program does not use it. Old versions take the code itself.
+inline int imgui_key(int code) {
+#if IMGUI_VERSION_NUM < 18700
+  return code;
+#else
+  if (code >= 'A' && code <= 'Z') return ImGuiKey_A + (code - 'A');
+  if (code >= '0' && code <= '9') return ImGuiKey_0 + (code - '0');
+  if (code >= 290 && code <= 301) return ImGuiKey_F1 + (code - 290);
+  if (code >= 320 && code <= 329) return ImGuiKey_Keypad0 + (code - 320);
   switch (code) {
     case 32: return ImGuiKey_Space;
     case 256: return ImGuiKey_Escape;
@@ -61,17 +63,13 @@ inline ImGuiKey imgui_key(int code) {
     case 335: return ImGuiKey_KeypadEnter;
     default: return ImGuiKey_None;
   }
-}
 #endif
+}
 
 /// Did the key go down in this frame? With repeat, also again and again while it is held.
 inline bool key_pressed(scene::Key key, bool repeat = false) {
-#if IMGUI_VERSION_NUM >= 18700
-  const ImGuiKey k = imgui_key(key_code(key));
-  return k != ImGuiKey_None && ImGui::IsKeyPressed(k, repeat);
-#else
-  return ImGui::IsKeyPressed(key_code(key), repeat);
-#endif
+  const int k = imgui_key(key_code(key));
+  return k > 0 && ImGui::IsKeyPressed(static_cast<ImGuiKey>(k), repeat);
 }
 
 }  // namespace viete::ui

@@ -19,7 +19,7 @@ namespace viete::test {
 class Driver {
 public:
   explicit Driver(app::ViewerOptions options = default_options(),
-                  app::OffscreenContext::Kind kind = app::OffscreenContext::Kind::any)
+                  platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any)
       : offscreen_(options, kind), column_end_(static_cast<float>(options.size.y) - 30) {}
 
   static app::ViewerOptions default_options() {
@@ -40,15 +40,15 @@ public:
   void frame(int count = 1) {
     for (int i = 0; i < count; ++i) viewer().frame(1.0f / 60);
   }
-  void send(app::InputEvent event, int frames = 1) {
+  void send(platform::InputEvent event, int frames = 1) {
     viewer().input().push(std::move(event));
     frame(frames);
   }
-  void move(glm::vec2 to) { send(app::InputEvent::move(to)); }
-  void button(int code, bool down) { send(app::InputEvent::button(code, down)); }
-  void wheel(float steps) { send(app::InputEvent::scroll(steps)); }
-  void key(int code, bool down) { send(app::InputEvent::key(code, down)); }
-  void type(const std::string& text) { send(app::InputEvent::typed(text), 2); }
+  void move(glm::vec2 to) { send(platform::InputEvent::move(to)); }
+  void button(int code, bool down) { send(platform::InputEvent::button(code, down)); }
+  void wheel(float steps) { send(platform::InputEvent::scroll(steps)); }
+  void key(int code, bool down) { send(platform::InputEvent::key(code, down)); }
+  void type(const std::string& text) { send(platform::InputEvent::typed(text), 2); }
   void press_key(int code, bool ctrl = false, bool shift = false) {
     if (ctrl) key(left_ctrl, true);
     if (shift) key(left_shift, true);

@@ -26,9 +26,9 @@ TEST_CASE("typed_text_arrives_in_a_few_frames_in_order") {
   d.press_key('A', true);
   const std::string text = "/tmp/abcdefghijklmnopqrstuvwxyz.obj";
   for (const char c : text) {
-    d.viewer().input().push(app::InputEvent::key(c, true));
-    d.viewer().input().push(app::InputEvent::typed(std::string(1, c)));
-    d.viewer().input().push(app::InputEvent::key(c, false));
+    d.viewer().input().push(platform::InputEvent::key(c, true));
+    d.viewer().input().push(platform::InputEvent::typed(std::string(1, c)));
+    d.viewer().input().push(platform::InputEvent::key(c, false));
   }
   d.frame(static_cast<int>(text.size()) + 4);
   CHECK(d.viewer().input().empty());
@@ -44,10 +44,10 @@ TEST_CASE("a_press_and_the_movement_after_it_are_not_mixed_up") {
   const glm::vec2 from = glm::round(d.vertex(v)), to = from + glm::vec2(50, 20), offset = d.vertex(v) - from;
   d.move(from);
   auto& input = d.viewer().input();
-  input.push(app::InputEvent::button(0, true));  // all of this between two frames
-  input.push(app::InputEvent::move(from + glm::vec2(20, 10)));
-  input.push(app::InputEvent::move(to));
-  input.push(app::InputEvent::button(0, false));
+  input.push(platform::InputEvent::button(0, true));  // all of this between two frames
+  input.push(platform::InputEvent::move(from + glm::vec2(20, 10)));
+  input.push(platform::InputEvent::move(to));
+  input.push(platform::InputEvent::button(0, false));
   d.frame(6);
   CHECK(glm::distance(d.vertex(v), to + offset) < 0.05f);
 }
@@ -60,16 +60,16 @@ TEST_CASE("keys_of_one_frame_keep_their_modifiers_and_their_order") {
   const auto view = d.workspace().view;
   d.key(Driver::left_shift, true);
   for (const auto& [code, down] : {std::pair{t, true}, {Driver::left_shift, false}, {t, false}}) {
-    input.push(app::InputEvent::key(
+    input.push(platform::InputEvent::key(
         code, down));  // Shift is let go before the key: still Shift+T, which is no command
   }
   d.frame(4);
   CHECK(d.workspace().view == view);
   for (const int code : {g, x}) {
-    input.push(app::InputEvent::key(code, true));
+    input.push(platform::InputEvent::key(code, true));
   }
   for (const int code : {g, x}) {
-    input.push(app::InputEvent::key(code, false));
+    input.push(platform::InputEvent::key(code, false));
   }
   d.frame(4);
   CHECK(d.workspace().view.grid != view.grid);

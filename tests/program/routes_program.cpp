@@ -4,7 +4,7 @@
 
 using namespace viete;
 using test::Driver;
-using Kind = app::OffscreenContext::Kind;
+using Kind = platform::OffscreenContext::Kind;
 
 namespace {
 
@@ -19,7 +19,7 @@ render::Image picture_by(Kind kind) {
 
 bool available(Kind kind) {
   try {
-    app::OffscreenContext::create(kind);
+    platform::OffscreenContext::create(kind);
     return true;
   } catch (const base::Error& error) {
     MESSAGE("skipped: " << error.what());

@@ -386,7 +386,7 @@ TEST_CASE("a_click_that_goes_down_and_up_within_one_frame_counts") {
   const glm::vec2 at = d.place_of("method_diag");
   d.move(at);
   for (int i = 0; i < 2; ++i) {
-    d.viewer().input().push(app::InputEvent::button(0, i == 0));
+    d.viewer().input().push(platform::InputEvent::button(0, i == 0));
   }
   d.frame(3);
   CHECK(d.document().method == sym3::Method::diag);

@@ -1,6 +1,6 @@
 #include "render/backdrop.h"
 
-#include "stage.h"
+#include "support/stage.h"
 
 using namespace viete;
 

@@ -1,7 +1,7 @@
 #include "render/framebuffer.h"
 
 #include "base/error.h"
-#include "stage.h"
+#include "support/stage.h"
 
 using namespace viete;
 

@@ -2,7 +2,7 @@
 
 #include "render/backdrop.h"
 #include "render/surface_layer.h"
-#include "stage.h"
+#include "support/stage.h"
 
 using namespace viete;
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "stage.h"
+#include "support/stage.h"
 
 using namespace viete;
 

@@ -4,7 +4,7 @@
 #include "render/disc_layer.h"
 #include "render/line_layer.h"
 #include "render/surface_layer.h"
-#include "stage.h"
+#include "support/stage.h"
 
 namespace viete::test {
 

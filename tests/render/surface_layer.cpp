@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "render/palette.h"
-#include "stage.h"
+#include "support/stage.h"
 
 using namespace viete;
 using test::Point;

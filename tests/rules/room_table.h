@@ -27,9 +27,10 @@ inline const std::map<std::string, Room>& rooms() {
       {"scene", {{"base", "sym3", "mesh", "deform"}, {"glm", "json"}, {}}},
       {"render", {{"base"}, {"gl", "glm"}, {"stb"}}},
       {"ui", {{"base", "scene"}, {"imgui"}, {}}},
+      {"platform", {{"base", "render"}, {"gl", "glm", "imgui"}, {}}},
       {"app",
-       {{"base", "sym3", "mesh", "deform", "scene", "render", "ui"},
-        {"glfw", "gl", "imgui", "imgui_backends", "cli11", "json", "glm"},
+       {{"base", "sym3", "mesh", "deform", "scene", "render", "ui", "platform"},
+        {"glfw", "gl", "imgui", "cli11", "json", "glm"},
         {"eigen"}}},
   };
   return table;

@@ -1,6 +1,6 @@
-#include "app/imgui_renderer.h"
+#include "platform/imgui_renderer.h"
 
-#include "stage.h"
+#include "support/stage.h"
 
 using namespace viete;
 
@@ -20,7 +20,7 @@ struct Panels {
   ~Panels() { ImGui::DestroyContext(); }
 
   template <class Build>
-  render::Image picture(app::ImGuiRenderer& renderer, Build build) {
+  render::Image picture(platform::ImGuiRenderer& renderer, Build build) {
     ImGui::NewFrame();
     build(*ImGui::GetForegroundDrawList());
     ImGui::Render();
@@ -45,7 +45,7 @@ std::size_t count(const render::Image& image, const render::Rgba8& color) {
 TEST_CASE("rectangle_is_drawn_where_asked") {
   test::Stage stage;
   Panels panels(stage);
-  app::ImGuiRenderer renderer(stage.gl);
+  platform::ImGuiRenderer renderer(stage.gl);
   renderer.upload_fonts();
   const render::Image image = panels.picture(
       renderer, [](ImDrawList& list) { list.AddRectFilled(ImVec2(20, 30), ImVec2(60, 50), orange); });
@@ -59,7 +59,7 @@ TEST_CASE("rectangle_is_drawn_where_asked") {
 TEST_CASE("rectangle_is_clipped") {
   test::Stage stage;
   Panels panels(stage);
-  app::ImGuiRenderer renderer(stage.gl);
+  platform::ImGuiRenderer renderer(stage.gl);
   renderer.upload_fonts();
   const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
     list.PushClipRect(ImVec2(100, 40), ImVec2(110, 60));
@@ -74,7 +74,7 @@ TEST_CASE("rectangle_is_clipped") {
 TEST_CASE("clip_rectangle_beyond_the_picture_is_harmless") {
   test::Stage stage;
   Panels panels(stage);
-  app::ImGuiRenderer renderer(stage.gl);
+  platform::ImGuiRenderer renderer(stage.gl);
   renderer.upload_fonts();
   const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
     list.PushClipRect(ImVec2(-500, -500), ImVec2(5000, 5000));
@@ -90,7 +90,7 @@ TEST_CASE("clip_rectangle_beyond_the_picture_is_harmless") {
 TEST_CASE("framebuffer_scale_doubles_everything") {
   test::Stage stage;
   Panels panels(stage, 2);
-  app::ImGuiRenderer renderer(stage.gl);
+  platform::ImGuiRenderer renderer(stage.gl);
   renderer.upload_fonts();
   const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
     list.PushClipRect(ImVec2(20, 30), ImVec2(40, 50));
@@ -104,7 +104,7 @@ TEST_CASE("framebuffer_scale_doubles_everything") {
 TEST_CASE("translucent_colour_is_blended") {
   test::Stage stage;
   Panels panels(stage);
-  app::ImGuiRenderer renderer(stage.gl);
+  platform::ImGuiRenderer renderer(stage.gl);
   renderer.upload_fonts();
   const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
     list.AddRectFilled(ImVec2(0, 0), ImVec2(50, 50), IM_COL32(255, 255, 255, 255));
@@ -116,7 +116,7 @@ TEST_CASE("translucent_colour_is_blended") {
 TEST_CASE("text_is_drawn_from_the_font_atlas") {
   test::Stage stage;
   Panels panels(stage);
-  app::ImGuiRenderer renderer(stage.gl);
+  platform::ImGuiRenderer renderer(stage.gl);
   renderer.upload_fonts();
   const render::Image image = panels.picture(
       renderer, [](ImDrawList& list) { list.AddText(ImVec2(10, 10), IM_COL32_WHITE, "HHHH"); });
@@ -127,7 +127,7 @@ TEST_CASE("text_is_drawn_from_the_font_atlas") {
 TEST_CASE("texture_of_our_own_is_shown_as_an_image") {
   test::Stage stage;
   Panels panels(stage);
-  app::ImGuiRenderer renderer(stage.gl);
+  platform::ImGuiRenderer renderer(stage.gl);
   renderer.upload_fonts();
   const render::Texture texture(stage.gl);
   const std::uint8_t green[4] = {0, 200, 0, 255};
@@ -145,7 +145,7 @@ TEST_CASE("texture_of_our_own_is_shown_as_an_image") {
 TEST_CASE("more_than_65536_vertices_are_drawn") {
   test::Stage stage;
   Panels panels(stage);
-  app::ImGuiRenderer renderer(stage.gl);
+  platform::ImGuiRenderer renderer(stage.gl);
   renderer.upload_fonts();
   const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
     for (int i = 0; i < 20000; ++i) list.AddRectFilled(ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE);

@@ -1,10 +1,10 @@
-#include "app/imgui_renderer.h"
+#include "platform/imgui_renderer.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
-namespace viete::app {
+namespace viete::platform {
 
 namespace {
 
@@ -109,4 +109,4 @@ void ImGuiRenderer::upload(const ImDrawList& list) {
   gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
 }
 
-}  // namespace viete::app
+}  // namespace viete::platform

@@ -6,7 +6,7 @@
 
 #include "render/gl.h"
 
-namespace viete::app {
+namespace viete::platform {
 
 /// One context, current in the thread that made it. Draw into a render::Framebuffer: there is no window
 /// behind it. One context per thread: never make one in the thread that owns a GLFW window (they share Mesa's
@@ -34,4 +34,4 @@ protected:
   OffscreenContext() = default;
 };
 
-}  // namespace viete::app
+}  // namespace viete::platform

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/offscreen_context.h"
+#include "platform/offscreen_context.h"
 #include "render/framebuffer.h"
 #include "render/view.h"
 
@@ -18,13 +18,13 @@ namespace viete::test {
 
 using render::Point;
 
-inline render::Gl load(const app::OffscreenContext& context) {
+inline render::Gl load(const platform::OffscreenContext& context) {
   return render::load_gl([&](const char* name) { return context.get_proc_address(name); });
 }
 
 struct Stage {
-  explicit Stage(app::OffscreenContext::Kind kind = app::OffscreenContext::Kind::any)
-      : context(app::OffscreenContext::create(kind)), gl(load(*context)), framebuffer(gl) {
+  explicit Stage(platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any)
+      : context(platform::OffscreenContext::create(kind)), gl(load(*context)), framebuffer(gl) {
     view.size = {320, 200};
     // Looks along -z from (0, 0, 10); the plane z = 0 is 20 units high on 200 pixels: 10 pixels a unit.
     view.view = glm::lookAt(glm::dvec3(0, 0, 10), glm::dvec3(0), glm::dvec3(0, 1, 0));
@@ -47,7 +47,7 @@ struct Stage {
             static_cast<int>((0.5 - 0.5 * ndc.y) * view.size.y)};
   }
 
-  std::unique_ptr<app::OffscreenContext> context;
+  std::unique_ptr<platform::OffscreenContext> context;
   render::Gl gl;
   render::Framebuffer framebuffer;
   render::View view;

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace viete::app {
+namespace viete::platform {
 
 /// Positions in logical pixels; key codes are GLFW's.
 struct InputEvent {
@@ -30,6 +30,10 @@ struct InputEvent {
 /// one frame is left for the next.
 class InputQueue {
 public:
+  /// ImGui's key for a key code; before ImGui 1.87 the code itself; 0: not used.
+  using KeyTable = int (*)(int code);
+  explicit InputQueue(KeyTable imgui_key) : imgui_key_(imgui_key) {}
+
   void push(InputEvent event) { events_.push_back(std::move(event)); }
   bool empty() const { return events_.empty(); }
 
@@ -39,7 +43,8 @@ public:
   void feed_frame();
 
 private:
+  KeyTable imgui_key_;
   std::deque<InputEvent> events_;
 };
 
-}  // namespace viete::app
+}  // namespace viete::platform

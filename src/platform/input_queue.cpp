@@ -1,4 +1,4 @@
-#include "app/input_queue.h"
+#include "platform/input_queue.h"
 
 #include <imgui.h>
 
@@ -7,9 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/imgui_bridge.h"
-
-namespace viete::app {
+namespace viete::platform {
 
 namespace {
 
@@ -32,7 +30,7 @@ bool is_modifier(const InputEvent& e) {
 
 #if IMGUI_VERSION_NUM >= 18700
 
-void feed(ImGuiIO& io, const InputEvent& e) {
+void feed(ImGuiIO& io, const InputEvent& e, InputQueue::KeyTable imgui_key) {
   switch (e.kind) {
     case Kind::move: io.AddMousePosEvent(e.position.x, e.position.y); break;
     case Kind::leave: io.AddMousePosEvent(-FLT_MAX, -FLT_MAX); break;
@@ -43,14 +41,14 @@ void feed(ImGuiIO& io, const InputEvent& e) {
       if (is_shift(e.code)) io.AddKeyEvent(ImGuiMod_Shift, e.down);
       if (is_ctrl(e.code)) io.AddKeyEvent(ImGuiMod_Ctrl, e.down);
       if (is_alt(e.code)) io.AddKeyEvent(ImGuiMod_Alt, e.down);
-      if (const auto key = ui::imgui_key(e.code); key != ImGuiKey_None) io.AddKeyEvent(key, e.down);
+      if (const int key = imgui_key(e.code); key > 0) io.AddKeyEvent(static_cast<ImGuiKey>(key), e.down);
       break;
   }
 }
 
 #else
 
-void feed(ImGuiIO& io, const InputEvent& e) {
+void feed(ImGuiIO& io, const InputEvent& e, InputQueue::KeyTable imgui_key) {
   switch (e.kind) {
     case Kind::move: io.MousePos = {e.position.x, e.position.y}; break;
     case Kind::leave: io.MousePos = {-FLT_MAX, -FLT_MAX}; break;
@@ -61,7 +59,7 @@ void feed(ImGuiIO& io, const InputEvent& e) {
       if (is_shift(e.code)) io.KeyShift = e.down;
       if (is_ctrl(e.code)) io.KeyCtrl = e.down;
       if (is_alt(e.code)) io.KeyAlt = e.down;
-      if (e.code >= 0 && e.code < 512) io.KeysDown[e.code] = e.down;
+      if (const int key = imgui_key(e.code); key > 0 && key < 512) io.KeysDown[key] = e.down;
       break;
   }
 }
@@ -111,9 +109,9 @@ void InputQueue::feed_frame() {
     if (switches) changed.push_back(what);
     stroke |= strokes;
     button_changed |= event.kind == Kind::button;
-    feed(io, event);
+    feed(io, event, imgui_key_);
     events_.pop_front();
   }
 }
 
-}  // namespace viete::app
+}  // namespace viete::platform

@@ -1,4 +1,4 @@
-#include "app/offscreen_context.h"
+#include "platform/offscreen_context.h"
 
 #define EGL_NO_X11
 #define MESA_EGL_NO_X11_HEADERS
@@ -16,7 +16,7 @@
 
 #include "base/error.h"
 
-namespace viete::app {
+namespace viete::platform {
 
 namespace {
 
@@ -254,4 +254,4 @@ std::unique_ptr<OffscreenContext> OffscreenContext::create(Kind kind, bool softw
               "install libosmesa6, or libegl1 with libgl1-mesa-dri");
 }
 
-}  // namespace viete::app
+}  // namespace viete::platform

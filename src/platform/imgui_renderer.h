@@ -6,7 +6,7 @@
 #include "render/gl_objects.h"
 #include "render/program.h"
 
-namespace viete::app {
+namespace viete::platform {
 
 /// For the ImGui context that is current when it is made. Works with ImGui 1.86 to 1.92. Fonts must be added
 /// before upload_fonts(). Texture ids in draw commands are GL texture names: (ImTextureID)(intptr_t)texture.
@@ -31,4 +31,4 @@ private:
   render::Texture font_;
 };
 
-}  // namespace viete::app
+}  // namespace viete::platform

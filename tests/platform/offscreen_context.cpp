@@ -1,14 +1,14 @@
 #include <cstdlib>
 #include <string>
 
-#include "app/offscreen_context.h"
 #include "base/error.h"
+#include "platform/offscreen_context.h"
 #include "render/backdrop.h"
 #include "render/surface_layer.h"
-#include "stage.h"
+#include "support/stage.h"
 
 using namespace viete;
-using Kind = app::OffscreenContext::Kind;
+using Kind = platform::OffscreenContext::Kind;
 
 namespace {
 
@@ -26,7 +26,7 @@ render::Image ball_picture(test::Stage& stage) {
 
 bool has(Kind kind) {
   try {
-    app::OffscreenContext::create(kind);
+    platform::OffscreenContext::create(kind);
     return true;
   } catch (const base::Error& error) {
     MESSAGE("skipped: " << error.what());
@@ -61,7 +61,7 @@ TEST_CASE("contexts_can_be_made_again_and_again") {
 TEST_CASE("environment_is_as_before_after_making_a_context") {
   if (!has(Kind::egl)) return;
   setenv("LIBGL_ALWAYS_SOFTWARE", "0", 1);
-  const auto context = app::OffscreenContext::create(Kind::egl);
+  const auto context = platform::OffscreenContext::create(Kind::egl);
   CHECK(std::string(std::getenv("LIBGL_ALWAYS_SOFTWARE")) == "0");
   unsetenv("LIBGL_ALWAYS_SOFTWARE");
 }
