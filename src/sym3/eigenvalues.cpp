@@ -9,7 +9,7 @@
 #include "sym3/eigen.h"
 #include "sym3/entries.h"
 #include "sym3/jacobi.h"
-#include "sym3/viete.h"
+#include "sym3/trigonometric.h"
 
 namespace viete::sym3 {
 

@@ -2,6 +2,7 @@
 // (No #pragma once: Highway's foreach_target includes this text again for each target.)
 //
 // How to use it, in a file that Highway compiles once per target:
+//   #include "sym3/highway_targets.h"  // the instruction sets of the library's own kernels
 //   #define HWY_TARGET_INCLUDE "room/file.cpp"
 //   #include <hwy/foreach_target.h>
 //   #include "sym3/exp-inl.h"

@@ -34,6 +34,7 @@ holds "$program" bin/viete share/viete/dragon/dragon.ply share/applications/viet
   share/bash-completion/completions/viete share/zsh/vendor-completions/_viete share/fish/vendor_completions.d/viete.fish
 holds "$library" include/viete/sym3/exp.h 'lib/.*libviete_sym3.a' 'lib/.*viete-config.cmake' 'lib/.*viete.pc' \
   share/doc/libviete-dev/copyright
+! dpkg-deb -c "$library" | grep -q 'trigonometric.h$' || wrong "$library holds internal headers"
 both=$(for deb in "$program" "$library"; do dpkg-deb -c "$deb"; done | grep -v '/$' | awk '{ print $6 }' | sort | uniq -d)
 [ -z "$both" ] || wrong "both packages hold $both"
 

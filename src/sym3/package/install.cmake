@@ -1,4 +1,4 @@
-# What a stranger's build finds after `cmake --install`: the library, its headers, and how to link it by CMake or by pkg-config.
+# What a stranger's build finds after `cmake --install`: the library, its public headers, and how to link it by CMake or by pkg-config.
 # The library needs nothing else: Eigen and Highway are headers of its own sources only.
 include(CMakePackageConfigHelpers)
 
@@ -7,9 +7,8 @@ set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(TARGETS viete_sym3 EXPORT viete-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
-  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/viete)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/sym3 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/viete COMPONENT library
-  FILES_MATCHING PATTERN "*.h" PATTERN package EXCLUDE)
+  PUBLIC_HEADER DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/viete/sym3 COMPONENT library
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/src/sym3/README.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT library)
 
