@@ -2,17 +2,18 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/bench_accuracy.h"
-#include "app/bench_bind.h"
-#include "app/bench_eigen.h"
-#include "app/bench_exp.h"
-#include "app/bench_sym3.h"
+#include "app/assets.h"
 #include "app/command_line.h"
-#include "app/frame_bench.h"
 #include "app/options.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "bench/accuracy.h"
+#include "bench/bind.h"
+#include "bench/eigen.h"
+#include "bench/exp.h"
+#include "bench/frame.h"
+#include "bench/sym3.h"
 #include "sym3/kernel.h"
 
 namespace viete::app {
@@ -30,36 +31,85 @@ constexpr std::int64_t most_matrices = 1'000'000'000;
 
 // Before the system stops the program for it. A matrix comes in and goes out, as nine doubles at most.
 void require_memory_for(std::size_t count) {
-  base::require_memory({160.0 * static_cast<double>(count), grouped(count) + " matrices take",
+  base::require_memory({160.0 * static_cast<double>(count), bench::grouped(count) + " matrices take",
                         "give a smaller number", "--count"});
 }
 
 template <class Bench>
 int report(const Bench& bench, const BenchOptions& options) {
   print(bench);
-  write_json(options.files.json, to_json(bench));
-  if (!options.files.plot.empty()) base::replace_file(options.files.plot, draw_plot(plot_of(bench)));
+  bench::write_json(options.files.json, to_json(bench));
+  if (!options.files.plot.empty()) base::replace_file(options.files.plot, bench::draw_plot(plot_of(bench)));
   return exit_ok;
 }
 
-int bench_exp(const BenchOptions& options) {
-  base::Progress progress;
-  return report(measure_exp(options.count, options.in_float, progress), options);
+template <class Options>
+int run_on_bundled_model(Options& options, const BenchFiles& files, void (*run)(const Options&)) {
+  files.check();
+  options.model = bundled_model().model;
+  options.json = files.json;
+  run(options);
+  return exit_ok;
 }
 
-int bench_eigen(const BenchOptions& options) {
+int run_exp(const BenchOptions& options) {
   base::Progress progress;
-  return report(measure_eigen(options.count, progress), options);
+  return report(bench::measure_exp(options.count, options.in_float, progress), options);
 }
 
-int bench_accuracy(const BenchOptions& options) {
+int run_eigen(const BenchOptions& options) {
   base::Progress progress;
-  const auto tables = measure_accuracy(options.count, options.in_float, progress);
+  return report(bench::measure_eigen(options.count, progress), options);
+}
+
+int run_sym3(const BenchOptions& options) {
+  bench::bench_sym3(options.count, options.files.json);
+  return exit_ok;
+}
+
+int run_accuracy(const BenchOptions& options) {
+  base::Progress progress;
+  const auto tables = bench::measure_accuracy(options.count, options.in_float, progress);
   std::printf("Largest relative error (Frobenius norm) in u = 2^%d against 106 bits, kernel %s\n\n",
               options.in_float ? -24 : -53, std::string(sym3::kernel_name()).c_str());
   for (const auto& table : tables) print(table, options.in_float);
-  write_json(options.files.json, to_json(tables));
+  bench::write_json(options.files.json, to_json(tables));
   return exit_ok;
+}
+
+void add_frame_bench(CLI::App& bench, Action& action) {
+  auto* command = bench.add_subcommand("frame", "A frame of the bundled model: by path, cage and stage");
+  auto options = std::make_shared<bench::FrameOptions>();
+  auto files = std::make_shared<BenchFiles>();
+  auto* counts = command->add_option("--count", options->counts,
+                                     "Vertices, several with commas; 200000 and 800000 subdivide");
+  whole_in_range(counts, 1, most_vertices)->delimiter(',')->default_str("all 50,000");
+  auto* faces = command->add_option("--faces", options->faces, "Cage triangles, several with commas");
+  whole_in_range(faces, 8, 10'000)->delimiter(',')->default_str("50,100,300,600");
+  add_rounds_option(*command, options->rounds, "11");
+  auto* tolerance = command->add_option("--tolerance", options->tolerance, "Of compressed weights");
+  in_range(tolerance, 0, 0.1)->default_str("3e-5");
+  add_reach_option(*command, options->reach);
+  add_bench_files(*command, *files);
+  command->callback([options, files, &action] {
+    action = [options, files] { return run_on_bundled_model(*options, *files, bench::bench_frame); };
+  });
+}
+
+void add_bind_bench(CLI::App& bench, Action& action) {
+  auto* command =
+      bench.add_subcommand("bind", "Binding the bundled model: time against plain loops, and memory");
+  auto options = std::make_shared<bench::BindOptions>();
+  auto files = std::make_shared<BenchFiles>();
+  auto* count = command->add_option("--count", options->count, "Vertices at least, by subdivision");
+  whole_in_range(count, 1, most_vertices)->default_str("all 50,000");
+  auto* faces = command->add_option("--faces", options->faces, "Cage triangles");
+  whole_in_range(faces, 8, 10'000)->default_str("300");
+  add_rounds_option(*command, options->rounds, "5");
+  add_bench_files(*command, *files);
+  command->callback([options, files, &action] {
+    action = [options, files] { return run_on_bundled_model(*options, *files, bench::bench_bind); };
+  });
 }
 
 }  // namespace
@@ -75,21 +125,20 @@ void add_bench_command(CLI::App& app, Action& action) {
     std::int64_t most;
     bool has_plot, has_float;
     int (*run)(const BenchOptions&);
-  } benches[] = {
-      {"exp", "Time of exp by method, layout and size", "Matrices", paper_count, most_matrices, true, true,
-       bench_exp},
-      {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices", paper_count,
-       most_matrices, true, false, bench_eigen},
-      {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row", 4096,
-       1'000'000, false, true, bench_accuracy},
-      {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory", paper_count,
-       most_matrices, false, false, [](const BenchOptions& o) { return bench_sym3(o.count, o.files.json); }}};
+  } benches[] = {{"exp", "Time of exp by method, layout and size", "Matrices", paper_count, most_matrices,
+                  true, true, run_exp},
+                 {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices",
+                  paper_count, most_matrices, true, false, run_eigen},
+                 {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row",
+                  4096, 1'000'000, false, true, run_accuracy},
+                 {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory",
+                  paper_count, most_matrices, false, false, run_sym3}};
   for (const auto& bench : benches) {
     auto* sub = command->add_subcommand(bench.name, bench.text);
     auto options = std::make_shared<BenchOptions>();
     options->count = bench.usual_count;
     whole_in_range(sub->add_option("--count", options->count, bench.count), 1, bench.most)
-        ->default_str(grouped(bench.usual_count));
+        ->default_str(bench::grouped(bench.usual_count));
     add_bench_files(*sub, options->files, bench.has_plot);
     if (bench.has_float) sub->add_flag("--float", options->in_float, "In single precision");
     sub->callback([options, &action, run = bench.run] {

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/bench_rounds.h"
 #include "app/command_line.h"
 #include "app/options.h"
 #include "app/output.h"
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/worker_pool.h"
+#include "bench/rounds.h"
 #include "deform/binding_file.h"
 #include "scene/open.h"
 
@@ -25,9 +25,10 @@ struct BindOptions {
 };
 
 void print(const deform::TiledBinding& tiles, double seconds) {
-  std::printf("bound %s vertices to %zu cage %s in %.2f s: %.1f MB", grouped(tiles.leaves.vertices).c_str(),
-              tiles.handles, tiles.coordinates == deform::Coordinates::face ? "triangles" : "vertices",
-              seconds, static_cast<double>(tiles.bytes()) * 1e-6);
+  std::printf("bound %s vertices to %zu cage %s in %.2f s: %.1f MB",
+              bench::grouped(tiles.leaves.vertices).c_str(), tiles.handles,
+              tiles.coordinates == deform::Coordinates::face ? "triangles" : "vertices", seconds,
+              static_cast<double>(tiles.bytes()) * 1e-6);
   const double dense = static_cast<double>(tiles.dense_bytes()) * 1e-6;
   if (tiles.compressed()) std::printf(", compressed to %g from %.1f MB", tiles.tolerance, dense);
   if (tiles.has_lists()) {

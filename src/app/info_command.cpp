@@ -37,7 +37,8 @@ void print(const scene::OpenedSurface& surface) {
   if (f.closed()) std::printf("  volume      %g\n", f.volume);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
   const auto document = scene::document_of(surface);
-  for (const auto check : {scene::check_drawable, scene::check_deformable}) {
+  using Check = void (*)(const scene::Document&);
+  for (const auto check : std::initializer_list<Check>{scene::check_drawable, scene::check_deformable}) {
     try {
       check(document);
     } catch (const base::Error& error) {

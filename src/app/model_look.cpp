@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "mesh/cavity.h"
 #include "mesh/normals.h"
-#include "render/cavity.h"
 
 namespace viete::app {
 
@@ -13,7 +13,7 @@ ModelLook look_of(std::shared_ptr<const mesh::Surface> surface) {
   look.normals.resize(positions.size());
   const auto around = mesh::vertex_triangles(positions.size(), surface->triangles);
   mesh::vertex_normals(positions, surface->triangles, around, 0, positions.size(), look.normals);
-  look.occlusion = render::bake_cavity(positions, look.normals, surface->triangles);
+  look.occlusion = mesh::bake_cavity(positions, look.normals, surface->triangles);
   look.surface = std::move(surface);
   return look;
 }

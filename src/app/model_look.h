@@ -11,7 +11,7 @@ namespace viete::app {
 struct ModelLook {
   std::shared_ptr<const mesh::Surface> surface;  ///< the model it belongs to; null: none
   std::vector<mesh::Point> normals;              ///< at rest
-  std::vector<float> occlusion;                  ///< see render/cavity.h
+  std::vector<float> occlusion;                  ///< see mesh/cavity.h
 };
 
 /// Linear time, a third of a second for a million triangles. Thread-safe.

@@ -160,7 +160,8 @@ bool Viewer::changing() const {
 void Viewer::take_requests() {
   files_.take_requests(workspace_, !pointer_.active());
   if (std::exchange(workspace_.requests.run_benchmark, false)) {
-    bench_.start([](base::Progress& progress) { return measure_exp(benchmark_count, false, progress); });
+    bench_.start(
+        [](base::Progress& progress) { return bench::measure_exp(benchmark_count, false, progress); });
   }
   if (std::exchange(workspace_.requests.stop_benchmark, false)) bench_.cancel();
   take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
@@ -173,7 +174,7 @@ void Viewer::take_requests() {
 void Viewer::follow_benchmark() {
   scene::Benchmark& shown = workspace_.benchmark;
   if (const auto result = bench_.poll()) {
-    if (result->value) shown = shown_benchmark(*result->value);
+    if (result->value) shown = bench::shown_benchmark(*result->value);
     if (!result->problem.empty()) workspace_.messages.error("The benchmark failed: " + result->problem);
     settle_frames_ = 3;
   }

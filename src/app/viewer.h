@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "app/background_job.h"
-#include "app/bench_exp.h"
 #include "app/bound.h"
 #include "app/error_map.h"
 #include "app/file_desk.h"
@@ -14,6 +13,7 @@
 #include "app/saved_bindings.h"
 #include "app/stage.h"
 #include "base/worker_pool.h"
+#include "bench/exp.h"
 #include "deform/deformer.h"
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
@@ -137,7 +137,7 @@ private:
   BackgroundJob<Bound> binder_;
   std::string binding_text_;
   MethodProbe method_probe_;
-  BackgroundJob<ExpBench> bench_;
+  BackgroundJob<bench::ExpBench> bench_;
   BackgroundJob<std::vector<scene::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
   BackgroundJob<ErrorMap> error_map_;

@@ -37,7 +37,7 @@ public:
   /// Every frame: unit normals, both in the caller's world, sizes equal to the vertex count. Non-finite
   /// vertices are put at the first finite one.
   void set_positions(std::span<const Point> positions, std::span<const Point> normals);
-  /// Per vertex 0 (dark) to 1 (open), from bake_cavity() for example. An empty span removes it. Upload
+  /// Per vertex 0 (dark) to 1 (open), An empty span removes it. Upload
   /// happens with the next set_positions().
   void set_occlusion(std::span<const float> occlusion);
   /// One value per vertex, any range (see SurfaceStyle). An empty span removes it. Upload happens with the

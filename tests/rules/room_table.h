@@ -28,10 +28,11 @@ inline const std::map<std::string, Room>& rooms() {
       {"render", {{"base"}, {"gl", "glm"}, {"stb"}}},
       {"ui", {{"base", "scene"}, {"imgui"}, {}}},
       {"platform", {{"base", "render"}, {"gl", "glm", "imgui"}, {}}},
+      {"bench", {{"base", "sym3", "mesh", "deform", "scene"}, {"json"}, {"eigen", "highway"}}},
       {"app",
-       {{"base", "sym3", "mesh", "deform", "scene", "render", "ui", "platform"},
+       {{"base", "sym3", "mesh", "deform", "scene", "render", "ui", "platform", "bench"},
         {"glfw", "gl", "imgui", "cli11", "json", "glm"},
-        {"eigen"}}},
+        {}}},
   };
   return table;
 }

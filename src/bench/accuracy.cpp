@@ -1,0 +1,213 @@
+#include "bench/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+#include "bench/methods.h"
+#include "sym3/ensembles.h"
+#include "sym3/reference.h"
+
+namespace viete::bench {
+
+namespace {
+
+namespace ensembles = sym3::ensembles;
+
+using Matrix = sym3::Sym3<double>;
+using Matrices = std::vector<Matrix>;
+
+// Not inline: where it sees both conversions, GCC 12 makes vectors of double, float and double again, and
+// then leaves the rounding of one entry out.
+template <class To, class From>
+[[gnu::noinline]] sym3::Sym3<To> rounded(const sym3::Sym3<From>& s) {
+  const auto to = [](From x) { return static_cast<To>(x); };
+  return {to(s.xx), to(s.xy), to(s.xz), to(s.yy), to(s.yz), to(s.zz)};
+}
+
+Matrices shifted_paper_ensemble(double shift, std::size_t count) {
+  Matrices all = ensembles::paper_ensemble<double>(count);
+  for (Matrix& s : all) s.xx += shift, s.yy += shift, s.zz += shift;
+  return all;
+}
+
+Matrices diagonals(std::size_t count) {
+  Matrices all = ensembles::uniform_entries<double>(-3, 3, count);
+  for (Matrix& s : all) s.xy = s.xz = s.yz = 0;
+  return all;
+}
+
+// v v^T: the double eigenvalue 0.
+Matrices rank_one(std::size_t count) {
+  Matrices all = ensembles::uniform_entries<double>(-1, 1, count);
+  for (Matrix& s : all) {
+    const double x = s.xx, y = s.xy, z = s.xz;
+    s = {x * x, x * y, x * z, y * y, y * z, z * z};
+  }
+  return all;
+}
+
+Matrices multiples_of_identity(std::size_t count) {
+  Matrices all = ensembles::uniform_entries<double>(-3, 3, count);
+  for (Matrix& s : all) s = {s.xx, 0, 0, s.xx, 0, s.xx};
+  return all;
+}
+
+struct Ensemble {
+  std::string name;
+  double value;
+  std::function<Matrices(std::size_t count)> make;
+};
+
+struct Plan {
+  std::string title, by;
+  std::vector<Ensemble> ensembles;
+};
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+template <class Make>
+Plan by_value(std::string title, std::string by, const std::vector<double>& values, Make make) {
+  Plan plan = {std::move(title), std::move(by), {}};
+  for (const double v : values) {
+    plan.ensembles.push_back({short_number(v), v, [make, v](std::size_t count) { return make(v, count); }});
+  }
+  return plan;
+}
+
+Plan ensembles_plan() {
+  return {
+      "by ensemble",
+      "ensemble",
+      {{"paper: M M^T", 0, [](std::size_t n) { return ensembles::paper_ensemble<double>(n); }},
+       {"entries in [0, 3]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(0, 3, n); }},
+       {"entries in [-1, 1]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(-1, 1, n); }},
+       {"diagonal, [-3, 3]", 0, diagonals},
+       {"rank one, v v^T", 0, rank_one},
+       {"multiples of I", 0, multiples_of_identity},
+       {"zero", 0, [](std::size_t n) { return Matrices(n); }},
+       {"M M^T + 20 I", 0, [](std::size_t n) { return shifted_paper_ensemble(20, n); }},
+       {"M M^T - 80 I", 0, [](std::size_t n) { return shifted_paper_ensemble(-80, n); }}}};
+}
+
+std::vector<Plan> plans(bool in_float) {
+  const std::vector<double> gaps = {1e-1, 1e-2, 1e-3,  1e-4,  1e-5,  1.01e-6, 1e-6,
+                                    1e-7, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16};
+  std::vector<double> sizes = {0.1, 1, 3, 4.9, 6, 10, 20, 50, 100, 300, 600};
+  if (in_float) std::erase_if(sizes, [](double s) { return s > 100; });  // beyond, exp overflows
+  return {
+      ensembles_plan(),
+      by_value("two eigenvalues so close, the third anywhere in [0, 3]", "gap", gaps,
+               ensembles::pairs<double>),
+      by_value("three eigenvalues so close, in [0, 3]", "gap", gaps, ensembles::triples<double>),
+      by_value(
+          "by spread, largest minus smallest eigenvalue, half of them with close ones", "spread", sizes,
+          [](double spread, std::size_t n) { return ensembles::spreads<double>(spread, -spread / 2, n); }),
+      by_value("by scale, entries uniform in [-scale, scale]", "scale",
+               {1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1e-2, 1, 10}, [](double scale, std::size_t n) {
+                 return ensembles::uniform_entries<double>(-scale, scale, n);
+               })};
+}
+
+void add(Accuracy& accuracy, double error, std::size_t samples) {
+  if (std::isfinite(error)) {
+    accuracy.worst = std::max(accuracy.worst, error);
+  } else {
+    accuracy.nan_share += 1 / static_cast<double>(samples);
+  }
+}
+
+template <class T>
+sym3::Sym3<T> answer(const ExpMethod& method, const sym3::Sym3<T>& s) {
+  if constexpr (std::is_same_v<T, float>) {
+    return method.in_float(s);
+  } else {
+    return method.in_double(s);
+  }
+}
+
+template <class T>
+AccuracyTable::Row measured(const Ensemble& ensemble, std::size_t samples, base::Progress& progress) {
+  const auto methods = exp_methods();
+  AccuracyTable::Row row = {ensemble.name, ensemble.value, std::vector<Accuracy>(methods.size())};
+  const Matrices matrices = ensemble.make(samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    const auto in = rounded<T>(matrices[i]);
+    const Matrix exact_in = rounded<double>(in);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      add(row.cells[m], sym3::relative_error(rounded<double>(answer(methods[m], in)), exact_in), samples);
+    }
+    progress.report(static_cast<double>(i) / static_cast<double>(samples));
+  }
+  return row;
+}
+
+std::string cell(const Accuracy& accuracy, double u) {
+  char text[48];
+  const double error = accuracy.worst / u;
+  std::snprintf(text, sizeof text, error < 1e5 ? error < 100 ? "%.1f" : "%.0f" : "%.0e", error);
+  std::string result = accuracy.nan_share < 1 ? text : "";
+  if (accuracy.nan_share > 0) {
+    std::snprintf(text, sizeof text, "NaN %.0f %%", std::max(1.0, 100 * accuracy.nan_share));
+    result += (result.empty() ? "" : ", ") + std::string(text);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress) {
+  std::vector<AccuracyTable> tables;
+  const std::vector<Plan> all = plans(in_float);
+  std::size_t total = 0, row = 0;
+  for (const Plan& plan : all) total += plan.ensembles.size();
+  for (const Plan& plan : all) {
+    tables.push_back({plan.title, plan.by, {}});
+    for (const Ensemble& ensemble : plan.ensembles) {
+      const auto whole = static_cast<double>(total);
+      progress.section(static_cast<double>(row) / whole, static_cast<double>(row + 1) / whole);
+      tables.back().rows.push_back(in_float ? measured<float>(ensemble, samples, progress)
+                                            : measured<double>(ensemble, samples, progress));
+      ++row;
+    }
+  }
+  return tables;
+}
+
+void print(const AccuracyTable& table, bool in_float) {
+  const double u = in_float ? 0x1p-24 : 0x1p-53;
+  std::printf("%c%s\n\n| %-18s |", std::toupper(table.title[0]), table.title.c_str() + 1, table.by.c_str());
+  for (const ExpMethod& method : exp_methods()) std::printf(" %16s |", method.name);
+  std::printf("\n|--------------------|");
+  for (std::size_t m = 0; m < exp_methods().size(); ++m) std::printf("-----------------:|");
+  for (const auto& row : table.rows) {
+    std::printf("\n| %-18s |", row.name.c_str());
+    for (const Accuracy& accuracy : row.cells) std::printf(" %16s |", cell(accuracy, u).c_str());
+  }
+  std::printf("\n\n");
+}
+
+nlohmann::json to_json(const std::vector<AccuracyTable>& tables) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const AccuracyTable& table : tables) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const auto& row : table.rows) {
+      nlohmann::json cells = nlohmann::json::object();
+      for (std::size_t m = 0; m < row.cells.size(); ++m) {
+        cells[exp_methods()[m].name] = {{"worst", row.cells[m].worst}, {"nan", row.cells[m].nan_share}};
+      }
+      rows.push_back({{"name", row.name}, {"value", row.value}, {"methods", std::move(cells)}});
+    }
+    json.push_back({{"title", table.title}, {"by", table.by}, {"rows", std::move(rows)}});
+  }
+  return json;
+}
+
+}  // namespace viete::bench

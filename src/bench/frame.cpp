@@ -1,0 +1,325 @@
+#include "bench/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/worker_pool.h"
+#include "bench/floors.h"
+#include "bench/frame_bars.h"
+#include "bench/models.h"
+#include "bench/reference_frame.h"
+#include "bench/rounds.h"
+#include "bench/table.h"
+#include "deform/fused_frame.h"
+#include "deform/vec3.h"
+#include "scene/document.h"
+
+namespace viete::bench {
+
+namespace {
+
+using deform::Link;
+using sym3::Method;
+
+constexpr std::size_t exp_portion = 4096;  // matrices that stay in cache
+
+// The bundled model, its first vertices, or subdivided until it has about as many.
+mesh::Surface benchmark_model(const std::filesystem::path& file, std::size_t count) {
+  mesh::Surface model = *scene::open_document(file, {}).model.surface;
+  while (count > 2 * model.positions.size()) model = subdivided(model);
+  if (count == 0 || 2 * count > model.positions.size()) return model;
+  std::vector<mesh::Triangle> kept;
+  for (const auto& t : model.triangles) {
+    if (t[0] < count && t[1] < count && t[2] < count) kept.push_back(t);
+  }
+  model.positions.resize(std::max<std::size_t>(count, 3));
+  return mesh::from_triangles(std::move(model.positions), kept);
+}
+
+/// Something that is timed, and what it found out on the way.
+struct Case {
+  std::string name;
+  base::WorkerPool* pool;
+  std::function<void()> run;
+  std::function<deform::LinkTimes()> links;  ///< empty: it has none
+  std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
+  std::size_t bytes = 0;                     ///< read once a frame
+  int repeats = 1;                           ///< in a row, for what is too short to time
+  std::vector<double> cpu_ms{}, wall_ms{};
+  std::vector<deform::LinkTimes> link_ms{};
+};
+
+// Frames follow each other for as long as a hand drags: what the caches hold then is the frame before. A
+// short frame takes a few to get there, a long one flushes them anyway.
+void warm_up(const Case& c) {
+  constexpr int frames = 8;
+  constexpr double seconds = 0.02;
+  const double end = base::wall_seconds() + seconds;
+  for (int n = 0; n < frames && (n == 0 || base::wall_seconds() < end); ++n) c.run();
+}
+
+// Processor time, where several threads share the work of the one that took longest.
+void time_once(Case& c) {
+  const auto cost = c.pool->cost();
+  const double wall = base::wall_seconds(), cpu = base::thread_seconds();
+  for (int n = 0; n < c.repeats; ++n) c.run();
+  const double seconds = base::thread_seconds() - cpu, ms = 1e3 / c.repeats;
+  c.wall_ms.push_back(ms * (base::wall_seconds() - wall));
+  const auto now = c.pool->cost();
+  c.cpu_ms.push_back(ms * (seconds - (now.caller - cost.caller) + (now.longest - cost.longest)));
+  if (c.links) c.link_ms.push_back(c.links());
+}
+
+deform::LinkTimes link_medians(const Case& c) {
+  deform::LinkTimes medians;
+  for (std::size_t link = 0; c.links && link < deform::link_count; ++link) {
+    std::vector<double> values;
+    for (const auto& t : c.link_ms) values.push_back(t.ms[link]);
+    medians.ms[link] = median(std::move(values));
+  }
+  return medians;
+}
+
+double distance(std::span<const mesh::Point> expected, std::span<const mesh::Point> positions) {
+  double largest = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    largest = std::max(largest, deform::norm(deform::operator-(positions[i], expected[i])));
+  }
+  return largest;
+}
+
+/// One model in one cage: everything that is compared, bound and ready.
+class FrameRuns {
+public:
+  FrameRuns(const mesh::Surface& model, std::size_t faces, double tolerance, double reach)
+      : cage_(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, faces)))),
+        pose_(moderate_pose(*cage_)),
+        weighting_(deform::Coordinates::face, reach) {
+    bind_staged(model);
+    dense_ = bind_fused(model, 0, deform::Storage::dense);
+    compressed_ = bind_fused(model, tolerance,
+                             weighting_.local() ? std::optional(deform::Storage::factors) : std::nullopt);
+    if (weighting_.local()) listed_ = bind_fused(model, 0, deform::Storage::lists);
+    if (staged_) add_staged();
+    for (auto* pool : {&one_, &all_}) {
+      if (pool == &all_ && all_.threads() == 1) continue;
+      add_fused(frame_names::dense, dense_, *pool, false);
+      if (compressed_->compressed()) add_fused(frame_names::compressed, compressed_, *pool, false);
+      if (listed_) add_fused(frame_names::listed, listed_, *pool, false);
+      add_fused(frame_names::dragged, listed_ ? listed_ : compressed_, *pool, true);
+    }
+    add_floors();
+  }
+
+  void run(std::size_t rounds) {
+    for (std::size_t round = 0; round < rounds; ++round) {
+      for (Case& c : cases_) {
+        warm_up(c);
+        time_once(c);
+      }
+    }
+  }
+
+  std::vector<FrameTime> times() const;
+  void print(std::span<const FrameTime> times) const;
+
+private:
+  // Not if it does not fit the memory: then there is nothing staged to compare with.
+  void bind_staged(const mesh::Surface& model) try {
+    binding_ = std::make_shared<const deform::Binding>(deform::bind(model, *cage_, weighting_, all_));
+    staged_ = std::make_unique<deform::Deformer>(cage_, binding_, one_);
+    staged_->deform(pose_, Method::diag);  // an exponential that shares nothing with ours
+    expected_.assign(staged_->positions().begin(), staged_->positions().end());
+  } catch (const base::Error& error) {
+    std::printf("  no staged frame: %s\n", error.what());
+  }
+
+  void add_staged() {
+    reference_ = std::make_unique<ReferenceFrame>(*cage_, *binding_);
+    const std::size_t bytes = binding_->weights.size() * sizeof(double);
+    cases_.push_back({frame_names::reference, &one_, [this] { reference_->deform(pose_); }, {}, {}, bytes});
+    for (const Method m : {Method::diag, Method::sd, Method::improved_sd, Method::fast}) {
+      const auto run = [this, m] { staged_->deform(pose_, m); };
+      const auto error = [this, run] {
+        run();
+        return distance(expected_, staged_->positions()) / cage_->diagonal;
+      };
+      cases_.push_back({"staged, " + std::string(sym3::name(m)), &one_, run,
+                        [this] { return staged_->times(); }, error, bytes});
+    }
+    add_exponentials();
+  }
+
+  // As many as a frame has, of matrices that it has, in cache: what the fused pass cannot do without.
+  void add_exponentials() {
+    staged_->deform(pose_, Method::fast);
+    const auto matrices = staged_->matrices();
+    const std::size_t stride = sym3::padded_stride<float>(exp_portion);
+    exp_in_.resize(6 * stride), exp_out_.resize(6 * stride);
+    for (std::size_t i = 0; i < exp_portion; ++i) {
+      const auto& m = matrices[i * matrices.size() / exp_portion];
+      const double entries[] = {m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};
+      for (std::size_t k = 0; k < 6; ++k) exp_in_[k * stride + i] = static_cast<float>(entries[k]);
+    }
+    const sym3::View<const float, 6> in(exp_in_.data(), stride);
+    const sym3::View<float, 6> out(exp_out_.data(), stride);
+    cases_.push_back({frame_names::exponential,
+                      &one_,
+                      [in, out, count = matrices.size()] {
+                        for (std::size_t i = 0; i < count; i += exp_portion)
+                          sym3::exp(in, out, std::min(exp_portion, count - i));
+                      },
+                      {},
+                      {},
+                      0,
+                      10});
+  }
+
+  std::shared_ptr<const deform::TiledBinding> bind_fused(const mesh::Surface& model, double tolerance,
+                                                         std::optional<deform::Storage> storage) {
+    const double start = base::thread_seconds();
+    auto tiles = std::make_shared<const deform::TiledBinding>(
+        deform::bind_tiles(model, *cage_, weighting_, one_, tolerance, nullptr, storage));
+    bind_ms_.push_back(1e3 * (base::thread_seconds() - start));
+    return tiles;
+  }
+
+  void add_fused(const std::string& name, std::shared_ptr<const deform::TiledBinding> tiles,
+                 base::WorkerPool& pool, bool drag) {
+    frames_.push_back(std::make_unique<deform::FusedFrame>(cage_, std::move(tiles), pool));
+    auto* frame = frames_.back().get();
+    const auto run = [this, frame, drag] {
+      if (!drag) return frame->deform(pose_);
+      deform::Pose pose = pose_;
+      pose.positions[0][0] += 1e-3 * cage_->diagonal * (++step_ % 16);
+      frame->deform(pose);
+    };
+    frame->set_dragging(drag);
+    for (int warm = 0; warm < 3; ++warm) run();
+    Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->bytes()};
+    if (staged_) {
+      c.error = [this, frame, drag] {
+        if (drag) frame->deform(pose_);
+        std::vector<mesh::Point> positions;
+        for (const auto& v : frame->vertices()) {
+          positions.push_back(deform::operator+
+                              (frame->origin(), deform::Vec3{v.position[0], v.position[1], v.position[2]}));
+        }
+        return distance(expected_, positions) / cage_->diagonal;
+      };
+    }
+    cases_.push_back(std::move(c));
+  }
+
+  void add_floors() {
+    const auto& w = dense_->weights;
+    cases_.push_back({frame_names::read_floor,
+                      &one_,
+                      [this, &w] { sink_ = sink_ + run_read_floor(w.data(), w.size()); },
+                      {},
+                      {},
+                      dense_->bytes()});
+    const std::size_t sums = 12 * w.size();
+    cases_.push_back({frame_names::multiply_add_floor,
+                      &one_,
+                      [this, sums] { sink_ = sink_ + run_multiply_add_floor(sums); },
+                      {},
+                      {},
+                      0});
+  }
+
+  std::shared_ptr<const deform::Cage> cage_;
+  deform::Pose pose_;
+  deform::Weighting weighting_;
+  base::WorkerPool one_{1}, all_{0};
+  std::shared_ptr<const deform::Binding> binding_;
+  std::shared_ptr<const deform::TiledBinding> dense_, compressed_, listed_;
+  std::vector<double> bind_ms_;
+  int step_ = 0;
+  std::unique_ptr<deform::Deformer> staged_;
+  std::unique_ptr<ReferenceFrame> reference_;
+  std::vector<std::unique_ptr<deform::FusedFrame>> frames_;
+  std::vector<mesh::Point> expected_;
+  std::vector<Case> cases_;
+  base::AlignedVector<float> exp_in_, exp_out_;
+  volatile float sink_ = 0;
+};
+
+std::vector<FrameTime> FrameRuns::times() const {
+  std::vector<FrameTime> times;
+  for (const Case& c : cases_) {
+    times.push_back({dense_->leaves.vertices, cage_->element_count(), c.name, c.pool->threads(),
+                     median(c.cpu_ms), median(c.wall_ms), c.error ? c.error() : std::nan(""), c.bytes,
+                     link_medians(c)});
+  }
+  return times;
+}
+
+void FrameRuns::print(std::span<const FrameTime> times) const {
+  const double reference = reference_ ? times.front().cpu_ms : 0;
+  std::printf(
+      "\n%zu vertices, %zu cage triangles; ms a frame: processor time (of the slower thread), wall; links: "
+      "wall\n",
+      dense_->leaves.vertices, cage_->element_count());
+  std::printf("  %-31s %9s %9s %8s %9s %8s ", "", "cpu", "wall", "faster", "error", "MB");
+  for (std::size_t l = 0; l < deform::link_count; ++l)
+    std::printf(" %9s", std::string(deform::name(Link(l))).c_str());
+  for (const FrameTime& t : times) {
+    const std::string name = t.threads > 1 ? t.name + ", " + std::to_string(t.threads) + " threads" : t.name;
+    std::printf("\n  %-31s %9.3f %9.3f %7.1fx", name.c_str(), t.cpu_ms, t.wall_ms, reference / t.cpu_ms);
+    std::isnan(t.error) ? std::printf(" %9s", "") : std::printf(" %9.1e", t.error);
+    std::printf(" %8.1f ", static_cast<double>(t.bytes) * 1e-6);
+    for (const double ms : t.links.ms) ms > 0 ? std::printf(" %9.3f", ms) : std::printf(" %9s", "");
+  }
+  std::printf("\n  bound in %.0f ms dense, %.0f ms compressed%s", bind_ms_[0], bind_ms_[1],
+              compressed_->compressed() ? "" : " (which does not pay here)");
+  if (listed_)
+    std::printf(", %.0f ms as lists of %.0f triangles on average", bind_ms_[2], listed_->mean_rows());
+  std::printf(" (processor time, one thread)\n");
+}
+
+nlohmann::json to_json(const FrameTime& t) {
+  nlohmann::json json = {{"vertices", t.vertices}, {"faces", t.faces},   {"name", t.name},
+                         {"threads", t.threads},   {"cpu_ms", t.cpu_ms}, {"wall_ms", t.wall_ms},
+                         {"bytes", t.bytes}};
+  if (!std::isnan(t.error)) json["error"] = t.error;
+  for (std::size_t l = 0; l < deform::link_count; ++l)
+    json["links_ms"][std::string(deform::name(Link(l)))] = t.links.ms[l];
+  return json;
+}
+
+}  // namespace
+
+void bench_frame(const FrameOptions& options) {
+  if (options.reach < deform::whole_cage)
+    std::printf("reach %s; ", deform::text_of_reach(options.reach).c_str());
+  std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
+  std::vector<FrameTime> all;
+  for (const std::size_t count : options.counts) {
+    const mesh::Surface model = benchmark_model(options.model, count);
+    const auto share =
+        std::max<std::size_t>(1, model.positions.size() / 50'000);  // of the rounds, for large models
+    for (const std::size_t faces : options.faces) {
+      FrameRuns runs(model, faces, options.tolerance, options.reach);
+      runs.run(std::max<std::size_t>(3, options.rounds / share));
+      const auto times = runs.times();
+      runs.print(times);
+      all.insert(all.end(), times.begin(), times.end());
+    }
+  }
+  std::printf("\n");
+  Bars bars;
+  if (options.reach == deform::whole_cage) check_frame(all, bars);  // which are of 1/d^2 without an end
+  nlohmann::json results = nlohmann::json::array();
+  for (const auto& t : all) results.push_back(to_json(t));
+  write_json(options.json, {{"figure", "frame"}, {"results", results}, {"bars", bars.rows}});
+}
+
+}  // namespace viete::bench

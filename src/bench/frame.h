@@ -1,0 +1,26 @@
+// viete bench frame: what a frame costs, by path, size and stage.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "deform/tiled_binding.h"
+#include "deform/weighting.h"
+
+namespace viete::bench {
+
+struct FrameOptions {
+  std::filesystem::path model;            ///< the bundled one
+  std::vector<std::size_t> counts = {0};  ///< vertices: the model is cut off or subdivided; 0: as it is
+  std::vector<std::size_t> faces = {50, 100, 300, 600};  ///< of cages
+  std::size_t rounds = 11;
+  double tolerance = deform::usual_tolerance;
+  double reach = deform::whole_cage;
+  std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
+};
+
+/// Prints the tables. Throws base::Error.
+void bench_frame(const FrameOptions& options);
+
+}  // namespace viete::bench

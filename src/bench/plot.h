@@ -1,0 +1,44 @@
+// The benchmarks as pictures: bars of times beside curves of time against size.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace viete::bench {
+
+struct PlotBar {
+  std::string name;
+  double ns = 0;
+  const char* color;
+};
+
+struct PlotCurve {
+  std::string name;
+  const char* color;
+  bool dashed = false;
+  struct Point {
+    double count, ns;
+  };
+  std::vector<Point> points;  ///< by count, ascending
+};
+
+struct Plot {
+  std::string title, subtitle;
+  std::string bars_title;
+  std::vector<PlotBar> bars;  ///< the first is what the others are compared with
+  std::string curves_title;
+  std::vector<PlotCurve> curves;
+};
+
+/// Colours that stay apart for colour-blind eyes and in grey (Okabe and Ito's, darkened for white paper).
+namespace plot_color {
+inline constexpr const char* reference = "#6b7785";
+inline constexpr const char* rival = "#c77700";
+inline constexpr const char* copy = "#9aa5b1";
+inline constexpr const char* ours[] = {"#0072b2", "#009e73", "#b3589a", "#3a3f9e"};
+}  // namespace plot_color
+
+/// An SVG document, 1000 pixels wide.
+std::string draw_plot(const Plot& plot);
+
+}  // namespace viete::bench

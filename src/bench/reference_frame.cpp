@@ -1,0 +1,110 @@
+#include "bench/reference_frame.h"
+
+#include <cmath>
+
+#include "deform/face_maps.h"
+#include "sym3/exp.h"
+
+namespace viete::bench {
+
+namespace {
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix c{};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) c[i][j] += a[i][k] * b[k][j];
+    }
+  }
+  return c;
+}
+
+Matrix exp_stretch(const Matrix& m) {
+  const auto e = sym3::exp(sym3::Sym3<double>{m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]},
+                           sym3::Method::improved_sd);
+  return {{{e.xx, e.xy, e.xz}, {e.xy, e.yy, e.yz}, {e.xz, e.yz, e.zz}}};
+}
+
+// I + sin t / t Y + (1 - cos t) / t^2 Y^2.
+Matrix exp_rodrigues(const Matrix& y) {
+  const double square = y[2][1] * y[2][1] + y[0][2] * y[0][2] + y[1][0] * y[1][0], angle = std::sqrt(square);
+  const double a = angle > 1e-8 ? std::sin(angle) / angle : 1.0;
+  const double b = angle > 1e-8 ? (1 - std::cos(angle)) / square : 0.5;
+  const Matrix squared = product(y, y);
+  Matrix r{};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) r[i][j] = (i == j ? 1 : 0) + a * y[i][j] + b * squared[i][j];
+  }
+  return r;
+}
+
+}  // namespace
+
+ReferenceFrame::ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding)
+    : cage_(cage),
+      binding_(binding),
+      maps_(binding.handles),
+      logs_(binding.handles),
+      handles_(binding.handles),
+      positions_(binding.vertices),
+      normals_(binding.vertices) {}
+
+void ReferenceFrame::deform(const deform::Pose& pose) {
+  log_cage(pose);
+  for (std::size_t v = 0; v < positions_.size(); ++v) positions_[v] = place(v);
+  scatter_normals();
+}
+
+void ReferenceFrame::log_cage(const deform::Pose& pose) {
+  origin_ = deform::pose_origin(cage_, pose.positions);
+  deform::face_maps(cage_, pose.positions, maps_);
+  deform::log_maps(cage_, maps_, pose.turns, logs_, report_);
+  for (std::size_t j = 0; j < handles_.size(); ++j) {
+    const auto& [x, y, c] = logs_[j];
+    handles_[j] = {{{{x.xx, x.xy, x.xz}, {x.xy, x.yy, x.yz}, {x.xz, x.yz, x.zz}}},
+                   {{{0, -y[2], y[1]}, {y[2], 0, -y[0]}, {-y[1], y[0], 0}}},
+                   c};
+  }
+}
+
+mesh::Point ReferenceFrame::place(std::size_t vertex) const {
+  const double* weights = binding_.weights.data() + vertex * binding_.handles;
+  Matrix stretch{}, rotation{};
+  mesh::Point sum{0, 0, 0};
+  for (std::size_t j = 0; j < handles_.size(); ++j) {
+    const Handle& h = handles_[j];
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) stretch[r][c] += weights[j] * h.stretch[r][c];
+      for (int c = 0; c < 3; ++c) rotation[r][c] += weights[j] * h.rotation[r][c];
+      sum[r] += weights[j] * h.center[r];
+    }
+  }
+  const Matrix affine = product(exp_rodrigues(rotation), exp_stretch(stretch));
+  const mesh::Point& x = binding_.offsets[vertex];
+  mesh::Point p;
+  for (int r = 0; r < 3; ++r) {
+    p[r] = origin_[r] + (affine[r][0] * x[0] + affine[r][1] * x[1] + affine[r][2] * x[2] + sum[r]);
+  }
+  return p;
+}
+
+void ReferenceFrame::scatter_normals() {
+  for (auto& n : normals_) n = {0, 0, 0};
+  for (const auto& t : binding_.triangles) {
+    const mesh::Point &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
+    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+                 v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    for (const auto corner : t) {
+      for (int i = 0; i < 3; ++i) normals_[corner][i] += n[i];
+    }
+  }
+  for (auto& n : normals_) {
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    if (length > 0) n = {n[0] / length, n[1] / length, n[2] / length};
+  }
+}
+
+}  // namespace viete::bench

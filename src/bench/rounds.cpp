@@ -1,0 +1,49 @@
+#include "bench/rounds.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "base/clock.h"
+
+namespace viete::bench {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
+                                        base::Progress& progress) {
+  std::vector<std::vector<double>> times(cases.size());
+  const auto runs = static_cast<double>((rounds + 1) * cases.size());
+  for (std::size_t round = 0; round <= rounds; ++round) {
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      const double start = base::thread_seconds();
+      cases[c].run(round);
+      const double seconds = base::thread_seconds() - start;
+      if (round > 0) times[c].push_back(1e9 * seconds / static_cast<double>(cases[c].items));
+      progress.report(static_cast<double>(round * cases.size() + c + 1) / runs);
+    }
+  }
+  std::vector<BenchResult> results;
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    results.push_back({cases[c].name, median(std::move(times[c]))});
+  return results;
+}
+
+std::string processor_name() {
+  std::ifstream lines("/proc/cpuinfo");
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
+  }
+  return "";
+}
+
+std::string grouped(std::size_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+  return text;
+}
+
+}  // namespace viete::bench

@@ -1,0 +1,35 @@
+// Round by round every case in turn, until the medians can be trusted.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "bench/table.h"
+
+namespace viete::bench {
+
+/// One thing that is measured: run(round) does `items` of it, of which there may be others each round.
+struct RoundCase {
+  std::string name;
+  std::size_t items;
+  std::function<void(std::size_t round)> run;
+};
+
+/// Every case once a round, so that a disturbance hits all alike; one round more before, which does not
+/// count. Processor time of the calling thread, medians. Throws base::Cancelled.
+std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
+                                        base::Progress& progress);
+
+/// Of an even number of values the upper one of the middle. values must not be empty.
+double median(std::vector<double> values);
+
+/// "AMD EPYC 9654", or nothing where the system does not say.
+std::string processor_name();
+
+/// "10,000,000".
+std::string grouped(std::size_t count);
+
+}  // namespace viete::bench

@@ -1,0 +1,37 @@
+#include "bench/table.h"
+
+#include <cstdio>
+
+#include "base/atomic_file.h"
+
+namespace viete::bench {
+
+double time_of(const std::vector<BenchResult>& results, const std::string& name) {
+  for (const auto& r : results) {
+    if (r.name == name) return r.ns_per_item;
+  }
+  return 0;
+}
+
+void print_table(const std::string& title, const std::vector<BenchResult>& results,
+                 const std::string& reference, const std::string& copy) {
+  const double base = time_of(results, reference), bytes = time_of(results, copy);
+  std::printf("%s\n  %-14s %10s %12s %10s\n", title.c_str(), "", "ns", ("x " + reference).c_str(), "x copy");
+  for (const auto& r : results) {
+    std::printf("  %-14s %10.2f %12.2f %10.1f\n", r.name.c_str(), r.ns_per_item, base / r.ns_per_item,
+                r.ns_per_item / bytes);
+  }
+}
+
+nlohmann::json to_json(const std::vector<BenchResult>& results) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const auto& r : results) json.push_back({{"name", r.name}, {"ns", r.ns_per_item}});
+  return json;
+}
+
+void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
+  if (path.empty()) return;
+  base::replace_file(path, json.dump(2) + '\n');
+}
+
+}  // namespace viete::bench

@@ -1,0 +1,102 @@
+#include "mesh/cavity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mesh/vector.h"
+
+namespace viete::mesh {
+
+namespace {
+
+/// Neighbours of every vertex: those of v are vertices[starts[v]] up to starts[v + 1]; an inner edge lists
+/// each end twice.
+struct Neighbours {
+  std::vector<std::uint32_t> starts, vertices;
+};
+
+Neighbours neighbours(std::span<const Triangle> triangles, std::size_t vertex_count) {
+  Neighbours result;
+  result.starts.assign(vertex_count + 1, 0);
+  for (const Triangle& t : triangles) {
+    for (const std::uint32_t v : t) result.starts[v + 1] += 2;
+  }
+  for (std::size_t v = 0; v < vertex_count; ++v) result.starts[v + 1] += result.starts[v];
+  result.vertices.resize(result.starts.back());
+  std::vector<std::uint32_t> next(result.starts.begin(), result.starts.end() - 1);
+  for (const Triangle& t : triangles) {
+    for (int corner = 0; corner < 3; ++corner) {
+      result.vertices[next[t[corner]]++] = t[(corner + 1) % 3];
+      result.vertices[next[t[corner]]++] = t[(corner + 2) % 3];
+    }
+  }
+  return result;
+}
+
+// In float, relative to the first point: what is asked of the angles is a shade of grey.
+using Float3 = std::array<float, 3>;
+
+Float3 rounded(const Point& a) {
+  return {static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2])};
+}
+
+float product(const Float3& a, const Float3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class Get>
+float mean_around(const Neighbours& around, std::size_t v, Get get) {
+  float sum = 0;
+  for (std::uint32_t i = around.starts[v]; i < around.starts[v + 1]; ++i) sum += get(around.vertices[i]);
+  const auto count = static_cast<float>(around.starts[v + 1] - around.starts[v]);
+  return count > 0 ? sum / count : sum;
+}
+
+/// Mean sine of the angle by which the neighbours rise over the tangent plane: > 0 in a hollow.
+float hollowness(const Neighbours& around, std::span<const Float3> points, std::size_t v,
+                 const Float3& normal) {
+  return mean_around(around, v, [&](std::uint32_t other) {
+    const Float3 &a = points[v], &b = points[other];
+    const Float3 edge{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const float length = std::sqrt(product(edge, edge));
+    return length > 0 ? product(edge, normal) / length : 0.0F;
+  });
+}
+
+/// One step of averaging with the neighbours.
+void smooth(const Neighbours& around, std::vector<float>& values, std::vector<float>& scratch) {
+  scratch = values;
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (around.starts[v] == around.starts[v + 1]) continue;
+    const float mean = mean_around(around, v, [&](std::uint32_t other) { return scratch[other]; });
+    values[v] = 0.5F * scratch[v] + 0.5F * mean;
+  }
+}
+
+std::vector<Float3> relative_points(std::span<const Point> positions) {
+  std::vector<Float3> points(positions.size());
+  for (std::size_t v = 0; v < points.size(); ++v) points[v] = rounded(minus(positions[v], positions[0]));
+  return points;
+}
+
+}  // namespace
+
+std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
+                               std::span<const Triangle> triangles, int levels) {
+  const Neighbours around = neighbours(triangles, positions.size());
+  const std::vector<Float3> points = relative_points(positions);
+
+  std::vector<float> hollow(positions.size()), scratch;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    hollow[v] = hollowness(around, points, v, rounded(normals[v]));
+  std::vector<float> sum(positions.size(), 0.0F);
+  for (int level = 0; level < levels; ++level) {
+    for (int step = 0; step < 1 << level; ++step) smooth(around, hollow, scratch);
+    for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += hollow[v];
+  }
+  for (float& value : sum) value = 1 - std::clamp(2.0F * value, 0.0F, 1.0F);
+  return sum;
+}
+
+}  // namespace viete::mesh
