@@ -7,7 +7,7 @@
 #include "app/command_line.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
-#include "app/window.h"
+#include "app/window_viewer.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "scene/session.h"

@@ -27,11 +27,11 @@ inline const std::map<std::string, Room>& rooms() {
       {"scene", {{"base", "sym3", "mesh", "deform"}, {"glm", "json"}, {}}},
       {"render", {{"base"}, {"gl", "glm"}, {"stb"}}},
       {"ui", {{"base", "scene"}, {"imgui"}, {}}},
-      {"platform", {{"base", "render"}, {"gl", "glm", "imgui"}, {}}},
+      {"platform", {{"base", "render"}, {"gl", "glm", "imgui"}, {"glfw"}}},
       {"bench", {{"base", "sym3", "mesh", "deform", "scene"}, {"json"}, {"eigen", "highway"}}},
       {"app",
        {{"base", "sym3", "mesh", "deform", "scene", "render", "ui", "platform", "bench"},
-        {"glfw", "gl", "imgui", "cli11", "json", "glm"},
+        {"imgui", "cli11", "json", "glm"},
         {}}},
   };
   return table;

@@ -1,4 +1,4 @@
-// The real window: GLFW's events in, the viewer's picture out.
+// The viewer in a window.
 #pragma once
 
 #include <filesystem>

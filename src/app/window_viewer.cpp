@@ -1,0 +1,133 @@
+#include "app/window_viewer.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "app/state_folder.h"
+#include "app/viewer.h"
+#include "base/clock.h"
+#include "platform/window.h"
+#include "scene/edit.h"
+#include "scene/saving.h"
+
+namespace viete::app {
+
+namespace {
+
+ViewerOptions viewer_options(const platform::Window& window, const std::filesystem::path& binding) {
+  ViewerOptions options;
+  options.size = window.size();
+  options.scale = window.scale();
+  options.samples = window.gl().software ? 0 : 4;
+  options.still_samples = window.gl().software ? 4 : 0;
+  options.state = state_folder();
+  options.bindings = {.folder = bindings_folder(), .named = binding};
+  return options;
+}
+
+// The viewer in its window, drawn when something changed.
+class WindowViewer {
+public:
+  WindowViewer(platform::Window& window, const std::filesystem::path& binding)
+      : window_(window), viewer_(window.gl(), viewer_options(window, binding)) {
+    listen();
+    window_.share_clipboard();
+  }
+
+  Viewer& viewer() { return viewer_; }
+  /// Until it is closed, or that many frames were drawn; 0: any.
+  void run(int frames);
+
+private:
+  void listen();
+  void draw(float seconds);
+  void set_title();
+  void call_for_attention();
+
+  platform::Window& window_;
+  Viewer viewer_;
+  bool exposed_ = true, asks_ = false;
+};
+
+void WindowViewer::listen() {
+  platform::WindowEvents events;
+  events.input = [this](platform::InputEvent event) { viewer_.input().push(std::move(event)); };
+  events.dropped = [this](std::vector<std::filesystem::path> files) {
+    viewer_.workspace().requests.open =
+        scene::OpenRequest{scene::OpenRequest::What::dropped, std::move(files)};
+    exposed_ = true;
+  };
+  events.exposed = [this] {
+    viewer_.resize(window_.size());
+    exposed_ = true;
+  };
+  window_.listen(std::move(events));
+}
+
+void WindowViewer::set_title() {
+  const auto& model = viewer_.workspace().document.model;
+  const char* unsaved = scene::has_unsaved_edits(viewer_.workspace()) ? "*" : "";
+  window_.set_title(model.surface ? model.path.filename().string() + unsaved + " - Viete" : "Viete");
+}
+
+// The window may be behind others when the program is asked to end.
+void WindowViewer::call_for_attention() {
+  const bool asks = viewer_.workspace().question.has_value();
+  if (asks && !asks_) window_.call_for_attention();
+  asks_ = asks;
+}
+
+void WindowViewer::draw(float seconds) {
+  viewer_.frame(seconds);
+  window_.present(viewer_.framebuffer());
+  set_title();
+  call_for_attention();
+}
+
+void WindowViewer::run(int frames) {
+  double last = base::wall_seconds();
+  for (int drawn = 0; frames == 0 || drawn < frames;) {
+    window_.poll_events();
+    const bool needed = exposed_ || viewer_.wants_frame();
+    if (!needed) window_.wait_for_events(viewer_.working() ? 0.02 : 0.1);
+    if (window_.asked_to_close()) viewer_.workspace().requests.quit = exposed_ = true;
+    if (!exposed_ && !viewer_.wants_frame() && frames == 0) continue;
+    exposed_ = false;
+    const double now = base::wall_seconds();
+    draw(static_cast<float>(std::min(now - last, 0.1)));
+    last = now;
+    if (viewer_.closed()) return;
+    if (!viewer_.loading()) ++drawn;
+  }
+}
+
+}  // namespace
+
+void set_settings(scene::Document& document, const WindowOptions& options) {
+  scene::set_method(document, options.method);
+  options.weighting.apply(document, false);
+}
+
+bool run_window(const WindowOptions& options, std::string& reason) {
+  const auto window = platform::Window::open({1440, 900}, options.scale, reason);
+  if (!window) return false;
+  WindowViewer shown(*window, options.binding);
+  Viewer& viewer = shown.viewer();
+  scene::Workspace& workspace = viewer.workspace();
+  if (state_folder().empty())
+    workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
+  set_settings(workspace.document, options);
+  workspace.requests.open =
+      scene::OpenRequest{scene::OpenRequest::What::model, {options.model, options.cage, options.pose}};
+  shown.run(options.frames);
+  if (!viewer.closed()) viewer.finish_keeping();
+  if (viewer.keeping()) {
+    std::fprintf(stderr, "viete: unsaved edits are kept; the next start offers to bring them back\n");
+  }
+  return true;
+}
+
+}  // namespace viete::app

@@ -1,0 +1,248 @@
+#include "platform/window.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <utility>
+
+namespace viete::platform {
+
+namespace {
+
+std::string last_glfw_error() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  std::string reason = text ? text : "no reason given";
+  while (!reason.empty() && reason.back() == ' ') reason.pop_back();
+  return reason;
+}
+
+std::string utf8(unsigned code) {
+  const auto byte = [](unsigned value) { return static_cast<char>(value); };
+  const auto tail = [&](unsigned shift) { return byte(0x80 | (code >> shift & 0x3f)); };
+  if (code < 0x80) return {byte(code)};
+  if (code < 0x800) return {byte(0xc0 | code >> 6), tail(0)};
+  if (code < 0x10000) return {byte(0xe0 | code >> 12), tail(6), tail(0)};
+  return {byte(0xf0 | code >> 18), tail(12), tail(6), tail(0)};
+}
+
+// GLFW names keys by their place on a US keyboard; shortcuts mean what is printed on the key.
+int labelled(int key, int scancode) {
+  if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
+  const char* name = glfwGetKeyName(key, scancode);
+  const bool letter = name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0;
+  return letter ? name[0] - 'a' + GLFW_KEY_A : key;
+}
+
+// Where neither is named, nothing is asked: the Wayland library would complain on stderr where the session
+// has no runtime folder, and open a window on whatever display of that folder it finds.
+bool display_is_named() {
+  const auto given = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return value && *value;
+  };
+  return given("DISPLAY") || given("WAYLAND_DISPLAY") || given("WAYLAND_SOCKET");
+}
+
+// The only thing that a signal handler may touch.
+volatile std::sig_atomic_t end_signal = 0;
+
+// A request, as by the window's close button. One more before the window has taken notice ends the program.
+void take_end_signal(int number) {
+  if (end_signal) {
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+  }
+  end_signal = 1;
+}
+
+// What was told to be ignored (nohup) stays so.
+void listen_to_end_signals() {
+  for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
+    if (std::signal(number, take_end_signal) == SIG_IGN) std::signal(number, SIG_IGN);
+  }
+}
+
+// Core 3.3 is all that is used; some drivers hand out exactly what is asked for, so ask for the newest first.
+GLFWwindow* open_window(glm::ivec2 size) {
+  constexpr int versions[][2] = {{4, 5}, {4, 3}, {3, 3}};
+  for (const auto& version : versions) {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version[0]);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version[1]);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SAMPLES, 0);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    // Whose window it is: the desktop looks for these in assets/desktop/viete.desktop.
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
+#ifdef GLFW_WAYLAND_APP_ID
+    glfwWindowHintString(GLFW_WAYLAND_APP_ID, "viete");
+#endif
+    if (GLFWwindow* window = glfwCreateWindow(size.x, size.y, "Viete", nullptr, nullptr)) {
+      return window;
+    }
+  }
+  return nullptr;
+}
+
+float content_scale(GLFWwindow* window) {
+  float scale = 1;
+  glfwGetWindowContentScale(window, &scale, nullptr);
+  return scale;
+}
+
+// Where window units are pixels, a window of logical pixels is larger.
+void enlarge(GLFWwindow* window, glm::ivec2 size, float scale) {
+  int units = 0, pixels = 0;
+  glfwGetWindowSize(window, &units, nullptr);
+  glfwGetFramebufferSize(window, &pixels, nullptr);
+  if (units == pixels)
+    glfwSetWindowSize(window, int(static_cast<float>(size.x) * scale),
+                      int(static_cast<float>(size.y) * scale));
+}
+
+Window& of(GLFWwindow* window) {
+  return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+}  // namespace
+
+std::unique_ptr<Window> Window::open(glm::ivec2 size, float scale, std::string& reason) {
+  if (!display_is_named()) {
+    reason = "there is no display: DISPLAY and WAYLAND_DISPLAY are not set";
+    return nullptr;
+  }
+  GLFWwindow* handle = glfwInit() ? open_window(size) : nullptr;
+  if (!handle) {
+    reason = last_glfw_error();
+    glfwTerminate();
+    return nullptr;
+  }
+  if (scale <= 0) scale = content_scale(handle);
+  glfwSetWindowSizeLimits(handle, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  if (scale > 1.01f) enlarge(handle, size, scale);
+  return std::unique_ptr<Window>(new Window(handle, std::max(scale, 0.5f)));
+}
+
+Window::Window(GLFWwindow* handle, float scale) : handle_(handle), scale_(scale) {
+  glfwSetWindowUserPointer(handle, this);
+  glfwMakeContextCurrent(handle);
+  glfwSwapInterval(1);
+  gl_ = std::make_unique<render::Gl>(render::load_gl(
+      [](const char* name) { return reinterpret_cast<render::Proc>(glfwGetProcAddress(name)); }));
+}
+
+Window::~Window() {
+  glfwDestroyWindow(handle_);
+  glfwTerminate();
+}
+
+glm::ivec2 Window::device_size() const {
+  glm::ivec2 size;
+  glfwGetFramebufferSize(handle_, &size.x, &size.y);
+  return size;
+}
+
+glm::ivec2 Window::size() const {
+  return glm::max(glm::ivec2(1), glm::ivec2(glm::vec2(device_size()) / scale_));
+}
+
+// Window units are pixels on X11 and logical on Wayland: events are converted by what one unit is in device
+// pixels.
+float Window::logical_per_unit() const {
+  int units = 0;
+  glfwGetWindowSize(handle_, &units, nullptr);
+  return units > 0 ? static_cast<float>(device_size().x) / static_cast<float>(units) / scale_ : 1;
+}
+
+void Window::listen_to_mouse() {
+  glfwSetCursorPosCallback(handle_, [](GLFWwindow* w, double x, double y) {
+    const float k = of(w).logical_per_unit();
+    of(w).events_.input(InputEvent::move({static_cast<float>(x) * k, static_cast<float>(y) * k}));
+  });
+  glfwSetMouseButtonCallback(handle_, [](GLFWwindow* w, int button, int action, int) {
+    if (button <= 2) of(w).events_.input(InputEvent::button(button, action == GLFW_PRESS));
+  });
+  glfwSetScrollCallback(handle_, [](GLFWwindow* w, double, double y) {
+    of(w).events_.input(InputEvent::scroll(static_cast<float>(y)));
+  });
+  glfwSetCursorEnterCallback(handle_, [](GLFWwindow* w, int entered) {
+    if (!entered) of(w).events_.input(InputEvent::left_window());
+  });
+}
+
+void Window::listen_to_keys() {
+  glfwSetKeyCallback(handle_, [](GLFWwindow* w, int key, int scancode, int action, int) {
+    if (action != GLFW_REPEAT && key >= 0)
+      of(w).events_.input(InputEvent::key(labelled(key, scancode), action == GLFW_PRESS));
+  });
+  glfwSetCharCallback(
+      handle_, [](GLFWwindow* w, unsigned code) { of(w).events_.input(InputEvent::typed(utf8(code))); });
+}
+
+void Window::listen(WindowEvents events) {
+  events_ = std::move(events);
+  listen_to_mouse();
+  listen_to_keys();
+  glfwSetDropCallback(handle_, [](GLFWwindow* w, int count, const char** paths) {
+    of(w).events_.dropped({paths, paths + count});
+  });
+  glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* w) { of(w).events_.exposed(); });
+  glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* w, int, int) { of(w).events_.exposed(); });
+  listen_to_end_signals();
+}
+
+// Old and new versions of ImGui keep the clipboard functions in different places.
+void Window::share_clipboard() {
+#if IMGUI_VERSION_NUM >= 19110
+  ImGuiPlatformIO& io = ImGui::GetPlatformIO();
+  io.Platform_GetClipboardTextFn = [](ImGuiContext*) { return glfwGetClipboardString(nullptr); };
+  io.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) {
+    glfwSetClipboardString(nullptr, text);
+  };
+#else
+  ImGuiIO& io = ImGui::GetIO();
+  io.ClipboardUserData = handle_;
+  io.GetClipboardTextFn = [](void* w) { return glfwGetClipboardString(static_cast<GLFWwindow*>(w)); };
+  io.SetClipboardTextFn = [](void* w, const char* text) {
+    glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
+  };
+#endif
+}
+
+void Window::poll_events() {
+  glfwPollEvents();
+}
+
+void Window::wait_for_events(double seconds) {
+  glfwWaitEventsTimeout(seconds);
+}
+
+bool Window::asked_to_close() {
+  const bool asked = glfwWindowShouldClose(handle_) || end_signal;
+  glfwSetWindowShouldClose(handle_, GLFW_FALSE);
+  end_signal = 0;
+  return asked;
+}
+
+void Window::set_title(const std::string& title) {
+  if (title != title_) glfwSetWindowTitle(handle_, title.c_str());
+  title_ = title;
+}
+
+void Window::call_for_attention() {
+  glfwRequestWindowAttention(handle_);
+}
+
+void Window::present(render::Framebuffer& framebuffer) {
+  const glm::ivec2 size = device_size();
+  if (size.x > 0 && size.y > 0) framebuffer.blit_to_window(size);
+  glfwSwapBuffers(handle_);
+}
+
+}  // namespace viete::platform
