@@ -18,7 +18,6 @@
 #include "bench/rounds.h"
 #include "bench/table.h"
 #include "deform/fused_frame.h"
-#include "deform/vec3.h"
 #include "scene/document.h"
 
 namespace viete::bench {
@@ -90,7 +89,7 @@ deform::LinkTimes link_medians(const Case& c) {
 double distance(std::span<const mesh::Point> expected, std::span<const mesh::Point> positions) {
   double largest = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    largest = std::max(largest, deform::norm(deform::operator-(positions[i], expected[i])));
+    largest = std::max(largest, mesh::norm(mesh::operator-(positions[i], expected[i])));
   }
   return largest;
 }
@@ -209,7 +208,7 @@ private:
         if (drag) frame->deform(pose_);
         std::vector<mesh::Point> positions;
         for (const auto& v : frame->vertices()) {
-          positions.push_back(deform::operator+
+          positions.push_back(mesh::operator+
                               (frame->origin(), deform::Vec3{v.position[0], v.position[1], v.position[2]}));
         }
         return distance(expected_, positions) / cage_->diagonal;

@@ -12,17 +12,7 @@ namespace viete::bench {
 
 namespace {
 
-using mesh::Point;
-
-Point minus(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+using mesh::cross, mesh::dot, mesh::Point, mesh::operator-;
 
 // A spiral of points from pole to pole (Fibonacci lattice).
 std::vector<Point> directions(std::size_t count) {
@@ -37,7 +27,7 @@ std::vector<Point> directions(std::size_t count) {
 }
 
 bool sees(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) {
-  return dot(cross(minus(p[t[1]], p[t[0]]), minus(p[t[2]], p[t[0]])), minus(x, p[t[0]])) > 0;
+  return dot(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]), x - p[t[0]]) > 0;
 }
 
 // Convex hull, one point after the other: what a point sees is replaced by a fan over its rim.
@@ -75,7 +65,7 @@ std::vector<double> radii_around(const mesh::Surface& model, const Point& center
   std::vector<double> radii(directions.size(), 0.05 * mesh::bounds(model.positions).diagonal());
   std::size_t last = 0;
   for (const Point& v : model.positions) {
-    const Point x = minus(v, center);
+    const Point x = v - center;
     std::optional<Point> w;
     for (std::size_t n = 0; n < triangles.size() && !w; ++n) {
       const std::size_t t = (last + n) % triangles.size();
@@ -124,7 +114,7 @@ mesh::Surface star_cage(const mesh::Surface& model, std::size_t faces) {
 
 deform::Pose moderate_pose(const deform::Cage& cage) {
   const auto box = mesh::bounds(cage.surface.positions);
-  const Point size = minus(box.high, box.low), middle = box.center();
+  const Point size = box.high - box.low, middle = box.center();
   const int z = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
   const int x = (z + 1) % 3, y = (z + 2) % 3;
   std::mt19937_64 random(20160101);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deform/vec3.h"
-
 namespace viete::bench {
 
 using namespace deform;

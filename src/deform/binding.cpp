@@ -8,7 +8,6 @@
 #include "deform/face_maps.h"
 #include "deform/mean_value.h"
 #include "deform/tiled_binding.h"
-#include "deform/vec3.h"
 #include "deform/weights.h"
 
 namespace viete::deform {

@@ -1,7 +1,5 @@
 #include "deform/blend.h"
 
-#include "deform/vec3.h"
-
 namespace viete::deform {
 
 namespace {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "deform/dual_graph.h"
-#include "deform/vec3.h"
 
 namespace viete::deform {
 

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "deform/dual_graph.h"
-#include "deform/vec3.h"
 
 namespace viete::deform {
 

@@ -8,10 +8,13 @@
 
 #include "mesh/edges.h"
 #include "mesh/surface.h"
+#include "mesh/vector.h"
 
 namespace viete::deform {
 
-using Vec3 = std::array<double, 3>;
+using mesh::cross, mesh::dot, mesh::largest_abs, mesh::norm, mesh::relative_to, mesh::squared_norm;
+using mesh::Vec3;
+using mesh::operator+, mesh::operator-, mesh::operator*;
 
 /// The rest cage with everything about it that does not change when it is posed. Elements are its triangles.
 struct Cage {

@@ -1,7 +1,5 @@
 #include "deform/closest.h"
 
-#include "deform/vec3.h"
-
 namespace viete::deform {
 
 namespace {

@@ -9,7 +9,6 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "deform/fused_frame.h"
-#include "deform/vec3.h"
 #include "deform/vertex_sample.h"
 #include "deform/weigher.h"
 

@@ -4,8 +4,6 @@
 #include <iterator>
 #include <limits>
 
-#include "deform/vec3.h"
-
 namespace viete::deform {
 
 namespace {

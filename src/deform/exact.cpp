@@ -10,7 +10,6 @@
 #include "deform/blend.h"
 #include "deform/deformer.h"
 #include "deform/face_maps.h"
-#include "deform/vec3.h"
 #include "deform/vertex_sample.h"
 #include "deform/weigher.h"
 

@@ -2,8 +2,6 @@
 
 #include <numeric>
 
-#include "deform/vec3.h"
-
 namespace viete::deform {
 
 namespace {

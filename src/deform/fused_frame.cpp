@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/vec3.h"
 
 namespace viete::deform {
 

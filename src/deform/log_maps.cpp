@@ -6,7 +6,6 @@
 
 #include "deform/branches.h"
 #include "deform/polar.h"
-#include "deform/vec3.h"
 
 namespace viete::deform {
 

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "deform/closest.h"
-#include "deform/vec3.h"
 
 namespace viete::deform {
 

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "deform/vec3.h"
 #include "mesh/read.h"
 #include "mesh/source.h"
 #include "mesh/write.h"

@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "deform/factoring.h"
 #include "deform/frame_kernel.h"
-#include "deform/vec3.h"
 #include "deform/weigher.h"
 
 namespace viete::deform {

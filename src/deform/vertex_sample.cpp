@@ -1,6 +1,5 @@
 #include "deform/vertex_sample.h"
 
-#include "deform/vec3.h"
 #include "deform/weights.h"
 
 namespace viete::deform {

@@ -8,7 +8,6 @@
 #include "deform/face_maps.h"
 #include "deform/frame_kernel.h"
 #include "deform/mean_value.h"
-#include "deform/vec3.h"
 
 namespace viete::deform {
 

@@ -1,7 +1,6 @@
 #include "deform/weights.h"
 
 #include "deform/closest.h"
-#include "deform/vec3.h"
 
 namespace viete::deform {
 

@@ -1,10 +1,7 @@
 #include "mesh/cavity.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-
-#include "mesh/vector.h"
 
 namespace viete::mesh {
 
@@ -35,14 +32,8 @@ Neighbours neighbours(std::span<const Triangle> triangles, std::size_t vertex_co
 }
 
 // In float, relative to the first point: what is asked of the angles is a shade of grey.
-using Float3 = std::array<float, 3>;
-
-Float3 rounded(const Point& a) {
+Vec3f rounded(const Point& a) {
   return {static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2])};
-}
-
-float product(const Float3& a, const Float3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 template <class Get>
@@ -54,13 +45,12 @@ float mean_around(const Neighbours& around, std::size_t v, Get get) {
 }
 
 /// Mean sine of the angle by which the neighbours rise over the tangent plane: > 0 in a hollow.
-float hollowness(const Neighbours& around, std::span<const Float3> points, std::size_t v,
-                 const Float3& normal) {
+float hollowness(const Neighbours& around, std::span<const Vec3f> points, std::size_t v,
+                 const Vec3f& normal) {
   return mean_around(around, v, [&](std::uint32_t other) {
-    const Float3 &a = points[v], &b = points[other];
-    const Float3 edge{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const float length = std::sqrt(product(edge, edge));
-    return length > 0 ? product(edge, normal) / length : 0.0F;
+    const Vec3f edge = points[other] - points[v];
+    const float length = norm(edge);
+    return length > 0 ? dot(edge, normal) / length : 0.0F;
   });
 }
 
@@ -74,9 +64,9 @@ void smooth(const Neighbours& around, std::vector<float>& values, std::vector<fl
   }
 }
 
-std::vector<Float3> relative_points(std::span<const Point> positions) {
-  std::vector<Float3> points(positions.size());
-  for (std::size_t v = 0; v < points.size(); ++v) points[v] = rounded(minus(positions[v], positions[0]));
+std::vector<Vec3f> relative_points(std::span<const Point> positions) {
+  std::vector<Vec3f> points(positions.size());
+  for (std::size_t v = 0; v < points.size(); ++v) points[v] = rounded(positions[v] - positions[0]);
   return points;
 }
 
@@ -85,7 +75,7 @@ std::vector<Float3> relative_points(std::span<const Point> positions) {
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
                                std::span<const Triangle> triangles, int levels) {
   const Neighbours around = neighbours(triangles, positions.size());
-  const std::vector<Float3> points = relative_points(positions);
+  const std::vector<Vec3f> points = relative_points(positions);
 
   std::vector<float> hollow(positions.size()), scratch;
   for (std::size_t v = 0; v < points.size(); ++v)

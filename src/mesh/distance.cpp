@@ -2,25 +2,22 @@
 
 #include <algorithm>
 
-#include "mesh/vector.h"
-
 namespace viete::mesh {
 
 namespace {
 
 double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point u = minus(b, a), w = minus(p, a);
+  const Point u = b - a, w = p - a;
   const double length2 = dot(u, u);
   const double t = length2 > 0 ? std::clamp(dot(w, u) / length2, 0.0, 1.0) : 0.0;
-  const Point d = {w[0] - t * u[0], w[1] - t * u[1], w[2] - t * u[2]};
-  return dot(d, d);
+  return squared_norm(w - t * u);
 }
 
 }  // namespace
 
 double squared_distance(const Point& p, const Point& a, const Point& b, const Point& c) {
-  const Point n = cross(minus(b, a), minus(c, a));
-  const Point pa = minus(a, p), pb = minus(b, p), pc = minus(c, p);
+  const Point n = cross(b - a, c - a);
+  const Point pa = a - p, pb = b - p, pc = c - p;
   const double n2 = dot(n, n);
   const bool above = dot(cross(pa, pb), n) >= 0 && dot(cross(pb, pc), n) >= 0 && dot(cross(pc, pa), n) >= 0;
   if (n2 > 0 && above) {

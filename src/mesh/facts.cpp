@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/vector.h"
-
 namespace viete::mesh {
 
 namespace {
@@ -101,12 +99,12 @@ void measure(const Surface& surface, Facts& facts) {
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     std::array<Point, 3> p;
     for (int i = 0; i < 3; ++i) {
-      p[i] = minus(surface.positions[surface.triangles[t][i]], center);
+      p[i] = surface.positions[surface.triangles[t][i]] - center;
       for (double& x : p[i]) x /= scale;
     }
-    const Point u = minus(p[1], p[0]), v = minus(p[2], p[0]), n = cross(u, v);
-    const double longest = std::max({length(u), length(v), length(minus(p[2], p[1]))});
-    const double doubled = length(n);
+    const Point u = p[1] - p[0], v = p[2] - p[0], n = cross(u, v);
+    const double longest = std::max({stable_norm(u), stable_norm(v), stable_norm(p[2] - p[1])});
+    const double doubled = stable_norm(n);
     if (repeats_corner(surface.triangles[t]) || doubled <= 1e-12 * longest * longest) {
       facts.degenerate_triangles.push_back(static_cast<std::uint32_t>(t));
     }

@@ -8,18 +8,16 @@ namespace viete::mesh {
 namespace {
 
 // Squares leave the range of double long before lengths do: then the largest component is taken out first.
-Point unit(double x, double y, double z) {
-  double squared = x * x + y * y + z * z;
+Point unit(Point sum) {
+  double squared = squared_norm(sum);
   if (!(squared > 1e-280 && squared < 1e280)) {
-    const double largest = std::max({std::abs(x), std::abs(y), std::abs(z)});
+    const double largest = largest_abs(sum);
     if (!(largest > 0 && std::isfinite(largest))) return {0, 0, 1};
-    x /= largest;
-    y /= largest;
-    z /= largest;
-    squared = x * x + y * y + z * z;
+    for (double& x : sum) x /= largest;
+    squared = squared_norm(sum);
   }
   const double length = std::sqrt(squared);
-  return {x / length, y / length, z / length};
+  return {sum[0] / length, sum[1] / length, sum[2] / length};
 }
 
 }  // namespace
@@ -43,17 +41,13 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
                     const VertexTriangles& around, std::size_t begin, std::size_t end,
                     std::span<Point> normals) {
   for (std::size_t v = begin; v < end; ++v) {
-    double x = 0, y = 0, z = 0;
+    Point sum{0, 0, 0};
     for (std::uint32_t i = around.starts[v]; i < around.starts[v + 1]; ++i) {
       const Triangle& t = triangles[around.triangles[i]];
       const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
-      const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
-      const double wx = c[0] - a[0], wy = c[1] - a[1], wz = c[2] - a[2];
-      x += uy * wz - uz * wy;  // twice the area in length, so the sum weighs by area
-      y += uz * wx - ux * wz;
-      z += ux * wy - uy * wx;
+      sum = sum + cross(b - a, c - a);  // twice the area in length, so that the mean weighs by area
     }
-    normals[v] = unit(x, y, z);
+    normals[v] = unit(sum);
   }
 }
 

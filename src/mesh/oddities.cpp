@@ -6,7 +6,6 @@
 
 #include "mesh/normals.h"
 #include "mesh/point_index.h"
-#include "mesh/vector.h"
 
 namespace viete::mesh {
 
@@ -102,12 +101,12 @@ std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio) 
   std::vector<std::uint32_t> thin;
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
-    Point u = minus(surface.positions[b], surface.positions[a]);
-    Point v = minus(surface.positions[c], surface.positions[a]);
-    const double longest = std::max({length(u), length(v), length(minus(v, u))});
+    Point u = surface.positions[b] - surface.positions[a];
+    Point v = surface.positions[c] - surface.positions[a];
+    const double longest = std::max({stable_norm(u), stable_norm(v), stable_norm(v - u)});
     if (!(longest > 0)) continue;
     for (int k = 0; k < 3; ++k) u[k] /= longest, v[k] /= longest;
-    const double height = length(cross(u, v));
+    const double height = stable_norm(cross(u, v));
     if (height > no_area && height < ratio) thin.push_back(t);
   }
   return thin;

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "mesh/vector.h"
-
 namespace viete::mesh {
 
 namespace {
@@ -58,7 +56,7 @@ private:
 }  // namespace
 
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const Point u = minus(b, a), v = minus(c, a), w = minus(d, a);
+  const Point u = b - a, v = c - a, w = d - a;
   double determinant = 0, permanent = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;

@@ -10,7 +10,6 @@
 #include "mesh/point_index.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
-#include "mesh/vector.h"
 
 namespace viete::mesh {
 
@@ -173,16 +172,15 @@ private:
 
 // For the normal that STL wants; zero if there is no area.
 Point unit_normal(const Point& a, const Point& b, const Point& c) {
-  Point u = minus(b, a), v = minus(c, a);
-  double scale = 0;
-  for (const double x : {u[0], u[1], u[2], v[0], v[1], v[2]}) scale = std::max(scale, std::abs(x));
+  Point u = b - a, v = c - a;
+  const double scale = std::max(largest_abs(u), largest_abs(v));
   if (scale == 0) return {0, 0, 0};
   for (int i = 0; i < 3; ++i) {
     u[i] /= scale;
     v[i] /= scale;
   }
   Point n = cross(u, v);
-  const double size = length(n);
+  const double size = stable_norm(n);
   if (size == 0) return {0, 0, 0};
   for (double& x : n) x /= size;
   return n;

@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/vector.h"
+
 namespace viete::mesh {
 
-using Point = std::array<double, 3>;
+using Point = Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Files with larger ones are refused, so that volumes stay finite.

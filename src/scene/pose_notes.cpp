@@ -1,7 +1,5 @@
 #include "scene/pose_notes.h"
 
-#include "deform/vec3.h"
-
 namespace viete::scene {
 
 namespace {
@@ -12,15 +10,15 @@ std::string plural(std::size_t n, const char* one, const char* many) {
 
 // Of each part of the cage, signed: positive when its faces look outward. In units of the cage's size.
 std::vector<double> volumes(const deform::Cage& cage, const std::vector<mesh::Point>& positions) {
-  using deform::operator-, deform::operator*;
+  using mesh::operator-, mesh::operator*;
   std::vector<double> all(cage.roots.size(), 0);
   for (std::size_t e = 0; e < cage.element_count(); ++e) {
     if (cage.parts[e] >= all.size()) continue;
     const auto& center = positions[cage.surface.triangles[cage.roots[cage.parts[e]]][0]];
-    deform::Vec3 corners[3];
+    mesh::Vec3 corners[3];
     for (int i = 0; i < 3; ++i)
       corners[i] = (1 / cage.diagonal) * (positions[cage.surface.triangles[e][i]] - center);
-    all[cage.parts[e]] += deform::dot(corners[0], deform::cross(corners[1], corners[2])) / 6;
+    all[cage.parts[e]] += mesh::dot(corners[0], mesh::cross(corners[1], corners[2])) / 6;
   }
   return all;
 }

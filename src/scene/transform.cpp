@@ -5,7 +5,6 @@
 
 #include "deform/face_maps.h"
 #include "deform/log_maps.h"
-#include "deform/vec3.h"
 #include "scene/elements.h"
 #include "scene/range.h"
 
@@ -70,7 +69,7 @@ struct Motion {
   // Each whole turn adds the same as the first: following one of them is enough.
   void follow_whole(double from, int count) {
     if (count == 0) return;
-    using deform::operator+, deform::operator-, deform::operator*;
+    using mesh::operator+, mesh::operator-, mesh::operator*;
     auto& turns = document.pose.turns;
     turns.resize(document.cage->roots.size(), {0, 0, 0});
     const auto start = turns;

@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "deform/vec3.h"
+#include "deform/cage.h"
 #include "sym3/rotation.h"
 
 namespace viete::test {
 
 using deform::Vec3;
-using namespace deform;  // arithmetic of vec3.h
+using namespace deform;
 
 inline constexpr double degree = std::numbers::pi / 180;
 

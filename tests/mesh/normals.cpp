@@ -16,10 +16,6 @@ std::vector<Point> normals_of(const Surface& s) {
   return normals;
 }
 
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 }  // namespace
 
 TEST_CASE("every_corner_of_every_triangle_is_listed_once_at_its_vertex") {
