@@ -1,7 +1,5 @@
 #include "app/autosave.h"
 
-#include <chrono>
-#include <memory>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -25,14 +23,10 @@ void make_folder(const fs::path& folder) {
     throw base::Error(folder.string(), "unsaved work cannot be kept here: " + code.message(), "save often");
 }
 
-bool ready(const std::future<void>& result, double wait_seconds) {
-  return result.valid() &&
-         result.wait_for(std::chrono::duration<double>(wait_seconds)) == std::future_status::ready;
-}
-
 }  // namespace
 
-Autosave::Autosave(fs::path folder, Errands& errands) : folder_(std::move(folder)), errands_(errands) {
+Autosave::Autosave(fs::path folder, base::BackgroundQueue& queue)
+    : folder_(std::move(folder)), queue_(queue) {
   if (!folder_.empty()) file_ = scene::recovery_file(folder_);
 }
 
@@ -59,7 +53,7 @@ void Autosave::follow(scene::Workspace& workspace) {
 }
 
 bool Autosave::has_news() const {
-  return ready(writing_, 0);
+  return base::is_ready(writing_);
 }
 
 bool Autosave::keep_now(scene::Workspace& workspace) {
@@ -89,19 +83,17 @@ void Autosave::write(scene::Workspace& workspace) {
   has_file_ = true;
   replaced_ = workspace.recovered_from;
   std::erase_if(workspace.leftovers, [&](const auto& leftover) { return leftover.file == replaced_; });
-  const auto errand = std::make_shared<std::packaged_task<void()>>(
-      [session = scene::session_of(workspace), folder = folder_, file = file_, old = replaced_] {
+  writing_ =
+      queue_.add([session = scene::session_of(workspace), folder = folder_, file = file_, old = replaced_] {
         make_folder(folder);
         base::replace_file(file, scene::session_text(session, file, false), base::Outlives::program);
         std::error_code ignored;
         if (!old.empty()) fs::remove(old, ignored);
       });
-  writing_ = errand->get_future();
-  errands_.add([errand] { (*errand)(); });
 }
 
 void Autosave::take_result(scene::Workspace& workspace, double wait_seconds) {
-  if (!ready(writing_, wait_seconds)) return;
+  if (!base::is_ready(writing_, wait_seconds)) return;
   try {
     writing_.get();
     kept_ = true;
@@ -127,7 +119,7 @@ bool Autosave::move_aside(scene::Workspace& workspace) {
 // With the leftover that was open, if it still lies where it lay.
 void Autosave::remove(const fs::path& leftover) {
   if (!std::exchange(has_file_, false) && leftover.empty()) return;
-  errands_.add([file = file_, leftover] {
+  queue_.add([file = file_, leftover] {
     std::error_code ignored;
     fs::remove(file, ignored);
     if (!leftover.empty()) fs::remove(leftover, ignored);

@@ -6,7 +6,7 @@
 #include <future>
 #include <string>
 
-#include "app/errands.h"
+#include "base/background.h"
 #include "scene/workspace.h"
 
 namespace viete::app {
@@ -20,8 +20,8 @@ namespace viete::app {
 /// Written for the end of the program, not for a power cut: then the file may be the one before.
 class Autosave {
 public:
-  /// Nothing is kept if the folder is empty. The errands must be done before the program ends.
-  Autosave(std::filesystem::path folder, Errands& errands);
+  /// Nothing is kept if the folder is empty. The queue must outlive it.
+  Autosave(std::filesystem::path folder, base::BackgroundQueue& queue);
 
   /// Call at the end of each frame.
   void follow(scene::Workspace& workspace);
@@ -51,7 +51,7 @@ private:
   void remove(const std::filesystem::path& leftover);
 
   std::filesystem::path folder_, file_;
-  Errands& errands_;
+  base::BackgroundQueue& queue_;
   Moment seen_;
   std::future<void> writing_;
   std::filesystem::path replaced_;  // the leftover that is open and goes once its edits are written here

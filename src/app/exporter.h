@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/background_job.h"
+#include "base/background.h"
 #include "scene/export.h"
 #include "scene/messages.h"
 #include "scene/workspace.h"
@@ -30,7 +30,7 @@ private:
 
   std::deque<scene::Export> waiting_;
   std::filesystem::path file_;  ///< that is being written
-  BackgroundJob<std::vector<std::string>> job_;
+  base::BackgroundJob<std::vector<std::string>> job_;
 };
 
 }  // namespace viete::app

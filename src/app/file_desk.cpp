@@ -25,7 +25,7 @@ fs::path remembered_file(const fs::path& state) {
 }  // namespace
 
 FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace& workspace)
-    : state_(state), saved_(std::move(saved)), autosave_(recovery_folder(state), errands_) {
+    : state_(state), saved_(std::move(saved)), autosave_(recovery_folder(state), queue_) {
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
   scene::remove_discarded(recovery_folder(state_));
@@ -67,23 +67,23 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
   auto result = loader_.poll(wait);
   w.loading = loader_.state();
   if (!result) return;
-  if (result->opened) {
-    const bool replaces_edits = result->opened->document && scene::has_unsaved_edits(w);
-    if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result));
-    waiting_ = std::move(result);
+  if (result->value) {
+    const bool replaces_edits = result->value->opened.document && scene::has_unsaved_edits(w);
+    if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result->value));
+    waiting_ = std::move(result->value);
     w.question = scene::ask_before_opening(w, autosave_.problem());
   } else {
-    const char* stopped = result->was_binding ? "Stopped binding; everything is as it was."
-                                              : "Stopped reading; everything is as it was.";
-    w.messages.say(result->problem.empty() ? scene::Severity::info : scene::Severity::error,
-                   result->problem.empty() ? stopped : result->problem);
+    const char* stopped = loader_.was_binding() ? "Stopped binding; everything is as it was."
+                                                : "Stopped reading; everything is as it was.";
+    w.messages.say(result->stopped ? scene::Severity::info : scene::Severity::error,
+                   result->stopped ? stopped : result->problem);
   }
 }
 
-void FileDesk::take(scene::Workspace& w, Loader::Result&& result) {
-  if (result.look.surface) look_ = std::move(result.look);
-  if (result.bound.binding) bound_ = std::move(result.bound);
-  scene::take(w, *std::move(result.opened));
+void FileDesk::take(scene::Workspace& w, Loader::Loaded&& loaded) {
+  if (loaded.look.surface) look_ = std::move(loaded.look);
+  if (loaded.bound.binding) bound_ = std::move(loaded.bound);
+  scene::take(w, std::move(loaded.opened));
 }
 
 void FileDesk::close(scene::Workspace& w) {
@@ -156,9 +156,10 @@ SavedBindings FileDesk::take_saved() {
 
 void FileDesk::keep_binding(const Bound& bound) {
   if (saved_.folder.empty() || bound.seconds < saved_.worth_keeping) return;
-  errands_.add([saved = saved_, model = bound.model, cage = bound.cage, tiles = bound.binding->tiles] {
-    app::keep_binding(saved, *tiles, *model, *cage);
-  });
+  writes_.push_back(
+      queue_.add([saved = saved_, model = bound.model, cage = bound.cage, tiles = bound.binding->tiles] {
+        app::keep_binding(saved, *tiles, *model, *cage);
+      }));
 }
 
 void FileDesk::discard(scene::Workspace& w, const fs::path& file) {
@@ -189,17 +190,29 @@ void FileDesk::undo_discard(scene::Workspace& w) {
 void FileDesk::keep(scene::Workspace& w) {
   autosave_.follow(w);
   remember(w);
-  if (const auto problem = errands_.problem()) w.messages.error(*problem);
+  take_written(w);
 }
 
 void FileDesk::remember(scene::Workspace& w) {
   w.remembered.hints = w.remembered.hints && w.view.hints;
   if (state_.empty() || w.remembered == written_) return;
   written_ = w.remembered;
-  errands_.add([state = state_, remembered = written_] {
+  writes_.push_back(queue_.add([state = state_, remembered = written_] {
     std::error_code ignored;  // what it is good for is said when the writing fails
     fs::create_directories(state, ignored);
     scene::write_remembered(remembered_file(state), remembered);
+  }));
+}
+
+void FileDesk::take_written(scene::Workspace& w) {
+  std::erase_if(writes_, [&](auto& write) {
+    if (!base::is_ready(write)) return false;
+    try {
+      write.get();
+    } catch (const std::exception& error) {
+      w.messages.error(error.what());
+    }
+    return true;
   });
 }
 

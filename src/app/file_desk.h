@@ -3,13 +3,15 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/autosave.h"
-#include "app/errands.h"
 #include "app/exporter.h"
 #include "app/loader.h"
+#include "base/background.h"
 #include "scene/workspace.h"
 
 namespace viete::app {
@@ -56,7 +58,7 @@ public:
 
 private:
   void take_loaded(scene::Workspace& workspace, bool wait);
-  void take(scene::Workspace& workspace, Loader::Result&& result);
+  void take(scene::Workspace& workspace, Loader::Loaded&& loaded);
   void take_answer(scene::Workspace& workspace, scene::Answer answer);
   void go_on(scene::Workspace& workspace, scene::Question::Kind kind);
   void go_on_after_saving(scene::Workspace& workspace);
@@ -68,6 +70,7 @@ private:
   void discard(scene::Workspace& workspace, const std::filesystem::path& file);
   void undo_discard(scene::Workspace& workspace);
   void remember(scene::Workspace& workspace);
+  void take_written(scene::Workspace& workspace);
 
   std::filesystem::path state_;
   SavedBindings saved_;
@@ -75,9 +78,10 @@ private:
   Exporter exporter_;
   ModelLook look_;
   Bound bound_;
-  std::optional<Loader::Result> waiting_;  // for the answer whether it may take the place of what is open
+  std::optional<Loader::Loaded> waiting_;  // for the answer whether it may take the place of what is open
   bool closing_ = false, closed_ = false;  // closing waits for exports
-  Errands errands_;
+  std::vector<std::future<void>> writes_;  // of small files, until it is known how they went
+  base::BackgroundQueue queue_;
   Autosave autosave_;
   scene::Remembered written_;
 };

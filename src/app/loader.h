@@ -6,11 +6,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "app/bound.h"
 #include "app/model_look.h"
-#include "base/progress.h"
+#include "base/background.h"
 #include "scene/open.h"
 
 namespace viete::app {
@@ -19,49 +18,39 @@ namespace viete::app {
 /// thread. A document comes with its binding or not at all, so that whatever goes wrong, what is open stays.
 class Loader {
 public:
-  struct Result {
-    std::optional<scene::Opened> opened;  ///< nothing when it failed or was stopped
-    ModelLook look;                       ///< of a new model
-    Bound bound;                          ///< of a new model or cage
-    std::string problem;                  ///< empty when it was stopped
-    bool was_binding = false;             ///< rather than reading, when it failed or was stopped
+  struct Loaded {
+    scene::Opened opened;
+    ModelLook look;  ///< of a new model
+    Bound bound;     ///< of a new model or cage
   };
-
-  Loader() = default;
-  ~Loader() { cancel(); }
-  Loader(const Loader&) = delete;
-  Loader& operator=(const Loader&) = delete;
+  using Job = base::BackgroundJob<Loaded>;
 
   void start(const scene::OpenRequest& request, const scene::Document& current, SavedBindings saved);
-  /// Asks the work to stop; it does so within moments, and poll() then gives a result without problem.
-  void stop();
-  bool running() const { return job_ != nullptr; }
+  /// Asks the work to stop; it does so within moments, and poll() then says so.
+  void stop() { job_.stop(); }
+  bool running() const { return job_.running(); }
   /// What is done now, how much of it, and for how long.
   scene::WorkState state() const;
   /// The result once it is there, each only once. With wait, waits for it.
-  std::optional<Result> poll(bool wait = false);
+  std::optional<Job::Result> poll(bool wait = false) { return job_.poll(wait); }
+  /// What was done last was binding rather than reading.
+  bool was_binding() const { return part_ && part_->binds; }
 
 private:
-  struct Job {
-    scene::OpenRequest request;
-    scene::Document current;
-    SavedBindings saved;
-    base::Progress progress;
-    std::atomic<bool> finished{false};
-    Result result;
-    double begun = 0;
-    std::mutex mutex;  // of the part that is done now
+  // What is done now, and since when.
+  struct Part {
+    void begin(std::string name);
+
+    mutable std::mutex mutex;
     std::string what;
-    double part_begun = 0;
-    std::thread thread;
-
-    void begin_part(std::string name);
+    double begun = 0;
+    std::atomic<bool> binds = false;
   };
-  static void work(Job& job);
-  static void open(Job& job);
-  void cancel();
+  static Loaded load(const scene::OpenRequest& request, const scene::Document& current,
+                     const SavedBindings& saved, Part& part, base::Progress& progress);
 
-  std::unique_ptr<Job> job_;
+  std::shared_ptr<Part> part_;
+  Job job_;
 };
 
 }  // namespace viete::app

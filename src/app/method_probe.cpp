@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "base/clock.h"
 #include "bench/rounds.h"
@@ -61,61 +62,19 @@ scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
   return stats;
 }
 
-MethodProbe::MethodProbe() : thread_([this] { serve(); }) {}
-
-MethodProbe::~MethodProbe() {
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-  }
-  wake_.notify_one();
-  thread_.join();
-}
-
-void MethodProbe::serve() {
-  for (;;) {
-    std::vector<Matrix> sample;
-    {
-      std::unique_lock lock(mutex_);
-      wake_.wait(lock, [&] { return stop_ || busy_; });
-      if (stop_) return;
-      sample = std::move(sample_);
-    }
-    const scene::MethodStats stats = measure_methods(sample);
-    const std::lock_guard lock(mutex_);
-    result_ = stats;
-    busy_ = false;
-    last_ = base::wall_seconds();
-  }
-}
-
 bool MethodProbe::ready() const {
-  const std::lock_guard lock(mutex_);
-  return !busy_ && base::wall_seconds() - last_ > pause_seconds;
-}
-
-bool MethodProbe::busy() const {
-  const std::lock_guard lock(mutex_);
-  return busy_;
-}
-
-bool MethodProbe::has_result() const {
-  const std::lock_guard lock(mutex_);
-  return result_.has_value();
+  return !job_.running() && base::wall_seconds() - last_ > pause_seconds;
 }
 
 void MethodProbe::offer(std::span<const Matrix> matrices) {
-  {
-    const std::lock_guard lock(mutex_);
-    sample_ = spread_sample(matrices);
-    busy_ = true;
-  }
-  wake_.notify_one();
+  job_.start([sample = spread_sample(matrices)](base::Progress&) { return measure_methods(sample); });
 }
 
 std::optional<scene::MethodStats> MethodProbe::poll() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(result_, std::nullopt);
+  const auto result = job_.poll();
+  if (!result) return std::nullopt;
+  last_ = base::wall_seconds();
+  return result->value;
 }
 
 }  // namespace viete::app

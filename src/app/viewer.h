@@ -5,13 +5,13 @@
 #include <memory>
 #include <optional>
 
-#include "app/background_job.h"
 #include "app/bound.h"
 #include "app/error_map.h"
 #include "app/file_desk.h"
 #include "app/method_probe.h"
 #include "app/saved_bindings.h"
 #include "app/stage.h"
+#include "base/background.h"
 #include "base/worker_pool.h"
 #include "bench/exp.h"
 #include "deform/deformer.h"
@@ -134,13 +134,13 @@ private:
   render::Framebuffer framebuffer_;
   Stage stage_;
   base::WorkerPool pool_;
-  BackgroundJob<Bound> binder_;
+  base::BackgroundJob<Bound> binder_;
   std::string binding_text_;
   MethodProbe method_probe_;
-  BackgroundJob<bench::ExpBench> bench_;
-  BackgroundJob<std::vector<scene::Finding>> checks_;
+  base::BackgroundJob<bench::ExpBench> bench_;
+  base::BackgroundJob<std::vector<scene::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
-  BackgroundJob<ErrorMap> error_map_;
+  base::BackgroundJob<ErrorMap> error_map_;
   scene::Revision mapped_ = 0;
   std::vector<ImU32> error_colors_;
   Bound bound_;  // what the deformer is made of; nothing while there is none

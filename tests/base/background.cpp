@@ -1,0 +1,116 @@
+#include "base/background.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <future>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+using viete::base::BackgroundJob;
+using viete::base::BackgroundQueue;
+using viete::base::Progress;
+
+namespace {
+
+// Reports until it is cancelled.
+int endless(Progress& progress, std::promise<void>& begun) {
+  begun.set_value();
+  for (;;) progress.report(0.5);
+}
+
+}  // namespace
+
+TEST_CASE("queue_does_its_work_in_order_and_all_of_it_before_it_ends") {
+  std::vector<int> done;
+  {
+    BackgroundQueue queue;
+    for (int i = 0; i < 100; ++i) queue.add([&done, i] { done.push_back(i); });
+  }
+  REQUIRE(done.size() == 100);
+  for (int i = 0; i < 100; ++i) CHECK(done[i] == i);
+}
+
+TEST_CASE("queue_gives_what_work_throws_and_goes_on") {
+  BackgroundQueue queue;
+  auto fails = queue.add([]() -> int { throw std::runtime_error("no disk"); });
+  auto works = queue.add([] { return 7; });
+  CHECK(works.get() == 7);
+  CHECK(viete::base::is_ready(fails));
+  CHECK_THROWS_WITH(fails.get(), "no disk");
+}
+
+TEST_CASE("job_gives_its_value_once") {
+  BackgroundJob<int> job;
+  CHECK_FALSE(job.running());
+  CHECK_FALSE(job.poll(true));
+  job.start([](Progress&) { return 42; });
+  CHECK(job.running());
+  const auto result = job.poll(true);
+  REQUIRE(result);
+  CHECK(result->value == 42);
+  CHECK_FALSE(result->stopped);
+  CHECK_FALSE(job.running());
+  CHECK_FALSE(job.poll(true));
+}
+
+TEST_CASE("job_that_fails_says_why") {
+  BackgroundJob<int> job;
+  job.start([](Progress&) -> int { throw std::runtime_error("too large"); });
+  const auto result = job.poll(true);
+  REQUIRE(result);
+  CHECK_FALSE(result->value);
+  CHECK(result->problem == "too large");
+  CHECK_FALSE(result->stopped);
+}
+
+TEST_CASE("job_that_is_stopped_says_so") {
+  BackgroundJob<int> job;
+  std::promise<void> begun;
+  job.start([&](Progress& progress) { return endless(progress, begun); });
+  begun.get_future().wait();
+  CHECK_FALSE(job.poll());
+  job.stop();
+  const auto result = job.poll(true);
+  REQUIRE(result);
+  CHECK(result->stopped);
+  CHECK(result->problem.empty());
+  CHECK_FALSE(result->value);
+}
+
+TEST_CASE("another_job_takes_the_place_of_the_one_that_runs") {
+  BackgroundJob<int> job;
+  std::promise<void> begun;
+  job.start([&](Progress& progress) { return endless(progress, begun); });
+  begun.get_future().wait();
+  job.start([](Progress&) { return 2; });
+  const auto result = job.poll(true);
+  REQUIRE(result);
+  CHECK(result->value == 2);
+}
+
+TEST_CASE("job_that_is_cancelled_before_it_begins_is_not_done") {
+  std::atomic<int> done = 0;
+  {
+    BackgroundJob<int> job;
+    std::promise<void> begun;
+    job.start([&](Progress& progress) { return endless(progress, begun); });
+    begun.get_future().wait();
+    for (int i = 0; i < 3; ++i) job.start([&](Progress&) { return ++done; });
+    CHECK(job.poll(true)->value == 1);
+  }
+  CHECK(done == 1);
+}
+
+TEST_CASE("what_a_job_holds_goes_with_it") {
+  const auto held = std::make_shared<int>(5);
+  BackgroundJob<int> job;
+  std::promise<void> begun;
+  job.start([&, held](Progress& progress) { return *held + endless(progress, begun); });
+  begun.get_future().wait();
+  CHECK(held.use_count() > 1);
+  job.start([](Progress&) { return 0; });
+  CHECK(job.poll(true));
+  CHECK(held.use_count() == 1);
+}
