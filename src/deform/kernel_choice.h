@@ -1,5 +1,5 @@
 // What each instruction set compiled, by its Highway target. Internal; no inline functions here (see
-// sym3/exp_by_jacobi.h).
+// sym3/fallback.h).
 #pragma once
 
 #include "sym3/highway_targets.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sym3/run_batch.h"
+#include "sym3/call_kernel.h"
 
 namespace viete::sym3 {
 
@@ -32,6 +32,10 @@ bool should_stream(Stores stores, std::size_t bytes, bool in_place) {
 }
 
 }  // namespace
+
+const Kernel& kernel_of(const Batch& batch) {
+  return batch.kernel ? *batch.kernel : kernel();
+}
 
 void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
                const Batch& batch) {

@@ -1,34 +1,51 @@
-// From a public function to the kernel that runs it. Internal.
+// From a public function to the kernel that runs it, a batch in static chunks. Internal.
 #pragma once
 
 #include "sym3/kernel.h"
-#include "sym3/run_batch.h"
+#include "sym3/kernel_table.h"
 #include "sym3/view.h"
 
 namespace viete::sym3 {
 
-template <class T, int N, int M>
-const Function<T, N, M>& of_type(const Functions<N, M>& f) {
+struct Batch;
+
+template <class T>
+const KernelFunctions<T>& functions(const Kernel& k) {
   if constexpr (sizeof(T) == sizeof(double)) {
-    return *f.in_double;
+    return k.table->in_double;
   } else {
-    return *f.in_float;
+    return k.table->in_float;
   }
 }
 
-/// One item by the running kernel; `which` is a member of KernelTable.
-template <class T, int N, int M>
-void call_one(Functions<N, M> KernelTable::*which, const T* in, T* out) {
-  of_type<T>(kernel().table->*which).one(in, out);
+/// run(context, range) does the items of the range.
+struct RangeTask {
+  void (*run)(const void* context, const Range& range);
+  const void* context;
+};
+
+/// All of [0, count), on the batch's executor. `bytes`: what is read and written in all.
+void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
+               const Batch& batch);
+
+const Kernel& kernel_of(const Batch& batch);
+
+/// One item by the running kernel; `which` is a member of KernelFunctions, `more` are its parameters.
+template <class T, class F, class... More>
+void call_one(const F* KernelFunctions<T>::*which, const T* in, T* out, const More&... more) {
+  (functions<T>(kernel()).*which)->one(in, out, more...);
 }
 
-template <class T, int N, int M>
-void call_many(Functions<N, M> KernelTable::*which, const View<const T, N>& in, const View<T, M>& out,
-               std::size_t count, const Batch& batch) {
-  const Kernel& k = batch.kernel ? *batch.kernel : kernel();
-  const auto many = of_type<T>(k.table->*which).many;
-  run_batch([&](const Range& range) { many(in, out, range); }, count, (N + M) * sizeof(T) * count,
-            in.plane[0] == out.plane[0], batch);
+/// Many, by the kernel of the batch.
+template <class T, int N, int M, class F, class... More>
+void call_many(const F* KernelFunctions<T>::*which, const View<const T, N>& in, const View<T, M>& out,
+               std::size_t count, const Batch& batch, const More&... more) {
+  const auto many = (functions<T>(kernel_of(batch)).*which)->many;
+  const auto call = [&](const Range& range) { many(in, out, more..., range); };
+  const auto run = [](const void* context, const Range& range) {
+    (*static_cast<decltype(&call)>(context))(range);
+  };
+  run_batch({run, &call}, count, (N + M) * sizeof(T) * count, in.plane[0] == out.plane[0], batch);
 }
 
 }  // namespace viete::sym3

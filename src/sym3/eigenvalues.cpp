@@ -1,14 +1,11 @@
 #include "sym3/eigenvalues.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <limits>
 
-#include "sym3/by_jacobi.h"
 #include "sym3/call_kernel.h"
 #include "sym3/eigen.h"
 #include "sym3/entries.h"
-#include "sym3/jacobi.h"
 #include "sym3/trigonometric.h"
 
 namespace viete::sym3 {
@@ -19,22 +16,6 @@ template <class T>
 std::array<T, 3> three_nan() {
   constexpr T nan = std::numeric_limits<T>::quiet_NaN();
   return {nan, nan, nan};
-}
-
-/// Entries beyond this are scaled down for Jacobi, whose sums of products would overflow; tiny ones up.
-constexpr double large = 1e250, small = 1e-150, scale = 0x1p512;
-
-template <class T>
-void sorted_by_jacobi(const T* in, T* out) {
-  const Sym3<double> s = {in[0], in[1], in[2], in[3], in[4], in[5]};
-  std::array<double, 3> values = three_nan<double>();
-  if (is_finite(s)) {
-    const double size = largest_entry(s), up = size > large ? 1 / scale : size < small ? scale : 1;
-    values = eigen_by_jacobi<double>(times(s, up)).values;
-    for (double& x : values) x /= up;
-    std::sort(values.begin(), values.end());
-  }
-  for (int k = 0; k < 3; ++k) out[k] = T(values[k]);
 }
 
 }  // namespace
@@ -58,7 +39,7 @@ std::array<T, 3> eigenvalues_viete(const Sym3<T>& s) {
 template <class T>
 std::array<T, 3> eigenvalues(const Sym3<T>& s) {
   T out[3];
-  call_one(&KernelTable::eigenvalues, &s.xx, out);
+  call_one(&KernelFunctions<T>::eigenvalues, &s.xx, out);
   return {out[0], out[1], out[2]};
 }
 
@@ -66,10 +47,7 @@ std::array<T, 3> eigenvalues(const Sym3<T>& s) {
   template std::array<T, 3> eigenvalues(const Sym3<T>&);                                 \
   void eigenvalues(const SymView<const T>& in, const VecView<T>& out, std::size_t count, \
                    const Batch& batch) {                                                 \
-    call_many(&KernelTable::eigenvalues, in, out, count, batch);                         \
-  }                                                                                      \
-  void eigenvalues_by_jacobi(const T* in, T* out) {                                      \
-    sorted_by_jacobi(in, out);                                                           \
+    call_many(&KernelFunctions<T>::eigenvalues, in, out, count, batch);                  \
   }
 VIETE_FOR(float)
 VIETE_FOR(double)

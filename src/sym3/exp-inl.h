@@ -27,8 +27,8 @@
 #define VIETE_SYM3_EXP_INL_H
 #endif
 
-#include "sym3/exp_by_jacobi.h"
 #include "sym3/exp_tables.h"
+#include "sym3/fallback.h"
 #include "sym3/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -210,7 +210,10 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   e = select(ok, quick, times_exp(d, e, m.mean, m.rest));
   const auto good = hn::Or(ok, hn::And(in_reach, is_finite(d, e)));
   if (hn::AllTrue(d, good)) return e;
-  return replace_lanes(d, hn::Not(good), s, e, [](const T* in, T* out) { exp_by_jacobi(in, out); });
+  const V from[6] = {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+  V to[6] = {e.xx, e.xy, e.xz, e.yy, e.yz, e.zz};
+  replace_lanes(d, hn::Not(good), from, to, [](const T* in, T* out) { exp_by_jacobi(in, out); });
+  return {to[0], to[1], to[2], to[3], to[4], to[5]};
 }
 
 /// exp of one matrix a lane. T = float or double; any number of lanes.

@@ -21,7 +21,7 @@ static_assert(std::is_standard_layout_v<Sym3<double>> && std::is_standard_layout
 template <class T>
 Sym3<T> exp_fast(const Sym3<T>& s) {
   Sym3<T> out;
-  call_one(&KernelTable::exp, &s.xx, &out.xx);
+  call_one(&KernelFunctions<T>::exp, &s.xx, &out.xx);
   return out;
 }
 
@@ -65,17 +65,14 @@ void exp(std::span<const Sym3<T>> in, std::span<Sym3<T>> out, Method method) {
   for (std::size_t i = 0; i < in.size(); ++i) out[i] = one(in[i]);
 }
 
-void exp(const SymView<const double>& in, const SymView<double>& out, std::size_t count, const Batch& batch) {
-  call_many(&KernelTable::exp, in, out, count, batch);
-}
-
-void exp(const SymView<const float>& in, const SymView<float>& out, std::size_t count, const Batch& batch) {
-  call_many(&KernelTable::exp, in, out, count, batch);
-}
-
-template Sym3<float> exp(const Sym3<float>&, Method);
-template Sym3<double> exp(const Sym3<double>&, Method);
-template void exp(std::span<const Sym3<float>>, std::span<Sym3<float>>, Method);
-template void exp(std::span<const Sym3<double>>, std::span<Sym3<double>>, Method);
+#define VIETE_FOR(T)                                                                                   \
+  template Sym3<T> exp(const Sym3<T>&, Method);                                                        \
+  template void exp(std::span<const Sym3<T>>, std::span<Sym3<T>>, Method);                             \
+  void exp(const SymView<const T>& in, const SymView<T>& out, std::size_t count, const Batch& batch) { \
+    call_many(&KernelFunctions<T>::exp, in, out, count, batch);                                        \
+  }
+VIETE_FOR(float)
+VIETE_FOR(double)
+#undef VIETE_FOR
 
 }  // namespace viete::sym3

@@ -1,10 +1,9 @@
-#include "sym3/exp_by_jacobi.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "sym3/double_double.h"
 #include "sym3/entries.h"
+#include "sym3/fallback.h"
 #include "sym3/jacobi.h"
 
 namespace viete::sym3 {

@@ -11,29 +11,29 @@
 // What each instruction set compiled, in its namespace.
 namespace viete::sym3::HWY_NAMESPACE {
 
-#define VIETE_FUNCTION(name, N, M)                   \
-  extern const Function<double, N, M> name##_double; \
-  extern const Function<float, N, M> name##_float;
+#define VIETE_FUNCTION(name, ...)                           \
+  extern const Function<double, __VA_ARGS__> name##_double; \
+  extern const Function<float, __VA_ARGS__> name##_float;
 VIETE_FUNCTION(exp, 6, 6)
 VIETE_FUNCTION(log, 6, 6)
 VIETE_FUNCTION(sqrt, 6, 6)
 VIETE_FUNCTION(inv_sqrt, 6, 6)
+VIETE_FUNCTION(pow, 6, 6, double)
 VIETE_FUNCTION(eigenvalues, 6, 3)
 VIETE_FUNCTION(exp_rotation, 3, 9)
 VIETE_FUNCTION(log_rotation, 9, 3)
 VIETE_FUNCTION(rotation_of, 9, 9)
 #undef VIETE_FUNCTION
+extern const PolarFunction<double> polar_double;
+extern const PolarFunction<float> polar_float;
 
-extern const PowFunctions pow_functions;
-extern const PolarFunctions polar_functions;
-
-#define VIETE_BOTH(name) \
-  { &name##_double, &name##_float }
-static const KernelTable table = {VIETE_BOTH(exp),          VIETE_BOTH(log),         VIETE_BOTH(sqrt),
-                                  VIETE_BOTH(inv_sqrt),     VIETE_BOTH(eigenvalues), VIETE_BOTH(exp_rotation),
-                                  VIETE_BOTH(log_rotation), VIETE_BOTH(rotation_of), &pow_functions,
-                                  &polar_functions};
-#undef VIETE_BOTH
+#define VIETE_FUNCTIONS_OF(T)                                                                    \
+  {                                                                                              \
+    &exp_##T, &log_##T, &sqrt_##T, &inv_sqrt_##T, &pow_##T, &eigenvalues_##T, &exp_rotation_##T, \
+        &log_rotation_##T, &rotation_of_##T, &polar_##T                                          \
+  }
+static const KernelTable table = {VIETE_FUNCTIONS_OF(double), VIETE_FUNCTIONS_OF(float)};
+#undef VIETE_FUNCTIONS_OF
 
 }  // namespace viete::sym3::HWY_NAMESPACE
 

@@ -1,4 +1,4 @@
-// The functions that every instruction set compiles. Internal; no inline functions here (exp_by_jacobi.h).
+// The functions that every instruction set compiles. Internal; no inline functions here (fallback.h).
 #pragma once
 
 #include <cstddef>
@@ -14,26 +14,11 @@ struct Range {
   bool stream;  ///< with non-temporal stores
 };
 
-/// From N numbers to M.
-template <class T, int N, int M>
+/// From N numbers to M; More: parameters, such as an exponent.
+template <class T, int N, int M, class... More>
 struct Function {
-  void (*one)(const T* in, T* out);
-  void (*many)(const View<const T, N>& in, const View<T, M>& out, const Range& range);
-};
-
-/// In both precisions.
-template <int N, int M>
-struct Functions {
-  const Function<double, N, M>* in_double;
-  const Function<float, N, M>* in_float;
-};
-
-/// S^exponent.
-struct PowFunctions {
-  void (*in_double)(const View<const double, 6>& in, const View<double, 6>& out, const Range& range,
-                    double exponent);
-  void (*in_float)(const View<const float, 6>& in, const View<float, 6>& out, const Range& range,
-                   double exponent);
+  void (*one)(const T* in, T* out, More... more);
+  void (*many)(const View<const T, N>& in, const View<T, M>& out, More... more, const Range& range);
 };
 
 /// Rotations and stretches. `one` writes nine numbers and six behind them.
@@ -44,19 +29,20 @@ struct PolarFunction {
                const Range& range);
 };
 
-struct PolarFunctions {
-  PolarFunction<double> in_double;
-  PolarFunction<float> in_float;
+template <class T>
+struct KernelFunctions {
+  const Function<T, 6, 6>*exp, *log, *sqrt, *inv_sqrt;
+  const Function<T, 6, 6, double>* pow;
+  const Function<T, 6, 3>* eigenvalues;
+  const Function<T, 3, 9>* exp_rotation;
+  const Function<T, 9, 3>* log_rotation;
+  const Function<T, 9, 9>* rotation_of;
+  const PolarFunction<T>* polar;
 };
 
 struct KernelTable {
-  Functions<6, 6> exp, log, sqrt, inv_sqrt;
-  Functions<6, 3> eigenvalues;
-  Functions<3, 9> exp_rotation;
-  Functions<9, 3> log_rotation;
-  Functions<9, 9> rotation_of;
-  const PowFunctions* pow;
-  const PolarFunctions* polar;
+  KernelFunctions<double> in_double;
+  KernelFunctions<float> in_float;
 };
 
 }  // namespace viete::sym3

@@ -170,26 +170,24 @@ static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
   return sum;
 }
 
-/// Lane by lane through memory: calls one(in, out) with six numbers each for the lanes of the mask.
-template <class D, class V, class One>
-static HWY_INLINE Six<V> replace_lanes(D d, hn::Mask<D> mask, const Six<V>& in, const Six<V>& out, One one) {
+/// The lanes of the mask one by one: one(from, to) with the N numbers of a lane of `in` and room for the M of
+/// `out`. Others are left as they are.
+template <class D, class V, int N, int M, class One>
+static HWY_NOINLINE void replace_lanes(D d, hn::Mask<D> mask, const V (&in)[N], V (&out)[M], One one) {
   using T = hn::TFromD<D>;
   constexpr std::size_t lanes = hn::MaxLanes(D());
-  HWY_ALIGN T from[6][lanes], to[6][lanes], flag[lanes];
-  hn::Store(in.xx, d, from[0]), hn::Store(in.xy, d, from[1]), hn::Store(in.xz, d, from[2]);
-  hn::Store(in.yy, d, from[3]), hn::Store(in.yz, d, from[4]), hn::Store(in.zz, d, from[5]);
-  hn::Store(out.xx, d, to[0]), hn::Store(out.xy, d, to[1]), hn::Store(out.xz, d, to[2]);
-  hn::Store(out.yy, d, to[3]), hn::Store(out.yz, d, to[4]), hn::Store(out.zz, d, to[5]);
+  HWY_ALIGN T from[N][lanes], to[M][lanes], flag[lanes];
+  for (int k = 0; k < N; ++k) hn::Store(in[k], d, from[k]);
+  for (int k = 0; k < M; ++k) hn::Store(out[k], d, to[k]);
   hn::Store(hn::IfThenElseZero(mask, hn::Set(d, T(1))), d, flag);
   for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
     if (flag[i] == 0) continue;
-    T a[6], b[6];
-    for (int k = 0; k < 6; ++k) a[k] = from[k][i];
+    T a[N], b[M];
+    for (int k = 0; k < N; ++k) a[k] = from[k][i];
     one(a, b);
-    for (int k = 0; k < 6; ++k) to[k][i] = b[k];
+    for (int k = 0; k < M; ++k) to[k][i] = b[k];
   }
-  return {hn::Load(d, to[0]), hn::Load(d, to[1]), hn::Load(d, to[2]),
-          hn::Load(d, to[3]), hn::Load(d, to[4]), hn::Load(d, to[5])};
+  for (int k = 0; k < M; ++k) out[k] = hn::Load(d, to[k]);
 }
 
 }  // namespace viete::sym3::HWY_NAMESPACE

@@ -25,62 +25,50 @@ static HWY_INLINE void put(D d, V v, T* p) {
   }
 }
 
-/// Entry k of matrices i, i + 1, ... at from(k) on.
-template <class D, class From, class V = hn::Vec<D>>
-static HWY_INLINE Six<V> load_six(D d, From from) {
-  return {hn::LoadU(d, from(0)), hn::LoadU(d, from(1)), hn::LoadU(d, from(2)),
-          hn::LoadU(d, from(3)), hn::LoadU(d, from(4)), hn::LoadU(d, from(5))};
-}
-
-template <bool streaming, class D, class To, class V>
-static HWY_INLINE void store_six(D d, const Six<V>& m, To to) {
-  put<streaming>(d, m.xx, to(0)), put<streaming>(d, m.xy, to(1)), put<streaming>(d, m.xz, to(2));
-  put<streaming>(d, m.yy, to(3)), put<streaming>(d, m.yz, to(4)), put<streaming>(d, m.zz, to(5));
-}
-
-/// How matrices [i, i + lanes) come and go, i a multiple of the lanes.
+/// How a register's worth of items, the i-th and those after it, comes from a view and goes to one: entry k
+/// in e[k]; i is a multiple of the lanes. prefetch asks for `bytes` bytes an entry that are read a little
+/// later.
 struct InPlanes {
-  static constexpr bool can_stream = true;
-
-  template <class D, class T>
-  static HWY_INLINE Six<hn::Vec<D>> load(D d, const View<const T, 6>& v, std::size_t i) {
-    return load_six(d, [&](int k) HWY_ATTR { return v.plane[k] + i; });
+  template <class D, class T, int N, class V>
+  static HWY_INLINE void load(D d, const View<const T, N>& v, std::size_t i, V (&e)[N]) {
+#pragma GCC unroll 16
+    for (int k = 0; k < N; ++k) e[k] = hn::LoadU(d, v.plane[k] + i);
   }
-  template <bool streaming, class D, class T, class V>
-  static HWY_INLINE void store(D d, const Six<V>& m, const View<T, 6>& v, std::size_t i) {
-    store_six<streaming>(d, m, [&](int k) HWY_ATTR { return v.plane[k] + i; });
+  template <bool streaming, class D, class T, int N, class V>
+  static HWY_INLINE void store(D d, const V (&e)[N], const View<T, N>& v, std::size_t i) {
+#pragma GCC unroll 16
+    for (int k = 0; k < N; ++k) put<streaming>(d, e[k], v.plane[k] + i);
   }
-  template <class D, class T>
-  static HWY_INLINE void prefetch(D, const View<const T, 6>&, std::size_t) {}
+  template <class T>
+  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t, std::size_t) {}  // done by processors
 };
 
-/// The cache lines of `bytes` bytes that are read a little later than those at p.
 static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
   constexpr std::size_t distance = 2048;
   for (std::size_t k = 0; k < bytes; k += 64) hwy::Prefetch(static_cast<const char*>(p) + distance + k);
 }
 
 struct InBlocks {
-  static constexpr bool can_stream = true;
-
   template <class T>
   static HWY_INLINE std::size_t offset(std::size_t i) {
     constexpr std::size_t line = 64 / sizeof(T);
     return i / line * (6 * line) + i % line;
   }
-  template <class D, class T>
-  static HWY_INLINE Six<hn::Vec<D>> load(D d, const View<const T, 6>& v, std::size_t i) {
+  template <class D, class T, class V>
+  static HWY_INLINE void load(D d, const View<const T, 6>& v, std::size_t i, V (&e)[6]) {
     const T* data = v.plane[0] + offset<T>(i);
-    return load_six(d, [=](int k) HWY_ATTR { return data + k * (64 / sizeof(T)); });
+#pragma GCC unroll 16
+    for (int k = 0; k < 6; ++k) e[k] = hn::LoadU(d, data + k * (64 / sizeof(T)));
   }
   template <bool streaming, class D, class T, class V>
-  static HWY_INLINE void store(D d, const Six<V>& m, const View<T, 6>& v, std::size_t i) {
+  static HWY_INLINE void store(D d, const V (&e)[6], const View<T, 6>& v, std::size_t i) {
     T* data = v.plane[0] + offset<T>(i);
-    store_six<streaming>(d, m, [=](int k) HWY_ATTR { return data + k * (64 / sizeof(T)); });
+#pragma GCC unroll 16
+    for (int k = 0; k < 6; ++k) put<streaming>(d, e[k], data + k * (64 / sizeof(T)));
   }
-  template <class D, class T>
-  static HWY_INLINE void prefetch(D, const View<const T, 6>& v, std::size_t i) {
-    prefetch_beyond(v.plane[0] + offset<T>(i), 2 * 6 * sizeof(hn::Vec<D>));
+  template <class T>
+  static HWY_INLINE void prefetch(const View<const T, 6>& v, std::size_t i, std::size_t bytes) {
+    prefetch_beyond(v.plane[0] + offset<T>(i), 6 * bytes);
   }
 };
 
@@ -102,30 +90,29 @@ static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
 
 /// Six numbers are two triples: three-way interleaving gives entries 0, 1, 2 alternating with 3, 4, 5.
 struct InPacked {
-  static constexpr bool can_stream = true;
-
-  template <class D, class T>
-  static HWY_INLINE Six<hn::Vec<D>> load(D d, const View<const T, 6>& v, std::size_t i) {
+  template <class D, class T, class V>
+  static HWY_INLINE void load(D d, const View<const T, 6>& v, std::size_t i, V (&e)[6]) {
     const T* data = v.plane[0] + 6 * i;
-    Six<hn::Vec<D>> m;
-    hn::LoadInterleaved3(d, data, m.xx, m.xy, m.xz);
-    hn::LoadInterleaved3(d, data + 3 * hn::Lanes(d), m.yy, m.yz, m.zz);
-    transpose_pairs(d, m.xx, m.yy), transpose_pairs(d, m.xy, m.yz), transpose_pairs(d, m.xz, m.zz);
-    return m;
+    hn::LoadInterleaved3(d, data, e[0], e[1], e[2]);
+    hn::LoadInterleaved3(d, data + 3 * hn::Lanes(d), e[3], e[4], e[5]);
+#pragma GCC unroll 16
+    for (int k = 0; k < 3; ++k) transpose_pairs(d, e[k], e[k + 3]);
   }
   template <bool streaming, class D, class T, class V>
-  static HWY_INLINE void store(D d, Six<V> m, const View<T, 6>& v, std::size_t i) {
+  static HWY_INLINE void store(D d, const V (&m)[6], const View<T, 6>& v, std::size_t i) {
     HWY_ALIGN T here[6 * hn::MaxLanes(D())];
     T* const there = v.plane[0] + 6 * i;
     T* data = streaming ? here : there;
-    transpose_pairs(d, m.xx, m.yy), transpose_pairs(d, m.xy, m.yz), transpose_pairs(d, m.xz, m.zz);
-    hn::StoreInterleaved3(m.xx, m.xy, m.xz, d, data);
-    hn::StoreInterleaved3(m.yy, m.yz, m.zz, d, data + 3 * hn::Lanes(d));
+    V e[6] = {m[0], m[1], m[2], m[3], m[4], m[5]};
+#pragma GCC unroll 16
+    for (int k = 0; k < 3; ++k) transpose_pairs(d, e[k], e[k + 3]);
+    hn::StoreInterleaved3(e[0], e[1], e[2], d, data);
+    hn::StoreInterleaved3(e[3], e[4], e[5], d, data + 3 * hn::Lanes(d));
     if constexpr (streaming) stream(d, here, there, 6);
   }
-  template <class D, class T>
-  static HWY_INLINE void prefetch(D, const View<const T, 6>& v, std::size_t i) {
-    prefetch_beyond(v.plane[0] + 6 * i, 2 * 6 * sizeof(hn::Vec<D>));
+  template <class T>
+  static HWY_INLINE void prefetch(const View<const T, 6>& v, std::size_t i, std::size_t bytes) {
+    prefetch_beyond(v.plane[0] + 6 * i, 6 * bytes);
   }
 };
 
@@ -156,67 +143,67 @@ static HWY_INLINE void store_nine(D d, const V (&e)[9], T* data) {
   }
 }
 
-struct InFull {
-  static constexpr bool can_stream = true;
+/// Where the entries of Sym3 are among all nine, and where those nine are among the entries.
+inline constexpr int entry_in_nine[6] = {0, 1, 2, 4, 5, 8};
+inline constexpr int nine_of_entries[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
-  template <class D, class T>
-  static HWY_INLINE Six<hn::Vec<D>> load(D d, const View<const T, 6>& v, std::size_t i) {
-    hn::Vec<D> e[9];
-    load_nine(d, v.plane[0] + 9 * i, e);
-    return {e[0], e[1], e[2], e[4], e[5], e[8]};
+struct InFull {
+  template <class D, class T, class V>
+  static HWY_INLINE void load(D d, const View<const T, 6>& v, std::size_t i, V (&e)[6]) {
+    V all[9];
+    load_nine(d, v.plane[0] + 9 * i, all);
+#pragma GCC unroll 16
+    for (int k = 0; k < 6; ++k) e[k] = all[entry_in_nine[k]];
   }
   template <bool streaming, class D, class T, class V>
-  static HWY_INLINE void store(D d, const Six<V>& m, const View<T, 6>& v, std::size_t i) {
-    const V e[9] = {m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz};
+  static HWY_INLINE void store(D d, const V (&e)[6], const View<T, 6>& v, std::size_t i) {
+    const V all[9] = {e[0], e[1], e[2], e[1], e[3], e[4], e[2], e[4], e[5]};
     HWY_ALIGN T here[9 * hn::MaxLanes(D())];
     T* const there = v.plane[0] + 9 * i;
-    store_nine(d, e, streaming ? here : there);
+    store_nine(d, all, streaming ? here : there);
     if constexpr (streaming) stream(d, here, there, 9);
   }
-  template <class D, class T>
-  static HWY_INLINE void prefetch(D, const View<const T, 6>& v, std::size_t i) {
-    prefetch_beyond(v.plane[0] + 9 * i, 2 * 9 * sizeof(hn::Vec<D>));
+  template <class T>
+  static HWY_INLINE void prefetch(const View<const T, 6>& v, std::size_t i, std::size_t bytes) {
+    prefetch_beyond(v.plane[0] + 9 * i, 9 * bytes);
   }
 };
 
-/// Moves one number; the layouts below know where from and where to.
+/// One number from an item of a view to a row, or back.
 template <class T>
-struct Into {
+struct ToRow {
   static HWY_INLINE void move(const T* item, T* row) { *row = *item; }
 };
 template <class T>
-struct OutOf {
+struct FromRow {
   static HWY_INLINE void move(T* item, const T* row) { *item = *row; }
 };
 
-/// Where the entries of Sym3 are among all nine.
-inline constexpr int entry_in_nine[9] = {0, 1, 2, 4, 5, 8};
-
 /// Items [i, i + count) one by one between a view and rows of `stride` numbers.
-template <class Way, class T, int N, class Row>
+template <class Direction, class T, int N, class Row>
 static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
                                 std::size_t stride) {
   constexpr std::size_t line = 64 / sizeof(T);
   if (v.layout == Layout::planes) {
     for (int k = 0; k < N; ++k) {
-      for (std::size_t j = 0; j < count; ++j) Way::move(v.plane[k] + i + j, rows + k * stride + j);
+      for (std::size_t j = 0; j < count; ++j) Direction::move(v.plane[k] + i + j, rows + k * stride + j);
     }
   } else if (v.layout == Layout::blocks) {
     for (std::size_t j = 0; j < count; ++j) {
       T* item = v.plane[0] + (i + j) / line * N * line + (i + j) % line;
-      for (int k = 0; k < N; ++k) Way::move(item + k * line, rows + k * stride + j);
+      for (int k = 0; k < N; ++k) Direction::move(item + k * line, rows + k * stride + j);
     }
   } else if (v.layout == Layout::packed) {
     for (std::size_t j = 0; j < count; ++j) {
       T* item = v.plane[0] + N * (i + j);
 #pragma GCC unroll 16
-      for (int k = 0; k < N; ++k) Way::move(item + k, rows + k * stride + j);
+      for (int k = 0; k < N; ++k) Direction::move(item + k, rows + k * stride + j);
     }
-  } else {
+  } else if constexpr (N == 6) {
     for (std::size_t j = 0; j < count; ++j) {
       T* item = v.plane[0] + 9 * (i + j);
 #pragma GCC unroll 16
-      for (int k = 0; k < N; ++k) Way::move(item + entry_in_nine[k], rows + k * stride + j);
+      for (int k = 0; k < N; ++k) Direction::move(item + entry_in_nine[k], rows + k * stride + j);
     }
   }
 }
@@ -240,7 +227,7 @@ static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, s
       for (int k = 0; k < N; ++k) hn::Store(e[N == 9 ? k : entry_in_nine[k]], d, rows + k * stride + j);
     }
   }
-  transfer<Into<T>>(v, i + j, count - j, rows + j, stride);
+  transfer<ToRow<T>>(v, i + j, count - j, rows + j, stride);
 }
 
 /// And back.
@@ -248,16 +235,15 @@ template <class D, class T, int N>
 static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::size_t count,
                                  const View<T, N>& v, std::size_t i) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
-  constexpr int entry_of_six[] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
   std::size_t j = 0;
   if (is_nine(v)) {
     for (; j + lanes <= count; j += lanes) {
       hn::Vec<D> e[9];
-      for (int k = 0; k < 9; ++k) e[k] = hn::Load(d, rows + (N == 9 ? k : entry_of_six[k]) * stride + j);
+      for (int k = 0; k < 9; ++k) e[k] = hn::Load(d, rows + (N == 9 ? k : nine_of_entries[k]) * stride + j);
       store_nine(d, e, v.plane[0] + 9 * (i + j));
     }
   }
-  transfer<OutOf<T>>(v, i + j, count - j, rows + j, stride);
+  transfer<FromRow<T>>(v, i + j, count - j, rows + j, stride);
   if (v.layout != Layout::full) return;
   for (; j < count; ++j) {
     T* m = v.plane[0] + 9 * (i + j);

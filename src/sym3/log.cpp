@@ -1,184 +1,35 @@
 #include "sym3/log.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "sym3/by_jacobi.h"
 #include "sym3/call_kernel.h"
-#include "sym3/double_double.h"
-#include "sym3/entries.h"
-#include "sym3/jacobi.h"
 
 namespace viete::sym3 {
 
-namespace {
-
-// Jacobi in double errs by some u of the largest eigenvalue: where the smallest is below it by more than this
-// factor, that is repeated in double-double.
-constexpr double wide = 8;
-
-struct LogOf {
-  double operator()(double x) const { return std::log(x); }
-  double operator()(const DoubleDouble& x) const { return std::log(x.hi) + x.lo / x.hi; }
-};
-
-struct Log1pOf {
-  double operator()(double x) const { return std::log1p(x); }
-};
-
-struct InvSqrtOf {
-  double operator()(double x) const { return 1 / std::sqrt(x); }
-  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
-};
-
-/// What rounding made negative counts as zero.
-struct SqrtOf {
-  double operator()(double x) const { return x > 0 ? std::sqrt(x) : 0; }
-  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
-};
-
-struct PowOf {
-  double exponent;
-  double operator()(double x) const { return std::pow(x, exponent); }
-  double operator()(const DoubleDouble& x) const { return (*this)(x.hi) * (1 + exponent * (x.lo / x.hi)); }
-};
-
-/// V f(values) V^T. Terms that are zero do not count: an overflow stays in its own block of the matrix.
-template <class F, class Real>
-Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
-  const double f[3] = {at(e.values[0]), at(e.values[1]), at(e.values[2])};
-  const auto entry = [&](int i, int j) {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double weight = jacobi::leading(e.vectors[i][k]) * jacobi::leading(e.vectors[j][k]);
-      if (weight != 0) sum += f[k] * weight;
-    }
-    return sum;
-  };
-  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
-}
-
-template <class Real>
-double smallest(const Eigen3<Real>& e) {
-  return std::min({jacobi::leading(e.values[0]), jacobi::leading(e.values[1]), jacobi::leading(e.values[2])});
-}
-
-/// A power of two that keeps Jacobi's sums, products and low parts in range; diagonal matrices need none.
-double comfortable_scale(const Sym3<double>& s) {
-  const double largest = largest_entry(s);
-  if (is_diagonal(s)) return 1;
-  return largest > 1e250 ? 0x1p-512 : largest < 1e-150 ? 0x1p512 : 1;
-}
-
-template <class Real>
-Eigen3<Real> eigen_of(const Sym3<double>& s, double scale) {
-  auto e = eigen_by_jacobi<Real>(times(s, scale));
-  for (Real& x : e.values) x = x * Real{1 / scale};
-  return e;
-}
-
-/// f(S) for S all of whose eigenvalues are above `least` times its largest entry, else NaN.
-template <class F>
-Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) {
-  const double scale = comfortable_scale(s), bound = least * largest_entry(s);
-  const auto quick = eigen_of<double>(s, scale);
-  const double low = smallest(quick);
-  if (is_diagonal(s)) return low > bound ? recompose(f, quick) : nan_matrix<double>();
-  if (low * wide >= largest_entry(s)) return recompose(f, quick);
-  const auto exact = eigen_of<DoubleDouble>(s, scale);
-  return smallest(exact) > bound ? recompose(f, exact) : nan_matrix<double>();
-}
-
-template <class F>
-Sym3<double> of_positive(const F& f, const Sym3<double>& s) {
-  return of_spectrum_above(0, f, s);
-}
-
-/// Where S - I is exact, and its eigenvalues keep the digits that those of S would lose.
-bool is_near_identity(const Sym3<double>& s) {
-  const double off = std::max({std::fabs(s.xy), std::fabs(s.xz), std::fabs(s.yz)});
-  const auto [low, high] = std::minmax({s.xx, s.yy, s.zz});
-  return low >= 0.75 && high <= 1.5 && off <= 0.2;
-}
-
-bool is_usable(const Sym3<double>& s) {
-  return is_finite(s) && largest_entry(s) > 0;
-}
-
-Sym3<double> log_in_double(const Sym3<double>& s) {
-  if (!is_usable(s)) return nan_matrix<double>();
-  if (is_near_identity(s)) {
-    return recompose(Log1pOf(), eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
-  }
-  return of_positive(LogOf(), s);
-}
-
-Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
-  return is_usable(s) ? of_positive(InvSqrtOf(), s) : nan_matrix<double>();
-}
-
-Sym3<double> pow_in_double(const Sym3<double>& s, double exponent) {
-  return is_usable(s) ? of_positive(PowOf{exponent}, s) : nan_matrix<double>();
-}
-
-/// An eigenvalue this far below zero, relative to the largest entry, is rounding in the entries of S.
-template <class T>
-constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::epsilon());
-
-template <class T>
-Sym3<double> sqrt_in_double(const Sym3<double>& s) {
-  if (!is_finite(s)) return nan_matrix<double>();
-  return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, SqrtOf(), s) : Sym3<double>{};
-}
-
-template <class T>
-Sym3<T> from_six(const T* in) {
-  return {in[0], in[1], in[2], in[3], in[4], in[5]};
-}
-
-template <class T>
-void to_six(const Sym3<T>& s, T* out) {
-  out[0] = s.xx, out[1] = s.xy, out[2] = s.xz, out[3] = s.yy, out[4] = s.yz, out[5] = s.zz;
-}
-
-void call_pow(const SymView<const double>& in, double exponent, const SymView<double>& out,
-              const Range& range, const KernelTable& table) {
-  table.pow->in_double(in, out, range, exponent);
-}
-void call_pow(const SymView<const float>& in, double exponent, const SymView<float>& out, const Range& range,
-              const KernelTable& table) {
-  table.pow->in_float(in, out, range, exponent);
-}
-
-template <class T>
-void pow_many(const SymView<const T>& in, double exponent, const SymView<T>& out, std::size_t count,
-              const Batch& batch) {
-  const KernelTable& table = *(batch.kernel ? *batch.kernel : kernel()).table;
-  run_batch([&](const Range& range) { call_pow(in, exponent, out, range, table); }, count,
-            12 * sizeof(T) * count, in.plane[0] == out.plane[0], batch);
-}
-
-}  // namespace
-
 template <class T>
 Sym3<T> log(const Sym3<T>& s) {
-  return convert<T>(log_in_double(convert<double>(s)));
-}
-
-template <class T>
-Sym3<T> inv_sqrt(const Sym3<T>& s) {
-  return convert<T>(inv_sqrt_in_double(convert<double>(s)));
+  Sym3<T> out;
+  call_one(&KernelFunctions<T>::log, &s.xx, &out.xx);
+  return out;
 }
 
 template <class T>
 Sym3<T> sqrt(const Sym3<T>& s) {
-  return convert<T>(sqrt_in_double<T>(convert<double>(s)));
+  Sym3<T> out;
+  call_one(&KernelFunctions<T>::sqrt, &s.xx, &out.xx);
+  return out;
 }
 
 template <class T>
-Sym3<T> pow(const Sym3<T>& s, double exponent) {
-  return convert<T>(pow_in_double(convert<double>(s), exponent));
+Sym3<T> inv_sqrt(const Sym3<T>& s) {
+  Sym3<T> out;
+  call_one(&KernelFunctions<T>::inv_sqrt, &s.xx, &out.xx);
+  return out;
+}
+
+template <class T>
+Sym3<T> pow(const Sym3<T>& s, double p) {
+  Sym3<T> out;
+  call_one(&KernelFunctions<T>::pow, &s.xx, &out.xx, p);
+  return out;
 }
 
 #define VIETE_FOR(T)                                                                                        \
@@ -186,27 +37,18 @@ Sym3<T> pow(const Sym3<T>& s, double exponent) {
   template Sym3<T> sqrt(const Sym3<T>&);                                                                    \
   template Sym3<T> inv_sqrt(const Sym3<T>&);                                                                \
   template Sym3<T> pow(const Sym3<T>&, double);                                                             \
-  void log_by_jacobi(const T* in, T* out) {                                                                 \
-    to_six(log(from_six(in)), out);                                                                         \
-  }                                                                                                         \
-  void sqrt_by_jacobi(const T* in, T* out) {                                                                \
-    to_six(sqrt(from_six(in)), out);                                                                        \
-  }                                                                                                         \
-  void inv_sqrt_by_jacobi(const T* in, T* out) {                                                            \
-    to_six(inv_sqrt(from_six(in)), out);                                                                    \
-  }                                                                                                         \
   void log(const SymView<const T>& in, const SymView<T>& out, std::size_t count, const Batch& batch) {      \
-    call_many(&KernelTable::log, in, out, count, batch);                                                    \
+    call_many(&KernelFunctions<T>::log, in, out, count, batch);                                             \
   }                                                                                                         \
   void sqrt(const SymView<const T>& in, const SymView<T>& out, std::size_t count, const Batch& batch) {     \
-    call_many(&KernelTable::sqrt, in, out, count, batch);                                                   \
+    call_many(&KernelFunctions<T>::sqrt, in, out, count, batch);                                            \
   }                                                                                                         \
   void inv_sqrt(const SymView<const T>& in, const SymView<T>& out, std::size_t count, const Batch& batch) { \
-    call_many(&KernelTable::inv_sqrt, in, out, count, batch);                                               \
+    call_many(&KernelFunctions<T>::inv_sqrt, in, out, count, batch);                                        \
   }                                                                                                         \
-  void pow(const SymView<const T>& in, double exponent, const SymView<T>& out, std::size_t count,           \
+  void pow(const SymView<const T>& in, double p, const SymView<T>& out, std::size_t count,                  \
            const Batch& batch) {                                                                            \
-    pow_many(in, exponent, out, count, batch);                                                              \
+    call_many(&KernelFunctions<T>::pow, in, out, count, batch, p);                                          \
   }
 VIETE_FOR(float)
 VIETE_FOR(double)

@@ -15,6 +15,7 @@
 #define VIETE_SYM3_ROTATION_INL_H
 #endif
 
+#include "sym3/fallback.h"
 #include "sym3/lanes-inl.h"
 #include "sym3/rotation_tables.h"
 
@@ -81,19 +82,12 @@ static HWY_INLINE HalfAngle<V> half_angle_quick(D d, V h) {
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE HalfAngle<V> half_angle_general(D d, const Three<V>& w, const V& h) {
   using T = hn::TFromD<D>;
-  constexpr std::size_t lanes = hn::MaxLanes(D());
   const HalfAngle<V> quick = half_angle_quick(d, h);
-  HWY_ALIGN T x[lanes], y[lanes], z[lanes], cosine[lanes], sine[lanes], hs[lanes];
-  hn::Store(w.x, d, x), hn::Store(w.y, d, y), hn::Store(w.z, d, z), hn::Store(h, d, hs);
-  hn::Store(quick.cosine, d, cosine), hn::Store(quick.sine, d, sine);
-  for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
-    if (hs[i] <= RotationTables<T>::h_limit) continue;
-    const T one[3] = {x[i], y[i], z[i]};
-    T both[2];
-    half_angle(one, both);
-    cosine[i] = both[0], sine[i] = both[1];
-  }
-  return {hn::Load(d, cosine), hn::Load(d, sine)};
+  const V from[3] = {w.x, w.y, w.z};
+  V to[2] = {quick.cosine, quick.sine};
+  replace_lanes(d, hn::Not(is_small_angle(d, h)), from, to,
+                [](const T* one, T* both) { half_angle(one, both); });
+  return {to[0], to[1]};
 }
 template <class D, class V>
 static HWY_INLINE HalfAngle<Two<V>> half_angle_general(D d, const Three<Two<V>>& w, const Two<V>& h) {

@@ -1,5 +1,4 @@
-// The coefficients of the exponential and the logarithm of rotations, and the way out at large angles.
-// Internal; no inline functions.
+// The coefficients of the exponential and the logarithm of rotations. Internal; data only.
 #pragma once
 
 namespace viete::sym3 {
@@ -59,9 +58,5 @@ struct RotationTables<float> {
   static constexpr float arc_odd[] = {-0x1.55553ep-2f, -0x1.242086p-3f, -0x1.5808e4p-4f, -0x1.fd6faep-6f,
                                       -0x1.d290d8p-10f};
 };
-
-/// cos(|w| / 2) and sin(|w| / 2) / |w| at any finite w; NaN else. w is three numbers, the answer two.
-void half_angle(const double* w, double* cosine_and_sine);
-void half_angle(const float* w, float* cosine_and_sine);
 
 }  // namespace viete::sym3

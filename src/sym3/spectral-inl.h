@@ -116,13 +116,12 @@ static HWY_INLINE Six<V> newton_form(const Spectrum<V>& e, V at_b, V over_bc, V 
   return combine({z0, z1, over_abc}, e.matrix, e.adjugate);
 }
 
-template <class D, class V>
-static HWY_INLINE Six<V> sqrt_lanes(D d, const Spectrum<V>& e) {
+template <class V>
+static HWY_INLINE Six<V> sqrt_lanes(const Spectrum<V>& e) {
   const V a = hn::Sqrt(e.at_a), b = hn::Sqrt(e.at_b), c = hn::Sqrt(e.at_c);
   const V bc = hn::Add(b, c), ab_ac = hn::Mul(hn::Add(a, b), hn::Add(a, c));
   const V t = hn::Div(e.size, hn::Mul(bc, ab_ac));
   return newton_form(e, b, hn::Mul(t, ab_ac), hn::Neg(hn::Mul(t, e.size)));
-  (void)d;
 }
 
 template <class D, class V>

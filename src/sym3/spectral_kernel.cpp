@@ -3,55 +3,44 @@
 #define HWY_TARGET_INCLUDE "sym3/spectral_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include "sym3/by_jacobi.h"
-#include "sym3/map-inl.h"
+#include "sym3/batch-inl.h"
+#include "sym3/fallback.h"
 #include "sym3/spectral-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-template <class V>
-static HWY_INLINE Six<V> six(const V* s) {
-  return {s[0], s[1], s[2], s[3], s[4], s[5]};
-}
-
-template <class V>
-static HWY_INLINE void put_six(const Six<V>& m, V* out) {
-  out[0] = m.xx, out[1] = m.xy, out[2] = m.xz, out[3] = m.yy, out[4] = m.yz, out[5] = m.zz;
-}
-
 /// F::lanes where the spectrum is ordinary, F::one for the others.
 template <class F>
 struct OfPositive {
   static constexpr int in = 6, out = 6, group = 1;
+  static constexpr bool memory_bound = false;
 
   template <int G, class D, class V>
-  HWY_INLINE void run(D d, const V (&from)[G][in], V (&to)[G][out]) const {
-    for (int g = 0; g < G; ++g) run_one(d, from[g], to[g]);
+  HWY_INLINE bool quick(D d, const V (&s)[G][in], V (&f)[G][out]) const {
+    return hn::AllTrue(d, lanes(d, s[0], f[0]));
   }
-
   template <class D, class V>
-  HWY_INLINE void run_one(D d, const V* in, V* out) const {
-    const Six<V> s = six(in);
-    const Spectrum<V> e = spectrum(d, s);
-    const auto ok = is_ordinary(d, e);
-    const Six<V> quick = F::lanes(d, s, e);
-    if (HWY_LIKELY(hn::AllTrue(d, ok))) return put_six(quick, out);
-    put_six(replace(d, hn::Not(ok), s, quick), out);
+  HWY_INLINE void general(D d, const V (&s)[in], V (&f)[out]) const {
+    const auto ok = lanes(d, s, f);
+    replace_lanes(d, hn::Not(ok), s, f, [](const auto* in, auto* out) { F::one(in, out); });
   }
 
 private:
+  /// The mask of the lanes that are right.
   template <class D, class V>
-  static HWY_NOINLINE Six<V> replace(D d, const hn::Mask<D>& bad, const Six<V>& s, const Six<V>& quick) {
-    using T = hn::TFromD<D>;
-    return replace_lanes(d, bad, s, quick, [](const T* in, T* out) { F::one(in, out); });
+  static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[6]) {
+    const Six<V> s = six(in);
+    const Spectrum<V> e = spectrum(d, s);
+    put_six(F::lanes(d, s, e), out);
+    return is_ordinary(d, e);
   }
 };
 
 struct Sqrt {
   template <class D, class V>
-  static HWY_INLINE Six<V> lanes(D d, const Six<V>&, const Spectrum<V>& e) {
-    return sqrt_lanes(d, e);
+  static HWY_INLINE Six<V> lanes(D, const Six<V>&, const Spectrum<V>& e) {
+    return sqrt_lanes(e);
   }
   template <class T>
   static void one(const T* in, T* out) {
@@ -83,73 +72,57 @@ struct Log {
 
 struct Pow {
   static constexpr int in = 6, out = 6, group = 1;
+  static constexpr bool memory_bound = false;
   double exponent;
 
   template <int G, class D, class V>
-  HWY_INLINE void run(D d, const V (&from)[G][in], V (&to)[G][out]) const {
-    for (int g = 0; g < G; ++g) run_one(d, from[g], to[g]);
+  HWY_INLINE bool quick(D d, const V (&s)[G][in], V (&power)[G][out]) const {
+    V log[1][6];
+    const bool done = OfPositive<Log>().quick<1>(d, s, log);
+    put_six(exp_lanes(d, times(six(log[0]), hn::Set(d, hn::TFromD<D>(exponent)))), power[0]);
+    return done;
   }
-
   template <class D, class V>
-  HWY_INLINE void run_one(D d, const V* s, V* out) const {
+  HWY_INLINE void general(D d, const V (&s)[in], V (&power)[out]) const {
     V log[6];
-    OfPositive<Log>().run_one(d, s, log);
-    put_six(exp_lanes(d, times(six(log), hn::Set(d, hn::TFromD<D>(exponent)))), out);
+    OfPositive<Log>().general(d, s, log);
+    put_six(exp_lanes(d, times(six(log), hn::Set(d, hn::TFromD<D>(exponent)))), power);
   }
 };
 
 struct Eigenvalues {
   static constexpr int in = 6, out = 3, group = 1;
+  static constexpr bool memory_bound = false;
 
   template <int G, class D, class V>
-  HWY_INLINE void run(D d, const V (&from)[G][in], V (&to)[G][out]) const {
-    for (int g = 0; g < G; ++g) run_one(d, from[g], to[g]);
+  HWY_INLINE bool quick(D d, const V (&s)[G][in], V (&values)[G][out]) const {
+    return hn::AllTrue(d, lanes(d, s[0], values[0]));
   }
-
   template <class D, class V>
-  HWY_INLINE void run_one(D d, const V* in, V* out) const {
-    using T = hn::TFromD<D>;
-    const Six<V> s = six(in);
-    const Three<V> quick = eigenvalues_lanes(d, spectrum(d, s));
-    out[0] = quick.x, out[1] = quick.y, out[2] = quick.z;
-    const V size = largest_entry(s);
-    const auto finite = is_finite(d, s);
-    const auto ok = hn::And(finite, hn::And(hn::Ge(size, hn::Set(d, T(sizeof(T) == 8 ? 1e-290 : 1e-30))),
-                                            hn::Le(size, hn::Set(d, T(sizeof(T) == 8 ? 1e300 : 1e37)))));
-    if (HWY_UNLIKELY(!hn::AllTrue(d, ok))) replace(d, hn::Not(ok), s, out);
+  HWY_INLINE void general(D d, const V (&s)[in], V (&values)[out]) const {
+    const auto ok = lanes(d, s, values);
+    replace_lanes(d, hn::Not(ok), s, values,
+                  [](const auto* in, auto* out) { eigenvalues_by_jacobi(in, out); });
   }
 
 private:
+  /// The mask of the lanes that are right: finite, and of a size whose powers are in range.
   template <class D, class V>
-  static HWY_NOINLINE void replace(D d, const hn::Mask<D>& bad, const Six<V>& s, V* out) {
+  static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[3]) {
     using T = hn::TFromD<D>;
-    const Six<V> quick = {out[0], out[1], out[2], out[0], out[1], out[2]};
-    const Six<V> all = replace_lanes(d, bad, s, quick, [](const T* in, T* to) {
-      eigenvalues_by_jacobi(in, to);
-      to[3] = to[4] = to[5] = 0;
-    });
-    out[0] = all.xx, out[1] = all.xy, out[2] = all.xz;
+    const Six<V> s = six(in);
+    put_three(eigenvalues_lanes(d, spectrum(d, s)), out);
+    const V size = largest_entry(s);
+    return hn::And(is_finite(d, s), hn::And(hn::Ge(size, hn::Set(d, T(sizeof(T) == 8 ? 1e-290 : 1e-30))),
+                                            hn::Le(size, hn::Set(d, T(sizeof(T) == 8 ? 1e300 : 1e37)))));
   }
 };
 
-template <class T>
-static void pow_many(const View<const T, 6>& in, const View<T, 6>& out, const Range& range, double exponent) {
-  map_many(Pow{exponent}, in, out, range);
-}
-
-#define VIETE_DEFINE(name, F, N, M)                                                               \
-  extern const Function<double, N, M> name##_double;                                              \
-  extern const Function<float, N, M> name##_float;                                                \
-  const Function<double, N, M> name##_double = {Mapped<F, double>::one, Mapped<F, double>::many}; \
-  const Function<float, N, M> name##_float = {Mapped<F, float>::one, Mapped<F, float>::many};
-VIETE_DEFINE(log, OfPositive<Log>, 6, 6)
-VIETE_DEFINE(sqrt, OfPositive<Sqrt>, 6, 6)
-VIETE_DEFINE(inv_sqrt, OfPositive<InvSqrt>, 6, 6)
-VIETE_DEFINE(eigenvalues, Eigenvalues, 6, 3)
-#undef VIETE_DEFINE
-
-extern const PowFunctions pow_functions;
-const PowFunctions pow_functions = {pow_many<double>, pow_many<float>};
+VIETE_DEFINE_FUNCTION(log, OfPositive<Log>)
+VIETE_DEFINE_FUNCTION(sqrt, OfPositive<Sqrt>)
+VIETE_DEFINE_FUNCTION(inv_sqrt, OfPositive<InvSqrt>)
+VIETE_DEFINE_FUNCTION(pow, Pow, double)
+VIETE_DEFINE_FUNCTION(eigenvalues, Eigenvalues)
 
 }  // namespace viete::sym3::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,5 +1,5 @@
 // The way out of the kernels, called directly: right on ordinary matrices too.
-#include "sym3/exp_by_jacobi.h"
+#include "sym3/fallback.h"
 
 #include <doctest/doctest.h>
 

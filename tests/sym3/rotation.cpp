@@ -27,7 +27,7 @@ Quad length(const QuadVec& v) {
 }
 
 template <class T>
-QuadVec to_quad(const Vec3<T>& v) {
+QuadVec vector_to_quad(const Vec3<T>& v) {
   return {v[0], v[1], v[2]};
 }
 
@@ -47,7 +47,7 @@ Vec3<T> vector_of_angle(double angle, int i, Random& random) {
 /// |R - exact| in u.
 template <class T>
 double exp_error(const Vec3<T>& w) {
-  const auto exact = quad_rotation(to_quad(w));
+  const auto exact = quad_rotation(vector_to_quad(w));
   const auto computed = sym3::exp_rotation(w);
   Quad sum = 0;
   for (int k = 0; k < 9; ++k) sum += (computed[k] - exact[k]) * (computed[k] - exact[k]);
@@ -64,7 +64,7 @@ Vec3<T> log_with(const sym3::Kernel& kernel, const Mat3<T>& r) {
 
 template <class T>
 Mat3<T> rounded_rotation(const Vec3<T>& w) {
-  const auto exact = quad_rotation(to_quad(w));
+  const auto exact = quad_rotation(vector_to_quad(w));
   Mat3<T> rounded;
   for (int k = 0; k < 9; ++k) rounded[k] = static_cast<T>(exact[k]);
   return rounded;
@@ -73,7 +73,7 @@ Mat3<T> rounded_rotation(const Vec3<T>& w) {
 /// Distance to w or, for half a turn as near as rounding lets one see, to its other name w - 2 pi w / |w|.
 template <class T>
 double log_error(const Vec3<T>& computed, const Vec3<T>& w) {
-  const QuadVec x = to_quad(computed), y = to_quad(w);
+  const QuadVec x = vector_to_quad(computed), y = vector_to_quad(w);
   const Quad angle = length(y);
   const Quad turn = angle > 3.14159 ? 1 - 2 * acosq(Quad(-1)) / angle : Quad(1);
   const QuadVec direct = {x[0] - y[0], x[1] - y[1], x[2] - y[2]};

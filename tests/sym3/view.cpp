@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "sym3/arranged.h"
 #include "sym3/each_kernel.h"
 #include "sym3/ensembles.h"
 #include "sym3/entries_of.h"
@@ -21,59 +22,6 @@ using sym3::Sym3;
 using sym3::SymView;
 
 namespace {
-
-constexpr Layout layouts[] = {Layout::planes, Layout::blocks, Layout::packed, Layout::full};
-constexpr int in_full[6] = {0, 1, 2, 4, 5, 8};
-
-/// Matrices in one layout, `offset` numbers off 64 bytes, with a guard behind that nothing may touch.
-template <class T>
-class Arranged {
-public:
-  Arranged(Layout layout, std::size_t count, std::size_t offset) : layout_(layout), count_(count) {
-    stride_ = sym3::padded_stride<T>(count);
-    const std::size_t whole = std::max({6 * stride_, 9 * count, sym3::block_size<T>(count)});
-    memory_.assign(whole + 128, guard);
-    const auto bytes = reinterpret_cast<std::uintptr_t>(memory_.data());
-    data_ = memory_.data() + (64 - bytes % 64) % 64 / sizeof(T) + offset;
-  }
-
-  SymView<T> view() {
-    return layout_ == Layout::planes ? SymView<T>(data_, stride_) : SymView<T>(layout_, data_);
-  }
-
-  T& entry(int k, std::size_t i) {
-    constexpr std::size_t line = 64 / sizeof(T);
-    if (layout_ == Layout::planes) return data_[k * stride_ + i];
-    if (layout_ == Layout::blocks) return data_[(i / line * 6 + k) * line + i % line];
-    if (layout_ == Layout::packed) return data_[6 * i + k];
-    return data_[9 * i + in_full[k]];
-  }
-
-  void set(std::size_t i, const Sym3<T>& s) {
-    const auto e = entries_of(s);
-    for (int k = 0; k < 6; ++k) entry(k, i) = e[k];
-  }
-
-  Sym3<T> get(std::size_t i) {
-    return {entry(0, i), entry(1, i), entry(2, i), entry(3, i), entry(4, i), entry(5, i)};
-  }
-
-  bool is_symmetric(std::size_t i) {
-    const T* m = data_ + 9 * i;
-    const auto same = [](T a, T b) { return std::memcmp(&a, &b, sizeof(T)) == 0; };
-    return layout_ != Layout::full || (same(m[1], m[3]) && same(m[2], m[6]) && same(m[5], m[7]));
-  }
-
-  std::size_t untouched() const { return std::count(memory_.begin(), memory_.end(), guard); }
-
-  static constexpr T guard = T(-12345);
-
-private:
-  Layout layout_;
-  std::size_t count_, stride_;
-  std::vector<T> memory_;
-  T* data_;
-};
 
 /// Ordinary ones, and every so often one that leaves the fast path.
 template <class T>

@@ -1,0 +1,40 @@
+// What the kernels cannot do in registers, one matrix at a time: badly conditioned, huge, tiny or not finite.
+// Internal.
+#pragma once
+
+namespace viete::sym3 {
+
+// Included by the kernels; holds no inline function: the linker keeps one copy of those, and may keep one
+// that needs newer hardware. Numbers in a row; in == out allowed.
+
+/// For spreads beyond the kernels' squarings, overflow, NaN and infinities, entries near the largest double.
+/// Jacobi in double-double, each entry of the answer summed relative to its own largest term: relative error
+/// below 16 u (of double) at any spread. Never NaN for finite input. Some microseconds, but for diagonal
+/// matrices.
+void exp_by_jacobi(const double* in, double* out);
+void exp_by_jacobi(const float* in, float* out);
+
+// Jacobi in double for either type, in double-double where eigenvalues differ by more than a factor of about
+// 8 to 16. Relative error, Frobenius norm: <= 24 u in double, also where log S is small, <= 1.5 u in float,
+// at any gap and for conditions up to 1e15. Some 0.5 us, 2.5 us in double-double. NaN where log.h says so.
+void log_by_jacobi(const double* in, double* out);
+void log_by_jacobi(const float* in, float* out);
+void sqrt_by_jacobi(const double* in, double* out);
+void sqrt_by_jacobi(const float* in, float* out);
+void inv_sqrt_by_jacobi(const double* in, double* out);
+void inv_sqrt_by_jacobi(const float* in, float* out);
+
+/// Three numbers, ascending, as exact as eigenvalues.h says.
+void eigenvalues_by_jacobi(const double* in, double* out);
+void eigenvalues_by_jacobi(const float* in, float* out);
+
+/// The nearest rotation of a general matrix, nine numbers each, by the largest eigenvector of Horn's 4x4
+/// matrix; see polar.h.
+void polar_by_jacobi(const double* in, double* out);
+void polar_by_jacobi(const float* in, float* out);
+
+/// cos(|w| / 2) and sin(|w| / 2) / |w| for a finite w of any length, three numbers; NaN else.
+void half_angle(const double* w, double* cosine_and_sine);
+void half_angle(const float* w, float* cosine_and_sine);
+
+}  // namespace viete::sym3

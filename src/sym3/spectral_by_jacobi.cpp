@@ -1,0 +1,163 @@
+// log, square roots and eigenvalues by Jacobi's eigenvectors.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sym3/double_double.h"
+#include "sym3/entries.h"
+#include "sym3/fallback.h"
+#include "sym3/jacobi.h"
+
+namespace viete::sym3 {
+
+namespace {
+
+// Jacobi in double errs by some u of the largest eigenvalue: where the smallest is below it by more than this
+// factor, that is repeated in double-double.
+constexpr double wide = 8;
+
+struct LogOf {
+  double operator()(double x) const { return std::log(x); }
+  double operator()(const DoubleDouble& x) const { return std::log(x.hi) + x.lo / x.hi; }
+};
+
+struct Log1pOf {
+  double operator()(double x) const { return std::log1p(x); }
+};
+
+struct InvSqrtOf {
+  double operator()(double x) const { return 1 / std::sqrt(x); }
+  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
+};
+
+/// What rounding made negative counts as zero.
+struct SqrtOf {
+  double operator()(double x) const { return x > 0 ? std::sqrt(x) : 0; }
+  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
+};
+
+/// V f(values) V^T. Terms that are zero do not count: an overflow stays in its own block of the matrix.
+template <class F, class Real>
+Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
+  const double f[3] = {at(e.values[0]), at(e.values[1]), at(e.values[2])};
+  const auto entry = [&](int i, int j) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double weight = jacobi::leading(e.vectors[i][k]) * jacobi::leading(e.vectors[j][k]);
+      if (weight != 0) sum += f[k] * weight;
+    }
+    return sum;
+  };
+  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+}
+
+template <class Real>
+double smallest(const Eigen3<Real>& e) {
+  return std::min({jacobi::leading(e.values[0]), jacobi::leading(e.values[1]), jacobi::leading(e.values[2])});
+}
+
+/// A power of two that keeps Jacobi's sums, products and low parts in range; diagonal matrices need none.
+double comfortable_scale(const Sym3<double>& s) {
+  const double largest = largest_entry(s);
+  if (is_diagonal(s)) return 1;
+  return largest > 1e250 ? 0x1p-512 : largest < 1e-150 ? 0x1p512 : 1;
+}
+
+template <class Real>
+Eigen3<Real> eigen_of(const Sym3<double>& s, double scale) {
+  auto e = eigen_by_jacobi<Real>(times(s, scale));
+  for (Real& x : e.values) x = x * Real{1 / scale};
+  return e;
+}
+
+/// f(S) for S all of whose eigenvalues are above `least` times its largest entry, else NaN.
+template <class F>
+Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) {
+  const double scale = comfortable_scale(s), bound = least * largest_entry(s);
+  const auto quick = eigen_of<double>(s, scale);
+  const double low = smallest(quick);
+  if (is_diagonal(s)) return low > bound ? recompose(f, quick) : nan_matrix<double>();
+  if (low * wide >= largest_entry(s)) return recompose(f, quick);
+  const auto exact = eigen_of<DoubleDouble>(s, scale);
+  return smallest(exact) > bound ? recompose(f, exact) : nan_matrix<double>();
+}
+
+template <class F>
+Sym3<double> of_positive(const F& f, const Sym3<double>& s) {
+  return of_spectrum_above(0, f, s);
+}
+
+/// Where S - I is exact, and its eigenvalues keep the digits that those of S would lose.
+bool is_near_identity(const Sym3<double>& s) {
+  const double off = std::max({std::fabs(s.xy), std::fabs(s.xz), std::fabs(s.yz)});
+  const auto [low, high] = std::minmax({s.xx, s.yy, s.zz});
+  return low >= 0.75 && high <= 1.5 && off <= 0.2;
+}
+
+bool is_usable(const Sym3<double>& s) {
+  return is_finite(s) && largest_entry(s) > 0;
+}
+
+Sym3<double> log_in_double(const Sym3<double>& s) {
+  if (!is_usable(s)) return nan_matrix<double>();
+  if (is_near_identity(s)) {
+    return recompose(Log1pOf(), eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
+  }
+  return of_positive(LogOf(), s);
+}
+
+Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
+  return is_usable(s) ? of_positive(InvSqrtOf(), s) : nan_matrix<double>();
+}
+
+/// An eigenvalue this far below zero, relative to the largest entry, is rounding in the entries of S.
+template <class T>
+constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::epsilon());
+
+template <class T>
+Sym3<double> sqrt_in_double(const Sym3<double>& s) {
+  if (!is_finite(s)) return nan_matrix<double>();
+  return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, SqrtOf(), s) : Sym3<double>{};
+}
+
+std::array<double, 3> eigenvalues_in_double(const Sym3<double>& s) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (!is_finite(s)) return {nan, nan, nan};
+  const double scale = comfortable_scale(s);
+  auto values = eigen_by_jacobi<double>(times(s, scale)).values;
+  for (double& x : values) x /= scale;
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+template <class T>
+Sym3<double> from_six(const T* in) {
+  return {in[0], in[1], in[2], in[3], in[4], in[5]};
+}
+
+template <class T>
+void to_six(const Sym3<double>& s, T* out) {
+  out[0] = T(s.xx), out[1] = T(s.xy), out[2] = T(s.xz), out[3] = T(s.yy), out[4] = T(s.yz), out[5] = T(s.zz);
+}
+
+}  // namespace
+
+#define VIETE_FOR(T)                                         \
+  void log_by_jacobi(const T* in, T* out) {                  \
+    to_six(log_in_double(from_six(in)), out);                \
+  }                                                          \
+  void sqrt_by_jacobi(const T* in, T* out) {                 \
+    to_six(sqrt_in_double<T>(from_six(in)), out);            \
+  }                                                          \
+  void inv_sqrt_by_jacobi(const T* in, T* out) {             \
+    to_six(inv_sqrt_in_double(from_six(in)), out);           \
+  }                                                          \
+  void eigenvalues_by_jacobi(const T* in, T* out) {          \
+    const auto values = eigenvalues_in_double(from_six(in)); \
+    for (int k = 0; k < 3; ++k) out[k] = T(values[k]);       \
+  }
+VIETE_FOR(float)
+VIETE_FOR(double)
+#undef VIETE_FOR
+
+}  // namespace viete::sym3

@@ -1,0 +1,24 @@
+// Positive definite matrices of a given condition number.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "sym3/ensembles.h"
+
+namespace viete::test {
+
+/// Clustered at either end, spread, and anything between; half of them of norm about `size`, the others a
+/// thousandth to a thousand times that.
+template <class T>
+std::vector<sym3::Sym3<T>> with_condition(double condition, int count, double size = 1) {
+  namespace ensembles = sym3::ensembles;
+  return ensembles::made<T>(count, 54, [=](ensembles::Random& random, std::size_t i) {
+    const double near = (condition - 1) * std::pow(10.0, ensembles::uniform(random, -16, -1));
+    const double middle[] = {1, condition, 1 + near, condition - near, std::sqrt(condition)};
+    const double lowest = size * (i % 2 ? 1 : std::pow(10.0, ensembles::uniform(random, -3, 3)));
+    return ensembles::with_eigenvalues<T>({lowest, lowest * middle[i % 5], lowest * condition}, random);
+  });
+}
+
+}  // namespace viete::test
