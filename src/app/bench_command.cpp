@@ -8,6 +8,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/quantity.h"
 #include "bench/accuracy.h"
 #include "bench/bind.h"
 #include "bench/eigen.h"
@@ -31,7 +32,7 @@ constexpr std::int64_t most_matrices = 1'000'000'000;
 
 // Before the system stops the program for it. A matrix comes in and goes out, as nine doubles at most.
 void require_memory_for(std::size_t count) {
-  base::require_memory({160.0 * static_cast<double>(count), bench::grouped(count) + " matrices take",
+  base::require_memory({160.0 * static_cast<double>(count), base::with_thousands(count) + " matrices take",
                         "give a smaller number", "--count"});
 }
 
@@ -138,7 +139,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<BenchOptions>();
     options->count = bench.usual_count;
     whole_in_range(sub->add_option("--count", options->count, bench.count), 1, bench.most)
-        ->default_str(bench::grouped(bench.usual_count));
+        ->default_str(base::with_thousands(bench.usual_count));
     add_bench_files(*sub, options->files, bench.has_plot);
     if (bench.has_float) sub->add_flag("--float", options->in_float, "In single precision");
     sub->callback([options, &action, run = bench.run] {

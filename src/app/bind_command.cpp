@@ -8,8 +8,8 @@
 #include "app/output.h"
 #include "base/clock.h"
 #include "base/error.h"
+#include "base/quantity.h"
 #include "base/worker_pool.h"
-#include "bench/rounds.h"
 #include "deform/binding_file.h"
 #include "scene/open.h"
 
@@ -26,7 +26,7 @@ struct BindOptions {
 
 void print(const deform::TiledBinding& tiles, double seconds) {
   std::printf("bound %s vertices to %zu cage %s in %.2f s: %.1f MB",
-              bench::grouped(tiles.leaves.vertices).c_str(), tiles.handles,
+              base::with_thousands(tiles.leaves.vertices).c_str(), tiles.handles,
               tiles.coordinates == deform::Coordinates::face ? "triangles" : "vertices", seconds,
               static_cast<double>(tiles.bytes()) * 1e-6);
   const double dense = static_cast<double>(tiles.dense_bytes()) * 1e-6;

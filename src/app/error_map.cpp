@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/median.h"
 #include "sym3/reference.h"
 
 namespace viete::app {
@@ -22,10 +23,8 @@ scene::ErrorMapStats stats_of(std::vector<double> errors, sym3::Method method) {
     stats.worst = stats.median = std::numeric_limits<double>::quiet_NaN();
     return stats;
   }
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  stats.median = *middle;
-  stats.worst = *std::max_element(middle, errors.end());
+  stats.worst = *std::max_element(errors.begin(), errors.end());
+  stats.median = base::median(std::move(errors));
   return stats;
 }
 

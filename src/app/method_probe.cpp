@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/clock.h"
-#include "bench/rounds.h"
+#include "base/median.h"
 #include "sym3/exp.h"
 #include "sym3/reference.h"
 
@@ -29,7 +29,7 @@ scene::MethodSample errors_of(std::span<const Matrix> computed, std::span<const 
   }
   scene::MethodSample sample;
   sample.worst_error = has_nan ? std::nan("") : *std::max_element(errors.begin(), errors.end());
-  sample.median_error = has_nan ? std::nan("") : bench::median(std::move(errors));
+  sample.median_error = has_nan ? std::nan("") : base::median(std::move(errors));
   return sample;
 }
 
@@ -56,7 +56,7 @@ scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
     }
   }
   for (std::size_t m = 0; m < method_count; ++m) {
-    stats.samples[m].ns_per_matrix = 1e9 * bench::median(seconds[m]) / static_cast<double>(matrices.size());
+    stats.samples[m].ns_per_matrix = 1e9 * base::median(seconds[m]) / static_cast<double>(matrices.size());
   }
   stats.matrices = matrices.size();
   return stats;

@@ -7,7 +7,7 @@
 
 #include "app/words.h"
 #include "base/error.h"
-#include "bench/rounds.h"
+#include "base/quantity.h"
 #include "scene/edit.h"
 #include "scene/range.h"
 #include "scene/session.h"
@@ -29,7 +29,7 @@ std::string number_text(double number) {
   return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 std::string number_text(std::int64_t number) {
-  return (number < 0 ? "-" : "") + bench::grouped(static_cast<std::size_t>(std::abs(number)));
+  return (number < 0 ? "-" : "") + base::with_thousands(static_cast<std::size_t>(std::abs(number)));
 }
 
 template <class Number>

@@ -1,21 +1,11 @@
 #include "base/memory.h"
 
-#include <cstdio>
 #include <fstream>
 
 #include "base/error.h"
+#include "base/quantity.h"
 
 namespace viete::base {
-
-namespace {
-
-std::string gigabytes(double bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f GB", bytes / 1e9);
-  return text;
-}
-
-}  // namespace
 
 std::optional<double> free_memory() {
   std::ifstream in("/proc/meminfo");
@@ -30,8 +20,8 @@ std::optional<double> free_memory() {
 
 void refuse_memory(const MemoryNeed& need) {
   const auto free = free_memory();
-  const std::string rest = free ? ", of which " + gigabytes(*free) + " are free" : "";
-  throw Error(need.place, need.taker + " " + gigabytes(need.bytes) + " of memory" + rest, need.advice);
+  const std::string rest = free ? ", of which " + memory_size(*free) + " are free" : "";
+  throw Error(need.place, need.taker + " " + memory_size(need.bytes) + " of memory" + rest, need.advice);
 }
 
 void require_memory(const MemoryNeed& need) {

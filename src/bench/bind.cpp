@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/quantity.h"
 #include "base/worker_pool.h"
 #include "bench/bars.h"
 #include "bench/models.h"
@@ -101,7 +102,7 @@ void print(const BindRuns& runs, const std::vector<BenchResult>& results) {
   std::printf(
       "bind: %s vertices, %zu cage triangles, kernel %s; one thread, its processor time, medians of "
       "interleaved runs\n",
-      grouped(runs.size()).c_str(), runs.elements(), std::string(sym3::kernel_name()).c_str());
+      base::with_thousands(runs.size()).c_str(), runs.elements(), std::string(sym3::kernel_name()).c_str());
   for (const auto& r : results) {
     const double ms = r.ns_per_item * static_cast<double>(runs.size()) * 1e-6;
     std::printf("  %-30s %10.1f ms %8.2f ns a pair\n", r.name.c_str(), ms,

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "base/quantity.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/ensembles.h"
@@ -54,7 +55,7 @@ EigenBench measure_eigen(std::size_t count, base::Progress& progress) {
 }
 
 void print(const EigenBench& bench) {
-  print_table("eigenvalues: " + grouped(bench.count) + " matrices S = M M^T, double, one thread",
+  print_table("eigenvalues: " + base::with_thousands(bench.count) + " matrices S = M M^T, double, one thread",
               bench.results, "QR", "copy");
 }
 
@@ -66,7 +67,7 @@ Plot plot_of(const EigenBench& bench) {
   Plot plot;
   plot.title = "Eigenvalues of symmetric 3x3 matrices";
   plot.subtitle = "S = M M^T, double, one thread, " + processor_name();
-  plot.bars_title = grouped(bench.count) + " matrices, ns a matrix";
+  plot.bars_title = base::with_thousands(bench.count) + " matrices, ns a matrix";
   const char* colors[] = {plot_color::reference, plot_color::reference, plot_color::rival,
                           plot_color::ours[0], plot_color::copy};
   for (std::size_t i = 0; i < bench.results.size(); ++i) {

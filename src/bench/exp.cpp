@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "base/quantity.h"
 #include "bench/matrix_array.h"
 #include "sym3/ensembles.h"
 #include "sym3/exp.h"
@@ -148,7 +149,7 @@ ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress)
 }
 
 void print(const ExpBench& bench) {
-  print_table("exp: " + grouped(bench.count) + " matrices S = M M^T, " + precision(bench) +
+  print_table("exp: " + base::with_thousands(bench.count) + " matrices S = M M^T, " + precision(bench) +
                   ", one thread, kernel " + bench.kernel,
               bench.methods, "diag", "copy");
   std::printf(
@@ -192,7 +193,7 @@ Plot plot_of(const ExpBench& bench) {
   plot.title = "exp of symmetric 3x3 matrices";
   plot.subtitle = std::string("S = M M^T, ") + precision(bench) + ", one thread, kernel " + bench.kernel +
                   ", " + processor_name();
-  plot.bars_title = grouped(bench.count) + " matrices from memory, ns a matrix";
+  plot.bars_title = base::with_thousands(bench.count) + " matrices from memory, ns a matrix";
   for (const Bar& bar : bars_of(bench)) plot.bars.push_back({bar.name, bar.ns, bar.color});
   plot.curves_title = "ns a matrix against size, by layout";
   const auto curve = [&](const std::string& name, const char* color, bool dashed, Layout layout,

@@ -10,6 +10,7 @@
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "base/median.h"
 #include "base/worker_pool.h"
 #include "bench/floors.h"
 #include "bench/frame_bars.h"
@@ -81,7 +82,7 @@ deform::LinkTimes link_medians(const Case& c) {
   for (std::size_t link = 0; c.links && link < deform::link_count; ++link) {
     std::vector<double> values;
     for (const auto& t : c.link_ms) values.push_back(t.ms[link]);
-    medians.ms[link] = median(std::move(values));
+    medians.ms[link] = base::median(std::move(values));
   }
   return medians;
 }
@@ -255,8 +256,8 @@ std::vector<FrameTime> FrameRuns::times() const {
   std::vector<FrameTime> times;
   for (const Case& c : cases_) {
     times.push_back({dense_->leaves.vertices, cage_->element_count(), c.name, c.pool->threads(),
-                     median(c.cpu_ms), median(c.wall_ms), c.error ? c.error() : std::nan(""), c.bytes,
-                     link_medians(c)});
+                     base::median(c.cpu_ms), base::median(c.wall_ms), c.error ? c.error() : std::nan(""),
+                     c.bytes, link_medians(c)});
   }
   return times;
 }

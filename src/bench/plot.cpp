@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/quantity.h"
 #include "bench/svg.h"
 
 namespace viete::bench {
@@ -12,12 +13,6 @@ namespace {
 
 constexpr double width = 1000, top = 116;
 constexpr const char *paper = "#ffffff", *ink = "#1f2933", *faint = "#6b7785", *rule = "#e4e8ec";
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, value < 10 ? "%.2f" : value < 100 ? "%.1f" : "%.0f", value);
-  return text;
-}
 
 std::string count_text(double count) {
   char text[32];
@@ -48,11 +43,11 @@ void draw_bars(Svg& svg, const Plot& plot, const Frame& frame) {
     const double length = std::max(1.5, full * bar.ns / longest), start = frame.left + label;
     svg.text({start - 10, middle + 4}, bar.name, {.anchor = "end"});
     svg.bar({start, middle - 0.5 * height}, length, height, bar.color);
-    const std::string value = number(bar.ns);
+    const std::string value = base::few_digits(bar.ns);
     svg.text({start + length + 8, middle + 4}, value + " ns", {.strong = true});
     if (&bar != plot.bars.data()) {
       const double x = start + length + 26 + 7.5 * static_cast<double>(value.size()) + 16;
-      svg.text({x, middle + 4}, number(plot.bars.front().ns / bar.ns) + " x", {.color = faint});
+      svg.text({x, middle + 4}, base::few_digits(plot.bars.front().ns / bar.ns) + " x", {.color = faint});
     }
     middle += step;
   }
@@ -114,7 +109,7 @@ void draw_names(Svg& svg, const std::vector<PlotCurve>& curves, const LogScale& 
     limit = name->at - line;
   }
   for (const Name& name : names) {
-    const std::string value = number(name.curve->points.back().ns);
+    const std::string value = base::few_digits(name.curve->points.back().ns);
     svg.text({x, name.at + 4}, name.curve->name, {.color = name.curve->color, .strong = !name.curve->dashed});
     svg.text({width - 32, name.at + 4}, value,
              {.color = name.curve->color, .anchor = "end", .strong = !name.curve->dashed});

@@ -4,14 +4,9 @@
 #include <fstream>
 
 #include "base/clock.h"
+#include "base/median.h"
 
 namespace viete::bench {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress) {
@@ -28,7 +23,7 @@ std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std
   }
   std::vector<BenchResult> results;
   for (std::size_t c = 0; c < cases.size(); ++c)
-    results.push_back({cases[c].name, median(std::move(times[c]))});
+    results.push_back({cases[c].name, base::median(std::move(times[c]))});
   return results;
 }
 
@@ -38,12 +33,6 @@ std::string processor_name() {
     if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
   }
   return "";
-}
-
-std::string grouped(std::size_t count) {
-  std::string text = std::to_string(count);
-  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
-  return text;
 }
 
 }  // namespace viete::bench

@@ -23,13 +23,7 @@ struct RoundCase {
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress);
 
-/// Of an even number of values the upper one of the middle. values must not be empty.
-double median(std::vector<double> values);
-
 /// "AMD EPYC 9654", or nothing where the system does not say.
 std::string processor_name();
-
-/// "10,000,000".
-std::string grouped(std::size_t count);
 
 }  // namespace viete::bench

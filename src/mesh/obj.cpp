@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/quantity.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
 
@@ -135,10 +136,10 @@ private:
 
   void tell_skipped() {
     if (free_forms_ > 0) {
-      builder_.warn(source_.name + ": left out " + counted(free_forms_, "free-form element"));
+      builder_.warn(source_.name + ": left out " + base::counted(free_forms_, "free-form element"));
     }
     if (unknown_ > 0) {
-      builder_.warn(text_.place(first_unknown_line_) + ": passed over " + counted(unknown_, "line") +
+      builder_.warn(text_.place(first_unknown_line_) + ": passed over " + base::counted(unknown_, "line") +
                     " that OBJ does not know, the first starts with " + first_unknown_);
     }
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/quantity.h"
 #include "mesh/text_cursor.h"
 
 namespace viete::mesh {
@@ -46,7 +47,8 @@ ReadResult SurfaceBuilder::finish(std::string format) {
                       "export the model again");
   }
   if (short_polygons_ > 0) {
-    warn(source_.name + ": left out " + counted(short_polygons_, "face") + " with fewer than three corners");
+    warn(source_.name + ": left out " + base::counted(short_polygons_, "face") +
+         " with fewer than three corners");
   }
   if (result_.surface.polygon_count() == 0) warn(source_.name + ": no faces, only a set of points");
   result_.format = std::move(format);

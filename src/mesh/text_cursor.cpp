@@ -173,10 +173,6 @@ std::string in_quotes(std::string_view word) {
   return text;
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string clipped(std::string_view comment) {
   const std::size_t from = std::min(comment.find_first_not_of("# \t"), comment.size());
   comment = comment.substr(from);

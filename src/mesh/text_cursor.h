@@ -101,9 +101,6 @@ private:
 /// A word as it may stand in a message: quoted, cut after 32 bytes, what cannot be printed replaced by '?'.
 std::string in_quotes(std::string_view word);
 
-/// "1 face", "3 faces".
-std::string counted(std::size_t count, const std::string& noun);
-
 /// A comment as it is kept: without blanks and marks at its start, at most 200 bytes.
 std::string clipped(std::string_view comment);
 

@@ -1,6 +1,6 @@
 #include "scene/binding_plan.h"
 
-#include "scene/quantity.h"
+#include "base/quantity.h"
 
 namespace viete::scene {
 
@@ -16,8 +16,9 @@ BindingPlan binding_plan(const Document& document, deform::Coordinates coordinat
 
 std::string text(const BindingPlan& plan) {
   const bool faces = plan.coordinates == deform::Coordinates::face;
-  return "Binding " + with_thousands(plan.vertices) + " vertices to " + with_thousands(plan.handles) +
-         (faces ? " faces, " : " vertices, ") + memory_size(plan.bytes);
+  return "Binding " + base::with_thousands(plan.vertices) + " vertices to " +
+         base::with_thousands(plan.handles) + (faces ? " faces, " : " vertices, ") +
+         base::memory_size(static_cast<double>(plan.bytes));
 }
 
 }  // namespace viete::scene

@@ -6,11 +6,11 @@
 #include <span>
 #include <utility>
 
+#include "base/quantity.h"
 #include "mesh/oddities.h"
 #include "mesh/repair.h"
 #include "mesh/self_intersection.h"
 #include "mesh/winding_number.h"
-#include "scene/quantity.h"
 
 namespace viete::scene {
 
@@ -81,7 +81,7 @@ std::string title(const Finding& finding) {
     }
     return "";
   };
-  return with_thousands(finding.size()) + ' ' + name();
+  return base::with_thousands(finding.size()) + ' ' + name();
 }
 
 std::string first_elements(const Finding& finding, std::size_t most) {
@@ -96,7 +96,7 @@ std::string first_elements(const Finding& finding, std::size_t most) {
     }
   }
   if (shown == finding.size()) return text;
-  return text + " and " + with_thousands(finding.size() - shown) + " more";
+  return text + " and " + base::with_thousands(finding.size() - shown) + " more";
 }
 
 std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface,

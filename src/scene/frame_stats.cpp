@@ -1,6 +1,9 @@
 #include "scene/frame_stats.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "base/median.h"
 
 namespace viete::scene {
 
@@ -14,9 +17,7 @@ double median_of(const std::vector<const FrameTimes*>& frames, Value value) {
   std::vector<double> values;
   values.reserve(frames.size());
   for (const auto* frame : frames) values.push_back(value(*frame));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return base::median(std::move(values));
 }
 
 }  // namespace

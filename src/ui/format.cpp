@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "scene/quantity.h"
-
 namespace viete::ui {
 
 namespace {
@@ -15,25 +13,7 @@ std::string print(const char* format, double value) {
   return text;
 }
 
-std::string significant(double value) {
-  const double a = std::abs(value);
-  if (a < 9.995) return print("%.2f", value);
-  return print(a < 99.95 ? "%.1f" : "%.0f", value);
-}
-
 }  // namespace
-
-std::string milliseconds(double ms) {
-  return std::abs(ms) < 999.5 ? significant(ms) + " ms" : significant(ms * 1e-3) + " s";
-}
-
-std::string nanoseconds(double ns) {
-  return std::abs(ns) < 999.5 ? significant(ns) + " ns" : significant(ns * 1e-3) + " us";
-}
-
-std::string count(std::size_t n) {
-  return scene::with_thousands(n);
-}
 
 std::string error(double relative) {
   if (std::isnan(relative)) return "NaN";
@@ -45,7 +25,7 @@ std::string length(double value) {
 }
 
 std::string ratio(double value) {
-  return significant(value) + " x";
+  return base::few_digits(value) + " x";
 }
 
 }  // namespace viete::ui

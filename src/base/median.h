@@ -1,0 +1,17 @@
+// The middle of a set of numbers.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace viete::base {
+
+/// Of an even number of values the upper one of the two in the middle. values must not be empty, nor hold
+/// NaN.
+inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace viete::base
