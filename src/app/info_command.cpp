@@ -8,7 +8,9 @@
 #include "app/command_line.h"
 #include "app/options.h"
 #include "base/error.h"
+#include "base/quantity.h"
 #include "mesh/read.h"
+#include "mesh/topology.h"
 #include "scene/checks.h"
 #include "scene/elements.h"
 
@@ -31,6 +33,12 @@ void print(const scene::OpenedSurface& surface) {
   std::printf("  surface     %s, %s, %s\n", f.closed() ? "closed" : "open",
               f.manifold() ? "manifold" : "not manifold",
               f.oriented() ? "consistently oriented" : "not consistently oriented");
+  if (const auto topology = mesh::topology(*surface.surface, f)) {
+    std::printf("  topology    genus %zu, %s\n", topology->genus,
+                topology->boundary_loops.empty()
+                    ? "no holes"
+                    : base::counted(topology->boundary_loops.size(), "hole").c_str());
+  }
   std::printf("  box         (%g, %g, %g) to (%g, %g, %g), diagonal %g\n", box.low[0], box.low[1], box.low[2],
               box.high[0], box.high[1], box.high[2], box.diagonal());
   std::printf("  area        %g\n", f.area);

@@ -9,6 +9,7 @@
 #include "deform/mean_value.h"
 #include "deform/tiled_binding.h"
 #include "deform/weights.h"
+#include "mesh/normals.h"
 
 namespace viete::deform {
 

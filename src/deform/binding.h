@@ -11,7 +11,7 @@
 #include "base/worker_pool.h"
 #include "deform/cage.h"
 #include "deform/weighting.h"
-#include "mesh/normals.h"
+#include "mesh/adjacency.h"
 
 namespace viete::deform {
 
@@ -33,7 +33,7 @@ struct Binding {
   /// reproduce, ~0 for closed cages.
   std::vector<mesh::Point> offsets;
   std::vector<mesh::Triangle> triangles;  ///< of the model
-  mesh::VertexTriangles around;
+  mesh::Adjacency around;
   std::vector<std::string> warnings;
 
   Weighting weighting() const { return {coordinates, reach}; }

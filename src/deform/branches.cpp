@@ -5,13 +5,13 @@
 #include <numeric>
 #include <utility>
 
-#include "deform/dual_graph.h"
+#include "mesh/adjacency.h"
+#include "mesh/union_find.h"
 
 namespace viete::deform {
 
 namespace {
 
-using Pair = std::array<std::uint32_t, 2>;
 using Rotations = std::span<const sym3::Mat3<double>>;
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -19,20 +19,16 @@ constexpr double along_reference = 1e-13;
 constexpr double half_turn_tie = 1e-2;
 
 // Kruskal: the pairs of a spanning forest with the smallest relative angles.
-std::vector<Pair> spanning_forest(std::span<const Pair> edges, Rotations rotations) {
+std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotations rotations) {
   std::vector<std::pair<double, std::uint32_t>> order(edges.size());
   for (std::uint32_t n = 0; n < edges.size(); ++n) {
     order[n] = {-alignment(rotations[edges[n][0]], rotations[edges[n][1]]), n};
   }
   std::sort(order.begin(), order.end());
-  std::vector<std::uint32_t> parent(rotations.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  std::vector<Pair> forest;
+  mesh::UnionFind trees(rotations.size());
+  std::vector<mesh::Edge> forest;
   for (const auto& [key, n] : order) {
-    const std::uint32_t i = find(parent, edges[n][0]), j = find(parent, edges[n][1]);
-    if (i == j) continue;
-    parent[i] = j;
-    forest.push_back(edges[n]);
+    if (trees.join(edges[n][0], edges[n][1])) forest.push_back(edges[n]);
   }
   return forest;
 }
@@ -42,7 +38,7 @@ struct Part {
   std::vector<std::uint32_t> elements, parents;  // parents: places in elements
 };
 
-Part part_of(const Adjacency& forest, std::uint32_t root) {
+Part part_of(const mesh::Adjacency& forest, std::uint32_t root) {
   Part part{{root}, {0}};
   for (std::uint32_t n = 0; n < part.elements.size(); ++n) {
     const std::uint32_t parent = part.elements[part.parents[n]];
@@ -141,7 +137,7 @@ bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::
   for (const auto& reference : turns) reach = std::max(reach, norm(reference));
   const auto within = [&](const Vec3& log) { return norm(log) + reach < turn / 2 - 1e-6; };
   return std::all_of(principal.begin(), principal.end(), within) &&
-         std::all_of(cage.dual_edges.begin(), cage.dual_edges.end(), [&](const Pair& pair) {
+         std::all_of(cage.dual_edges.begin(), cage.dual_edges.end(), [&](const mesh::Edge& pair) {
            const Vec3 &a = principal[pair[0]], &b = principal[pair[1]];
            return stays(a, b) && stays(b, a);
          });
@@ -183,7 +179,8 @@ Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const 
     result.turns = std::move(means);
     return result;
   }
-  const Adjacency forest = adjacency(rotations.size(), spanning_forest(cage.dual_edges, rotations));
+  const mesh::Adjacency forest =
+      mesh::adjacency(rotations.size(), spanning_forest(cage.dual_edges, rotations));
   for (std::size_t p = 0; p < cage.roots.size(); ++p) {
     const Vec3 reference = p < turns.size() ? turns[p] : Vec3{0, 0, 0};
     const Part part = part_of(forest, cage.roots[p]);

@@ -5,13 +5,13 @@
 
 #include "base/error.h"
 #include "deform/dual_graph.h"
+#include "mesh/triangle.h"
 
 namespace viete::deform {
 
 namespace {
 
-constexpr double degenerate_shape = 1e-12;  // area to longest edge squared; below it a triangle is a line
-constexpr double flat_shape = 1e-12;        // thickness to diagonal; below it the cage is a plane
+constexpr double flat_shape = 1e-12;  // thickness to diagonal; below it the cage is a plane
 
 struct Corners {
   mesh::Point a, b, c;
@@ -20,14 +20,6 @@ struct Corners {
 Corners corners(const mesh::Surface& surface, std::size_t e) {
   const auto& t = surface.triangles[e];
   return {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]};
-}
-
-bool has_area(const Corners& t) {
-  const Vec3 u = t.b - t.a, v = t.c - t.a, w = t.c - t.b;
-  const double longest = std::max({largest_abs(u), largest_abs(v), largest_abs(w)});
-  if (!(longest > 0)) return false;
-  const double s = 1 / longest;
-  return std::isfinite(s) && norm(cross(s * u, s * v)) > degenerate_shape;
 }
 
 double largest_coordinate(const mesh::Surface& surface) {
@@ -49,7 +41,7 @@ void find_degenerate(Cage& cage) {
   for (std::size_t e = 0; e < cage.surface.triangles.size(); ++e) {
     const Corners t = corners(cage.surface, e);
     cage.centers.push_back(t.a + (1.0 / 3) * ((t.b - t.a) + (t.c - t.a)));
-    cage.degenerate.push_back(!has_area(t));
+    cage.degenerate.push_back(!mesh::has_area(t.a, t.b, t.c));
     if (cage.degenerate.back()) found.push_back(e);
   }
   if (found.size() == cage.element_count()) {

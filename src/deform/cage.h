@@ -1,12 +1,11 @@
 // A cage at rest, its elements and their neighbourhood, and what a pose of it is.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "mesh/edges.h"
+#include "mesh/half_edges.h"
 #include "mesh/surface.h"
 #include "mesh/vector.h"
 
@@ -24,7 +23,7 @@ struct Cage {
   std::vector<std::uint8_t> degenerate;  ///< 1 where an element has no area at rest: identity map, no weight
   /// Pairs of elements that share an edge (vertices at the same place count as one); sorted. Elements without
   /// area are left out and their neighbours joined, so that they do not cut the cage into parts.
-  std::vector<std::array<std::uint32_t, 2>> dual_edges;
+  std::vector<mesh::Edge> dual_edges;
   /// The element where rotation branches start, one per connected part of the dual graph: its centre (least
   /// eccentricity, lowest index). A function of the rest cage alone.
   std::vector<std::uint32_t> roots;

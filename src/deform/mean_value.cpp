@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "deform/closest.h"
+#include "mesh/triangle.h"
 
 namespace viete::deform {
 
@@ -85,7 +85,7 @@ bool weights_on_cage(const Cage& cage, const mesh::Point& p, std::span<double> w
   const auto& x = cage.surface.positions;
   for (const auto& t : cage.surface.triangles) {
     if (!touches_plane(p, x[t[0]], x[t[1]], x[t[2]], 2 * cage.contact)) continue;
-    const Closest closest = closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]);
+    const mesh::Closest closest = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]);
     if (closest.squared_distance > cage.contact * cage.contact) continue;
     set_corners(weights, t, closest.barycentric);
     return true;
@@ -95,10 +95,10 @@ bool weights_on_cage(const Cage& cage, const mesh::Point& p, std::span<double> w
 
 void weights_of_closest_point(const Cage& cage, const mesh::Point& p, std::span<double> weights) {
   const auto& x = cage.surface.positions;
-  Closest best{std::numeric_limits<double>::infinity(), {1, 0, 0}};
+  mesh::Closest best{std::numeric_limits<double>::infinity(), {1, 0, 0}};
   const mesh::Triangle* nearest = &cage.surface.triangles.front();
   for (const auto& t : cage.surface.triangles) {
-    const Closest closest = closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]);
+    const mesh::Closest closest = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]);
     if (closest.squared_distance >= best.squared_distance) continue;
     best = closest;
     nearest = &t;

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "mesh/read.h"
 #include "mesh/source.h"
+#include "mesh/triangle.h"
 #include "mesh/write.h"
 
 namespace viete::deform {
@@ -65,18 +66,13 @@ std::vector<Vec3> read_turns(const std::vector<std::string>& comments, const Cag
   return any ? turns : std::vector<Vec3>{};
 }
 
-bool has_no_area(const mesh::Surface& surface, const mesh::Triangle& t) {
-  const auto& x = surface.positions;
-  const Vec3 u = x[t[1]] - x[t[0]], v = x[t[2]] - x[t[0]];
-  const double size = std::max(largest_abs(u), largest_abs(v));
-  return !(size > 0) || !(norm(cross((1 / size) * u, (1 / size) * v)) > 1e-12);
-}
-
 void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::string& file,
                        std::vector<std::string>& warnings) {
   std::size_t count = 0, first = 0;
   for (std::size_t e = cage.element_count(); e-- > 0;) {
-    if (cage.degenerate[e] || !has_no_area(posed, cage.surface.triangles[e])) continue;
+    const auto& [a, b, c] = cage.surface.triangles[e];
+    const auto& p = posed.positions;
+    if (cage.degenerate[e] || mesh::has_area(p[a], p[b], p[c])) continue;
     ++count;
     first = e;
   }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "mesh/normals.h"
+#include "mesh/triangle.h"
 
 namespace viete::deform {
 
@@ -92,8 +93,8 @@ private:
 
   void collect(std::uint32_t slot) {
     const std::uint32_t vertex = leaves_.order[slot];
-    for (std::uint32_t i = around_.starts[vertex]; i < around_.starts[vertex + 1]; ++i) {
-      const mesh::Triangle& t = triangles_[around_.triangles[i]];
+    for (const std::uint32_t i : around_.of(vertex)) {
+      const mesh::Triangle& t = triangles_[i];
       if (mesh::repeats_corner(t)) continue;
       const int corner = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
       walker_.add({slot_of_[t[(corner + 1) % 3]], slot_of_[t[(corner + 2) % 3]]});
@@ -172,7 +173,7 @@ private:
 
   const Leaves& leaves_;
   std::span<const mesh::Triangle> triangles_;
-  mesh::VertexTriangles around_;
+  mesh::Adjacency around_;
   std::vector<std::uint32_t> slot_of_, local_;
   std::array<std::vector<std::uint32_t>, ring_group> walks_;
   std::size_t halo_begin_ = 0;

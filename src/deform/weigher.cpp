@@ -1,18 +1,17 @@
 #include "deform/weigher.h"
 
 #include <algorithm>
-#include <map>
 
-#include "deform/closest.h"
 #include "deform/distance_triangle.h"
 #include "deform/face_maps.h"
 #include "deform/frame_kernel.h"
 #include "deform/mean_value.h"
+#include "mesh/half_edges.h"
+#include "mesh/triangle.h"
 
 namespace viete::deform {
 
 namespace {
-
 
 // Arrays of arrays as the kernels take them.
 template <class Arrays>
@@ -28,7 +27,8 @@ bool on_degenerate_element(const Cage& cage, const mesh::Point& p) {
   for (std::size_t e = 0; e < cage.element_count(); ++e) {
     if (!cage.degenerate[e]) continue;
     const auto& t = cage.surface.triangles[e];
-    if (closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance <= cage.contact * cage.contact)
+    if (mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance <=
+        cage.contact * cage.contact)
       return true;
   }
   return false;
@@ -67,21 +67,22 @@ void Weigher::add_triangles() {
 
 // Elements without area are left out: the two sides of such a one see the same.
 void Weigher::add_views() {
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> numbers;
   for (std::size_t e = 0; e < cage_.element_count(); ++e) {
-    if (cage_.degenerate[e]) continue;
     const auto& t = cage_.surface.triangles[e];
-    MeanValueTriangle view{};
-    for (int i = 0; i < 3; ++i) {
-      const auto a = t[(i + 1) % 3], b = t[(i + 2) % 3];
-      const auto [at, fresh] =
-          numbers.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::uint32_t>(edges_.size()));
-      if (fresh) edges_.push_back(at->first);
-      view.corner[i] = t[i];
-      view.edge[i] = at->second;
-      view.sign[i] = a < b ? 1 : -1;
+    if (!cage_.degenerate[e]) views_.push_back({{t[0], t[1], t[2]}, {}, {}});
+  }
+  std::vector<mesh::Triangle> triangles;
+  for (const auto& view : views_) triangles.push_back({view.corner[0], view.corner[1], view.corner[2]});
+  const auto table = mesh::half_edges(corners_.size(), triangles);
+  edges_ = table.edges;
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    for (const auto& [triangle, forward] : table.of(e)) {
+      MeanValueTriangle& view = views_[triangle];
+      int i = 0;  // the corner opposite
+      while (view.corner[i] == edges_[e][0] || view.corner[i] == edges_[e][1]) ++i;
+      view.edge[i] = e;
+      view.sign[i] = forward ? 1 : -1;
     }
-    views_.push_back(view);
   }
 }
 

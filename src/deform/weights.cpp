@@ -1,6 +1,6 @@
 #include "deform/weights.h"
 
-#include "deform/closest.h"
+#include "mesh/triangle.h"
 
 namespace viete::deform {
 
@@ -28,7 +28,7 @@ void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<
     weights[e] = std::numeric_limits<double>::infinity();
     if (cage.degenerate[e]) continue;
     const auto& t = cage.surface.triangles[e];
-    weights[e] = std::max(contact2, closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance);
+    weights[e] = std::max(contact2, mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance);
     nearest2 = std::min(nearest2, weights[e]);
   }
   for (double& w : weights) w = nearest2 / w;

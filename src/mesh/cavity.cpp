@@ -3,32 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/adjacency.h"
+
 namespace viete::mesh {
 
 namespace {
 
-/// Neighbours of every vertex: those of v are vertices[starts[v]] up to starts[v + 1]; an inner edge lists
-/// each end twice.
-struct Neighbours {
-  std::vector<std::uint32_t> starts, vertices;
-};
-
-Neighbours neighbours(std::span<const Triangle> triangles, std::size_t vertex_count) {
-  Neighbours result;
-  result.starts.assign(vertex_count + 1, 0);
-  for (const Triangle& t : triangles) {
-    for (const std::uint32_t v : t) result.starts[v + 1] += 2;
-  }
-  for (std::size_t v = 0; v < vertex_count; ++v) result.starts[v + 1] += result.starts[v];
-  result.vertices.resize(result.starts.back());
-  std::vector<std::uint32_t> next(result.starts.begin(), result.starts.end() - 1);
-  for (const Triangle& t : triangles) {
-    for (int corner = 0; corner < 3; ++corner) {
-      result.vertices[next[t[corner]]++] = t[(corner + 1) % 3];
-      result.vertices[next[t[corner]]++] = t[(corner + 2) % 3];
-    }
-  }
-  return result;
+// An inner edge lists each end twice.
+Adjacency neighbours(std::span<const Triangle> triangles, std::size_t vertices) {
+  return make_adjacency(vertices, [&](const auto& add) {
+    for (const auto& [a, b, c] : triangles) add(a, b), add(a, c), add(b, c), add(b, a), add(c, a), add(c, b);
+  });
 }
 
 // In float, relative to the first point: what is asked of the angles is a shade of grey.
@@ -37,16 +22,15 @@ Vec3f rounded(const Point& a) {
 }
 
 template <class Get>
-float mean_around(const Neighbours& around, std::size_t v, Get get) {
+float mean_around(const Adjacency& around, std::size_t v, Get get) {
   float sum = 0;
-  for (std::uint32_t i = around.starts[v]; i < around.starts[v + 1]; ++i) sum += get(around.vertices[i]);
-  const auto count = static_cast<float>(around.starts[v + 1] - around.starts[v]);
+  for (const std::uint32_t other : around.of(v)) sum += get(other);
+  const auto count = static_cast<float>(around.of(v).size());
   return count > 0 ? sum / count : sum;
 }
 
 /// Mean sine of the angle by which the neighbours rise over the tangent plane: > 0 in a hollow.
-float hollowness(const Neighbours& around, std::span<const Vec3f> points, std::size_t v,
-                 const Vec3f& normal) {
+float hollowness(const Adjacency& around, std::span<const Vec3f> points, std::size_t v, const Vec3f& normal) {
   return mean_around(around, v, [&](std::uint32_t other) {
     const Vec3f edge = points[other] - points[v];
     const float length = norm(edge);
@@ -55,10 +39,10 @@ float hollowness(const Neighbours& around, std::span<const Vec3f> points, std::s
 }
 
 /// One step of averaging with the neighbours.
-void smooth(const Neighbours& around, std::vector<float>& values, std::vector<float>& scratch) {
+void smooth(const Adjacency& around, std::vector<float>& values, std::vector<float>& scratch) {
   scratch = values;
   for (std::size_t v = 0; v < values.size(); ++v) {
-    if (around.starts[v] == around.starts[v + 1]) continue;
+    if (around.of(v).empty()) continue;
     const float mean = mean_around(around, v, [&](std::uint32_t other) { return scratch[other]; });
     values[v] = 0.5F * scratch[v] + 0.5F * mean;
   }
@@ -74,7 +58,7 @@ std::vector<Vec3f> relative_points(std::span<const Point> positions) {
 
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
                                std::span<const Triangle> triangles, int levels) {
-  const Neighbours around = neighbours(triangles, positions.size());
+  const Adjacency around = neighbours(triangles, positions.size());
   const std::vector<Vec3f> points = relative_points(positions);
 
   std::vector<float> hollow(positions.size()), scratch;

@@ -1,16 +1,13 @@
 // What can be said about a surface at a glance: size, closedness, manifoldness, oddities.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "mesh/surface.h"
+#include "mesh/half_edges.h"
 
 namespace viete::mesh {
-
-using Edge = std::array<std::uint32_t, 2>;  ///< two vertices, the smaller first
 
 /// Edges are those of the triangles for work. A triangle with a repeated corner has no edges.
 struct Facts {
@@ -20,8 +17,7 @@ struct Facts {
   std::vector<Edge> nonmanifold_edges;  ///< edges with three or more
   std::vector<Edge> misoriented_edges;  ///< edges that two triangles run through in the same direction
   std::vector<std::uint32_t> unused_vertices;
-  std::vector<std::uint32_t>
-      degenerate_triangles;  ///< a repeated corner, or area <= 1e-12 longest edge^2 / 2
+  std::vector<std::uint32_t> degenerate_triangles;  ///< a repeated corner, or not has_area()
   double area = 0;
   double volume = 0;  ///< signed, positive when oriented outward; meaningful when closed
 

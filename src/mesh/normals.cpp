@@ -22,28 +22,20 @@ Point unit(Point sum) {
 
 }  // namespace
 
-VertexTriangles vertex_triangles(std::size_t vertices, std::span<const Triangle> triangles) {
-  VertexTriangles around;
-  around.starts.assign(vertices + 1, 0);
-  for (const Triangle& t : triangles) {
-    for (const std::uint32_t v : t) ++around.starts[v + 1];
-  }
-  for (std::size_t v = 0; v < vertices; ++v) around.starts[v + 1] += around.starts[v];
-  around.triangles.resize(around.starts[vertices]);
-  std::vector<std::uint32_t> next(around.starts.begin(), around.starts.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const std::uint32_t v : triangles[t]) around.triangles[next[v]++] = static_cast<std::uint32_t>(t);
-  }
-  return around;
+Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> triangles) {
+  return make_adjacency(vertices, [&](const auto& add) {
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      for (const std::uint32_t v : triangles[t]) add(v, t);
+    }
+  });
 }
 
 void vertex_normals(std::span<const Point> positions, std::span<const Triangle> triangles,
-                    const VertexTriangles& around, std::size_t begin, std::size_t end,
-                    std::span<Point> normals) {
+                    const Adjacency& around, std::size_t begin, std::size_t end, std::span<Point> normals) {
   for (std::size_t v = begin; v < end; ++v) {
     Point sum{0, 0, 0};
-    for (std::uint32_t i = around.starts[v]; i < around.starts[v + 1]; ++i) {
-      const Triangle& t = triangles[around.triangles[i]];
+    for (const std::uint32_t i : around.of(v)) {
+      const Triangle& t = triangles[i];
       const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
       sum = sum + cross(b - a, c - a);  // twice the area in length, so that the mean weighs by area
     }

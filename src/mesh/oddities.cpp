@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <utility>
 
 #include "mesh/normals.h"
-#include "mesh/point_index.h"
+#include "mesh/repair.h"
+#include "mesh/triangle.h"
+#include "mesh/union_find.h"
 
 namespace viete::mesh {
 
@@ -27,8 +29,7 @@ std::array<std::uint32_t, 2> others(const Triangle& t, std::uint32_t v) {
 class Fans {
 public:
   std::size_t count(const std::vector<std::array<std::uint32_t, 2>>& around) {
-    parent_.resize(around.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    parts_.reset(around.size());
     spokes_.clear();
     for (std::uint32_t i = 0; i < around.size(); ++i) {
       for (const auto v : around[i]) spokes_.push_back({v, i});
@@ -36,26 +37,13 @@ public:
     std::sort(spokes_.begin(), spokes_.end());
     std::size_t fans = around.size();
     for (std::size_t i = 1; i < spokes_.size(); ++i) {
-      if (spokes_[i][0] == spokes_[i - 1][0]) fans -= joined(spokes_[i][1], spokes_[i - 1][1]);
+      if (spokes_[i][0] == spokes_[i - 1][0]) fans -= parts_.join(spokes_[i][1], spokes_[i - 1][1]);
     }
     return fans;
   }
 
 private:
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  // True if they were apart.
-  bool joined(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[a] = b;
-    return a != b;
-  }
-
-  std::vector<std::uint32_t> parent_;
+  UnionFind parts_;
   std::vector<std::array<std::uint32_t, 2>> spokes_;  // the vertex at its end, the triangle beside it
 };
 
@@ -63,19 +51,11 @@ private:
 
 std::vector<std::uint32_t> doubled_vertices(const Surface& surface) {
   const auto used = used_vertices(surface);
+  const auto lowest = lowest_in_place(surface.positions);
+  std::vector<std::uint8_t> seen(surface.positions.size(), 0);
   std::vector<std::uint32_t> doubled;
-  std::vector<Point> places;
-  PointIndex index;
   for (std::uint32_t v = 0; v < surface.positions.size(); ++v) {
-    if (!used[v]) continue;
-    Point p = surface.positions[v];
-    for (double& x : p) x += 0.0;  // -0 is at the place of 0
-    const auto place = index.find_or_add(p, places);
-    if (place < places.size()) {
-      doubled.push_back(v);
-    } else {
-      places.push_back(p);
-    }
+    if (used[v] && std::exchange(seen[lowest[v]], 1)) doubled.push_back(v);
   }
   return doubled;
 }
@@ -87,9 +67,8 @@ std::vector<std::uint32_t> pinched_vertices(const Surface& surface) {
   Fans fans;
   for (std::uint32_t v = 0; v < surface.positions.size(); ++v) {
     around.clear();
-    for (auto i = triangles.starts[v]; i < triangles.starts[v + 1]; ++i) {
-      const Triangle& t = surface.triangles[triangles.triangles[i]];
-      if (!repeats_corner(t)) around.push_back(others(t, v));
+    for (const auto t : triangles.of(v)) {
+      if (!repeats_corner(surface.triangles[t])) around.push_back(others(surface.triangles[t], v));
     }
     if (fans.count(around) > 1) pinched.push_back(v);
   }
@@ -97,17 +76,15 @@ std::vector<std::uint32_t> pinched_vertices(const Surface& surface) {
 }
 
 std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio) {
-  constexpr double no_area = 1e-12;  // as in Facts
   std::vector<std::uint32_t> thin;
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto& [a, b, c] = surface.triangles[t];
-    Point u = surface.positions[b] - surface.positions[a];
-    Point v = surface.positions[c] - surface.positions[a];
+    const auto& [i, j, k] = surface.triangles[t];
+    const Point &a = surface.positions[i], &b = surface.positions[j], &c = surface.positions[k];
+    if (!has_area(a, b, c)) continue;
+    const Point u = b - a, v = c - a;
     const double longest = std::max({stable_norm(u), stable_norm(v), stable_norm(v - u)});
-    if (!(longest > 0)) continue;
-    for (int k = 0; k < 3; ++k) u[k] /= longest, v[k] /= longest;
-    const double height = stable_norm(cross(u, v));
-    if (height > no_area && height < ratio) thin.push_back(t);
+    const double height = norm(cross((1 / longest) * u, (1 / longest) * v));  // to the longest edge
+    if (height < ratio) thin.push_back(t);
   }
   return thin;
 }

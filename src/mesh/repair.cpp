@@ -1,39 +1,14 @@
 #include "mesh/repair.h"
 
 #include <algorithm>
-#include <array>
-#include <tuple>
 #include <utility>
 
+#include "mesh/half_edges.h"
 #include "mesh/point_index.h"
 
 namespace viete::mesh {
 
 namespace {
-
-struct Side {
-  std::uint32_t low, high, triangle;
-  bool forward;  // the triangle runs from low to high
-
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
-};
-
-std::vector<Side> sorted_sides(const Surface& surface) {
-  std::vector<Side> sides;
-  sides.reserve(3 * surface.triangles.size());
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const Triangle& corners = surface.triangles[t];
-    if (repeats_corner(corners)) continue;
-    for (int i = 0; i < 3; ++i) {
-      const auto a = corners[i], b = corners[(i + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), t, a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return sides;
-}
 
 struct Neighbour {
   std::uint32_t triangle;
@@ -43,13 +18,13 @@ struct Neighbour {
 // Across edges of exactly two triangles: at most three each.
 std::vector<std::vector<Neighbour>> neighbours(const Surface& surface) {
   std::vector<std::vector<Neighbour>> all(surface.triangles.size());
-  const auto sides = sorted_sides(surface);
-  for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
-    while (j < sides.size() && sides[j].same_edge(sides[i])) ++j;
-    if (j - i != 2) continue;
-    const Side &a = sides[i], &b = sides[i + 1];
-    all[a.triangle].push_back({b.triangle, a.forward != b.forward});
-    all[b.triangle].push_back({a.triangle, a.forward != b.forward});
+  const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
+  for (std::size_t e = 0; e < table.edges.size(); ++e) {
+    const auto sides = table.of(e);
+    if (sides.size() != 2) continue;
+    const bool agrees = sides[0].forward != sides[1].forward;
+    all[sides[0].triangle].push_back({sides[1].triangle, agrees});
+    all[sides[1].triangle].push_back({sides[0].triangle, agrees});
   }
   return all;
 }
@@ -99,20 +74,25 @@ private:
 
 }  // namespace
 
-Surface welded(const Surface& surface) {
-  std::vector<std::uint32_t> lowest(surface.positions.size()), first;
-  std::vector<Point> places;
+std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions) {
+  std::vector<std::uint32_t> lowest(positions.size()), first;
+  std::vector<Point> distinct;
   PointIndex index;
-  for (std::uint32_t v = 0; v < surface.positions.size(); ++v) {
-    Point p = surface.positions[v];
-    for (double& x : p) x += 0.0;  // -0 is at the place of 0
-    const auto place = index.find_or_add(p, places);
-    if (place == places.size()) {
-      places.push_back(p);
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    Point p = positions[v];
+    for (double& x : p) x += 0.0;  // -0 becomes 0, which it equals
+    const auto found = index.find_or_add(p, distinct);
+    if (found == distinct.size()) {
+      distinct.push_back(p);
       first.push_back(v);
     }
-    lowest[v] = first[place];
+    lowest[v] = first[found];
   }
+  return lowest;
+}
+
+Surface welded(const Surface& surface) {
+  const auto lowest = lowest_in_place(surface.positions);
   Surface result = surface;
   for (auto& v : result.corners) v = lowest[v];
   for (Triangle& t : result.triangles) {

@@ -1,12 +1,18 @@
 // Surfaces made sounder where that needs no judgement: for tests that need it; what the user opened stays.
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "mesh/surface.h"
 
 namespace viete::mesh {
 
-/// The same triangles, but each corner the lowest vertex at its exact place. Positions and their numbers
-/// stay.
+/// Of each vertex the lowest one at exactly the same position. Linear.
+std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions);
+
+/// The same triangles, but each corner the lowest vertex at its position. Positions and their numbers stay.
 Surface welded(const Surface& surface);
 
 /// Triangles turned so that neighbours agree across edges of two triangles. In each part that they connect,

@@ -16,11 +16,6 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Files with larger ones are refused, so that volumes stay finite.
 inline constexpr double largest_coordinate = 1e100;
 
-/// Such a triangle has no area and no proper edges.
-inline bool repeats_corner(const Triangle& t) {
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
 /// Positions in the file's order and full precision; polygons as the file has them; triangles for work.
 /// Invariants (kept by the readers): every index < positions.size(); every position finite; triangles are the
 /// fans of the polygons about their first corner, in order, so that polygon p with n corners gives n - 2 of

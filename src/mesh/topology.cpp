@@ -3,14 +3,16 @@
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 #include <algorithm>
-#include <iterator>
 #include <mutex>
+
+#include "mesh/oddities.h"
+#include "mesh/triangle.h"
 
 namespace viete::mesh {
 
 namespace {
 
-using HalfEdges = OpenMesh::TriConnectivity;
+using Connectivity = OpenMesh::TriConnectivity;
 
 // OpenMesh tells the terminal about each face that it refuses; we tell the caller.
 void silence_openmesh() {
@@ -19,34 +21,20 @@ void silence_openmesh() {
 }
 
 // False if a face does not fit.
-bool build(const Surface& surface, HalfEdges& mesh) {
+bool build(const Surface& surface, Connectivity& mesh) {
   mesh.reserve(surface.positions.size(), 3 * surface.triangles.size() / 2, surface.triangles.size());
   for (std::size_t v = 0; v < surface.positions.size(); ++v) mesh.add_vertex();
   for (const Triangle& t : surface.triangles) {
     if (repeats_corner(t)) return false;
-    const OpenMesh::VertexHandle corners[3] = {HalfEdges::VertexHandle(static_cast<int>(t[0])),
-                                               HalfEdges::VertexHandle(static_cast<int>(t[1])),
-                                               HalfEdges::VertexHandle(static_cast<int>(t[2]))};
+    const OpenMesh::VertexHandle corners[3] = {Connectivity::VertexHandle(static_cast<int>(t[0])),
+                                               Connectivity::VertexHandle(static_cast<int>(t[1])),
+                                               Connectivity::VertexHandle(static_cast<int>(t[2]))};
     if (!mesh.add_face(corners, 3).is_valid()) return false;
   }
   return true;
 }
 
-// OpenMesh takes two fans that touch at a vertex: if they are open it links them, if both came to be closed
-// it forgets one, and then walking around the vertex misses triangles.
-bool one_fan_each(const Surface& surface, const HalfEdges& mesh) {
-  std::vector<std::ptrdiff_t> expected(surface.positions.size(), 0);
-  for (const Triangle& t : surface.triangles) {
-    for (const std::uint32_t v : t) ++expected[v];
-  }
-  return std::all_of(mesh.vertices_begin(), mesh.vertices_end(), [&](const OpenMesh::VertexHandle v) {
-    if (mesh.is_isolated(v)) return expected[static_cast<std::size_t>(v.idx())] == 0;
-    return mesh.is_manifold(v) &&
-           std::distance(mesh.cvf_begin(v), mesh.cvf_end(v)) == expected[static_cast<std::size_t>(v.idx())];
-  });
-}
-
-std::vector<std::uint32_t> loop_from(const HalfEdges& mesh, HalfEdges::HalfedgeHandle start,
+std::vector<std::uint32_t> loop_from(const Connectivity& mesh, Connectivity::HalfedgeHandle start,
                                      std::vector<bool>& seen) {
   std::vector<std::uint32_t> loop;
   for (auto h = start; !seen[h.idx()]; h = mesh.next_halfedge_handle(h)) {
@@ -58,7 +46,7 @@ std::vector<std::uint32_t> loop_from(const HalfEdges& mesh, HalfEdges::HalfedgeH
   return loop;
 }
 
-std::vector<std::vector<std::uint32_t>> boundary_loops(const HalfEdges& mesh) {
+std::vector<std::vector<std::uint32_t>> boundary_loops(const Connectivity& mesh) {
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<bool> seen(mesh.n_halfedges(), false);
   for (auto h = mesh.halfedges_begin(); h != mesh.halfedges_end(); ++h) {
@@ -71,10 +59,10 @@ std::vector<std::vector<std::uint32_t>> boundary_loops(const HalfEdges& mesh) {
 }  // namespace
 
 std::optional<Topology> topology(const Surface& surface, const Facts& facts) {
-  if (!facts.manifold() || !facts.oriented()) return std::nullopt;
+  if (!facts.manifold() || !facts.oriented() || !pinched_vertices(surface).empty()) return std::nullopt;
   silence_openmesh();
-  HalfEdges mesh;
-  if (!build(surface, mesh) || !one_fan_each(surface, mesh)) return std::nullopt;
+  Connectivity mesh;
+  if (!build(surface, mesh)) return std::nullopt;
   Topology topology;
   topology.boundary_loops = boundary_loops(mesh);
   const auto used = static_cast<std::ptrdiff_t>(facts.vertices - facts.unused_vertices.size());

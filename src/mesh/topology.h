@@ -1,5 +1,4 @@
-// What only half-edges tell about a surface: boundary loops, genus, whether it is a manifold at its vertices
-// too.
+// The topology of a manifold: its boundary loops and its genus.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "mesh/distance.h"
+#include "mesh/triangle.h"
 
 namespace viete::mesh {
 
@@ -141,12 +141,10 @@ void for_blocks(std::size_t count, base::WorkerPool* pool,
 
 double squared_distance_to(const Surface& surface, const Point& p, double scale) {
   double least = std::numeric_limits<double>::infinity();
-  const auto scaled = [&](std::uint32_t v) {
-    const Point& q = surface.positions[v];
-    return Point{(q[0] - p[0]) * scale, (q[1] - p[1]) * scale, (q[2] - p[2]) * scale};
-  };
+  const auto scaled = [&](std::uint32_t v) { return scale * (surface.positions[v] - p); };
   for (const Triangle& t : surface.triangles) {
-    least = std::min(least, squared_distance({0, 0, 0}, scaled(t[0]), scaled(t[1]), scaled(t[2])));
+    const auto closest = closest_on_triangle({0, 0, 0}, scaled(t[0]), scaled(t[1]), scaled(t[2]));
+    least = std::min(least, closest.squared_distance);
   }
   return least;
 }

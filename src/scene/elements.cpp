@@ -1,7 +1,8 @@
 #include "scene/elements.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "mesh/union_find.h"
 
 namespace viete::scene {
 
@@ -27,26 +28,6 @@ Selection within(const deform::Cage& cage, ElementKind kind, const Marks& marks)
   selection.apply(inside, SelectMode::replace);
   return selection;
 }
-
-// The lowest vertex of each vertex's part, found by halving paths.
-class Parts {
-public:
-  explicit Parts(const deform::Cage& cage) : parent_(cage.surface.positions.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-    for (const auto& [a, b] : cage.edges) {
-      const auto i = of(a), j = of(b);
-      parent_[std::max(i, j)] = std::min(i, j);
-    }
-  }
-
-  std::uint32_t of(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-
-private:
-  std::vector<std::uint32_t> parent_;
-};
 
 }  // namespace
 
@@ -84,10 +65,11 @@ Selection converted(const deform::Cage& cage, const Selection& selection, Elemen
 }
 
 Selection linked(const deform::Cage& cage, const Selection& selection) {
-  Parts parts(cage);
+  mesh::UnionFind parts(cage.surface.positions.size());
+  for (const auto& [a, b] : cage.edges) parts.join(a, b);
   Marks reached(cage.surface.positions.size(), 0), marks = reached;
-  for (const auto v : selected_vertices(cage, selection)) reached[parts.of(v)] = 1;
-  for (std::uint32_t v = 0; v < marks.size(); ++v) marks[v] = reached[parts.of(v)];
+  for (const auto v : selected_vertices(cage, selection)) reached[parts.find(v)] = 1;
+  for (std::uint32_t v = 0; v < marks.size(); ++v) marks[v] = reached[parts.find(v)];
   return within(cage, selection.kind(), marks);
 }
 

@@ -6,7 +6,7 @@
 #include "deform/shapes.h"
 
 using namespace viete::test;
-using Edges = std::vector<std::array<std::uint32_t, 2>>;
+using Edges = std::vector<viete::mesh::Edge>;
 
 namespace {
 
@@ -53,11 +53,14 @@ TEST_CASE("three_triangles_on_an_edge_are_joined_in_a_chain") {
   CHECK(graph.open == 6);
 }
 
-TEST_CASE("adjacency_lists_both_ends_of_every_edge") {
-  const auto graph = adjacency(4, Edges{{0, 1}, {0, 2}, {1, 2}});
-  CHECK(std::vector<std::uint32_t>(graph.of(0).begin(), graph.of(0).end()) ==
-        std::vector<std::uint32_t>{1, 2});
-  CHECK(std::vector<std::uint32_t>(graph.of(2).begin(), graph.of(2).end()) ==
-        std::vector<std::uint32_t>{0, 1});
-  CHECK(graph.of(3).empty());
+TEST_CASE("a_triangle_collapsed_to_an_edge_leaves_its_neighbours_beside_each_other") {
+  auto closed = box();
+  closed.positions.push_back(closed.positions[2]);  // 8, where 2 is
+  closed.triangles.push_back({0, 2, 8});
+  const auto surface = viete::mesh::from_triangles(closed.positions, closed.triangles);
+  std::vector<std::uint8_t> skip(surface.triangles.size(), 0);
+  skip.back() = 1;
+  const auto graph = dual_graph(surface, skip), sound = dual_graph(box(), std::vector<std::uint8_t>(12, 0));
+  CHECK(graph.edges == sound.edges);
+  CHECK(graph.open + graph.nonmanifold + graph.misoriented == 0);
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "deform/closest.h"
 #include "deform/shapes.h"
+#include "mesh/triangle.h"
 
 using namespace viete::test;
 
@@ -100,7 +100,7 @@ TEST_CASE("weights_are_inverse_squared_distances_normalised") {
   const auto inverse = [&](std::size_t e) {
     const auto& t = cage.surface.triangles[e];
     const auto& x = cage.surface.positions;
-    return 1 / closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance;
+    return 1 / viete::mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance;
   };
   double total = 0;
   for (std::size_t e = 0; e < w.size(); ++e) total += inverse(e);
@@ -198,7 +198,7 @@ TEST_CASE("a_reach_without_end_gives_the_same_bits_as_none") {
     std::vector<double> plain;
     for (const auto& t : cage.surface.triangles) {
       const auto& x = cage.surface.positions;
-      plain.push_back(closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance);
+      plain.push_back(viete::mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance);
     }
     const double nearest = *std::min_element(plain.begin(), plain.end());
     double total = 0;

@@ -11,7 +11,7 @@ namespace {
 
 std::vector<Point> normals_of(const Surface& s) {
   std::vector<Point> normals(s.positions.size());
-  const VertexTriangles around = vertex_triangles(s.positions.size(), s.triangles);
+  const Adjacency around = vertex_triangles(s.positions.size(), s.triangles);
   vertex_normals(s.positions, s.triangles, around, 0, normals.size(), normals);
   return normals;
 }
@@ -20,14 +20,14 @@ std::vector<Point> normals_of(const Surface& s) {
 
 TEST_CASE("every_corner_of_every_triangle_is_listed_once_at_its_vertex") {
   const Surface s = test::sphere(2);
-  const VertexTriangles around = vertex_triangles(s.positions.size(), s.triangles);
+  const Adjacency around = vertex_triangles(s.positions.size(), s.triangles);
   REQUIRE(around.starts.size() == s.positions.size() + 1);
-  CHECK(around.triangles.size() == 3 * s.triangles.size());
+  CHECK(around.items.size() == 3 * s.triangles.size());
   for (std::size_t v = 0; v < s.positions.size(); ++v) {
     for (auto i = around.starts[v]; i < around.starts[v + 1]; ++i) {
-      const Triangle& t = s.triangles[around.triangles[i]];
+      const Triangle& t = s.triangles[around.items[i]];
       CHECK((t[0] == v || t[1] == v || t[2] == v));
-      if (i > around.starts[v]) CHECK(around.triangles[i] > around.triangles[i - 1]);
+      if (i > around.starts[v]) CHECK(around.items[i] > around.items[i - 1]);
     }
   }
 }

@@ -221,6 +221,7 @@ TEST_CASE("info_names_counts_and_goes_on_after_a_file_that_cannot_be_read") {
   CHECK(outcome.code == 1);
   CHECK(mentions(outcome, "/nowhere/missing.obj"));
   CHECK(mentions(outcome, "vertices    50000"));
+  CHECK(mentions(outcome, "topology    genus 0, no holes"));
 }
 
 TEST_CASE("errors_name_file_and_reason_and_exit_with_1") {

@@ -1,12 +1,25 @@
-#include "deform/closest.h"
+#include "mesh/triangle.h"
 
 #include <doctest/doctest.h>
 
-#include "deform/shapes.h"
+#include <random>
 
-using namespace viete::test;
+using namespace viete::mesh;
 
 namespace {
+
+class Random {
+public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+
+  Vec3 vector(double size) {
+    std::uniform_real_distribution<double> number(-size, size);
+    return {number(engine_), number(engine_), number(engine_)};
+  }
+
+private:
+  std::mt19937_64 engine_;
+};
 
 Vec3 point(const Closest& c, const Vec3& a, const Vec3& b, const Vec3& d) {
   return c.barycentric[0] * a + c.barycentric[1] * b + c.barycentric[2] * d;
@@ -86,5 +99,17 @@ TEST_CASE("distance_scales_with_the_scene_from_1e-30_to_1e30") {
       CHECK(std::sqrt(closest_on_triangle(s * p, s * a, s * b, s * c).squared_distance) ==
             doctest::Approx(s * d).epsilon(1e-9));
     }
+  }
+}
+
+TEST_CASE("a_triangle_has_area_unless_rounding_is_all_it_has_at_every_scale") {
+  for (const double scale : {1e-300, 1e-30, 1.0, 1e30, 1e99}) {
+    const Vec3 a{0, 0, 0}, b{scale, 0, 0}, c{2 * scale, 0, 0};
+    CHECK(has_area(a, b, {0, scale, 0}));
+    CHECK(has_area(a, b, {0.5 * scale, 2e-12 * scale, 0}));
+    CHECK_FALSE(has_area(a, b, {0.5 * scale, 0.5e-12 * scale, 0}));
+    CHECK_FALSE(has_area(a, b, c));
+    CHECK_FALSE(has_area(a, b, b));
+    CHECK_FALSE(has_area(b, b, b));
   }
 }

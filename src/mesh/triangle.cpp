@@ -1,6 +1,6 @@
-#include "deform/closest.h"
+#include "mesh/triangle.h"
 
-namespace viete::deform {
+namespace viete::mesh {
 
 namespace {
 
@@ -25,8 +25,15 @@ Closest closest_on_edges(const Vec3& ap, const Vec3& ab, const Vec3& ac) {
 
 }  // namespace
 
-Closest closest_on_triangle(const mesh::Point& p, const mesh::Point& a, const mesh::Point& b,
-                            const mesh::Point& c) {
+bool has_area(const Point& a, const Point& b, const Point& c) {
+  constexpr double least = 1e-12;  // far above rounding, far below what anyone models
+  const Vec3 u = b - a, v = c - a;
+  const double longest = std::max({largest_abs(u), largest_abs(v), largest_abs(c - b)});
+  const double scale = 1 / longest;  // sides of a size near 1, whose products are in range
+  return longest > 0 && std::isfinite(scale) && norm(cross(scale * u, scale * v)) > least;
+}
+
+Closest closest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return at(ap, ab, ac, 0, 0);
@@ -47,4 +54,4 @@ Closest closest_on_triangle(const mesh::Point& p, const mesh::Point& a, const me
   return at(ap, ab, ac, vb / sum, vc / sum);
 }
 
-}  // namespace viete::deform
+}  // namespace viete::mesh

@@ -1,0 +1,44 @@
+// Lists of what is next to what: neighbours in a graph, triangles around vertices.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "mesh/half_edges.h"
+
+namespace viete::mesh {
+
+/// Compressed rows: those next to i are items[starts[i]] up to items[starts[i + 1]].
+struct Adjacency {
+  std::vector<std::uint32_t> starts, items;
+
+  std::span<const std::uint32_t> of(std::size_t i) const {
+    return std::span(items).subspan(starts[i], starts[i + 1] - starts[i]);
+  }
+};
+
+/// for_each(add) calls add(i, item) for each item of each i, twice in the same order, which that of the items
+/// is. Linear. At most 2^32 - 1 items.
+template <class ForEach>
+Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
+  Adjacency lists;
+  lists.starts.assign(count + 1, 0);
+  for_each([&](std::uint32_t i, std::uint32_t) { ++lists.starts[i + 1]; });
+  std::partial_sum(lists.starts.begin(), lists.starts.end(), lists.starts.begin());
+  lists.items.resize(lists.starts.back());
+  std::vector<std::uint32_t> next(lists.starts.begin(), lists.starts.end() - 1);
+  for_each([&](std::uint32_t i, std::uint32_t item) { lists.items[next[i]++] = item; });
+  return lists;
+}
+
+/// The neighbours of each node of a graph, in the order of its edges.
+inline Adjacency adjacency(std::size_t nodes, std::span<const Edge> edges) {
+  return make_adjacency(nodes, [&](const auto& add) {
+    for (const auto& [a, b] : edges) add(a, b), add(b, a);
+  });
+}
+
+}  // namespace viete::mesh

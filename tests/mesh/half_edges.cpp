@@ -1,0 +1,54 @@
+#include "mesh/half_edges.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "mesh/shapes.h"
+
+using namespace viete;
+using namespace viete::mesh;
+
+TEST_CASE("an_inner_edge_has_two_sides_in_opposite_directions_by_triangle") {
+  const Surface s = test::sphere(2);
+  const HalfEdges table = half_edges(s.positions.size(), s.triangles);
+  CHECK(2 * table.edges.size() == 3 * s.triangles.size());
+  CHECK(table.edges == polygon_edges(s));
+  for (std::size_t e = 0; e < table.edges.size(); ++e) {
+    const auto sides = table.of(e);
+    REQUIRE(sides.size() == 2);
+    CHECK(sides[0].triangle < sides[1].triangle);
+    CHECK(sides[0].forward != sides[1].forward);
+    for (const auto& [t, forward] : sides) {
+      const auto& c = s.triangles[t];
+      const auto at = std::find(c.begin(), c.end(), table.edges[e][forward ? 0 : 1]) - c.begin();
+      CHECK(c[(at + 1) % 3] == table.edges[e][forward ? 1 : 0]);
+    }
+  }
+}
+
+TEST_CASE("edges_of_any_number_of_triangles_are_listed_and_collapsed_triangles_are_not") {
+  const std::vector<Triangle> fan = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 1, 1}};
+  const HalfEdges table = half_edges(5, fan);
+  CHECK(table.edges.size() == 7);
+  REQUIRE(table.edges[0] == Edge{0, 1});
+  REQUIRE(table.of(0).size() == 3);
+  CHECK(table.of(0)[1].forward);
+  CHECK_FALSE(table.of(0)[2].forward);
+  CHECK(half_edges(3, {}).edges.empty());
+}
+
+TEST_CASE("a_quad_has_four_edges_and_shares_one_with_its_neighbour") {
+  Surface surface;
+  surface.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}};
+  surface.corners = {0, 1, 2, 3, 4, 2, 1};
+  surface.polygon_starts = {0, 4, 7};
+  fan_triangulate(surface);
+  CHECK(polygon_edges(surface) == std::vector<Edge>{{0, 1}, {0, 3}, {1, 2}, {1, 4}, {2, 3}, {2, 4}});
+}
+
+TEST_CASE("repeated_corners_make_no_edge") {
+  const Surface surface = from_triangles({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}});
+  CHECK(polygon_edges(surface) == std::vector<Edge>{{0, 1}});
+  CHECK(polygon_edges({}).empty());
+}
