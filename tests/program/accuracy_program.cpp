@@ -1,7 +1,5 @@
 // How exact the running method is: said in the panel, and shown on the mesh.
-#include "app/error_map.h"
 #include "program/driver.h"
-#include "sym3/reference.h"
 
 using namespace viete;
 using test::Driver;
@@ -39,32 +37,6 @@ Shown shown(Driver& d, const render::Image& empty) {
 }
 
 }  // namespace
-
-TEST_CASE("an_error_map_holds_the_error_of_every_matrix") {
-  std::vector<sym3::Sym3<double>> matrices;
-  for (int i = 0; i < 3000; ++i) matrices.push_back({0.3, 0.1 + 1e-4 * i, -0.2, 0.4, 1e-5 * i, -0.1});
-  for (const auto method : {sym3::Method::fast, sym3::Method::improved_sd}) {
-    const auto map = app::error_map(matrices, method);
-    REQUIRE(map.log10.size() == matrices.size());
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < matrices.size(); ++i) {
-      errors.push_back(sym3::relative_error(sym3::exp(matrices[i], method), matrices[i]));
-      CHECK(map.log10[i] == doctest::Approx(std::log10(std::max(errors[i], 1e-20))).epsilon(1e-5));
-    }
-    std::sort(errors.begin(), errors.end());
-    CHECK(map.stats.worst == errors.back());
-    CHECK(map.stats.median == errors[errors.size() / 2]);
-    CHECK(map.stats.vertices == 3000);
-    CHECK(map.stats.method == method);
-  }
-}
-
-TEST_CASE("an_answer_that_is_no_number_makes_the_map_say_so") {
-  const auto map = app::error_map(std::vector<sym3::Sym3<double>>(3), sym3::Method::improved_sd_faithful);
-  CHECK(std::isnan(map.stats.worst));
-  CHECK(map.log10 == std::vector<float>(3, 0.0F));
-  CHECK(app::error_map({}, sym3::Method::fast).stats.vertices == 0);
-}
 
 TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_where_it_is_not") {
   Driver d;

@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/words.h"
 #include "base/memory.h"
 #include "program/command_line.h"
 
@@ -18,12 +17,6 @@ const std::vector<std::string> commands = {"view", "render", "deform", "bind", "
 void check_width(const Outcome& help) {
   std::istringstream lines(help.text);
   for (std::string line; std::getline(lines, line);) CHECK_MESSAGE(line.size() <= 80, line);
-}
-
-std::string copies(const std::string& text, std::size_t count) {
-  std::string all;
-  while (count-- > 0) all += text;
-  return all;
 }
 
 }  // namespace
@@ -158,33 +151,4 @@ TEST_CASE("more_matrices_than_memory_holds_are_refused_with_both_sizes") {
   const Outcome outcome = run("bench exp --count 1000000000");
   CHECK(outcome.code == 1);
   CHECK_MESSAGE(mentions(outcome, "1,000,000,000 matrices take 160.0 GB of memory, of which "), outcome.text);
-}
-
-TEST_CASE("lines_break_at_blanks") {
-  using app::wrapped;
-  CHECK(wrapped("", 0, 2, 10) == "");
-  CHECK(wrapped("one two three", 0, 2, 80) == "one two three");
-  CHECK(wrapped("one two three", 0, 2, 8) == "one two\n  three");
-  CHECK(wrapped("one two three", 3, 3, 8) == "one\n   two\n   three");
-  CHECK(wrapped("averylongword b", 0, 1, 5) == "averylongword\n b");
-  CHECK(wrapped("one\ntwo", 0, 1, 80) == "one\n two");
-  CHECK(wrapped(copies("abc ", 20) + "x", 0, 0, 80) == copies("abc ", 19) + "abc\nx");
-}
-
-TEST_CASE("the_nearest_name_is_one_of_few_corrections_or_of_the_same_beginning") {
-  using app::nearest;
-  const std::vector<std::string> names = {"view", "render", "deform", "bind", "info", "bench"};
-  for (const auto& [word, name] : {std::pair{"rendr", "render"},
-                                   {"redner", "render"},
-                                   {"deforme", "deform"},
-                                   {"defrom", "deform"},
-                                   {"inof", "info"},
-                                   {"benchmark", "bench"},
-                                   {"vie", "view"},
-                                   {"frobnicate", ""},
-                                   {"x", ""},
-                                   {"", ""}})
-    CHECK(nearest(word, names) == name);
-  CHECK(app::misspellings("kitten", "sitting") == 3);
-  CHECK(app::misspellings("", "abc") == 3);
 }

@@ -1,0 +1,100 @@
+#include "app/autosave.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "scene/edit.h"
+#include "scene/files.h"
+#include "scene/open.h"
+#include "scene/saving.h"
+#include "scene/session.h"
+
+using namespace viete;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A cube in a cage, open, with what keeps its edits in a folder.
+struct Kept {
+  test::CubeFiles files;
+  fs::path folder = files / "recovery";
+  scene::Workspace workspace;
+  base::BackgroundQueue queue;
+  app::Autosave autosave{folder, queue};
+
+  Kept() {
+    REQUIRE(scene::load_model(workspace, files.model, files.cage));
+    autosave.follow(workspace);
+  }
+  void edit(double x) {
+    deform::Pose pose = workspace.document.pose;
+    pose.positions[0][0] += x;
+    scene::set_pose(workspace.document, pose);
+  }
+  std::size_t kept_files() const {
+    std::error_code ignored;
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder, ignored), {}));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("nothing_is_kept_before_the_first_edit") {
+  Kept k;
+  CHECK_FALSE(k.autosave.kept());
+  CHECK(k.kept_files() == 0);
+}
+
+TEST_CASE("an_edit_is_kept_and_opens_again_as_it_was") {
+  Kept k;
+  k.edit(0.25);
+  REQUIRE(k.autosave.keep_now(k.workspace));
+  CHECK(k.autosave.kept());
+  const fs::path file = scene::recovery_file(k.folder);
+  REQUIRE(fs::exists(file));
+  scene::Workspace again;
+  REQUIRE(scene::open_now(again, {scene::OpenRequest::What::recovery, {file}}));
+  CHECK(again.document.pose.positions == k.workspace.document.pose.positions);
+}
+
+TEST_CASE("what_is_saved_need_not_be_kept") {
+  Kept k;
+  k.edit(0.25);
+  REQUIRE(k.autosave.keep_now(k.workspace));
+  REQUIRE(scene::save_session(k.workspace, k.files / "a.viete"));
+  k.autosave.follow(k.workspace);
+  CHECK_FALSE(k.autosave.kept());
+  k.queue.add([] {}).wait();  // after the removal
+  CHECK(k.kept_files() == 0);
+}
+
+TEST_CASE("edits_are_set_aside_when_another_document_is_opened") {
+  Kept k;
+  k.edit(0.25);
+  REQUIRE(k.autosave.set_aside(k.workspace));
+  REQUIRE(scene::load_model(k.workspace, k.files.model, k.files.cage));
+  k.autosave.follow(k.workspace);
+  CHECK_FALSE(fs::exists(scene::recovery_file(k.folder)));
+  REQUIRE(k.workspace.leftovers.size() == 1);
+  CHECK(fs::exists(k.workspace.leftovers[0].file));
+}
+
+TEST_CASE("a_folder_that_cannot_be_made_is_a_message_and_a_reason") {
+  Kept k;
+  test::put_file(k.folder, "a file");
+  k.edit(0.25);
+  CHECK_FALSE(k.autosave.keep_now(k.workspace));
+  CHECK(k.autosave.problem().find("cannot be kept") != std::string::npos);
+  CHECK_FALSE(k.workspace.messages.all().empty());
+}
+
+TEST_CASE("without_a_folder_nothing_is_kept_and_the_reason_is_said") {
+  Kept k;
+  base::BackgroundQueue queue;
+  app::Autosave autosave({}, queue);
+  k.edit(0.25);
+  CHECK_FALSE(autosave.keep_now(k.workspace));
+  CHECK_FALSE(autosave.problem().empty());
+}
