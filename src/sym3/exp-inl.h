@@ -137,13 +137,13 @@ template <class D, class V>
 static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>& c, V minus_p, V q) {
   using T = hn::TFromD<D>;
   using C = ExpTables<T>;
-  constexpr int degree = sizeof(C::exp_table) / sizeof(T) - 1;
+  constexpr int degree = sizeof(C::scalar_exp) / sizeof(T) - 1;
   const Reduced<V> x = reduce(d, m.mean);
   const V r = Add(x.r, m.rest);
-  V factor = hn::Set(d, C::exp_table[degree] * C::lead);
+  V factor = hn::Set(d, C::scalar_exp[degree] * C::lead);
   const Coefficients<V> z = recurrence(
-      d, C::taylor, minus_p, q, [&](int step) HWY_ATTR __attribute__((always_inline)) {
-        if (step < degree) factor = MulAdd(factor, r, hn::Set(d, C::exp_table[degree - 1 - step] * C::lead));
+      d, C::matrix_exp, minus_p, q, [&](int step) HWY_ATTR __attribute__((always_inline)) {
+        if (step < degree) factor = MulAdd(factor, r, hn::Set(d, C::scalar_exp[degree - 1 - step] * C::lead));
       });
   factor = add_to_exponent(d, factor, x.shifted);
   return combine({Mul(z.z0, factor), Mul(z.z1, factor), Mul(z.z2, factor)}, m.a, c);
@@ -173,7 +173,7 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   const V quarter = hn::Sub(hn::MulAdd(e.n, hn::Set(d, T(0.25)), magic), magic);
   const V last = hn::Sub(e.n, hn::Mul(quarter, hn::Set(d, T(3))));
   const V power = add_to_exponent(d, one, hn::Add(quarter, magic));
-  Six<V> out = times(m, horner(d, C::exp_table, hn::Add(e.r, rest)));
+  Six<V> out = times(m, horner(d, C::scalar_exp, hn::Add(e.r, rest)));
   for (int i = 0; i < 3; ++i) out = times(out, power);
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
@@ -199,7 +199,7 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   if (hn::AllTrue(d, ok)) return quick;
   const auto in_reach = hn::AndNot(is_diagonal(d, s), hn::Le(p, limit));
   const Six<V> a = times(m.a, scale), c = adjugate(a);
-  const Coefficients<V> z = recurrence(d, C::taylor, minus_p(c), determinant(a, c), [](int) {});
+  const Coefficients<V> z = recurrence(d, C::matrix_exp, minus_p(c), determinant(a, c), [](int) {});
   const V lead = hn::Set(d, C::lead);
   Six<V> e = combine({hn::Mul(z.z0, lead), hn::Mul(z.z1, lead), hn::Mul(z.z2, lead)}, a, c);
   for (int j = 0; j < C::max_squarings; ++j) {
