@@ -178,7 +178,13 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
-/// Any input: what the fast path cannot do by squarings lane by lane, and what is left one by one.
+/// Any input. Lane by lane exp(A) = exp(A / 2^j)^(2^j) with the least j that brings p, which goes with the
+/// square of A, below p_limit. The matrix is squared j times and not the three coefficients: those know the
+/// spectrum by p and q alone, and a rounding of q moves a close pair of large eigenvalues, an error of u
+/// times the square of the spread; that of the matrix grows by u with each unit of the spread. e^mean comes
+/// last, for any mean. Lanes that need no squaring take the steps of exp_quick, so that an answer does not
+/// depend on the lanes beside it. What is left goes through Jacobi one by one: more than max_squarings,
+/// overflow, NaN and infinities, and diagonal matrices, each entry of which is then exact by itself.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;

@@ -46,7 +46,16 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
                  hn::Max(hn::Abs(m.xz), hn::Abs(m.yz)));
 }
 
-/// The sum of the squares of the minors of B and of the traceless part of C: 4/3 of the discriminant.
+/// 4/3 of the discriminant D of B, the product of the squared differences of its eigenvalues, as a sum of
+/// squares:
+///   D is the squared Vandermonde determinant of the eigenvalues, which is the Gram determinant of (I, B,
+///   B^2) in the inner product tr(XY); and that of (I, B, C), because C = B^2 - p I. B and C' = C - (tr C /
+///   3) I are orthogonal to I, and tr(I I) = 3: D = 3 (|B|^2 |C'|^2 - tr(B C')^2) = 3 times the sum of all
+///   (b_i c_j - b_j c_i)^2, i < j, by Lagrange's identity, for coordinates b, c of B and C' in an orthonormal
+///   basis of the traceless matrices: (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz.
+///   Below they are sqrt 2 times as large.
+/// As 4 p^3 - 27 q^2 it would have an error of u, and the gap of two close eigenvalues, its root, one of sqrt
+/// u. A minor has an error of u, so that the root of the sum has an error of u as well.
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
