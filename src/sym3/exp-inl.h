@@ -17,9 +17,11 @@
 //
 // Algorithm: S = (m + e) I + A with A traceless; for a polynomial f(x) = sum a_k x^k,
 //   f(A) = z_0 I + z_1 A + z_2 adj A,   z_k = a_k + p z_{k+2} + q z_{k+3},
-// because A^3 = p A + q I with p = |A|^2 / 2 and q = det A. No eigenvalues, no division, no case distinction:
-// equal eigenvalues are as exact as any others. f is the minimax polynomial of exp for every p up to p_limit;
-// larger p go there by A / 2^j, and back by squaring the matrix j times.
+// with p = |A|^2 / 2 and q = det A: A^3 = p A + q I (Cayley and Hamilton), and dividing f by x^3 - p x - q
+// gives the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2, where A^2 - p I = adj
+// A. No eigenvalues, no division of numbers, no case distinction: equal eigenvalues are as exact as any
+// others. f is the minimax polynomial of exp for every p up to p_limit; larger p go there by A / 2^j, and
+// back by squaring the matrix j times.
 #if defined(VIETE_SYM3_EXP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_INL_H
 #undef VIETE_SYM3_EXP_INL_H
