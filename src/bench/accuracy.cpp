@@ -7,15 +7,13 @@
 #include <type_traits>
 #include <vector>
 
+#include "bench/ensembles.h"
 #include "bench/methods.h"
-#include "sym3/ensembles.h"
 #include "sym3/reference.h"
 
 namespace viete::bench {
 
 namespace {
-
-namespace ensembles = sym3::ensembles;
 
 using Matrix = sym3::Sym3<double>;
 using Matrices = std::vector<Matrix>;

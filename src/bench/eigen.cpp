@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/quantity.h"
+#include "bench/ensembles.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
-#include "sym3/ensembles.h"
 
 namespace viete::bench {
 
@@ -28,7 +28,7 @@ Values eigenvalues_direct(const Matrix& s) {
 }  // namespace
 
 EigenBench measure_eigen(std::size_t count, base::Progress& progress) {
-  const auto in = sym3::ensembles::paper_ensemble<double>(count);
+  const auto in = ensembles::paper_ensemble<double>(count);
   std::vector<Values> out(count);
   std::vector<Matrix> copied(count);
   const std::size_t size = std::min(piece, count), pieces = count / size;

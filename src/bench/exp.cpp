@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "base/quantity.h"
+#include "bench/ensembles.h"
 #include "bench/matrix_array.h"
-#include "sym3/ensembles.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 
@@ -86,7 +86,7 @@ std::vector<std::size_t> sizes_up_to(std::size_t count) {
 
 template <class T>
 void measure(ExpBench& bench, base::Progress& progress) {
-  const auto matrices = sym3::ensembles::paper_ensemble<T>(distinct);
+  const auto matrices = ensembles::paper_ensemble<T>(distinct);
   const auto sizes = sizes_up_to(bench.count);
   const double steps = static_cast<double>(1 + layouts.size() * sizes.size());
   double step = 0;

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "bench/bars.h"
+#include "bench/ensembles.h"
 #include "bench/rounds.h"
 #include "bench/table.h"
 #include "deform/polar.h"
-#include "sym3/ensembles.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/log.h"
@@ -26,7 +26,7 @@ namespace viete::bench {
 
 namespace {
 
-using namespace sym3::ensembles;
+using namespace ensembles;
 using sym3::Kernel;
 using sym3::Layout;
 using sym3::Method;

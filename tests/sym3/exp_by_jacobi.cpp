@@ -3,11 +3,11 @@
 
 #include <doctest/doctest.h>
 
-#include "sym3/ensembles.h"
+#include "bench/ensembles.h"
 #include "sym3/quad_reference.h"
 
 using namespace viete;
-using namespace viete::sym3::ensembles;
+using namespace viete::bench::ensembles;
 using namespace viete::test;
 
 TEST_CASE("exp_by_jacobi_is_exact_to_16_u_at_any_spread") {

@@ -3,13 +3,13 @@
 
 #include <limits>
 
+#include "bench/ensembles.h"
 #include "sym3/each_kernel.h"
-#include "sym3/ensembles.h"
 #include "sym3/entries_of.h"
 #include "sym3/quad_reference.h"
 
 using namespace viete;
-using namespace viete::sym3::ensembles;
+using namespace viete::bench::ensembles;
 using namespace viete::test;
 using sym3::Sym3;
 

@@ -7,12 +7,12 @@
 #include <set>
 #include <vector>
 
+#include "bench/ensembles.h"
 #include "sym3/call_kernel.h"
 #include "sym3/each_kernel.h"
-#include "sym3/ensembles.h"
 
 using namespace viete;
-using namespace viete::sym3::ensembles;
+using namespace viete::bench::ensembles;
 using namespace viete::test;
 using sym3::Sym3;
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "bench/ensembles.h"
 #include "sym3/arranged.h"
 #include "sym3/call_kernel.h"
-#include "sym3/ensembles.h"
 #include "sym3/entries_of.h"
 #include "sym3/exp.h"
 #include "sym3/fallback.h"
@@ -20,7 +20,7 @@
 #include "sym3/with_condition.h"
 
 using namespace viete;
-using namespace viete::sym3::ensembles;
+using namespace viete::bench::ensembles;
 using namespace viete::test;
 using sym3::Sym3;
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "sym3/ensembles.h"
+#include "bench/ensembles.h"
 #include "sym3/entries_of.h"
 #include "sym3/exp.h"
 #include "sym3/quad_reference.h"
 
 using namespace viete;
-using namespace viete::sym3::ensembles;
+using namespace viete::bench::ensembles;
 using namespace viete::test;
 using sym3::Sym3;
 

@@ -7,12 +7,12 @@
 #include <numbers>
 #include <vector>
 
-#include "sym3/ensembles.h"
+#include "bench/ensembles.h"
 #include "sym3/kernel.h"
 #include "sym3/quad_reference.h"
 
 using namespace viete;
-using namespace viete::sym3::ensembles;
+using namespace viete::bench::ensembles;
 using namespace viete::test;
 using sym3::Mat3;
 using sym3::Vec3;

@@ -7,13 +7,13 @@
 #include <limits>
 #include <vector>
 
-#include "sym3/ensembles.h"
+#include "bench/ensembles.h"
 #include "sym3/entries_of.h"
 #include "sym3/quad_reference.h"
 #include "sym3/with_condition.h"
 
 using namespace viete;
-using namespace viete::sym3::ensembles;
+using namespace viete::bench::ensembles;
 using namespace viete::test;
 using sym3::Sym3;
 

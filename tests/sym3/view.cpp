@@ -9,13 +9,13 @@
 #include <thread>
 #include <vector>
 
+#include "bench/ensembles.h"
 #include "sym3/arranged.h"
 #include "sym3/each_kernel.h"
-#include "sym3/ensembles.h"
 #include "sym3/entries_of.h"
 
 using namespace viete;
-using namespace viete::sym3::ensembles;
+using namespace viete::bench::ensembles;
 using namespace viete::test;
 using sym3::Layout;
 using sym3::Sym3;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sym3/ensembles.h"
+#include "bench/ensembles.h"
 
 namespace viete::test {
 
@@ -12,7 +12,7 @@ namespace viete::test {
 /// thousandth to a thousand times that.
 template <class T>
 std::vector<sym3::Sym3<T>> with_condition(double condition, int count, double size = 1) {
-  namespace ensembles = sym3::ensembles;
+  namespace ensembles = bench::ensembles;
   return ensembles::made<T>(count, 54, [=](ensembles::Random& random, std::size_t i) {
     const double near = (condition - 1) * std::pow(10.0, ensembles::uniform(random, -16, -1));
     const double middle[] = {1, condition, 1 + near, condition - near, std::sqrt(condition)};

@@ -10,8 +10,9 @@
 
 #include "sym3/sym3.h"
 
-namespace viete::sym3::ensembles {
+namespace viete::bench::ensembles {
 
+using sym3::Sym3;
 using Random = std::mt19937_64;
 
 /// Not std::uniform_real_distribution, whose numbers differ between libraries.
@@ -110,4 +111,4 @@ std::vector<Sym3<T>> spreads(double spread, double lowest, std::size_t count) {
   });
 }
 
-}  // namespace viete::sym3::ensembles
+}  // namespace viete::bench::ensembles
