@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t named = 12;  // elements of a finding
 
 void print(const scene::OpenedSurface& surface) {
-  const mesh::Facts& f = surface.facts;
+  const mesh::Summary& f = surface.summary;
   const mesh::Bounds& box = surface.bounds;
   std::printf("%s\n", surface.path.string().c_str());
   std::printf("  format      %s\n", surface.format.c_str());

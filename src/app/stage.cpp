@@ -97,8 +97,9 @@ void Stage::draw(const scene::Workspace& w, glm::ivec2 size, float scale) const 
   style.wireframe = w.view.wireframe ? 0.3f : 0.0f;
   // A closed surface hides its backs: a software rasteriser draws it in half the time. A graphics card need
   // not care.
-  const auto& facts = document.model.facts;
-  style.closed = gl_.software && facts.closed() && facts.manifold() && facts.oriented() && facts.volume > 0;
+  const auto& summary = document.model.summary;
+  style.closed =
+      gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
   style.scalars = has_errors_ && scene::shows_error_map(w);
   style.scalar_low = static_cast<float>(scene::error_map_low);
   style.scalar_high = static_cast<float>(scene::error_map_high);

@@ -1,4 +1,4 @@
-// What tells a surface from another one by its content, whatever its file is called.
+// A number that tells surfaces apart by their content, whatever their files are called.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Finds a point among those seen before: a hash table over an array of positions that someone else keeps.
+// A hash table of points, over an array of positions that the caller keeps.
 #pragma once
 
 #include <cstdint>

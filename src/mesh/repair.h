@@ -1,4 +1,4 @@
-// Surfaces made sounder where that needs no judgement: for tests that need it; what the user opened stays.
+// Welding and consistent orientation: of copies, for checks that need it; what the user opened stays.
 #pragma once
 
 #include <cstdint>

@@ -69,22 +69,7 @@ bool intersect(const Corners& s, const Corners& t) {
   return edge_crosses(s, t, of_s) || edge_crosses(t, s, sides_of(t, s));
 }
 
-struct Box {
-  Point low, high;
-};
-
-Box box_of(const Corners& t) {
-  Box box{t[0], t[0]};
-  for (const Point& p : t) {
-    for (int k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], p[k]);
-      box.high[k] = std::max(box.high[k], p[k]);
-    }
-  }
-  return box;
-}
-
-bool meet(const Box& a, const Box& b) {
+bool meet(const Bounds& a, const Bounds& b) {
   for (int k = 0; k < 3; ++k) {
     if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
   }
@@ -131,7 +116,7 @@ private:
       }
       if (visible_axis(corners) >= 0) order_.push_back(static_cast<std::uint32_t>(corners_.size()));
       corners_.push_back(corners);
-      boxes_.push_back(box_of(corners));
+      boxes_.push_back(bounds(corners));
     }
     std::sort(order_.begin(), order_.end(),
               [&](std::uint32_t s, std::uint32_t t) { return boxes_[s].low[axis_] < boxes_[t].low[axis_]; });
@@ -144,7 +129,7 @@ private:
 
   int axis_ = 0;
   std::vector<Corners> corners_;
-  std::vector<Box> boxes_;
+  std::vector<Bounds> boxes_;
   std::vector<std::uint32_t> order_;  // those with area, by where they begin along the axis
   std::vector<std::uint8_t> found_;
 };

@@ -58,7 +58,7 @@ double Bounds::diagonal() const {
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-Bounds bounds(const std::vector<Point>& positions) {
+Bounds bounds(std::span<const Point> positions) {
   if (positions.empty()) return {};
   Bounds box{positions[0], positions[0]};
   for (const Point& p : positions) extend(box, p);

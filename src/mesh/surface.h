@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/vector.h"
@@ -44,7 +45,7 @@ struct Bounds {
   double diagonal() const;
 };
 
-Bounds bounds(const std::vector<Point>& positions);
+Bounds bounds(std::span<const Point> positions);
 
 /// The box of the vertices that a polygon uses (stray vertices do not count); of all vertices if there is no
 /// polygon.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "mesh/oddities.h"
+#include "mesh/defects.h"
 #include "mesh/triangle.h"
 
 namespace viete::mesh {
@@ -58,19 +58,20 @@ std::vector<std::vector<std::uint32_t>> boundary_loops(const Connectivity& mesh)
 
 }  // namespace
 
-std::optional<Topology> topology(const Surface& surface, const Facts& facts) {
-  if (!facts.manifold() || !facts.oriented() || !pinched_vertices(surface).empty()) return std::nullopt;
+std::optional<Topology> topology(const Surface& surface, const Summary& summary) {
+  if (!summary.manifold() || !summary.oriented() || !nonmanifold_vertices(surface).empty())
+    return std::nullopt;
   silence_openmesh();
   Connectivity mesh;
   if (!build(surface, mesh)) return std::nullopt;
   Topology topology;
   topology.boundary_loops = boundary_loops(mesh);
-  const auto used = static_cast<std::ptrdiff_t>(facts.vertices - facts.unused_vertices.size());
+  const auto used = static_cast<std::ptrdiff_t>(summary.vertices - summary.unused_vertices.size());
   topology.euler =
       used - static_cast<std::ptrdiff_t>(mesh.n_edges()) + static_cast<std::ptrdiff_t>(mesh.n_faces());
   const auto loops = static_cast<std::ptrdiff_t>(topology.boundary_loops.size());
   topology.genus =
-      static_cast<std::size_t>((2 * static_cast<std::ptrdiff_t>(facts.parts) - loops - topology.euler) / 2);
+      static_cast<std::size_t>((2 * static_cast<std::ptrdiff_t>(summary.parts) - loops - topology.euler) / 2);
   return topology;
 }
 

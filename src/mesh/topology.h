@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/facts.h"
+#include "mesh/summary.h"
 #include "mesh/surface.h"
 
 namespace viete::mesh {
@@ -20,8 +20,8 @@ struct Topology {
 };
 
 /// Nothing if the surface is no oriented manifold: an edge with three triangles or with two of opposite
-/// orientation, a triangle with repeated corners, a vertex where two fans of triangles touch. facts are those
-/// of the surface. Linear; about 0.4 microseconds a triangle. Thread-safe.
-std::optional<Topology> topology(const Surface& surface, const Facts& facts);
+/// orientation, a triangle with repeated corners, a vertex where two fans of triangles touch. The summary is
+/// that of the surface. Linear; about 0.4 microseconds a triangle. Thread-safe.
+std::optional<Topology> topology(const Surface& surface, const Summary& summary);
 
 }  // namespace viete::mesh

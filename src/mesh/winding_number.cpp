@@ -15,13 +15,12 @@ namespace viete::mesh {
 namespace {
 
 // A few points at a time, one in each lane.
-template <std::size_t lanes>
+constexpr std::size_t lanes = 8;
 using Lanes = std::array<double, lanes>;
 
 // Unit directions from the points to one vertex; zero where a point lies on it.
-template <std::size_t lanes>
 struct Directions {
-  Lanes<lanes> x, y, z;
+  Lanes x, y, z;
 
   void set(const Point& vertex, const Directions& points, double scale) {
     for (std::size_t l = 0; l < lanes; ++l) {
@@ -36,16 +35,13 @@ struct Directions {
   }
 };
 
-template <std::size_t lanes>
 struct Complex {
-  Lanes<lanes> re, im;
+  Lanes re, im;
 };
 
 // Half the solid angle of the triangle is the argument: im = a . (b x c), re = 1 + a.b + b.c + c.a for unit
 // directions.
-template <std::size_t lanes>
-void half_solid_angle(const Directions<lanes>& a, const Directions<lanes>& b, const Directions<lanes>& c,
-                      Complex<lanes>& out) {
+void half_solid_angle(const Directions& a, const Directions& b, const Directions& c, Complex& out) {
   for (std::size_t l = 0; l < lanes; ++l) {
     out.im[l] = a.x[l] * (b.y[l] * c.z[l] - b.z[l] * c.y[l]) + a.y[l] * (b.z[l] * c.x[l] - b.x[l] * c.z[l]) +
                 a.z[l] * (b.x[l] * c.y[l] - b.y[l] * c.x[l]);
@@ -58,10 +54,9 @@ void half_solid_angle(const Directions<lanes>& a, const Directions<lanes>& b, co
 // A sum of arguments in (-pi, pi], kept as the argument of the product plus whole turns: if both factors lie
 // in the same half plane and the product does not, it went through the negative real axis. No arc tangent
 // until the end.
-template <std::size_t lanes>
 struct ArgumentSum {
-  Complex<lanes> product;
-  Lanes<lanes> turns;
+  Complex product;
+  Lanes turns;
 
   ArgumentSum() {
     product.re.fill(1);
@@ -69,7 +64,7 @@ struct ArgumentSum {
     turns.fill(0);
   }
 
-  void add(const Complex<lanes>& z) {
+  void add(const Complex& z) {
     for (std::size_t l = 0; l < lanes; ++l) {
       const double a = product.re[l], b = product.im[l], c = z.re[l], d = z.im[l];
       const double re = a * c - b * d, im = a * d + b * c;
@@ -96,7 +91,6 @@ double inverse_size(const Surface& surface) {
   return diagonal > 0 ? 1 / diagonal : 1;
 }
 
-template <std::size_t lanes>
 class Winding {
 public:
   explicit Winding(const Surface& surface, double scale)
@@ -104,7 +98,7 @@ public:
 
   // Of points[begin] and the lanes - 1 behind it, as far as there are that many.
   void evaluate(std::span<const Point> points, std::size_t begin, std::span<double> numbers) {
-    Directions<lanes> at;
+    Directions at;
     for (std::size_t l = 0; l < lanes; ++l) {
       const Point& p = points[std::min(begin + l, points.size() - 1)];
       at.x[l] = p[0];
@@ -113,8 +107,8 @@ public:
     }
     for (std::size_t v = 0; v < directions_.size(); ++v)
       directions_[v].set(surface_.positions[v], at, scale_);
-    ArgumentSum<lanes> sum;
-    Complex<lanes> z;
+    ArgumentSum sum;
+    Complex z;
     for (const Triangle& t : surface_.triangles) {
       half_solid_angle(directions_[t[0]], directions_[t[1]], directions_[t[2]], z);
       sum.add(z);
@@ -125,15 +119,13 @@ public:
 private:
   const Surface& surface_;
   double scale_;
-  std::vector<Directions<lanes>> directions_;
+  std::vector<Directions> directions_;
 };
-
-constexpr std::size_t wide = 8;
 
 void for_blocks(std::size_t count, base::WorkerPool* pool,
                 const std::function<void(std::size_t, std::size_t)>& body) {
   if (pool) {
-    pool->for_blocks(count, 64 * wide, body);
+    pool->for_blocks(count, 64 * lanes, body);
   } else if (count > 0) {
     body(0, count);
   }
@@ -151,18 +143,12 @@ double squared_distance_to(const Surface& surface, const Point& p, double scale)
 
 }  // namespace
 
-double winding_number(const Surface& surface, const Point& point) {
-  double number = 0;
-  Winding<1>(surface, inverse_size(surface)).evaluate({&point, 1}, 0, {&number, 1});
-  return number;
-}
-
 void winding_numbers(const Surface& surface, std::span<const Point> points, std::span<double> numbers,
                      base::WorkerPool* pool) {
   const double scale = inverse_size(surface);
   for_blocks(points.size(), pool, [&](std::size_t begin, std::size_t end) {
-    Winding<wide> winding(surface, scale);
-    for (std::size_t i = begin; i < end; i += wide) winding.evaluate(points.first(end), i, numbers);
+    Winding winding(surface, scale);
+    for (std::size_t i = begin; i < end; i += lanes) winding.evaluate(points.first(end), i, numbers);
   });
 }
 

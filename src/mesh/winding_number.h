@@ -1,4 +1,4 @@
-// How often a surface winds around a point, and which points lie outside of a cage.
+// Generalised winding numbers, and which points lie outside of a cage.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,14 @@
 
 namespace viete::mesh {
 
-/// The generalised winding number: the sum of the triangles' signed solid angles over 4 pi. For a closed
-/// surface an integer, 1 inside of one oriented outward, 0 outside; for an open one any number, smooth away
-/// from it. On the surface itself one of the values nearby. Any length scale from 1e-100 to 1e100. Cost
-/// O(triangles). Sources: Jacobson et al. 2013, Robust inside-outside segmentation using generalized winding
-/// numbers; van Oosterom and Strackee 1983, The solid angle of a plane triangle (eq. 8).
-double winding_number(const Surface& surface, const Point& point);
-
-/// winding_numbers[i] for points[i], a few points at a time so that the loops run in vector registers: no arc
-/// tangent per triangle, one per point. Same value for any pool. numbers.size() == points.size(). pool may be
-/// null. Cost O(points * triangles), about 8 ns each on one core.
+/// numbers[i] is the generalised winding number around points[i]: the sum of the triangles' signed solid
+/// angles over 4 pi. For a closed surface an integer, 1 inside of one oriented outward, 0 outside; for an
+/// open one any number, smooth away from it. On the surface itself one of the values nearby. Any length scale
+/// from 1e-100 to 1e100. Same value for any pool. numbers.size() == points.size(). pool may be null. Sources:
+/// Jacobson et al. 2013, Robust inside-outside segmentation using generalized winding numbers; van Oosterom
+/// and Strackee 1983, The solid angle of a plane triangle (eq. 8). Cost O(points * triangles), about 8 ns
+/// each on one core: a few points at a time in vector registers, one arc tangent per point instead of one per
+/// triangle.
 void winding_numbers(const Surface& surface, std::span<const Point> points, std::span<double> numbers,
                      base::WorkerPool* pool = nullptr);
 

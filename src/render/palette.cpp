@@ -52,16 +52,8 @@ std::vector<glm::vec3> blend_palette(const std::vector<glm::vec3>& keys, int cou
   return colors;
 }
 
-std::vector<glm::vec3> sequential_palette(int count) {
-  return blend_palette({rgb(0x0c2752), rgb(0x4a5270), rgb(0x7d7b78), rgb(0xb6a667), rgb(0xf7df4e)}, count);
-}
-
 std::vector<glm::vec3> surface_palette(int count) {
   return blend_palette({rgb(0x2c63ba), rgb(0x6b82ab), rgb(0xa6a096), rgb(0xd6bf67), rgb(0xf9e24f)}, count);
-}
-
-std::vector<glm::vec3> diverging_palette(int count) {
-  return blend_palette({rgb(0x1f4e9c), rgb(0x7fa8d8), rgb(0xf2f2f0), rgb(0xe8a869), rgb(0xa84a0b)}, count);
 }
 
 }  // namespace viete::render

@@ -6,14 +6,9 @@
 
 namespace viete::render {
 
-/// For magnitudes: dark blue over grey to yellow, lightness rising evenly. `count` >= 2 colours as displayed.
-std::vector<glm::vec3> sequential_palette(int count = 256);
-
-/// For magnitudes on lit surfaces: the same from a lighter blue, so that shading can still be read in it.
+/// For magnitudes on lit surfaces: blue over grey to yellow, lightness rising evenly and high enough for
+/// shading to be read in it. `count` >= 2 colours as displayed.
 std::vector<glm::vec3> surface_palette(int count = 256);
-
-/// For values around a meaningful zero in the middle: blue, white, orange. `count` >= 2 colours as displayed.
-std::vector<glm::vec3> diverging_palette(int count = 257);
 
 /// Colours interpolated evenly in Oklab (B. Ottosson, 2020, "A perceptual color space for image processing").
 /// keys: at least 2, as displayed.

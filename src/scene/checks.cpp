@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/quantity.h"
-#include "mesh/oddities.h"
+#include "mesh/defects.h"
 #include "mesh/repair.h"
 #include "mesh/self_intersection.h"
 #include "mesh/winding_number.h"
@@ -35,23 +35,23 @@ Elements faces_of(const mesh::Surface& surface, Elements triangles) {
   return triangles;
 }
 
-bool inside_out(const mesh::Facts& facts) {
-  return facts.closed() && facts.manifold() && facts.oriented() && facts.volume < 0;
+bool inside_out(const mesh::Summary& summary) {
+  return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
 }
 
 // What edges tell, and which faces have no area. `surface` as the edges are to be judged.
-void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Facts& facts,
+void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
                  Subject subject) {
-  add_edges(found, Oddity::open, subject, facts.boundary_edges);
-  add_edges(found, Oddity::nonmanifold_edge, subject, facts.nonmanifold_edges);
-  add(found, Oddity::pinched_vertex, subject, ElementKind::vertex, mesh::pinched_vertices(surface));
-  add_edges(found, Oddity::misoriented, subject, facts.misoriented_edges);
-  if (inside_out(facts)) {
+  add_edges(found, Oddity::open, subject, summary.boundary_edges);
+  add_edges(found, Oddity::nonmanifold_edge, subject, summary.nonmanifold_edges);
+  add(found, Oddity::pinched_vertex, subject, ElementKind::vertex, mesh::nonmanifold_vertices(surface));
+  add_edges(found, Oddity::misoriented, subject, summary.misoriented_edges);
+  if (inside_out(summary)) {
     Elements all(surface.polygon_count());
     std::iota(all.begin(), all.end(), 0u);
     add(found, Oddity::inside_out, subject, ElementKind::face, std::move(all));
   }
-  add(found, Oddity::degenerate, subject, ElementKind::face, faces_of(surface, facts.degenerate_triangles));
+  add(found, Oddity::degenerate, subject, ElementKind::face, faces_of(surface, summary.degenerate_triangles));
 }
 
 void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
@@ -108,11 +108,11 @@ std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surfa
   return {begin + surface.polygon_starts[index], begin + surface.polygon_starts[index + 1]};
 }
 
-std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Facts& facts) {
+std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary) {
   std::vector<Finding> found;
-  check_edges(found, model, facts, Subject::model);
-  add(found, Oddity::doubled_vertex, Subject::model, ElementKind::vertex, mesh::doubled_vertices(model));
-  add(found, Oddity::unused_vertex, Subject::model, ElementKind::vertex, facts.unused_vertices);
+  check_edges(found, model, summary, Subject::model);
+  add(found, Oddity::doubled_vertex, Subject::model, ElementKind::vertex, mesh::duplicate_vertices(model));
+  add(found, Oddity::unused_vertex, Subject::model, ElementKind::vertex, summary.unused_vertices);
   return found;
 }
 
@@ -122,15 +122,15 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
   add(found, Oddity::self_intersection, Subject::cage, ElementKind::face,
       faces_of(cage, mesh::self_intersecting_triangles(cage, progress)));
   const mesh::Surface joined = mesh::welded(cage);
-  const mesh::Facts facts = mesh::facts(joined);
-  check_edges(found, joined, facts, Subject::cage);
+  const mesh::Summary summary = mesh::summarize(joined);
+  check_edges(found, joined, summary, Subject::cage);
   add(found, Oddity::thin, Subject::cage, ElementKind::face,
       faces_of(cage, mesh::thin_triangles(cage, thin)));
-  const auto doubled = mesh::doubled_vertices(cage);
+  const auto doubled = mesh::duplicate_vertices(cage);
   add(found, Oddity::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
   // Joined to another one a vertex is not without a face.
   Elements unused;
-  std::set_difference(facts.unused_vertices.begin(), facts.unused_vertices.end(), doubled.begin(),
+  std::set_difference(summary.unused_vertices.begin(), summary.unused_vertices.end(), doubled.begin(),
                       doubled.end(), std::back_inserter(unused));
   add(found, Oddity::unused_vertex, Subject::cage, ElementKind::vertex, std::move(unused));
   return found;
@@ -164,7 +164,7 @@ std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage
       found.push_back(*std::move(outside));
   }
   if (progress) progress->section(0.9, 1);
-  append(found, check_model(*model.surface, model.facts));
+  append(found, check_model(*model.surface, model.summary));
   std::stable_partition(found.begin(), found.end(), matters);
   return found;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "mesh/facts.h"
+#include "mesh/summary.h"
 #include "scene/document.h"
 
 namespace viete::scene {
@@ -52,9 +52,9 @@ std::string first_elements(const Finding& finding, std::size_t most);
 std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface,
                                        std::size_t element);
 
-/// facts are the model's. A cage is judged with vertices at one place joined, as
+/// The summary is the model's. A cage is judged with vertices at one place joined, as
 /// the deformation takes it. progress may be null. Throws base::Cancelled. Thread-safe.
-std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Facts& facts);
+std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary);
 std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progress = nullptr);
 /// Whether the cage encloses the model, whichever way its faces point: one finding or none.
 std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Surface& model,

@@ -48,7 +48,7 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
   OpenedSurface opened;
   opened.path = path;
   opened.format = std::move(read.format);
-  opened.facts = mesh::facts(read.surface);
+  opened.summary = mesh::summarize(read.surface);
   opened.bounds = mesh::used_bounds(read.surface);
   opened.warnings = std::move(read.warnings);
   opened.content = mesh::content_key(read.surface);

@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "deform/binding.h"
 #include "deform/cage.h"
-#include "mesh/facts.h"
+#include "mesh/summary.h"
 #include "mesh/surface.h"
 #include "scene/history.h"
 #include "scene/selection.h"
@@ -24,7 +24,7 @@ struct OpenedSurface {
   std::filesystem::path path;
   std::string format;
   std::shared_ptr<const mesh::Surface> surface;
-  mesh::Facts facts;
+  mesh::Summary summary;
   mesh::Bounds bounds;  ///< of the vertices that a polygon uses
   std::vector<std::string> warnings;
   std::uint64_t content = 0;  ///< mesh::content_key(); 0: not known

@@ -21,11 +21,6 @@ struct Space {
 
   /// The diagonal of the box that the space was chosen for.
   double diagonal() const { return 2 / scale; }
-
-  /// A displacement of the view in the file's units.
-  mesh::Point displacement_to_file(const glm::dvec3& d) const {
-    return {d.x / scale, d.y / scale, d.z / scale};
-  }
 };
 
 /// A cell of the ground grid that suits a model of this diagonal (about 20 cells across): 1, 2 or 5 times a

@@ -8,7 +8,7 @@ namespace viete::ui {
 void panel_cage(const Context& ui) {
   const auto& document = ui.workspace.document;
   const bool open = section(ui, "Cage");
-  if (document.has_cage()) section_note(ui, document.cage_file.facts.closed() ? "closed" : "open");
+  if (document.has_cage()) section_note(ui, document.cage_file.summary.closed() ? "closed" : "open");
   if (!open) return;
   if (!document.has_cage()) {
     note(ui, "No cage is open. A cage is a coarse mesh around the model.");
@@ -17,8 +17,8 @@ void panel_cage(const Context& ui) {
   }
   ImGui::TextUnformatted(document.cage_file.path.filename().string().c_str());
   hint(document.cage_file.path.string() + "  (" + document.cage_file.format + ")");
-  const auto& facts = document.cage_file.facts;
-  value_row(ui, "Vertices, triangles", count(facts.vertices) + "  " + count(facts.triangles));
+  const auto& summary = document.cage_file.summary;
+  value_row(ui, "Vertices, triangles", count(summary.vertices) + "  " + count(summary.triangles));
   const auto elements = scene::element_count(*document.cage, document.selection.kind());
   value_row(ui, "Selected", count(document.selection.size()) + " of " + count(elements));
   transform_fields(ui);

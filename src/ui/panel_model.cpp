@@ -6,9 +6,9 @@ namespace viete::ui {
 
 namespace {
 
-std::string surface_text(const mesh::Facts& facts) {
-  const std::string kind = !facts.manifold() ? "not manifold" : facts.closed() ? "closed" : "open";
-  return facts.parts > 1 ? kind + ", " + count(facts.parts) + " parts" : kind;
+std::string surface_text(const mesh::Summary& summary) {
+  const std::string kind = !summary.manifold() ? "not manifold" : summary.closed() ? "closed" : "open";
+  return summary.parts > 1 ? kind + ", " + count(summary.parts) + " parts" : kind;
 }
 
 }  // namespace
@@ -16,7 +16,7 @@ std::string surface_text(const mesh::Facts& facts) {
 void panel_model(const Context& ui) {
   const auto& model = ui.workspace.document.model;
   const bool open = section(ui, "Model");
-  if (model.surface) section_note(ui, surface_text(model.facts));
+  if (model.surface) section_note(ui, surface_text(model.summary));
   if (!open) return;
   if (!model.surface && ui.workspace.loading.running) return note(ui, ui.workspace.loading.what);
   if (!model.surface) {
@@ -29,7 +29,7 @@ void panel_model(const Context& ui) {
   ImGui::TextUnformatted(model.path.filename().string().c_str());
   ImGui::PopTextWrapPos();
   hint(model.path.string() + "  (" + model.format + ")");
-  value_row(ui, "Vertices, triangles", count(model.facts.vertices) + "  " + count(model.facts.triangles));
+  value_row(ui, "Vertices, triangles", count(model.summary.vertices) + "  " + count(model.summary.triangles));
   value_row(ui, "Diagonal", length(model.bounds.diagonal()));
   command_row(ui, {"open_model", "save_session", "save_model"});
 }

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "geometry.h"
-#include "mesh/facts.h"
 #include "mesh/read.h"
+#include "mesh/summary.h"
 #include "support/data.h"
 
 using namespace viete;
@@ -20,15 +20,15 @@ mesh::ReadResult bundled(const std::string& name) {
 }  // namespace
 
 TEST_CASE("cage_is_closed_oriented_outwards_and_has_60_to_150_triangles") {
-  const mesh::Facts facts = mesh::facts(bundled("cage.obj").surface);
-  CHECK(facts.triangles >= 60);
-  CHECK(facts.triangles <= 150);
-  CHECK(facts.parts == 1);
-  CHECK(facts.closed());
-  CHECK(facts.manifold());
-  CHECK(facts.oriented());
-  CHECK(facts.volume > 0);
-  CHECK(2 * facts.vertices == facts.triangles + 4);
+  const mesh::Summary summary = mesh::summarize(bundled("cage.obj").surface);
+  CHECK(summary.triangles >= 60);
+  CHECK(summary.triangles <= 150);
+  CHECK(summary.parts == 1);
+  CHECK(summary.closed());
+  CHECK(summary.manifold());
+  CHECK(summary.oriented());
+  CHECK(summary.volume > 0);
+  CHECK(2 * summary.vertices == summary.triangles + 4);
 }
 
 TEST_CASE("cage_does_not_pass_through_itself") {
@@ -67,6 +67,6 @@ TEST_CASE("poses_have_the_cage_s_vertices_and_faces_and_move_it") {
     CHECK(pose.surface.positions != cage.positions);
     REQUIRE_FALSE(pose.comments.empty());
     CHECK(pose.comments[0].find("cage posed") != std::string::npos);
-    CHECK(mesh::facts(pose.surface).volume > 0);
+    CHECK(mesh::summarize(pose.surface).volume > 0);
   }
 }

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "dragon/model.h"
-#include "mesh/facts.h"
 #include "mesh/read.h"
+#include "mesh/summary.h"
 #include "support/data.h"
 
 namespace fs = std::filesystem;
@@ -44,16 +44,16 @@ TEST_CASE("generator_makes_the_committed_files_byte_for_byte") {
 }
 
 TEST_CASE("dragon_is_one_closed_oriented_part_of_genus_0_with_50000_vertices") {
-  const mesh::Facts facts = mesh::facts(mesh::read(dragon_dir() / "dragon.ply").surface);
-  CHECK(facts.vertices == 50000);
-  CHECK(facts.triangles == 99996);  // 2 v - 4: Euler's formula for a sphere
-  CHECK(facts.parts == 1);
-  CHECK(facts.closed());
-  CHECK(facts.manifold());
-  CHECK(facts.oriented());
-  CHECK(facts.unused_vertices.empty());
-  CHECK(facts.degenerate_triangles.empty());
-  CHECK(facts.volume > 0);
+  const mesh::Summary summary = mesh::summarize(mesh::read(dragon_dir() / "dragon.ply").surface);
+  CHECK(summary.vertices == 50000);
+  CHECK(summary.triangles == 99996);  // 2 v - 4: Euler's formula for a sphere
+  CHECK(summary.parts == 1);
+  CHECK(summary.closed());
+  CHECK(summary.manifold());
+  CHECK(summary.oriented());
+  CHECK(summary.unused_vertices.empty());
+  CHECK(summary.degenerate_triangles.empty());
+  CHECK(summary.volume > 0);
 }
 
 TEST_CASE("dragon_stands_on_the_ground_and_is_two_to_three_units_long") {

@@ -7,57 +7,42 @@
 namespace viete::test {
 namespace {
 
-using mesh::Point;
+using mesh::cross, mesh::dot, mesh::norm, mesh::Point;
+using mesh::operator+, mesh::operator-, mesh::operator*;
 using mesh::Surface;
 using mesh::Triangle;
-
-Point minus(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Point plus(const Point& a, const Point& b, double s) {
-  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
-}
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-double length(const Point& a) {
-  return std::sqrt(dot(a, a));
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 std::array<Point, 3> corners(const Surface& surface, const Triangle& triangle) {
   return {surface.positions[triangle[0]], surface.positions[triangle[1]], surface.positions[triangle[2]]};
 }
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point edge = minus(b, a), from = minus(p, a);
+  const Point edge = b - a, from = p - a;
   const double t = std::clamp(dot(from, edge) / dot(edge, edge), 0.0, 1.0);
-  return length(plus(from, edge, -t));
+  return norm(from - t * edge);
 }
 
 /// Is the foot of p's perpendicular inside all three edges?
 bool above(const Point& p, const std::array<Point, 3>& c, const Point& normal) {
   for (int k = 0; k < 3; ++k) {
-    if (dot(normal, cross(minus(c[(k + 1) % 3], c[k]), minus(p, c[k]))) < 0) return false;
+    if (dot(normal, cross(c[(k + 1) % 3] - c[k], p - c[k])) < 0) return false;
   }
   return true;
 }
 
 double distance_to_triangle(const Point& p, const std::array<Point, 3>& c) {
-  const Point normal = cross(minus(c[1], c[0]), minus(c[2], c[0]));
-  if (above(p, c, normal)) return std::abs(dot(normal, minus(p, c[0]))) / length(normal);
+  const Point normal = cross(c[1] - c[0], c[2] - c[0]);
+  if (above(p, c, normal)) return std::abs(dot(normal, p - c[0])) / norm(normal);
   return std::min({distance_to_segment(p, c[0], c[1]), distance_to_segment(p, c[1], c[2]),
                    distance_to_segment(p, c[2], c[0])});
 }
 
 /// Does the segment from a to b pass through the triangle?
 bool passes(const Point& a, const Point& b, const std::array<Point, 3>& c) {
-  const Point normal = cross(minus(c[1], c[0]), minus(c[2], c[0]));
-  const double from = dot(normal, minus(a, c[0])), to = dot(normal, minus(b, c[0]));
+  const Point normal = cross(c[1] - c[0], c[2] - c[0]);
+  const double from = dot(normal, a - c[0]), to = dot(normal, b - c[0]);
   if ((from > 0) == (to > 0)) return false;
-  return above(plus(a, minus(b, a), from / (from - to)), c, normal);
+  return above(a + (from / (from - to)) * (b - a), c, normal);
 }
 
 bool share_corner(const Triangle& a, const Triangle& b) {
@@ -79,8 +64,8 @@ double winding_number(const Point& p, const Surface& surface) {
   double angle = 0;
   for (const Triangle& triangle : surface.triangles) {
     const auto [c0, c1, c2] = corners(surface, triangle);
-    const Point a = minus(c0, p), b = minus(c1, p), c = minus(c2, p);
-    const double la = length(a), lb = length(b), lc = length(c);
+    const Point a = c0 - p, b = c1 - p, c = c2 - p;
+    const double la = norm(a), lb = norm(b), lc = norm(c);
     angle +=
         2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/plain_weights.h"
-#include "mesh/facts.h"
+#include "mesh/summary.h"
 #include "mesh/shapes.h"
 #include "mesh/triangle.h"
 #include "mesh/winding_number.h"
@@ -16,8 +16,8 @@ using namespace viete;
 TEST_CASE("subdividing_cuts_each_triangle_into_four_and_keeps_the_surface") {
   const auto cube = test::cube(), finer = bench::subdivided(cube);
   CHECK(finer.triangles.size() == 4 * cube.triangles.size());
-  CHECK(mesh::facts(finer).closed());
-  CHECK(mesh::facts(finer).area == doctest::Approx(24));
+  CHECK(mesh::summarize(finer).closed());
+  CHECK(mesh::summarize(finer).area == doctest::Approx(24));
 }
 
 TEST_CASE("a_star_cage_has_so_many_faces_and_encloses_the_model") {
@@ -25,8 +25,8 @@ TEST_CASE("a_star_cage_has_so_many_faces_and_encloses_the_model") {
   for (const std::size_t faces : {8, 50, 300}) {
     const auto cage = bench::star_cage(model, faces);
     CHECK(cage.triangles.size() == faces);
-    CHECK(mesh::facts(cage).closed());
-    CHECK(mesh::facts(cage).volume > 0);
+    CHECK(mesh::summarize(cage).closed());
+    CHECK(mesh::summarize(cage).volume > 0);
     CHECK(mesh::points_outside(cage, model.positions).empty());
   }
 }

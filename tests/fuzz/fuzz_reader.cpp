@@ -8,11 +8,11 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "mesh/facts.h"
 #include "mesh/obj.h"
 #include "mesh/off.h"
 #include "mesh/ply.h"
 #include "mesh/stl.h"
+#include "mesh/summary.h"
 
 using namespace viete::mesh;
 
@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const ReadResult read = VIETE_FUZZ_READ(source);
     check_invariants(read.surface, size);
-    if (size < 20000) facts(read.surface);
+    if (size < 20000) summarize(read.surface);
   } catch (const viete::base::Error& error) {
     require(!error.place().empty());
   }

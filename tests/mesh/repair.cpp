@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "mesh/facts.h"
 #include "mesh/shapes.h"
+#include "mesh/summary.h"
 
 using namespace viete;
 using namespace viete::mesh;
@@ -18,8 +18,8 @@ TEST_CASE("welding_closes_a_soup_of_triangles_and_keeps_its_numbers") {
     triangles.push_back({n - 3, n - 2, n - 1});
   }
   const Surface soup = from_triangles(positions, triangles), joined = welded(soup);
-  CHECK(facts(soup).boundary_edges.size() == 3 * whole.triangles.size());
-  CHECK(facts(joined).closed());
+  CHECK(summarize(soup).boundary_edges.size() == 3 * whole.triangles.size());
+  CHECK(summarize(joined).closed());
   CHECK(joined.positions == soup.positions);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
@@ -33,10 +33,10 @@ TEST_CASE("faces_that_disagree_are_turned_to_the_side_of_most") {
   for (const Surface& sound : {test::sphere(2), test::torus(12, 8), test::torus(12, 8, true)}) {
     Surface s = sound;
     for (const std::size_t t : {3u, 4u, 17u, 30u}) std::swap(s.triangles[t][0], s.triangles[t][1]);
-    const Facts before = facts(s), after = facts(consistently_oriented(s));
+    const Summary before = summarize(s), after = summarize(consistently_oriented(s));
     CHECK(!before.oriented());
     CHECK(after.oriented());
-    CHECK(after.volume == doctest::Approx(facts(sound).volume).epsilon(1e-12));
+    CHECK(after.volume == doctest::Approx(summarize(sound).volume).epsilon(1e-12));
   }
 }
 
@@ -57,6 +57,6 @@ TEST_CASE("a_moebius_strip_is_left_as_it_is") {
     triangles.push_back({b, c, d});
   }
   const Surface strip = from_triangles(positions, triangles);
-  CHECK(!facts(strip).oriented());
+  CHECK(!summarize(strip).oriented());
   CHECK(consistently_oriented(strip).triangles == strip.triangles);
 }

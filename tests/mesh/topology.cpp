@@ -10,7 +10,7 @@ using namespace viete::mesh;
 namespace {
 
 std::optional<Topology> topology_of(const Surface& s) {
-  return topology(s, facts(s));
+  return topology(s, summarize(s));
 }
 
 }  // namespace

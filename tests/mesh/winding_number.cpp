@@ -31,6 +31,12 @@ double by_arc_tangents(const Surface& s, const Point& p) {
   return static_cast<double>(sum / (2 * std::acos(Real{-1})));
 }
 
+double winding_number(const Surface& s, const Point& p) {
+  double number = 0;
+  winding_numbers(s, {&p, 1}, {&number, 1});
+  return number;
+}
+
 std::vector<Point> random_points(std::size_t count, double size) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-size, size);

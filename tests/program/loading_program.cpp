@@ -70,7 +70,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
       },
       60));
   CHECK(furthest > 0.1);
-  CHECK(d.document().model.facts.vertices == static_cast<std::size_t>(6 * (cells + 1) * (cells + 1)));
+  CHECK(d.document().model.summary.vertices == static_cast<std::size_t>(6 * (cells + 1) * (cells + 1)));
 }
 
 TEST_CASE("what_was_read_waits_until_the_drag_is_over") {

@@ -19,7 +19,7 @@ TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged") {
         return d.document().has_cage() && !d.viewer().loading();
       },
       120));
-  CHECK(d.document().model.facts.vertices == 537374);
+  CHECK(d.document().model.summary.vertices == 537374);
   d.settle();
   REQUIRE(d.viewer().deformer()->positions().size() == 537374);
 

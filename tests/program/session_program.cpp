@@ -241,7 +241,7 @@ TEST_CASE("replacing_a_file_is_said_before_it_is_done") {
   d.click("file_choose");
   d.frame(2);
   CHECK(mesh::read(folder / "small_deformed.ply").surface.positions.size() ==
-        d.document().model.facts.vertices);
+        d.document().model.summary.vertices);
 }
 
 TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {

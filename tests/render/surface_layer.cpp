@@ -144,7 +144,7 @@ TEST_CASE("scalars_choose_the_palette_colour") {
   std::vector<float> values;
   for (const Point& p : ball.positions) values.push_back(p[0] < 0 ? -5.0F : 5.0F);
   scene.surface.set_scalars(values);
-  scene.surface.set_palette(render::diverging_palette());
+  scene.surface.set_palette(render::surface_palette());
   scene.surface.set_positions(ball.positions, ball.normals);
   render::SurfaceStyle style;
   style.scalars = true;
@@ -153,7 +153,7 @@ TEST_CASE("scalars_choose_the_palette_colour") {
   const render::Image image = scene.picture(style);
   const render::Rgba8 left = image.pixel(130, 100), right = image.pixel(190, 100);
   CHECK(left[2] > left[0] + 30);    // blue
-  CHECK(right[0] > right[2] + 30);  // orange
+  CHECK(right[0] > right[2] + 30);  // yellow
 }
 
 TEST_CASE("non_finite_vertices_do_not_spread") {

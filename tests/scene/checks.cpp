@@ -17,7 +17,7 @@ using Edges = std::vector<mesh::Edge>;
 
 OpenedSurface opened(mesh::Surface surface) {
   OpenedSurface result;
-  result.facts = mesh::facts(surface);
+  result.summary = mesh::summarize(surface);
   result.surface = std::make_shared<const mesh::Surface>(std::move(surface));
   return result;
 }
@@ -147,7 +147,7 @@ TEST_CASE("faces_are_polygons_and_not_their_triangles") {
   s.polygon_starts = {0, 4, 9};
   mesh::fan_triangulate(s);
   s.positions[5] = s.positions[4];
-  const auto found = check_model(s, mesh::facts(s));
+  const auto found = check_model(s, mesh::summarize(s));
   const auto named =
       std::find_if(found.begin(), found.end(), [](const auto& f) { return f.oddity == Oddity::degenerate; });
   REQUIRE(named != found.end());

@@ -86,7 +86,7 @@ TEST_CASE("a_pose_that_cannot_be_drawn_is_refused_and_the_old_one_stays") {
 TEST_CASE("opening_a_model_and_a_cage_fills_a_document") {
   const Files files;
   const Document document = open_document(files.model, files.cage);
-  CHECK(document.model.facts.vertices == 8);
+  CHECK(document.model.summary.vertices == 8);
   CHECK(document.has_cage());
   CHECK_FALSE(differs_from_rest(document));
   CHECK_FALSE(open_document(files.model, {}).has_cage());

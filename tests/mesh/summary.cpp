@@ -1,4 +1,4 @@
-#include "mesh/facts.h"
+#include "mesh/summary.h"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +14,7 @@ const double pi = std::acos(-1.0);
 }
 
 TEST_CASE("a_cube_has_the_area_and_volume_of_a_cube") {
-  const Facts f = facts(test::cube());
+  const Summary f = summarize(test::cube());
   CHECK(f.vertices == 8);
   CHECK(f.polygons == 6);
   CHECK(f.triangles == 12);
@@ -30,7 +30,7 @@ TEST_CASE("a_cube_has_the_area_and_volume_of_a_cube") {
 TEST_CASE("a_sphere_is_closed_and_its_measures_converge") {
   double area_gap = 4 * pi, volume_gap = 4 * pi;
   for (int level = 1; level <= 5; ++level) {
-    const Facts f = facts(test::sphere(level));
+    const Summary f = summarize(test::sphere(level));
     CHECK(f.closed());
     CHECK(f.vertices + f.triangles == f.edges + 2);
     CHECK(4 * pi - f.area < 0.5 * area_gap);
@@ -43,7 +43,7 @@ TEST_CASE("a_sphere_is_closed_and_its_measures_converge") {
 
 TEST_CASE("measures_scale_from_1e_minus_100_to_1e100") {
   for (const double scale : {1e-100, 1e-30, 1e-7, 1e30, 1e100}) {
-    const Facts f = facts(test::moved(test::cube(), scale));
+    const Summary f = summarize(test::moved(test::cube(), scale));
     CHECK(f.area / scale / scale == doctest::Approx(24).epsilon(1e-13));
     CHECK(f.volume / scale / scale / scale == doctest::Approx(8).epsilon(1e-13));
     CHECK(f.degenerate_triangles.empty());
@@ -51,21 +51,21 @@ TEST_CASE("measures_scale_from_1e_minus_100_to_1e100") {
 }
 
 TEST_CASE("volume_far_from_the_origin_keeps_its_digits") {
-  CHECK(facts(test::moved(test::cube(), 1, 1e7)).volume == doctest::Approx(8).epsilon(1e-12));
+  CHECK(summarize(test::moved(test::cube(), 1, 1e7)).volume == doctest::Approx(8).epsilon(1e-12));
 }
 
 TEST_CASE("an_inside_out_surface_has_negative_volume") {
   Surface s = test::sphere(2);
   for (auto& t : s.triangles) std::swap(t[0], t[1]);
-  CHECK(facts(s).volume < 0);
-  CHECK(facts(s).oriented());
+  CHECK(summarize(s).volume < 0);
+  CHECK(summarize(s).oriented());
 }
 
 TEST_CASE("a_missing_triangle_leaves_its_three_edges_as_boundary") {
   Surface s = test::sphere(1);
   const Triangle gone = s.triangles.back();
   s.triangles.pop_back();
-  const Facts f = facts(s);
+  const Summary f = summarize(s);
   CHECK(!f.closed());
   REQUIRE(f.boundary_edges.size() == 3);
   for (const Edge& e : f.boundary_edges) {
@@ -77,7 +77,7 @@ TEST_CASE("a_missing_triangle_leaves_its_three_edges_as_boundary") {
 TEST_CASE("a_flipped_triangle_shows_at_its_three_edges") {
   Surface s = test::sphere(1);
   std::swap(s.triangles[5][0], s.triangles[5][1]);
-  const Facts f = facts(s);
+  const Summary f = summarize(s);
   CHECK(f.closed());
   CHECK(f.manifold());
   CHECK(f.misoriented_edges.size() == 3);
@@ -88,7 +88,7 @@ TEST_CASE("a_fin_makes_its_edge_nonmanifold") {
   const Triangle t = s.triangles[0];
   s.positions.push_back({3, 3, 3});
   s.triangles.push_back({t[0], t[1], static_cast<std::uint32_t>(s.positions.size() - 1)});
-  const Facts f = facts(s);
+  const Summary f = summarize(s);
   CHECK(f.nonmanifold_edges == std::vector<Edge>{{std::min(t[0], t[1]), std::max(t[0], t[1])}});
   CHECK(f.boundary_edges.size() == 2);
 }
@@ -100,7 +100,7 @@ TEST_CASE("parts_are_counted_and_unused_vertices_are_none") {
   a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
   for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
   a.positions.push_back({5, 5, 5});
-  const Facts f = facts(a);
+  const Summary f = summarize(a);
   CHECK(f.parts == 2);
   CHECK(f.unused_vertices == std::vector<std::uint32_t>{static_cast<std::uint32_t>(a.positions.size() - 1)});
 }
@@ -109,7 +109,7 @@ TEST_CASE("repeated_corners_and_flat_triangles_are_degenerate_at_every_scale") {
   for (const double scale : {1e-100, 1e-30, 1.0, 1e30, 1e100}) {
     Surface s =
         from_triangles({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1e-9, 0}}, {{0, 1, 2}, {0, 1, 1}, {0, 1, 3}});
-    CHECK(facts(test::moved(s, scale)).degenerate_triangles == std::vector<std::uint32_t>{0, 1});
+    CHECK(summarize(test::moved(s, scale)).degenerate_triangles == std::vector<std::uint32_t>{0, 1});
   }
 }
 
@@ -117,11 +117,11 @@ TEST_CASE("a_set_of_points_has_facts_too") {
   Surface s;
   s.positions = {{1, 2, 3}, {4, 5, 6}};
   s.polygon_starts = {0};
-  const Facts f = facts(s);
+  const Summary f = summarize(s);
   CHECK(f.vertices == 2);
   CHECK(f.parts == 0);
   CHECK(!f.closed());
   CHECK(f.unused_vertices.size() == 2);
   CHECK(f.area == 0);
-  CHECK(facts(Surface{}).vertices == 0);
+  CHECK(summarize(Surface{}).vertices == 0);
 }

@@ -1,4 +1,4 @@
-#include "mesh/oddities.h"
+#include "mesh/defects.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +49,7 @@ private:
 
 }  // namespace
 
-std::vector<std::uint32_t> doubled_vertices(const Surface& surface) {
+std::vector<std::uint32_t> duplicate_vertices(const Surface& surface) {
   const auto used = used_vertices(surface);
   const auto lowest = lowest_in_place(surface.positions);
   std::vector<std::uint8_t> seen(surface.positions.size(), 0);
@@ -60,7 +60,7 @@ std::vector<std::uint32_t> doubled_vertices(const Surface& surface) {
   return doubled;
 }
 
-std::vector<std::uint32_t> pinched_vertices(const Surface& surface) {
+std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface) {
   const auto triangles = vertex_triangles(surface.positions.size(), surface.triangles);
   std::vector<std::uint32_t> pinched;
   std::vector<std::array<std::uint32_t, 2>> around;

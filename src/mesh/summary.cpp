@@ -1,4 +1,4 @@
-#include "mesh/facts.h"
+#include "mesh/summary.h"
 
 #include <array>
 
@@ -9,19 +9,19 @@ namespace viete::mesh {
 
 namespace {
 
-void find_edges(const Surface& surface, Facts& facts) {
+void find_edges(const Surface& surface, Summary& summary) {
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
-  facts.edges = table.edges.size();
+  summary.edges = table.edges.size();
   for (std::size_t e = 0; e < table.edges.size(); ++e) {
     const auto sides = table.of(e);
-    if (sides.size() == 1) facts.boundary_edges.push_back(table.edges[e]);
+    if (sides.size() == 1) summary.boundary_edges.push_back(table.edges[e]);
     if (sides.size() == 2 && sides[0].forward == sides[1].forward)
-      facts.misoriented_edges.push_back(table.edges[e]);
-    if (sides.size() > 2) facts.nonmanifold_edges.push_back(table.edges[e]);
+      summary.misoriented_edges.push_back(table.edges[e]);
+    if (sides.size() > 2) summary.nonmanifold_edges.push_back(table.edges[e]);
   }
 }
 
-void find_parts(const Surface& surface, Facts& facts) {
+void find_parts(const Surface& surface, Summary& summary) {
   const auto vertices = static_cast<std::uint32_t>(surface.positions.size());
   UnionFind parts(vertices);
   std::vector<bool> used(vertices, false);
@@ -32,14 +32,14 @@ void find_parts(const Surface& surface, Facts& facts) {
     }
   }
   for (std::uint32_t v = 0; v < vertices; ++v) {
-    if (!used[v]) facts.unused_vertices.push_back(v);
-    if (used[v] && parts.find(v) == v) ++facts.parts;
+    if (!used[v]) summary.unused_vertices.push_back(v);
+    if (used[v] && parts.find(v) == v) ++summary.parts;
   }
 }
 
 // Lengths are taken relative to the box, so that no square leaves the range of double; the volume is that of
 // the tetrahedra from the box's centre, which loses nothing far from the origin.
-void measure(const Surface& surface, Facts& facts) {
+void measure(const Surface& surface, Summary& summary) {
   const Bounds box = used_bounds(surface);
   const Point center = box.center();
   const double scale = box.diagonal() > 0 ? box.diagonal() : 1;
@@ -52,26 +52,26 @@ void measure(const Surface& surface, Facts& facts) {
     }
     const auto& [a, b, c] = surface.triangles[t];
     if (!has_area(surface.positions[a], surface.positions[b], surface.positions[c]))
-      facts.degenerate_triangles.push_back(static_cast<std::uint32_t>(t));
+      summary.degenerate_triangles.push_back(static_cast<std::uint32_t>(t));
     const Point n = cross(p[1] - p[0], p[2] - p[0]);
     area += 0.5 * stable_norm(n);
     volume += dot(p[0], n) / 6;
   }
-  facts.area = area * scale * scale;
-  facts.volume = volume * scale * scale * scale;
+  summary.area = area * scale * scale;
+  summary.volume = volume * scale * scale * scale;
 }
 
 }  // namespace
 
-Facts facts(const Surface& surface) {
-  Facts facts;
-  facts.vertices = surface.positions.size();
-  facts.polygons = surface.polygon_count();
-  facts.triangles = surface.triangles.size();
-  find_edges(surface, facts);
-  find_parts(surface, facts);
-  measure(surface, facts);
-  return facts;
+Summary summarize(const Surface& surface) {
+  Summary summary;
+  summary.vertices = surface.positions.size();
+  summary.polygons = surface.polygon_count();
+  summary.triangles = surface.triangles.size();
+  find_edges(surface, summary);
+  find_parts(surface, summary);
+  measure(surface, summary);
+  return summary;
 }
 
 }  // namespace viete::mesh

@@ -1,4 +1,4 @@
-// What can be said about a surface at a glance: size, closedness, manifoldness, oddities.
+// The summary of a surface: counts, boundary, non-manifold and misoriented edges, area and volume.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 namespace viete::mesh {
 
 /// Edges are those of the triangles for work. A triangle with a repeated corner has no edges.
-struct Facts {
+struct Summary {
   std::size_t vertices = 0, polygons = 0, triangles = 0, edges = 0;
   std::size_t parts = 0;                ///< connected by shared vertices; unused vertices do not count
   std::vector<Edge> boundary_edges;     ///< edges with one triangle
@@ -27,6 +27,6 @@ struct Facts {
 };
 
 /// Linear in the size of the surface. Lists are in ascending order. Any length scale from 1e-100 to 1e100.
-Facts facts(const Surface& surface);
+Summary summarize(const Surface& surface);
 
 }  // namespace viete::mesh

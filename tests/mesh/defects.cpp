@@ -1,4 +1,4 @@
-#include "mesh/oddities.h"
+#include "mesh/defects.h"
 
 #include <doctest/doctest.h>
 
@@ -11,17 +11,17 @@ using List = std::vector<std::uint32_t>;
 
 TEST_CASE("sound_surfaces_have_neither_doubled_nor_pinched_vertices") {
   for (const Surface& s : {test::cube(), test::sphere(3), test::torus(20, 10), test::torus(12, 8, true)}) {
-    CHECK(doubled_vertices(s).empty());
-    CHECK(pinched_vertices(s).empty());
+    CHECK(duplicate_vertices(s).empty());
+    CHECK(nonmanifold_vertices(s).empty());
   }
 }
 
 TEST_CASE("vertices_on_others_are_named_and_unused_ones_are_not") {
   Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 0}},
                              {{0, 1, 2}, {4, 5, 3}});
-  CHECK(doubled_vertices(s) == List{3, 4});
+  CHECK(duplicate_vertices(s) == List{3, 4});
   s.positions[3][1] += 1e-15;
-  CHECK(doubled_vertices(s) == List{4});
+  CHECK(duplicate_vertices(s) == List{4});
 }
 
 TEST_CASE("a_vertex_that_joins_two_fans_is_pinched") {
@@ -29,13 +29,13 @@ TEST_CASE("a_vertex_that_joins_two_fans_is_pinched") {
   const Surface s = from_triangles(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
       {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 5}, {0, 6, 4}, {0, 5, 6}, {4, 6, 5}});
-  CHECK(pinched_vertices(s) == List{0});
+  CHECK(nonmanifold_vertices(s) == List{0});
 }
 
 TEST_CASE("an_edge_of_three_triangles_pinches_nothing") {
   const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
                                    {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 0, 1}});
-  CHECK(pinched_vertices(s).empty());
+  CHECK(nonmanifold_vertices(s).empty());
 }
 
 TEST_CASE("thin_triangles_are_named_at_every_scale_and_flat_ones_are_not") {
