@@ -157,8 +157,8 @@ static HWY_INLINE void map_many(const F& f, const View<const T, F::in>& in, cons
   map_to_layout(d, f, in, out, range.begin, range.end);
 }
 
-/// N numbers of one lane each in a row, in stores of 16 bytes: what the caller copies by 16 it would wait for
-/// if it came by 8.
+/// N contiguous numbers from registers of one lane, in stores of 16 bytes: a caller that copies the answer by
+/// 16 bytes would wait for stores of 8.
 template <class D, class T, class V, int N>
 static HWY_INLINE void store_row(D d, const V (&v)[N], T* out) {
   int k = 0;

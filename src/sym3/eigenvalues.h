@@ -1,5 +1,5 @@
-// Eigenvalues of symmetric 3x3 matrices: in closed form and exact, by QR, and by Viete's formula as the paper
-// has it.
+// Eigenvalues of symmetric 3x3 matrices: in closed form and accurate, by QR, and by Viete's formula as in the
+// paper.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace viete::sym3 {
 
-/// Ascending, in closed form with the discriminant as a sum of squares (spectral-inl.h). Each is wrong by at
-/// most 8 u times the largest in size, u = 2^-53 or 2^-24, at any gap: clusters are as exact as separate
-/// ones. Any finite matrix. A NaN or an infinity in S gives three NaN.
+/// Ascending, in closed form with the discriminant as a sum of squares (spectral-inl.h). Each has an error of
+/// at most 8 u times the largest in size, u = 2^-53 or 2^-24, at any gap: clusters are as accurate as
+/// separate ones. Any finite matrix. A NaN or an infinity in S gives three NaN.
 template <class T>
 std::array<T, 3> eigenvalues(const Sym3<T>& s);
 
@@ -23,13 +23,13 @@ void eigenvalues(const SymView<const double>& in, const VecView<double>& out, st
 void eigenvalues(const SymView<const float>& in, const VecView<float>& out, std::size_t count,
                  const Batch& batch = {});
 
-/// Ascending, by QR (Eigen's SelfAdjointEigenSolver::compute, values only), T = float or double. Each is
-/// wrong by at most 24 u times the largest in size (u = 2^-53 or 2^-24). A NaN or an infinity in S gives
+/// Ascending, by QR (Eigen's SelfAdjointEigenSolver::compute, values only), T = float or double. Each has
+/// an error of at most 24 u times the largest in size (u = 2^-53 or 2^-24). A NaN or an infinity in S gives
 /// three NaN.
 template <class T>
 std::array<T, 3> eigenvalues_qr(const Sym3<T>& s);
 
-/// Ascending, closed form (paper, section 3), k clamped to [-1, 1] and r = 0 handled. Each is wrong by at
+/// Ascending, closed form (paper, section 3), k clamped to [-1, 1] and r = 0 handled. Each has an error of at
 /// most 4 cbrt(u) times the largest in size: that much near triple eigenvalues, some sqrt(u) near double
 /// ones, some 100 u for separate ones. Entries between 1e-50 and 1e50 in size (float: 1e-6 and 1e6): cubes
 /// must be in range. A NaN or an infinity in S gives three NaN.

@@ -1,5 +1,5 @@
-// Questions about the entries of a symmetric matrix. Internal; not for the kernels, which share no inline
-// code.
+// Tests of the entries of one symmetric matrix, and its small algebra. Internal; not for the kernels, which
+// share no inline code.
 #pragma once
 
 #include <algorithm>
@@ -32,15 +32,18 @@ Sym3<T> times(const Sym3<T>& s, T x) {
   return {s.xx * x, s.xy * x, s.xz * x, s.yy * x, s.yz * x, s.zz * x};
 }
 
+/// S S.
+template <class T>
+Sym3<T> square(const Sym3<T>& s) {
+  return {s.xx * s.xx + s.xy * s.xy + s.xz * s.xz, s.xx * s.xy + s.xy * s.yy + s.xz * s.yz,
+          s.xx * s.xz + s.xy * s.yz + s.xz * s.zz, s.xy * s.xy + s.yy * s.yy + s.yz * s.yz,
+          s.xy * s.xz + s.yy * s.yz + s.yz * s.zz, s.xz * s.xz + s.yz * s.yz + s.zz * s.zz};
+}
+
 template <class T>
 Sym3<T> nan_matrix() {
   constexpr T nan = std::numeric_limits<T>::quiet_NaN();
   return {nan, nan, nan, nan, nan, nan};
-}
-
-template <class T, class From>
-Sym3<T> convert(const Sym3<From>& s) {
-  return {T(s.xx), T(s.xy), T(s.xz), T(s.yy), T(s.yz), T(s.zz)};
 }
 
 }  // namespace viete::sym3

@@ -1,4 +1,4 @@
-// exp of symmetric matrices in vector registers: the text behind every kernel, for fused loops elsewhere too.
+// exp of symmetric matrices in vector registers: the source of the kernels, and for fused loops elsewhere.
 // (No #pragma once: Highway's foreach_target includes this text again for each target.)
 //
 // How to use it, in a file that Highway compiles once per target:
@@ -19,7 +19,7 @@
 //   f(A) = z_0 I + z_1 A + z_2 adj A,   z_k = a_k + p z_{k+2} + q z_{k+3},
 // with p = |A|^2 / 2 and q = det A: A^3 = p A + q I (Cayley and Hamilton), and dividing f by x^3 - p x - q
 // gives the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2, where A^2 - p I = adj
-// A. No eigenvalues, no division of numbers, no case distinction: equal eigenvalues are as exact as any
+// A. No eigenvalues, no division of numbers, no case distinction: equal eigenvalues are as accurate as any
 // others. f is the minimax polynomial of exp for every p up to p_limit; larger p go there by A / 2^j, and
 // back by squaring the matrix j times.
 #if defined(VIETE_SYM3_EXP_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -186,7 +186,7 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
 /// times the square of the spread; that of the matrix grows by u with each unit of the spread. e^mean comes
 /// last, for any mean. Lanes that need no squaring take the steps of exp_quick, so that an answer does not
 /// depend on the lanes beside it. What is left goes through Jacobi one by one: more than max_squarings,
-/// overflow, NaN and infinities, and diagonal matrices, each entry of which is then exact by itself.
+/// overflow, NaN and infinities, and diagonal matrices, each entry of which is then accurate by itself.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 5> names = {"diag", "sd", "improved_sd", "improved_sd_faithful",
                                                    "fast"};
 
-// The kernels see a Sym3 as six numbers in a row.
+// The kernels see a Sym3 as six contiguous numbers.
 static_assert(sizeof(Sym3<double>) == 6 * sizeof(double) && sizeof(Sym3<float>) == 6 * sizeof(float));
 static_assert(std::is_standard_layout_v<Sym3<double>> && std::is_standard_layout_v<Sym3<float>>);
 

@@ -1,4 +1,4 @@
-// exp of symmetric 3x3 matrices: the paper's methods, and a faster exact one.
+// exp of symmetric 3x3 matrices: the paper's methods, and a faster and more accurate one.
 //
 // u is the unit roundoff, 2^-53 for double and 2^-24 for float; spread is the largest eigenvalue minus the
 // smallest; errors are relative, in the Frobenius norm, for results in the normal range. The bounds are
@@ -31,8 +31,9 @@ enum class Method {
   /// rounding, of any size. Infinities and NaN already where a term of x, y, z overflows.
   sd,
 
-  /// The same with Viete's closed-form eigenvalues, guarded: k clamped to [-1, 1], r = 0 handled. As exact
-  /// as sd, or worse by the noise of the closed form. Never NaN for finite input in whose terms nothing
+  /// The same with Viete's closed-form eigenvalues, guarded: k clamped to [-1, 1], r = 0 handled. As accurate
+  /// as sd, or worse by the rounding errors of the closed form. Never NaN for finite input in whose terms
+  /// nothing
   /// overflows.
   improved_sd,
 
@@ -44,12 +45,12 @@ enum class Method {
   /// spread) u with fused multiply-add, (8 + 2.5 spread) u without, at any trace and any gap; <= 6 u for
   /// spread <= 3 and <= 8 u on the paper's ensemble with it. Finite input never gives NaN: where an entry
   /// overflows, that entry alone is a signed infinity, diag(710, 0, 0) -> (inf, 1, 1); underflow is
-  /// gradual. Entries far below the norm are exact relative to the norm only, but for diagonal S of spread
-  /// above 6 (float 8), exact one by one.
+  /// gradual. Entries far below the norm are accurate relative to the norm only, but for diagonal S of spread
+  /// above 6 (float 8), where each is by itself.
   fast,
 };
 
-/// "diag", "sd", "improved_sd", "improved_sd_faithful", "fast": the words of the command line.
+/// "diag", "sd", "improved_sd", "improved_sd_faithful", "fast", as on the command line.
 std::string_view name(Method method);
 std::optional<Method> method_from_name(std::string_view name);
 

@@ -17,13 +17,6 @@ namespace {
 
 constexpr double same_eigenvalue = 1e-6;  // the paper's threshold, absolute
 
-template <class T>
-Sym3<T> square(const Sym3<T>& s) {
-  return {s.xx * s.xx + s.xy * s.xy + s.xz * s.xz, s.xx * s.xy + s.xy * s.yy + s.xz * s.yz,
-          s.xx * s.xz + s.xy * s.yz + s.xz * s.zz, s.xy * s.xy + s.yy * s.yy + s.yz * s.yz,
-          s.xy * s.xz + s.yy * s.yz + s.yz * s.zz, s.xz * s.xz + s.yz * s.yz + s.zz * s.zz};
-}
-
 /// exp(S) = x I + y S + z S^2.
 template <class T>
 struct Spectral {

@@ -1,4 +1,4 @@
-// The paper's three ways to exp, one matrix at a time. Internal: exp.h is the way in.
+// The paper's three methods for exp, one matrix at a time. Internal: exp.h is the interface.
 #pragma once
 
 #include "sym3/sym3.h"

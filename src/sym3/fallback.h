@@ -5,7 +5,7 @@
 namespace viete::sym3 {
 
 // Included by the kernels; holds no inline function: the linker keeps one copy of those, and may keep one
-// that needs newer hardware. Numbers in a row; in == out allowed.
+// that needs newer hardware. Contiguous numbers; in == out allowed.
 
 /// For spreads beyond the kernels' squarings, overflow, NaN and infinities, entries near the largest double.
 /// Jacobi in double-double, each entry of the answer summed relative to its own largest term: relative error
@@ -24,7 +24,7 @@ void sqrt_by_jacobi(const float* in, float* out);
 void inv_sqrt_by_jacobi(const double* in, double* out);
 void inv_sqrt_by_jacobi(const float* in, float* out);
 
-/// Three numbers, ascending, as exact as eigenvalues.h says.
+/// Three numbers, ascending, with the error bound of eigenvalues.h.
 void eigenvalues_by_jacobi(const double* in, double* out);
 void eigenvalues_by_jacobi(const float* in, float* out);
 

@@ -1,4 +1,4 @@
-// Eigenvalues and eigenvectors by Jacobi rotations: for the functions that need vectors, not speed. Internal.
+// Eigenvalues and eigenvectors by Jacobi rotations: where eigenvectors are needed and speed is not. Internal.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ inline double leading(const DoubleDouble& x) {
   return x.hi;
 }
 
-/// An off-diagonal entry this much smaller than its diagonal entries moves no digit of the result.
+/// An off-diagonal entry this much smaller than its diagonal entries changes no digit of the result.
 constexpr double negligible(double) {
   return 0x1p-56;
 }

@@ -13,10 +13,10 @@ namespace viete::sym3 {
 // s1 >= s2 >= |s3| are the singular values of M, s3 with the sign of det M. R is the rotation nearest to M; U
 // = R^T M is symmetric with eigenvalues s1, s2, s3: positive semi-definite for det M >= 0, indefinite below.
 //
-// Error |R - exact| <= 8 u (1 + s1 / (s2 + s3)), Frobenius norm, u = 2^-53 or 2^-24; U is as exact relative
-// to M. By the quartic for the trace of U (polar-inl.h) where (s1 + s2)(s1 + s3)(s2 + s3) is above 3 % of
-// |M|^3, else by the largest eigenvector of Horn's 4x4 matrix (1987), refined once, some 1 us. Where s2 + s3
-// = 0 no rotation is nearest alone: one of the nearest is answered, for M = 0 the identity. Any finite
+// Error |R - exact| <= 8 u (1 + s1 / (s2 + s3)), Frobenius norm, u = 2^-53 or 2^-24; U has the same error
+// relative to M. By the quartic for the trace of U (polar-inl.h) where (s1 + s2)(s1 + s3)(s2 + s3) is above 3
+// % of |M|^3, else by the largest eigenvector of Horn's 4x4 matrix (1987), refined once, some 1 us. Where s2
+// + s3 = 0 the nearest rotation is not unique: the answer is one of them, for M = 0 the identity. Any finite
 // entries; NaN or infinity gives nine NaN. Thread-safe; no allocation, no throw.
 
 template <class T>

@@ -34,16 +34,6 @@ Matrix scaled(const Matrix& m, double s) {
           scaled(m.yy, s), scaled(m.yz, s), scaled(m.zz, s)};
 }
 
-Matrix square(const Matrix& m) {
-  return {m.xx * m.xx + m.xy * m.xy + m.xz * m.xz, m.xx * m.xy + m.xy * m.yy + m.xz * m.yz,
-          m.xx * m.xz + m.xy * m.yz + m.xz * m.zz, m.xy * m.xy + m.yy * m.yy + m.yz * m.yz,
-          m.xy * m.xz + m.yy * m.yz + m.yz * m.zz, m.xz * m.xz + m.yz * m.yz + m.zz * m.zz};
-}
-
-Matrix times(const Matrix& m, const Real& x) {
-  return {m.xx * x, m.xy * x, m.xz * x, m.yy * x, m.yz * x, m.zz * x};
-}
-
 /// Taylor's polynomial of exp at x, |x| <= 1.
 Real exp_taylor(const Real& x) {
   const auto& a = inverse_factorials();

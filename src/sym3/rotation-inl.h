@@ -1,5 +1,5 @@
-// exp of rotation vectors and log of rotations in vector registers: the text behind every kernel, for fused
-// loops elsewhere too. (No #pragma once: Highway's foreach_target includes this text again for each target.)
+// exp of rotation vectors and log of rotations in vector registers: the source of the kernels, and for fused
+// loops elsewhere. (No #pragma once: Highway's foreach_target includes this text again for each target.)
 // How to use it: exp-inl.h. Bounds and special values: rotation.h.
 //
 // Half the angle: h = |w|^2 / 4, cos(sqrt h) and sin(sqrt h) / (2 sqrt h) are polynomials in h up to 3.24

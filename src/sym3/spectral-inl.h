@@ -5,8 +5,9 @@
 // S = M I + s B with B traceless and s a power of two that makes its largest entry about 1; p, q and C = adj
 // B as in exp-inl.h. The eigenvalues of B are 2 g cos t and -g (cos t -+ sqrt 3 sin t) times the sign of q,
 // g^2 = p / 3, where exp(3 i t) has the parts |q| and sqrt(D / 27) over 2 g^3. The discriminant D is summed
-// from squares of minors of (I, B, C), never subtracted: so eigenvalues that are close are as exact, relative
-// to the largest, as any others. f(B) = f(b) + f[b,c] (B - b) + f[a,b,c] (B - b)(B - c) = z0 I + z1 B + z2 C.
+// from squares of minors of (I, B, C), never subtracted: so eigenvalues that are close are as accurate,
+// relative to the largest, as any others. f(B) = f(b) + f[b,c] (B - b) + f[a,b,c] (B - b)(B - c) = z0 I + z1
+// B + z2 C.
 #if defined(VIETE_SYM3_SPECTRAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_SPECTRAL_INL_H
 #undef VIETE_SYM3_SPECTRAL_INL_H
@@ -20,13 +21,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// The eigenvalues of S: mean + size times a, b, c; b >= c are the closer pair, a is far from both.
+/// The eigenvalues of S: its mean eigenvalue plus `size` times a, b, c; b >= c are the closer pair, a is far
+/// from both.
 template <class V>
 struct Spectrum {
-  Six<V> matrix, adjugate;     ///< B and C
-  V minus_p, q;                ///< of B
-  V mean, size, a, b, c, gap;  ///< gap = b - c
-  V at_a, at_b, at_c;          ///< the eigenvalues
+  Six<V> matrix, adjugate;  ///< B and C
+  V minus_p, q;             ///< of B
+  V size, a, b, c, gap;     ///< gap = b - c
+  V at_a, at_b, at_c;       ///< the eigenvalues
 };
 
 /// 2^e for x of binary exponent e, and its inverse. x = 0 gives 0 and 2^1023 (float 2^127).
@@ -100,7 +102,6 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   e.b = hn::NegMulAdd(far, hn::Set(d, T(0.5)), half_gap);
   e.c = hn::NegMulAdd(far, hn::Set(d, T(0.5)), hn::Neg(half_gap));
   e.gap = hn::Add(half_gap, half_gap);
-  e.mean = hn::Add(m.mean, m.rest);
   e.at_a = hn::Add(m.mean, hn::MulAdd(e.size, e.a, m.rest));
   e.at_b = hn::Add(m.mean, hn::MulAdd(e.size, e.b, m.rest));
   e.at_c = hn::Add(m.mean, hn::MulAdd(e.size, e.c, m.rest));

@@ -1,4 +1,4 @@
-// The six numbers of a matrix as an array, and questions about them.
+// The six numbers of a matrix as an array, and tests of them.
 #pragma once
 
 #include <algorithm>

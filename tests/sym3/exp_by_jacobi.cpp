@@ -1,4 +1,4 @@
-// The way out of the kernels, called directly: right on ordinary matrices too.
+// The kernels' fallback for exp, called directly: right on ordinary matrices too.
 #include "sym3/fallback.h"
 
 #include <doctest/doctest.h>

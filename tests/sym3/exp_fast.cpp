@@ -1,4 +1,4 @@
-// The error bars of method `fast`, for every kernel that this machine can run, against 113 bits.
+// The error bounds of method `fast`, for every kernel that this machine can run, against 113 bits.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -32,43 +32,43 @@ std::vector<double> worst_errors(const std::vector<Sym3<T>>& matrices) {
 }
 
 template <class T>
-void check_bar(const std::string& what, const std::vector<Sym3<T>>& matrices, double fused_bar,
-               double plain_bar) {
+void check_bound(const std::string& what, const std::vector<Sym3<T>>& matrices, double fused_bound,
+                 double plain_bound) {
   const auto worst = worst_errors(matrices);
   for (std::size_t k = 0; k < worst.size(); ++k) {
     const auto& kernel = sym3::kernels()[k];
     CAPTURE(kernel.name);
     CAPTURE(what);
-    CHECK(worst[k] <= (kernel.fused ? fused_bar : plain_bar));
+    CHECK(worst[k] <= (kernel.fused ? fused_bound : plain_bound));
   }
 }
 
 template <class T>
 void check_spread(double spread, double lowest) {
   const std::string what = "spread " + std::to_string(spread) + " from " + std::to_string(lowest);
-  check_bar(what, spreads<T>(spread, lowest, 600), 6 + 2 * spread, 8 + 2.5 * spread);
+  check_bound(what, spreads<T>(spread, lowest, 600), 6 + 2 * spread, 8 + 2.5 * spread);
 }
 
 }  // namespace
 
 TEST_CASE_TEMPLATE("papers_ensemble_is_exact_to_8_u", T, double, float) {
-  check_bar("paper", paper_ensemble<T>(20000), 8, 12);
+  check_bound("paper", paper_ensemble<T>(20000), 8, 12);
 }
 
 TEST_CASE_TEMPLATE("any_gap_at_spread_up_to_3_is_exact_to_6_u", T, double, float) {
   for (int digits = 1; digits <= 16; ++digits) {
     const double gap = std::pow(10.0, -digits);
-    check_bar("pair " + std::to_string(digits), pairs<T>(gap, 500), 6, 10);
-    check_bar("triple " + std::to_string(digits), triples<T>(gap, 500), 6, 10);
+    check_bound("pair " + std::to_string(digits), pairs<T>(gap, 500), 6, 10);
+    check_bound("triple " + std::to_string(digits), triples<T>(gap, 500), 6, 10);
   }
   for (const double spread : {0.1, 1.0, 2.0, 3.0}) {
-    check_bar("spread", spreads<T>(spread, -spread / 3, 1000), 6, 10);
+    check_bound("spread", spreads<T>(spread, -spread / 3, 1000), 6, 10);
   }
 }
 
 TEST_CASE_TEMPLATE("tiny_matrices_are_exact_to_6_u", T, double, float) {
   for (const double size : {1e-3, 1e-8, 1e-30, 1e-37})
-    check_bar("tiny", spreads<T>(size, -size / 2, 300), 6, 6);
+    check_bound("tiny", spreads<T>(size, -size / 2, 300), 6, 6);
 }
 
 TEST_CASE("error_grows_by_2_u_per_spread_at_any_trace_in_double") {
@@ -87,7 +87,7 @@ TEST_CASE("error_grows_by_2_u_per_spread_at_any_trace_in_float") {
   }
 }
 
-TEST_CASE("just_below_overflow_and_just_above_underflow_the_bars_hold") {
+TEST_CASE("just_below_overflow_and_just_above_underflow_the_bounds_hold") {
   for (const double spread : {0.0, 3.0, 10.0}) {
     check_spread<double>(spread, 709 - spread);
     check_spread<double>(spread, -707.5);
@@ -96,7 +96,7 @@ TEST_CASE("just_below_overflow_and_just_above_underflow_the_bars_hold") {
   }
 }
 
-TEST_CASE_TEMPLATE("rank_one_and_diagonal_matrices_keep_the_bars", T, double, float) {
+TEST_CASE_TEMPLATE("rank_one_and_diagonal_matrices_keep_the_bounds", T, double, float) {
   Random random(11);
   std::vector<Sym3<T>> rank_one, diagonals;
   for (int i = 0; i < 1000; ++i) {
@@ -104,8 +104,8 @@ TEST_CASE_TEMPLATE("rank_one_and_diagonal_matrices_keep_the_bars", T, double, fl
     rank_one.push_back({x * x, x * y, x * z, y * y, y * z, z * z});
     diagonals.push_back(diagonal(3 * x, 3 * y, 3 * z));
   }
-  check_bar("rank one", rank_one, 8, 10);
-  check_bar("diagonal", diagonals, 18, 23);
+  check_bound("rank one", rank_one, 8, 10);
+  check_bound("diagonal", diagonals, 18, 23);
 }
 
 TEST_CASE_TEMPLATE("exp_of_minus_s_is_the_inverse", T, double, float) {

@@ -1,4 +1,4 @@
-// log, roots and powers: their bars by condition for every kernel, and that one matrix and a batch in any
+// log, roots and powers: their bounds by condition for every kernel, and that one matrix and a batch in any
 // layout get the same bits.
 #include "sym3/log.h"
 
@@ -59,7 +59,7 @@ QuadSym exact(Which which, const QuadSym& s) {
 }
 
 /// The promise of log.h for condition k and |log S| = size.
-double bar(Which which, double k, double size) {
+double bound(Which which, double k, double size) {
   if (which == Which::log) return 6 * std::max(1.0, k / size);
   if (which == Which::sqrt) return 6 * std::sqrt(k);
   if (which == Which::inv_sqrt) return 6 * k;
@@ -67,7 +67,7 @@ double bar(Which which, double k, double size) {
 }
 
 template <class T>
-void check_bars(double condition) {
+void check_bounds(double condition) {
   const auto in = with_condition<T>(condition, 60);
   for (const Which which : all) {
     std::vector<QuadSym> truth;
@@ -83,7 +83,7 @@ void check_bars(double condition) {
         CAPTURE(int(which));
         CAPTURE(kernel.name);
         CAPTURE(condition);
-        CHECK(error_in_u(out[i], truth[i]) <= bar(which, static_cast<double>(high / low), size));
+        CHECK(error_in_u(out[i], truth[i]) <= bound(which, static_cast<double>(high / low), size));
       }
     }
   }
@@ -96,12 +96,13 @@ bool same_or_both_nan(const Sym3<T>& a, const Sym3<T>& b) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("functions_of_a_batch_keep_their_bars_at_every_condition_and_gap", T, double, float) {
-  for (const double condition : {1 + 1e-9, 1.0001, 1.1, 2.0, 4.0, 10.0, 100.0, 3e3}) check_bars<T>(condition);
+TEST_CASE_TEMPLATE("functions_of_a_batch_keep_their_bounds_at_every_condition_and_gap", T, double, float) {
+  for (const double condition : {1 + 1e-9, 1.0001, 1.1, 2.0, 4.0, 10.0, 100.0, 3e3})
+    check_bounds<T>(condition);
 }
 
-TEST_CASE("functions_of_a_batch_keep_their_bars_up_to_condition_1e12_in_double") {
-  for (const double condition : {1e5, 1e7, 1e9, 1e11, 1e12}) check_bars<double>(condition);
+TEST_CASE("functions_of_a_batch_keep_their_bounds_up_to_condition_1e12_in_double") {
+  for (const double condition : {1e5, 1e7, 1e9, 1e11, 1e12}) check_bounds<double>(condition);
 }
 
 TEST_CASE("log_of_a_batch_is_relatively_exact_near_the_identity") {

@@ -82,7 +82,7 @@ Mat3<T> polar_with(const sym3::Kernel& kernel, const Mat3<T>& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("polar_keeps_its_bar_for_either_sign_of_the_determinant", T, double, float) {
+TEST_CASE_TEMPLATE("polar_keeps_its_bound_for_either_sign_of_the_determinant", T, double, float) {
   Random random(81);
   const std::array<double, 3> shapes[] = {
       {1, 1, 1},    {2, 1, .5},   {1.5, 1.2, .7}, {10, 1, 1},      {3, 1, .1},  {4, .5, .5},
@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("polar_keeps_its_bar_for_either_sign_of_the_determinant", T, 
   }
 }
 
-TEST_CASE_TEMPLATE("polar_keeps_its_bar_on_random_matrices", T, double, float) {
+TEST_CASE_TEMPLATE("polar_keeps_its_bound_on_random_matrices", T, double, float) {
   Random random(82);
   for (int i = 0; i < 2000; ++i) {
     Mat3<T> m;

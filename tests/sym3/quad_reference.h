@@ -1,4 +1,4 @@
-// The truth that the tests measure against: functions of symmetric matrices in 113 bits, by Jacobi and
+// What the tests measure errors against: functions of symmetric matrices in 113 bits, by Jacobi and
 // libquadmath.
 #pragma once
 

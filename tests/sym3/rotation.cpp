@@ -83,7 +83,7 @@ double log_error(const Vec3<T>& computed, const Vec3<T>& w) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("exp_rotation_keeps_its_bar_at_every_angle", T, double, float) {
+TEST_CASE_TEMPLATE("exp_rotation_keeps_its_bound_at_every_angle", T, double, float) {
   Random random(61);
   for (const double angle : {1e-30,     1e-9, 1e-4, 0.1,  0.5,  1.0, 1.5,    2.0,  2.5,   3.0,
                              pi - 1e-6, pi,   3.2,  3.24, 3.25, 4.0, 2 * pi, 10.0, 100.0, 1e4}) {
@@ -96,7 +96,7 @@ TEST_CASE_TEMPLATE("zero_vector_and_identity_belong_together_exactly", T, double
   CHECK(sym3::log_rotation(Mat3<T>{1, 0, 0, 0, 1, 0, 0, 0, 1}) == Vec3<T>{});
 }
 
-TEST_CASE_TEMPLATE("log_rotation_keeps_its_bar_up_to_half_a_turn", T, double, float) {
+TEST_CASE_TEMPLATE("log_rotation_keeps_its_bound_up_to_half_a_turn", T, double, float) {
   Random random(62);
   for (const double angle : {1e-30, 1e-12, 1e-6, 1e-3, 0.1, 0.7, 1.5, 2.0, 2.2, 2.5, 3.0, 3.1, pi - 1e-3,
                              pi - 1e-6, pi - 1e-9, pi - 1e-12, pi}) {

@@ -1,4 +1,4 @@
-// The way out of the kernels for log and roots, called directly: exact at any condition and gap.
+// The kernels' fallback for log and roots, called directly: accurate at any condition number and gap.
 #include "sym3/fallback.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ using sym3::Sym3;
 namespace {
 
 template <class T>
-constexpr double bar = sizeof(T) == 8 ? 24 : 1.5;
+constexpr double bound = sizeof(T) == 8 ? 24 : 1.5;
 
 template <class T>
 Sym3<T> by(void (*function)(const T*, T*), const Sym3<T>& s) {
@@ -46,20 +46,20 @@ Sym3<T> inv_sqrt(const Sym3<T>& s) {
 
 template <class T>
 void check(const Sym3<T>& s) {
-  CHECK(error_in_u(log(s), quad_log(to_quad(s))) <= bar<T>);
-  CHECK(error_in_u(inv_sqrt(s), quad_inv_sqrt(to_quad(s))) <= bar<T>);
-  CHECK(error_in_u(sqrt(s), quad_function(to_quad(s), sqrtq)) <= bar<T>);
+  CHECK(error_in_u(log(s), quad_log(to_quad(s))) <= bound<T>);
+  CHECK(error_in_u(inv_sqrt(s), quad_inv_sqrt(to_quad(s))) <= bound<T>);
+  CHECK(error_in_u(sqrt(s), quad_function(to_quad(s), sqrtq)) <= bound<T>);
 }
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("log_and_roots_by_jacobi_keep_their_bars_at_every_condition_and_gap", T, double, float) {
+TEST_CASE_TEMPLATE("log_and_roots_by_jacobi_keep_their_bounds_at_every_condition_and_gap", T, double, float) {
   for (const double condition : {1.0001, 1.1, 1.5, 2.0, 4.0, 7.0, 9.0, 12.0, 20.0, 1e2, 1e4, 1e6}) {
     for (const auto& s : with_condition<T>(condition, 300)) check(s);
   }
 }
 
-TEST_CASE("log_and_roots_by_jacobi_keep_their_bars_up_to_condition_1e15") {
+TEST_CASE("log_and_roots_by_jacobi_keep_their_bounds_up_to_condition_1e15") {
   for (const double condition : {1e8, 1e10, 1e12, 1e14, 1e15}) {
     for (const auto& s : with_condition<double>(condition, 200)) {
       const auto values = quad_eigen(to_quad(s)).values;
@@ -75,18 +75,18 @@ TEST_CASE("log_by_jacobi_is_relatively_exact_near_the_identity") {
       const double size = std::pow(10.0, -digits);
       Sym3<double> s = with_eigenvalues<double>({size, uniform(random, -size, size), -size}, random);
       s.xx += 1, s.yy += 1, s.zz += 1;
-      CHECK(error_in_u(log(s), quad_log(to_quad(s))) <= bar<double>);
+      CHECK(error_in_u(log(s), quad_log(to_quad(s))) <= bound<double>);
     }
   }
 }
 
-TEST_CASE("log_by_jacobi_keeps_its_bar_across_the_border_of_near_the_identity") {
+TEST_CASE("log_by_jacobi_keeps_its_bound_across_the_border_of_near_the_identity") {
   Random random(53);
   for (int i = 0; i < 4000; ++i) {
     const double off = uniform(random, 0.05, 0.3), d = std::pow(10.0, uniform(random, -4, -0.5));
     const auto any = [&random](double size) { return uniform(random, -size, size); };
     const Sym3<double> s = {1 + any(d), off, any(off), 1 + any(d), any(off) * (i % 2), 1 + any(d)};
-    CHECK(error_in_u(log(s), quad_log(to_quad(s))) <= bar<double>);
+    CHECK(error_in_u(log(s), quad_log(to_quad(s))) <= bound<double>);
   }
 }
 
@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("by_jacobi_matrices_that_are_not_positive_definite_give_six_n
   }
 }
 
-TEST_CASE("very_large_and_very_small_matrices_keep_the_bars") {
+TEST_CASE("very_large_and_very_small_matrices_keep_the_bounds") {
   for (const double size : {1e-290, 1e-160, 1e160, 1e290}) {
     for (const double condition : {3.0, 1e6}) {
       for (const auto& s : with_condition<double>(condition, 50, size)) check(s);
