@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "scene/edit.h"
+#include "scene/frame_stats.h"
 #include "scene/range.h"
 #include "scene/session.h"
 
@@ -83,10 +84,12 @@ void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot) {
 }
 
 void add_method_option(CLI::App& app, sym3::Method& method) {
+  std::vector<std::string> words;
+  for (const sym3::Method m : scene::compared_methods) words.emplace_back(sym3::name(m));
   auto* option = app.add_option_function<std::string>(
       "--method", [&method](const std::string& word) { method = *sym3::method_from_name(word); },
-      "How exp is computed: diag, sd, improved_sd or fast");
-  one_of(option, {"diag", "sd", "improved_sd", "fast"})->default_str("fast");
+      "How exp is computed: " + listed(words));
+  one_of(option, words)->default_str("fast");
 }
 
 void add_weighting_options(CLI::App& app, WeightingOptions& options) {

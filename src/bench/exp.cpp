@@ -114,19 +114,24 @@ double best_in_cache(const ExpBench& bench) {
 }
 
 struct Bar {
-  const char* name;
+  std::string name;
   double ns;
   const char* color;
 };
 
+// What is no method is called by its own name.
+std::string shown_name(const std::string& name) {
+  const auto method = sym3::method_from_name(name);
+  return method ? std::string(sym3::label(*method)) : name;
+}
+
 /// The methods from memory, and ours in the cache.
 std::vector<Bar> bars_of(const ExpBench& bench) {
-  const char* names[] = {"Diag", "SD", "Improved SD", "Fast", "copy"};
   const char* colors[] = {plot_color::reference, plot_color::reference, plot_color::rival,
                           plot_color::ours[0], plot_color::copy};
   std::vector<Bar> bars;
   for (std::size_t i = 0; i < bench.methods.size(); ++i)
-    bars.push_back({names[i], bench.methods[i].ns_per_item, colors[i]});
+    bars.push_back({shown_name(bench.methods[i].name), bench.methods[i].ns_per_item, colors[i]});
   bars.push_back({"Fast, in cache", best_in_cache(bench), plot_color::ours[0]});
   return bars;
 }

@@ -32,14 +32,16 @@ Sym3<T> by_pade(const Sym3<T>& s) {
   return sym3::from_eigen<T>(Eigen::Matrix<T, 3, 3>(sym3::to_eigen(s).exp()));
 }
 
-constexpr ExpMethod methods[] = {
-    {"Diag", by<Method::diag, double>, by<Method::diag, float>},
-    {"Direct", by_direct<double>, by_direct<float>},
-    {"SD", by<Method::sd, double>, by<Method::sd, float>},
-    {"ISD as printed", by<Method::improved_sd_faithful, double>, by<Method::improved_sd_faithful, float>},
-    {"Improved SD", by<Method::improved_sd, double>, by<Method::improved_sd, float>},
-    {"Pade", by_pade<double>, by_pade<float>},
-    {"Fast", by<Method::fast, double>, by<Method::fast, float>},
+template <Method method>
+ExpMethod by_method() {
+  return {sym3::label(method).data(), by<method, double>, by<method, float>};
+}
+
+const ExpMethod methods[] = {
+    by_method<Method::diag>(),        {"Direct", by_direct<double>, by_direct<float>},
+    by_method<Method::sd>(),          by_method<Method::improved_sd_faithful>(),
+    by_method<Method::improved_sd>(), {"Pade", by_pade<double>, by_pade<float>},
+    by_method<Method::fast>(),
 };
 
 }  // namespace

@@ -56,6 +56,12 @@ void use_method(Workspace& w) {
   set_method(w.document, Method);
 }
 
+template <sym3::Method Method>
+Command method_command(std::string_view name, char digit) {
+  const sym3::MethodEntry& entry = sym3::methods()[static_cast<std::size_t>(Method)];
+  return {name, entry.label, entry.sentence, "Method", {key(digit), false, true}, {}, uses_method, use_method<Method>};
+}
+
 template <StandardView View>
 void look(Workspace& w) {
   w.camera.look(View);
@@ -177,13 +183,8 @@ const std::vector<Command>& table() {
       {"tool_scale", "Scale", "Scale the selection about its centre.", "Tool", {key('R')}, {}, always,
        use_tool<Tool::scale>},
 
-      {"method_diag", "Diag", "Full diagonalisation by QR, the paper's reference.", "Method", {key('1'), false, true}, {}, uses_method,
-       use_method<M::diag>},
-      {"method_sd", "SD", "Spectral form with eigenvalues by QR.", "Method", {key('2'), false, true}, {}, uses_method, use_method<M::sd>},
-      {"method_improved_sd", "Improved SD", "Spectral form, eigenvalues by Viete's formula: the paper's method.",
-       "Method", {key('3'), false, true}, {}, uses_method, use_method<M::improved_sd>},
-      {"method_fast", "Fast", "A recurrence in two invariants, without eigenvalues.", "Method",
-       {key('4'), false, true}, {}, uses_method, use_method<M::fast>},
+      method_command<M::diag>("method_diag", '1'), method_command<M::sd>("method_sd", '2'),
+      method_command<M::improved_sd>("method_improved_sd", '3'), method_command<M::fast>("method_fast", '4'),
 
       {"run_benchmark", "Measure", "Measure every method on random matrices, beside the view.", "Method", {}, {},
        is_not_measuring, [](Workspace& w) { w.requests.run_benchmark = true; }},

@@ -1,6 +1,5 @@
 #include "sym3/exp.h"
 
-#include <array>
 #include <cassert>
 #include <type_traits>
 
@@ -11,8 +10,15 @@ namespace viete::sym3 {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> names = {"diag", "sd", "improved_sd", "improved_sd_faithful",
-                                                   "fast"};
+constexpr MethodEntry table[] = {
+    {Method::diag, "diag", "Diag", "Full diagonalisation by QR, the paper's reference."},
+    {Method::sd, "sd", "SD", "Spectral form with eigenvalues by QR."},
+    {Method::improved_sd, "improved_sd", "Improved SD",
+     "Spectral form, eigenvalues by Viete's formula: the paper's method."},
+    {Method::improved_sd_faithful, "improved_sd_faithful", "ISD as printed",
+     "The paper's method without guards: NaN for matrices with a double eigenvalue."},
+    {Method::fast, "fast", "Fast", "A recurrence in two invariants, without eigenvalues."},
+};
 
 // The kernels see a Sym3 as six contiguous numbers.
 static_assert(sizeof(Sym3<double>) == 6 * sizeof(double) && sizeof(Sym3<float>) == 6 * sizeof(float));
@@ -40,13 +46,21 @@ auto one_by(Method method) -> Sym3<T> (*)(const Sym3<T>&) {
 
 }  // namespace
 
+std::span<const MethodEntry> methods() {
+  return table;
+}
+
 std::string_view name(Method method) {
-  return names[static_cast<std::size_t>(method)];
+  return table[static_cast<std::size_t>(method)].name;
+}
+
+std::string_view label(Method method) {
+  return table[static_cast<std::size_t>(method)].label;
 }
 
 std::optional<Method> method_from_name(std::string_view name) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name) return static_cast<Method>(i);
+  for (const MethodEntry& entry : table) {
+    if (entry.name == name) return entry.method;
   }
   return std::nullopt;
 }

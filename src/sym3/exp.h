@@ -50,8 +50,18 @@ enum class Method {
   fast,
 };
 
-/// "diag", "sd", "improved_sd", "improved_sd_faithful", "fast", as on the command line.
+/// What there is to say of a method.
+struct MethodEntry {
+  Method method;
+  const char* name;      ///< stable, for command lines and files: "improved_sd"
+  const char* label;     ///< for people: "Improved SD"
+  const char* sentence;  ///< how it works
+};
+
+/// All methods, in the order of the enumeration.
+std::span<const MethodEntry> methods();
 std::string_view name(Method method);
+std::string_view label(Method method);
 std::optional<Method> method_from_name(std::string_view name);
 
 /// exp(S), T = float or double.

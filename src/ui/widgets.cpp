@@ -124,8 +124,7 @@ void command_toggle(const Context& ui, std::string_view name, bool value) {
 }
 
 std::string method_label(sym3::Method method) {
-  const scene::Command* command = scene::find_command("method_" + std::string(sym3::name(method)));
-  return std::string(command ? command->label : sym3::name(method));
+  return std::string(label(method));
 }
 
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color) {
