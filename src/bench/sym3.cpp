@@ -307,6 +307,10 @@ void logarithms(const std::string& what, const std::vector<Sym3<double>>& matric
         [&](std::size_t) {
           std::transform(matrices.begin(), matrices.end(), answers.begin(), sym3::log_qr<double>);
         }},
+       {"one by one",
+        [&](std::size_t) {
+          std::transform(matrices.begin(), matrices.end(), answers.begin(), sym3::log<double>);
+        }},
        {"batched", [&](std::size_t) { sym3::log(from, to, in_cache); }, 4},
        {"copy", [&](std::size_t) { std::memcpy(out.get(), in.get(), 6 * stride * sizeof(double)); }, 20}},
       1, in_cache, 41, "QR");
