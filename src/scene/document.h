@@ -19,6 +19,8 @@
 
 namespace viete::scene {
 
+using mesh::Summary;
+
 /// A surface that was opened, and what was found in it.
 struct OpenedSurface {
   std::filesystem::path path;

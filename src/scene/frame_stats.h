@@ -11,6 +11,11 @@
 
 namespace viete::scene {
 
+// What panels show of a frame.
+using deform::Link;
+using deform::link_count;
+using sym3::Method;
+
 /// Milliseconds of wall time of one frame.
 struct FrameTimes {
   double when = 0;          ///< seconds on a monotonic clock

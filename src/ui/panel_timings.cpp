@@ -11,23 +11,23 @@ namespace viete::ui {
 
 namespace {
 
-constexpr std::size_t part_count = deform::link_count + 4;
+constexpr std::size_t part_count = scene::link_count + 4;
 using Parts = std::array<double, part_count>;
 
 Parts parts_of(const scene::FrameTimes& frame) {
   Parts parts{};
   std::copy(frame.links.ms.begin(), frame.links.ms.end(), parts.begin());
-  parts[deform::link_count] = frame.upload;
-  parts[deform::link_count + 1] = frame.draw;
-  parts[deform::link_count + 2] = frame.panels;
-  parts[deform::link_count + 3] = std::max(0.0, frame.other());
+  parts[scene::link_count] = frame.upload;
+  parts[scene::link_count + 1] = frame.draw;
+  parts[scene::link_count + 2] = frame.panels;
+  parts[scene::link_count + 3] = std::max(0.0, frame.other());
   return parts;
 }
 
 std::string part_name(std::size_t part) {
   static constexpr const char* others[] = {"upload", "draw", "panels", "other"};
-  if (part >= deform::link_count) return others[part - deform::link_count];
-  return std::string(deform::name(static_cast<deform::Link>(part)));
+  if (part >= scene::link_count) return others[part - scene::link_count];
+  return std::string(name(static_cast<scene::Link>(part)));
 }
 
 void bar(const Parts& parts, double total) {
@@ -55,7 +55,7 @@ void legend(const Context& ui, const Parts& parts) {
   std::array<std::size_t, part_count> shown{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < part_count; ++i) {
-    if (i >= deform::link_count || parts[i] > 0) shown[count++] = i;
+    if (i >= scene::link_count || parts[i] > 0) shown[count++] = i;
   }
   const std::size_t rows = (count + 1) / 2;
   constexpr float gap = 16;

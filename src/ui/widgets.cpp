@@ -123,7 +123,7 @@ void command_toggle(const Context& ui, std::string_view name, bool value) {
   hint(hint_of(ui, command));
 }
 
-std::string method_label(sym3::Method method) {
+std::string method_label(scene::Method method) {
   return std::string(label(method));
 }
 

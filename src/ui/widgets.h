@@ -28,7 +28,7 @@ void command_choice(const Context& ui, std::initializer_list<std::string_view> c
 void command_toggle(const Context& ui, std::string_view command, bool value);
 
 /// The method's label on its button.
-std::string method_label(sym3::Method method);
+std::string method_label(scene::Method method);
 
 /// "label ........ value" on one line, the value right-aligned in tabular figures.
 void value_row(const Context& ui, const char* label, const std::string& value, ImU32 color = 0);
