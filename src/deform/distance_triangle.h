@@ -1,4 +1,5 @@
-// Triangles as vector code computes distances to them: each in a frame of its own.
+// Triangles as vector code computes distances to them: each in a frame of its own. mesh::closest_on_triangle
+// goes by cases, which lanes cannot, and says where the closest point is, which they need not know.
 #pragma once
 
 #include <array>

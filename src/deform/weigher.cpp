@@ -1,6 +1,7 @@
 #include "deform/weigher.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "deform/distance_triangle.h"
 #include "deform/face_maps.h"
@@ -74,15 +75,22 @@ void Weigher::add_views() {
   std::vector<mesh::Triangle> triangles;
   for (const auto& view : views_) triangles.push_back({view.corner[0], view.corner[1], view.corner[2]});
   const auto table = mesh::half_edges(corners_.size(), triangles);
-  edges_ = table.edges;
-  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+  // In the order in which the triangles come to them: what a kernel has just computed is at hand then.
+  std::vector<std::uint32_t> order(table.edges.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return table.of(a).front().triangle < table.of(b).front().triangle;
+  });
+  for (const auto e : order) {
+    const mesh::Edge& edge = table.edges[e];
     for (const auto& [triangle, forward] : table.of(e)) {
       MeanValueTriangle& view = views_[triangle];
       int i = 0;  // the corner opposite
-      while (view.corner[i] == edges_[e][0] || view.corner[i] == edges_[e][1]) ++i;
-      view.edge[i] = e;
+      while (view.corner[i] == edge[0] || view.corner[i] == edge[1]) ++i;
+      view.edge[i] = static_cast<std::uint32_t>(edges_.size());
       view.sign[i] = forward ? 1 : -1;
     }
+    edges_.push_back(edge);
   }
 }
 

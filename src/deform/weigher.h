@@ -56,7 +56,7 @@ private:
   std::vector<DistanceTriangle<float>> float_triangles_;
   std::vector<Vec3> origins_, shifts_;
   // For mean values: its edges, and its triangles by corners and edges.
-  std::vector<std::array<std::uint32_t, 2>> edges_;
+  std::vector<mesh::Edge> edges_;
   std::vector<MeanValueTriangle> views_;
 };
 
