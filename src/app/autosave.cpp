@@ -33,8 +33,7 @@ Autosave::Autosave(fs::path folder, base::BackgroundQueue& queue)
 void Autosave::follow(scene::Workspace& workspace) {
   if (folder_.empty()) return;
   take_result(workspace, 0);
-  const Moment now{workspace.opened, workspace.document.history.revision(), workspace.saved.revision,
-                   workspace.document.weighting()};
+  const Moment now{workspace.opened, workspace.document.history.revision(), workspace.saved.revision};
   if (now == seen_) return;
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {

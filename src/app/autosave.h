@@ -41,7 +41,6 @@ private:
   struct Moment {
     scene::Revision opened = 0;
     unsigned long edits = 0, saved = 0;
-    deform::Weighting weighting{deform::Coordinates::face};  // no edit of the history
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 

@@ -90,7 +90,7 @@ void add_frame_bench(CLI::App& bench, Action& action) {
   add_rounds_option(*command, options->rounds, "11");
   auto* tolerance = command->add_option("--tolerance", options->tolerance, "Of compressed weights");
   in_range(tolerance, 0, 0.1)->default_str("3e-5");
-  add_reach_option(*command, options->reach);
+  add_reach_option(*command, [options](double reach) { options->reach = reach; });
   add_bench_files(*command, *files);
   command->callback([options, files, &action] {
     action = [options, files] { return run_on_bundled_model(*options, *files, bench::bench_frame); };

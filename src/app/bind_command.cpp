@@ -19,22 +19,21 @@ namespace {
 
 struct BindOptions {
   std::filesystem::path model, cage, output;
-  WeightingOptions weighting;
+  SchemeOptions scheme;
   double tolerance = deform::usual_tolerance;
   bool force = false;
 };
 
 void print(const deform::TiledBinding& tiles, double seconds) {
+  const std::string handles(deform::entry(tiles.weighting.elements).handles);
   std::printf("bound %s vertices to %zu cage %s in %.2f s: %.1f MB",
-              base::with_thousands(tiles.leaves.vertices).c_str(), tiles.handles,
-              tiles.coordinates == deform::Coordinates::face ? "triangles" : "vertices", seconds,
+              base::with_thousands(tiles.leaves.vertices).c_str(), tiles.handles, handles.c_str(), seconds,
               static_cast<double>(tiles.bytes()) * 1e-6);
   const double dense = static_cast<double>(tiles.dense_bytes()) * 1e-6;
   if (tiles.compressed()) std::printf(", compressed to %g from %.1f MB", tiles.tolerance, dense);
-  if (tiles.has_lists()) {
-    std::printf(", in lists of %.0f %s on average, instead of %.1f MB", tiles.mean_rows(),
-                tiles.coordinates == deform::Coordinates::face ? "triangles" : "vertices", dense);
-  }
+  if (tiles.has_lists())
+    std::printf(", in lists of %.0f %s on average, instead of %.1f MB", tiles.mean_rows(), handles.c_str(),
+                dense);
   std::printf("\n");
 }
 
@@ -48,11 +47,11 @@ int bind_files(const BindOptions& options) {
   scene::Document& document = *opened.document;
   if (!document.has_cage())
     throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
-  options.weighting.apply(document, opened.session.has_value());
+  options.scheme.apply(document, opened.session.has_value());
   base::WorkerPool pool;
   base::Stopwatch watch;
-  const auto tiles = deform::bind_tiles(*document.model.surface, *document.cage, document.weighting(), pool,
-                                        options.tolerance);
+  const auto tiles = deform::bind_tiles(*document.model.surface, *document.cage, document.scheme.weighting,
+                                        pool, options.tolerance);
   print(tiles, 1e-3 * watch.lap_ms());
   deform::write_binding(options.output, tiles, *document.model.surface, *document.cage);
   return exit_ok;
@@ -70,7 +69,7 @@ void add_bind_command(CLI::App& app, Action& action) {
   add_file_option(*command, "CAGE", o->cage, "Cage around it, at rest");
   add_file_option(*command, "-o,--output", o->output, "File to write")->required();
   add_force_option(*command, o->force);
-  add_weighting_options(*command, o->weighting);
+  add_scheme_options(*command, o->scheme, false);
   auto* tolerance = command->add_option(
       "--tolerance", o->tolerance,
       "What compression may change the weights of a vertex by (root of the sum of squares; 0: no "

@@ -8,15 +8,16 @@
 namespace viete::app {
 
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
-           deform::Weighting weighting, sym3::Method method, const Bound& known, const SavedBindings& saved,
+           const deform::Scheme& scheme, sym3::Method method, const Bound& known, const SavedBindings& saved,
            base::Progress& progress) {
-  using deform::Path;
+  using deform::EngineKind;
+  const deform::Weighting& weighting = scheme.weighting;
   base::WorkerPool pool;
   const bool shared =
-      known.binding && known.model == model && known.cage == cage && known.binding->weighting() == weighting;
+      known.binding && known.model == model && known.cage == cage && known.binding->weighting == weighting;
   Bound bound{model, cage, shared ? known.binding : nullptr};
   auto& binding = bound.binding;
-  const bool staged = weighting.coordinates == deform::Coordinates::face && method != sym3::Method::fast;
+  const bool staged = scheme.exponential() && method != sym3::Method::fast;
   if (!binding || !binding->tiles) {
     if (staged) progress.section(0, 0.5);
     FoundBinding found = find_binding(saved, *model, *cage, weighting, progress);
@@ -25,13 +26,13 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
     tiles_alone.tiles = std::move(found.tiles);
     base::Stopwatch watch;
     binding = std::make_shared<const deform::Binding>(
-        deform::bind(*model, *cage, weighting, Path::fused, &tiles_alone, pool, &progress));
+        deform::bind(*model, *cage, weighting, EngineKind::fused, &tiles_alone, pool, &progress));
     if (!tiles_alone.tiles) bound.seconds = 1e-3 * watch.lap_ms();
   }
   if (staged && binding->weights.empty()) {
     progress.section(progress.done(), 1);
     binding = std::make_shared<const deform::Binding>(
-        deform::bind(*model, *cage, weighting, Path::staged, binding.get(), pool, &progress));
+        deform::bind(*model, *cage, weighting, EngineKind::staged, binding.get(), pool, &progress));
   }
   return bound;
 }

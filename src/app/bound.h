@@ -18,18 +18,18 @@ struct Bound {
   double seconds = 0;     ///< that its tiles took to bind; 0 if they were there
   std::string problem{};  ///< of a saved binding that was named and could not be used
 
-  /// True if it binds the document's model to the document's cage, by whatever coordinates.
+  /// True if it binds the document's model to the document's cage, by whatever weights.
   bool binds(const scene::Document& document) const {
     return binding && model == document.model.surface && cage == document.cage;
   }
 };
 
 /// For the document's frames: the fused one, and with a method that it does not run the staged one too. Of
-/// `known`, if it binds the same by the same coordinates and reach, what fits is shared, and what is saved is
+/// `known`, if it binds the same by the same weights, what fits is shared, and what is saved is
 /// read. Uses a pool of its own for as long as it takes. Throws base::Error when it does not fit into memory,
 /// and base::Cancelled. Thread-safe.
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
-           deform::Weighting weighting, sym3::Method method, const Bound& known, const SavedBindings& saved,
+           const deform::Scheme& scheme, sym3::Method method, const Bound& known, const SavedBindings& saved,
            base::Progress& progress);
 
 }  // namespace viete::app

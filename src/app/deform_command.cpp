@@ -18,7 +18,7 @@ namespace {
 struct DeformOptions {
   std::filesystem::path model, cage, pose, output;
   sym3::Method method = sym3::Method::fast;
-  WeightingOptions weighting;
+  SchemeOptions scheme;
   bool method_given = false, force = false;
 };
 
@@ -36,7 +36,7 @@ scene::Document open(const DeformOptions& options) {
   if (!document.has_cage())
     throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
   if (!opened.session || options.method_given) document.method = options.method;
-  options.weighting.apply(document, opened.session.has_value());
+  options.scheme.apply(document, opened.session.has_value());
   return document;
 }
 
@@ -61,7 +61,7 @@ void add_deform_command(CLI::App& app, Action& action) {
       ->required();
   add_force_option(*command, o->force);
   add_method_option(*command, o->method);
-  add_weighting_options(*command, o->weighting);
+  add_scheme_options(*command, o->scheme);
   command->callback([o, command, &action] {
     check_session_stands_alone(o->model, o->cage, o->pose);
     const bool session = scene::is_session(o->model);

@@ -16,8 +16,7 @@ scene::Document without_history(const scene::Document& document) {
   copy.cage_file = document.cage_file;
   copy.cage = document.cage;
   copy.method = document.method;
-  copy.coordinates = document.coordinates;
-  copy.reach = document.reach;
+  copy.scheme = document.scheme;
   return copy;
 }
 
@@ -43,11 +42,11 @@ Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Docu
   progress.section(1, 1);
   if (!document.has_cage()) return loaded;
   const scene::Document& settings = opened.session ? document : current;  // that take() will leave
-  const auto weighting = settings.weighting();
   part.binds = true;
-  part.begin(scene::text(scene::binding_plan(document, weighting.coordinates)));
+  part.begin(scene::text(scene::binding_plan(document, settings.scheme.weighting.elements)));
   progress.section(0, 1);
-  loaded.bound = bind(document.model.surface, document.cage, weighting, settings.method, {}, saved, progress);
+  loaded.bound =
+      bind(document.model.surface, document.cage, settings.scheme, settings.method, {}, saved, progress);
   return loaded;
 }
 

@@ -92,41 +92,68 @@ void add_method_option(CLI::App& app, sym3::Method& method) {
   one_of(option, words)->default_str("fast");
 }
 
-void add_weighting_options(CLI::App& app, WeightingOptions& options) {
+namespace {
+
+// Takes a name of the table.
+template <class Entry, class Choice>
+void add_choice(CLI::App& app, const std::string& name, std::span<const Entry> table,
+                std::optional<Choice>& choice, std::string text) {
+  std::vector<std::string> words;
+  for (const Entry& e : table) {
+    text += (words.empty() ? ": " : ", ") + std::string(e.name) + " (" + std::string(e.sentence) + ")";
+    words.emplace_back(e.name);
+  }
   auto* option = app.add_option_function<std::string>(
-      "--coordinates",
-      [&options](const std::string& word) {
-        options.coordinates = *deform::coordinates_from_name(word);
-        options.coordinates_given = true;
-      },
-      "How the cage moves the mesh: face (affine maps blended in log space) or mvc (mean value "
-      "coordinates)");
-  one_of(option, {"face", "mvc"})->default_str("face");
-  add_reach_option(app, options.reach)->each([&options](const std::string&) { options.reach_given = true; });
+      name, [&choice, table](const std::string& word) { choice = deform::find_by_name(table, word); }, text);
+  one_of(option, words);
 }
 
-CLI::Option* add_reach_option(CLI::App& app, double& reach) {
+}  // namespace
+
+void add_scheme_options(CLI::App& app, SchemeOptions& options, bool with_blend) {
+  deform::PartialChoice& choice = options.choice;
+  add_choice(app, "--elements", deform::all_elements(), choice.elements, "Which maps the cage carries");
+  add_choice(app, "--weights", deform::all_weights(), choice.weights, "How much of each a vertex takes");
+  if (with_blend)
+    add_choice(app, "--blend", deform::all_blends(), choice.blend, "What of the maps is summed");
+  auto* option = app.add_option_function<std::string>(
+      "--coordinates",
+      [&options](const std::string& word) { options.coordinates = deform::combination_of_shorthand(word); },
+      "Short for elements, weights and blend: face (affine maps blended in log space) or mvc (mean value "
+      "coordinates)");
+  one_of(option, {"face", "mvc"})->default_str("face");
+  for (const char* other : {"--elements", "--weights", "--blend"}) {
+    if (auto* given = app.get_option_no_throw(other)) option->excludes(given);
+  }
+  add_reach_option(app, [&options](double reach) { options.reach = reach; });
+}
+
+CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take) {
   const std::string lowest = deform::text_of_reach(deform::lowest_reach);
   return app
       .add_option_function<std::string>(
           "--reach",
-          [&reach, lowest](const std::string& text) {
+          [take, lowest](const std::string& text) {
             const auto number = deform::reach_from_text(text);
             if (!number)
               throw CLI::ValidationError("--reach",
                                          "needs a number from " + lowest + " on, or all, not " + text);
-            reach = *number;
+            take(*number);
           },
-          "Of coordinates face: how many times as far as the nearest faces a face still moves the mesh, " +
+          "Of inverse distances: how many times as far as the nearest faces a face still moves the mesh, " +
               lowest + " or more, or all: every face moves all of it")
       ->option_text("NUMBER")
       ->default_str("all");
 }
 
-void WeightingOptions::apply(scene::Document& document, bool of_session) const {
-  if (!of_session || coordinates_given) scene::set_coordinates(document, coordinates);
-  if (!of_session || reach_given) scene::set_reach(document, reach);
-  if (reach_given && document.coordinates == deform::Coordinates::mean_value) {
+void SchemeOptions::apply(scene::Document& document, bool of_session) const {
+  deform::Scheme scheme = of_session ? document.scheme : deform::Scheme();
+  if (coordinates) scheme = deform::with(scheme, *coordinates);
+  if (choice.elements || choice.weights || choice.blend)
+    scheme = deform::with(scheme, deform::complete(choice, scheme));
+  if (reach) scheme.weighting.reach = *reach;
+  scene::put_scheme(document, scheme);
+  if (reach && !deform::entry(scheme.weighting.weights).has_reach) {
     throw base::Error("--reach",
                       "mean value coordinates have no reach: every vertex of the cage moves all of the model",
                       "leave it out, or add --coordinates face");

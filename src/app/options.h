@@ -1,10 +1,12 @@
-// Options that several subcommands share: methods, coordinates, sizes.
+// Options that several subcommands share: methods, ways of blending, sizes.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,18 +37,21 @@ void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 
 /// --method diag|sd|improved_sd|fast. The target must outlive parsing.
 void add_method_option(CLI::App& app, sym3::Method& method);
-/// --coordinates face|mvc and --reach NUMBER|all. What is not given a session keeps as it has it.
-struct WeightingOptions {
-  deform::Coordinates coordinates = deform::Coordinates::face;
-  double reach = deform::whole_cage;
-  bool coordinates_given = false, reach_given = false;
+/// --elements, --weights, --blend, or --coordinates for all three, and --reach NUMBER|all. What is not given
+/// a session keeps as it has it, where that goes together with what is.
+struct SchemeOptions {
+  deform::PartialChoice choice;
+  const deform::Combination* coordinates = nullptr;
+  std::optional<double> reach{};
 
-  /// To a document that was just opened. Throws base::Error if a reach is given where coordinates have none.
+  /// To a document that was just opened. Throws base::Error if the choices do not go together, or a reach is
+  /// given where weights have none.
   void apply(scene::Document& document, bool of_session) const;
 };
-void add_weighting_options(CLI::App& app, WeightingOptions& options);
-/// --reach alone, of faces.
-CLI::Option* add_reach_option(CLI::App& app, double& reach);
+/// Not --blend for commands that only make weights.
+void add_scheme_options(CLI::App& app, SchemeOptions& options, bool with_blend = true);
+/// --reach alone.
+CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take);
 /// --binding FILE, written by `viete bind`.
 void add_binding_option(CLI::App& app, std::filesystem::path& file);
 /// A session names its cage and its pose itself: throws CLI::ValidationError if MODEL is one and others are

@@ -23,7 +23,7 @@ struct RenderOptions {
   std::filesystem::path model, cage, pose, output;
   ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
   sym3::Method method = sym3::Method::fast;
-  WeightingOptions weighting;
+  SchemeOptions scheme;
   bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
   std::string look = "home";
   bool force = false, method_given = false, size_given = false, look_given = false;
@@ -52,7 +52,7 @@ void set_up(scene::Workspace& workspace, scene::Opened&& opened, const RenderOpt
   scene::take(workspace, std::move(opened));
   workspace.view = view_of(options, session);
   if (!session || options.method_given) scene::set_method(workspace.document, options.method);
-  options.weighting.apply(workspace.document, session.has_value());
+  options.scheme.apply(workspace.document, session.has_value());
 }
 
 // A session has its own camera, which another look replaces.
@@ -118,7 +118,7 @@ void add_render_command(CLI::App& app, Action& action) {
   auto* scale = command->add_option("--scale", o->viewer.scale, "Device pixels per logical pixel");
   in_range(scale, 0.5, 4)->default_str("1");
   add_method_option(*command, o->method);
-  add_weighting_options(*command, o->weighting);
+  add_scheme_options(*command, o->scheme);
   add_binding_option(*command, o->viewer.bindings.named);
   auto* look = command->add_option("--look", o->look, "home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* extension = ".binding";
 
 fs::path kept_file(const SavedBindings& saved, const mesh::Surface& model, const deform::Cage& cage,
-                   deform::Weighting weighting) {
+                   const deform::Weighting& weighting) {
   char name[17];
   const auto key = deform::binding_key(model, cage, weighting, deform::usual_tolerance);
   std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(key));
@@ -67,7 +67,7 @@ fs::path bindings_folder() {
 }
 
 FoundBinding find_binding(const SavedBindings& saved, const mesh::Surface& model, const deform::Cage& cage,
-                          deform::Weighting weighting, base::Progress& progress) {
+                          const deform::Weighting& weighting, base::Progress& progress) {
   const auto read = [&](const fs::path& file) {
     return std::make_shared<const deform::TiledBinding>(
         deform::read_binding(file, model, cage, weighting, &progress));
@@ -101,7 +101,7 @@ void keep_binding(const SavedBindings& saved, const deform::TiledBinding& tiles,
   fs::create_directories(saved.folder, ignored);
   base::remove_stale_parts(saved.folder);
   drop_oldest(saved.folder, saved.limit - bytes);
-  deform::write_binding(kept_file(saved, model, cage, tiles.weighting()), tiles, model, cage,
+  deform::write_binding(kept_file(saved, model, cage, tiles.weighting), tiles, model, cage,
                         base::Outlives::program);
 }
 

@@ -32,7 +32,7 @@ struct FoundBinding {
 
 /// Throws base::Cancelled. Thread-safe.
 FoundBinding find_binding(const SavedBindings& saved, const mesh::Surface& model, const deform::Cage& cage,
-                          deform::Weighting weighting, base::Progress& progress);
+                          const deform::Weighting& weighting, base::Progress& progress);
 
 /// Into the folder, unless it alone is larger than all may be. Throws base::Error. Thread-safe.
 void keep_binding(const SavedBindings& saved, const deform::TiledBinding& tiles, const mesh::Surface& model,

@@ -68,7 +68,7 @@ void add_view_command(CLI::App& app, Action& action) {
   add_file_option(*command, "--pose", options->pose,
                   "Posed version of the cage, same vertices in the same order");
   add_method_option(*command, options->method);
-  add_weighting_options(*command, options->weighting);
+  add_scheme_options(*command, options->scheme);
   add_binding_option(*command, options->binding);
   in_range(command->add_option("--scale", options->scale, "Device pixels per logical pixel"), 0.5, 4)
       ->default_str("what the display says");

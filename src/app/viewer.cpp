@@ -12,6 +12,7 @@
 #include "deform/vertex_sample.h"
 #include "render/palette.h"
 #include "scene/binding_plan.h"
+#include "scene/edit.h"
 #include "scene/pose_notes.h"
 #include "scene/saving.h"
 #include "sym3/kernel.h"
@@ -24,6 +25,7 @@ namespace viete::app {
 namespace fs = std::filesystem;
 
 constexpr std::size_t benchmark_count = 1 << 18;  // some seconds, and more than caches hold
+constexpr std::size_t probed_matrices = 2048;
 
 Viewer::ImGuiOwner::ImGuiOwner() {
   ImGui::CreateContext();
@@ -112,7 +114,7 @@ void Viewer::frame(float seconds) {
 void Viewer::count(const scene::FrameTimes& times) {
   if (!deformed_) return;
   if (std::exchange(warming_up_, false)) {
-    posed_seen_ = workspace_.document.posed - 1;
+    pose_deformed_.reset();
   } else {
     workspace_.stats.add(times);
   }
@@ -151,10 +153,11 @@ bool Viewer::wants_frame() const {
 
 bool Viewer::changing() const {
   const scene::Document& document = workspace_.document;
-  const bool cage_moved = document.has_cage() && posed_drawn_ != document.posed;
-  const bool model_waits = deformer_ && posed_seen_ != document.posed;
+  const scene::Revisions& now = document.revisions;
+  const bool cage_moved = document.has_cage() && cage_drawn_ != now.pose;
+  const bool model_waits = deformer_ && (pose_deformed_ != now.pose || method_seen_ != now.method);
   return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved || model_waits ||
-         topology_seen_ != document.topology;
+         surfaces_seen_ != now.surfaces || weights_seen_ != now.weights;
 }
 
 void Viewer::take_requests() {
@@ -184,47 +187,62 @@ void Viewer::follow_benchmark() {
 
 void Viewer::follow_document() {
   const scene::Document& document = workspace_.document;
-  if (topology_seen_ != document.topology) {
-    topology_seen_ = document.topology;
-    settle_frames_ = 3;
-    follow_topology();
-  }
+  const scene::Revisions& now = document.revisions;
+  const bool new_surfaces = std::exchange(surfaces_seen_, now.surfaces) != now.surfaces;
+  const bool new_weights = std::exchange(weights_seen_, now.weights) != now.weights;
+  if (new_surfaces) follow_surfaces();
+  if (new_surfaces || new_weights) follow_weights();
+  if (method_seen_ != now.method) follow_method();
   if (checked_model_ != document.model.surface || checked_cage_ != document.cage_file.surface) start_checks();
   take_checks(false);
   // The staged frame's weights are made when a method asks for them; until then method `fast` serves.
-  if (deformer_ && !binder_.running() && !deformer_->path(document.method)) start_binding();
+  if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding();
   take_binding(false);
   workspace_.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
                         binder_.seconds()};
 }
 
-// New model or cage: everything that was derived from the old ones goes. New coordinates or another reach:
-// the old ones serve until the new ones are there.
-void Viewer::follow_topology() {
+// Everything that was derived from the old ones goes.
+void Viewer::follow_surfaces() {
   const scene::Document& document = workspace_.document;
+  settle_frames_ = 3;
   binder_.cancel();
-  if (!bound_.binds(document)) {
-    deformer_.reset();
-    bound_ = {};
-    error_map_.cancel();
-    workspace_.pose_notes.clear();
-    if (files_.look().surface != document.model.surface) files_.look() = look_of(document.model.surface);
-    stage_.set_document(document, files_.look());
-    posed_drawn_ = document.posed - 1;
-    posed_seen_ = document.posed - 1;
-    if (Bound bound = files_.take_bound(); bound.binds(document)) install(std::move(bound));
-  }
-  if (document.has_cage() && !(deformer_ && bound_.binding->weighting() == document.weighting()))
+  deformer_.reset();
+  bound_ = {};
+  error_map_.cancel();
+  workspace_.pose_notes.clear();
+  if (files_.look().surface != document.model.surface) files_.look() = look_of(document.model.surface);
+  stage_.set_document(document, files_.look());
+  cage_drawn_.reset();
+  pose_deformed_.reset();
+  if (Bound bound = files_.take_bound(); bound.binds(document)) install(std::move(bound));
+}
+
+// The old ones serve until the new ones are there.
+void Viewer::follow_weights() {
+  const scene::Document& document = workspace_.document;
+  settle_frames_ = 3;
+  binder_.cancel();
+  if (document.has_cage() && !(deformer_ && bound_.binding->weighting == document.scheme.weighting))
     start_binding();
+}
+
+// Another blend sums other rows over the same weights.
+void Viewer::follow_method() {
+  const scene::Document& document = workspace_.document;
+  method_seen_ = document.revisions.method;
+  pose_deformed_.reset();
+  const bool other_blend = deformer_ && deformer_->scheme().blend != document.scheme.blend;
+  if (other_blend && bound_.binding->weighting == document.scheme.weighting) make_deformer();
 }
 
 void Viewer::start_binding() {
   const scene::Document& document = workspace_.document;
-  binding_text_ = scene::text(scene::binding_plan(document, document.coordinates));
-  binder_.start([model = document.model.surface, cage = document.cage, weighting = document.weighting(),
+  binding_text_ = scene::text(scene::binding_plan(document, document.scheme.weighting.elements));
+  binder_.start([model = document.model.surface, cage = document.cage, scheme = document.scheme,
                  method = document.method, known = bound_,
                  saved = files_.take_saved()](base::Progress& progress) {
-    return bind(model, cage, weighting, method, known, saved, progress);
+    return bind(model, cage, scheme, method, known, saved, progress);
   });
 }
 
@@ -239,23 +257,25 @@ void Viewer::install(Bound bound) {
   for (const auto& warning : bound.binding->warnings) workspace_.messages.warn(warning);
   if (!bound.problem.empty()) workspace_.messages.error(bound.problem);
   files_.keep_binding(bound);
-  deformer_ = std::make_unique<deform::Deformer>(bound.cage, bound.binding, pool_);
   bound_ = std::move(bound);
-  warming_up_ = true;
-  mapped_ = workspace_.document.posed - 1;
-  posed_seen_ = workspace_.document.posed - 1;
+  make_deformer();
 }
 
-// Coordinates, reach and method are again those that the deformer has.
+void Viewer::make_deformer() {
+  deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding,
+                                                 workspace_.document.scheme.blend, pool_);
+  warming_up_ = true;
+  pose_deformed_.reset();
+}
+
+// Blending and method are again those that the deformer has.
 void Viewer::stop_binding(const std::string& why, scene::Severity severity) {
   binder_.cancel();
+  scene::Document& document = workspace_.document;
   if (deformer_) {
-    const deform::Binding& binding = *bound_.binding;
-    workspace_.document.coordinates = binding.coordinates;
-    if (binding.coordinates == deform::Coordinates::face) workspace_.document.reach = binding.reach;
+    scene::give_up_scheme(document, deformer_->scheme());
+    if (!deformer_->engine(document.method)) scene::set_method(document, sym3::Method::fast);
   }
-  if (deformer_ && !deformer_->path(workspace_.document.method))
-    workspace_.document.method = sym3::Method::fast;
   workspace_.messages.say(severity, why);
   settle_frames_ = 3;
 }
@@ -285,8 +305,8 @@ void Viewer::finish_checks() {
   if (checks_.running()) take_checks(true);
 }
 
-std::span<const mesh::Point> Viewer::model_positions() const {
-  if (deformer_) return deformer_->positions();
+std::vector<mesh::Point> Viewer::model_positions() const {
+  if (deformer_ && deformer_->ran()) return deformer_->positions();
   return workspace_.document.model.surface->positions;
 }
 
@@ -305,27 +325,34 @@ void Viewer::finish_binding() {
 void Viewer::deform(scene::FrameTimes& times) {
   scene::Document& document = workspace_.document;
   const bool dragging = workspace_.hand.drag.has_value();
-  const bool let_go =
-      std::exchange(dragging_, dragging) && !dragging;  // the frame at rest depends on the pose alone
-  deformed_ = deformer_ && (posed_seen_ != document.posed || let_go);
-  if (!deformed_) return;
-  deformer_->set_dragging(dragging);
-  deformer_->deform(document.pose, deformer_->path(document.method) ? document.method : sym3::Method::fast);
-  document.pose.turns = deformer_->report().turns;
-  workspace_.pose_notes = scene::pose_notes(deformer_->report(), *document.cage, document.pose);
-  posed_seen_ = document.posed;
-  times.links = deformer_->times();
+  const bool pressed = dragging && !dragging_, let_go = dragging_ && !dragging;
+  dragging_ = dragging;
+  if (let_go && deformer_) deformer_->end_drag();
+  // The frame at rest depends on the pose alone.
+  deformed_ = deformer_ && (pose_deformed_ != document.revisions.pose || let_go);
+  if (deformed_) {
+    deformer_->deform(document.pose,
+                      deformer_->engine(document.method) ? document.method : sym3::Method::fast);
+    scene::take_report(workspace_, deformer_->state().report());
+    pose_deformed_ = document.revisions.pose;
+    ++frames_deformed_;
+    times.links = deformer_->times();
+  }
+  if (pressed && deformer_) deformer_->begin_drag(workspace_.hand.drag->vertices());
 }
 
 void Viewer::upload(scene::FrameTimes& times) {
   const scene::Document& document = workspace_.document;
   if (!document.model.surface) return;
   base::Stopwatch watch;
-  stage_.set_findings(workspace_, model_positions(), deformed_ || posed_drawn_ != document.posed);
+  const bool cage_moved = cage_drawn_ != document.revisions.pose;
+  const bool shows = workspace_.checks.shown.has_value();
+  stage_.set_findings(workspace_, shows ? model_positions() : std::vector<mesh::Point>(),
+                      deformed_ || cage_moved);
   if (document.has_cage()) {
-    if (posed_drawn_ != document.posed) stage_.set_cage(workspace_);
+    if (cage_moved) stage_.set_cage(workspace_);
     stage_.set_hand(workspace_);
-    posed_drawn_ = document.posed;
+    cage_drawn_ = document.revisions.pose;
   }
   if (deformed_) stage_.set_model(deformer_->positions(), deformer_->normals());
   times.upload = watch.lap_ms();
@@ -351,9 +378,13 @@ void Viewer::draw(scene::FrameTimes& times) {
   times.draw = watch.lap_ms();
 }
 
+bool Viewer::takes_exponentials() const {
+  return deformer_ && deformer_->ran() && deformer_->scheme().exponential();
+}
+
 bool Viewer::probe_is_due() const {
-  const bool fresh = deformer_ && (probed_ != posed_seen_ || workspace_.methods.matrices == 0);
-  return options_.probe && fresh && method_probe_.ready() && !deformer_->matrices().empty();
+  const bool fresh = probed_ != frames_deformed_ || workspace_.methods.matrices == 0;
+  return options_.probe && fresh && takes_exponentials() && method_probe_.ready();
 }
 
 void Viewer::probe() {
@@ -362,21 +393,21 @@ void Viewer::probe() {
     settle_frames_ = std::max(settle_frames_, 1u);
   }
   if (!probe_is_due()) return;
-  probed_ = posed_seen_;
-  method_probe_.offer(deformer_->matrices());
+  probed_ = frames_deformed_;
+  method_probe_.offer(deformer_->sample_matrices(probed_matrices));
   workspace_.fused_error = deformer_->sampled_error();
 }
 
 bool Viewer::error_map_is_due() const {
-  return scene::shows_error_map(workspace_) && deformer_ && !error_map_.running() && mapped_ != posed_seen_ &&
-         !deformer_->logs().empty();
+  return scene::shows_error_map(workspace_) && takes_exponentials() && !error_map_.running() &&
+         mapped_ != frames_deformed_;
 }
 
 // The newest map that is there, and the next one begun; a map may be of a pose a moment ago.
 void Viewer::follow_error_map(bool wait) {
   if (auto result = error_map_.poll(wait)) {
     const bool fits =
-        result->value && deformer_ && result->value->log10.size() == deformer_->positions().size();
+        result->value && deformer_ && result->value->log10.size() == deformer_->binding().vertices;
     if (fits) {
       workspace_.error_map = result->value->stats;
       stage_.set_errors(result->value->log10);
@@ -385,19 +416,14 @@ void Viewer::follow_error_map(bool wait) {
     }
   }
   if (!error_map_is_due()) return;
-  mapped_ = posed_seen_;
-  std::vector<sym3::Sym3<double>> matrices;
-  const bool fused =
-      deformer_->fused() != nullptr;  // then no matrix was ever stored: they are made anew, aside
-  if (!fused) matrices.assign(deformer_->matrices().begin(), deformer_->matrices().end());
-  error_map_.start([fused, matrices = std::move(matrices), bound = bound_,
-                    logs = std::vector(deformer_->logs().begin(), deformer_->logs().end()),
+  mapped_ = frames_deformed_;
+  const auto logs = deformer_->state().logs();
+  error_map_.start([bound = bound_, logs = std::vector(logs.begin(), logs.end()),
                     method = workspace_.document.method](base::Progress& progress) {
-    if (!fused) return error_map(matrices, method, &progress);
-    const deform::Weigher weigher(*bound.cage, bound.binding->weighting());
-    const auto all =
+    const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
+    const auto matrices =
         deform::sample_stretches(weigher, *bound.binding, logs, bound.binding->vertices, &progress);
-    return error_map(all, method, &progress);
+    return error_map(matrices, method, &progress);
   });
 }
 

@@ -95,14 +95,17 @@ private:
   bool wants_refinement() const;
   void take_requests();
   void follow_document();
-  void follow_topology();
+  void follow_surfaces();
+  void follow_weights();
+  void follow_method();
+  void make_deformer();
   void start_binding();
   void take_binding(bool wait);
   void install(Bound bound);
   void stop_binding(const std::string& why, scene::Severity severity);
   void start_checks();
   void take_checks(bool wait);
-  std::span<const mesh::Point> model_positions() const;
+  std::vector<mesh::Point> model_positions() const;
   void frame_finding();
   void deform(scene::FrameTimes& times);
   void keep_files();
@@ -110,6 +113,7 @@ private:
   void upload(scene::FrameTimes& times);
   void draw(scene::FrameTimes& times);
   void panels(scene::FrameTimes& times);
+  bool takes_exponentials() const;
   bool probe_is_due() const;
   void probe();
   void follow_benchmark();
@@ -141,13 +145,14 @@ private:
   base::BackgroundJob<std::vector<scene::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
   base::BackgroundJob<ErrorMap> error_map_;
-  scene::Revision mapped_ = 0;
   std::vector<ImU32> error_colors_;
   Bound bound_;  // what the deformer is made of; nothing while there is none
   std::unique_ptr<deform::Deformer> deformer_;
 
-  // What the derived state was derived from; compared once a frame.
-  scene::Revision topology_seen_ = 0, posed_seen_ = 0, posed_drawn_ = 0, probed_ = 0;
+  // What the derived state was derived from; compared once a frame. Nothing: it is to be derived anew.
+  scene::Revision surfaces_seen_ = 0, weights_seen_ = 0, method_seen_ = 0;
+  std::optional<scene::Revision> pose_deformed_, cage_drawn_;
+  unsigned long frames_deformed_ = 0, probed_ = 0, mapped_ = 0;  ///< counted, and which of them was measured
   bool deformed_ = false, warming_up_ = false, dragging_ = false, take_screenshot_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< seconds of wall time
   bool refined_ = false;

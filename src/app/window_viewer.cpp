@@ -108,7 +108,7 @@ void WindowViewer::run(int frames) {
 
 void set_settings(scene::Document& document, const WindowOptions& options) {
   scene::set_method(document, options.method);
-  options.weighting.apply(document, false);
+  options.scheme.apply(document, false);
 }
 
 bool run_window(const WindowOptions& options, std::string& reason) {

@@ -13,7 +13,7 @@ struct WindowOptions {
   std::filesystem::path model, cage, pose;  ///< model may be a session
   std::filesystem::path binding;            ///< saved, of this model and cage; empty: none
   sym3::Method method = sym3::Method::fast;
-  WeightingOptions weighting;
+  SchemeOptions scheme;
   float scale = 0;  ///< device pixels per logical pixel; 0 asks the display
   int frames = 0;   ///< stop after so many frames; 0 never
 };

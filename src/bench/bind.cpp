@@ -13,17 +13,17 @@
 #include "bench/models.h"
 #include "bench/plain_weights.h"
 #include "bench/rounds.h"
+#include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "deform/tiled_binding.h"
 #include "deform/weigher.h"
-#include "deform/weights.h"
 #include "scene/document.h"
 
 namespace viete::bench {
 
 namespace {
 
-using deform::Coordinates;
+constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform::Weights::mean_value};
 
 /// One model in one cage, and every way to bind them.
 class BindRuns {
@@ -34,7 +34,7 @@ public:
     cage_ = deform::make_cage(star_cage(model_, options.faces));
     if (options.count == 0)
       plain_ = std::make_unique<PlainWeights>(model_.positions.size(), cage_.element_count());
-    for (const auto v : lay_out(model_, cage_, Coordinates::face).leaves.order)
+    for (const auto v : lay_out(model_, cage_, faces).leaves.order)
       leaf_points_.push_back(model_.positions[v]);
     leaf_rows_.resize(deform::leaf_slots * cage_.element_count());
   }
@@ -50,15 +50,15 @@ public:
                           std::span<double> row) { deform::inverse_distance_weights(cage, p, row); },
                        elements());
     });
-    add("vectors", [this] { weigh(Coordinates::face); });
-    add("leaves and rings", [this] { lay_out(model_, cage_, Coordinates::face); });
-    add("bound, dense", [this] { dense_ = bind(Coordinates::face, 0); });
-    add("bound, compressed", [this] { compressed_ = bind(Coordinates::face, deform::usual_tolerance); });
+    add("vectors", [this] { weigh(faces); });
+    add("leaves and rings", [this] { lay_out(model_, cage_, faces); });
+    add("bound, dense", [this] { dense_ = bind(faces, 0); });
+    add("bound, compressed", [this] { compressed_ = bind(faces, deform::usual_tolerance); });
     if (plain_)
       add("mean values, one at a time",
           [this] { weigh_one_by_one(deform::mean_value_weights, cage_.surface.positions.size()); });
-    add("mean values, vectors", [this] { weigh(Coordinates::mean_value); });
-    add("mean values, bound", [this] { bind(Coordinates::mean_value, 0); });
+    add("mean values, vectors", [this] { weigh(mean_values); });
+    add("mean values, bound", [this] { bind(mean_values, 0); });
     base::Progress progress;
     return measure_rounds(cases, rounds, progress);
   }
@@ -76,8 +76,8 @@ private:
   }
 
   // As compression takes them, leaf by leaf: the full matrix never exists.
-  void weigh(Coordinates coordinates) {
-    const deform::Weigher weigher(cage_, coordinates);
+  void weigh(const deform::Weighting& weighting) {
+    const deform::Weigher weigher(cage_, weighting);
     std::vector<deform::Vec3> sums(deform::leaf_slots);
     for (std::size_t begin = 0; begin < leaf_points_.size(); begin += deform::leaf_slots) {
       const std::size_t count = std::min(deform::leaf_slots, leaf_points_.size() - begin);
@@ -85,8 +85,8 @@ private:
     }
   }
 
-  deform::TiledBinding bind(Coordinates coordinates, double tolerance) {
-    return deform::bind_tiles(model_, cage_, coordinates, pool_, tolerance);
+  deform::TiledBinding bind(const deform::Weighting& weighting, double tolerance) {
+    return deform::bind_tiles(model_, cage_, weighting, pool_, tolerance);
   }
 
   mesh::Surface model_;

@@ -1,6 +1,7 @@
 #include "bench/frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -18,7 +19,7 @@
 #include "bench/reference_frame.h"
 #include "bench/rounds.h"
 #include "bench/table.h"
-#include "deform/fused_frame.h"
+#include "deform/deformer.h"
 #include "scene/document.h"
 
 namespace viete::bench {
@@ -95,13 +96,33 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
   return largest;
 }
 
+/// The fused engine alone, of tiles that need no other binding.
+struct FusedFrame {
+  FusedFrame(std::shared_ptr<const deform::Cage> cage,
+             const std::shared_ptr<const deform::TiledBinding>& tiles, base::WorkerPool& pool)
+      : state(std::move(cage), tiles->weighting.elements, deform::Blend::srl),
+        engine(tiles, state.rows().form, pool) {}
+
+  void deform(const deform::Pose& pose) {
+    state.set_pose(pose);
+    engine.run(state);
+  }
+  deform::LinkTimes times() const {
+    deform::LinkTimes all = state.times();
+    return all += engine.times();
+  }
+
+  deform::CageState state;
+  deform::FusedEngine engine;
+};
+
 /// One model in one cage: everything that is compared, bound and ready.
 class FrameRuns {
 public:
   FrameRuns(const mesh::Surface& model, std::size_t faces, double tolerance, double reach)
       : cage_(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, faces)))),
         pose_(moderate_pose(*cage_)),
-        weighting_(deform::Coordinates::face, reach) {
+        weighting_{.reach = reach} {
     bind_staged(model);
     dense_ = bind_fused(model, 0, deform::Storage::dense);
     compressed_ = bind_fused(model, tolerance,
@@ -134,9 +155,9 @@ private:
   // Not if it does not fit the memory: then there is nothing staged to compare with.
   void bind_staged(const mesh::Surface& model) try {
     binding_ = std::make_shared<const deform::Binding>(deform::bind(model, *cage_, weighting_, all_));
-    staged_ = std::make_unique<deform::Deformer>(cage_, binding_, one_);
+    staged_ = std::make_unique<deform::Deformer>(cage_, binding_, deform::Blend::srl, one_);
     staged_->deform(pose_, Method::diag);  // an exponential that shares nothing with ours
-    expected_.assign(staged_->positions().begin(), staged_->positions().end());
+    expected_ = staged_->positions();
   } catch (const base::Error& error) {
     std::printf("  no staged frame: %s\n", error.what());
   }
@@ -160,7 +181,7 @@ private:
   // As many as a frame has, of matrices that it has, in cache: what the fused pass cannot do without.
   void add_exponentials() {
     staged_->deform(pose_, Method::fast);
-    const auto matrices = staged_->matrices();
+    const auto matrices = staged_->sample_matrices(expected_.size());
     const std::size_t stride = sym3::padded_stride<float>(exp_portion);
     exp_in_.resize(6 * stride), exp_out_.resize(6 * stride);
     for (std::size_t i = 0; i < exp_portion; ++i) {
@@ -191,9 +212,9 @@ private:
     return tiles;
   }
 
-  void add_fused(const std::string& name, std::shared_ptr<const deform::TiledBinding> tiles,
+  void add_fused(const std::string& name, const std::shared_ptr<const deform::TiledBinding>& tiles,
                  base::WorkerPool& pool, bool drag) {
-    frames_.push_back(std::make_unique<deform::FusedFrame>(cage_, std::move(tiles), pool));
+    frames_.push_back(std::make_unique<FusedFrame>(cage_, tiles, pool));
     auto* frame = frames_.back().get();
     const auto run = [this, frame, drag] {
       if (!drag) return frame->deform(pose_);
@@ -201,17 +222,17 @@ private:
       pose.positions[0][0] += 1e-3 * cage_->diagonal * (++step_ % 16);
       frame->deform(pose);
     };
-    frame->set_dragging(drag);
+    if (drag) frame->deform(pose_), frame->state.begin_drag(std::array{0u});
     for (int warm = 0; warm < 3; ++warm) run();
-    Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->bytes()};
+    Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->engine.bytes()};
     if (staged_) {
       c.error = [this, frame, drag] {
         if (drag) frame->deform(pose_);
         std::vector<mesh::Point> positions;
-        for (const auto& v : frame->vertices()) {
+        const deform::Vec3 origin = frame->state.rows().origin;
+        for (const auto& v : frame->engine.vertices())
           positions.push_back(mesh::operator+
-                              (frame->origin(), deform::Vec3{v.position[0], v.position[1], v.position[2]}));
-        }
+                              (origin, deform::Vec3{v.position[0], v.position[1], v.position[2]}));
         return distance(expected_, positions) / cage_->diagonal;
       };
     }
@@ -245,7 +266,7 @@ private:
   int step_ = 0;
   std::unique_ptr<deform::Deformer> staged_;
   std::unique_ptr<ReferenceFrame> reference_;
-  std::vector<std::unique_ptr<deform::FusedFrame>> frames_;
+  std::vector<std::unique_ptr<FusedFrame>> frames_;
   std::vector<mesh::Point> expected_;
   std::vector<Case> cases_;
   base::AlignedVector<float> exp_in_, exp_out_;

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "deform/scheme.h"
 #include "deform/tiled_binding.h"
-#include "deform/weighting.h"
 
 namespace viete::bench {
 

@@ -24,4 +24,17 @@ void apply(const Binding& binding, const BlendedLogs& sums, std::span<const sym3
   }
 }
 
+void apply(const Binding& binding, const BlendedMaps& sums, const Vec3& origin, std::size_t begin,
+           std::size_t end, std::span<mesh::Point> positions) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const Vec3 x = binding.rest[i] - binding.rest_origin;
+    positions[i] = origin + (x + (times(sums.linear[i], x) + sums.shift[i]));
+  }
+}
+
+void apply(const Binding& binding, std::span<const Vec3> sums, const Vec3& origin, std::size_t begin,
+           std::size_t end, std::span<mesh::Point> positions) {
+  for (std::size_t i = begin; i < end; ++i) positions[i] = origin + (sums[i] + binding.offsets[i]);
+}
+
 }  // namespace viete::deform

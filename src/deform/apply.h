@@ -1,4 +1,4 @@
-// Link 5 of the frame: x' = exp(Y) exp(X) (x - sum w c) + sum w c'.
+// Link 5 of the frame: from the blended sums of a vertex to its position.
 #pragma once
 
 #include <span>
@@ -7,9 +7,13 @@
 
 namespace viete::deform {
 
-/// Vertices [begin, end) of positions from the sums and their stretch exponentials (link 4: sym3::exp of
-/// sums.stretch): origin + (exp(Y) exp(X) offset + center), origin = pose_origin().
+/// Vertices [begin, end) of positions. For logs x' = origin + (exp(Y) exp(X) o + c'), stretches being exp(X),
+/// link 4: sym3::exp of sums.stretch. The forms and their letters: RowForm.
 void apply(const Binding& binding, const BlendedLogs& sums, std::span<const sym3::Sym3<double>> stretches,
            const Vec3& origin, std::size_t begin, std::size_t end, std::span<mesh::Point> positions);
+void apply(const Binding& binding, const BlendedMaps& sums, const Vec3& origin, std::size_t begin,
+           std::size_t end, std::span<mesh::Point> positions);
+void apply(const Binding& binding, std::span<const Vec3> sums, const Vec3& origin, std::size_t begin,
+           std::size_t end, std::span<mesh::Point> positions);
 
 }  // namespace viete::deform

@@ -6,9 +6,9 @@
 
 #include "base/error.h"
 #include "deform/face_maps.h"
+#include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "deform/tiled_binding.h"
-#include "deform/weights.h"
 #include "mesh/normals.h"
 
 namespace viete::deform {
@@ -37,10 +37,10 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
   std::size_t failed = 0;
   for (std::size_t i = begin; i < end; ++i) {
     const std::span<double> row(b.weights.data() + i * b.handles, b.handles);
-    if (b.coordinates == Coordinates::mean_value) {
+    if (b.weighting.weights == Weights::mean_value) {
       failed += !mean_value_weights(cage, b.rest[i], row);
     } else {
-      inverse_distance_weights(cage, b.rest[i], row, b.reach);
+      inverse_distance_weights(cage, b.rest[i], row, b.weighting.reach);
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }
@@ -49,9 +49,9 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
 
 std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, base::Progress* progress) {
   std::atomic<std::size_t> done{0}, failed{0};
-  const Vec3 origin = middle(cage.surface.positions);
-  const auto handles = relative_to(
-      origin, binding.coordinates == Coordinates::mean_value ? cage.surface.positions : cage.centers);
+  const auto centers = handle_centers(cage, binding.weighting.elements);
+  const Vec3 origin = binding.rest_origin;
+  const auto handles = relative_to(origin, {centers.begin(), centers.end()});
   pool.for_blocks(binding.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
     failed += fill_rows(cage, handles, origin, begin, end, binding);
     done += end - begin;
@@ -62,15 +62,17 @@ std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, bas
 
 }  // namespace
 
-std::size_t binding_bytes(std::size_t vertices, std::size_t handles, Path path, Coordinates coordinates) {
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine, Elements elements) {
   const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
-  const bool compressed = coordinates == Coordinates::face && compressible(vertices, handles);
+  const double slots = n + slot_block - 1;
+  const bool compressed = entry(elements).affine && compressible(vertices, handles);
   // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and the lists around
   // vertices
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  // weights; offset, place, vertex, walk; rest, position, normal, triangles and the lists around vertices
-  const double fused = (compressed ? k : 4 * k) + 12 + 20 + 32 + 20 + 24 + 24 + 24 + 28;
-  return static_cast<std::size_t>(std::min(0x1p63, n * (path == Path::staged ? staged : fused)));
+  // weights; rest, offset, place, vertex, walk; rest in double
+  const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
+  return static_cast<std::size_t>(
+      std::min(0x1p63, engine == EngineKind::staged ? n * staged : slots * fused));
 }
 
 base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t handles) {
@@ -80,10 +82,10 @@ base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t 
           "use a coarser cage or a coarser model", ""};
 }
 
-std::vector<std::string> weight_warnings(const Cage& cage, Coordinates coordinates, std::size_t failed,
+std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std::size_t failed,
                                          std::size_t vertices) {
   std::vector<std::string> warnings;
-  if (coordinates != Coordinates::mean_value) return warnings;
+  if (weights != Weights::mean_value) return warnings;
   if (!cage.closed) {
     warnings.push_back(
         "mean value coordinates need a closed cage with consistent faces; with this one the model does not "
@@ -97,32 +99,35 @@ std::vector<std::string> weight_warnings(const Cage& cage, Coordinates coordinat
   return warnings;
 }
 
-Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, base::WorkerPool& pool,
+Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress) {
-  return bind(model, cage, weighting, Path::staged, nullptr, pool, progress);
+  return bind(model, cage, weighting, EngineKind::staged, nullptr, pool, progress);
 }
 
-Binding bind(const mesh::Surface& model, const Cage& cage, Weighting weighting, Path path,
+Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, EngineKind engine,
              const Binding* known, base::WorkerPool& pool, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   Binding binding;
-  binding.coordinates = weighting.coordinates;
-  binding.reach = weighting.reach;
+  binding.weighting = weighting;
   binding.vertices = model.positions.size();
-  binding.handles =
-      weighting.coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
-  if (path == Path::staged) allocate(binding);
+  binding.handles = handle_count(cage, weighting.elements);
+  if (engine == EngineKind::staged) allocate(binding);
   binding.rest = model.positions;
-  binding.triangles = model.triangles;
-  binding.around = mesh::vertex_triangles(binding.vertices, model.triangles);
   if (known) binding.tiles = known->tiles;
-  if (path == Path::fused && !binding.tiles) {
-    binding.tiles = std::make_shared<const TiledBinding>(
-        bind_tiles(model, cage, weighting, pool, usual_tolerance, progress));
+  std::size_t failed = 0;
+  if (engine == EngineKind::staged) {
+    binding.rest_origin = middle(cage.surface.positions);
+    binding.triangles = model.triangles;
+    binding.around = mesh::vertex_triangles(binding.vertices, model.triangles);
+    failed = fill(cage, binding, pool, progress);
+  } else {
+    if (!binding.tiles) {
+      binding.tiles = std::make_shared<const TiledBinding>(
+          bind_tiles(model, cage, weighting, pool, usual_tolerance, progress));
+    }
+    failed = binding.tiles->failed;
   }
-  const std::size_t failed =
-      path == Path::staged ? fill(cage, binding, pool, progress) : binding.tiles->failed;
-  binding.warnings = weight_warnings(cage, weighting.coordinates, failed, binding.vertices);
+  binding.warnings = weight_warnings(cage, weighting.weights, failed, binding.vertices);
   return binding;
 }
 

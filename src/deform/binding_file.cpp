@@ -29,12 +29,18 @@ struct Header {
   std::array<char, 16> words = format;
   std::uint32_t order_of_bytes = byte_order, version = current_version;
   std::uint64_t model = 0, cage = 0, order = 0;  // checksums
-  std::uint32_t coordinates = 0, storage = 0;
+  std::uint16_t elements = 0, weights = 0;
+  std::uint32_t storage = 0;
   std::uint64_t failed = 0;
   double reach = 0, tolerance = 0;
   std::uint64_t content = 0, itself = 0;  // checksums of what follows, and of what stands before
 };
 static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 96);
+
+template <class Choice>
+std::uint16_t number(Choice choice) {
+  return static_cast<std::uint16_t>(choice);
+}
 
 template <class T>
 std::uint64_t checksum(const std::vector<T>& values) {
@@ -130,17 +136,19 @@ private:
 };
 
 void require_same(const Reader& reader, const Header& h, const mesh::Surface& model, const Cage& cage,
-                  Weighting weighting) {
+                  const Weighting& weighting) {
   const bool other_model = h.model != mesh::content_key(model),
              other_cage = h.cage != mesh::content_key(cage.surface);
   if (other_model && other_cage) reader.stale("model and cage are not those that it was made for");
   if (other_model) reader.stale("the model is not the one that it was made for");
   if (other_cage) reader.stale("the cage is not the one that it was made for");
-  if (h.coordinates != static_cast<std::uint32_t>(weighting.coordinates)) {
-    reader.stale("it is not for coordinates " + std::string(name(weighting.coordinates)));
+  if (h.elements != number(weighting.elements) || h.weights != number(weighting.weights)) {
+    reader.stale("it is not for elements " + std::string(entry(weighting.elements).name) + " with weights " +
+                 std::string(entry(weighting.weights).name));
   }
-  if (h.reach != weighting.reach) {
-    reader.stale("it is for reach " + text_of_reach(h.reach) + ", not " + text_of_reach(weighting.reach));
+  if (h.reach != weighting.used_reach()) {
+    reader.stale("it is for reach " + text_of_reach(h.reach) + ", not " +
+                 text_of_reach(weighting.used_reach()));
   }
 }
 
@@ -185,12 +193,13 @@ void make_room(const Reader& reader, TiledBinding& b) {
 
 }  // namespace
 
-std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, Weighting weighting,
+std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                           double tolerance) {
   const Header key{.model = mesh::content_key(model),
                    .cage = mesh::content_key(cage.surface),
-                   .coordinates = static_cast<std::uint32_t>(weighting.coordinates),
-                   .reach = weighting.reach,
+                   .elements = number(weighting.elements),
+                   .weights = number(weighting.weights),
+                   .reach = weighting.used_reach(),
                    .tolerance = tolerance};
   return checksum(key);
 }
@@ -201,10 +210,11 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
   Header h{.model = mesh::content_key(model),
            .cage = mesh::content_key(cage.surface),
            .order = checksum(b.leaves.order),
-           .coordinates = static_cast<std::uint32_t>(b.coordinates),
+           .elements = number(b.weighting.elements),
+           .weights = number(b.weighting.weights),
            .storage = static_cast<std::uint32_t>(b.storage()),
            .failed = b.failed,
-           .reach = b.reach,
+           .reach = b.weighting.used_reach(),
            .tolerance = b.tolerance,
            .content = checksum(b, ranks)};
   h.itself = checksum(h);
@@ -223,7 +233,7 @@ bool is_binding(std::string_view beginning) {
 }
 
 TiledBinding read_binding(const fs::path& file, const mesh::Surface& model, const Cage& cage,
-                          Weighting weighting, base::Progress* progress) {
+                          const Weighting& weighting, base::Progress* progress) {
   Reader reader(file, progress);
   const Header h = reader.header();
   require_same(reader, h, model, cage, weighting);

@@ -10,7 +10,7 @@
 
 namespace viete::deform {
 
-/// A saved binding that is whole, but of another model, cage, coordinates or reach than those at hand.
+/// A saved binding that is whole, but of another model, cage or weighting than those at hand.
 class StaleBinding : public base::Error {
 public:
   using base::Error::Error;
@@ -18,13 +18,14 @@ public:
 
 /// A name for what bind_tiles() makes of these, by this program and any later one that reads its files: of
 /// their positions and triangles, not of their names.
-std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, Weighting weighting,
+std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                           double tolerance);
 
 /// Saves the weights and what stands for them; what follows from model and cage alone is left out. The file
 /// holds numbers as this machine stores them:
 ///   header    words that say what it is, version, byte order; checksums of model, cage and the order of the
-///             vertices; coordinates, reach, storage, tolerance; checksums of what follows and of itself
+///             vertices; elements, weights, storage, reach, tolerance; checksums of what follows and of
+///             itself
 ///   ranks     32 bits a leaf: compressed bindings, 0: dense; with lists, their lengths
 ///   listed    32 bits a handle, leaf by leaf (with lists only)
 ///   floats    offsets, weights, factors, skeleton, as in TiledBinding
@@ -39,6 +40,6 @@ bool is_binding(std::string_view beginning);
 /// what; base::Error when it is no such file, damaged, cut short, of another version or byte order, or when
 /// it does not fit the memory that is free; base::Cancelled.
 TiledBinding read_binding(const std::filesystem::path& file, const mesh::Surface& model, const Cage& cage,
-                          Weighting weighting, base::Progress* progress = nullptr);
+                          const Weighting& weighting, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

@@ -20,7 +20,7 @@ void product(const double* weights, const double* table, std::size_t handles, do
   }
 }
 
-// Calls store(vertex, sums) for every vertex of [begin, end).
+// Calls store(vertex, sums) for every vertex of [begin, end); so many rows at once fill the registers.
 template <std::size_t Rows, std::size_t Columns, class Store>
 void for_rows(const Binding& binding, const double* table, std::size_t begin, std::size_t end,
               const Store& store) {
@@ -40,23 +40,28 @@ void for_rows(const Binding& binding, const double* table, std::size_t begin, st
 
 }  // namespace
 
-void blend(const Binding& binding, std::span<const MapLog> logs, std::size_t begin, std::size_t end,
-           BlendedLogs& sums) {
-  static_assert(sizeof(MapLog) == 12 * sizeof(double));
-  const auto* table = reinterpret_cast<const double*>(logs.data());
-  for_rows<2, 12>(binding, table, begin, end, [&](std::size_t i, const double(&s)[12]) {
+void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end, BlendedLogs& sums) {
+  constexpr std::size_t n = log_shape.columns;
+  for_rows<2, n>(binding, rows.values.data(), begin, end, [&](std::size_t i, const double(&s)[n]) {
     sums.stretch[i] = {s[0], s[1], s[2], s[3], s[4], s[5]};
     sums.rotation[i] = {s[6], s[7], s[8]};
     sums.center[i] = {s[9], s[10], s[11]};
   });
 }
 
-void blend_positions(const Binding& binding, std::span<const Vec3> posed, const Vec3& origin,
-                     std::size_t begin, std::size_t end, std::span<mesh::Point> out) {
-  static_assert(sizeof(Vec3) == 3 * sizeof(double));
-  const auto* table = reinterpret_cast<const double*>(posed.data());
-  for_rows<4, 3>(binding, table, begin, end, [&](std::size_t i, const double(&s)[3]) {
-    out[i] = origin + (Vec3{s[0], s[1], s[2]} + binding.offsets[i]);
+void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end, BlendedMaps& sums) {
+  constexpr std::size_t n = map_shape.columns;
+  for_rows<2, n>(binding, rows.values.data(), begin, end, [&](std::size_t i, const double(&s)[n]) {
+    sums.linear[i] = {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8]};
+    sums.shift[i] = {s[9], s[10], s[11]};
+  });
+}
+
+void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
+           std::span<Vec3> sums) {
+  constexpr std::size_t n = position_shape.columns;
+  for_rows<4, n>(binding, rows.values.data(), begin, end, [&](std::size_t i, const double(&s)[n]) {
+    sums[i] = {s[0], s[1], s[2]};
   });
 }
 

@@ -1,4 +1,4 @@
-// Link 3 of the frame: per vertex, the weighted sums of the elements' logs.
+// Link 3 of the frame: per vertex, the weighted sums of the handles' rows.
 #pragma once
 
 #include <cstddef>
@@ -6,25 +6,35 @@
 #include <vector>
 
 #include "deform/binding.h"
-#include "deform/log_maps.h"
+#include "deform/cage_state.h"
+#include "sym3/rotation.h"
+#include "sym3/sym3.h"
 
 namespace viete::deform {
 
-/// One entry per model vertex.
+/// Sums of rows of RowForm::logs, one entry per model vertex.
 struct BlendedLogs {
   std::vector<sym3::Sym3<double>> stretch;
   std::vector<Vec3> rotation;
   std::vector<Vec3> center;  ///< relative to the pose's origin
+
+  void resize(std::size_t n) { stretch.resize(n), rotation.resize(n), center.resize(n); }
 };
 
-/// Vertices [begin, end) of sums = weights * logs. sums is sized already. Each sum runs over the handles in
-/// their order: the same bits for any division into ranges.
-void blend(const Binding& binding, std::span<const MapLog> logs, std::size_t begin, std::size_t end,
-           BlendedLogs& sums);
+/// Sums of rows of RowForm::maps.
+struct BlendedMaps {
+  std::vector<sym3::Mat3<double>> linear;
+  std::vector<Vec3> shift;
 
-/// The same for plain positions (mean value coordinates): out = origin + (weights * posed + offsets), posed
-/// relative to origin. posed.size() == binding.handles.
-void blend_positions(const Binding& binding, std::span<const Vec3> posed, const Vec3& origin,
-                     std::size_t begin, std::size_t end, std::span<mesh::Point> out);
+  void resize(std::size_t n) { linear.resize(n), shift.resize(n); }
+};
+
+/// Vertices [begin, end) of sums = weights * rows, which are of the form that the sums are for. sums are
+/// sized already; those of positions are the positions' alone. Each sum runs over the handles in their order:
+/// the same bits for any division into ranges.
+void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end, BlendedLogs& sums);
+void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end, BlendedMaps& sums);
+void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
+           std::span<Vec3> sums);
 
 }  // namespace viete::deform

@@ -8,8 +8,6 @@
 #include "base/error.h"
 #include "deform/apply.h"
 #include "deform/blend.h"
-#include "deform/deformer.h"
-#include "deform/face_maps.h"
 #include "deform/vertex_sample.h"
 #include "deform/weigher.h"
 
@@ -44,46 +42,52 @@ double worst_difference(std::span<const Stretch> computed, std::span<const Stret
   return worst;
 }
 
-PosedHandles posed_handles(const Cage& cage, Coordinates coordinates, const Pose& pose, LogReport& report) {
-  PosedHandles posed;
-  posed.origin = pose_origin(cage, pose.positions);
-  if (coordinates == Coordinates::mean_value) {
-    posed.positions = relative_to(posed.origin, pose.positions);
-    report = {pose.turns, {}, {}};
-    return posed;
-  }
-  std::vector<FaceMap> maps(cage.element_count());
-  posed.logs.resize(maps.size());
-  face_maps(cage, pose.positions, maps);
-  log_maps(cage, maps, pose.turns, posed.logs, report);
-  return posed;
+double place_logs(const Binding& binding, const Rows& rows, sym3::Method method,
+                  std::span<mesh::Point> positions) {
+  const std::size_t n = positions.size();
+  BlendedLogs sums;
+  sums.resize(n);
+  blend(binding, rows, 0, n, sums);
+  std::vector<Stretch> stretches(n);
+  sym3::exp<double>(sums.stretch, stretches, method);
+  apply(binding, sums, stretches, rows.origin, 0, n, positions);
+  return method == sym3::Method::fast ? 0 : worst_difference(stretches, sums.stretch);
+}
+
+void place_maps(const Binding& binding, const Rows& rows, std::span<mesh::Point> positions) {
+  BlendedMaps sums;
+  sums.resize(positions.size());
+  blend(binding, rows, 0, positions.size(), sums);
+  apply(binding, sums, rows.origin, 0, positions.size(), positions);
+}
+
+void place_positions(const Binding& binding, const Rows& rows, std::span<mesh::Point> positions) {
+  std::vector<Vec3> sums(positions.size());
+  blend(binding, rows, 0, positions.size(), sums);
+  apply(binding, sums, rows.origin, 0, positions.size(), positions);
 }
 
 }  // namespace
 
-double place_vertices(const Binding& binding, const PosedHandles& posed, sym3::Method method,
+double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions) {
-  const std::size_t n = positions.size();
-  if (binding.coordinates == Coordinates::mean_value) {
-    blend_positions(binding, posed.positions, posed.origin, 0, n, positions);
-    return 0;
+  switch (rows.form) {
+    case RowForm::logs: return place_logs(binding, rows, method, positions);
+    case RowForm::maps: place_maps(binding, rows, positions); return 0;
+    default: place_positions(binding, rows, positions); return 0;
   }
-  BlendedLogs sums{std::vector<Stretch>(n), std::vector<Vec3>(n), std::vector<Vec3>(n)};
-  blend(binding, posed.logs, 0, n, sums);
-  std::vector<Stretch> stretches(n);
-  sym3::exp<double>(sums.stretch, stretches, method);
-  apply(binding, sums, stretches, posed.origin, 0, n, positions);
-  return method == sym3::Method::fast ? 0 : worst_difference(stretches, sums.stretch);
 }
 
-ExactModel deform_exactly(std::span<const mesh::Point> rest, const Cage& cage, Weighting weighting,
-                          const Pose& pose, sym3::Method method, base::WorkerPool& pool,
+ExactModel deform_exactly(std::span<const mesh::Point> rest, std::shared_ptr<const Cage> cage,
+                          const Scheme& scheme, const Pose& pose, sym3::Method method, base::WorkerPool& pool,
                           base::Progress* progress) {
-  check_pose(cage, pose);
   if (rest.empty()) throw base::Error("", "the model has no vertices", "choose another file");
+  CageState state(cage, scheme.weighting.elements, scheme.blend);
+  state.set_pose(pose);
+  const Rows rows = state.rows();
+  const Weigher weigher(*cage, scheme.weighting);
   ExactModel model;
-  const PosedHandles posed = posed_handles(cage, weighting.coordinates, pose, model.report);
-  const Weigher weigher(cage, weighting);
+  model.report = state.report();
   model.positions.resize(rest.size());
   std::size_t done = 0, failed = 0;
   std::mutex mutex;  // of these, and of exp_error
@@ -98,9 +102,9 @@ ExactModel deform_exactly(std::span<const mesh::Point> rest, const Cage& cage, W
     const std::size_t count = end - begin;
     const BoundPart part = bind_part(weigher, rest.subspan(begin, count));
     const auto positions = std::span(model.positions).subspan(begin, count);
-    take(count, part.failed, place_vertices(part.binding, posed, method, positions));
+    take(count, part.failed, place_vertices(part.binding, rows, method, positions));
   });
-  model.warnings = weight_warnings(cage, weighting.coordinates, failed, rest.size());
+  model.warnings = weight_warnings(*cage, scheme.weighting.weights, failed, rest.size());
   return model;
 }
 

@@ -100,23 +100,24 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed) {
   return std::isfinite(squared_norm(origin)) ? origin : pose.middle();
 }
 
+Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
+                    const Vec3& origin) {
+  const auto& [a, b, c] = cage.surface.triangles[element];
+  return (1.0 / 3) * ((positions[a] - origin) + (positions[b] - origin) + (positions[c] - origin));
+}
+
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps) {
   std::vector<std::uint32_t> all(maps.size());
   std::iota(all.begin(), all.end(), 0u);
-  face_maps(cage, posed, all, maps);
+  face_maps(cage, posed, pose_origin(cage, posed), all, maps);
 }
 
-void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<const std::uint32_t> moved,
-               std::span<FaceMap> maps) {
+void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
+               std::span<const std::uint32_t> elements, std::span<FaceMap> maps) {
   const std::span<const mesh::Point> rest = cage.surface.positions;
-  const Vec3 origin = pose_origin(cage, posed);
-  for (std::size_t e = 0; e < maps.size(); ++e) {
+  for (const auto e : elements) {
     const auto& t = cage.surface.triangles[e];
-    maps[e].center = (1.0 / 3) * ((posed[t[0]] - origin) + (posed[t[1]] - origin) + (posed[t[2]] - origin));
-  }
-  for (const auto e : moved) {
-    const auto& t = cage.surface.triangles[e];
-    maps[e].linear = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, element_center(cage, e, posed, origin)};
     if (cage.degenerate[e]) continue;
     const int corner = best_corner(rest, t);
     maps[e].linear = linear_map(frame(rest, t, corner), frame(posed, t, corner));

@@ -23,14 +23,17 @@ Vec3 middle(std::span<const mesh::Point> positions);
 /// does not reach keeps its bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
+/// Centroid of an element at these positions, relative to origin.
+Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
+                    const Vec3& origin);
+
 /// linear = [u' v' n'][u v n]^-1 with u, v two edges and n = N / sqrt|N|, N = u x v. Reproduces similarities;
 /// exactly I for an element that did not move, and for degenerate rest elements. A posed element without area
-/// gives a matrix of rank 2 or less. maps.size() == cage.element_count(), posed.size() ==
-/// cage.surface.positions.size().
+/// gives a matrix of rank 2 or less. Of these elements alone; the others' maps stay as they are. maps.size()
+/// == cage.element_count(), posed.size() == cage.surface.positions.size().
+void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
+               std::span<const std::uint32_t> elements, std::span<FaceMap> maps);
+/// Of all, about pose_origin().
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps);
-/// The same where only `moved` have corners that moved since maps was made: their linear parts, and all
-/// centres.
-void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<const std::uint32_t> moved,
-               std::span<FaceMap> maps);
 
 }  // namespace viete::deform

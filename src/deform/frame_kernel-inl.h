@@ -118,16 +118,16 @@ static HWY_INLINE std::size_t group_count(const TileRun<T>& run) {
   return run.tiles * tile_lanes<T> / hn::Lanes(Tag<T>());
 }
 
-template <class T>
+template <class T, std::size_t Columns>
 static void blend_tiles(const TileRun<T>& run, T* sums) {
   const Tag<T> d;
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
-    Sums<T, log_size> s;
-    blend_group<T, log_size>(run, g, s);
+    Sums<T, Columns> s;
+    blend_group<T, Columns>(run, g, s);
     for (int v = 0; v < vectors_at_once; ++v) {
-      T* out = sums + place<T>(g + v, log_size);
+      T* out = sums + place<T>(g + v, Columns);
 #pragma GCC unroll 12
-      for (std::size_t c = 0; c < log_size; ++c) hn::Store(s[v][c], d, out + c * tile_lanes<T>);
+      for (std::size_t c = 0; c < Columns; ++c) hn::Store(s[v][c], d, out + c * tile_lanes<T>);
     }
   }
 }
@@ -136,10 +136,10 @@ template <class T>
 using Vector3 = lanes::Three<hn::Vec<Tag<T>>>;
 
 template <class T>
-static HWY_INLINE Vector3<T> load_offset(const T* offsets, std::size_t group) {
+static HWY_INLINE Vector3<T> load_rest(const T* rest, std::size_t group) {
   const Tag<T> d;
-  const T* at = offsets + place<T>(group, position_size);
-  prefetch_next(offsets, group, position_size);
+  const T* at = rest + place<T>(group, 3);
+  prefetch_next(rest, group, 3);
   return {hn::Load(d, at), hn::Load(d, at + tile_lanes<T>), hn::Load(d, at + 2 * tile_lanes<T>)};
 }
 
@@ -154,12 +154,12 @@ static HWY_INLINE void store_position(const Vector3<T>& p, std::size_t group, T*
 #endif
 }
 
-template <class T>
-static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, log_size>& s) {
+template <std::size_t WithMean, class T, std::size_t Columns>
+static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, Columns>& s) {
   if (!run.mean) return;
   const Tag<T> d;
 #pragma GCC unroll 12
-  for (std::size_t c = 0; c < centre_column; ++c) {
+  for (std::size_t c = 0; c < WithMean; ++c) {
     const auto mean = hn::Set(d, run.mean[c]);
 #pragma GCC unroll 2
     for (int v = 0; v < vectors_at_once; ++v) s[v][c] = hn::Add(s[v][c], mean);
@@ -171,13 +171,13 @@ static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, log_size>& s) {
 template <class T>
 using Batch = lanes::Two<hn::Vec<Tag<T>>>;
 
-template <class T>
-static HWY_INLINE Batch<T> column(const Sums<T, log_size>& s, std::size_t c) {
+template <class T, std::size_t Columns>
+static HWY_INLINE Batch<T> column(const Sums<T, Columns>& s, std::size_t c) {
   return {s[0][c], s[1][c]};
 }
 template <class T>
-static HWY_INLINE lanes::Three<Batch<T>> load_offsets(const T* offsets, std::size_t group) {
-  return lanes::together(load_offset(offsets, group), load_offset(offsets, group + 1));
+static HWY_INLINE lanes::Three<Batch<T>> load_rests(const T* rest, std::size_t group) {
+  return lanes::together(load_rest(rest, group), load_rest(rest, group + 1));
 }
 template <class T>
 static HWY_INLINE void store_positions(const lanes::Three<Batch<T>>& p, std::size_t group, T* out) {
@@ -187,13 +187,13 @@ static HWY_INLINE void store_positions(const lanes::Three<Batch<T>>& p, std::siz
 template <class T>
 using Batch = hn::Vec<Tag<T>>;
 
-template <class T>
-static HWY_INLINE Batch<T> column(const Sums<T, log_size>& s, std::size_t c) {
+template <class T, std::size_t Columns>
+static HWY_INLINE Batch<T> column(const Sums<T, Columns>& s, std::size_t c) {
   return s[0][c];
 }
 template <class T>
-static HWY_INLINE Vector3<T> load_offsets(const T* offsets, std::size_t group) {
-  return load_offset(offsets, group);
+static HWY_INLINE Vector3<T> load_rests(const T* rest, std::size_t group) {
+  return load_rest(rest, group);
 }
 template <class T>
 static HWY_INLINE void store_positions(const Vector3<T>& p, std::size_t group, T* out) {
@@ -202,30 +202,49 @@ static HWY_INLINE void store_positions(const Vector3<T>& p, std::size_t group, T
 #endif
 
 template <class T>
-static void deform_tiles(const TileRun<T>& run, const T* offsets, T* out) {
+static void place_logs(const TileRun<T>& run, const T* rest, T* out) {
+  constexpr std::size_t n = log_shape.columns;
   const Tag<T> d;
   using V = Batch<T>;
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
-    Sums<T, log_size> s;
-    blend_group<T, log_size>(run, g, s);
-    add_mean<T>(run, s);
-    const lanes::Six<V> log{column<T>(s, 0), column<T>(s, 1), column<T>(s, 2),
-                            column<T>(s, 3), column<T>(s, 4), column<T>(s, 5)};
-    const lanes::Three<V> u = lanes::times(lanes::exp_lanes(d, log), load_offsets(offsets, g));
-    const lanes::Three<V> turn{column<T>(s, 6), column<T>(s, 7), column<T>(s, 8)};
+    Sums<T, n> s;
+    blend_group<T, n>(run, g, s);
+    add_mean<log_shape.with_mean, T, n>(run, s);
+    const auto at = [&s](std::size_t c) HWY_ATTR { return column<T, n>(s, c); };
+    const lanes::Six<V> log{at(0), at(1), at(2), at(3), at(4), at(5)};
+    const lanes::Three<V> u = lanes::times(lanes::exp_lanes(d, log), load_rests(rest, g));
+    const lanes::Three<V> turn{at(6), at(7), at(8)};
     const lanes::Three<V> p = lanes::rotate_lanes(d, turn, u);
-    store_positions<T>({Add(p.x, column<T>(s, 9)), Add(p.y, column<T>(s, 10)), Add(p.z, column<T>(s, 11))}, g,
-                       out);
+    store_positions<T>({Add(p.x, at(9)), Add(p.y, at(10)), Add(p.z, at(11))}, g, out);
   }
 }
 
 template <class T>
-static void move_tiles(const TileRun<T>& run, const T* offsets, T* out) {
+static void place_maps(const TileRun<T>& run, const T* rest, T* out) {
+  constexpr std::size_t n = map_shape.columns;
+  using V = Batch<T>;
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
-    Sums<T, position_size> s;
-    blend_group<T, position_size>(run, g, s);
+    Sums<T, n> s;
+    blend_group<T, n>(run, g, s);
+    add_mean<map_shape.with_mean, T, n>(run, s);
+    const auto at = [&s](std::size_t c) HWY_ATTR { return column<T, n>(s, c); };
+    const lanes::Three<V> x = load_rests(rest, g);
+    const auto moved = [&](V from, std::size_t r) HWY_ATTR {
+      const V turned = lanes::sum_of_products(at(3 * r), x.x, at(3 * r + 1), x.y, at(3 * r + 2), x.z);
+      return Add(from, Add(turned, at(9 + r)));
+    };
+    store_positions<T>({moved(x.x, 0), moved(x.y, 1), moved(x.z, 2)}, g, out);
+  }
+}
+
+template <class T>
+static void place_positions(const TileRun<T>& run, const T* rest, T* out) {
+  constexpr std::size_t n = position_shape.columns;
+  for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
+    Sums<T, n> s;
+    blend_group<T, n>(run, g, s);
     for (int v = 0; v < vectors_at_once; ++v) {
-      const Vector3<T> offset = load_offset(offsets, g + v);
+      const Vector3<T> offset = load_rest(rest, g + v);
       store_position<T>(
           Vector3<T>{hn::Add(s[v][0], offset.x), hn::Add(s[v][1], offset.y), hn::Add(s[v][2], offset.z)},
           g + v, out);

@@ -14,8 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
-static const FrameKernel frame = {{blend_tiles<float>, deform_tiles<float>, move_tiles<float>},
-                                  {blend_tiles<double>, deform_tiles<double>, move_tiles<double>},
+static const FrameKernel frame = {{blend_tiles<float, log_shape.columns>, place_logs<float>},
+                                  {blend_tiles<float, map_shape.columns>, place_maps<float>},
+                                  {blend_tiles<float, position_shape.columns>, place_positions<float>},
                                   ring_vertices,
                                   ring_hub};
 

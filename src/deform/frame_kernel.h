@@ -4,24 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "deform/frame_vertex.h"
 #include "deform/leaves.h"
 #include "deform/rings.h"
+#include "deform/rows.h"
 #include "sym3/kernel.h"
 
 namespace viete::deform {
-
-inline constexpr std::size_t log_size =
-    12;  ///< six of the stretch, three of the rotation, three of the centre
-inline constexpr std::size_t centre_column = 9;  ///< where those of the centre begin
-inline constexpr std::size_t position_size = 3;  ///< mean value coordinates blend positions alone
-
-/// One vertex of a frame, as a graphics card takes it.
-struct alignas(32) FrameVertex {
-  float position[3];  ///< relative to the frame's origin
-  float unused0;
-  float normal[3];  ///< unit length; (0, 0, 1) where there is no area
-  float unused1;
-};
 
 /// One 64-byte line of vertices: what weights, offsets and sums are stored by.
 template <class T>
@@ -31,12 +20,12 @@ inline constexpr std::size_t lanes = tile_lanes<float>;  ///< of weights as they
 /// Consecutive tiles whose vertices share a table. Everything is aligned to 64 bytes.
 template <class T>
 struct TileRun {
-  std::size_t tiles = 0;                  ///< even
-  std::size_t rows = 0;                   ///< of weights
-  const T* weights = nullptr;             ///< [tile][row][lane]
-  const T* table = nullptr;               ///< [row][column], 12 or 3 columns
-  const T* base = nullptr;                ///< sums to start from, [tile][column][lane]; null: zero
-  const T* mean = nullptr;                ///< [9], what `deform` adds to the blended logs; null: zero
+  std::size_t tiles = 0;       ///< even
+  std::size_t rows = 0;        ///< of weights
+  const T* weights = nullptr;  ///< [tile][row][lane]
+  const T* table = nullptr;    ///< [row][column]
+  const T* base = nullptr;     ///< sums to start from, [tile][column][lane]; null: zero
+  const T* mean = nullptr;     ///< [RowShape::with_mean], what `place` adds to the sums; null: zero
   const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: in order
 };
 
@@ -53,22 +42,18 @@ struct RingRun {
   float unit;
 };
 
-/// From weights to sums or positions.
-template <class T>
+/// From weights to sums or positions, of rows of one form.
 struct TileKernel {
-  /// sums [tile][column][lane] of 12 columns.
-  void (*blend)(const TileRun<T>& run, T* sums);
-  /// exp(Y) exp(X) offset + center of the 12 blended columns; offsets [tile][3][lane]; out [slot] as x y z x.
-  void (*deform)(const TileRun<T>& run, const T* offsets, T* out);
-  /// The 3 blended columns + offset.
-  void (*move)(const TileRun<T>& run, const T* offsets, T* out);
+  /// sums [tile][column][lane].
+  void (*blend)(const TileRun<float>& run, float* sums);
+  /// rest [tile][3][lane]: x for maps, else o (see RowForm); out [slot] as x y z x.
+  void (*place)(const TileRun<float>& run, const float* rest, float* out);
 };
 
 /// One compilation of the frame. Each lane is computed alone and in the same order whatever the width of the
 /// machine's vectors: the same bits from all kernels with fused multiply-add, and from all without.
 struct FrameKernel {
-  TileKernel<float> in_float;
-  TileKernel<double> in_double;
+  TileKernel logs, maps, positions;  ///< by RowForm
   /// To vertices[order[slot]]: position times unit, and the unit normal by the walk around it, (0, 0, 1)
   /// where there is no area; nothing where neither slots nor halo changed by a bit. Leaves write to different
   /// places and vertices.

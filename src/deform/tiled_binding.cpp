@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "deform/cage_state.h"
 #include "deform/factoring.h"
 #include "deform/frame_kernel.h"
 #include "deform/weigher.h"
@@ -23,10 +24,16 @@ std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   return counts;
 }
 
+// Of an array [tile][3][lane].
+void set_slot(base::AlignedVector<float>& array, std::size_t slot, const Vec3& vector, double unit) {
+  float* out = array.data() + slot / lanes * lanes * 3 + slot % lanes;
+  for (int i = 0; i < 3; ++i) out[i * lanes] = static_cast<float>(vector[i] / unit);
+}
+
 /// What one leaf needs while it is being bound.
 struct LeafWeights {
   base::AlignedVector<float> rows;  // [tile][handle][lane]
-  std::vector<Vec3> sums;     // of weight times handle position, a slot
+  std::vector<Vec3> sums;           // of weight times handle position, a slot
 };
 
 struct LeafResult {
@@ -47,7 +54,7 @@ struct Shares {
 
 class Binder {
 public:
-  Binder(const mesh::Surface& model, const Cage& cage, Weighting weighting, base::WorkerPool& pool,
+  Binder(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
          base::Progress* progress)
       : model_(model),
         weigher_(cage, weighting),
@@ -56,7 +63,7 @@ public:
         b_(lay_out(model, cage, weighting)) {}
 
   TiledBinding bind(double tolerance, std::optional<Storage> wanted) {
-    const bool local = b_.weighting().local(), sample = worth_sampling(tolerance) || local;
+    const bool local = b_.weighting.local(), sample = worth_sampling(tolerance) || local;
     require(local ? 0 : sample ? 0.25 : 1);  // what lists take, only the sample tells
     const Shares shares = sample ? sampled_shares(tolerance) : Shares();
     const double lossless = std::min(shares.lists, 1.0);
@@ -114,9 +121,7 @@ private:
   }
 
   void set_offset(std::size_t slot, const Vec3& sum) {
-    const Vec3 offset = (model_.positions[b_.leaves.order[slot]] - weigher_.origin()) - sum;
-    float* out = b_.offsets.data() + slot / lanes * lanes * position_size + slot % lanes;
-    for (int i = 0; i < 3; ++i) out[i * lanes] = static_cast<float>(offset[i] / b_.unit);
+    set_slot(b_.offsets, slot, (model_.positions[b_.leaves.order[slot]] - weigher_.origin()) - sum, b_.unit);
   }
 
   void bind_dense() {
@@ -131,9 +136,9 @@ private:
     b_.failed = failed;
   }
 
-  // Mean value coordinates blend positions alone: a quarter of the work, for which factors do not pay.
+  // Handles that only move blend positions alone: a quarter of the work, for which factors do not pay.
   bool worth_sampling(double tolerance) const {
-    return tolerance > 0 && b_.coordinates == Coordinates::face &&
+    return tolerance > 0 && entry(b_.weighting.elements).affine &&
            compressible(b_.leaves.vertices, b_.handles);
   }
 
@@ -313,21 +318,23 @@ TiledBinding::Sizes TiledBinding::place_factors() {
   return {size, (pivots + slot_block - 1) / slot_block * slot_block * handles};
 }
 
-TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Weighting weighting) {
+TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   TiledBinding b;
-  b.coordinates = weighting.coordinates;
-  b.reach = weighting.reach;
-  b.handles =
-      weighting.coordinates == Coordinates::face ? cage.element_count() : cage.surface.positions.size();
+  b.weighting = weighting;
+  b.handles = handle_count(cage, weighting.elements);
   b.leaves = make_leaves(model.positions, triangle_counts(model));
   b.rings = make_rings(b.leaves, model.triangles);
   b.unit = std::exp2(std::round(std::log2(cage.diagonal)));
-  b.offsets.resize(b.leaves.slot_count() * position_size);
+  b.offsets.resize(b.leaves.slot_count() * 3);
+  b.rest.resize(b.offsets.size());
+  const Vec3 origin = middle(cage.surface.positions);
+  for (std::size_t slot = 0; slot < b.leaves.slot_count(); ++slot)
+    set_slot(b.rest, slot, model.positions[b.leaves.order[slot]] - origin, b.unit);
   return b;
 }
 
-TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Weighting weighting,
+TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance, base::Progress* progress,
                         std::optional<Storage> storage) {
   return Binder(model, cage, weighting, pool, progress).bind(tolerance, storage);

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "base/aligned.h"
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "base/aligned.h"
 #include "deform/binding.h"
 #include "deform/leaves.h"
 #include "deform/rings.h"
@@ -39,24 +39,24 @@ struct LeafFactors {
 /// Everything per slot of the leaves. Weights and offsets are those of Binding, in float: the sums lose about
 /// 1e-7 of the cage's diagonal by it.
 struct TiledBinding {
-  Coordinates coordinates = Coordinates::face;
-  double reach = whole_cage;
+  Weighting weighting;
   std::size_t handles = 0;
   Leaves leaves;
   Rings rings;
   std::size_t failed = 0;  ///< vertices that have no mean value coordinates
   double unit = 1;         ///< a power of two near the cage's diagonal: lengths are stored as multiples of it
   double tolerance = 0;    ///< of the compression; 0: none
-  base::AlignedVector<float> offsets;  ///< [tile][3][lane], in units
+  base::AlignedVector<float> rest;     ///< [tile][3][lane], relative to the middle of the rest cage, in units
+  base::AlignedVector<float> offsets;  ///< [tile][3][lane], as Binding::offsets, in units
   /// [tile][handle][lane], with lists [tile][place in the list][lane]; empty if compressed
   base::AlignedVector<float> weights;
   std::vector<std::size_t> list_starts;  ///< in `listed`, one more than leaves; empty without lists
   std::vector<std::uint32_t> listed;     ///< the handles that have weight in a leaf, ascending, leaf by leaf
   std::vector<LeafFactors> factored;     ///< one a leaf; empty if not compressed
   base::AlignedVector<float> factors;
-  base::AlignedVector<float> skeleton;  ///< the pivots' weights, [tile][handle][lane], an even number of tiles
+  base::AlignedVector<float>
+      skeleton;  ///< the pivots' weights, [tile][handle][lane], an even number of tiles
 
-  Weighting weighting() const { return {coordinates, reach}; }
   bool compressed() const { return !factored.empty(); }
   bool has_lists() const { return !list_starts.empty(); }
   Storage storage() const {
@@ -84,11 +84,11 @@ struct TiledBinding {
   Sizes place_factors();
 };
 
-/// All of a binding that does not take its weights: leaves, rings, unit, and room for offsets. Throws
+/// All of a binding that does not take its weights: leaves, rings, unit, rest, and room for offsets. Throws
 /// base::Error when the model has no vertices.
-TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, Weighting weighting);
+TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
-/// True if so many are worth a try. (Mean value coordinates never are.)
+/// True if so many are worth a try. (Handles that only move never are.)
 bool compressible(std::size_t vertices, std::size_t handles);
 
 /// Weights leaf by leaf, in parallel; the full matrix of doubles never exists, nor, compressed, that of
@@ -96,7 +96,7 @@ bool compressible(std::size_t vertices, std::size_t handles);
 /// where a sample of leaves says that frames become cheaper by it, or as `storage` says. The same bits for
 /// any number of threads. Throws base::Cancelled; throws base::Error when the memory that is free now would
 /// not suffice, or when the model has no vertices.
-TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, Weighting weighting,
+TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
                         base::Progress* progress = nullptr, std::optional<Storage> storage = {});
 

@@ -1,8 +1,15 @@
 #include "deform/vertex_sample.h"
 
-#include "deform/weights.h"
+#include "deform/exact.h"
+#include "deform/inverse_distance.h"
 
 namespace viete::deform {
+
+namespace {
+
+constexpr std::size_t error_sample = 512;  // vertices
+
+}  // namespace
 
 std::vector<std::size_t> spread_vertices(const Binding& binding, std::size_t limit) {
   std::vector<std::size_t> vertices(std::min(binding.vertices, limit));
@@ -13,10 +20,11 @@ std::vector<std::size_t> spread_vertices(const Binding& binding, std::size_t lim
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points) {
   BoundPart part;
   Binding& b = part.binding;
-  b.coordinates = weigher.weighting().coordinates;
-  b.reach = weigher.weighting().reach;
+  b.weighting = weigher.weighting();
   b.vertices = points.size();
   b.handles = weigher.handles();
+  b.rest.assign(points.begin(), points.end());
+  b.rest_origin = weigher.origin();
   b.weights.reserve(b.vertices * b.handles);
   b.offsets.reserve(b.vertices);
   part.failed = visit_weights(weigher, points, [&](std::size_t i, const std::vector<double>& weights) {
@@ -25,6 +33,21 @@ BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points)
         rest_offset(weigher.cage(), weigher.handle_positions(), points[i] - weigher.origin(), weights));
   });
   return part;
+}
+
+double sampled_error(const Weigher& weigher, const Binding& binding, const Rows& rows,
+                     std::span<const FrameVertex> frame) {
+  const auto vertices = spread_vertices(binding, error_sample);
+  std::vector<mesh::Point> exact;
+  for (const auto v : vertices) exact.push_back(binding.rest[v]);
+  const BoundPart part = bind_part(weigher, exact);
+  place_vertices(part.binding, rows, sym3::Method::fast, exact);
+  double worst = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto& p = frame[vertices[i]].position;
+    worst = std::max(worst, norm(rows.origin + Vec3{p[0], p[1], p[2]} - exact[i]));
+  }
+  return worst / weigher.cage().diagonal;
 }
 
 std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,

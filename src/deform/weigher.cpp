@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "deform/cage_state.h"
 #include "deform/distance_triangle.h"
 #include "deform/face_maps.h"
 #include "deform/frame_kernel.h"
@@ -37,16 +38,16 @@ bool on_degenerate_element(const Cage& cage, const mesh::Point& p) {
 
 }  // namespace
 
-Weigher::Weigher(const Cage& cage, Weighting weighting, const sym3::Kernel& kernel)
+Weigher::Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kernel& kernel)
     : cage_(cage),
       weighting_(weighting),
       kernel_(bind_kernel(kernel)),
       origin_(middle(cage.surface.positions)),
       scale_(std::exp2(-std::round(std::log2(cage.diagonal)))) {
-  const bool faces = weighting.coordinates == Coordinates::face;
-  handles_ = relative_to(origin_, faces ? cage.centers : cage.surface.positions);
+  const auto centers = handle_centers(cage, weighting.elements);
+  handles_ = relative_to(origin_, {centers.begin(), centers.end()});
   for (const Vec3& p : cage.surface.positions) corners_.push_back(scaled(p));
-  faces ? add_triangles() : add_views();
+  weighting.weights == Weights::inverse ? add_triangles() : add_views();
 }
 
 Vec3 Weigher::scaled(const mesh::Point& p) const {
@@ -104,7 +105,7 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
     const Vec3 p = scaled(points[l]);
     for (int i = 0; i < 3; ++i) at[i * bind_lanes + l] = p[i];
   }
-  if (weighting_.coordinates == Coordinates::face) {
+  if (weighting_.weights == Weights::inverse) {
     kernel_.inverse_distance(
         {triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), cut(), at}, room.data());
     return 0;
@@ -137,9 +138,9 @@ std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, floa
                                        std::span<Vec3> sums) const {
   std::vector<bool> failed(points.size());
   std::vector<double> numbers_of_room(room());
-  const bool faces = weighting_.coordinates == Coordinates::face;
+  const bool by_distance = weighting_.weights == Weights::inverse;
   const Vec3 middle = scaled(points[points.size() / 2]);
-  std::vector<std::array<float, 3>> shifts(faces ? handles() : 0);
+  std::vector<std::array<float, 3>> shifts(by_distance ? handles() : 0);
   for (std::size_t e = 0; e < shifts.size(); ++e) {
     const Vec3 s = shift_of(triangles_[e], origins_[e] - middle);
     shifts[e] = {static_cast<float>(s[0]), static_cast<float>(s[1]), static_cast<float>(s[2])};
@@ -147,7 +148,7 @@ std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, floa
   for (std::size_t s = 0; s < points.size(); s += lanes) {
     double tile_sums[3 * lanes];
     const RowJob out{numbers(handles_), handles(), rows + s * handles(), tile_sums};
-    if (!faces || !weigh_in_float(points.subspan(s).first<lanes>(), middle, shifts, out)) {
+    if (!by_distance || !weigh_in_float(points.subspan(s).first<lanes>(), middle, shifts, out)) {
       for (std::size_t half = 0; half < lanes; half += bind_lanes) {
         const unsigned lost = weigh(points.subspan(s + half).first<bind_lanes>(), numbers_of_room);
         kernel_.to_rows(numbers_of_room.data(), {out.handles, out.count, out.rows + half, out.sums + half});

@@ -17,7 +17,7 @@ namespace viete::deform {
 /// where those themselves are less certain. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
-  Weigher(const Cage& cage, Weighting weighting, const sym3::Kernel& kernel = sym3::kernel());
+  Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kernel& kernel = sym3::kernel());
 
   const Cage& cage() const { return cage_; }
   const Weighting& weighting() const { return weighting_; }

@@ -12,11 +12,11 @@ namespace viete::scene {
 struct BindingPlan {
   std::size_t vertices = 0, handles = 0;  ///< of the model; faces or vertices of the cage
   std::size_t bytes = 0;
-  deform::Coordinates coordinates = deform::Coordinates::face;
+  deform::Elements elements = deform::Elements::face;
 };
 
 /// Of an open model and cage. Requires both.
-BindingPlan binding_plan(const Document& document, deform::Coordinates coordinates);
+BindingPlan binding_plan(const Document& document, deform::Elements elements);
 
 /// "Binding 50,000 vertices to 148 faces, 72 MB".
 std::string text(const BindingPlan& plan);

@@ -13,9 +13,11 @@ namespace viete::scene {
 namespace {
 
 constexpr Condition always{[](const Workspace&) { return true; }, ""};
-constexpr Condition uses_method{
-    [](const Workspace& w) { return w.document.coordinates == deform::Coordinates::face; },
-    "Mean value coordinates use no exponential; choose Faces first."};
+constexpr Condition uses_method{[](const Workspace& w) { return w.document.scheme.exponential(); },
+                                "This way of blending takes no exponential; choose Faces, log space first."};
+constexpr Condition has_reach{
+    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has_reach; },
+    "Mean value coordinates have no reach: every vertex of the cage moves all of the model."};
 constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
                               "Open a model first."};
 constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); }, "Open a cage first."};
@@ -60,6 +62,15 @@ template <sym3::Method Method>
 Command method_command(std::string_view name, char digit) {
   const sym3::MethodEntry& entry = sym3::methods()[static_cast<std::size_t>(Method)];
   return {name, entry.label, entry.sentence, "Method", {key(digit), false, true}, {}, uses_method, use_method<Method>};
+}
+
+// One for each way of blending that there is.
+template <std::size_t Row>
+Command scheme_command() {
+  const deform::Combination& c = deform::combinations()[Row];
+  return {c.name, c.label, c.sentence, "Blend", {}, {}, always, [](Workspace& w) {
+            set_scheme(w.document, deform::with(w.document.scheme, deform::combinations()[Row]));
+          }};
 }
 
 template <StandardView View>
@@ -185,6 +196,12 @@ const std::vector<Command>& table() {
 
       method_command<M::diag>("method_diag", '1'), method_command<M::sd>("method_sd", '2'),
       method_command<M::improved_sd>("method_improved_sd", '3'), method_command<M::fast>("method_fast", '4'),
+
+      scheme_command<0>(), scheme_command<1>(), scheme_command<2>(),
+      {"reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", "Blend", {key('K')}, {}, has_reach,
+       [](Workspace& w) { step_reach(w.document, -1); }},
+      {"reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.", "Blend", {key('K'), false, true}, {},
+       has_reach, [](Workspace& w) { step_reach(w.document, 1); }},
 
       {"run_benchmark", "Measure", "Measure every method on random matrices, beside the view.", "Method", {}, {},
        is_not_measuring, [](Workspace& w) { w.requests.run_benchmark = true; }},

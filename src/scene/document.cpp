@@ -93,10 +93,14 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
   return document;
 }
 
+Snapshot snapshot_of(const Document& document) {
+  return {document.pose, document.selection, document.scheme};
+}
+
 void set_pose(Document& document, deform::Pose pose) {
-  document.history.record("open pose", {document.pose, document.selection});
+  document.history.record("open pose", snapshot_of(document));
   document.pose = std::move(pose);
-  ++document.posed;
+  ++document.revisions.pose;
 }
 
 std::vector<std::string> open_pose(Document& document, const std::filesystem::path& path) {

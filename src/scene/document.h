@@ -1,4 +1,4 @@
-// The one home of state: model, cage, pose, selection and settings, each with a revision.
+// The one home of state: model, cage, pose, selection and settings, with a revision of each.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "deform/binding.h"
 #include "deform/cage.h"
+#include "deform/scheme.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
 #include "scene/history.h"
@@ -36,6 +36,13 @@ struct OpenedSurface {
 /// from.
 using Revision = unsigned long;
 
+struct Revisions {
+  Revision surfaces = 0;  ///< model or cage replaced
+  Revision weights = 0;   ///< elements, weights or reach
+  Revision pose = 0;      ///< positions of the cage, or its turns
+  Revision method = 0;    ///< blend, or how exp is computed
+};
+
 struct Document {
   OpenedSurface model;
   OpenedSurface cage_file;                   ///< surface is null when there is no cage
@@ -44,15 +51,11 @@ struct Document {
   Selection selection;
   History history;
   sym3::Method method = sym3::Method::fast;
-  deform::Coordinates coordinates = deform::Coordinates::face;
-  double reach = deform::whole_cage;  ///< of faces; mean value coordinates leave it unused
+  deform::Scheme scheme;
   Space space;
-
-  Revision topology = 0;  ///< model or cage replaced
-  Revision posed = 0;     ///< positions of the cage changed
+  Revisions revisions;
 
   bool has_cage() const { return cage != nullptr; }
-  deform::Weighting weighting() const { return {coordinates, reach}; }
 };
 
 /// Reads a surface and says what is in it. progress may be null. Throws base::Error and base::Cancelled.
@@ -71,6 +74,9 @@ void set_cage(Document& document, OpenedSurface cage);
 /// open document is untouched until it takes the new one.
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
                        base::Progress* progress = nullptr);
+
+/// What an edit may change, as it is now.
+Snapshot snapshot_of(const Document& document);
 
 /// Another pose as an edit: undoable. Requires one position per cage vertex.
 void set_pose(Document& document, deform::Pose pose);

@@ -1,6 +1,8 @@
 #include "scene/edit.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "scene/elements.h"
@@ -9,13 +11,23 @@ namespace viete::scene {
 
 namespace {
 
+constexpr const char* change_blending = "change blending";
+constexpr const char* change_reach = "change reach";
+
 void restore(Document& document, Snapshot&& snapshot) {
   document.pose = std::move(snapshot.pose);
   document.selection = std::move(snapshot.selection);
-  ++document.posed;
+  ++document.revisions.pose;
+  put_scheme(document, snapshot.scheme);
 }
 
 }  // namespace
+
+void put_scheme(Document& document, const deform::Scheme& scheme) {
+  const deform::Scheme old = std::exchange(document.scheme, scheme);
+  if (old.weighting != scheme.weighting) ++document.revisions.weights;
+  if (old.blend != scheme.blend) ++document.revisions.method;
+}
 
 bool differs_from_rest(const Document& document) {
   if (!document.has_cage()) return false;
@@ -26,17 +38,17 @@ bool differs_from_rest(const Document& document) {
 }
 
 void reset_pose(Document& document) {
-  document.history.record("reset pose", {document.pose, document.selection});
+  document.history.record("reset pose", snapshot_of(document));
   document.pose = deform::rest_pose(*document.cage);
-  ++document.posed;
+  ++document.revisions.pose;
 }
 
 void reset_selected(Document& document) {
-  document.history.record("reset selected", {document.pose, document.selection});
+  document.history.record("reset selected", snapshot_of(document));
   for (const auto v : selected_vertices(*document.cage, document.selection)) {
     document.pose.positions[v] = document.cage->surface.positions[v];
   }
-  ++document.posed;
+  ++document.revisions.pose;
 }
 
 void select_kind(Document& document, ElementKind kind) {
@@ -45,29 +57,63 @@ void select_kind(Document& document, ElementKind kind) {
 }
 
 void undo(Document& document) {
-  restore(document, document.history.undo({document.pose, document.selection}));
+  restore(document, document.history.undo(snapshot_of(document)));
 }
 
 void redo(Document& document) {
-  restore(document, document.history.redo({document.pose, document.selection}));
+  restore(document, document.history.redo(snapshot_of(document)));
 }
 
 void set_method(Document& document, sym3::Method method) {
   if (document.method == method) return;
   document.method = method;
-  ++document.posed;
+  ++document.revisions.method;
 }
 
-void set_coordinates(Document& document, deform::Coordinates coordinates) {
-  if (document.coordinates == coordinates) return;
-  document.coordinates = coordinates;
-  if (document.has_cage()) ++document.topology;
+void set_scheme(Document& document, const deform::Scheme& scheme) {
+  if (document.scheme == scheme) return;
+  document.history.record(change_blending, snapshot_of(document));
+  put_scheme(document, scheme);
 }
 
 void set_reach(Document& document, double reach) {
-  if (document.reach == reach) return;
-  document.reach = reach;
-  if (document.has_cage() && document.coordinates == deform::Coordinates::face) ++document.topology;
+  if (document.scheme.weighting.reach == reach) return;
+  deform::Scheme scheme = document.scheme;
+  scheme.weighting.reach = reach;
+  if (document.history.undo_label() == change_reach && !document.history.can_redo()) {
+    document.history.go_on();
+  } else {
+    document.history.record(change_reach, snapshot_of(document));
+  }
+  put_scheme(document, scheme);
+}
+
+void step_reach(Document& document, int step) {
+  const auto all = usual_reaches();
+  const double now = document.scheme.weighting.reach;
+  const auto nearest = static_cast<std::ptrdiff_t>(nearest_reach(now));
+  const auto last = static_cast<std::ptrdiff_t>(all.size()) - 1;
+  set_reach(document, all[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(nearest + step, 0, last))]);
+}
+
+void give_up_scheme(Document& document, const deform::Scheme& instead) {
+  History& history = document.history;
+  const bool chosen_last = history.undo_label() == change_reach || history.undo_label() == change_blending;
+  if (chosen_last && !history.can_redo()) history.drop_last();
+  put_scheme(document, instead);
+}
+
+std::span<const double> usual_reaches() {
+  static constexpr std::array all = {2.0, 2.5, 3.0, 4.0, 6.0, 10.0, deform::whole_cage};
+  return all;
+}
+
+std::size_t nearest_reach(double reach) {
+  const auto all = usual_reaches();
+  const auto above = std::lower_bound(all.begin(), all.end(), reach);
+  const bool down =
+      above != all.begin() && *above > reach && std::log(*above / reach) > std::log(reach / above[-1]);
+  return static_cast<std::size_t>(above - all.begin()) - (down ? 1 : 0);
 }
 
 }  // namespace viete::scene

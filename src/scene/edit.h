@@ -1,6 +1,8 @@
 // Edits of a document: each is one entry of its history, or a setting.
 #pragma once
 
+#include <span>
+
 #include "scene/document.h"
 
 namespace viete::scene {
@@ -20,10 +22,25 @@ void select_kind(Document& document, ElementKind kind);
 void undo(Document& document);
 void redo(Document& document);
 
-/// Settings: the frame is computed anew, the pose is untouched, the history too.
+/// A setting: the pose is untouched, the history too.
 void set_method(Document& document, sym3::Method method);
-void set_coordinates(Document& document, deform::Coordinates coordinates);
-/// deform::lowest_reach or more.
+
+/// How the cage moves the model. Undoable; reaches that are chosen one after the other are one edit.
+void set_scheme(Document& document, const deform::Scheme& scheme);
+/// deform::lowest_reach or more. Of weights that have none it is kept for others.
 void set_reach(Document& document, double reach);
+/// The next shorter or longer one of those that people choose from.
+void step_reach(Document& document, int step);
+/// Of a document that was just opened: no edit.
+void put_scheme(Document& document, const deform::Scheme& scheme);
+/// They are not to be had: the last one that was chosen counts as never chosen, or these are put in its
+/// place.
+void give_up_scheme(Document& document, const deform::Scheme& instead);
+
+/// Reaches to choose from, ascending: below 2 a model shows the edges of a coarse cage. A session may have
+/// others.
+std::span<const double> usual_reaches();
+/// The place of the one that is nearest in proportion.
+std::size_t nearest_reach(double reach);
 
 }  // namespace viete::scene

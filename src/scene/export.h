@@ -18,7 +18,7 @@ struct Export {
   std::shared_ptr<const mesh::Surface> model;
   std::shared_ptr<const deform::Cage> cage;
   deform::Pose pose;
-  deform::Weighting weighting;
+  deform::Scheme scheme;
   sym3::Method method;
 };
 

@@ -7,7 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "deform/deformer.h"
+#include "deform/links.h"
+#include "sym3/exp.h"
 
 namespace viete::scene {
 

@@ -21,6 +21,13 @@ void History::record(std::string label, Snapshot before) {
   undo_.push_back({std::move(label), std::move(before)});
 }
 
+Snapshot History::drop_last() {
+  ++revision_;
+  Snapshot before = std::move(undo_.back().state);
+  undo_.pop_back();
+  return before;
+}
+
 Snapshot History::undo(Snapshot now) {
   ++revision_;
   Entry entry = std::move(undo_.back());

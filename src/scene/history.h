@@ -1,18 +1,20 @@
-// Undo and redo of poses.
+// Undo and redo.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "deform/cage.h"
+#include "deform/scheme.h"
 #include "scene/selection.h"
 
 namespace viete::scene {
 
-/// What an edit changes: the pose and what was selected while it was made.
+/// What an edit changes: the pose, how the cage moves the model, and what was selected meanwhile.
 struct Snapshot {
   deform::Pose pose;
   Selection selection;
+  deform::Scheme scheme;
 };
 
 /// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest
@@ -21,6 +23,11 @@ class History {
 public:
   /// An edit named `label` has just led away from `before`.
   void record(std::string label, Snapshot before);
+
+  /// The last edit went on: it is still one entry. Requires that it was not taken back.
+  void go_on() { ++revision_; }
+  /// As if the last edit had not been made: gives the state before it. Requires can_undo().
+  Snapshot drop_last();
 
   bool can_undo() const { return !undo_.empty(); }
   bool can_redo() const { return !redo_.empty(); }

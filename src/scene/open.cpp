@@ -131,8 +131,7 @@ Opened open_session(const fs::path& file, base::Progress* progress) {
   Session& session = *opened.session;
   Document document = document_of_session(session, file, progress);
   document.method = session.method;
-  document.coordinates = session.coordinates;
-  document.reach = session.reach;
+  document.scheme = session.scheme;
   if (document.has_cage()) {
     fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
     if (session.pose) document.pose = std::move(*session.pose);
@@ -226,11 +225,10 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   const Document& old = w.document;
   if (keep_settings) {
     document.method = old.method;
-    document.coordinates = old.coordinates;
-    document.reach = old.reach;
+    document.scheme = old.scheme;
   }
-  document.topology = old.topology + 1;
-  document.posed = old.posed + 1;
+  document.revisions = {old.revisions.surfaces + 1, old.revisions.weights + 1, old.revisions.pose + 1,
+                        old.revisions.method + 1};
   w.document = std::move(document);
   w.hand = {};
   w.stats.clear();

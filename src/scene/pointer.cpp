@@ -42,8 +42,9 @@ std::optional<AxisWidget> axis_widget_of(const Workspace& w) {
 }
 
 void Pointer::frame(Workspace& workspace, const PointerInput& input) {
-  if (topology_ != workspace.document.topology) {  // another document: what was begun on the old one is void
-    topology_ = workspace.document.topology;
+  if (surfaces_ !=
+      workspace.document.revisions.surfaces) {  // another document: what was begun on the old one is void
+    surfaces_ = workspace.document.revisions.surfaces;
     if (active()) finish(workspace, Gesture::ignored);
   }
   const bool left_gesture = active() && gesture_ != Gesture::ignored && button_ == left_button;

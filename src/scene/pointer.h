@@ -76,7 +76,7 @@ private:
   std::optional<Constraint> handle_;
   SelectMode mode_ = SelectMode::replace;
   Selection selection_before_;
-  Revision topology_ = 0;
+  Revision surfaces_ = 0;
   PointerInput last_;
 };
 

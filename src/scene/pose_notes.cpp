@@ -1,5 +1,7 @@
 #include "scene/pose_notes.h"
 
+#include "scene/workspace.h"
+
 namespace viete::scene {
 
 namespace {
@@ -62,6 +64,12 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
                     std::to_string(b) + "); the mesh may fold there");
   }
   return notes;
+}
+
+void take_report(Workspace& workspace, const deform::LogReport& report) {
+  Document& document = workspace.document;
+  document.pose.turns = report.turns;
+  workspace.pose_notes = pose_notes(report, *document.cage, document.pose);
 }
 
 }  // namespace viete::scene

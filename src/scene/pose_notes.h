@@ -8,6 +8,12 @@
 
 namespace viete::scene {
 
+struct Workspace;
+
+/// What the deformer had to decide in the frame of this pose: its turns become the pose's, and its notes are
+/// shown.
+void take_report(Workspace& workspace, const deform::LogReport& report);
+
 /// One line per kind of trouble, with how often and the first place; nothing for a pose without trouble. A
 /// closed cage that is turned inside out, as by a mirror, is told from one that is only torn.
 std::vector<std::string> pose_notes(const deform::LogReport& report, const deform::Cage& cage,

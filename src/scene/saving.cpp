@@ -90,11 +90,11 @@ std::optional<std::uint64_t> content_of(const fs::path& file) {
 
 bool has_unsaved_edits(const Workspace& w) {
   return w.document.has_cage() &&
-         (w.document.weighting() != w.saved.weighting || !same_pose(w.document.pose, w.saved.pose));
+         (w.document.scheme != w.saved.scheme || !same_pose(w.document.pose, w.saved.pose));
 }
 
 void mark_saved(Workspace& workspace) {
-  workspace.saved.weighting = workspace.document.weighting();
+  workspace.saved.scheme = workspace.document.scheme;
   mark_pose_saved(workspace);
 }
 

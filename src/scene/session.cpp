@@ -23,7 +23,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr const char* format_name = "viete session";
-constexpr std::uint32_t newest_version = 1;
+constexpr std::uint32_t newest_version = 2;
 
 struct ViewFlag {
   const char* key;
@@ -245,8 +245,7 @@ Session session_of(const Workspace& w) {
   session.origin = w.saved.session;
   session.origin_content = w.saved.content;
   session.method = w.document.method;
-  session.coordinates = w.document.coordinates;
-  session.reach = w.document.reach;
+  session.scheme = w.document.scheme;
   session.camera = w.camera.destination();
   session.view = w.view;
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
@@ -257,7 +256,9 @@ Session session_of(const Workspace& w) {
 }
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
-  ordered_json json = {{"format", format_name}, {"version", newest_version}};
+  const deform::Combination& combination = deform::combination_of(session.scheme);
+  const std::uint32_t version = combination.shorthand.empty() ? 2 : 1;
+  ordered_json json = {{"format", format_name}, {"version", version}};
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
   if (keys_are_common && session.model_content != 0)
@@ -268,8 +269,12 @@ std::string session_text(const Session& session, const fs::path& file, bool port
     if (session.origin_content) json["session_content"] = hexadecimal(*session.origin_content);
   }
   json["method"] = sym3::name(session.method);
-  json["coordinates"] = deform::name(session.coordinates);
-  if (session.reach < deform::whole_cage) json["reach"] = session.reach;
+  json["elements"] = deform::entry(combination.elements).name;
+  json["weights"] = deform::entry(combination.weights).name;
+  json["blend"] = deform::entry(combination.blend).name;
+  if (!combination.shorthand.empty()) json["coordinates"] = combination.shorthand;
+  const double reach = session.scheme.weighting.reach;
+  if (reach < deform::whole_cage) json["reach"] = reach;
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -280,6 +285,60 @@ std::string session_text(const Session& session, const fs::path& file, bool port
 }
 
 namespace {
+
+// Names of a table as people list them.
+template <class Entry>
+std::string names(std::span<const Entry> table) {
+  std::string all;
+  for (const Entry& e : table) all += (all.empty() ? "" : ", ") + std::string(e.name);
+  return all;
+}
+
+// Elements, weights and blend by their own keys, or all by the one word that older programs know.
+void read_scheme(const JsonReader& json, Session& s) {
+  const auto take_choice = [&](const char* key, auto& choice, auto table) {
+    const std::string instead = "what fits the others instead, of " + names(table);
+    take_part(
+        json, key, choice,
+        [&](const auto& v) {
+          return word_of(v, [&](auto name) { return deform::find_by_name(table, name); });
+        },
+        instead.c_str(), s.warnings);
+  };
+  deform::PartialChoice choice;
+  take_choice("elements", choice.elements, deform::all_elements());
+  take_choice("weights", choice.weights, deform::all_weights());
+  take_choice("blend", choice.blend, deform::all_blends());
+  const deform::Combination* combination = nullptr;
+  const char* key = choice.blend      ? "blend"
+                    : choice.weights  ? "weights"
+                    : choice.elements ? "elements"
+                                      : nullptr;
+  if (key) {
+    take_part(
+        json, key, combination,
+        [&](const auto& v) {
+          try {
+            return &deform::complete(choice);
+          } catch (const base::Error& error) {
+            v.fail(error.problem());
+          }
+        },
+        "coordinates count instead, or face", s.warnings);
+  }
+  if (!combination) {
+    take_part(
+        json, "coordinates", combination,
+        [](const auto& v) {
+          const auto* found = deform::combination_of_shorthand(v.text());
+          if (!found) v.fail(mesh::in_quotes(v.text()) + " is not known");
+          return found;
+        },
+        "face instead, of face and mvc", s.warnings);
+  }
+  if (combination) s.scheme = deform::with(s.scheme, *combination);
+  take_part(json, "reach", s.scheme.weighting.reach, reach_of, "the whole cage instead", s.warnings);
+}
 
 void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   const auto take = [&](const char* key, auto& part, auto read, const char* instead) {
@@ -295,10 +354,7 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take(
       "method", s.method, [](const auto& v) { return word_of(v, sym3::method_from_name); },
       "fast instead, of diag, sd, improved_sd and fast");
-  take(
-      "coordinates", s.coordinates, [](const auto& v) { return word_of(v, deform::coordinates_from_name); },
-      "face instead, of face and mvc");
-  take("reach", s.reach, reach_of, "the whole cage instead");
+  read_scheme(json, s);
   take("camera", s.camera, camera_of, "the whole model is shown instead");
   take(
       "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");

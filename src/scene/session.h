@@ -11,16 +11,17 @@
 
 namespace viete::scene {
 
-/// What a session file holds. JSON, version 1:
-///   "format": "viete session", "version": 1,
+/// What a session file holds. JSON, version 1 or 2:
+///   "format": "viete session", "version": 1 or 2,
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
 ///                         that are not UTF-8 as path_json() writes them
 ///   "model_content", "cage_content"   mesh::content_key() of what they were, 16 hexadecimal digits
 ///   "session"             only in recovered work: the session file that it belongs to
 ///   "session_content"     likewise: checksum of that file as it was then, 16 hexadecimal digits
 ///   "method"              "diag", "sd", "improved_sd" or "fast"
-///   "coordinates"         "face" or "mvc"
-///   "reach"               of faces, 1.5 or more; missing: the whole cage
+///   "elements", "weights", "blend"   names of deform/scheme.h; missing: what fits the others
+///   "coordinates"         "face" or "mvc", short for three that go together; those count where both stand
+///   "reach"               of weights that have one, 1.5 or more; missing: the whole cage
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
 ///                         "pitch" in radians, "orthographic"
 ///   "view"                flags, see ViewOptions
@@ -29,17 +30,17 @@ namespace viete::scene {
 ///   "selection"           their indices, from 0
 ///   "pose"                "turns": rotation vectors in radians, one per part of the cage;
 ///                         "positions": [x, y, z] per cage vertex
-/// Only format, version and model are required. Unknown keys are ignored, so that newer programs may add
-/// some. Ranges are those of scene/range.h. What is damaged beside model, cage and the list of positions
-/// costs its own part: it counts as missing, and a warning says so.
+/// Version 1 has only such elements, weights and blends as "coordinates" has a word for: programs that know
+/// no others read it. Only format, version and model are required. Unknown keys are ignored, so that newer
+/// programs may add some. Ranges are those of scene/range.h. What is damaged beside model, cage and the list
+/// of positions costs its own part: it counts as missing, and a warning says so.
 struct Session {
   std::filesystem::path model, cage;  ///< absolute; cage may be empty
   std::filesystem::path origin;       ///< "session"; absolute; may be empty
   std::optional<std::uint64_t> origin_content;
   std::uint64_t model_content = 0, cage_content = 0;  ///< 0: not known
   sym3::Method method = sym3::Method::fast;
-  deform::Coordinates coordinates = deform::Coordinates::face;
-  double reach = deform::whole_cage;
+  deform::Scheme scheme;
   std::optional<CameraPose> camera;  ///< missing: the model is framed
   ViewOptions view;
   std::optional<glm::ivec2> window;

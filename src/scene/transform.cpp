@@ -137,14 +137,14 @@ bool place(Document& document, const deform::Pose& before, std::span<const std::
     motion.follow(degrees_seen + 360.0 * whole, transform.degrees);
   }
   motion.show(transform.degrees);
-  ++document.posed;
+  ++document.revisions.pose;
   if (is_in_range(document, vertices)) return true;
   document.pose = before;
   return false;
 }
 
 bool transform_selection(Document& document, Tool tool, const Transform& transform) {
-  const Snapshot before{document.pose, document.selection};
+  const Snapshot before = snapshot_of(document);
   Transform bounded = transform;
   bounded.degrees = std::clamp(transform.degrees, -most_degrees, most_degrees);
   if (!place(document, before.pose, selected_vertices(*document.cage, document.selection), bounded, 0))

@@ -44,7 +44,7 @@ std::string length_text(double value, double cell) {
 
 TransformDrag::TransformDrag(const Document& document, Tool tool, Constraint constraint, double depth,
                              const glm::vec2& cursor, const Camera& camera)
-    : before_{document.pose, document.selection},
+    : before_(snapshot_of(document)),
       vertices_(selected_vertices(*document.cage, document.selection)),
       space_(document.space),
       tool_(tool),
@@ -196,7 +196,7 @@ void TransformDrag::commit(Document& document) const {
 void TransformDrag::cancel(Document& document) const {
   document.pose = before_.pose;
   document.selection = before_.selection;
-  ++document.posed;
+  ++document.revisions.pose;
 }
 
 std::string TransformDrag::amounts() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ public:
   void cancel(Document& document) const;
 
   Tool tool() const { return tool_; }
+  /// Of the cage: those that it moves, and no others.
+  std::span<const std::uint32_t> vertices() const { return vertices_; }
   const Constraint& constraint() const { return constraint_; }
   /// What the selection has gone through so far.
   const Transform& transform() const { return transform_; }

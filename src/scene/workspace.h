@@ -78,7 +78,7 @@ struct OpenRequest {
 struct Requests {
   bool quit = false;
   bool screenshot = false;
-  bool stop_work = false;      ///< reading or binding
+  bool stop_work = false;  ///< reading or binding
   bool stop_export = false;
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool run_benchmark = false, stop_benchmark = false;
@@ -102,10 +102,10 @@ struct WorkState {
 struct Saved {
   std::filesystem::path session;  ///< where Save writes; empty until there is one
   std::optional<std::uint64_t>
-      content;        ///< checksum of that file as it was read or written here; nothing: not known
-  deform::Pose pose;  ///< that was opened or saved last; empty for recovered work
-  deform::Weighting weighting{deform::Coordinates::face};  ///< likewise
-  unsigned long revision = 0;                              ///< grows with each change
+      content;                 ///< checksum of that file as it was read or written here; nothing: not known
+  deform::Pose pose;           ///< that was opened or saved last; empty for recovered work
+  deform::Scheme scheme;       ///< likewise
+  unsigned long revision = 0;  ///< grows with each change
 };
 
 /// What runs, for the status bar and the help.

@@ -19,12 +19,11 @@ const scene::MethodSample& running(const scene::Workspace& w) {
 void panel_accuracy(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   if (!w.document.has_cage()) return;
-  const bool used = w.document.coordinates == deform::Coordinates::face,
-             measured = used && w.methods.matrices > 0;
+  const bool used = w.document.scheme.exponential(), measured = used && w.methods.matrices > 0;
   const bool open = section(ui, "Accuracy", false);
   section_note(ui, !used ? "not used" : measured ? "worst " + error(running(w).worst_error) : "");
   if (!open) return;
-  if (!used) return note(ui, "Mean value coordinates use no exponential.");
+  if (!used) return note(ui, "This way of blending takes no exponential.");
   if (measured) {
     value_row(ui, "Worst error", error(running(w).worst_error));
     value_row(ui, "Median error", error(running(w).median_error));

@@ -86,7 +86,7 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
 void panel_method(const Context& ui) {
   if (!section(ui, "Method")) return;
   const scene::Workspace& w = ui.workspace;
-  const bool used = w.document.coordinates == deform::Coordinates::face;
+  const bool used = w.document.scheme.exponential();
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   ImGui::BeginDisabled(!used);
@@ -98,12 +98,12 @@ void panel_method(const Context& ui) {
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
   if (!used) {
-    note(ui, "Not used: mean value coordinates blend positions, without an exponential.");
+    note(ui, "Not used: this way of blending takes no exponential.");
   } else if (w.methods.matrices > 0) {
     note(ui, "Per matrix, worst of " + count(w.methods.matrices) +
                  (scene::differs_from_rest(w.document) ? "; best in colour" : " sampled"));
   }
-  coordinates_choice(ui);
+  blending(ui);
 }
 
 }  // namespace viete::ui

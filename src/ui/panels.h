@@ -12,7 +12,7 @@ void panel_model(const Context& ui);
 void panel_cage(const Context& ui);
 void panel_checks(const Context& ui);
 void panel_method(const Context& ui);
-void coordinates_choice(const Context& ui);  ///< part of the method's section
+void blending(const Context& ui);  ///< part of the method's section
 void panel_timings(const Context& ui);
 void panel_accuracy(const Context& ui);
 void panel_view(const Context& ui);

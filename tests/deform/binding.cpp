@@ -5,24 +5,18 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "deform/shapes.h"
+#include "deform/bound.h"
 
 using namespace viete::test;
 using viete::base::WorkerPool;
-
-TEST_CASE("coordinates_have_names_that_are_read_back") {
-  for (const auto c : {Coordinates::face, Coordinates::mean_value})
-    CHECK(coordinates_from_name(name(c)) == c);
-  CHECK_FALSE(coordinates_from_name("green"));
-}
 
 TEST_CASE("every_row_of_weights_sums_to_one") {
   const Cage cage = make_cage(tube(9, 7, 0.4, 2.2));
   const auto model = tube(20, 12, 0.3, 2);
   WorkerPool pool(2);
-  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+  for (const auto& c : {faces, mean_values}) {
     const Binding b = bind(model, cage, c, pool);
-    CHECK(b.handles == (c == Coordinates::face ? cage.element_count() : cage.surface.positions.size()));
+    CHECK(b.handles == (c == faces ? cage.element_count() : cage.surface.positions.size()));
     CHECK(b.vertices == model.positions.size());
     REQUIRE(b.weights.size() == b.vertices * b.handles);
     for (std::size_t i = 0; i < b.vertices; ++i) {
@@ -37,7 +31,7 @@ TEST_CASE("every_row_of_weights_sums_to_one") {
 TEST_CASE("binding_has_the_same_bits_for_any_number_of_threads") {
   const Cage cage = make_cage(tube(9, 7, 0.4, 2.2));
   const auto model = tube(20, 12, 0.3, 2);
-  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+  for (const auto& c : {faces, mean_values}) {
     WorkerPool one(1), three(3);
     const Binding a = bind(model, cage, c, one), b = bind(model, cage, c, three);
     CHECK(a.weights == b.weights);
@@ -49,7 +43,7 @@ TEST_CASE("binding_reports_progress_up_to_one") {
   const Cage cage = make_cage(box());
   WorkerPool pool(2);
   viete::base::Progress progress;
-  bind(tube(40, 12, 0.3, 1), cage, Coordinates::face, pool, &progress);
+  bind(tube(40, 12, 0.3, 1), cage, faces, pool, &progress);
   CHECK(progress.done() > 0.5);
   CHECK(progress.done() <= 1);
 }
@@ -59,9 +53,8 @@ TEST_CASE("binding_can_be_cancelled") {
   WorkerPool pool(2);
   viete::base::Progress progress;
   progress.cancel();
-  CHECK_THROWS_AS(bind(tube(40, 12, 0.3, 1), cage, Coordinates::face, pool, &progress),
-                  viete::base::Cancelled);
-  CHECK(bind(tube(4, 12, 0.3, 1), cage, Coordinates::face, pool).vertices == 50);
+  CHECK_THROWS_AS(bind(tube(40, 12, 0.3, 1), cage, faces, pool, &progress), viete::base::Cancelled);
+  CHECK(bind(tube(4, 12, 0.3, 1), cage, faces, pool).vertices == 50);
 }
 
 TEST_CASE("a_binding_that_cannot_fit_is_refused_with_numbers") {
@@ -72,7 +65,7 @@ TEST_CASE("a_binding_that_cannot_fit_is_refused_with_numbers") {
   model.positions.resize(3'000'000);
   WorkerPool pool(1);
   try {
-    bind(model, cage, Coordinates::face, pool);
+    bind(model, cage, faces, pool);
     FAIL("accepted");
   } catch (const viete::base::Error& error) {
     CHECK(error.problem().find("3000000 vertices") != std::string::npos);
@@ -86,7 +79,7 @@ TEST_CASE("a_binding_that_cannot_fit_is_refused_with_numbers") {
 
 TEST_CASE("a_model_without_vertices_is_refused") {
   WorkerPool pool(1);
-  CHECK_THROWS_AS(bind({}, make_cage(box()), Coordinates::face, pool), viete::base::Error);
+  CHECK_THROWS_AS(bind({}, make_cage(box()), faces, pool), viete::base::Error);
 }
 
 TEST_CASE("mean_value_binding_to_an_open_cage_warns_and_face_binding_does_not") {
@@ -94,6 +87,6 @@ TEST_CASE("mean_value_binding_to_an_open_cage_warns_and_face_binding_does_not") 
   t.pop_back();
   const Cage cage = make_cage(viete::mesh::from_triangles(box().positions, t));
   WorkerPool pool(1);
-  CHECK(bind(tube(4, 12, 0.3, 1), cage, Coordinates::mean_value, pool).warnings.size() == 1);
-  CHECK(bind(tube(4, 12, 0.3, 1), cage, Coordinates::face, pool).warnings.empty());
+  CHECK(bind(tube(4, 12, 0.3, 1), cage, mean_values, pool).warnings.size() == 1);
+  CHECK(bind(tube(4, 12, 0.3, 1), cage, faces, pool).warnings.empty());
 }

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "deform/bound.h"
-#include "deform/fused_frame.h"
 #include "support/folder.h"
 
 using namespace viete::test;
@@ -33,7 +32,7 @@ Saved save(const TemporaryFolder& folder, Weighting weighting, double tolerance)
 }
 
 TiledBinding read(const Saved& s) {
-  return read_binding(s.file, s.model, *s.cage, s.binding->weighting());
+  return read_binding(s.file, s.model, *s.cage, s.binding->weighting);
 }
 
 template <class T>
@@ -57,15 +56,14 @@ std::string refusal(const Saved& s) {
 
 TEST_CASE("a_saved_binding_comes_back_to_the_last_bit_and_gives_the_same_frames") {
   const TemporaryFolder folder;
-  for (const Weighting weighting :
-       {Weighting(Coordinates::face), Weighting(Coordinates::face, 2), Weighting(Coordinates::mean_value)}) {
+  for (const Weighting& weighting : {faces, faces_reaching(2), mean_values}) {
     for (const double tolerance : {0.0, usual_tolerance}) {
       const Saved s = save(folder, weighting, tolerance);
       const TiledBinding back = read(s);
       const TiledBinding& b = *s.binding;
       if (tolerance == 0) CHECK(b.has_lists() == weighting.local());
-      if (!weighting.local()) CHECK(b.compressed() == (weighting == Coordinates::face && tolerance > 0));
-      CHECK(back.weighting() == weighting);
+      if (!weighting.local()) CHECK(b.compressed() == (weighting == faces && tolerance > 0));
+      CHECK(back.weighting == weighting);
       CHECK(back.storage() == b.storage());
       CHECK(back.list_starts == b.list_starts);
       CHECK(back.listed == b.listed);
@@ -96,7 +94,7 @@ TEST_CASE("a_saved_binding_comes_back_to_the_last_bit_and_gives_the_same_frames"
 
 TEST_CASE("leaves_that_stay_dense_among_factored_ones_come_back_too") {
   const TemporaryFolder folder;
-  const Saved s = save(folder, Coordinates::face, usual_tolerance);
+  const Saved s = save(folder, faces, usual_tolerance);
   TiledBinding b = *s.binding;
   REQUIRE(b.factored.size() > 2);
   for (const std::size_t leaf : {std::size_t(1), b.factored.size() - 1}) {
@@ -122,7 +120,7 @@ TEST_CASE("leaves_that_stay_dense_among_factored_ones_come_back_too") {
 
 TEST_CASE("a_binding_of_something_else_is_stale_and_says_of_what") {
   const TemporaryFolder folder;
-  const Saved s = save(folder, Coordinates::face, usual_tolerance);
+  const Saved s = save(folder, faces, usual_tolerance);
   const auto stale = [&](const Saved& other, Weighting weighting) -> std::string {
     try {
       read_binding(s.file, other.model, *other.cage, weighting);
@@ -133,43 +131,43 @@ TEST_CASE("a_binding_of_something_else_is_stale_and_says_of_what") {
     }
     return "";
   };
-  CHECK(stale(s, Coordinates::face) == "");
-  CHECK(stale(s, Coordinates::mean_value).find("not for coordinates mvc") != std::string::npos);
-  CHECK(stale(s, {Coordinates::face, 2.5}) == "is stale: it is for reach all, not 2.5");
+  CHECK(stale(s, faces) == "");
+  CHECK(stale(s, mean_values).find("not for elements point with weights mean-value") != std::string::npos);
+  CHECK(stale(s, faces_reaching(2.5)) == "is stale: it is for reach all, not 2.5");
   Saved moved = s;
   moved.model.positions[77][1] = std::nextafter(moved.model.positions[77][1], 9);
-  CHECK(stale(moved, Coordinates::face) == "is stale: the model is not the one that it was made for");
+  CHECK(stale(moved, faces) == "is stale: the model is not the one that it was made for");
   Saved turned = s;
   std::swap(turned.model.triangles[5][0], turned.model.triangles[5][1]);
-  CHECK(stale(turned, Coordinates::face).find("the model is not") != std::string::npos);
+  CHECK(stale(turned, faces).find("the model is not") != std::string::npos);
   auto cage = s.cage->surface;
   cage.positions[3][0] += 1e-9;
   const Saved other_cage{s.model, std::make_shared<const Cage>(make_cage(cage)), nullptr, s.file};
-  CHECK(stale(other_cage, Coordinates::face) == "is stale: the cage is not the one that it was made for");
+  CHECK(stale(other_cage, faces) == "is stale: the cage is not the one that it was made for");
   const Saved nothing_alike{tube(4, 12, 0.3, 1), std::make_shared<const Cage>(make_cage(box())), nullptr,
                             s.file};
-  CHECK(stale(nothing_alike, Coordinates::face).find("model and cage are not") != std::string::npos);
+  CHECK(stale(nothing_alike, faces).find("model and cage are not") != std::string::npos);
 }
 
 TEST_CASE("keys_tell_models_cages_coordinates_reaches_and_tolerances_apart") {
   const auto model = tube(4, 12, 0.3, 1), longer = tube(4, 12, 0.3, 1.1);
   const Cage cage = make_cage(box()), wider = make_cage(box({1, 1, 1.1}));
-  const auto key = binding_key(model, cage, Coordinates::face, 1e-5);
-  CHECK(key == binding_key(model, cage, Coordinates::face, 1e-5));
-  CHECK(key != binding_key(longer, cage, Coordinates::face, 1e-5));
-  CHECK(key != binding_key(model, wider, Coordinates::face, 1e-5));
-  CHECK(key != binding_key(model, cage, Coordinates::mean_value, 1e-5));
-  CHECK(key == binding_key(model, cage, {Coordinates::face, whole_cage}, 1e-5));
-  CHECK(key != binding_key(model, cage, {Coordinates::face, 3}, 1e-5));
-  CHECK(binding_key(model, cage, {Coordinates::face, 2}, 1e-5) !=
-        binding_key(model, cage, {Coordinates::face, 3}, 1e-5));
-  CHECK(key != binding_key(model, cage, Coordinates::face, 1e-4));
+  const auto key = binding_key(model, cage, faces, 1e-5);
+  CHECK(key == binding_key(model, cage, faces, 1e-5));
+  CHECK(key != binding_key(longer, cage, faces, 1e-5));
+  CHECK(key != binding_key(model, wider, faces, 1e-5));
+  CHECK(key != binding_key(model, cage, mean_values, 1e-5));
+  CHECK(key == binding_key(model, cage, faces_reaching(whole_cage), 1e-5));
+  CHECK(key != binding_key(model, cage, faces_reaching(3), 1e-5));
+  CHECK(binding_key(model, cage, faces_reaching(2), 1e-5) !=
+        binding_key(model, cage, faces_reaching(3), 1e-5));
+  CHECK(key != binding_key(model, cage, faces, 1e-4));
 }
 
 TEST_CASE("every_damaged_byte_is_found") {
   const TemporaryFolder folder;
   for (const double tolerance : {0.0, usual_tolerance}) {
-    const Saved s = save(folder, Coordinates::face, tolerance);
+    const Saved s = save(folder, faces, tolerance);
     const std::string whole = file_bytes(s.file);
     CHECK(refusal(s) == "");
     const auto damage = [&](std::size_t at) {
@@ -187,7 +185,7 @@ TEST_CASE("every_damaged_byte_is_found") {
 TEST_CASE("files_that_are_cut_short_or_too_long_or_foreign_are_refused_with_the_reason") {
   const TemporaryFolder folder;
   for (const double tolerance : {0.0, usual_tolerance}) {
-    const Saved s = save(folder, Coordinates::face, tolerance);
+    const Saved s = save(folder, faces, tolerance);
     const std::string whole = file_bytes(s.file);
     for (const std::size_t length : {std::size_t(0), std::size_t(1), std::size_t(95)}) {
       put_file(s.file, whole.substr(0, length));
@@ -215,7 +213,7 @@ TEST_CASE("files_that_are_cut_short_or_too_long_or_foreign_are_refused_with_the_
 TEST_CASE("no_size_in_a_file_is_believed_before_the_bytes_are_there") {
   // Ranks that are as high as they can be ask for more than is there; higher ones are damage.
   const TemporaryFolder folder;
-  const Saved s = save(folder, Coordinates::face, usual_tolerance);
+  const Saved s = save(folder, faces, usual_tolerance);
   const std::string whole = file_bytes(s.file);
   for (const std::uint32_t rank : {std::uint32_t(s.binding->handles), 0x7fffffffu, 0xffffffffu}) {
     std::string bytes = whole;
@@ -229,7 +227,7 @@ TEST_CASE("no_size_in_a_file_is_believed_before_the_bytes_are_there") {
 
 TEST_CASE("lists_are_checked_like_ranks") {
   const TemporaryFolder folder;
-  const Saved s = save(folder, {Coordinates::face, 2}, 0);
+  const Saved s = save(folder, faces_reaching(2), 0);
   REQUIRE(s.binding->has_lists());
   const std::string whole = file_bytes(s.file);
   CHECK(refusal(s) == "");
@@ -257,7 +255,7 @@ TEST_CASE("lists_are_checked_like_ranks") {
 
 TEST_CASE("what_is_no_regular_file_is_no_binding") {
   const TemporaryFolder folder;
-  Saved s = save(folder, Coordinates::face, 0);
+  Saved s = save(folder, faces, 0);
   REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
   for (const fs::path& file : {folder / "missing", folder.path(), folder / "pipe"}) {
     s.file = file;
@@ -267,7 +265,7 @@ TEST_CASE("what_is_no_regular_file_is_no_binding") {
 
 TEST_CASE("a_binding_that_cannot_be_written_leaves_the_one_before") {
   const TemporaryFolder folder;
-  const Saved s = save(folder, Coordinates::face, 0);
+  const Saved s = save(folder, faces, 0);
   CHECK_THROWS_AS(write_binding(folder / "none" / "a", *s.binding, s.model, *s.cage), Error);
   CHECK(refusal(s) == "");
   CHECK(folder.entries() == 1);
@@ -275,21 +273,20 @@ TEST_CASE("a_binding_that_cannot_be_written_leaves_the_one_before") {
 
 TEST_CASE("reading_a_binding_reports_progress_and_can_be_cancelled") {
   const TemporaryFolder folder;
-  const Saved s = save(folder, Coordinates::face, 0);
+  const Saved s = save(folder, faces, 0);
   viete::base::Progress progress;
-  read_binding(s.file, s.model, *s.cage, Coordinates::face, &progress);
+  read_binding(s.file, s.model, *s.cage, faces, &progress);
   CHECK(progress.done() == 1);
   progress.cancel();
-  CHECK_THROWS_AS(read_binding(s.file, s.model, *s.cage, Coordinates::face, &progress),
-                  viete::base::Cancelled);
+  CHECK_THROWS_AS(read_binding(s.file, s.model, *s.cage, faces, &progress), viete::base::Cancelled);
 }
 
 TEST_CASE("what_a_binding_is_expected_to_take_is_at_least_its_file") {
-  for (const Weighting weighting : {Coordinates::face, Coordinates::mean_value}) {
+  for (const Weighting weighting : {faces, mean_values}) {
     const TemporaryFolder folder;
     const Saved s = save(folder, weighting, viete::deform::usual_tolerance);
     const std::size_t expected = viete::deform::binding_bytes(
-        s.model.positions.size(), s.binding->handles, viete::deform::Path::fused, weighting.coordinates);
+        s.model.positions.size(), s.binding->handles, viete::deform::EngineKind::fused, weighting.elements);
     CHECK(expected >= fs::file_size(s.file));
     CHECK(expected <= 3 * fs::file_size(s.file));
   }
@@ -297,7 +294,7 @@ TEST_CASE("what_a_binding_is_expected_to_take_is_at_least_its_file") {
 
 TEST_CASE("a_binding_is_known_by_its_beginning") {
   const TemporaryFolder folder;
-  const Saved s = save(folder, Coordinates::face, 0);
+  const Saved s = save(folder, faces, 0);
   CHECK(viete::deform::is_binding(file_bytes(s.file).substr(0, 16)));
   CHECK_FALSE(viete::deform::is_binding("viete binding"));
   CHECK_FALSE(viete::deform::is_binding("# a surface: vertices"));

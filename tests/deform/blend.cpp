@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/apply.h"
 #include "deform/shapes.h"
 
 using namespace viete::test;
@@ -18,7 +19,17 @@ Binding random_binding(std::size_t vertices, std::size_t handles, Random& random
 }
 
 BlendedLogs sized(std::size_t n) {
-  return {std::vector<viete::sym3::Sym3<double>>(n), std::vector<Vec3>(n), std::vector<Vec3>(n)};
+  BlendedLogs sums;
+  sums.resize(n);
+  return sums;
+}
+
+Rows rows_of(const std::vector<MapLog>& logs) {
+  return {RowForm::logs, {reinterpret_cast<const double*>(logs.data()), 12 * logs.size()}, {}};
+}
+
+Rows rows_of(const std::vector<Vec3>& positions) {
+  return {RowForm::positions, {positions.data()->data(), 3 * positions.size()}, {}};
 }
 
 }  // namespace
@@ -34,7 +45,7 @@ TEST_CASE("blend_is_the_sum_over_handles_in_their_order_to_the_last_bit") {
          random.vector(2)};
   }
   BlendedLogs sums = sized(n);
-  blend(b, logs, 0, n, sums);
+  blend(b, rows_of(logs), 0, n, sums);
   for (std::size_t i = 0; i < n; ++i) {
     double xy = 0, zz = 0;
     Vec3 rotation{0, 0, 0}, center{0, 0, 0};
@@ -61,12 +72,12 @@ TEST_CASE("blend_over_any_division_into_ranges_has_the_same_bits") {
   std::vector<Vec3> posed(k);
   for (auto& p : posed) p = random.vector(1);
   BlendedLogs whole = sized(n), parts = sized(n);
-  std::vector<viete::mesh::Point> a(n), c(n);
-  blend(b, logs, 0, n, whole);
-  blend_positions(b, posed, {1, 2, 3}, 0, n, a);
+  std::vector<Vec3> a(n), c(n);
+  blend(b, rows_of(logs), 0, n, whole);
+  blend(b, rows_of(posed), 0, n, a);
   for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 4u}, {4u, 11u}, {11u, 50u}}) {
-    blend(b, logs, begin, end, parts);
-    blend_positions(b, posed, {1, 2, 3}, begin, end, c);
+    blend(b, rows_of(logs), begin, end, parts);
+    blend(b, rows_of(posed), begin, end, c);
   }
   CHECK(whole.stretch == parts.stretch);
   CHECK(whole.rotation == parts.rotation);
@@ -80,7 +91,9 @@ TEST_CASE("blended_positions_are_origin_offset_and_weighted_sum") {
   std::vector<Vec3> posed(5);
   for (auto& p : posed) p = random.vector(1);
   std::vector<viete::mesh::Point> out(6);
-  blend_positions(b, posed, {10, 20, 30}, 0, 6, out);
+  std::vector<Vec3> sums(6);
+  blend(b, rows_of(posed), 0, 6, sums);
+  apply(b, sums, {10, 20, 30}, 0, 6, out);
   for (std::size_t i = 0; i < 6; ++i) {
     Vec3 sum = Vec3{10, 20, 30} + b.offsets[i];
     for (std::size_t j = 0; j < 5; ++j) sum = sum + b.weights[i * 5 + j] * posed[j];

@@ -8,19 +8,26 @@
 
 namespace viete::test {
 
+inline constexpr Weighting faces{}, mean_values{Elements::point, Weights::mean_value};
+inline Weighting faces_reaching(double reach) {
+  return {Elements::face, Weights::inverse, reach};
+}
+
 struct Bound {
-  Bound(const mesh::Surface& model_, const mesh::Surface& cage_surface,
-        Weighting weighting = Coordinates::face, int threads = 2)
+  Bound(const mesh::Surface& model_, const mesh::Surface& cage_surface, const Weighting& weighting = faces,
+        int threads = 2, Blend blend = Blend::srl)
       : model(model_),
         cage(std::make_shared<const Cage>(make_cage(cage_surface))),
         pool(threads),
         binding(std::make_shared<const Binding>(bind(model, *cage, weighting, pool))),
-        deformer(cage, binding, pool) {}
+        deformer(cage, binding, blend, pool) {}
 
-  std::span<const mesh::Point> deform(const Pose& pose, sym3::Method method = sym3::Method::fast) {
+  std::vector<mesh::Point> deform(const Pose& pose, sym3::Method method = sym3::Method::fast) {
     deformer.deform(pose, method);
     return deformer.positions();
   }
+
+  const LogReport& report() const { return deformer.state().report(); }
 
   template <class Map>
   Pose pose(const Map& map, std::vector<Vec3> turns = {}) const {
@@ -39,6 +46,24 @@ struct Bound {
   base::WorkerPool pool;
   std::shared_ptr<const Binding> binding;
   Deformer deformer;
+};
+
+/// The fused engine alone, with a state of its own.
+struct FusedFrame {
+  FusedFrame(std::shared_ptr<const Cage> cage, const std::shared_ptr<const TiledBinding>& tiles,
+             base::WorkerPool& pool, const sym3::Kernel& kernel = sym3::kernel(), Blend blend = Blend::srl)
+      : state(std::move(cage), tiles->weighting.elements, blend),
+        engine(tiles, state.rows().form, pool, kernel) {}
+
+  void deform(const Pose& pose) {
+    state.set_pose(pose);
+    engine.run(state);
+  }
+  std::span<const FrameVertex> vertices() const { return engine.vertices(); }
+  Vec3 origin() const { return state.rows().origin; }
+
+  CageState state;
+  FusedEngine engine;
 };
 
 }  // namespace viete::test

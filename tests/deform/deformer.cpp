@@ -18,27 +18,32 @@ TEST_CASE("links_have_different_names") {
   CHECK(names.size() == link_count);
 }
 
-TEST_CASE("before_the_first_frame_the_model_is_at_rest_with_normals") {
+TEST_CASE("before_the_first_frame_there_are_no_vertices_and_no_turns") {
   const Bound b(tube(20, 12, 0.3, 1.5), box());
-  CHECK(largest_distance(b.deformer.positions(), b.model.positions) == 0);
-  for (const auto& n : b.deformer.normals()) CHECK(norm(n) == doctest::Approx(1));
-  CHECK(b.deformer.report().turns.size() == 1);
+  CHECK(b.deformer.vertices().empty());
+  CHECK(b.deformer.positions().empty());
+  CHECK_FALSE(b.deformer.ran().has_value());
+  CHECK(b.report().turns == std::vector<Vec3>{{0, 0, 0}});
 }
 
-TEST_CASE("face_coordinates_time_every_staged_link_and_mean_values_only_theirs") {
-  Bound face(tube(60, 30, 0.3, 1.5), box()), mvc(tube(60, 30, 0.3, 1.5), box(), Coordinates::mean_value);
-  face.deform(face.pose(shear()));
-  for (const auto link :
-       {Link::face_maps, Link::log_maps, Link::blend, Link::exp, Link::apply, Link::normals})
-    CHECK(face.deformer.times()[link] > 0);
-  CHECK(face.deformer.times()[Link::fused] == 0);
-  CHECK(face.deformer.matrices().size() == face.model.positions.size());
-  mvc.deform(mvc.pose(shear()));
-  const auto& t = mvc.deformer.times();
-  CHECK(t[Link::face_maps] + t[Link::log_maps] + t[Link::exp] + t[Link::apply] == 0);
-  CHECK(t[Link::blend] > 0);
-  CHECK(t.total() == doctest::Approx(t[Link::blend] + t[Link::normals]));
-  CHECK(mvc.deformer.matrices().empty());
+TEST_CASE("every_staged_link_of_a_blend_is_timed_and_no_other") {
+  const auto model = tube(60, 30, 0.3, 1.5);
+  const auto timed = [&](const Weighting& weighting, Blend blend) {
+    Bound b(model, box(), weighting, 2, blend);
+    b.deform(b.pose(shear()));
+    CHECK(b.deformer.ran() == EngineKind::staged);
+    CHECK(b.deformer.sample_matrices(100).size() == (b.deformer.scheme().exponential() ? 100 : 0));
+    std::set<Link> links;
+    for (std::size_t i = 0; i < link_count; ++i) {
+      if (b.deformer.times().ms[i] > 0) links.insert(static_cast<Link>(i));
+    }
+    return links;
+  };
+  using L = Link;
+  CHECK(timed(faces, Blend::srl) ==
+        std::set{L::face_maps, L::log_maps, L::blend, L::exp, L::apply, L::normals});
+  CHECK(timed(faces, Blend::linear) == std::set{L::face_maps, L::blend, L::apply, L::normals});
+  CHECK(timed(mean_values, Blend::linear) == std::set{L::blend, L::normals});
 }
 
 TEST_CASE("a_pose_with_another_number_of_vertices_is_refused") {
@@ -49,7 +54,7 @@ TEST_CASE("a_pose_with_another_number_of_vertices_is_refused") {
 }
 
 TEST_CASE("frames_have_the_same_bits_for_any_number_of_threads") {
-  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+  for (const auto& c : {faces, mean_values}) {
     Bound one(tube(50, 30, 0.3, 1.5), box(), c, 1), four(tube(50, 30, 0.3, 1.5), box(), c, 4);
     const Twist twist{2, {0, 0, 0}, -1, 1, 0, 150 * degree};
     one.deform(one.pose(twist));
@@ -67,48 +72,73 @@ TEST_CASE("a_frame_does_not_depend_on_the_frames_before") {
 }
 
 TEST_CASE("mean_values_hand_the_turns_on") {
-  Bound b(tube(4, 12, 0.3, 1.5), box(), Coordinates::mean_value);
+  Bound b(tube(4, 12, 0.3, 1.5), box(), mean_values);
   b.deform(b.pose(shear(), {{1, 2, 3}}));
-  CHECK(b.deformer.report().turns == std::vector<Vec3>{{1, 2, 3}});
+  CHECK(b.report().turns == std::vector<Vec3>{{1, 2, 3}});
 }
 
 TEST_CASE("normals_turn_with_the_pose") {
   Bound b(tube(20, 12, 0.3, 1.5), box());
   const auto map = similarity({1, 2, 3}, 1.5);
+  b.deform(rest_pose(*b.cage));
   const auto expected = mapped(b.deformer.normals(), map);
   b.deform(b.pose(map));
   CHECK(largest_distance(b.deformer.normals(), expected) < 1e-10);
 }
 
-TEST_CASE("a_binding_for_the_fused_frame_takes_it_for_method_fast_and_for_mean_values") {
-  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
-    Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2), c);
+TEST_CASE("vertices_are_positions_and_normals_as_floats_about_the_origin") {
+  Bound b(tube(20, 12, 0.3, 1.5), box());
+  b.deform(b.pose(similarity({1, 2, 3}, 1.5, 2, {1000, 0, 0})));
+  const auto positions = b.deformer.positions(), normals = b.deformer.normals();
+  REQUIRE(b.deformer.vertices().size() == positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const FrameVertex& v = b.deformer.vertices()[i];
+    for (int k = 0; k < 3; ++k) {
+      CHECK(v.position[k] == static_cast<float>(positions[i][k] - b.deformer.origin()[k]));
+      CHECK(v.normal[k] == static_cast<float>(normals[i][k]));
+    }
+  }
+}
+
+TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponential") {
+  struct Case {
+    Weighting weighting;
+    Blend blend;
+  };
+  for (const auto& [weighting, blend] :
+       {Case{faces, Blend::srl}, {faces, Blend::linear}, {mean_values, Blend::linear}}) {
+    Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2), weighting, 2, blend);
     const auto tiled = std::make_shared<const Binding>(
-        bind(staged.model, *staged.cage, c, Path::fused, nullptr, staged.pool));
+        bind(staged.model, *staged.cage, weighting, EngineKind::fused, nullptr, staged.pool));
     CHECK(tiled->weights.empty());
-    Deformer fused(staged.cage, tiled, staged.pool);
-    CHECK(largest_distance(fused.normals(), staged.deformer.normals()) == 0);
-    CHECK(fused.path(Method::fast) == Path::fused);
-    CHECK(fused.path(Method::diag).has_value() == (c == Coordinates::mean_value));
+    Deformer fused(staged.cage, tiled, blend, staged.pool);
+    const bool exponential = fused.scheme().exponential();
+    CHECK(exponential == (weighting == faces && blend == Blend::srl));
+    CHECK(fused.engine(Method::fast) == EngineKind::fused);
+    CHECK(fused.engine(Method::diag).has_value() == !exponential);
     const Pose pose = staged.pose(shear());
     fused.deform(pose, Method::fast);
     staged.deform(pose);
-    CHECK(fused.fused() != nullptr);
+    CHECK(fused.ran() == EngineKind::fused);
     CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 2e-5 * staged.cage->diagonal);
     CHECK(fused.times()[Link::fused] > 0);
-    CHECK(fused.matrices().empty() == (c == Coordinates::mean_value));
-    for (std::size_t i = 0; i < fused.matrices().size(); ++i) {
-      const auto &a = fused.matrices()[i],
-                 &b = staged.deformer.matrices()[i * staged.model.positions.size() / fused.matrices().size()];
+    CHECK(fused.sampled_error() > 0);
+    CHECK(fused.sampled_error() < 2e-5);
+    CHECK(staged.deformer.sampled_error() == 0);
+    const auto matrices = fused.sample_matrices(100), same = staged.deformer.sample_matrices(100);
+    CHECK(matrices.size() == (exponential ? 100 : 0));
+    for (std::size_t i = 0; i < matrices.size(); ++i) {
+      const auto &a = matrices[i], &b = same[i];
       CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < 1e-13);
     }
     const auto both = std::make_shared<const Binding>(
-        bind(staged.model, *staged.cage, c, Path::staged, tiled.get(), staged.pool));
+        bind(staged.model, *staged.cage, weighting, EngineKind::staged, tiled.get(), staged.pool));
     CHECK(both->tiles == tiled->tiles);
-    Deformer any(staged.cage, both, staged.pool);
+    Deformer any(staged.cage, both, blend, staged.pool);
     any.deform(pose, Method::fast);
     any.deform(pose, Method::diag);
+    CHECK(any.ran() == (exponential ? EngineKind::staged : EngineKind::fused));
     CHECK(largest_distance(any.positions(), staged.deformer.positions()) <
-          (any.path(Method::diag) == Path::staged ? 1e-12 : 2e-5) * staged.cage->diagonal);
+          (exponential ? 1e-12 : 2e-5) * staged.cage->diagonal);
   }
 }

@@ -31,7 +31,8 @@ Vec3 bent_and_stretched(const Vec3& p) {
 
 ExactModel deform_exactly(const Bound& b, const Pose& pose, Method method = Method::fast, int threads = 2) {
   base::WorkerPool pool(threads);
-  return deform::deform_exactly(b.model.positions, *b.cage, b.binding->weighting(), pose, method, pool);
+  return deform::deform_exactly(b.model.positions, b.cage, {b.binding->weighting, Blend::srl}, pose, method,
+                                pool);
 }
 
 double diagonals_from_staged(Bound& b, const Pose& pose, Method method) {
@@ -51,8 +52,7 @@ std::optional<double> memory(const std::string& key) {
 }  // namespace
 
 TEST_CASE("block_by_block_gives_the_staged_frame_by_every_method_and_weighting") {
-  for (const Weighting weighting :
-       {Weighting(Coordinates::face), Weighting(Coordinates::face, 2), Weighting(Coordinates::mean_value)}) {
+  for (const Weighting weighting : {faces, faces_reaching(2), mean_values}) {
     Bound b(cloud(700), tube(9, 12, 1.4, 4), weighting);
     const Pose pose = b.pose(bent_and_stretched);
     for (const Method method : all_methods) {
@@ -60,7 +60,7 @@ TEST_CASE("block_by_block_gives_the_staged_frame_by_every_method_and_weighting")
       CHECK(diagonals_from_staged(b, pose, method) < 1e-12);
     }
     b.deform(pose);
-    CHECK(deform_exactly(b, pose).report.turns == b.deformer.report().turns);
+    CHECK(deform_exactly(b, pose).report.turns == b.report().turns);
   }
 }
 
@@ -73,13 +73,13 @@ TEST_CASE("numbers_of_vertices_at_the_edges_of_blocks_and_lanes_lose_nothing") {
   }
   for (const std::size_t n : {15, 16, 17, 53}) {
     CAPTURE(n);
-    Bound b(cloud(n), tube(60, 60, 1.4, 4), Weighting(Coordinates::face, 3));
+    Bound b(cloud(n), tube(60, 60, 1.4, 4), faces_reaching(3));
     CHECK(diagonals_from_staged(b, b.pose(bent_and_stretched), Method::fast) < 1e-12);
   }
 }
 
 TEST_CASE("block_by_block_gives_the_same_bits_for_any_number_of_threads") {
-  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+  for (const auto& c : {faces, mean_values}) {
     const Bound b(cloud(9000), box(), c);
     const Pose pose = b.pose(bent_and_stretched);
     const auto one = deform_exactly(b, pose, Method::diag, 1),
@@ -90,7 +90,7 @@ TEST_CASE("block_by_block_gives_the_same_bits_for_any_number_of_threads") {
 }
 
 TEST_CASE("block_by_block_a_cage_at_rest_gives_the_model_back") {
-  for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+  for (const auto& c : {faces, mean_values}) {
     const Bound b(cloud(500), tube(9, 12, 1.4, 4), c);
     const auto exact = deform_exactly(b, rest_pose(*b.cage));
     CHECK(largest_distance(exact.positions, b.model.positions) < 4e-15 * b.cage->diagonal);
@@ -101,7 +101,7 @@ TEST_CASE("turns_are_taken_and_handed_on_as_in_frames") {
   Bound b(cloud(300), tube(9, 12, 1.4, 4));
   const Pose turned = b.pose(bent_and_stretched, {{0, 0, 2 * std::numbers::pi}});
   CHECK(diagonals_from_staged(b, turned, Method::fast) < 1e-12);
-  CHECK(largest_distance(deform_exactly(b, turned).report.turns, b.deformer.report().turns) == 0);
+  CHECK(largest_distance(deform_exactly(b, turned).report.turns, b.report().turns) == 0);
 }
 
 TEST_CASE("what_a_method_loses_where_eigenvalues_nearly_coincide_is_told") {
@@ -121,7 +121,7 @@ TEST_CASE("what_a_method_loses_where_eigenvalues_nearly_coincide_is_told") {
 TEST_CASE("weights_are_warned_of_as_in_a_binding") {
   auto t = box().triangles;
   t.pop_back();
-  const Bound b(cloud(50), mesh::from_triangles(box().positions, t), Coordinates::mean_value);
+  const Bound b(cloud(50), mesh::from_triangles(box().positions, t), mean_values);
   CHECK(b.binding->warnings.size() == 1);
   CHECK(deform_exactly(b, rest_pose(*b.cage)).warnings == b.binding->warnings);
 }
@@ -130,22 +130,21 @@ TEST_CASE("exact_positions_of_nothing_or_of_another_pose_are_refused_and_work_ca
   const Bound b(cloud(9000), box());
   base::WorkerPool pool(2);
   const Pose pose = rest_pose(*b.cage);
-  CHECK_THROWS_AS(deform::deform_exactly({}, *b.cage, Coordinates::face, pose, Method::fast, pool),
-                  base::Error);
+  CHECK_THROWS_AS(deform::deform_exactly({}, b.cage, {faces}, pose, Method::fast, pool), base::Error);
   CHECK_THROWS_AS(deform_exactly(b, Pose{{{0, 0, 0}}, {}}), base::Error);
   base::Progress progress;
-  deform::deform_exactly(b.model.positions, *b.cage, Coordinates::face, pose, Method::fast, pool, &progress);
+  deform::deform_exactly(b.model.positions, b.cage, {faces}, pose, Method::fast, pool, &progress);
   CHECK(progress.done() == 1);
   progress.cancel();
-  CHECK_THROWS_AS(deform::deform_exactly(b.model.positions, *b.cage, Coordinates::face, pose, Method::fast,
-                                         pool, &progress),
-                  base::Cancelled);
+  CHECK_THROWS_AS(
+      deform::deform_exactly(b.model.positions, b.cage, {faces}, pose, Method::fast, pool, &progress),
+      base::Cancelled);
 }
 
 TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once") {
   const auto model = cloud(16'000);
-  const Cage cage = make_cage(tube(50, 60, 1.4, 4));
-  const double matrix = 8.0 * static_cast<double>(model.positions.size() * cage.element_count());
+  const auto cage = std::make_shared<const Cage>(make_cage(tube(50, 60, 1.4, 4)));
+  const double matrix = 8.0 * static_cast<double>(model.positions.size() * cage->element_count());
   std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
   const auto before = memory("VmHWM");
   const auto now = memory("VmRSS");
@@ -154,7 +153,6 @@ TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once") {
     return;
   }
   base::WorkerPool pool(2);
-  deform::deform_exactly(model.positions, cage, Weighting(Coordinates::face, 3), rest_pose(cage),
-                         Method::fast, pool);
+  deform::deform_exactly(model.positions, cage, {faces_reaching(3)}, rest_pose(*cage), Method::fast, pool);
   CHECK(*memory("VmHWM") - *before < 0.5 * matrix);
 }

@@ -15,7 +15,7 @@ TEST_CASE("rows_of_low_rank_are_factors_of_a_few_of_them_on_every_instruction_se
     for (double& x : row) x = random(-1, 1);
   for (auto& row : right)
     for (double& x : row) x = random(-1, 1);
-  base::AlignedVector<float> rows(tiles * lanes * columns);
+  viete::base::AlignedVector<float> rows(tiles * lanes * columns);
   const auto entry = [&](std::size_t s, std::size_t j) {
     return rows[s / lanes * lanes * columns + j * lanes + s % lanes];
   };
@@ -28,7 +28,7 @@ TEST_CASE("rows_of_low_rank_are_factors_of_a_few_of_them_on_every_instruction_se
   }
   for (const auto& kernel : viete::sym3::kernels()) {
     CAPTURE(kernel.name);
-    base::AlignedVector<float> work = rows;
+    viete::base::AlignedVector<float> work = rows;
     const Factors f = factor_rows({work.data(), tiles, columns}, 64, 1e-4, 20, bind_kernel(kernel));
     REQUIRE(f.pivots.size() == 5);
     double worst = 0;

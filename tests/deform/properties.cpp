@@ -39,7 +39,7 @@ constexpr Method methods[] = {Method::diag, Method::sd, Method::improved_sd, Met
 
 TEST_CASE("unmoved_cage_keeps_every_vertex") {
   for (const auto& cage : cages()) {
-    for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+    for (const auto& c : {faces, mean_values}) {
       Bound b(model_across(), cage, c);
       for (const auto method : methods) {
         CHECK(largest_distance(b.deform(rest_pose(*b.cage), method), b.model.positions) <
@@ -68,7 +68,7 @@ TEST_CASE("similarity_poses_hold_at_every_length_scale_and_far_from_the_origin")
       for (auto& p : surface.positions) p = s * p;
       return surface;
     };
-    for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+    for (const auto& c : {faces, mean_values}) {
       Bound b(scaled(model()), scaled(box()), c);
       CHECK(b.error(similarity({1, 2, 3}, 2, 3, {s, s, -s})) < 1e-12);
       CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 1e-14 * b.cage->diagonal);
@@ -88,7 +88,7 @@ TEST_CASE("affine_poses_of_closed_cages_are_exact_for_mean_values") {
   for (const auto& cage :
        {box({1, 1.1, 1.2}), tube(9, 7, 0.4, 2.2), together(box(), box({0.3, 0.3, 2}, {5, 0, 0}))}) {
     for (const auto& m : {model(), model_across()}) {
-      Bound b(m, cage, Coordinates::mean_value);
+      Bound b(m, cage, mean_values);
       CHECK(b.error(shear()) < 1e-12);
       CHECK(b.error(similarity({1, 2, 3}, 2.5, 1e3)) < 1e-12);
     }
@@ -99,7 +99,7 @@ TEST_CASE("moving_the_scene_moves_the_result") {
   Bound b(model(), box());
   const auto bent = [](const Vec3& x) { return Vec3{x[0] + 0.3 * x[2] * x[2], x[1], x[2] * 1.2}; };
   const auto moved = [&](const Vec3& x) { return bent(x) + Vec3{100, -50, 25}; };
-  const std::vector<mesh::Point> here(b.deform(b.pose(bent)).begin(), b.deformer.positions().end());
+  const auto here = b.deform(b.pose(bent));
   const auto there = mapped(here, [](const Vec3& x) { return x + Vec3{100, -50, 25}; });
   CHECK(largest_distance(b.deform(b.pose(moved)), there) < 1e-12);
 }
@@ -108,8 +108,7 @@ TEST_CASE("all_methods_agree_on_the_positions") {
   Bound b(model_across(), tube(9, 7, 0.4, 2.2));
   const Twist twist{2, {0.1, 0, 0}, -1.1, 1.1, -80 * degree, 100 * degree};
   const auto wild = [&](const Vec3& x) { return shear()(twist(x)); };
-  const std::vector<mesh::Point> diag(b.deform(b.pose(wild), Method::diag).begin(),
-                                      b.deformer.positions().end());
+  const auto diag = b.deform(b.pose(wild), Method::diag);
   const double diagonal = b.cage->diagonal;
   CHECK(largest_distance(b.deform(b.pose(wild), Method::fast), diag) < 1e-13 * diagonal);
   CHECK(largest_distance(b.deform(b.pose(wild), Method::sd), diag) < 1e-5 * diagonal);
@@ -125,7 +124,7 @@ TEST_CASE("dragging_a_root_through_180_degrees_does_not_jump") {
     // Every part of the cage turns, one end ahead of the other: the root passes 180 degrees near a = 180.
     const Twist twist{2, {0, 0, 0}, -1.1, 1.1, (a - 20) * degree, (a + 20) * degree};
     const auto now = b.deform(b.pose(twist, turns));
-    turns = b.deformer.report().turns;
+    turns = b.report().turns;
     if (!before.empty()) largest_step = std::max(largest_step, largest_distance(now, before));
     before.assign(now.begin(), now.end());
   }
@@ -139,12 +138,12 @@ TEST_CASE("winding_up_and_back_returns_exactly") {
   std::vector<Vec3> turns;
   for (int a = 0; a <= 720; a += 20) {
     b.deform(b.pose(end(a), turns));
-    turns = b.deformer.report().turns;
+    turns = b.report().turns;
   }
   CHECK(norm(turns[0]) == doctest::Approx(720 * degree));
   for (int a = 720; a >= 0; a -= 20) {
     b.deform(b.pose(end(a), turns));
-    turns = b.deformer.report().turns;
+    turns = b.report().turns;
   }
   CHECK(largest_distance(b.deformer.positions(), b.model.positions) < 1e-14 * b.cage->diagonal);
 }
@@ -155,13 +154,13 @@ TEST_CASE("collapsed_and_mirrored_poses_stay_finite") {
   const auto dot = [](const Vec3&) { return Vec3{1, 2, 3}; };
   const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
   for (const auto& cage : cages()) {
-    for (const auto c : {Coordinates::face, Coordinates::mean_value}) {
+    for (const auto& c : {faces, mean_values}) {
       Bound b(model_across(), cage, c);
       CHECK(all_finite(b.deform(b.pose(flat))));
       CHECK(all_finite(b.deform(b.pose(line))));
       CHECK(all_finite(b.deform(b.pose(mirror))));
       CHECK(all_finite(b.deform(b.pose(dot))));
-      if (c == Coordinates::face) CHECK_FALSE(b.deformer.report().collapsed.empty());
+      if (c == faces) CHECK_FALSE(b.report().collapsed.empty());
       for (const auto& n : b.deformer.normals()) CHECK(std::isfinite(norm(n)));
     }
   }
@@ -180,7 +179,7 @@ TEST_CASE("random_poses_of_every_cage_stay_finite_with_every_method") {
 }
 
 TEST_CASE("vertices_on_the_cage_follow_it") {
-  Bound b(box({1, 1.1, 1.2}), box({1, 1.1, 1.2}), Coordinates::mean_value);
+  Bound b(box({1, 1.1, 1.2}), box({1, 1.1, 1.2}), mean_values);
   const auto pose = b.pose(shear());
   CHECK(largest_distance(b.deform(pose), pose.positions) < 1e-13);
   // With face elements a vertex where several meet takes the mean of what they do: finite, and near.

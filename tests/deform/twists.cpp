@@ -20,9 +20,9 @@ struct Twisted {
 Twisted twisted(Bound& b, const Twist& twist, std::vector<Vec3>& turns) {
   const Pose pose = b.pose(twist, turns);
   const auto positions = b.deform(pose);
-  turns = b.deformer.report().turns;
+  turns = b.report().turns;
   return {largest_edge_stretch(b.model, positions), largest_edge_stretch(b.cage->surface, pose.positions),
-          largest_distance(positions, mapped(b.model.positions, twist)), b.deformer.report().torn.size()};
+          largest_distance(positions, mapped(b.model.positions, twist)), b.report().torn.size()};
 }
 
 }  // namespace

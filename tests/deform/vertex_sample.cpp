@@ -28,10 +28,12 @@ Vec3 bent(const Vec3& p) {
 TEST_CASE("matrices_made_anew_are_those_of_the_staged_frame") {
   Bound b(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   b.deform(b.pose(bent), sym3::Method::diag);
-  const auto staged = b.deformer.matrices();
+  StagedEngine engine(b.binding, RowForm::logs, b.pool);
+  engine.run(b.deformer.state(), sym3::Method::diag);
+  const auto staged = engine.matrices();
   REQUIRE(staged.size() == b.model.positions.size());
-  const Weigher weigher(*b.cage, Coordinates::face);
-  const auto all = sample_stretches(weigher, *b.binding, b.deformer.logs(), staged.size());
+  const Weigher weigher(*b.cage, faces);
+  const auto all = sample_stretches(weigher, *b.binding, b.deformer.state().logs(), staged.size());
   REQUIRE(all.size() == staged.size());
   double largest = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -40,7 +42,7 @@ TEST_CASE("matrices_made_anew_are_those_of_the_staged_frame") {
   }
   CHECK(largest > 0.1);
 
-  const auto few = sample_stretches(weigher, *b.binding, b.deformer.logs(), 10);
+  const auto few = sample_stretches(weigher, *b.binding, b.deformer.state().logs(), 10);
   REQUIRE(few.size() == 10);
   for (std::size_t s = 0; s < few.size(); ++s) {
     CHECK(largest_entry(minus(few[s], all[s * all.size() / 10])) == 0);
@@ -50,9 +52,10 @@ TEST_CASE("matrices_made_anew_are_those_of_the_staged_frame") {
 TEST_CASE("without_logs_there_are_no_matrices_and_making_them_can_be_cancelled") {
   Bound b(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   b.deform(b.pose(bent), sym3::Method::diag);
-  const Weigher weigher(*b.cage, Coordinates::face);
+  const Weigher weigher(*b.cage, faces);
   CHECK(sample_stretches(weigher, *b.binding, {}, 10).empty());
   base::Progress progress;
   progress.cancel();
-  CHECK_THROWS_AS(sample_stretches(weigher, *b.binding, b.deformer.logs(), 10, &progress), base::Cancelled);
+  CHECK_THROWS_AS(sample_stretches(weigher, *b.binding, b.deformer.state().logs(), 10, &progress),
+                  base::Cancelled);
 }

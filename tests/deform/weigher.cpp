@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "deform/shapes.h"
-#include "deform/weights.h"
 
 using namespace viete::test;
 
@@ -27,8 +27,7 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   return points;
 }
 
-const Weighting weightings[] = {
-    Coordinates::face, {Coordinates::face, lowest_reach}, {Coordinates::face, 3}, Coordinates::mean_value};
+const Weighting weightings[] = {faces, faces_reaching(lowest_reach), faces_reaching(3), mean_values};
 
 }  // namespace
 
@@ -40,8 +39,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
   const Cage cage = make_cage(surface);
   const auto points = points_around(cage);
   for (const auto& weighting : weightings) {
-    const Coordinates c = weighting.coordinates;
-    CAPTURE(name(c));
+    CAPTURE(entry(weighting.weights).name);
     CAPTURE(weighting.reach);
     for (const auto& kernel : viete::sym3::kernels()) {
       const Weigher weigher(cage, weighting, kernel);
@@ -52,7 +50,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
         std::copy_n(points.begin() + std::ptrdiff_t(i), bind_lanes, eight.begin());
         weigher.weigh(eight, many);
         for (std::size_t l = 0; l < bind_lanes; ++l) {
-          if (c == Coordinates::face)
+          if (weighting.weights == Weights::inverse)
             inverse_distance_weights(cage, eight[l], one, weighting.reach);
           else
             mean_value_weights(cage, eight[l], one);
@@ -72,7 +70,7 @@ TEST_CASE("mean_values_of_eight_points_are_those_of_one_and_reproduce_the_points
     const auto points = points_around(cage);
     for (const auto& kernel : viete::sym3::kernels()) {
       CAPTURE(kernel.name);
-      const Weigher weigher(cage, Coordinates::mean_value, kernel);
+      const Weigher weigher(cage, mean_values, kernel);
       std::vector<double> room(weigher.room()), one(weigher.handles());
       double worst = 0, missed = 0;
       for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
@@ -100,7 +98,7 @@ TEST_CASE("mean_values_where_there_are_none_are_told_lane_by_lane") {
   points.fill({0.2, 0.2, 0.5});
   points[3] = points[6] = {0.25, -1, 0};  // in its plane, outside of it
   for (const auto& kernel : viete::sym3::kernels()) {
-    const Weigher weigher(cage, Coordinates::mean_value, kernel);
+    const Weigher weigher(cage, mean_values, kernel);
     std::vector<double> room(weigher.room());
     CHECK(weigher.weigh(points, room) == (1u << 3 | 1u << 6));
     CHECK(room[0 * bind_lanes + 3] == doctest::Approx(0.75));
@@ -117,10 +115,10 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
     for (auto& p : scaled.positions) p = scale * p;
     const Cage cage = make_cage(scaled);
     for (const auto& weighting : weightings) {
-      const Coordinates c = weighting.coordinates;
+      const bool by_distance = weighting.weights == Weights::inverse;
       CAPTURE(weighting.reach);
       auto points = points_around(make_cage(surface));
-      const double farthest = c == Coordinates::face ? 1e25 : 10;  // mean values grow with the distance
+      const double farthest = by_distance ? 1e25 : 10;  // mean values grow with the distance
       for (double far = 10; far <= farthest; far *= 1e5) points.push_back({far, 0.5 * far, 1});
       points.resize((points.size() + 15) / 16 * 16, {0.1, 0.2, 0.3});
       for (auto& p : points) p = scale * p;
@@ -147,7 +145,7 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
             off = std::max(off, norm(sum - sums[s]));
           }
         }
-        CHECK(worst < (c == Coordinates::face ? 2e-6 : 2e-5));
+        CHECK(worst < (by_distance ? 2e-6 : 2e-5));
         CHECK(off < 1e-13 * cage.diagonal);
       }
     }

@@ -120,7 +120,7 @@ TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
     return d.document().cage.get() != cage;
   }));
   CHECK(d.document().cage->element_count() == 32);
-  CHECK(d.viewer().deformer()->matrices().size() > 0);
+  CHECK(d.viewer().deformer()->sample_matrices(10).size() > 0);
 }
 
 TEST_CASE("what_was_opened_is_bound_once_for_the_method_that_was_chosen_before") {
@@ -144,14 +144,15 @@ TEST_CASE("what_was_opened_is_bound_once_for_the_method_that_was_chosen_before")
     CHECK_FALSE(bound_again);
     CHECK(d.document().method == sym3::Method::diag);
     REQUIRE(d.viewer().deformer());
-    CHECK(d.viewer().deformer()->path(sym3::Method::diag) == deform::Path::staged);
+    CHECK(d.viewer().deformer()->engine(sym3::Method::diag) == deform::EngineKind::staged);
     REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
     scene::set_method(d.document(), request.what == What::cage ? sym3::Method::fast : sym3::Method::diag);
   }
 }
 
 TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_stays") {
-  const double needed = static_cast<double>(deform::binding_bytes(50000, 8u << 16, deform::Path::fused));
+  const double needed =
+      static_cast<double>(deform::binding_bytes(50000, 8u << 16, deform::EngineKind::fused));
   if (0.9 * free_memory() > needed) {
     MESSAGE("this machine has room for it: not tested");
     return;
@@ -181,11 +182,10 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   for (int levels = 2;; ++levels) {
     REQUIRE_MESSAGE(levels < 6, "mean value coordinates of 8192 triangles came at once");
     REQUIRE(scene::load_model(d.workspace(), dragon, ball_cage(folder.path(), levels)));
-    scene::set_coordinates(d.document(),
-                           deform::Coordinates::face);  // a new document keeps what the last one used
+    scene::run_command(d.workspace(), "scheme_log");  // a new document keeps what the last one used
     d.settle();
     const auto rest = positions(d);
-    scene::set_coordinates(d.document(), deform::Coordinates::mean_value);
+    scene::run_command(d.workspace(), "scheme_mvc");
     d.frame();
     if (!d.workspace().binding.running) continue;
     CHECK(d.workspace().binding.what.rfind("Binding 50,000 vertices to ", 0) == 0);
@@ -198,16 +198,16 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
     CHECK_MESSAGE(during != rest, "the mesh follows while it is bound anew");
     const auto moved = positions(d);
     d.press_key(scene::Key::escape);
-    if (d.document().coordinates == deform::Coordinates::mean_value) continue;
+    if (d.document().scheme.weighting.weights == deform::Weights::mean_value) continue;
     CHECK(!d.workspace().binding.running);
-    CHECK(d.document().coordinates == deform::Coordinates::face);
+    CHECK(d.document().scheme.weighting.weights == deform::Weights::inverse);
     CHECK(positions(d) == moved);
-    CHECK(!d.viewer().deformer()->matrices().empty());
+    CHECK(!d.viewer().deformer()->sample_matrices(10).empty());
     break;
   }
-  scene::set_coordinates(d.document(), deform::Coordinates::mean_value);
+  scene::run_command(d.workspace(), "scheme_mvc");
   d.settle();
-  CHECK(d.viewer().deformer()->matrices().empty());
+  CHECK(d.viewer().deformer()->sample_matrices(10).empty());
 }
 
 TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it") {
@@ -224,9 +224,9 @@ TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it
     if (!d.workspace().binding.running) continue;
     CHECK(d.workspace().binding.what.rfind("Binding 50,000 vertices to ", 0) == 0);
     d.press_key(scene::Key::escape);
-    if (d.document().reach == 3) continue;
+    if (d.document().scheme.weighting.reach == 3) continue;
     CHECK(!d.workspace().binding.running);
-    CHECK(d.document().reach == deform::whole_cage);
+    CHECK(d.document().scheme.weighting.reach == deform::whole_cage);
     CHECK(positions(d) == rest);
     break;
   }
@@ -235,9 +235,9 @@ TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it
 TEST_CASE("what_a_binding_takes_is_known_before") {
   Driver d(small_window());
   open_dragon(d);
-  const auto plan = scene::binding_plan(d.document(), deform::Coordinates::mean_value);
+  const auto plan = scene::binding_plan(d.document(), deform::Elements::point);
   CHECK(plan.handles == d.document().pose.positions.size());
   CHECK(plan.bytes ==
-        deform::binding_bytes(50000, plan.handles, deform::Path::fused, deform::Coordinates::mean_value));
+        deform::binding_bytes(50000, plan.handles, deform::EngineKind::fused, deform::Elements::point));
   CHECK(scene::text(plan).rfind("Binding 50,000 vertices to 76 vertices, ", 0) == 0);
 }

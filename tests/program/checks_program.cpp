@@ -115,7 +115,7 @@ TEST_CASE("the_highlight_follows_the_cage_when_it_is_dragged") {
   };
   auto& pose = d.document().pose.positions;
   for (auto& p : pose) p[1] += 0.02 * d.document().space.diagonal();
-  ++d.document().posed;
+  ++d.document().revisions.pose;
   d.frame(3);
   CHECK(shot()[0] > 150);
   CHECK(shot()[1] < 150);

@@ -118,7 +118,7 @@ TEST_CASE("bind_saves_what_render_then_takes_instead_of_binding") {
                     view = " --pose " + quoted(pose) + " --size 320x200 -o ";
   const auto bound = run("bind " + scene + " -o " + quoted(file));
   CHECK_MESSAGE(bound.code == 0, bound.text);
-  CHECK(mentions(bound, "bound 50,000 vertices to 148 cage triangles in "));
+  CHECK(mentions(bound, "bound 50,000 vertices to 148 cage faces in "));
   CHECK(mentions(bound, "compressed to 3e-05 from "));
   REQUIRE(run("render " + scene + view + quoted(out)).code == 0);
   const auto rendered = run("render " + scene + view + quoted(same) + " --binding " + quoted(file));
@@ -138,7 +138,7 @@ TEST_CASE("a_binding_that_is_stale_or_none_stops_render_and_writes_no_picture") 
   for (const auto& [arguments, reason] :
        {std::pair{quoted(dragon) + " " + quoted(pose),
                   "is stale: the cage is not the one that it was made for"},
-        {scene + " --coordinates mvc", "is stale: it is not for coordinates mvc"}}) {
+        {scene + " --coordinates mvc", "is stale: it is not for elements point with weights mean-value"}}) {
     const auto outcome = run("render " + arguments + " -o " + quoted(out) + " --binding " + quoted(file));
     CHECK(outcome.code == 1);
     CHECK_MESSAGE(mentions(outcome, "dragon.binding: " + std::string(reason)), outcome.text);

@@ -134,7 +134,7 @@ TEST_CASE("an_export_says_what_its_method_has_lost") {
   d.document().method = sym3::Method::sd;
   d.settle();
   for (auto& p : d.document().pose.positions) p = {2 * p[0], (2 - 1e-5) * p[1], (2 + 1e-5) * p[2]};
-  ++d.document().posed;
+  ++d.document().revisions.pose;
   d.workspace().requests.save_model = folder / "out.ply";
   d.frame();
   d.viewer().finish_exports();

@@ -69,7 +69,7 @@ TEST_CASE("a_whole_turn_and_another_reach_are_kept_without_a_moved_vertex") {
   };
   scene::set_reach(d.document(), 3);
   REQUIRE(settled(1));
-  CHECK(scene::read_session(kept_files(state).front()).reach == 3);
+  CHECK(scene::read_session(kept_files(state).front()).scheme.weighting.reach == 3);
   scene::set_reach(d.document(), deform::whole_cage);
   REQUIRE(settled(0));
   d.press_key(scene::key('A'));

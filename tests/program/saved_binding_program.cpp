@@ -4,7 +4,7 @@
 #include "app/saved_bindings.h"
 #include "base/process.h"
 #include "deform/binding_file.h"
-#include "deform/fused_frame.h"
+#include "deform/deformer.h"
 #include "mesh/shapes.h"
 #include "mesh/write.h"
 #include "program/driver.h"
@@ -31,9 +31,9 @@ app::ViewerOptions keeping_in(const fs::path& folder, double worth_keeping = 0) 
 // The frame of a pose, to the last bit.
 std::vector<deform::FrameVertex> frame_of(Driver& d) {
   d.document().pose.positions[3][1] += 0.1;
-  ++d.document().posed;
+  ++d.document().revisions.pose;
   d.settle();
-  const auto vertices = d.viewer().deformer()->fused()->vertices();
+  const auto vertices = d.viewer().deformer()->vertices();
   return {vertices.begin(), vertices.end()};
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("a_kept_binding_is_what_is_shown") {
   const auto first = open_and_frame(keeping_in(kept));
   const fs::path file = only_file(kept);
   const auto model = scene::open_document(dragon, dragon_cage);
-  auto tiles = deform::read_binding(file, *model.model.surface, *model.cage, deform::Coordinates::face);
+  auto tiles = deform::read_binding(file, *model.model.surface, *model.cage, deform::Weighting());
   for (float& x : tiles.offsets) x *= 2;
   deform::write_binding(file, tiles, *model.model.surface, *model.cage);
   CHECK(!same(open_and_frame(keeping_in(kept, 1e9)), first));
@@ -150,7 +150,7 @@ TEST_CASE("those_used_longest_ago_go_when_there_are_too_many") {
   std::vector<fs::path> files;
   for (const double size : {5.0, 6.0, 7.0, 8.0}) {
     const auto cage = deform::make_cage(test::moved(test::sphere(2), size));
-    const auto tiles = deform::bind_tiles(ball, cage, deform::Coordinates::face, pool, 0);  // all of one size
+    const auto tiles = deform::bind_tiles(ball, cage, deform::Weighting(), pool, 0);  // all of one size
     const auto age = std::chrono::hours(files.size() == 0 ? 1 : 10 - files.size());
     saved.limit = 3 * (tiles.bytes() + 1000);
     app::keep_binding(saved, tiles, ball, cage);
@@ -167,7 +167,7 @@ TEST_CASE("those_used_longest_ago_go_when_there_are_too_many") {
   test::put_file(kept / "note.txt", "not ours");
   saved.limit = 10;
   const auto cage = deform::make_cage(test::moved(test::sphere(2), 9));
-  app::keep_binding(saved, deform::bind_tiles(ball, cage, deform::Coordinates::face, pool), ball, cage);
+  app::keep_binding(saved, deform::bind_tiles(ball, cage, deform::Weighting(), pool), ball, cage);
   CHECK(fs::exists(kept / "note.txt"));
   CHECK(fs::exists(files[0]));  // one that is larger than all may be is not kept, and drives none out
 }
@@ -179,7 +179,7 @@ TEST_CASE("what_others_are_writing_counts_and_what_killed_programs_left_goes") {
   app::SavedBindings saved{.folder = folder.path(), .worth_keeping = 0};
   const auto keep = [&](double size) {
     const auto cage = deform::make_cage(test::moved(test::sphere(2), size));
-    const auto tiles = deform::bind_tiles(ball, cage, deform::Coordinates::face, pool, 0);
+    const auto tiles = deform::bind_tiles(ball, cage, deform::Weighting(), pool, 0);
     saved.limit = 2 * (tiles.bytes() + 1000);
     app::keep_binding(saved, tiles, ball, cage);
     return tiles.bytes();
@@ -203,8 +203,7 @@ TEST_CASE("a_named_binding_is_used_and_a_stale_or_foreign_one_is_said_and_bound_
   const auto right = open_and_frame(keeping_in({}));
   const auto document = scene::open_document(dragon, dragon_cage);
   base::WorkerPool pool;
-  const auto tiles =
-      deform::bind_tiles(*document.model.surface, *document.cage, deform::Coordinates::face, pool);
+  const auto tiles = deform::bind_tiles(*document.model.surface, *document.cage, deform::Weighting(), pool);
   auto options = keeping_in({});
   options.bindings.named = folder / "a.binding";
   deform::write_binding(options.bindings.named, tiles, *document.model.surface, *document.cage);
@@ -212,7 +211,7 @@ TEST_CASE("a_named_binding_is_used_and_a_stale_or_foreign_one_is_said_and_bound_
   CHECK(same(open_and_frame(options, &said), right));
   CHECK(said == "");
   const auto other = deform::make_cage(test::moved(test::sphere(2), 5));
-  const auto others = deform::bind_tiles(*document.model.surface, other, deform::Coordinates::face, pool);
+  const auto others = deform::bind_tiles(*document.model.surface, other, deform::Weighting(), pool);
   deform::write_binding(options.bindings.named, others, *document.model.surface, other);
   CHECK(same(open_and_frame(options, &said), right));
   CHECK(said.find("a.binding: is stale: the cage is not the one") != std::string::npos);

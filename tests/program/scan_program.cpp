@@ -23,8 +23,7 @@ TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged") {
   d.settle();
   REQUIRE(d.viewer().deformer()->positions().size() == 537374);
 
-  const std::vector<mesh::Point> rest(d.viewer().deformer()->positions().begin(),
-                                      d.viewer().deformer()->positions().end());
+  const auto rest = d.viewer().deformer()->positions();
   const glm::vec2 from = glm::round(d.vertex(d.free_vertex()));
   d.move(from);
   d.button(0, true);
@@ -42,5 +41,5 @@ TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged") {
 
   d.press_key('Z', true);
   d.frame(2);
-  CHECK(std::equal(rest.begin(), rest.end(), d.viewer().deformer()->positions().begin()));
+  CHECK(rest == d.viewer().deformer()->positions());
 }

@@ -68,13 +68,13 @@ std::size_t followers(Driver& d) {
 
 TEST_CASE("settings_made_before_anything_is_open_are_kept_for_what_is_opened") {
   Driver d;
-  scene::set_coordinates(d.document(), deform::Coordinates::mean_value);
+  scene::run_command(d.workspace(), "scheme_mvc");
   scene::set_reach(d.document(), 3);
   d.frame(3);  // with nothing to show
   open_dragon(d);
-  CHECK(d.document().coordinates == deform::Coordinates::mean_value);
-  CHECK(d.document().reach == 3);
-  CHECK(d.viewer().deformer()->logs().empty());  // as mean value coordinates have none
+  CHECK(d.document().scheme.weighting.weights == deform::Weights::mean_value);
+  CHECK(d.document().scheme.weighting.reach == 3);
+  CHECK(d.viewer().deformer()->state().logs().empty());  // as mean value coordinates have none
 }
 
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
@@ -161,8 +161,8 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
     CHECK(d.document().method == c.method);
     d.move({700, 20});
     d.settle();
-    CHECK(d.viewer().deformer()->path(c.method) ==
-          (c.method == sym3::Method::fast ? deform::Path::fused : deform::Path::staged));
+    CHECK(d.viewer().deformer()->engine(c.method) ==
+          (c.method == sym3::Method::fast ? deform::EngineKind::fused : deform::EngineKind::staged));
     const auto now = positions(d);
     CHECK(finite(now));
     CHECK_MESSAGE(largest_distance(now, reference) <= c.bound * diagonal(d), c.widget);
@@ -313,16 +313,16 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
 TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {
   Driver d;
   open_dragon(d);
-  d.click("coordinates_mvc");
+  d.click("scheme_mvc");
   d.settle();
   REQUIRE(d.viewer().deformer());
-  CHECK(d.viewer().deformer()->matrices().empty());
+  CHECK(d.viewer().deformer()->sample_matrices(10).empty());
   d.place_of("method_diag");
   CHECK_FALSE(d.viewer().recorder().find("method_diag")->enabled);
   CHECK(largest_distance(positions(d), d.document().model.surface->positions) < 1e-6 * diagonal(d));
-  d.click("coordinates_face");
+  d.click("scheme_log");
   d.settle();
-  CHECK_FALSE(d.viewer().deformer()->matrices().empty());
+  CHECK_FALSE(d.viewer().deformer()->sample_matrices(10).empty());
 }
 
 TEST_CASE("the_reach_is_chosen_by_a_slider_and_mean_value_coordinates_have_none") {
@@ -331,20 +331,20 @@ TEST_CASE("the_reach_is_chosen_by_a_slider_and_mean_value_coordinates_have_none"
   const auto whole = followers(d);
   d.click("reach");  // in its middle
   d.settle();
-  const double reach = d.document().reach;
+  const double reach = d.document().scheme.weighting.reach;
   CHECK(reach >= 2);
   CHECK(reach < 10);
   CHECK(d.viewer().deformer() != nullptr);
   CHECK(followers(d) < whole);
-  d.click("coordinates_mvc");
+  d.click("scheme_mvc");
   d.settle();
   d.place_of("reach");
   CHECK_FALSE(d.viewer().recorder().find("reach")->enabled);
   d.click("reach");
-  CHECK(d.document().reach == reach);
-  d.click("coordinates_face");
+  CHECK(d.document().scheme.weighting.reach == reach);
+  d.click("scheme_log");
   d.settle();
-  CHECK(d.document().reach == reach);
+  CHECK(d.document().scheme.weighting.reach == reach);
   scene::set_reach(d.document(), deform::whole_cage);
   d.settle();
   CHECK(followers(d) == whole);

@@ -49,13 +49,80 @@ TEST_CASE("reset_pose_can_be_undone") {
   CHECK_FALSE(differs_from_rest(w.document));
 }
 
-TEST_CASE("methods_switch_without_touching_the_history") {
+TEST_CASE("methods_switch_without_touching_history_pose_or_weights") {
   Workspace w = test::cube_workspace();
-  const auto posed = w.document.posed;
+  const Revisions before = w.document.revisions;
   CHECK(run_command(w, "method_sd"));
   CHECK(w.document.method == sym3::Method::sd);
-  CHECK(w.document.posed > posed);
+  CHECK(w.document.revisions.method > before.method);
+  CHECK(w.document.revisions.pose == before.pose);
+  CHECK(w.document.revisions.weights == before.weights);
   CHECK_FALSE(w.document.history.can_undo());
+}
+
+TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
+  Workspace w = test::cube_workspace();
+  const Revisions before = w.document.revisions;
+  CHECK(run_command(w, "scheme_linear"));
+  CHECK(w.document.scheme.blend == deform::Blend::linear);
+  CHECK(w.document.revisions.weights == before.weights);  // other sums of the same weights
+  CHECK(w.document.revisions.method > before.method);
+  CHECK_FALSE(run_command(w, "method_sd"));
+  CHECK(run_command(w, "scheme_mvc"));
+  CHECK(w.document.scheme.weighting.weights == deform::Weights::mean_value);
+  CHECK(w.document.revisions.weights > before.weights);
+  CHECK(w.document.revisions.surfaces == before.surfaces);
+  CHECK(w.document.history.undo_count() == 2);
+  CHECK(run_command(w, "scheme_mvc"));
+  CHECK(w.document.history.undo_count() == 2);
+  CHECK(run_command(w, "undo"));
+  CHECK(w.document.scheme.blend == deform::Blend::linear);
+  CHECK(w.document.scheme.weighting.weights == deform::Weights::inverse);
+  CHECK(run_command(w, "undo"));
+  CHECK(w.document.scheme == deform::Scheme());
+  CHECK(run_command(w, "redo"));
+  CHECK(w.document.scheme.blend == deform::Blend::linear);
+}
+
+TEST_CASE("reaches_are_stepped_through_as_one_edit_where_weights_have_one") {
+  Workspace w = test::cube_workspace();
+  auto& reach = w.document.scheme.weighting.reach;
+  CHECK(run_command(w, "reach_longer"));
+  CHECK(reach == deform::whole_cage);
+  CHECK_FALSE(w.document.history.can_undo());
+  for (const double expected : {10.0, 6.0, 4.0}) {
+    CHECK(run_command(w, "reach_shorter"));
+    CHECK(reach == expected);
+  }
+  CHECK(run_command(w, "reach_longer"));
+  CHECK(reach == 6);
+  CHECK(w.document.history.undo_count() == 1);
+  CHECK(run_command(w, "undo"));
+  CHECK(reach == deform::whole_cage);
+  CHECK(run_command(w, "redo"));
+  CHECK(reach == 6);
+  CHECK(run_command(w, "scheme_mvc"));
+  CHECK_FALSE(run_command(w, "reach_shorter"));
+  CHECK(run_command(w, "scheme_log"));
+  CHECK(reach == 6);
+  CHECK(run_command(w, "reach_shorter"));
+  CHECK(w.document.history.undo_count() == 4);
+}
+
+TEST_CASE("a_way_of_blending_that_is_not_to_be_had_leaves_no_trace_in_the_history") {
+  Workspace w = test::cube_workspace();
+  run_command(w, "reset_pose");
+  const std::size_t edits = w.document.history.undo_count();
+  run_command(w, "scheme_mvc");
+  give_up_scheme(w.document, deform::Scheme());
+  CHECK(w.document.scheme == deform::Scheme());
+  CHECK(w.document.history.undo_count() == edits);
+  w.document.pose.positions[0][0] += 0.25;
+  run_command(w, "scheme_mvc");
+  run_command(w, "reset_pose");
+  give_up_scheme(w.document, deform::Scheme());  // what came after it stays
+  CHECK(w.document.history.undo_count() == edits + 2);
+  CHECK(w.document.scheme == deform::Scheme());
 }
 
 TEST_CASE("shortcuts_read_as_on_the_keyboard") {

@@ -99,7 +99,7 @@ TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
   const auto* surface = w.document.model.surface.get();
   w.document.pose.positions[0][0] += 1;
   const auto pose = w.document.pose.positions;
-  const auto topology = w.document.topology;
+  const auto topology = w.document.revisions.surfaces;
   CHECK_FALSE(load_model(w, files.broken, {}));
   CHECK_FALSE(load_model(w, files.model, files.broken));
   CHECK_FALSE(load_cage(w, files.broken));
@@ -107,7 +107,7 @@ TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
   CHECK_FALSE(load_pose(w, files.broken));
   CHECK(w.document.model.surface.get() == surface);
   CHECK(w.document.pose.positions == pose);
-  CHECK(w.document.topology == topology);
+  CHECK(w.document.revisions.surfaces == topology);
   CHECK(w.messages.all().back().severity == Severity::error);
   CHECK(w.messages.all().front().text.find("broken.obj") != std::string::npos);
 }
@@ -134,10 +134,10 @@ TEST_CASE("loading_keeps_method_coordinates_and_reach") {
   const Files files;
   Workspace w;
   w.document.method = sym3::Method::diag;
-  w.document.coordinates = deform::Coordinates::mean_value;
-  w.document.reach = 3;
+  w.document.scheme = deform::with(w.document.scheme, *deform::combination_of_shorthand("mvc"));
+  w.document.scheme.weighting.reach = 3;
   REQUIRE(load_model(w, files.model, files.cage));
   CHECK(w.document.method == sym3::Method::diag);
-  CHECK(w.document.coordinates == deform::Coordinates::mean_value);
-  CHECK(w.document.reach == 3);
+  CHECK(w.document.scheme == *deform::combination_of_shorthand("mvc"));
+  CHECK(w.document.scheme.weighting.reach == 3);
 }

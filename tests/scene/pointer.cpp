@@ -305,7 +305,7 @@ TEST_CASE("another_document_in_the_middle_of_a_gesture_ends_it") {
   m.press();
   m.move(m.vertex(7) + glm::vec2(30, 10));
   m.w.document = test::cube_document();
-  m.w.document.topology = 1;
+  m.w.document.revisions.surfaces = 1;
   m.w.hand = {};
   m.move({400, 400});
   m.release();

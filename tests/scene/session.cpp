@@ -10,6 +10,7 @@
 #include "mesh/read.h"
 #include "scene/edit.h"
 #include "scene/files.h"
+#include "scene/json_file.h"
 #include "scene/open.h"
 #include "scene/saving.h"
 
@@ -28,8 +29,8 @@ Workspace worked(const test::CubeFiles& files) {
   w.document.pose.turns = {{0.1, 6.3, -1e-9}};
   w.document.selection.apply(std::vector<std::uint32_t>{2, 5}, SelectMode::replace);
   w.document.method = sym3::Method::sd;
-  w.document.coordinates = deform::Coordinates::mean_value;
-  w.document.reach = 2.7;
+  w.document.scheme = deform::with(w.document.scheme, *deform::combination_of_shorthand("mvc"));
+  w.document.scheme.weighting.reach = 2.7;
   w.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f});
   w.view = {.dark = false,
             .model = false,
@@ -48,8 +49,7 @@ void check_same(const Workspace& a, const Workspace& b) {
   CHECK(a.document.pose.turns == b.document.pose.turns);
   CHECK(a.document.selection == b.document.selection);
   CHECK(a.document.method == b.document.method);
-  CHECK(a.document.coordinates == b.document.coordinates);
-  CHECK(a.document.reach == b.document.reach);
+  CHECK(a.document.scheme == b.document.scheme);
   CHECK(a.camera.pose() == b.camera.pose());
   CHECK(a.view == b.view);
   CHECK(a.document.model.surface->positions == b.document.model.surface->positions);
@@ -195,7 +195,7 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
     CHECK(w.messages.all()[0].severity == Severity::warning);
     CHECK_MESSAGE(mentions(w.messages.all()[0].text, c.said), w.messages.all()[0].text);
     CHECK(w.document.method == sym3::Method::fast);
-    CHECK(w.document.reach == deform::whole_cage);
+    CHECK(w.document.scheme.weighting.reach == deform::whole_cage);
     CHECK(w.document.selection.empty());
     CHECK(std::isfinite(w.camera.pose().target.y));
     CHECK(w.view == ViewOptions{});
@@ -261,13 +261,13 @@ TEST_CASE("whatever_is_typed_or_looked_at_can_be_saved_and_opened_again") {
 TEST_CASE("a_session_without_a_reach_has_the_whole_cage") {
   const test::CubeFiles files;
   Workspace w = worked(files);
-  w.document.reach = deform::whole_cage;
+  w.document.scheme.weighting.reach = deform::whole_cage;
   REQUIRE(save_session(w, files / "a.viete"));
   CHECK_FALSE(mentions(test::file_bytes(files / "a.viete"), "reach"));
   Workspace back;
-  back.document.reach = 3;
+  back.document.scheme.weighting.reach = 3;
   REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
-  CHECK(back.document.reach == deform::whole_cage);
+  CHECK(back.document.scheme.weighting.reach == deform::whole_cage);
 }
 
 TEST_CASE("more_turns_than_the_cage_has_parts_are_refused") {
@@ -278,12 +278,60 @@ TEST_CASE("more_turns_than_the_cage_has_parts_are_refused") {
   CHECK(mentions(refusal(files / "a.viete"), "a.viete: pose.turns"));
 }
 
+TEST_CASE("elements_weights_and_blend_are_kept_and_older_programs_read_what_they_know") {
+  const test::CubeFiles files;
+  for (const auto& combination : deform::combinations()) {
+    CAPTURE(combination.name);
+    Workspace w;
+    REQUIRE(load_model(w, files.model, files.cage));
+    w.document.scheme = deform::with({{.reach = 3}, {}}, combination);
+    REQUIRE(save_session(w, files / "a.viete"));
+    const auto json = read_json(files / "a.viete");
+    CHECK(json["elements"] == std::string(deform::entry(combination.elements).name));
+    CHECK(json["weights"] == std::string(deform::entry(combination.weights).name));
+    CHECK(json["blend"] == std::string(deform::entry(combination.blend).name));
+    CHECK(json["version"] == (combination.shorthand.empty() ? 2 : 1));
+    CHECK(json.value("coordinates", "") == std::string(combination.shorthand));
+    Workspace back;
+    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    CHECK(back.document.scheme == w.document.scheme);
+    CHECK(back.document.scheme.weighting.reach == 3);
+  }
+}
+
+TEST_CASE("a_session_may_name_any_part_of_a_scheme") {
+  const test::CubeFiles files;
+  const auto scheme = [&](const std::string& keys) {
+    test::put_file(files / "a.viete",
+                   R"({"format": "viete session", "version": 2, "model": "model.obj", "cage": "cage.obj", )" +
+                       keys + "}");
+    return read_session(files / "a.viete");
+  };
+  const auto word = [](const Session& s) { return deform::combination_of(s.scheme).name; };
+  CHECK(word(scheme(R"("reach": 3)")) == "scheme_log");
+  CHECK(word(scheme(R"("coordinates": "mvc")")) == "scheme_mvc");
+  CHECK(word(scheme(R"("weights": "mean-value")")) == "scheme_mvc");
+  CHECK(word(scheme(R"("blend": "linear")")) == "scheme_linear");
+  CHECK(word(scheme(R"("blend": "linear", "coordinates": "mvc")")) == "scheme_linear");
+  CHECK(scheme(R"("blend": "linear")").warnings.empty());
+  const Session apart = scheme(R"("elements": "face", "weights": "mean-value")");
+  CHECK(word(apart) == "scheme_log");
+  REQUIRE(apart.warnings.size() == 1);
+  CHECK(
+      mentions(apart.warnings[0], "a.viete: weights: these elements, weights and blend do not go together"));
+  const Session unknown = scheme(R"("blend": "magic", "weights": "mean-value")");
+  CHECK(word(unknown) == "scheme_mvc");
+  REQUIRE(unknown.warnings.size() == 1);
+  CHECK(
+      mentions(unknown.warnings[0], "a.viete: blend: \"magic\" is not known; what fits the others instead"));
+}
+
 TEST_CASE("another_format_and_a_newer_version_are_refused_with_advice") {
   const test::CubeFiles files;
   test::put_file(files / "a.viete", R"({"version": 1, "model": "model.obj"})");
   CHECK(mentions(refusal(files / "a.viete"), "not a session"));
-  test::put_file(files / "a.viete", R"({"format": "viete session", "version": 2, "model": "model.obj"})");
-  CHECK(mentions(refusal(files / "a.viete"), "version: the session has version 2"));
+  test::put_file(files / "a.viete", R"({"format": "viete session", "version": 3, "model": "model.obj"})");
+  CHECK(mentions(refusal(files / "a.viete"), "version: the session has version 3"));
   for (const char* text : {"", "[]", "3", "{", "null", "\xff\xfe{}"}) {
     test::put_file(files / "a.viete", text);
     CHECK_MESSAGE(mentions(refusal(files / "a.viete"), "a.viete"), text);

@@ -18,6 +18,9 @@ _viete_value() {
       esac
       ;;
     --method) words='fast diag sd improved_sd' ;;
+    --elements) words='face point' ;;
+    --weights) words='inverse mean-value' ;;
+    --blend) words='srl linear' ;;
     --coordinates) words='face mvc' ;;
     --reach) words='all 1.5 2 3 5' ;;
     --look) words='home front back left right top bottom' ;;
@@ -32,15 +35,15 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --method --coordinates --reach --binding --scale --frames'
+      options+=' --pose --method --elements --weights --blend --coordinates --reach --binding --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --coordinates --reach --binding --look --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --binding --look --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --force --pose --method --coordinates --reach' ;;
-    bind) options+=' --output --force --coordinates --reach --tolerance' ;;
+    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach' ;;
+    bind) options+=' --output --force --elements --weights --coordinates --reach --tolerance' ;;
     info) options+=' --cage' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;
     'bench eigen') options+=' --force --count --json --plot' ;;

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "deform/cage.h"
-#include "deform/weighting.h"
+#include "deform/scheme.h"
 
 namespace viete::deform {
 

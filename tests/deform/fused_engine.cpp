@@ -1,14 +1,15 @@
-#include "deform/fused_frame.h"
+#include "deform/fused_engine.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
 #include "base/error.h"
 #include "deform/bound.h"
-#include "deform/weights.h"
+#include "deform/inverse_distance.h"
 
 using namespace viete::test;
 using viete::sym3::Method;
@@ -22,7 +23,7 @@ struct Fused {
                  std::optional<Storage> storage = {})
       : pool(threads),
         binding(std::make_shared<const TiledBinding>(bind_tiles(
-            staged.model, *staged.cage, staged.binding->weighting(), pool, tolerance, nullptr, storage))),
+            staged.model, *staged.cage, staged.binding->weighting, pool, tolerance, nullptr, storage))),
         frame(staged.cage, binding, pool, kernel) {}
 
   std::vector<viete::mesh::Point> positions() const {
@@ -42,7 +43,7 @@ struct Fused {
   FusedFrame frame;
 };
 
-constexpr Coordinates both[] = {Coordinates::face, Coordinates::mean_value};
+constexpr Weighting both[] = {faces, mean_values};
 
 // 1,802 vertices: three full leaves and one that is not.
 viete::mesh::Surface fine_tube() {
@@ -61,7 +62,7 @@ TEST_CASE("fused_frame_agrees_with_the_staged_one_within_1e_6_of_the_diagonal") 
       fused.frame.deform(pose);
       CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * diagonal);
       CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 2e-4);
-      CHECK(fused.frame.report().turns == staged.deformer.report().turns);
+      CHECK(fused.frame.state.report().turns == staged.report().turns);
     };
     check(rest_pose(*staged.cage));
     check(staged.pose(shear()));
@@ -178,22 +179,22 @@ TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
     const double bound = std::max(1e-6, tolerance) * staged.cage->diagonal;
     Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -50 * degree, 50 * degree});
     dragged.frame.deform(pose);
-    CHECK_FALSE(dragged.frame.dragging());
+    CHECK_FALSE(dragged.frame.engine.dragging());
     Random random(11);
-    for (const std::size_t vertex : {5u, 40u}) {
-      dragged.frame.set_dragging(true);
+    for (const std::uint32_t vertex : {5u, 40u}) {
+      dragged.frame.state.begin_drag(std::array{vertex});
       for (int step = 0; step < 12; ++step) {
         pose.positions[vertex] = pose.positions[vertex] + random.vector(0.02);
         dragged.frame.deform(pose);
-        CHECK(dragged.frame.dragging());
+        CHECK(dragged.frame.engine.dragging());
         staged.deform(pose);
         CHECK(largest_distance(dragged.positions(), staged.deformer.positions()) < bound);
       }
-      CHECK(dragged.frame.bytes() < dragged.binding->dense_bytes());
-      dragged.frame.set_dragging(false);
+      CHECK(dragged.frame.engine.bytes() < dragged.binding->dense_bytes());
+      dragged.frame.state.end_drag();
     }
     dragged.frame.deform(pose);
-    CHECK_FALSE(dragged.frame.dragging());
+    CHECK_FALSE(dragged.frame.engine.dragging());
     Fused fresh(staged, 1, viete::sym3::kernel(), tolerance);
     fresh.frame.deform(pose);
     CHECK(dragged.positions() == fresh.positions());
@@ -201,11 +202,11 @@ TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
 }
 
 TEST_CASE("a_drag_leaves_alone_what_it_has_no_weight_on_and_the_border_gets_new_normals") {
-  constexpr std::size_t lanes = tile_lanes<float>, vertex = 40;
+  constexpr std::size_t lanes = tile_lanes<float>;
+  constexpr std::uint32_t vertex = 40;
   Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
   viete::base::WorkerPool one(1), four(4);
-  auto binding =
-      std::make_shared<TiledBinding>(bind_tiles(staged.model, *staged.cage, Coordinates::face, one, 0));
+  auto binding = std::make_shared<TiledBinding>(bind_tiles(staged.model, *staged.cage, faces, one, 0));
   const auto& elements = staged.cage->surface.triangles;
   for (std::size_t slot = 0; slot < 5 * leaf_slots; ++slot) {
     float* weights = binding->weights.data() + slot / lanes * lanes * binding->handles + slot % lanes;
@@ -234,11 +235,12 @@ TEST_CASE("a_drag_leaves_alone_what_it_has_no_weight_on_and_the_border_gets_new_
   FusedFrame dragged(staged.cage, binding, one), by_threads(staged.cage, binding, four);
   Random random(13);
   Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -50 * degree, 50 * degree});
-  for (FusedFrame* frame : {&dragged, &by_threads}) frame->deform(pose), frame->set_dragging(true);
+  for (FusedFrame* frame : {&dragged, &by_threads})
+    frame->deform(pose), frame->state.begin_drag(std::array{vertex});
   for (int step = 0; step < 6; ++step) {
     pose.positions[vertex] = pose.positions[vertex] + random.vector(0.1);
     for (FusedFrame* frame : {&dragged, &by_threads}) frame->deform(pose);
-    REQUIRE(dragged.dragging());
+    REQUIRE(dragged.engine.dragging());
     FusedFrame fresh(staged.cage, binding, one);
     fresh.deform(pose);
     const auto [position, normal] = distances(dragged, fresh);
@@ -253,7 +255,7 @@ TEST_CASE("a_drag_that_turns_the_logs_of_others_is_a_full_frame") {
   // stretch.
   Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   Fused dragged(staged);
-  dragged.frame.set_dragging(true);
+  dragged.frame.state.begin_drag(std::array{30u});
   Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -170 * degree, 170 * degree});
   for (int step = 0; step < 30; ++step) {
     const double angle = 24.0 * step * degree;
@@ -279,7 +281,7 @@ constexpr double leaf_reaches[] = {lowest_reach, 2, 3, 6};
 
 // A model of 29 leaves in a cage of 308 triangles.
 Bound with_reach(double reach) {
-  return Bound(tube(240, 60, 0.3, 1.5), tube(14, 11, 0.6, 2), {Coordinates::face, reach});
+  return Bound(tube(240, 60, 0.3, 1.5), tube(14, 11, 0.6, 2), faces_reaching(reach));
 }
 
 Fused listed(const Bound& staged, int threads = 1) {
@@ -344,7 +346,7 @@ TEST_CASE("what_a_dragged_vertex_does_not_reach_keeps_every_bit") {
     const Pose before = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -20 * degree, 20 * degree});
     fused.frame.deform(before);
     const auto from = fused.positions(), from_normals = fused.normals();
-    const std::size_t dragged = 40;
+    const std::uint32_t dragged = 40;
     // Beyond the reach, and somewhat more: float and double part at its end.
     std::vector<bool> beyond(staged.model.positions.size(), true);
     std::vector<double> w(staged.cage->element_count());
@@ -370,19 +372,19 @@ TEST_CASE("what_a_dragged_vertex_does_not_reach_keeps_every_bit") {
       CHECK(moved > 100);
     };
     Pose pose = before;
-    fused.frame.set_dragging(true);
+    fused.frame.state.begin_drag(std::array{dragged});
     for (int step = 0; step < 4; ++step) {
       pose.positions[dragged] = pose.positions[dragged] + Vec3{0.02, 0.03, -0.01};
       fused.frame.deform(pose);
-      CHECK(fused.frame.dragging());
+      CHECK(fused.frame.engine.dragging());
       check();
       staged.deform(pose);
       CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
       CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 2e-4);
     }
-    fused.frame.set_dragging(false);
+    fused.frame.state.end_drag();
     fused.frame.deform(pose);
-    CHECK_FALSE(fused.frame.dragging());
+    CHECK_FALSE(fused.frame.engine.dragging());
     check();
     Fused fresh = listed(staged);
     fresh.frame.deform(pose);

@@ -1,4 +1,4 @@
-#include "deform/weights.h"
+#include "deform/inverse_distance.h"
 
 #include "mesh/triangle.h"
 

@@ -1,4 +1,4 @@
-#include "deform/weights.h"
+#include "deform/inverse_distance.h"
 
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ constexpr double reaches[] = {lowest_reach, 2, 3, 5, 100};
 
 using Long3 = std::array<long double, 3>;
 
-long double dot(const Long3& a, const Long3& b) {
+long double long_dot(const Long3& a, const Long3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
@@ -40,13 +40,13 @@ long double squared_distance(const Cage& cage, std::size_t e, const Vec3& point)
   for (int i = 0; i < 3; ++i) {
     const Long3 d = difference(x[t[(i + 1) % 3]], x[t[i]]), q = difference(point, x[t[i]]);
     const Long3 inward{n[1] * d[2] - n[2] * d[1], n[2] * d[0] - n[0] * d[2], n[0] * d[1] - n[1] * d[0]};
-    inside = inside && dot(inward, q) >= 0;
-    const long double s = std::clamp<long double>(dot(d, q) / dot(d, d), 0, 1);
+    inside = inside && long_dot(inward, q) >= 0;
+    const long double s = std::clamp<long double>(long_dot(d, q) / long_dot(d, d), 0, 1);
     const Long3 left{q[0] - s * d[0], q[1] - s * d[1], q[2] - s * d[2]};
-    least = std::min(least, dot(left, left));
+    least = std::min(least, long_dot(left, left));
   }
-  const long double height = dot(n, difference(point, x[t[0]]));
-  return inside ? height * height / dot(n, n) : least;
+  const long double height = long_dot(n, difference(point, x[t[0]]));
+  return inside ? height * height / long_dot(n, n) : least;
 }
 
 // As the header defines them.

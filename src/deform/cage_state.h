@@ -1,0 +1,88 @@
+// What a pose of the cage is in log space: maps of its elements, their logs, and the rows that engines sum.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "deform/cage.h"
+#include "deform/face_maps.h"
+#include "deform/links.h"
+#include "deform/log_maps.h"
+#include "deform/map_split.h"
+#include "deform/rows.h"
+#include "deform/scheme.h"
+
+namespace viete::deform {
+
+/// Throws base::Error if the pose has not one position per cage vertex.
+void check_pose(const Cage& cage, const Pose& pose);
+
+/// What rows are, of these elements with this blend.
+RowForm row_form(Elements elements, Blend blend);
+const RowShape& shape(RowForm form);
+
+std::size_t handle_count(const Cage& cage, Elements elements);
+/// Rest centres of the handles.
+std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements);
+
+/// The numbers of all handles in a pose, lengths relative to origin.
+struct Rows {
+  RowForm form = RowForm::positions;
+  std::span<const double> values;  ///< [handle][column]
+  Vec3 origin{0, 0, 0};
+
+  std::size_t columns() const { return shape(form).columns; }
+  std::size_t count() const { return values.size() / columns(); }
+};
+
+/// Owns what a pose is in log space, and nothing of the model. Not thread-safe.
+///
+/// While a few vertices are dragged only the maps of their elements are computed anew, and the origin stays,
+/// so that all other rows keep their bits, unless their elements take other branches or are raised to
+/// another floor.
+class CageState {
+public:
+  /// cage must not be null.
+  CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend);
+
+  /// Throws base::Error if pose.positions is not one per cage vertex.
+  void set_pose(const Pose& pose);
+  /// From now on poses differ from the last one in these vertices alone.
+  void begin_drag(std::span<const std::uint32_t> vertices);
+  void end_drag();
+
+  const Cage& cage() const { return *cage_; }
+  Rows rows() const;
+  /// The handles that a drag moves, ascending; empty if there is no drag.
+  std::span<const std::uint32_t> moving() const { return moving_; }
+  /// Grows whenever rows change that no drag moves.
+  unsigned long resting_revision() const { return resting_revision_; }
+  /// Of faces that are blended by their logs; else empty.
+  std::span<const MapLog> logs() const { return logs_; }
+  /// Of the last pose; without logs only its turns, handed on.
+  const LogReport& report() const { return report_; }
+  /// Milliseconds of the last pose.
+  const LinkTimes& times() const { return times_; }
+
+private:
+  void write_values(const Pose& pose, std::span<const std::uint32_t> handles);
+  bool others_stayed() const;
+
+  std::shared_ptr<const Cage> cage_;
+  Elements elements_;
+  RowForm form_;
+  std::vector<std::uint32_t> all_, moving_;
+  Vec3 origin_{0, 0, 0};
+  bool posed_ = false;
+  std::vector<FaceMap> maps_;
+  std::vector<MapSplit> splits_;
+  std::vector<MapLog> logs_, logs_before_;
+  std::vector<double> values_;  // of maps and positions
+  unsigned long resting_revision_ = 0;
+  LogReport report_;
+  LinkTimes times_;
+};
+
+}  // namespace viete::deform

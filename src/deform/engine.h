@@ -1,0 +1,35 @@
+// Who forms the sums: from the rows of a pose to the model's vertices as a graphics card takes them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "deform/cage_state.h"
+#include "deform/frame_vertex.h"
+#include "deform/links.h"
+#include "sym3/exp.h"
+
+namespace viete::deform {
+
+/// Owns the buffers of one bound model. Everything that grows with the model is allocated in the constructor,
+/// or when a drag begins. Not thread-safe. Results are bit-identical for any number of threads.
+class Engine {
+public:
+  virtual ~Engine() = default;
+  Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// One frame. The state must be of the cage, the elements and the blend that the engine was made for.
+  virtual void run(const CageState& state, sym3::Method method) = 0;
+  /// Of the last frame, in the file's order, positions relative to its rows' origin; before the first one
+  /// of no use.
+  virtual std::span<const FrameVertex> vertices() const = 0;
+  /// Of the last frame.
+  const LinkTimes& times() const { return times_; }
+
+protected:
+  LinkTimes times_;
+};
+
+}  // namespace viete::deform

@@ -1,0 +1,264 @@
+#include "deform/fused_engine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/clock.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr std::size_t few = 4;               // of the handles, at most one in so many is few
+constexpr std::size_t skeleton_block = 256;  // slots that one thread blends at once
+
+// Sums [tile][column][lane] of `slots` slots as rows of a table.
+void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* table) {
+  for (std::size_t s = 0; s < slots; ++s) {
+    const float* from = sums + s / lanes * lanes * columns + s % lanes;
+    for (std::size_t c = 0; c < columns; ++c) table[s * columns + c] = from[c * lanes];
+  }
+}
+
+const TileKernel& kernel_of(const FrameKernel& kernel, RowForm form) {
+  switch (form) {
+    case RowForm::logs: return kernel.logs;
+    case RowForm::maps: return kernel.maps;
+    default: return kernel.positions;
+  }
+}
+
+}  // namespace
+
+FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm form, base::WorkerPool& pool,
+                         const sym3::Kernel& kernel)
+    : binding_(std::move(binding)),
+      pool_(pool),
+      kernel_(frame_kernel(kernel)),
+      tiles_(kernel_of(kernel_, form)),
+      form_(form),
+      columns_(shape(form).columns) {
+  entries_.resize(binding_->handles * columns_);
+  table_.resize(binding_->handles * columns_);
+  skeleton_sums_.resize(binding_->skeleton_slots() * columns_);
+  skeleton_table_.resize(binding_->skeleton_slots() * columns_);
+  positions_.resize(binding_->rings.place_count() * 4);
+  vertices_.assign(binding_->leaves.vertices, FrameVertex{});
+  leaf_moved_.assign(binding_->leaves.count(), 1);
+}
+
+std::size_t FusedEngine::bytes() const {
+  if (!dragging_) return binding_->bytes();
+  return sizeof(float) * (held_.sums.size() + held_.weights.size() + binding_->offsets.size());
+}
+
+void FusedEngine::run(const CageState& state, sym3::Method) {
+  times_ = {};
+  base::Stopwatch watch;
+  if (!std::ranges::equal(state.moving(), held_.moving)) held_ = {};
+  fill_table(state.rows());
+  follow_drag(state);
+  if (binding_->compressed() && !dragging_) {
+    blend_skeleton(table_.data());
+    times_[Link::skeleton] = watch.lap_ms();
+  }
+  place_vertices();
+  times_[Link::fused] = watch.lap_ms();
+  compute_normals();
+  times_[Link::normals] = watch.lap_ms();
+}
+
+void FusedEngine::fill_table(const Rows& rows) {
+  const double scale = 1 / binding_->unit;
+  const std::size_t first_length = shape(form_).first_length;
+  for (std::size_t j = 0; j < entries_.size(); j += columns_) {
+    for (std::size_t c = 0; c < columns_; ++c)
+      entries_[j + c] = c < first_length ? rows.values[j + c] : scale * rows.values[j + c];
+  }
+  if (held_.moving.empty()) choose_mean();
+  for (std::size_t j = 0; j < entries_.size(); j += columns_) {
+    for (std::size_t c = 0; c < columns_; ++c)
+      table_[j + c] = static_cast<float>(entries_[j + c] - static_cast<double>(mean_[c]));
+  }
+}
+
+// See RowShape::with_mean: a turn of the whole cage is as exact as float, whatever the tolerance. During a
+// drag the mean stays with the sums. Where nothing is left out something near it does, which an edit leaves
+// as it is, and with it the bits of all that the edit does not reach.
+void FusedEngine::choose_mean() {
+  for (std::size_t c = 0; c < shape(form_).with_mean; ++c) {
+    double sum = 0;
+    for (std::size_t j = c; j < entries_.size(); j += columns_) sum += entries_[j];
+    const double mean = sum / static_cast<double>(std::max<std::size_t>(binding_->handles, 1));
+    mean_[c] = static_cast<float>(binding_->compressed() ? mean : 0.5 * std::round(2 * mean));
+  }
+}
+
+// Decides whether this frame adds to sums that are kept, and fills what it adds.
+void FusedEngine::follow_drag(const CageState& state) {
+  const Handles moving = state.moving();
+  dragging_ = false;
+  if (moving.empty()) return;
+  if (held_.moving.empty()) {
+    if (few * moving.size() > binding_->handles) return;
+    hold(moving);
+    held_.resting = state.resting_revision();
+  } else if (held_.resting != state.resting_revision()) {
+    held_ = {};  // formed anew in the next frame
+    return;
+  }
+  dragging_ = true;
+  for (std::size_t m = 0; m < moving.size(); ++m)
+    std::copy_n(row_of(table_, moving[m]), columns_, row_of(held_.rows, m));
+}
+
+void FusedEngine::hold(Handles moving) {
+  const std::size_t slots = binding_->leaves.slot_count();
+  held_.moving.assign(moving.begin(), moving.end());
+  held_.sums.resize(slots * columns_);
+  held_.weights.resize(list_moving());
+  held_.rows.assign(held_.row_count() * columns_, 0.0f);
+  base::AlignedVector<float> others = table_;
+  for (const auto j : moving) std::fill_n(row_of(others, j), columns_, 0.0f);
+  blend_skeleton(others.data());
+  for_leaves([&](std::size_t leaf) {
+    if (held_.row_count(leaf) == 0) return;
+    tiles_.blend(leaf_run(leaf, others.data()), held_.sums.data() + binding_->leaves.begin(leaf) * columns_);
+    base::AlignedVector<float> scratch(leaf_slots * columns_);
+    pack_weights(leaf, scratch.data());
+  });
+}
+
+// Which of the moving elements have weight in each leaf. Returns how many weights that makes.
+std::size_t FusedEngine::list_moving() {
+  const TiledBinding& b = *binding_;
+  held_.starts = {0};
+  std::size_t weights = 0;
+  for (std::size_t leaf = 0; leaf < b.leaves.count(); ++leaf) {
+    for (std::uint32_t m = 0; m < held_.moving.size(); ++m) {
+      if (!b.has_lists() || std::ranges::binary_search(b.list(leaf), held_.moving[m]))
+        held_.listed.push_back(m);
+    }
+    held_.starts.push_back(held_.listed.size());
+    weights += (b.leaves.end(leaf) - b.leaves.begin(leaf)) * held_.row_count(leaf);
+  }
+  return weights;
+}
+
+void FusedEngine::pack_listed(std::size_t leaf) {
+  const TiledBinding& b = *binding_;
+  const auto list = b.list(leaf);
+  const std::size_t count = held_.row_count(leaf), rows = list.size();
+  const float* from = b.weights.data() + b.first_weight(leaf);
+  float* out = held_.weights.data() + leaf_slots * held_.starts[leaf];
+  for (std::size_t m = 0; m < count; ++m) {
+    const auto handle = held_.moving[held_.listed[held_.starts[leaf] + m]];
+    const auto row = static_cast<std::size_t>(std::ranges::lower_bound(list, handle) - list.begin());
+    for (std::size_t t = 0; t < (b.leaves.end(leaf) - b.leaves.begin(leaf)) / lanes; ++t) {
+      std::copy_n(from + (t * rows + row) * lanes, lanes, out + (t * count + m) * lanes);
+    }
+  }
+}
+
+// The weights of the moving handles: copied, or, where the leaf has factors, those of its pivots blended like
+// rows of a pose, as many handles at once as those have columns.
+void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
+  const TiledBinding& b = *binding_;
+  if (b.has_lists()) return pack_listed(leaf);
+  const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
+  const std::size_t count = held_.row_count();
+  TileRun<float> run = leaf_run(leaf, nullptr);
+  base::AlignedVector<float> pivots(run.rows * columns_);
+  const bool factored = b.compressed() && !b.factored[leaf].dense;
+  const auto pivot_weight = [&](std::size_t row, std::size_t handle) -> float {
+    if (!factored) return row == handle;
+    const std::size_t slot = b.factored[leaf].pivots + row;
+    return b.skeleton[slot / lanes * lanes * b.handles + handle * lanes + slot % lanes];
+  };
+  float* const out = held_.weights.data() + begin * count;
+  for (std::size_t m = 0; m < count; m += columns_) {
+    const std::size_t at_once = std::min(columns_, count - m);
+    for (std::size_t r = 0; r < run.rows; ++r) {
+      for (std::size_t c = 0; c < columns_; ++c)
+        pivots[r * columns_ + c] = c < at_once ? pivot_weight(r, held_.moving[m + c]) : 0;
+    }
+    run.table = pivots.data();
+    tiles_.blend(run, scratch);
+    for (std::size_t t = 0; t < tiles; ++t)
+      std::copy_n(scratch + t * columns_ * lanes, at_once * lanes, out + (t * count + m) * lanes);
+  }
+}
+
+void FusedEngine::blend_skeleton(const float* table) {
+  const TiledBinding& b = *binding_;
+  pool_.for_blocks(b.skeleton_slots(), skeleton_block, [&](std::size_t begin, std::size_t end) {
+    float* sums = skeleton_sums_.data() + begin * columns_;
+    tiles_.blend({(end - begin) / lanes, b.handles, b.skeleton.data() + begin * b.handles, table, nullptr},
+                 sums);
+    to_rows(sums, end - begin, columns_, skeleton_table_.data() + begin * columns_);
+  });
+}
+
+TileRun<float> FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
+  const TiledBinding& b = *binding_;
+  const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
+  if (!b.compressed()) {
+    const float* weights = b.weights.data() + b.first_weight(leaf);
+    if (!b.has_lists()) return {tiles, b.handles, weights, table};
+    return {tiles, b.list(leaf).size(), weights, table, nullptr, nullptr, b.list(leaf).data()};
+  }
+  const LeafFactors& f = b.factored[leaf];
+  const float* rows = f.dense ? table : skeleton_table_.data() + f.pivots * columns_;
+  return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
+}
+
+void FusedEngine::place_vertices() {
+  const TiledBinding& b = *binding_;
+  const auto& rest = form_ == RowForm::maps ? b.rest : b.offsets;
+  const bool placed = dragging_ && std::exchange(held_.placed, true);
+  for_leaves([&](std::size_t leaf) {
+    leaf_moved_[leaf] = !(placed && held_.row_count(leaf) == 0);
+    if (!leaf_moved_[leaf]) return;
+    const std::size_t begin = b.leaves.begin(leaf);
+    TileRun<float> run = leaf_run(leaf, table_.data());
+    if (dragging_ && held_.row_count(leaf) > 0) {
+      const std::size_t start = held_.starts[leaf];
+      run = {run.tiles,
+             held_.row_count(leaf),
+             held_.weights.data() + leaf_slots * start,
+             held_.rows.data(),
+             held_.sums.data() + begin * columns_,
+             nullptr,
+             held_.listed.data() + start};
+    }
+    run.mean = mean_.data();
+    tiles_.place(run, rest.data() + begin * 3, positions_.data() + 4 * std::size_t(b.rings.places[leaf]));
+  });
+}
+
+void FusedEngine::compute_normals() {
+  const TiledBinding& b = *binding_;
+  const Rings& r = b.rings;
+  for_leaves([&](std::size_t leaf) {
+    const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
+    const std::size_t first = r.places[leaf];
+    kernel_.ring_vertices(
+        {positions_.data(), first, slots, r.places[leaf + 1] - first,
+         std::min(slots, b.leaves.vertices - begin), leaf_moved_[leaf] != 0, r.halo.data() + (first - begin),
+         r.halo.size() - (first - begin), b.leaves.order.data() + begin, r.walk.data() + r.walk_starts[leaf],
+         r.lengths.data() + begin / ring_group, static_cast<float>(b.unit)},
+        vertices_.data());
+  });
+  for (const auto& hub : r.hubs) {
+    kernel_.ring_hub(positions_.data(), hub.walk.data(), hub.walk.size(), hub.place,
+                     vertices_[b.leaves.order[hub.slot]]);
+  }
+}
+
+template <class Body>
+void FusedEngine::for_leaves(const Body& body) {
+  pool_.for_blocks(binding_->leaves.count(), 1, [&](std::size_t leaf, std::size_t) { body(leaf); });
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,27 @@
+// The links of a frame, and what each has cost.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace viete::deform {
+
+/// `fused` stands for blend, exp and apply where they are one pass, `skeleton` for the blend of the vertices
+/// that compressed weights interpolate.
+enum class Link { face_maps, log_maps, blend, exp, apply, skeleton, fused, normals };
+inline constexpr std::size_t link_count = 8;
+std::string_view name(Link link);
+
+/// Wall milliseconds of each link in one frame; links that the frame does not have stay 0.
+struct LinkTimes {
+  std::array<double, link_count> ms{};
+
+  double& operator[](Link link) { return ms[static_cast<std::size_t>(link)]; }
+  double operator[](Link link) const { return ms[static_cast<std::size_t>(link)]; }
+  double total() const;
+  /// Those of another part of the same frame.
+  LinkTimes& operator+=(const LinkTimes& other);
+};
+
+}  // namespace viete::deform

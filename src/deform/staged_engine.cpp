@@ -1,0 +1,94 @@
+#include "deform/staged_engine.h"
+
+#include <utility>
+
+#include "base/clock.h"
+#include "mesh/normals.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr std::size_t vertices_per_block = 256;
+
+}  // namespace
+
+StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool)
+    : binding_(std::move(binding)),
+      pool_(pool),
+      positions_(binding_->vertices),
+      normals_(binding_->vertices),
+      vertices_(binding_->vertices) {
+  const std::size_t n = binding_->vertices;
+  switch (form) {
+    case RowForm::logs: logs_.resize(n), stretches_.resize(n); break;
+    case RowForm::maps: maps_.resize(n); break;
+    case RowForm::positions: sums_.resize(n); break;
+  }
+}
+
+template <class Body>
+void StagedEngine::for_vertices(const Body& body) {
+  pool_.for_blocks(binding_->vertices, vertices_per_block, body);
+}
+
+void StagedEngine::run(const CageState& state, sym3::Method method) {
+  const Rows rows = state.rows();
+  times_ = {};
+  switch (rows.form) {
+    case RowForm::logs: blend_logs(rows, method); break;
+    case RowForm::maps: blend_maps(rows); break;
+    case RowForm::positions: blend_positions(rows); break;
+  }
+  finish(rows.origin);
+}
+
+void StagedEngine::blend_logs(const Rows& rows, sym3::Method method) {
+  base::Stopwatch watch;
+  for_vertices([&](std::size_t begin, std::size_t end) { blend(*binding_, rows, begin, end, logs_); });
+  times_[Link::blend] = watch.lap_ms();
+  for_vertices([&](std::size_t begin, std::size_t end) {
+    const std::size_t count = end - begin;
+    sym3::exp<double>(std::span(logs_.stretch).subspan(begin, count),
+                      std::span(stretches_).subspan(begin, count), method);
+  });
+  times_[Link::exp] = watch.lap_ms();
+  for_vertices([&](std::size_t begin, std::size_t end) {
+    apply(*binding_, logs_, stretches_, rows.origin, begin, end, positions_);
+  });
+  times_[Link::apply] = watch.lap_ms();
+}
+
+void StagedEngine::blend_maps(const Rows& rows) {
+  base::Stopwatch watch;
+  for_vertices([&](std::size_t begin, std::size_t end) { blend(*binding_, rows, begin, end, maps_); });
+  times_[Link::blend] = watch.lap_ms();
+  for_vertices([&](std::size_t begin, std::size_t end) {
+    apply(*binding_, maps_, rows.origin, begin, end, positions_);
+  });
+  times_[Link::apply] = watch.lap_ms();
+}
+
+void StagedEngine::blend_positions(const Rows& rows) {
+  base::Stopwatch watch;
+  for_vertices([&](std::size_t begin, std::size_t end) {
+    blend(*binding_, rows, begin, end, sums_);
+    apply(*binding_, sums_, rows.origin, begin, end, positions_);
+  });
+  times_[Link::blend] = watch.lap_ms();
+}
+
+void StagedEngine::finish(const Vec3& origin) {
+  base::Stopwatch watch;
+  for_vertices([&](std::size_t begin, std::size_t end) {
+    mesh::vertex_normals(positions_, binding_->triangles, binding_->around, begin, end, normals_);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 p = positions_[i] - origin;
+      const Vec3& n = normals_[i];
+      vertices_[i] = {{float(p[0]), float(p[1]), float(p[2])}, 0, {float(n[0]), float(n[1]), float(n[2])}, 0};
+    }
+  });
+  times_[Link::normals] = watch.lap_ms();
+}
+
+}  // namespace viete::deform

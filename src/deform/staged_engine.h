@@ -1,0 +1,45 @@
+// The chain link by link, in double, so that each can be timed and compared.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/worker_pool.h"
+#include "deform/apply.h"
+#include "deform/binding.h"
+#include "deform/engine.h"
+
+namespace viete::deform {
+
+class StagedEngine : public Engine {
+public:
+  /// binding must have the weights of the staged frame.
+  StagedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool);
+
+  void run(const CageState& state, sym3::Method method) override;
+  std::span<const FrameVertex> vertices() const override { return vertices_; }
+  /// Of the last frame, in double.
+  std::span<const mesh::Point> positions() const { return positions_; }
+  std::span<const mesh::Point> normals() const { return normals_; }
+  /// Of which the last frame took exponentials; empty if it took none.
+  std::span<const sym3::Sym3<double>> matrices() const { return logs_.stretch; }
+
+private:
+  template <class Body>
+  void for_vertices(const Body& body);
+  void blend_logs(const Rows& rows, sym3::Method method);
+  void blend_maps(const Rows& rows);
+  void blend_positions(const Rows& rows);
+  void finish(const Vec3& origin);
+
+  std::shared_ptr<const Binding> binding_;
+  base::WorkerPool& pool_;
+  BlendedLogs logs_;
+  BlendedMaps maps_;
+  std::vector<Vec3> sums_;
+  std::vector<sym3::Sym3<double>> stretches_;
+  std::vector<mesh::Point> positions_, normals_;
+  std::vector<FrameVertex> vertices_;
+};
+
+}  // namespace viete::deform
