@@ -1,0 +1,315 @@
+#include "deform/independent.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "sym3/quad_reference.h"
+
+namespace viete::test {
+
+namespace {
+
+using Vector = std::array<Quad, 3>;
+using Matrix = std::array<Quad, 9>;  // by rows
+
+const Quad whole_turn = 2 * M_PIq;
+
+Vector quad(const std::array<double, 3>& p) {
+  return {p[0], p[1], p[2]};
+}
+Vector plus(const Vector& a, const Vector& b, Quad times = 1) {
+  return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
+}
+Vector minus(const Vector& a, const Vector& b) {
+  return plus(a, b, -1);
+}
+Quad inner(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Quad length(const Vector& a) {
+  return sqrtq(inner(a, a));
+}
+Vector outer(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector times(const Matrix& m, const Vector& x) {
+  return {inner({m[0], m[1], m[2]}, x), inner({m[3], m[4], m[5]}, x), inner({m[6], m[7], m[8]}, x)};
+}
+Matrix full(const QuadSym& s) {
+  return {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
+}
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix c{};
+  for (int i = 0; i < 9; ++i) {
+    for (int k = 0; k < 3; ++k) c[i] += a[i / 3 * 3 + k] * b[3 * k + i % 3];
+  }
+  return c;
+}
+
+using Corners = std::array<Vector, 3>;
+
+Corners corners(const mesh::Triangle& t, std::span<const mesh::Point> p) {
+  return {quad(p[t[0]]), quad(p[t[1]]), quad(p[t[2]])};
+}
+Vector centroid(const Corners& t) {
+  return plus({0, 0, 0}, plus(t[0], plus(t[1], t[2])), Quad(1) / 3);
+}
+
+// u, v and N / sqrt|N|.
+Corners frame(const Corners& t) {
+  const Vector u = minus(t[1], t[0]), v = minus(t[2], t[0]), n = outer(u, v);
+  return {u, v, plus({0, 0, 0}, n, 1 / sqrtq(length(n)))};
+}
+
+// [u' v' n'] [u v n]^-1, the rows of the inverse being cross products over the determinant.
+Matrix affine_map(const Corners& rest, const Corners& posed) {
+  const auto [u, v, n] = frame(rest);
+  const Corners to = frame(posed), from = {outer(v, n), outer(n, u), outer(u, v)};
+  const Quad determinant = inner(u, outer(v, n));
+  Matrix m{};
+  for (int i = 0; i < 9; ++i) {
+    for (int k = 0; k < 3; ++k) m[i] += to[k][i / 3] * from[k][i % 3] / determinant;
+  }
+  return m;
+}
+
+// M^T M, the square of the stretch.
+QuadSym squared_stretch(const Matrix& m) {
+  const auto entry = [&](int i, int j) { return m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j]; };
+  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+}
+
+// From the unit quaternion, whose largest part is formed by a root and the others from that one.
+Vector log_of_rotation(const Matrix& r) {
+  const Quad trace = r[0] + r[4] + r[8];
+  const std::array<Quad, 4> squares = {1 + trace, 1 + 2 * r[0] - trace, 1 + 2 * r[4] - trace,
+                                       1 + 2 * r[8] - trace};  // four times those of w x y z
+  const auto largest = std::max_element(squares.begin(), squares.end()) - squares.begin();
+  const Quad root = sqrtq(squares[largest]), wx = r[7] - r[5], wy = r[2] - r[6], wz = r[3] - r[1];
+  const Quad xy = r[1] + r[3], xz = r[2] + r[6], yz = r[5] + r[7];
+  const Quad products[4][4] = {
+      {squares[0], wx, wy, wz}, {wx, squares[1], xy, xz}, {wy, xy, squares[2], yz}, {wz, xz, yz, squares[3]}};
+  const auto& row = products[largest];
+  const Quad sign = row[0] < 0 ? -1 : 1, w = sign * row[0] / (2 * root);
+  const Vector v = plus({0, 0, 0}, {row[1], row[2], row[3]}, sign / (2 * root));
+  const Quad sine = length(v);
+  return sine > 0 ? plus({0, 0, 0}, v, 2 * atan2q(sine, w) / sine) : v;
+}
+
+// The branch of v that is nearest to the other log.
+Vector nearest(const Vector& v, const Vector& other) {
+  const Quad angle = length(v);
+  if (angle == 0) return v;
+  const Quad turns = roundq((inner(v, other) / angle - angle) / whole_turn);
+  return plus(v, v, turns * whole_turn / angle);
+}
+
+struct Element {
+  Vector rest_center, center, turn;  // turn: the log of the rotation
+  Matrix map, rotation;
+  QuadSym stretch;  // the log
+};
+
+Element element(const Corners& rest, const Corners& posed) {
+  const Matrix m = affine_map(rest, posed);
+  const QuadSym squared = squared_stretch(m);
+  Element e{centroid(rest), centroid(posed), {}, m, product(m, full(quad_inv_sqrt(squared))), {}};
+  e.turn = log_of_rotation(e.rotation);
+  e.stretch = quad_function(squared, [](Quad x) { return logq(x) / 2; });
+  return e;
+}
+
+std::vector<std::vector<std::size_t>> neighbours(const mesh::Surface& cage) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> across;
+  for (std::size_t j = 0; j < cage.triangles.size(); ++j) {
+    const auto& t = cage.triangles[j];
+    for (int i = 0; i < 3; ++i) across[{t[i], t[(i + 1) % 3]}] = j;
+  }
+  std::vector<std::vector<std::size_t>> result(cage.triangles.size());
+  for (const auto& [edge, j] : across) {
+    const auto other = across.find({edge.second, edge.first});
+    if (other != across.end()) result[j].push_back(other->second);
+  }
+  return result;
+}
+
+// Breadth first from the first element, whose log is given; and how far all are from `reference`, squared.
+std::pair<std::vector<Vector>, Quad> follow(const std::vector<Element>& elements,
+                                            const std::vector<std::vector<std::size_t>>& around,
+                                            const Vector& first, const Vector& reference) {
+  std::vector<Vector> turns(elements.size());
+  std::vector<std::size_t> order = {0};
+  std::vector<bool> reached(elements.size());
+  turns[0] = first;
+  reached[0] = true;
+  Quad distance = 0;
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    const Vector off = minus(turns[order[n]], reference);
+    distance += inner(off, off);
+    for (const auto next : around[order[n]]) {
+      if (reached[next]) continue;
+      reached[next] = true;
+      turns[next] = nearest(elements[next].turn, turns[order[n]]);
+      order.push_back(next);
+    }
+  }
+  return {turns, distance};
+}
+
+void choose_turns(std::vector<Element>& elements, const std::vector<std::vector<std::size_t>>& around,
+                  const Vector& reference) {
+  const Vector first = elements[0].turn;
+  std::vector<Vector> best;
+  Quad least = HUGE_VALQ;
+  for (int turns = -2; turns <= 2; ++turns) {
+    auto [logs, distance] =
+        follow(elements, around, plus(first, first, turns * whole_turn / length(first)), reference);
+    if (distance < least) least = distance, best = std::move(logs);
+  }
+  for (std::size_t j = 0; j < elements.size(); ++j) elements[j].turn = best[j];
+}
+
+Quad squared_distance_to_segment(const Vector& p, const Vector& a, const Vector& b) {
+  const Vector edge = minus(b, a);
+  const Quad t = inner(minus(p, a), edge) / inner(edge, edge);
+  const Vector off = minus(p, plus(a, edge, t < 0 ? 0 : t > 1 ? 1 : t));
+  return inner(off, off);
+}
+
+Quad squared_distance(const Vector& p, const Corners& t) {
+  const Vector n = outer(minus(t[1], t[0]), minus(t[2], t[0]));
+  bool inside = true;
+  Quad edges = HUGE_VALQ;
+  for (int i = 0; i < 3; ++i) {
+    const Vector &a = t[i], &b = t[(i + 1) % 3];
+    inside = inside && inner(outer(minus(b, a), minus(p, a)), n) > 0;
+    edges = std::min(edges, squared_distance_to_segment(p, a, b));
+  }
+  const Quad height = inner(minus(p, t[0]), n);
+  return inside ? height * height / inner(n, n) : edges;
+}
+
+void divide_by_sum(std::vector<Quad>& weights) {
+  Quad sum = 0;
+  for (const Quad w : weights) sum += w;
+  for (Quad& w : weights) w /= sum;
+}
+
+std::vector<Quad> inverse_distance(const Vector& p, const mesh::Surface& cage, double reach) {
+  std::vector<Quad> squares, weights;
+  Quad sixth = 0, eighth = 0;
+  for (const auto& t : cage.triangles) {
+    const Quad s = squared_distance(p, corners(t, cage.positions));
+    squares.push_back(s);
+    sixth += 1 / (s * s * s), eighth += 1 / (s * s * s * s);
+  }
+  const Quad end = std::isfinite(reach) ? Quad(reach) * reach * sixth / eighth : HUGE_VALQ;
+  for (const Quad s : squares) {
+    const Quad taper = s < end ? 1 - s / end : 0;
+    weights.push_back(taper * taper / s);
+  }
+  divide_by_sum(weights);
+  return weights;
+}
+
+// Adds one triangle's part; the letters are the paper's.
+void add_mean_values(const Vector& p, const mesh::Triangle& t, const mesh::Surface& cage,
+                     std::vector<Quad>& weights) {
+  Corners u = corners(t, cage.positions);
+  Vector d, theta, c, s;
+  for (int i = 0; i < 3; ++i) {
+    const Vector way = minus(u[i], p);
+    d[i] = length(way);
+    u[i] = plus({0, 0, 0}, way, 1 / d[i]);
+  }
+  for (int i = 0; i < 3; ++i) theta[i] = 2 * asinq(length(minus(u[(i + 1) % 3], u[(i + 2) % 3])) / 2);
+  const Quad h = (theta[0] + theta[1] + theta[2]) / 2;
+  const Quad side = inner(u[0], outer(u[1], u[2])) < 0 ? -1 : 1;
+  for (int i = 0; i < 3; ++i) {
+    c[i] = 2 * sinq(h) * sinq(h - theta[i]) / (sinq(theta[(i + 1) % 3]) * sinq(theta[(i + 2) % 3])) - 1;
+    s[i] = side * sqrtq(1 - c[i] * c[i]);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    weights[t[i]] += (theta[i] - c[j] * theta[k] - c[k] * theta[j]) / (d[i] * sinq(theta[j]) * s[k]);
+  }
+}
+
+std::vector<Quad> mean_value(const Vector& p, const mesh::Surface& cage) {
+  std::vector<Quad> weights(cage.positions.size());
+  for (const auto& t : cage.triangles) add_mean_values(p, t, cage, weights);
+  divide_by_sum(weights);
+  return weights;
+}
+
+Vector by_logs(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights) {
+  Vector offset = x, turn{}, center{};
+  std::array<Quad, 6> sum{};
+  for (std::size_t j = 0; j < elements.size(); ++j) {
+    const Element& e = elements[j];
+    const Quad w = weights[j];
+    const std::array<Quad, 6> log = {e.stretch.xx, e.stretch.xy, e.stretch.xz,
+                                     e.stretch.yy, e.stretch.yz, e.stretch.zz};
+    for (int i = 0; i < 6; ++i) sum[i] += w * log[i];
+    offset = plus(offset, e.rest_center, -w);
+    turn = plus(turn, e.turn, w);
+    center = plus(center, e.center, w);
+  }
+  const Matrix stretch = full(quad_exp({sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]}));
+  return plus(times(quad_rotation(turn), times(stretch, offset)), center);
+}
+
+Vector by_maps(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights) {
+  Vector sum{};
+  for (std::size_t j = 0; j < elements.size(); ++j) {
+    const Element& e = elements[j];
+    sum = plus(sum, plus(times(e.map, minus(x, e.rest_center)), e.center), weights[j]);
+  }
+  return sum;
+}
+
+Vector by_positions(const std::vector<mesh::Point>& posed, const std::vector<Quad>& weights) {
+  Vector sum{};
+  for (std::size_t j = 0; j < posed.size(); ++j) sum = plus(sum, quad(posed[j]), weights[j]);
+  return sum;
+}
+
+double largest_step(const std::vector<Element>& elements,
+                    const std::vector<std::vector<std::size_t>>& around) {
+  Quad least = 3;  // trace of A^T B, 1 + 2 cos of the angle between them
+  for (std::size_t j = 0; j < elements.size(); ++j) {
+    for (const auto n : around[j]) {
+      Quad trace = 0;
+      for (int i = 0; i < 9; ++i) trace += elements[j].rotation[i] * elements[n].rotation[i];
+      least = std::min(least, trace);
+    }
+  }
+  return std::acos(static_cast<double>((least - 1) / 2));
+}
+
+}  // namespace
+
+IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
+                                      const IndependentPose& pose, IndependentScheme scheme, double reach) {
+  std::vector<Element> elements;
+  for (const auto& t : cage.triangles)
+    elements.push_back(element(corners(t, cage.positions), corners(t, pose.positions)));
+  const auto around = neighbours(cage);
+  choose_turns(elements, around, quad(pose.turn));
+  IndependentFrame frame{{}, largest_step(elements, around)};
+  for (const auto& point : points) {
+    const Vector x = quad(point);
+    const bool mean_values = scheme == IndependentScheme::points_mean_value;
+    const auto weights = mean_values ? mean_value(x, cage) : inverse_distance(x, cage, reach);
+    const Vector moved = mean_values                              ? by_positions(pose.positions, weights)
+                         : scheme == IndependentScheme::faces_srl ? by_logs(x, elements, weights)
+                                                                  : by_maps(x, elements, weights);
+    frame.positions.push_back(
+        {static_cast<double>(moved[0]), static_cast<double>(moved[1]), static_cast<double>(moved[2])});
+  }
+  return frame;
+}
+
+}  // namespace viete::test

@@ -1,0 +1,34 @@
+// The deformation once more, from its formulas alone: in quad precision, sharing no code with src/deform.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/surface.h"
+
+namespace viete::test {
+
+/// What the model's vertices follow.
+enum class IndependentScheme { faces_srl, faces_linear, points_mean_value };
+
+struct IndependentPose {
+  std::vector<mesh::Point> positions;
+  std::array<double, 3> turn{0, 0, 0};  ///< rotation vector that all logs together are nearest to
+};
+
+struct IndependentFrame {
+  std::vector<mesh::Point> positions;  ///< of the points, rounded to double at the very end
+  double largest_step = 0;             ///< radians between rotations of neighbouring triangles, the largest
+};
+
+/// Points moved by a posed cage, from the papers: affine maps of triangles with a normal of length sqrt|N|,
+/// weights d^-2 (within `reach`, see inverse_distance.h; infinity: everywhere) or mean value coordinates by
+/// spherical triangles (Ju, Schaefer, Warren, SIGGRAPH 2005, figure 4), and exp(Y) exp(X) (x - sum w c) + sum
+/// w c'. The cage is one closed part whose triangles have area at rest and posed, points do not lie on it.
+/// Logs follow their neighbours breadth first, so the answer is the only sensible one where largest_step is
+/// below a quarter turn.
+IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
+                                      const IndependentPose& pose, IndependentScheme scheme, double reach);
+
+}  // namespace viete::test
