@@ -19,6 +19,7 @@
 
 namespace viete::scene {
 
+using deform::Combination, deform::combinations, deform::text_of_reach, deform::whole_cage;
 using mesh::Summary;
 
 /// A surface that was opened, and what was found in it.

@@ -11,7 +11,7 @@ namespace viete::ui {
 
 namespace {
 
-void scheme_button(const Context& ui, const deform::Combination& combination) {
+void scheme_button(const Context& ui, const scene::Combination& combination) {
   scene::Workspace& w = ui.workspace;
   const scene::Command& command = *scene::find_command(combination.name);
   const bool chosen = w.document.scheme == combination;
@@ -30,7 +30,7 @@ void reach_slider(const Context& ui) {
   const scene::Condition& condition = scene::find_command("reach_longer")->enabled;
   const bool used = condition(ui.workspace);
   const auto reaches = scene::usual_reaches();
-  const double reach = used ? document.scheme.weighting.reach : deform::whole_cage;
+  const double reach = used ? document.scheme.weighting.reach : scene::whole_cage;
   ImGui::BeginDisabled(!used);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Reach");
@@ -49,8 +49,8 @@ void reach_slider(const Context& ui) {
               "made. The whole cage: every face moves all of the model, if only a little."
             : std::string(condition.otherwise));
   ImGui::SameLine();
-  const bool all = !(reach < deform::whole_cage);
-  const std::string text = all ? "whole cage" : deform::text_of_reach(reach) + " x nearest";
+  const bool all = !(reach < scene::whole_cage);
+  const std::string text = all ? "whole cage" : scene::text_of_reach(reach) + " x nearest";
   ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(text.c_str()).x, ImGui::GetCursorScreenPos().y});
   ImGui::AlignTextToFramePadding();
   ImGui::BeginDisabled(!used);
@@ -62,7 +62,7 @@ void reach_slider(const Context& ui) {
 
 void blending(const Context& ui) {
   std::size_t place = 0;
-  for (const deform::Combination& combination : deform::combinations()) {
+  for (const scene::Combination& combination : scene::combinations()) {
     if (place++ % 2 == 1) ImGui::SameLine(0.55f * column_width);
     scheme_button(ui, combination);
   }
