@@ -9,6 +9,7 @@
 #include "support/data.h"
 
 namespace fs = std::filesystem;
+using viete::rules::foreign_names;
 using viete::rules::includes_of;
 using viete::rules::rooms;
 using viete::rules::violation;
@@ -42,6 +43,25 @@ TEST_CASE("every_include_in_src_is_allowed_by_the_table_of_rooms") {
     }
   }
   CHECK(files > 50);
+}
+
+TEST_CASE("no_file_in_src_names_what_its_room_may_not_know") {
+  for (const auto& [room, rules] : rooms()) {
+    for (const auto& entry : fs::recursive_directory_iterator(viete::test::source_dir() / "src" / room)) {
+      if (!is_source(entry.path())) continue;
+      for (const auto& name : foreign_names(room, read_text(entry.path())))
+        FAIL_CHECK(entry.path().string() << ": " << room << " may not know " << name);
+    }
+  }
+}
+
+TEST_CASE("names_of_other_rooms_are_found_in_code_and_not_in_comments_and_strings") {
+  CHECK(foreign_names("ui", "deform::Link l; viete::render::View v;") ==
+        std::vector<std::string>{"deform::Link", "render::View"});
+  CHECK(foreign_names("ui", "// deform::Link\n/* mesh::x */ f(\"sym3::exp\"); scene::Tool t; std::string s;")
+            .empty());
+  CHECK(foreign_names("ui", "scene::deform::x; ui::mesh::y;").empty());
+  CHECK(foreign_names("render", "base::Error e;").empty());
 }
 
 TEST_CASE("src_holds_no_folder_that_the_table_does_not_know") {

@@ -81,6 +81,25 @@ inline std::vector<std::string> includes_of(const std::string& text) {
   return found;
 }
 
+/// The text without comments and strings, which are blank.
+inline std::string code_of(const std::string& text) {
+  static const std::regex other(R"(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/|"(\\.|[^"\\\n])*")");
+  return std::regex_replace(text, other, " ");
+}
+
+/// Names of other rooms that a file of `room` may not know: "deform::Link" in ui.
+inline std::vector<std::string> foreign_names(const std::string& room, const std::string& text) {
+  static const std::regex qualified(R"((^|[^\w:])(?:viete::)?(\w+)::(\w+))");
+  const std::string code = code_of(text);
+  std::vector<std::string> found;
+  for (std::sregex_iterator at(code.begin(), code.end(), qualified), end; at != end; ++at) {
+    const std::string other = (*at)[2];
+    if (other == room || !rooms().count(other) || rooms().at(room).knows.count(other)) continue;
+    found.push_back(other + "::" + (*at)[3].str());
+  }
+  return found;
+}
+
 /// Why a file of `room` may not include `include`, or nothing when it may.
 inline std::optional<std::string> violation(const std::string& room, bool is_header,
                                             const std::string& include) {
