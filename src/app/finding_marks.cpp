@@ -53,7 +53,7 @@ void FindingMarks::collect(const scene::Workspace& w) {
   used_ = number.take_used();
 }
 
-void FindingMarks::set(const scene::Workspace& w, std::span<const mesh::Point> model_positions, bool moved) {
+void FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_vertex, bool moved) {
   const bool same = revision_ == w.checks.revision && dark_ == w.view.dark;
   if (same && (!moved || used_.empty())) return;
   if (!same) collect(w);
@@ -61,10 +61,9 @@ void FindingMarks::set(const scene::Workspace& w, std::span<const mesh::Point> m
   dark_ = w.view.dark;
   if (used_.empty()) return vertices_.set_positions({});
   const bool of_cage = w.checks.findings[*w.checks.shown].subject == scene::Subject::cage;
-  const std::span<const mesh::Point> all = of_cage ? w.document.pose.positions : model_positions;
   std::vector<mesh::Point> positions;
   positions.reserve(used_.size());
-  for (const auto v : used_) positions.push_back(all[v]);
+  for (const auto v : used_) positions.push_back(of_cage ? w.document.pose.positions[v] : model_vertex(v));
   faces_.set_positions(positions);
   edges_.set_positions(positions);
   vertices_.set_positions(positions);

@@ -1,7 +1,7 @@
 // What the checks found, drawn over model and cage.
 #pragma once
 
-#include <span>
+#include <functional>
 #include <vector>
 
 #include "render/disc_layer.h"
@@ -11,13 +11,15 @@
 
 namespace viete::app {
 
+/// Where a vertex of the model is drawn.
+using PointOfVertex = std::function<mesh::Point(std::size_t)>;
+
 class FindingMarks {
 public:
   explicit FindingMarks(const render::Gl& gl) : faces_(gl), edges_(gl), vertices_(gl) {}
 
   /// Every frame: follows what the workspace shows. moved: the positions are others than in the last frame.
-  /// model_positions are those that are drawn.
-  void set(const scene::Workspace& workspace, std::span<const mesh::Point> model_positions, bool moved);
+  void set(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved);
   /// After everything else: it shines through what hides it.
   void draw(const render::View& view, const render::Theme& theme) const;
 

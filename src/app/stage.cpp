@@ -1,6 +1,7 @@
 #include "app/stage.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "render/palette.h"
@@ -58,8 +59,13 @@ void Stage::set_document(const scene::Document& document, const ModelLook& look)
   ghost_lines_.set_positions(cage.positions);
 }
 
-void Stage::set_model(std::span<const mesh::Point> positions, std::span<const mesh::Point> normals) {
-  model_.set_positions(positions, normals);
+// The rooms do not know each other; their vertices are the same bytes.
+void Stage::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
+  using From = deform::FrameVertex;
+  using To = render::SurfaceVertex;
+  static_assert(sizeof(From) == sizeof(To) && offsetof(From, position) == offsetof(To, position) &&
+                offsetof(From, normal) == offsetof(To, normal));
+  model_.set_vertices({reinterpret_cast<const To*>(vertices.data()), vertices.size()}, origin);
 }
 
 void Stage::set_cage(const scene::Workspace& workspace) {

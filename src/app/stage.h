@@ -7,6 +7,7 @@
 #include "app/cage_marks.h"
 #include "app/finding_marks.h"
 #include "app/model_look.h"
+#include "deform/frame_vertex.h"
 #include "render/backdrop.h"
 #include "render/disc_layer.h"
 #include "render/face_layer.h"
@@ -22,9 +23,9 @@ public:
 
   /// New topology: model and cage of the document, the model at rest.
   void set_document(const scene::Document& document, const ModelLook& look);
-  /// The deformed model, in the file's coordinates.
-  void set_model(std::span<const mesh::Point> positions, std::span<const mesh::Point> normals);
-  /// log10 of the error per vertex, for the error map; empty: none. Shown with the next set_model().
+  /// The deformed model, relative to origin in the file's coordinates.
+  void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
+  /// log10 of the error per vertex, for the error map; empty: none.
   void set_errors(std::span<const float> errors) {
     has_errors_ = !errors.empty();
     model_.set_scalars(errors);
@@ -33,9 +34,8 @@ public:
   void set_cage(const scene::Workspace& workspace);
   void set_hand(const scene::Workspace& workspace);
   /// What the checks found; see FindingMarks::set().
-  void set_findings(const scene::Workspace& workspace, std::span<const mesh::Point> model_positions,
-                    bool moved) {
-    findings_.set(workspace, model_positions, moved);
+  void set_findings(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved) {
+    findings_.set(workspace, model_vertex, moved);
   }
 
   /// Into the bound framebuffer of `size` device pixels.

@@ -1,5 +1,7 @@
 #include "render/surface_layer.h"
 
+#include <cstring>
+
 #include "base/error.h"
 #include "render/upload.h"
 
@@ -7,16 +9,7 @@ namespace viete::render {
 
 namespace {
 
-struct PackedVertex {
-  glm::vec3 position;
-  float occlusion;
-  glm::vec3 normal;
-  float scalar;
-};
-
-glm::vec3 to_float(const Point& p) {
-  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
-}
+static_assert(sizeof(SurfaceVertex) == 8 * sizeof(float));
 
 }  // namespace
 
@@ -28,6 +21,7 @@ SurfaceLayer::SurfaceLayer(const Gl& gl)
       vertex_array_(gl),
       indices_(gl, GL_R32UI),
       vertices_(gl, GL_RGBA32F),
+      looks_(gl, GL_RG32F),
       palette_(gl) {
   const glm::vec3 grey[] = {glm::vec3(0), glm::vec3(1)};
   set_palette(grey);
@@ -42,32 +36,49 @@ void SurfaceLayer::set_triangles(std::span<const Triangle> triangles, std::size_
   vertex_count_ = vertex_count;
   occlusion_.clear();
   scalars_.clear();
-  has_positions_ = false;
+  has_vertices_ = false;
+  upload_looks();
+}
+
+void SurfaceLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
+  require_count("surface vertices", vertices.size(), vertex_count_);
+  if (vertices.empty()) return;
+  origin_ = origin;
+  std::memcpy(vertices_.buffer.map(vertices.size_bytes()), vertices.data(), vertices.size_bytes());
+  vertices_.buffer.unmap();
+  has_vertices_ = true;
 }
 
 void SurfaceLayer::set_positions(std::span<const Point> positions, std::span<const Point> normals) {
   require_count("surface positions", positions.size(), vertex_count_);
   require_count("surface normals", normals.size(), vertex_count_);
-  if (positions.empty()) return;
-  origin_ = origin_of(positions);
-  auto* packed = static_cast<PackedVertex*>(vertices_.buffer.map(positions.size() * sizeof(PackedVertex)));
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const float occlusion = occlusion_.empty() ? 1.0F : occlusion_[i];
-    const float scalar = scalars_.empty() ? 0.0F : scalars_[i];
-    packed[i] = {relative(positions[i], origin_), occlusion, to_float(normals[i]), scalar};
+  const Point origin = origin_of(positions);
+  std::vector<SurfaceVertex> vertices(positions.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const glm::vec3 p = relative(positions[i], origin), n = relative(normals[i], {0, 0, 0});
+    vertices[i] = {{p.x, p.y, p.z}, 0, {n.x, n.y, n.z}, 0};
   }
-  vertices_.buffer.unmap();
-  has_positions_ = true;
+  set_vertices(vertices, origin);
 }
 
 void SurfaceLayer::set_occlusion(std::span<const float> occlusion) {
   if (!occlusion.empty()) require_count("surface occlusion", occlusion.size(), vertex_count_);
   occlusion_.assign(occlusion.begin(), occlusion.end());
+  upload_looks();
 }
 
 void SurfaceLayer::set_scalars(std::span<const float> scalars) {
   if (!scalars.empty()) require_count("surface scalars", scalars.size(), vertex_count_);
   scalars_.assign(scalars.begin(), scalars.end());
+  upload_looks();
+}
+
+void SurfaceLayer::upload_looks() {
+  if (vertex_count_ == 0) return;
+  auto* looks = static_cast<glm::vec2*>(looks_.buffer.map(vertex_count_ * sizeof(glm::vec2)));
+  for (std::size_t i = 0; i < vertex_count_; ++i)
+    looks[i] = {occlusion_.empty() ? 1.0F : occlusion_[i], scalars_.empty() ? 0.0F : scalars_[i]};
+  looks_.buffer.unmap();
 }
 
 void SurfaceLayer::set_palette(std::span<const glm::vec3> colors) {
@@ -85,13 +96,14 @@ void SurfaceLayer::set_palette(std::span<const glm::vec3> colors) {
 }
 
 void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
-  if (!has_positions_ || triangle_count_ == 0) return;
+  if (!has_vertices_ || triangle_count_ == 0) return;
   const Program& program = programs_[(style.wireframe > 0 ? 1 : 0) + (style.scalars ? 2 : 0)];
   program.use();
   set_view(program, view);
   set_looks(program, view, theme, style);
   indices_.bind(0);
   vertices_.bind(1);
+  looks_.bind(3);
   gl_.ActiveTexture(GL_TEXTURE2);
   gl_.BindTexture(GL_TEXTURE_2D, palette_.id());
   gl_.Enable(GL_DEPTH_TEST);
@@ -108,6 +120,7 @@ void SurfaceLayer::set_view(const Program& program, const View& view) const {
   program.set("indices", 0);
   program.set("vertices", 1);
   program.set("palette", 2);
+  program.set("looks", 3);
   program.set("eye_from_model", eye_matrix(view, origin_));
   program.set("clip_from_eye", glm::mat4(view.projection));
   program.set("eye_ray", eye_ray(view));

@@ -25,6 +25,12 @@ struct SurfaceStyle {
   float scalar_high = 1;  ///< the scalar at the last palette colour
 };
 
+/// A vertex as the graphics card takes it.
+struct SurfaceVertex {
+  float position[3], unused0 = 0;
+  float normal[3], unused1 = 0;  ///< of length 1
+};
+
 /// Not thread-safe. All spans are copied. Throws base::Error if a size does not fit the vertex count, or a
 /// triangle names a vertex that is not there.
 class SurfaceLayer {
@@ -34,24 +40,25 @@ public:
   /// New topology: forgets positions, occlusion and scalars. The front is where corners run
   /// counter-clockwise; backs are lit too.
   void set_triangles(std::span<const Triangle> triangles, std::size_t vertex_count);
-  /// Every frame: unit normals, both in the caller's world, sizes equal to the vertex count. Non-finite
-  /// vertices are put at the first finite one.
+  /// Every frame: copied as they are, one per vertex, positions relative to origin. Vertices that are not
+  /// finite are put at the origin.
+  void set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin);
+  /// The same of positions in the caller's world and unit normals, relative to the first finite position.
   void set_positions(std::span<const Point> positions, std::span<const Point> normals);
-  /// Per vertex 0 (dark) to 1 (open), An empty span removes it. Upload
-  /// happens with the next set_positions().
+  /// Per vertex 0 (dark) to 1 (open), as mesh/cavity.h makes it. An empty span removes it.
   void set_occlusion(std::span<const float> occlusion);
-  /// One value per vertex, any range (see SurfaceStyle). An empty span removes it. Upload happens with the
-  /// next set_positions().
+  /// One value per vertex, any range (see SurfaceStyle). An empty span removes it.
   void set_scalars(std::span<const float> scalars);
   /// At least 2 colours as displayed, spread evenly and interpolated.
   void set_palette(std::span<const glm::vec3> colors);
 
-  /// Draws nothing before set_positions().
+  /// Draws nothing before there are vertices.
   void draw(const View& view, const Theme& theme, const SurfaceStyle& style) const;
 
   std::size_t triangle_count() const { return triangle_count_; }
 
 private:
+  void upload_looks();
   void set_view(const Program& program, const View& view) const;
   void set_looks(const Program& program, const View& view, const Theme& theme,
                  const SurfaceStyle& style) const;
@@ -60,13 +67,14 @@ private:
   std::array<Program, 4> programs_;  // plain, wireframe, scalars, both: what is not asked for costs nothing
   VertexArray vertex_array_;
   BufferTexture indices_;   // 3 vertex numbers per triangle
-  BufferTexture vertices_;  // per vertex two texels: position and occlusion, normal and scalar
+  BufferTexture vertices_;  // SurfaceVertex, two texels each
+  BufferTexture looks_;     // occlusion and scalar of each vertex
   Texture palette_;
   float palette_size_ = 2;
   std::vector<float> occlusion_, scalars_;
   std::size_t triangle_count_ = 0, vertex_count_ = 0;
   Point origin_{0, 0, 0};
-  bool has_positions_ = false;
+  bool has_vertices_ = false;
 };
 
 }  // namespace viete::render

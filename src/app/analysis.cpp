@@ -1,0 +1,131 @@
+#include "app/analysis.h"
+
+#include <utility>
+
+#include "deform/vertex_sample.h"
+
+namespace viete::app {
+
+namespace {
+
+constexpr std::size_t benchmark_count = 1 << 18;  // some seconds, and more than caches hold
+constexpr std::size_t probed_matrices = 2048;
+
+}  // namespace
+
+void Analysis::follow_document(scene::Workspace& workspace) {
+  shows_news_ = false;
+  const scene::Document& document = workspace.document;
+  if (std::exchange(workspace.requests.run_benchmark, false))
+    bench_.start(
+        [](base::Progress& progress) { return bench::measure_exp(benchmark_count, false, progress); });
+  if (std::exchange(workspace.requests.stop_benchmark, false)) bench_.cancel();
+  follow_benchmark(workspace);
+  if (checked_model_ != document.model.surface || checked_cage_ != document.cage_file.surface)
+    start_checks(document);
+  take_checks(workspace, false);
+}
+
+void Analysis::follow_frame(scene::Workspace& workspace, const LiveModel& model) {
+  shows_news_ = false;
+  if (probe_wanted_) follow_probe(workspace, model);
+  follow_error_map(workspace, model, false);
+}
+
+std::optional<std::vector<float>> Analysis::take_errors() {
+  return std::exchange(errors_, std::nullopt);
+}
+
+void Analysis::forget() {
+  error_map_.cancel();
+  errors_.reset();
+}
+
+bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& model) const {
+  return probe_.has_result() || probe_is_due(workspace, model) || checks_.has_result() ||
+         bench_.has_result() || error_map_.has_result() || error_map_is_due(workspace, model);
+}
+
+void Analysis::follow_benchmark(scene::Workspace& workspace) {
+  scene::Benchmark& shown = workspace.benchmark;
+  if (const auto result = bench_.poll()) {
+    if (result->value) shown = bench::shown_benchmark(*result->value);
+    if (!result->problem.empty()) workspace.messages.error("The benchmark failed: " + result->problem);
+    shows_news_ = true;
+  }
+  shown.running = bench_.running();
+  shown.done = bench_.done();
+}
+
+// Of the surfaces as they were read: poses do not matter, nor what they are bound by.
+void Analysis::start_checks(const scene::Document& document) {
+  checked_model_ = document.model.surface;
+  checked_cage_ = document.cage_file.surface;
+  checks_.start([model = document.model, cage = document.cage_file](base::Progress& progress) {
+    return scene::check(model, cage, &progress);
+  });
+}
+
+void Analysis::take_checks(scene::Workspace& workspace, bool wait) {
+  auto result = checks_.poll(wait);
+  workspace.checks.running = checks_.running();
+  workspace.checks.done = checks_.done();
+  if (!result) return;
+  shows_news_ = true;
+  if (!result->value) return workspace.messages.error("The checks came to no end: " + result->problem);
+  scene::take_findings(workspace.checks, *std::move(result->value));
+}
+
+void Analysis::finish_checks(scene::Workspace& workspace) {
+  follow_document(workspace);
+  if (checks_.running()) take_checks(workspace, true);
+}
+
+bool Analysis::probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const {
+  const bool fresh = probed_ != model.frames() || workspace.methods.matrices == 0;
+  return probe_wanted_ && fresh && model.takes_exponentials() && probe_.ready();
+}
+
+void Analysis::follow_probe(scene::Workspace& workspace, const LiveModel& model) {
+  if (auto stats = probe_.poll()) {
+    workspace.methods = *stats;
+    shows_news_ = true;
+  }
+  if (!probe_is_due(workspace, model)) return;
+  probed_ = model.frames();
+  probe_.offer(model.deformer()->sample_matrices(probed_matrices));
+  workspace.fused_error = model.deformer()->sampled_error();
+}
+
+bool Analysis::error_map_is_due(const scene::Workspace& workspace, const LiveModel& model) const {
+  return scene::shows_error_map(workspace) && model.takes_exponentials() && !error_map_.running() &&
+         mapped_ != model.frames();
+}
+
+// The newest map that is there, and the next one begun; a map may be of a pose a moment ago.
+void Analysis::follow_error_map(scene::Workspace& workspace, const LiveModel& model, bool wait) {
+  if (auto result = error_map_.poll(wait)) {
+    if (result->value && result->value->log10.size() == workspace.document.model.surface->positions.size()) {
+      workspace.error_map = result->value->stats;
+      errors_ = std::move(result->value->log10);
+      shows_news_ = true;
+    }
+  }
+  if (!error_map_is_due(workspace, model)) return;
+  mapped_ = model.frames();
+  const auto logs = model.deformer()->state().logs();
+  error_map_.start([bound = model.bound(), logs = std::vector(logs.begin(), logs.end()),
+                    method = workspace.document.method](base::Progress& progress) {
+    const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
+    const auto matrices =
+        deform::sample_stretches(weigher, *bound.binding, logs, bound.binding->vertices, &progress);
+    return error_map(matrices, method, &progress);
+  });
+}
+
+void Analysis::finish_error_map(scene::Workspace& workspace, const LiveModel& model) {
+  while (error_map_is_due(workspace, model) || (error_map_.running() && scene::shows_error_map(workspace)))
+    follow_error_map(workspace, model, true);
+}
+
+}  // namespace viete::app

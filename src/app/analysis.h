@@ -1,0 +1,65 @@
+// What is found out aside about the open document and its frames: defects, times and errors of the methods,
+// the benchmark.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/error_map.h"
+#include "app/live_model.h"
+#include "app/method_probe.h"
+#include "base/background.h"
+#include "bench/exp.h"
+#include "scene/checks.h"
+#include "scene/workspace.h"
+
+namespace viete::app {
+
+/// Each is begun when what it is about has changed, and its result goes into the workspace. Call from one
+/// thread.
+class Analysis {
+public:
+  /// probe: measure the methods.
+  explicit Analysis(bool probe) : probe_wanted_(probe) {}
+
+  /// Before the frame: requests, defects and the benchmark.
+  void follow_document(scene::Workspace& workspace);
+  /// After it: what its exponentials cost and how exact they are.
+  void follow_frame(scene::Workspace& workspace, const LiveModel& model);
+  /// Errors per vertex that came since the last call.
+  std::optional<std::vector<float>> take_errors();
+  /// Another document: what was begun about the old one is void.
+  void forget();
+
+  /// True if follow_document() or follow_frame() would do something now.
+  bool has_news(const scene::Workspace& workspace, const LiveModel& model) const;
+  /// True while something is computed that shows how far it is.
+  bool reports() const { return checks_.running() || bench_.running(); }
+  /// True if the last call has put something into the workspace that is to be seen.
+  bool shows_news() const { return shows_news_; }
+  bool measuring() const { return probe_.busy(); }
+  bool checking() const { return checks_.running(); }
+  void finish_checks(scene::Workspace& workspace);
+  /// Waits until the error map, if it is shown, is the one of this pose.
+  void finish_error_map(scene::Workspace& workspace, const LiveModel& model);
+
+private:
+  void start_checks(const scene::Document& document);
+  void take_checks(scene::Workspace& workspace, bool wait);
+  void follow_benchmark(scene::Workspace& workspace);
+  bool probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
+  void follow_probe(scene::Workspace& workspace, const LiveModel& model);
+  bool error_map_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
+  void follow_error_map(scene::Workspace& workspace, const LiveModel& model, bool wait);
+
+  bool probe_wanted_, shows_news_ = false;
+  MethodProbe probe_;
+  base::BackgroundJob<bench::ExpBench> bench_;
+  base::BackgroundJob<std::vector<scene::Finding>> checks_;
+  base::BackgroundJob<ErrorMap> error_map_;
+  std::optional<std::vector<float>> errors_;
+  std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
+  unsigned long probed_ = 0, mapped_ = 0;  // which frame of the model
+};
+
+}  // namespace viete::app

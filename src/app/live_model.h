@@ -1,0 +1,82 @@
+// The open model, bound to its cage and deformed: what follows from the document before anything is drawn.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/bound.h"
+#include "app/file_desk.h"
+#include "base/background.h"
+#include "base/worker_pool.h"
+#include "deform/deformer.h"
+#include "scene/workspace.h"
+
+namespace viete::app {
+
+/// Follows the document's revisions: surfaces and weights are bound aside, while what was bound before
+/// serves; pose, blend and method are a frame. Call from one thread.
+class LiveModel {
+public:
+  explicit LiveModel(FileDesk& files) : files_(files) {}
+
+  /// Once a frame, before deform(): takes what was bound, and begins what must be bound. True if the surfaces
+  /// are others than at the last call.
+  bool follow(scene::Workspace& workspace);
+  /// Waits until what must be bound is.
+  void finish_binding(scene::Workspace& workspace);
+  /// What asked for a binding is given up, if one is being made: the document is again as it is bound.
+  void stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity);
+
+  /// Deforms the model if the pose, the blend or the method is another one than in the last frame, or a drag
+  /// has ended. Says whether it did. The first frame after a binding is only a preparation: it fills caches,
+  /// says nothing of the frames to come, and is due again.
+  bool deform(scene::Workspace& workspace, scene::FrameTimes& times);
+
+  /// True if follow() or deform() would do something now.
+  bool is_due(const scene::Document& document) const;
+  bool binding() const { return binder_.running(); }
+  bool has_result() const { return binder_.has_result(); }
+  /// True if the last frame was such a preparation.
+  bool prepared() const { return prepared_; }
+
+  /// Of the open document; null while there is none.
+  const deform::Deformer* deformer() const { return deformer_.get(); }
+  const Bound& bound() const { return bound_; }
+  /// Frames that were deformed so far: whoever measures one remembers which.
+  unsigned long frames() const { return frames_; }
+  /// The last one took exponentials.
+  bool takes_exponentials() const {
+    return deformer_ && deformer_->ran() && deformer_->scheme().exponential();
+  }
+  /// A vertex of the model as it is drawn, in the file's units.
+  mesh::Point vertex(const scene::Document& document, std::size_t index) const;
+
+private:
+  void follow_surfaces(scene::Workspace& workspace);
+  void follow_weights(const scene::Document& document);
+  void start_binding(const scene::Document& document);
+  void take_binding(scene::Workspace& workspace, bool wait);
+  void install(scene::Workspace& workspace, Bound bound);
+  void make_deformer(deform::Blend blend);
+  bool deforms(const scene::Document& document) const;
+
+  FileDesk& files_;
+  base::WorkerPool pool_;
+  base::BackgroundJob<Bound> binder_;
+  std::string binding_text_;
+  Bound bound_;  // what the deformer is made of; nothing while there is none
+  std::unique_ptr<deform::Deformer> deformer_;
+
+  // What was derived last; nothing: it is to be derived anew.
+  scene::Revision surfaces_ = 0, weights_ = 0;
+  struct Derived {
+    scene::Revision pose, method;
+    friend bool operator==(const Derived&, const Derived&) = default;
+  };
+  std::optional<Derived> derived_;
+  unsigned long frames_ = 0;
+  bool unprepared_ = false, prepared_ = false, dragging_ = false;
+};
+
+}  // namespace viete::app
