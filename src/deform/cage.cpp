@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "deform/dual_graph.h"
+#include "deform/face_maps.h"
 #include "mesh/triangle.h"
 
 namespace viete::deform {
@@ -36,11 +37,12 @@ std::string listed(const std::vector<std::size_t>& elements) {
   return elements.size() > 5 ? text + ", ..." : text;
 }
 
-void find_degenerate(Cage& cage) {
+void add_elements(Cage& cage) {
   std::vector<std::size_t> found;
   for (std::size_t e = 0; e < cage.surface.triangles.size(); ++e) {
     const Corners t = corners(cage.surface, e);
     cage.centers.push_back(t.a + (1.0 / 3) * ((t.b - t.a) + (t.c - t.a)));
+    cage.frames.push_back(rest_frame(cage.surface.positions, cage.surface.triangles[e]));
     cage.degenerate.push_back(!mesh::has_area(t.a, t.b, t.c));
     if (cage.degenerate.back()) found.push_back(e);
   }
@@ -112,7 +114,7 @@ Cage make_cage(mesh::Surface surface) {
   Cage cage;
   cage.surface = std::move(surface);
   cage.edges = mesh::polygon_edges(cage.surface);
-  find_degenerate(cage);
+  add_elements(cage);
   cage.diagonal = mesh::used_bounds(cage.surface).diagonal();
   cage.contact =
       1e-14 * cage.diagonal + 4 * std::numeric_limits<double>::epsilon() * largest_coordinate(cage.surface);

@@ -39,14 +39,6 @@ int best_corner(std::span<const mesh::Point> positions, const mesh::Triangle& t)
   return best;
 }
 
-// [u v n]^-1 by rows, the dual basis.
-Frame inverse(const Frame& f) {
-  const double s = 1 / std::max(largest_abs(f.u), largest_abs(f.v));
-  const Vec3 u = s * f.u, v = s * f.v, area = cross(u, v);
-  const double a2 = squared_norm(area);
-  return {(s / a2) * cross(v, area), (s / a2) * cross(area, u), (s / (a2 / std::sqrt(std::sqrt(a2)))) * area};
-}
-
 struct Box {
   Vec3 low, high;
 
@@ -65,20 +57,17 @@ Box box_of(std::span<const mesh::Point> positions) {
   return box;
 }
 
-double squared_size(const Frame& f) {
-  return squared_norm(f.u) + squared_norm(f.v);
-}
-
 // posed rest^-1; near rest as I + (posed - rest) rest^-1, which is exactly I where nothing moved.
-sym3::Mat3<double> linear_map(const Frame& rest, const Frame& posed) {
+sym3::Mat3<double> linear_map(const RestFrame& rest, const Frame& posed) {
   const Frame moved{posed.u - rest.u, posed.v - rest.v, posed.n - rest.n};
-  const bool near = squared_size(moved) < 0.25 * squared_size(rest);
+  const bool near =
+      squared_norm(moved.u) + squared_norm(moved.v) < 0.25 * (squared_norm(rest.u) + squared_norm(rest.v));
   const Frame& f = near ? moved : posed;
-  const Frame w = inverse(rest);
   sym3::Mat3<double> m{};
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
-      m[3 * r + c] = (near && r == c ? 1.0 : 0.0) + (f.u[r] * w.u[c] + f.v[r] * w.v[c] + f.n[r] * w.n[c]);
+      m[3 * r + c] = (near && r == c ? 1.0 : 0.0) +
+                     (f.u[r] * rest.dual_u[c] + f.v[r] * rest.dual_v[c] + f.n[r] * rest.dual_n[c]);
     }
   }
   return m;
@@ -100,6 +89,21 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed) {
   return std::isfinite(squared_norm(origin)) ? origin : pose.middle();
 }
 
+RestFrame rest_frame(std::span<const mesh::Point> positions, const mesh::Triangle& t) {
+  const int corner = best_corner(positions, t);
+  const Frame f = frame(positions, t, corner);
+  const double s = 1 / std::max(largest_abs(f.u), largest_abs(f.v));
+  const Vec3 u = s * f.u, v = s * f.v, area = cross(u, v);
+  const double a2 = squared_norm(area);
+  return {corner,
+          f.u,
+          f.v,
+          f.n,
+          (s / a2) * cross(v, area),
+          (s / a2) * cross(area, u),
+          (s / (a2 / std::sqrt(std::sqrt(a2)))) * area};
+}
+
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
                     const Vec3& origin) {
   const auto& [a, b, c] = cage.surface.triangles[element];
@@ -114,13 +118,11 @@ void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<F
 
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<FaceMap> maps) {
-  const std::span<const mesh::Point> rest = cage.surface.positions;
   for (const auto e : elements) {
     const auto& t = cage.surface.triangles[e];
     maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, element_center(cage, e, posed, origin)};
     if (cage.degenerate[e]) continue;
-    const int corner = best_corner(rest, t);
-    maps[e].linear = linear_map(frame(rest, t, corner), frame(posed, t, corner));
+    maps[e].linear = linear_map(cage.frames[e], frame(posed, t, cage.frames[e].corner));
   }
 }
 

@@ -23,6 +23,9 @@ Vec3 middle(std::span<const mesh::Point> positions);
 /// does not reach keeps its bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
+/// Of a triangle of these positions.
+RestFrame rest_frame(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
+
 /// Centroid of an element at these positions, relative to origin.
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
                     const Vec3& origin);
