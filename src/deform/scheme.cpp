@@ -30,12 +30,14 @@ constexpr std::array blend_table = {
 };
 
 constexpr std::array combination_table = {
-    Combination{Elements::face, Weights::inverse, Blend::srl, "face", "scheme_log", "Faces, log space",
-                "Each cage triangle carries an affine map; maps are blended in log space with weights 1/d^2. "
-                "Bends and twists keep volume."},
-    Combination{Elements::face, Weights::inverse, Blend::linear, "", "scheme_linear", "Faces, linear",
-                "The same maps and weights, but the maps themselves are averaged: no exponential, and what "
-                "bends or twists grows thin."},
+    Combination{
+        Elements::face, Weights::inverse, Blend::srl, "face", "scheme_log", "Faces, log space",
+        "Each cage triangle carries an affine map; rotations and stretches are blended as logarithms with "
+        "weights 1/d^2, so that any number of turns is followed."},
+    Combination{
+        Elements::face, Weights::inverse, Blend::linear, "", "scheme_linear", "Faces, linear",
+        "The same maps and weights, but the maps themselves are averaged, without an exponential: between "
+        "parts that are turned against each other the model caves in."},
     Combination{Elements::point, Weights::mean_value, Blend::linear, "mvc", "scheme_mvc", "Mean value",
                 "Positions of cage vertices are blended with mean value coordinates. Smooth, linear, no "
                 "exponential."},

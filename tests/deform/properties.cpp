@@ -62,6 +62,35 @@ TEST_CASE("similarity_poses_move_every_vertex_by_that_similarity") {
   }
 }
 
+TEST_CASE("averaged_maps_keep_rest_and_follow_similarities_of_every_cage") {
+  for (const auto& cage : cages()) {
+    Bound b(model_across(), cage, faces, 2, Blend::linear);
+    CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 1e-14 * b.cage->diagonal);
+    for (const double angle : {1e-9, 90.0, 180.0, 270.0}) {
+      for (const double scale : {1e-3, 1.0, 1e3})
+        CHECK(b.error(similarity({1, -2, 3}, angle * degree, scale, {2 * scale, scale, -scale})) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("halfway_between_opposite_turns_logs_keep_the_girth_that_averaged_maps_lose") {
+  // Two boxes, turned by 80 degrees one way and the other; a thin tube between them.
+  auto cage = together(box({0.5, 0.5, 0.5}), box({0.5, 0.5, 0.5}));
+  for (std::size_t v = 0; v < 16; ++v) cage.positions[v][2] += v < 8 ? 1.5 : -1.5;
+  const auto turned = [](const Vec3& x) { return similarity({0, 0, 1}, (x[2] > 0 ? 80 : -80) * degree)(x); };
+  const auto girth = [&](Blend blend) {
+    Bound b(tube(20, 24, 0.1, 0.1), cage, faces, 2, blend);
+    double least = HUGE_VAL;
+    for (const auto& p : b.deform(b.pose(turned))) {
+      const double radius = std::hypot(p[0], p[1]);
+      if (std::abs(p[2]) < 0.006 && radius > 1e-3) least = std::min(least, radius / 0.1);
+    }
+    return least;
+  };
+  CHECK(girth(Blend::srl) > 0.75);
+  CHECK(girth(Blend::linear) == doctest::Approx(std::cos(80 * degree)).epsilon(0.05));
+}
+
 TEST_CASE("similarity_poses_hold_at_every_length_scale_and_far_from_the_origin") {
   for (const double s : {1e-30, 1e-6, 1e6, 1e30}) {
     const auto scaled = [s](mesh::Surface surface) {

@@ -187,6 +187,39 @@ TEST_CASE("a_reach_leaves_far_vertices_where_they_are_and_bad_ones_are_refused")
   CHECK_MESSAGE(mentions(none, "mean value coordinates have no reach"), none.text);
 }
 
+TEST_CASE("elements_weights_and_blend_are_chosen_apart_or_by_one_word") {
+  const TemporaryFolder scratch;
+  const auto deformed = [&](const std::string& choice) {
+    const fs::path out = scratch.path() / "out.ply";
+    const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
+                             " -o " + quoted(out) + " --force" + choice);
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    return file_bytes(out);
+  };
+  const auto usual = deformed("");
+  CHECK(deformed(" --elements face --weights inverse --blend srl") == usual);
+  CHECK(deformed(" --coordinates face") == usual);
+  const auto mean_values = deformed(" --coordinates mvc");
+  CHECK(mean_values != usual);
+  CHECK(deformed(" --weights mean-value") == mean_values);
+  CHECK(deformed(" --elements point --weights mean-value --blend linear") == mean_values);
+  const auto linear = deformed(" --blend linear");
+  CHECK(linear != usual);
+  CHECK(linear != mean_values);
+  CHECK(deformed(" --blend linear --method diag") == linear);  // which takes no exponential
+
+  const std::string scene = "deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
+                            " -o " + quoted(scratch.path() / "x.ply");
+  const auto apart = run(scene + " --elements face --weights mean-value");
+  CHECK(apart.code == 1);
+  CHECK_MESSAGE(mentions(apart, "do not go together"), apart.text);
+  CHECK_MESSAGE(mentions(apart, "--elements point --weights mean-value --blend linear"), apart.text);
+  CHECK(run(scene + " --coordinates mvc --blend srl").code == 2);
+  CHECK(run(scene + " --blend magic").code == 2);
+  CHECK(run("bind " + quoted(dragon) + " " + quoted(cage) + " -o x.binding --blend srl").code == 2);
+  CHECK_FALSE(fs::exists(scratch.path() / "x.ply"));
+}
+
 TEST_CASE("a_binding_of_another_reach_is_stale") {
   const TemporaryFolder scratch;
   const fs::path file = scratch.path() / "dragon.binding", out = scratch.path() / "out.png";
