@@ -69,7 +69,7 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and the lists around
   // vertices
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  // weights; rest, offset, place, vertex, walk; rest in double
+  // weights; rest, offset, position, vertex, neighbours; rest in double
   const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
   return static_cast<std::size_t>(
       std::min(0x1p63, engine == EngineKind::staged ? n * staged : slots * fused));

@@ -18,7 +18,7 @@ static const FrameKernel frame = {{blend_tiles<float, log_shape.columns>, place_
                                   {blend_tiles<float, map_shape.columns>, place_maps<float>},
                                   {blend_tiles<float, position_shape.columns>, place_positions<float>},
                                   ring_vertices,
-                                  ring_hub};
+                                  ring_high_valence};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -29,16 +29,17 @@ struct TileRun {
   const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: in order
 };
 
-/// One leaf: its places, x y z x each, slots first; the halo is filled from other leaves' slots.
+/// The positions of one leaf, x y z x each: its slots, then its ghosts, which are copied from other leaves'
+/// slots first.
 struct RingRun {
-  float* positions;                  ///< of the whole model
-  std::size_t first, slots, places;  ///< of the leaf
-  std::size_t vertices;              ///< slots that are no filling
-  bool moved;                        ///< its slots, since its normals were computed
-  const std::uint32_t* halo;
-  std::size_t halo_left;  ///< numbers in halo, those of the leaves behind this one too
+  float* positions;                 ///< of the whole model
+  std::size_t first, slots, count;  ///< the leaf's first position; its slots; slots and ghosts
+  std::size_t vertices;             ///< slots that are no padding
+  bool moved;                       ///< its slots, since its normals were computed
+  const std::uint32_t* ghosts;
+  std::size_t ghosts_left;  ///< ghosts of this leaf and all behind it: how far prefetching may look
   const std::uint32_t* order;
-  const std::uint16_t *walk, *lengths;  ///< as in Rings, of this leaf
+  const std::uint16_t *neighbours, *lengths;  ///< as in Rings, of this leaf
   float unit;
 };
 
@@ -54,13 +55,13 @@ struct TileKernel {
 /// machine's vectors: the same bits from all kernels with fused multiply-add, and from all without.
 struct FrameKernel {
   TileKernel logs, maps, positions;  ///< by RowForm
-  /// To vertices[order[slot]]: position times unit, and the unit normal by the walk around it, (0, 0, 1)
-  /// where there is no area; nothing where neither slots nor halo changed by a bit. Leaves write to different
-  /// places and vertices.
+  /// To vertices[order[slot]]: position times unit, and the unit normal by its one-ring, (0, 0, 1)
+  /// where there is no area; nothing where neither slots nor ghosts changed by a bit. Leaves write to
+  /// different places and vertices.
   void (*ring_vertices)(const RingRun& run, FrameVertex* vertices);
-  /// The normal of a hub (see Rings), which ring_vertices leaves out.
-  void (*ring_hub)(const float* positions, const std::uint32_t* walk, std::size_t length, std::uint32_t place,
-                   FrameVertex& vertex);
+  /// The normal of a vertex of high valence (see Rings), which ring_vertices leaves without one.
+  void (*ring_high_valence)(const float* positions, const std::uint32_t* neighbours, std::size_t length,
+                            std::uint32_t position, FrameVertex& vertex);
 };
 
 /// That of the same instruction set.

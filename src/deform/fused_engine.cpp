@@ -43,7 +43,7 @@ FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm fo
   table_.resize(binding_->handles * columns_);
   skeleton_sums_.resize(binding_->skeleton_slots() * columns_);
   skeleton_table_.resize(binding_->skeleton_slots() * columns_);
-  positions_.resize(binding_->rings.place_count() * 4);
+  positions_.resize(binding_->rings.position_count() * 4);
   vertices_.assign(binding_->leaves.vertices, FrameVertex{});
   leaf_moved_.assign(binding_->leaves.count(), 1);
 }
@@ -233,7 +233,8 @@ void FusedEngine::place_vertices() {
              held_.listed.data() + start};
     }
     run.mean = mean_.data();
-    tiles_.place(run, rest.data() + begin * 3, positions_.data() + 4 * std::size_t(b.rings.places[leaf]));
+    tiles_.place(run, rest.data() + begin * 3,
+                 positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]));
   });
 }
 
@@ -242,17 +243,17 @@ void FusedEngine::compute_normals() {
   const Rings& r = b.rings;
   for_leaves([&](std::size_t leaf) {
     const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
-    const std::size_t first = r.places[leaf];
-    kernel_.ring_vertices(
-        {positions_.data(), first, slots, r.places[leaf + 1] - first,
-         std::min(slots, b.leaves.vertices - begin), leaf_moved_[leaf] != 0, r.halo.data() + (first - begin),
-         r.halo.size() - (first - begin), b.leaves.order.data() + begin, r.walk.data() + r.walk_starts[leaf],
-         r.lengths.data() + begin / ring_group, static_cast<float>(b.unit)},
-        vertices_.data());
+    const std::size_t first = r.position_starts[leaf];
+    kernel_.ring_vertices({positions_.data(), first, slots, r.position_starts[leaf + 1] - first,
+                           std::min(slots, b.leaves.vertices - begin), leaf_moved_[leaf] != 0,
+                           r.ghosts.data() + (first - begin), r.ghosts.size() - (first - begin),
+                           b.leaves.order.data() + begin, r.neighbours.data() + r.neighbour_starts[leaf],
+                           r.lengths.data() + begin / ring_group, static_cast<float>(b.unit)},
+                          vertices_.data());
   });
-  for (const auto& hub : r.hubs) {
-    kernel_.ring_hub(positions_.data(), hub.walk.data(), hub.walk.size(), hub.place,
-                     vertices_[b.leaves.order[hub.slot]]);
+  for (const auto& vertex : r.high_valence) {
+    kernel_.ring_high_valence(positions_.data(), vertex.neighbours.data(), vertex.neighbours.size(),
+                              vertex.position, vertices_[b.leaves.order[vertex.slot]]);
   }
 }
 

@@ -70,7 +70,7 @@ private:
   std::array<float, most_columns> mean_{};     // [column]
   base::AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
   base::AlignedVector<float> skeleton_table_;  // [pivot][column]
-  base::AlignedVector<float> positions_;       // [place] of the rings, x y z x in units
+  base::AlignedVector<float> positions_;       // of slots and ghosts (see Rings), x y z x in units
   base::AlignedVector<FrameVertex> vertices_;
   std::vector<std::uint8_t> leaf_moved_;  // [leaf] its slots, in this frame
   bool dragging_ = false;

@@ -12,14 +12,14 @@
 namespace viete::deform {
 
 inline constexpr std::size_t leaf_slots = 512;
-inline constexpr std::size_t slot_block = 32;  ///< leaves are filled up to multiples of it
+inline constexpr std::size_t slot_block = 32;  ///< leaves are padded to multiples of it
 
 /// Slot s holds the file's vertex order[s]. Leaf l owns slots [512 l, 512 (l + 1)); all are full but the
-/// last, which is filled up to a multiple of 32 by repeating its last vertex. Within a leaf vertices are
+/// last, which is padded to a multiple of 32 by repeating its last vertex. Within a leaf vertices are
 /// sorted by their number of triangles, so that loops around them have the same length for long.
 struct Leaves {
   std::vector<std::uint32_t> order;  ///< slot_count() entries
-  std::size_t vertices = 0;          ///< slots [vertices, slot_count()) are filling
+  std::size_t vertices = 0;          ///< slots [vertices, slot_count()) are padding
 
   std::size_t slot_count() const { return order.size(); }
   std::size_t count() const { return (order.size() + leaf_slots - 1) / leaf_slots; }

@@ -1,4 +1,4 @@
-// Normals by a walk around each vertex, in vector registers: included by frame_kernel.cpp for each
+// Normals by the one-ring of each vertex, in vector registers: included by frame_kernel.cpp for each
 // instruction set. Internal. (No #pragma once: see sym3/exp-inl.h.)
 #if defined(VIETE_DEFORM_RING_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_RING_KERNEL_INL_H
@@ -34,9 +34,9 @@ constexpr std::size_t points(OnePoint) {
 static HWY_INLINE Points load(OnePoint, const float* p) {
   return {p[0], p[1], p[2], p[3]};
 }
-template <std::size_t floats, class Place>
-static HWY_INLINE Points gather(OnePoint d, const float* positions, const Place* walk) {
-  return load(d, positions + floats * *walk);
+template <std::size_t floats, class Index>
+static HWY_INLINE Points gather(OnePoint d, const float* positions, const Index* neighbours) {
+  return load(d, positions + floats * *neighbours);
 }
 static HWY_INLINE void store(OnePoint, const Points& a, float* p) {
   p[0] = a.x, p[1] = a.y, p[2] = a.z, p[3] = a.w;
@@ -96,12 +96,12 @@ static HWY_INLINE hn::Vec<D> load(D d, const float* p) {
   return hn::Load(d, p);
 }
 // Each load fills all blocks, and later ones leave the first blocks alone.
-template <std::size_t floats, class D, class Place>
-static HWY_INLINE hn::Vec<D> gather(D d, const float* positions, const Place* walk) {
-  auto all = hn::LoadDup128(d, positions + floats * walk[0]);
+template <std::size_t floats, class D, class Index>
+static HWY_INLINE hn::Vec<D> gather(D d, const float* positions, const Index* neighbours) {
+  auto all = hn::LoadDup128(d, positions + floats * neighbours[0]);
   for (std::size_t k = 1; k < points(d); ++k) {
     const auto from_here_on = hn::Not(hn::FirstN(d, 4 * k));
-    all = hn::IfThenElse(from_here_on, hn::LoadDup128(d, positions + floats * walk[k]), all);
+    all = hn::IfThenElse(from_here_on, hn::LoadDup128(d, positions + floats * neighbours[k]), all);
   }
   return all;
 }
@@ -208,24 +208,24 @@ struct Areas {
 };
 
 // Twice the area vectors around `self`. Two triangles in a row make a quadrilateral, whose area is that of
-// the cross product of its diagonals: half as many products as triangles. A walk has `stride` numbers a step,
-// each counting so many floats; open ones have an odd number of steps.
-template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Place>
-static HWY_INLINE V areas_around(D d, const float* positions, const Place* walk, std::size_t length,
+// the cross product of its diagonals: half as many products as triangles. Neighbours stand `stride`
+// numbers apart, each counting so many floats; open rings have an odd number of them.
+template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Index>
+static HWY_INLINE V areas_around(D d, const float* positions, const Index* neighbours, std::size_t length,
                                  const V& self) {
   Areas<V> areas{zero(d), zero(d)};
   if (length == 0) return areas.plus;
-  const V first = gather<floats>(d, positions, walk);
+  const V first = gather<floats>(d, positions, neighbours);
   V last = first;
 #pragma GCC unroll 8
   for (std::size_t i = 1; i + 1 < length; i += 2) {
-    const V middle = gather<floats>(d, positions, walk + i * stride);
-    const V next = gather<floats>(d, positions, walk + (i + 1) * stride);
+    const V middle = gather<floats>(d, positions, neighbours + i * stride);
+    const V next = gather<floats>(d, positions, neighbours + (i + 1) * stride);
     areas.add_cross(minus(middle, self), minus(next, last));
     last = next;
   }
   if (closed && length % 2 == 0) {
-    const V middle = gather<floats>(d, positions, walk + (length - 1) * stride);
+    const V middle = gather<floats>(d, positions, neighbours + (length - 1) * stride);
     areas.add_cross(minus(middle, self), minus(first, last));
   } else if (closed) {
     areas.add_cross(minus(first, self), minus(self, last));
@@ -235,48 +235,50 @@ static HWY_INLINE V areas_around(D d, const float* positions, const Place* walk,
 
 // The usual rings are known to the compiler, which unrolls them.
 template <class D, class V>
-static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint16_t* walk, std::size_t length,
-                                   const V& self) {
-  constexpr std::size_t stride = ring_group, floats = walk_floats;
+static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint16_t* neighbours,
+                                   std::size_t length, const V& self) {
+  constexpr std::size_t stride = ring_group, floats = index_floats;
   switch (length) {
-    case closed_ring + 4: return areas_around<true, stride, floats>(d, positions, walk, 4, self);
-    case closed_ring + 5: return areas_around<true, stride, floats>(d, positions, walk, 5, self);
-    case closed_ring + 6: return areas_around<true, stride, floats>(d, positions, walk, 6, self);
-    case closed_ring + 7: return areas_around<true, stride, floats>(d, positions, walk, 7, self);
-    case closed_ring + 8: return areas_around<true, stride, floats>(d, positions, walk, 8, self);
+    case closed_ring + 4: return areas_around<true, stride, floats>(d, positions, neighbours, 4, self);
+    case closed_ring + 5: return areas_around<true, stride, floats>(d, positions, neighbours, 5, self);
+    case closed_ring + 6: return areas_around<true, stride, floats>(d, positions, neighbours, 6, self);
+    case closed_ring + 7: return areas_around<true, stride, floats>(d, positions, neighbours, 7, self);
+    case closed_ring + 8: return areas_around<true, stride, floats>(d, positions, neighbours, 8, self);
     default: break;
   }
-  if (length < closed_ring) return areas_around<false, stride, floats>(d, positions, walk, length, self);
-  return areas_around<true, stride, floats>(d, positions, walk, length - closed_ring, self);
+  if (length < closed_ring)
+    return areas_around<false, stride, floats>(d, positions, neighbours, length, self);
+  return areas_around<true, stride, floats>(d, positions, neighbours, length - closed_ring, self);
 }
 
-// Of the register of slots from s on; `walk` goes on behind them.
+// Of the register of slots from s on; `neighbours` goes on behind them.
 template <class D>
-static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& walk) {
+static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& neighbours) {
   const float* positions = run.positions + 4 * run.first;
   const std::size_t length = run.lengths[s / ring_group];
-  const auto areas = areas_of_group(d, positions, walk + s % ring_group, length, load(d, positions + 4 * s));
-  if ((s + points(d)) % ring_group == 0) walk += ring_group * (length % closed_ring);
+  const auto areas =
+      areas_of_group(d, positions, neighbours + s % ring_group, length, load(d, positions + 4 * s));
+  if ((s + points(d)) % ring_group == 0) neighbours += ring_group * (length % closed_ring);
   return areas;
 }
 
-// From places of other leaves; those of the next leaf are on their way meanwhile. Answers whether a bit
+// From the positions of other leaves; those that the next leaf copies are prefetched meanwhile. True if a bit
 // changed.
-static HWY_INLINE bool fill_halo(const RingRun& run) {
+static HWY_INLINE bool copy_ghosts(const RingRun& run) {
   constexpr std::size_t ahead = 128;
   const OnePoint d;
   float* out = run.positions + 4 * (run.first + run.slots);
-  const std::size_t count = run.places - run.slots;
+  const std::size_t count = run.count - run.slots;
   if (!run.moved) {
     std::size_t i = 0;
     while (i < count &&
-           std::memcmp(run.positions + 4 * std::size_t(run.halo[i]), out + 4 * i, 4 * sizeof(float)) == 0)
+           std::memcmp(run.positions + 4 * std::size_t(run.ghosts[i]), out + 4 * i, 4 * sizeof(float)) == 0)
       ++i;
     if (i == count) return false;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    if (i + ahead < run.halo_left) hwy::Prefetch(run.positions + 4 * std::size_t(run.halo[i + ahead]));
-    store(d, load(d, run.positions + 4 * std::size_t(run.halo[i])), out + 4 * i);
+    if (i + ahead < run.ghosts_left) hwy::Prefetch(run.positions + 4 * std::size_t(run.ghosts[i + ahead]));
+    store(d, load(d, run.positions + 4 * std::size_t(run.ghosts[i])), out + 4 * i);
   }
   return true;
 }
@@ -310,7 +312,7 @@ constexpr std::size_t ring_block = 128;  // slots; leaves are filled up to multi
 
 // The slots of a block, from `begin` on, go through each step before any goes through the next: roots and
 // quotients then wait for nothing.
-static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& walk,
+static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;
   constexpr std::size_t at_once = 4 * points(d);
@@ -320,7 +322,7 @@ static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const s
   HWY_ALIGN float areas[4 * ring_block], inverse[ring_block];
   for (std::size_t i = 0; i < slots; i += points(d)) {
     for (std::size_t k = 0; k < points(d); ++k) hwy::Prefetch(vertices + order[i + k]);
-    store(d, next_areas(d, run, begin + i, walk), areas + 4 * i);
+    store(d, next_areas(d, run, begin + i, neighbours), areas + 4 * i);
   }
   for (std::size_t i = 0; i < slots; i += at_once) {
     decltype(zero(d)) four[4];
@@ -339,18 +341,18 @@ static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const s
 
 static void ring_vertices(const RingRun& leaf, FrameVertex* HWY_RESTRICT vertices) {
   const RingRun run = leaf;  // a copy, which no store to vertices can change
-  if (!fill_halo(run)) return;
-  const std::uint16_t* walk = run.walk;
+  if (!copy_ghosts(run)) return;
+  const std::uint16_t* neighbours = run.neighbours;
   for (std::size_t begin = 0; begin < run.vertices; begin += ring_block)
-    ring_slots(run, begin, walk, vertices);
+    ring_slots(run, begin, neighbours, vertices);
 }
 
-static void ring_hub(const float* positions, const std::uint32_t* walk, std::size_t length,
-                     std::uint32_t place, FrameVertex& vertex) {
+static void ring_high_valence(const float* positions, const std::uint32_t* neighbours, std::size_t length,
+                              std::uint32_t position, FrameVertex& vertex) {
   const OnePoint d;
-  const auto self = load(d, positions + 4 * std::size_t(place));
-  decltype(zero(d)) areas[4] = {areas_around<false, 1, 4>(d, positions, walk, length, self), zero(d), zero(d),
-                                zero(d)};
+  const auto self = load(d, positions + 4 * std::size_t(position));
+  decltype(zero(d)) areas[4] = {areas_around<false, 1, 4>(d, positions, neighbours, length, self), zero(d),
+                                zero(d), zero(d)};
   normalise(d, inverse_lengths(d, areas), areas);
   store(d, areas[0], vertex.normal);
 }

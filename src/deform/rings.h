@@ -1,4 +1,4 @@
-// The triangles around each vertex as one walk over its neighbours, leaf by leaf.
+// The one-ring of each vertex: its neighbours in order, leaf by leaf, as vector code sums normals over them.
 #pragma once
 
 #include <cstdint>
@@ -10,42 +10,41 @@
 
 namespace viete::deform {
 
-inline constexpr std::size_t ring_group = 4;  ///< slots that walk together
-inline constexpr std::size_t walk_floats =
-    2;  ///< that a walk counts by: of the four of a place, as processors address
-inline constexpr std::uint16_t closed_ring =
-    0x8000;  ///< added to the length of a group whose walks are rings
+inline constexpr std::size_t ring_group = 4;  ///< slots whose rings are gone through together
+/// Neighbours are stored as numbers of floats divided by this: half the four floats of a position, so that
+/// the processor scales them when it forms an address.
+inline constexpr std::size_t index_floats = 2;
+inline constexpr std::uint16_t closed_ring = 0x8000;  ///< added to the length of a group of closed rings
 
-/// A vertex's walk goes over its neighbours: each step from one to the next is a triangle with the vertex
-/// itself, and the sum of their cross products is its normal, times twice the area. Between fans that do not
-/// hang together the walk goes through the vertex itself, where the triangles have no area. So every surface
-/// has such walks, and each vertex can be computed alone.
+/// The normal of a vertex v with neighbours n_0, n_1, ... is the direction of the sum of
+/// (n_i - v) x (n_i+1 - v), each of which is twice the area vector of a triangle. A vertex whose triangles
+/// form several fans has them one after the other with v itself in between: those products are 0. So every
+/// surface has such lists, manifold or not, and each vertex can be computed alone.
 ///
-/// Walks are stored for four slots at once, as vector code makes them: four closed rings of the same length
-/// as they are, the first neighbour following the last; other walks open, a ring ending where it began, with
-/// the same odd number of neighbours for all four, where shorter ones end with the vertex itself. (Within a
-/// leaf vertices are sorted by their number of triangles.)
+/// Four slots form a group, padded to one length: closed, if all four rings are and have the same length, the
+/// first neighbour following the last; else open, a closed ring then ending where it began, all with the same
+/// odd number of neighbours, shorter ones filled up with v. (Within a leaf vertices are sorted by their
+/// number of triangles, so that little is padded.)
 ///
-/// A leaf sees its own slots, and copies of the slots of other leaves that its walks go over: its halo.
-/// Places are numbers in an array of both, the leaves one after the other: leaf l owns places [places[l],
-/// places[l + 1]), first its slots, then its halo, filled up to whole groups. Walks count from places[l],
-/// in halves of places.
+/// Positions lie in one array, leaf after leaf: first those of the leaf's slots, then its ghosts, which are
+/// copies of neighbours that other leaves own, padded to whole groups. Leaf l has positions
+/// [position_starts[l], position_starts[l + 1]), and its neighbours count from the first of them.
 struct Rings {
-  std::vector<std::uint32_t> places;  ///< one more than leaves
-  std::vector<std::uint32_t> halo;    ///< of leaf l from places[l] - begin(l) on: the place that is copied
-  std::vector<std::uint32_t> walk_starts;  ///< one more than leaves
-  std::vector<std::uint16_t> walk;         ///< [group][neighbour][slot of the group]
-  std::vector<std::uint16_t>
-      lengths;  ///< neighbours in each group, plus closed_ring; filling and hubs only themselves
+  std::vector<std::uint32_t> position_starts;  ///< one more than leaves
+  std::vector<std::uint32_t> ghosts;  ///< positions copied; leaf l's begin at position_starts[l] - begin(l)
+  std::vector<std::uint32_t> neighbour_starts;  ///< one more than leaves
+  std::vector<std::uint16_t> neighbours;        ///< [group][neighbour][slot of the group]
+  std::vector<std::uint16_t> lengths;  ///< neighbours of each group, plus closed_ring where that holds
 
-  /// A vertex with so many triangles that it would crowd a leaf; its walk is open and counts from 0.
-  struct Hub {
-    std::uint32_t slot, place;
-    std::vector<std::uint32_t> walk;
+  /// A vertex with so many neighbours that 16 bits might not count the positions of its leaf. In its group it
+  /// stands as a vertex without triangles. Its own list is open, and counts whole positions from the first.
+  struct HighValence {
+    std::uint32_t slot, position;
+    std::vector<std::uint32_t> neighbours;
   };
-  std::vector<Hub> hubs;
+  std::vector<HighValence> high_valence;
 
-  std::size_t place_count() const { return places.back(); }
+  std::size_t position_count() const { return position_starts.back(); }
   std::size_t bytes() const;
 };
 

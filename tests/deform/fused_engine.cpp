@@ -136,7 +136,7 @@ TEST_CASE("fused_normals_are_those_of_any_triangles") {
       {{n - 5, n - 4, n - 3}, {n - 5, n - 3, n - 2}, {n - 5, n - 2, 0}, {n - 5, 1, 2}, {3, 3, 4}, {0, 1, 9}});
   Bound staged(viete::mesh::from_triangles(p, t), box());
   Fused fused(staged);
-  CHECK_FALSE(fused.binding->rings.hubs.empty());
+  CHECK_FALSE(fused.binding->rings.high_valence.empty());
   const Pose pose = staged.pose(shear());
   staged.deform(pose);
   fused.frame.deform(pose);

@@ -6,7 +6,7 @@
 
 using namespace viete::test;
 
-TEST_CASE("walks_around_a_closed_surface_are_rings_or_end_where_they_began") {
+TEST_CASE("neighbours_on_a_closed_surface_form_rings_or_end_where_they_began") {
   const auto model = tube(40, 20, 0.3, 1);
   std::vector<std::uint32_t> counts(model.positions.size());
   for (const auto& t : model.triangles) {
@@ -14,7 +14,7 @@ TEST_CASE("walks_around_a_closed_surface_are_rings_or_end_where_they_began") {
   }
   const Leaves leaves = make_leaves(model.positions, counts);
   const Rings rings = make_rings(leaves, model.triangles);
-  REQUIRE(rings.places.size() == leaves.count() + 1);
+  REQUIRE(rings.position_starts.size() == leaves.count() + 1);
   std::size_t at = 0, closed_groups = 0;
   for (std::size_t group = 0; group < rings.lengths.size(); ++group) {
     const std::size_t length = rings.lengths[group] % closed_ring;
@@ -23,36 +23,50 @@ TEST_CASE("walks_around_a_closed_surface_are_rings_or_end_where_they_began") {
     CHECK((closed || length % 2 == 1));
     for (std::size_t k = 0; k < ring_group; ++k) {
       const std::size_t s = ring_group * group + k, leaf = s / leaf_slots;
-      const auto step = [&](std::size_t i) { return rings.walk[at + ring_group * i + k]; };
+      const auto neighbour = [&](std::size_t i) { return rings.neighbours[at + ring_group * i + k]; };
       const std::size_t ring = s < leaves.vertices ? counts[leaves.order[s]] : 0;
       if (closed) {
         CHECK(length == ring);
         continue;
       }
       REQUIRE(ring < length);
-      if (ring > 0) CHECK(step(0) == step(ring));
+      if (ring > 0) CHECK(neighbour(0) == neighbour(ring));
       for (std::size_t i = ring > 0 ? ring + 1 : 0; i < length; ++i)
-        CHECK(step(i) == 4 / walk_floats * (s - leaves.begin(leaf)));
+        CHECK(neighbour(i) == 4 / index_floats * (s - leaves.begin(leaf)));
     }
     at += ring_group * length;
   }
-  CHECK(at == rings.walk.size());
+  CHECK(at == rings.neighbours.size());
   CHECK(2 * closed_groups > rings.lengths.size());
-  CHECK(rings.hubs.empty());
+  CHECK(rings.high_valence.empty());
 }
 
-TEST_CASE("the_halo_of_a_leaf_is_what_its_walks_need_of_others") {
+TEST_CASE("positions_of_a_leaf_are_counted_in_16_bits_however_many_fans_meet_in_its_vertices") {
+  constexpr std::uint32_t centers = leaf_slots, fans = 40;
+  Leaves leaves;
+  leaves.vertices = centers * (1 + 2 * fans);
+  std::vector<mesh::Triangle> triangles;
+  for (std::uint32_t v = 0; v < leaves.vertices; ++v) leaves.order.push_back(v);
+  for (std::uint32_t v = centers; v < leaves.vertices; v += 2)
+    triangles.push_back({(v - centers) / (2 * fans), v, v + 1});
+  const Rings rings = make_rings(leaves, triangles);
+  for (std::size_t leaf = 0; leaf < leaves.count(); ++leaf)
+    CHECK(rings.position_starts[leaf + 1] - rings.position_starts[leaf] <= 1u << 15);
+  CHECK(rings.high_valence.size() == centers);
+}
+
+TEST_CASE("the_ghosts_of_a_leaf_are_what_its_rings_need_of_others") {
   const auto model = tube(40, 20, 0.3, 1);
   const Leaves leaves = make_leaves(model.positions, std::vector<std::uint32_t>(model.positions.size(), 6));
   const Rings rings = make_rings(leaves, model.triangles);
-  CHECK(rings.place_count() == leaves.slot_count() + rings.halo.size());
-  CHECK(rings.halo.size() > 0);
-  CHECK(rings.halo.size() < leaves.vertices / 3);
+  CHECK(rings.position_count() == leaves.slot_count() + rings.ghosts.size());
+  CHECK(rings.ghosts.size() > 0);
+  CHECK(rings.ghosts.size() < leaves.vertices / 3);
   for (std::size_t leaf = 0; leaf < leaves.count(); ++leaf) {
-    const std::size_t first = rings.places[leaf], end = rings.places[leaf + 1];
+    const std::size_t first = rings.position_starts[leaf], end = rings.position_starts[leaf + 1];
     for (std::size_t i = first - leaves.begin(leaf); i < end - leaves.end(leaf); ++i)
-      CHECK((rings.halo[i] < first || rings.halo[i] >= end));
-    for (auto i = rings.walk_starts[leaf]; i < rings.walk_starts[leaf + 1]; ++i)
-      CHECK(rings.walk[i] < 4 / walk_floats * (end - first));
+      CHECK((rings.ghosts[i] < first || rings.ghosts[i] >= end));
+    for (auto i = rings.neighbour_starts[leaf]; i < rings.neighbour_starts[leaf + 1]; ++i)
+      CHECK(rings.neighbours[i] < 4 / index_floats * (end - first));
   }
 }
