@@ -10,16 +10,16 @@ namespace viete::deform {
 
 inline constexpr std::size_t bind_lanes = 8;  ///< points at once
 
-/// A triangle in a frame of its own, where distances to it take few operations: x along its longest edge,
-/// here its first, y inward, z along its normal. A point has the coordinates axes . point - shift there.
+/// A triangle in coordinates of its own, see distance_triangle.h: x along its longest edge, here its first, y
+/// inward, z along its normal. A point has the coordinates axes . point - shift there.
 template <class T>
 struct DistanceTriangle {
   T axes[3][3];
   T length[3];  ///< of the edges
   /// Along its second and third edge a point is at along . (x, y, 1), and left of it by inward . (x, y, 1).
   T along[2][3], inward[2][3];
-  T outside;        ///< 0; infinity where there is no area: nothing is inside
-  T near;           ///< the square of a sixteenth of the longest edge: what is nearer, floats place badly
+  T outside;  ///< 0; infinity where there is no area: nothing is inside
+  T near;     ///< squared, a sixteenth of the longest edge: nearer distances lose too many digits in float
   bool degenerate;  ///< without influence
 };
 

@@ -14,9 +14,24 @@ namespace {
 
 using Rotations = std::span<const sym3::Mat3<double>>;
 
+// A rotation by theta about the unit vector n has the logs (theta + 2 pi k) n for all whole k. Logs are
+// blended linearly, so that neighbours must take logs that are near each other. Along a spanning forest of
+// the pairs that turn least against each other every element takes the branch nearest to its parent's; what
+// is left is one choice a part, the branch of its root, tried at the nearest to the reference and one turn to
+// either side.
+
 constexpr double turn = 2 * std::numbers::pi;
+// What v may have across a reference, in radians, by rounding alone: about a hundred units in the last place
+// of a whole turn.
 constexpr double along_reference = 1e-13;
+// Half a turn from the reference two branches are equally near, and rounding would decide, otherwise from
+// frame to frame and part to part. Within so many radians, half a degree, they count as equally near.
 constexpr double half_turn_tie = 1e-2;
+// Another branch of the root must not set neighbours farther apart: by a tenth at most, or, where they turn
+// as one and the distances are rounding, by so many radians.
+constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
+// Radians that rounding may not bridge where a comparison is to hold for certain.
+constexpr double to_spare = 1e-6;
 
 // Kruskal: the pairs of a spanning forest with the smallest relative angles.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotations rotations) {
@@ -91,7 +106,7 @@ Branching follow(const Part& part, const Vec3& root_log, std::span<const Vec3> p
 
 // Half a turn from the reference two branches are equally near: then the one nearer to the leader is better.
 bool better(const Branching& a, const Branching& b) {
-  if (a.roughness > 1.1 * b.roughness + 1e-3) return false;
+  if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;
   if (std::abs(gain) >= half_turn_tie) return gain > 0;
   return a.to_leader < b.to_leader - half_turn_tie;
@@ -122,20 +137,22 @@ std::vector<Vec3> part_means(const Cage& cage, std::span<const Vec3> logs) {
   return sums;
 }
 
-// True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, with room to spare.
+// True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, whatever the
+// rounding.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
-  return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - 1e-6;
+  return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
 // True if all logs are principal whatever the forest: every one is what its neighbours choose, and any other
-// branch of it is farther than the principal one from all that roots are compared with: the references and
-// the leader.
+// branch of it is farther than the principal one from all that roots are compared with, the references and
+// the leader. Let r be the longest of these. The principal log v is at most |v| + r away from them, its other
+// branches, which are at least 2 pi - |v| long, at least 2 pi - |v| - r: more, if |v| + r < pi.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
-  double reach = means.empty() ? 0 : norm(means[0]);
-  for (const auto& reference : turns) reach = std::max(reach, norm(reference));
-  const auto within = [&](const Vec3& log) { return norm(log) + reach < turn / 2 - 1e-6; };
+  double longest = means.empty() ? 0 : norm(means[0]);
+  for (const auto& reference : turns) longest = std::max(longest, norm(reference));
+  const auto within = [&](const Vec3& log) { return norm(log) + longest < turn / 2 - to_spare; };
   return std::all_of(principal.begin(), principal.end(), within) &&
          std::all_of(cage.dual_edges.begin(), cage.dual_edges.end(), [&](const mesh::Edge& pair) {
            const Vec3 &a = principal[pair[0]], &b = principal[pair[1]];
@@ -145,6 +162,9 @@ bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::
 
 }  // namespace
 
+// |(angle + 2 pi k) n - reference|^2 with v = angle n is a parabola in k with its least value at
+// k = (n . reference - angle) / 2 pi: the nearest whole number is the branch. Near a whole turn v is nearly 0
+// and its direction rounding, so that a long reference gives the axis.
 Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   if (squared_norm(reference) > turn * turn / 4) {

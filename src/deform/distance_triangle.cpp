@@ -26,7 +26,8 @@ Vec3 any_across(const Vec3& unit) {
   return unit_across(axis, unit);
 }
 
-// An edge from (x, y) on in the triangle's frame.
+// Of an edge from (x, y) on in the triangle's coordinates: the affine functions along it and to its left, and
+// its length.
 void set_edge(double x, double y, double dx, double dy, double* along, double* inward, double& length) {
   const double size = std::max(std::abs(dx), std::abs(dy));
   length = size > 0 ? size * std::hypot(dx / size, dy / size) : 0;
@@ -57,7 +58,7 @@ DistanceTriangle<double> in_frame_of(const Vec3& a, const Vec3& b, const Vec3& c
   return t;
 }
 
-// The corner where the longest edge begins.
+// The corner where the longest edge begins: the origin.
 int first_corner(const std::array<Vec3, 3>& p) {
   const double ab = norm(p[1] - p[0]), bc = norm(p[2] - p[1]), ca = norm(p[0] - p[2]);
   return ab >= bc ? (ab >= ca ? 0 : 2) : (bc >= ca ? 1 : 2);

@@ -50,13 +50,13 @@ FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm fo
 
 std::size_t FusedEngine::bytes() const {
   if (!dragging_) return binding_->bytes();
-  return sizeof(float) * (held_.sums.size() + held_.weights.size() + binding_->offsets.size());
+  return sizeof(float) * (drag_.sums.size() + drag_.weights.size() + binding_->offsets.size());
 }
 
 void FusedEngine::run(const CageState& state, sym3::Method) {
   times_ = {};
   base::Stopwatch watch;
-  if (!std::ranges::equal(state.moving(), held_.moving)) held_ = {};
+  if (!std::ranges::equal(state.moving(), drag_.moving)) drag_ = {};
   fill_table(state.rows());
   follow_drag(state);
   if (binding_->compressed() && !dragging_) {
@@ -76,7 +76,7 @@ void FusedEngine::fill_table(const Rows& rows) {
     for (std::size_t c = 0; c < columns_; ++c)
       entries_[j + c] = c < first_length ? rows.values[j + c] : scale * rows.values[j + c];
   }
-  if (held_.moving.empty()) choose_mean();
+  if (drag_.moving.empty()) choose_mean();
   for (std::size_t j = 0; j < entries_.size(); j += columns_) {
     for (std::size_t c = 0; c < columns_; ++c)
       table_[j + c] = static_cast<float>(entries_[j + c] - static_cast<double>(mean_[c]));
@@ -100,31 +100,31 @@ void FusedEngine::follow_drag(const CageState& state) {
   const Handles moving = state.moving();
   dragging_ = false;
   if (moving.empty()) return;
-  if (held_.moving.empty()) {
+  if (drag_.moving.empty()) {
     if (few * moving.size() > binding_->handles) return;
-    hold(moving);
-    held_.resting = state.resting_revision();
-  } else if (held_.resting != state.resting_revision()) {
-    held_ = {};  // formed anew in the next frame
+    begin_drag(moving);
+    drag_.resting = state.resting_revision();
+  } else if (drag_.resting != state.resting_revision()) {
+    drag_ = {};  // formed anew in the next frame
     return;
   }
   dragging_ = true;
   for (std::size_t m = 0; m < moving.size(); ++m)
-    std::copy_n(row_of(table_, moving[m]), columns_, row_of(held_.rows, m));
+    std::copy_n(row_of(table_, moving[m]), columns_, row_of(drag_.rows, m));
 }
 
-void FusedEngine::hold(Handles moving) {
+void FusedEngine::begin_drag(Handles moving) {
   const std::size_t slots = binding_->leaves.slot_count();
-  held_.moving.assign(moving.begin(), moving.end());
-  held_.sums.resize(slots * columns_);
-  held_.weights.resize(list_moving());
-  held_.rows.assign(held_.row_count() * columns_, 0.0f);
+  drag_.moving.assign(moving.begin(), moving.end());
+  drag_.sums.resize(slots * columns_);
+  drag_.weights.resize(list_moving());
+  drag_.rows.assign(drag_.row_count() * columns_, 0.0f);
   base::AlignedVector<float> others = table_;
   for (const auto j : moving) std::fill_n(row_of(others, j), columns_, 0.0f);
   blend_skeleton(others.data());
   for_leaves([&](std::size_t leaf) {
-    if (held_.row_count(leaf) == 0) return;
-    tiles_.blend(leaf_run(leaf, others.data()), held_.sums.data() + binding_->leaves.begin(leaf) * columns_);
+    if (drag_.row_count(leaf) == 0) return;
+    tiles_.blend(leaf_run(leaf, others.data()), drag_.sums.data() + binding_->leaves.begin(leaf) * columns_);
     base::AlignedVector<float> scratch(leaf_slots * columns_);
     pack_weights(leaf, scratch.data());
   });
@@ -133,15 +133,15 @@ void FusedEngine::hold(Handles moving) {
 // Which of the moving elements have weight in each leaf. Returns how many weights that makes.
 std::size_t FusedEngine::list_moving() {
   const TiledBinding& b = *binding_;
-  held_.starts = {0};
+  drag_.starts = {0};
   std::size_t weights = 0;
   for (std::size_t leaf = 0; leaf < b.leaves.count(); ++leaf) {
-    for (std::uint32_t m = 0; m < held_.moving.size(); ++m) {
-      if (!b.has_lists() || std::ranges::binary_search(b.list(leaf), held_.moving[m]))
-        held_.listed.push_back(m);
+    for (std::uint32_t m = 0; m < drag_.moving.size(); ++m) {
+      if (!b.has_lists() || std::ranges::binary_search(b.list(leaf), drag_.moving[m]))
+        drag_.listed.push_back(m);
     }
-    held_.starts.push_back(held_.listed.size());
-    weights += (b.leaves.end(leaf) - b.leaves.begin(leaf)) * held_.row_count(leaf);
+    drag_.starts.push_back(drag_.listed.size());
+    weights += (b.leaves.end(leaf) - b.leaves.begin(leaf)) * drag_.row_count(leaf);
   }
   return weights;
 }
@@ -149,11 +149,11 @@ std::size_t FusedEngine::list_moving() {
 void FusedEngine::pack_listed(std::size_t leaf) {
   const TiledBinding& b = *binding_;
   const auto list = b.list(leaf);
-  const std::size_t count = held_.row_count(leaf), rows = list.size();
+  const std::size_t count = drag_.row_count(leaf), rows = list.size();
   const float* from = b.weights.data() + b.first_weight(leaf);
-  float* out = held_.weights.data() + leaf_slots * held_.starts[leaf];
+  float* out = drag_.weights.data() + leaf_slots * drag_.starts[leaf];
   for (std::size_t m = 0; m < count; ++m) {
-    const auto handle = held_.moving[held_.listed[held_.starts[leaf] + m]];
+    const auto handle = drag_.moving[drag_.listed[drag_.starts[leaf] + m]];
     const auto row = static_cast<std::size_t>(std::ranges::lower_bound(list, handle) - list.begin());
     for (std::size_t t = 0; t < (b.leaves.end(leaf) - b.leaves.begin(leaf)) / lanes; ++t) {
       std::copy_n(from + (t * rows + row) * lanes, lanes, out + (t * count + m) * lanes);
@@ -161,13 +161,16 @@ void FusedEngine::pack_listed(std::size_t leaf) {
   }
 }
 
-// The weights of the moving handles: copied, or, where the leaf has factors, those of its pivots blended like
-// rows of a pose, as many handles at once as those have columns.
+// The columns W_m of a leaf's n x k weights W that belong to the moving handles m. W is stored whole or as
+// W = F P, F its n x r factors and P the r x k weights of its pivots, so that W_m = F P_m, and with W whole,
+// F = W and P = I. That is the product which blends a pose, P_m standing for the table of rows: the same
+// kernel forms it, as many handles at once as it takes columns, the last ones filled up with 0. (Lists have
+// the weights of a handle side by side: those are copied.)
 void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;
   if (b.has_lists()) return pack_listed(leaf);
   const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
-  const std::size_t count = held_.row_count();
+  const std::size_t count = drag_.row_count();
   TileRun<float> run = leaf_run(leaf, nullptr);
   base::AlignedVector<float> pivots(run.rows * columns_);
   const bool factored = b.compressed() && !b.factored[leaf].dense;
@@ -176,12 +179,12 @@ void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
     const std::size_t slot = b.factored[leaf].pivots + row;
     return b.skeleton[slot / lanes * lanes * b.handles + handle * lanes + slot % lanes];
   };
-  float* const out = held_.weights.data() + begin * count;
+  float* const out = drag_.weights.data() + begin * count;
   for (std::size_t m = 0; m < count; m += columns_) {
     const std::size_t at_once = std::min(columns_, count - m);
     for (std::size_t r = 0; r < run.rows; ++r) {
       for (std::size_t c = 0; c < columns_; ++c)
-        pivots[r * columns_ + c] = c < at_once ? pivot_weight(r, held_.moving[m + c]) : 0;
+        pivots[r * columns_ + c] = c < at_once ? pivot_weight(r, drag_.moving[m + c]) : 0;
     }
     run.table = pivots.data();
     tiles_.blend(run, scratch);
@@ -216,21 +219,21 @@ TileRun<float> FusedEngine::leaf_run(std::size_t leaf, const float* table) const
 void FusedEngine::place_vertices() {
   const TiledBinding& b = *binding_;
   const auto& rest = form_ == RowForm::maps ? b.rest : b.offsets;
-  const bool placed = dragging_ && std::exchange(held_.placed, true);
+  const bool placed = dragging_ && std::exchange(drag_.placed, true);
   for_leaves([&](std::size_t leaf) {
-    leaf_moved_[leaf] = !(placed && held_.row_count(leaf) == 0);
+    leaf_moved_[leaf] = !(placed && drag_.row_count(leaf) == 0);
     if (!leaf_moved_[leaf]) return;
     const std::size_t begin = b.leaves.begin(leaf);
     TileRun<float> run = leaf_run(leaf, table_.data());
-    if (dragging_ && held_.row_count(leaf) > 0) {
-      const std::size_t start = held_.starts[leaf];
+    if (dragging_ && drag_.row_count(leaf) > 0) {
+      const std::size_t start = drag_.starts[leaf];
       run = {run.tiles,
-             held_.row_count(leaf),
-             held_.weights.data() + leaf_slots * start,
-             held_.rows.data(),
-             held_.sums.data() + begin * columns_,
+             drag_.row_count(leaf),
+             drag_.weights.data() + leaf_slots * start,
+             drag_.rows.data(),
+             drag_.sums.data() + begin * columns_,
              nullptr,
-             held_.listed.data() + start};
+             drag_.listed.data() + start};
     }
     run.mean = mean_.data();
     tiles_.place(run, rest.data() + begin * 3,

@@ -44,7 +44,7 @@ private:
   void fill_table(const Rows& rows);
   void choose_mean();
   void follow_drag(const CageState& state);
-  void hold(Handles moving);
+  void begin_drag(Handles moving);
   std::size_t list_moving();
   void pack_listed(std::size_t leaf);
   void pack_weights(std::size_t leaf, float* scratch);
@@ -75,8 +75,8 @@ private:
   std::vector<std::uint8_t> leaf_moved_;  // [leaf] its slots, in this frame
   bool dragging_ = false;
 
-  /// While a few handles move: what the others amount to.
-  struct Held {
+  /// While a few handles move: the sums of the others, and the weights of those.
+  struct DragCache {
     std::vector<std::uint32_t> moving;
     unsigned long resting = 0;          // revision of the others
     std::vector<std::size_t> starts;    // in `listed`, one more than leaves
@@ -88,7 +88,7 @@ private:
     bool placed = false;  // a frame was computed from these: leaves without rows stay as they are
     std::size_t row_count() const { return moving.size(); }
     std::size_t row_count(std::size_t leaf) const { return starts[leaf + 1] - starts[leaf]; }
-  } held_;
+  } drag_;
 };
 
 }  // namespace viete::deform

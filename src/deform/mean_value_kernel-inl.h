@@ -19,6 +19,18 @@ namespace lanes = viete::sym3::HWY_NAMESPACE;
 using ViewTag = hn::CappedTag<double, bind_lanes>;
 using ViewV = hn::Vec<ViewTag>;
 
+// For a triangle with unit directions u_0, u_1, u_2 from p to its corners (numbers modulo 3):
+//
+//     c_i = u_i+1 x u_i+2                        |c_i| the sine of the angle a_i between them
+//     m   = sum of (a_i / |c_i|) c_i / 2         the integral of the unit vectors over the spherical triangle
+//     m   = sum of s_i u_i,  s_i = (c_i . m) / (u_0 . c_0)
+//
+// the last by Cramer's rule, since c_i . u_j = 0 unless i = j, where it is the volume u_0 . c_0. A corner's
+// weight is the sum of the s_i of its triangles over its distance from p (Ju, Schaefer, Warren 2005).
+//
+// c_i, a_i / (2 |c_i|) and |c_i|^2 belong to an edge, not to a triangle, but for the sign of c_i, which the
+// other triangle has reversed: they are computed once an edge, all u_i once a corner.
+
 constexpr double in_plane = 1e-8;  // sine of the angle below which p may count as lying in a triangle's plane
 constexpr double vanishing = 1e-9;  // of the sum of absolute weights
 constexpr double pi = 3.14159265358979323846;

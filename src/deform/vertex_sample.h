@@ -23,7 +23,7 @@ std::vector<std::size_t> spread_vertices(const Binding& binding, std::size_t lim
 template <class Visit>
 std::size_t visit_weights(const Weigher& weigher, std::span<const mesh::Point> points, const Visit& visit) {
   const std::size_t handles = weigher.handles();
-  std::vector<double> weights(weigher.room()), row(handles);
+  std::vector<double> weights(weigher.scratch_size()), row(handles);
   std::size_t failed = 0;
   for (std::size_t s = 0; s < points.size(); s += bind_lanes) {
     const std::size_t count = std::min(bind_lanes, points.size() - s);

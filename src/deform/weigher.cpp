@@ -95,11 +95,11 @@ void Weigher::add_views() {
   }
 }
 
-std::size_t Weigher::room() const {
+std::size_t Weigher::scratch_size() const {
   return bind_lanes * handles() + MeanValueJob::scratch_size(corners_.size(), edges_.size());
 }
 
-unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> room) const {
+unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch) const {
   double at[3 * bind_lanes];
   for (std::size_t l = 0; l < bind_lanes; ++l) {
     const Vec3 p = scaled(points[l]);
@@ -107,13 +107,14 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
   }
   if (weighting_.weights == Weights::inverse) {
     kernel_.inverse_distance(
-        {triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), cut(), at}, room.data());
+        {triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), cut(), at},
+        scratch.data());
     return 0;
   }
   unsigned unclear =
       kernel_.mean_value({numbers(corners_), corners_.size(), numbers(edges_), edges_.size(), views_.data(),
-                          views_.size(), at, room.data() + bind_lanes * handles()},
-                         room.data());
+                          views_.size(), at, scratch.data() + bind_lanes * handles()},
+                         scratch.data());
   for (std::size_t l = 0; l < bind_lanes; ++l)
     unclear |= unsigned(on_degenerate_element(cage_, points[l])) << l;
   unsigned failed = 0;
@@ -121,7 +122,7 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
   for (std::size_t l = 0; l < bind_lanes; ++l) {
     if (!(unclear >> l & 1)) continue;
     if (!mean_value_weights(cage_, points[l], row)) failed |= 1u << l;
-    for (std::size_t j = 0; j < row.size(); ++j) room[j * bind_lanes + l] = row[j];
+    for (std::size_t j = 0; j < row.size(); ++j) scratch[j * bind_lanes + l] = row[j];
   }
   return failed;
 }
@@ -137,7 +138,7 @@ double Weigher::cut() const {
 std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows,
                                        std::span<Vec3> sums) const {
   std::vector<bool> failed(points.size());
-  std::vector<double> numbers_of_room(room());
+  std::vector<double> scratch(scratch_size());
   const bool by_distance = weighting_.weights == Weights::inverse;
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(by_distance ? handles() : 0);
@@ -150,8 +151,8 @@ std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, floa
     const RowJob out{numbers(handles_), handles(), rows + s * handles(), tile_sums};
     if (!by_distance || !weigh_in_float(points.subspan(s).first<lanes>(), middle, shifts, out)) {
       for (std::size_t half = 0; half < lanes; half += bind_lanes) {
-        const unsigned lost = weigh(points.subspan(s + half).first<bind_lanes>(), numbers_of_room);
-        kernel_.to_rows(numbers_of_room.data(), {out.handles, out.count, out.rows + half, out.sums + half});
+        const unsigned lost = weigh(points.subspan(s + half).first<bind_lanes>(), scratch);
+        kernel_.to_rows(scratch.data(), {out.handles, out.count, out.rows + half, out.sums + half});
         for (std::size_t l = 0; l < bind_lanes; ++l) failed[s + half + l] = lost >> l & 1;
       }
     }

@@ -22,11 +22,11 @@ public:
   const Cage& cage() const { return cage_; }
   const Weighting& weighting() const { return weighting_; }
   std::size_t handles() const { return handles_.size(); }
-  /// How many numbers weigh() needs room for.
-  std::size_t room() const;
-  /// The weights [handle][8] of eight points, each lane summing to 1, at the beginning of the room. Returns a
-  /// bit for each that has no mean value coordinates.
-  unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> room) const;
+  /// How many numbers weigh() needs.
+  std::size_t scratch_size() const;
+  /// The weights [handle][8] of eight points, each lane summing to 1, at the beginning of the scratch.
+  /// Returns a bit for each that has no mean value coordinates.
+  unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch) const;
   /// As floats, off by 2e-6 at most: rows [tile][handle][16] of points that lie near each other, a multiple
   /// of 16 of them; sums of these very weights times handle position, a point. Returns which have no mean
   /// value coordinates.

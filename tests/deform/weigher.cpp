@@ -43,7 +43,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
     CAPTURE(weighting.reach);
     for (const auto& kernel : viete::sym3::kernels()) {
       const Weigher weigher(cage, weighting, kernel);
-      std::vector<double> many(weigher.room()), one(weigher.handles());
+      std::vector<double> many(weigher.scratch_size()), one(weigher.handles());
       double worst = 0;
       for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
         std::array<viete::mesh::Point, bind_lanes> eight;
@@ -71,17 +71,17 @@ TEST_CASE("mean_values_of_eight_points_are_those_of_one_and_reproduce_the_points
     for (const auto& kernel : viete::sym3::kernels()) {
       CAPTURE(kernel.name);
       const Weigher weigher(cage, mean_values, kernel);
-      std::vector<double> room(weigher.room()), one(weigher.handles());
+      std::vector<double> scratch(weigher.scratch_size()), one(weigher.handles());
       double worst = 0, missed = 0;
       for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
         const auto eight = std::span(points).subspan(i).first<bind_lanes>();
-        CHECK(weigher.weigh(eight, room) == 0);
+        CHECK(weigher.weigh(eight, scratch) == 0);
         for (std::size_t l = 0; l < bind_lanes; ++l) {
           mean_value_weights(cage, eight[l], one);
           Vec3 blended{0, 0, 0};
           for (std::size_t j = 0; j < one.size(); ++j) {
-            worst = std::max(worst, std::abs(room[j * bind_lanes + l] - one[j]));
-            blended = blended + room[j * bind_lanes + l] * cage.surface.positions[j];
+            worst = std::max(worst, std::abs(scratch[j * bind_lanes + l] - one[j]));
+            blended = blended + scratch[j * bind_lanes + l] * cage.surface.positions[j];
           }
           missed = std::max(missed, norm(blended - eight[l]));
         }
@@ -99,10 +99,10 @@ TEST_CASE("mean_values_where_there_are_none_are_told_lane_by_lane") {
   points[3] = points[6] = {0.25, -1, 0};  // in its plane, outside of it
   for (const auto& kernel : viete::sym3::kernels()) {
     const Weigher weigher(cage, mean_values, kernel);
-    std::vector<double> room(weigher.room());
-    CHECK(weigher.weigh(points, room) == (1u << 3 | 1u << 6));
-    CHECK(room[0 * bind_lanes + 3] == doctest::Approx(0.75));
-    CHECK(room[1 * bind_lanes + 6] == doctest::Approx(0.25));
+    std::vector<double> scratch(weigher.scratch_size());
+    CHECK(weigher.weigh(points, scratch) == (1u << 3 | 1u << 6));
+    CHECK(scratch[0 * bind_lanes + 3] == doctest::Approx(0.75));
+    CHECK(scratch[1 * bind_lanes + 6] == doctest::Approx(0.25));
   }
 }
 
@@ -129,17 +129,17 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
         std::vector<float> rows(points.size() * weigher.handles());
         std::vector<Vec3> sums(points.size());
         const auto failed = weigher.weigh_tiles(points, rows.data(), sums);
-        std::vector<double> room(weigher.room());
+        std::vector<double> scratch(weigher.scratch_size());
         double worst = 0, off = 0;
         for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
-          const unsigned lost = weigher.weigh(std::span(points).subspan(i).first<bind_lanes>(), room);
+          const unsigned lost = weigher.weigh(std::span(points).subspan(i).first<bind_lanes>(), scratch);
           for (std::size_t l = 0; l < bind_lanes; ++l) {
             const std::size_t s = i + l;
             CHECK(failed[s] == bool(lost >> l & 1));
             Vec3 sum{0, 0, 0};
             for (std::size_t j = 0; j < weigher.handles(); ++j) {
               const double w = rows[s / 16 * 16 * weigher.handles() + j * 16 + s % 16];
-              worst = std::max(worst, std::abs(w - room[j * bind_lanes + l]));
+              worst = std::max(worst, std::abs(w - scratch[j * bind_lanes + l]));
               sum = sum + w * weigher.handle_positions()[j];
             }
             off = std::max(off, norm(sum - sums[s]));
