@@ -85,7 +85,7 @@ void Autosave::write(scene::Workspace& workspace) {
   writing_ =
       queue_.add([session = scene::session_of(workspace), folder = folder_, file = file_, old = replaced_] {
         make_folder(folder);
-        base::replace_file(file, scene::session_text(session, file, false), base::Outlives::program);
+        base::replace_file(file, scene::session_text(session, file, false), base::Durability::process);
         std::error_code ignored;
         if (!old.empty()) fs::remove(old, ignored);
       });

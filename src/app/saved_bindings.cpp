@@ -102,7 +102,7 @@ void keep_binding(const SavedBindings& saved, const deform::TiledBinding& tiles,
   base::remove_stale_parts(saved.folder);
   drop_oldest(saved.folder, saved.limit - bytes);
   deform::write_binding(kept_file(saved, model, cage, tiles.weighting), tiles, model, cage,
-                        base::Outlives::program);
+                        base::Durability::process);
 }
 
 }  // namespace viete::app

@@ -120,13 +120,13 @@ public:
     }
   }
 
-  void become_target(Outlives outlives) {
+  void become_target(Durability durability) {
     struct stat existing {};
     if (stat(target_.c_str(), &existing) == 0) {
       keep_owner(existing);
       if (fchmod(handle_, existing.st_mode & kept_mode) != 0) fail(target_, errno);
     }
-    if (outlives == Outlives::power_cut && fsync(handle_) != 0) fail(target_, errno);
+    if (durability == Durability::power_cut && fsync(handle_) != 0) fail(target_, errno);
     const int closed = close(handle_);
     handle_ = -1;
     if (closed != 0) fail(target_, errno);
@@ -207,26 +207,26 @@ void check_replaceable(const fs::path& path) {
   NewFile probe(target);  // removed again: it never becomes the target
 }
 
-void replace_file(const fs::path& path, std::string_view bytes, Outlives outlives) {
-  replace_file(path, std::span(&bytes, 1), outlives);
+void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {
+  replace_file(path, std::span(&bytes, 1), durability);
 }
 
-void replace_file(const fs::path& path, std::span<const std::string_view> parts, Outlives outlives) {
+void replace_file(const fs::path& path, std::span<const std::string_view> parts, Durability durability) {
   replace_file(
       path,
       [parts](const ByteSink& out) {
         for (const auto bytes : parts) out(bytes);
       },
-      outlives);
+      durability);
 }
 
 void replace_file(const fs::path& path, const std::function<void(const ByteSink&)>& produce,
-                  Outlives outlives) {
+                  Durability durability) {
   const fs::path target = checked_target(path);
   NewFile file(target);
   produce([&file](std::string_view bytes) { file.write_all(bytes); });
-  file.become_target(outlives);
-  if (outlives == Outlives::power_cut) sync_folder(target.parent_path());
+  file.become_target(durability);
+  if (durability == Durability::power_cut) sync_folder(target.parent_path());
 }
 
 }  // namespace viete::base

@@ -8,9 +8,9 @@
 
 namespace viete::base {
 
-/// What the new content outlives once replace_file() has returned: the end of the program, however sudden, or
+/// What the new content survives once replace_file() has returned: the end of the process, however sudden, or
 /// a power cut too, which waits for the disk (milliseconds).
-enum class Outlives { program, power_cut };
+enum class Durability { process, power_cut };
 
 /// Writes the bytes to a new file in the same folder, syncs it, and renames it to path. On failure the
 /// existing file stays as it was and the new one is removed. A link is followed. Of an existing file the
@@ -22,11 +22,11 @@ enum class Outlives { program, power_cut };
 /// The new file is called `NAME.PROCESS-NUMBER.part`, see process_name(). What a program that was killed has
 /// left of this file is removed.
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
-                  Outlives outlives = Outlives::power_cut);
+                  Durability durability = Durability::power_cut);
 
 /// The same with bytes that lie in several places, one after the other.
 void replace_file(const std::filesystem::path& path, std::span<const std::string_view> parts,
-                  Outlives outlives = Outlives::power_cut);
+                  Durability durability = Durability::power_cut);
 
 /// Takes a portion of the bytes of a file.
 using ByteSink = std::function<void(std::string_view)>;
@@ -35,7 +35,7 @@ using ByteSink = std::function<void(std::string_view)>;
 /// no more than a portion needs to be in memory. What it throws is thrown, and the existing file stays as it
 /// was.
 void replace_file(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce,
-                  Outlives outlives = Outlives::power_cut);
+                  Durability durability = Durability::power_cut);
 
 /// Throws what replace_file() would throw now for this place, for work that takes long before it writes; and
 /// for a file that a user has chosen: throws Error too where it has several names, which a user may not want

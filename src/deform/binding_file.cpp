@@ -205,7 +205,7 @@ std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, const We
 }
 
 void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surface& model, const Cage& cage,
-                   base::Outlives outlives) {
+                   base::Durability durability) {
   const auto ranks = ranks_of(b);
   Header h{.model = mesh::content_key(model),
            .cage = mesh::content_key(cage.surface),
@@ -225,7 +225,7 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
                                          bytes(ranks.data(), ranks.size() * sizeof ranks[0])};
   parts.push_back(bytes(b.listed.data(), b.listed.size() * sizeof b.listed[0]));
   for (const auto part : floats(b)) parts.push_back(bytes(part.data(), part.size_bytes()));
-  base::replace_file(file, parts, outlives);
+  base::replace_file(file, parts, durability);
 }
 
 bool is_binding(std::string_view beginning) {

@@ -31,7 +31,7 @@ std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, const We
 ///   floats    offsets, weights, factors, skeleton, as in TiledBinding
 /// binding must be of this model and cage. Atomic. Throws base::Error.
 void write_binding(const std::filesystem::path& file, const TiledBinding& binding, const mesh::Surface& model,
-                   const Cage& cage, base::Outlives outlives = base::Outlives::power_cut);
+                   const Cage& cage, base::Durability durability = base::Durability::power_cut);
 
 /// True if a file that begins with these bytes (16 at least) calls itself a binding.
 bool is_binding(std::string_view beginning);

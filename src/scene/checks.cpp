@@ -18,13 +18,13 @@ namespace {
 
 using Elements = std::vector<std::uint32_t>;
 
-void add(std::vector<Finding>& all, Oddity oddity, Subject subject, ElementKind kind, Elements elements) {
-  if (!elements.empty()) all.push_back({oddity, subject, kind, std::move(elements), {}});
+void add(std::vector<Finding>& all, Defect defect, Subject subject, ElementKind kind, Elements elements) {
+  if (!elements.empty()) all.push_back({defect, subject, kind, std::move(elements), {}});
 }
 
-void add_edges(std::vector<Finding>& all, Oddity oddity, Subject subject,
+void add_edges(std::vector<Finding>& all, Defect defect, Subject subject,
                const std::vector<mesh::Edge>& edges) {
-  if (!edges.empty()) all.push_back({oddity, subject, ElementKind::edge, {}, edges});
+  if (!edges.empty()) all.push_back({defect, subject, ElementKind::edge, {}, edges});
 }
 
 // The polygons that these triangles were cut from, each once.
@@ -42,16 +42,16 @@ bool inside_out(const mesh::Summary& summary) {
 // What edges tell, and which faces have no area. `surface` as the edges are to be judged.
 void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
                  Subject subject) {
-  add_edges(found, Oddity::open, subject, summary.boundary_edges);
-  add_edges(found, Oddity::nonmanifold_edge, subject, summary.nonmanifold_edges);
-  add(found, Oddity::pinched_vertex, subject, ElementKind::vertex, mesh::nonmanifold_vertices(surface));
-  add_edges(found, Oddity::misoriented, subject, summary.misoriented_edges);
+  add_edges(found, Defect::open, subject, summary.boundary_edges);
+  add_edges(found, Defect::nonmanifold_edge, subject, summary.nonmanifold_edges);
+  add(found, Defect::pinched_vertex, subject, ElementKind::vertex, mesh::nonmanifold_vertices(surface));
+  add_edges(found, Defect::misoriented, subject, summary.misoriented_edges);
   if (inside_out(summary)) {
     Elements all(surface.polygon_count());
     std::iota(all.begin(), all.end(), 0u);
-    add(found, Oddity::inside_out, subject, ElementKind::face, std::move(all));
+    add(found, Defect::inside_out, subject, ElementKind::face, std::move(all));
   }
-  add(found, Oddity::degenerate, subject, ElementKind::face, faces_of(surface, summary.degenerate_triangles));
+  add(found, Defect::degenerate, subject, ElementKind::face, faces_of(surface, summary.degenerate_triangles));
 }
 
 void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
@@ -63,21 +63,21 @@ void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
 std::string title(const Finding& finding) {
   const bool one = finding.size() == 1;
   const auto name = [&]() -> const char* {
-    switch (finding.oddity) {
-      case Oddity::vertices_outside: return one ? "vertex outside the cage" : "vertices outside the cage";
-      case Oddity::self_intersection: return one ? "face cut by another" : "faces that cut each other";
-      case Oddity::open: return one ? "open edge" : "open edges";
-      case Oddity::nonmanifold_edge:
+    switch (finding.defect) {
+      case Defect::vertices_outside: return one ? "vertex outside the cage" : "vertices outside the cage";
+      case Defect::self_intersection: return one ? "face cut by another" : "faces that cut each other";
+      case Defect::open: return one ? "open edge" : "open edges";
+      case Defect::nonmanifold_edge:
         return one ? "edge of three or more faces" : "edges of three or more faces";
-      case Oddity::pinched_vertex:
+      case Defect::pinched_vertex:
         return one ? "vertex where parts only touch" : "vertices where parts only touch";
-      case Oddity::misoriented:
+      case Defect::misoriented:
         return one ? "edge between faces that disagree" : "edges between faces that disagree";
-      case Oddity::inside_out: return one ? "face, turned inside out" : "faces, all turned inside out";
-      case Oddity::degenerate: return one ? "face without area" : "faces without area";
-      case Oddity::thin: return one ? "very thin face" : "very thin faces";
-      case Oddity::doubled_vertex: return one ? "vertex on top of another" : "vertices on top of others";
-      case Oddity::unused_vertex: return one ? "vertex without a face" : "vertices without a face";
+      case Defect::inside_out: return one ? "face, turned inside out" : "faces, all turned inside out";
+      case Defect::degenerate: return one ? "face without area" : "faces without area";
+      case Defect::thin: return one ? "very thin face" : "very thin faces";
+      case Defect::doubled_vertex: return one ? "vertex on top of another" : "vertices on top of others";
+      case Defect::unused_vertex: return one ? "vertex without a face" : "vertices without a face";
     }
     return "";
   };
@@ -111,28 +111,28 @@ std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surfa
 std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary) {
   std::vector<Finding> found;
   check_edges(found, model, summary, Subject::model);
-  add(found, Oddity::doubled_vertex, Subject::model, ElementKind::vertex, mesh::duplicate_vertices(model));
-  add(found, Oddity::unused_vertex, Subject::model, ElementKind::vertex, summary.unused_vertices);
+  add(found, Defect::doubled_vertex, Subject::model, ElementKind::vertex, mesh::duplicate_vertices(model));
+  add(found, Defect::unused_vertex, Subject::model, ElementKind::vertex, summary.unused_vertices);
   return found;
 }
 
 std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progress) {
   constexpr double thin = 1e-3;
   std::vector<Finding> found;
-  add(found, Oddity::self_intersection, Subject::cage, ElementKind::face,
+  add(found, Defect::self_intersection, Subject::cage, ElementKind::face,
       faces_of(cage, mesh::self_intersecting_triangles(cage, progress)));
   const mesh::Surface joined = mesh::welded(cage);
   const mesh::Summary summary = mesh::summarize(joined);
   check_edges(found, joined, summary, Subject::cage);
-  add(found, Oddity::thin, Subject::cage, ElementKind::face,
+  add(found, Defect::thin, Subject::cage, ElementKind::face,
       faces_of(cage, mesh::thin_triangles(cage, thin)));
   const auto doubled = mesh::duplicate_vertices(cage);
-  add(found, Oddity::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
+  add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
   // Joined to another one a vertex is not without a face.
   Elements unused;
   std::set_difference(summary.unused_vertices.begin(), summary.unused_vertices.end(), doubled.begin(),
                       doubled.end(), std::back_inserter(unused));
-  add(found, Oddity::unused_vertex, Subject::cage, ElementKind::vertex, std::move(unused));
+  add(found, Defect::unused_vertex, Subject::cage, ElementKind::vertex, std::move(unused));
   return found;
 }
 
@@ -151,7 +151,7 @@ std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Su
       outside.push_back(static_cast<std::uint32_t>(begin + i));
   }
   if (outside.empty()) return std::nullopt;
-  return Finding{Oddity::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};
+  return Finding{Defect::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};
 }
 
 std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage, base::Progress* progress) {

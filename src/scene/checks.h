@@ -1,4 +1,4 @@
-// What is odd about a model and its cage, element by element, and what each oddity means for the deformation.
+// Defects of a model and its cage, element by element, and what each means for the deformation.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace viete::scene {
 
-/// What is wrong, in the order of the checks.
-enum class Oddity {
+/// In the order of the checks.
+enum class Defect {
   vertices_outside,   ///< of the cage: model vertices
   self_intersection,  ///< faces
   open,               ///< edges with one face
@@ -29,9 +29,9 @@ enum class Oddity {
 
 enum class Subject { model, cage };
 
-/// One kind of oddity and all elements that have it, by their numbers in the file's order, from 0.
+/// One kind of defect and all elements that have it, by their numbers in the file's order, from 0.
 struct Finding {
-  Oddity oddity = Oddity::open;
+  Defect defect = Defect::open;
   Subject subject = Subject::model;        ///< whose elements they are
   ElementKind kind = ElementKind::vertex;  ///< what they are: an edge is two vertices, a face a polygon
   std::vector<std::uint32_t> elements;     ///< vertices or faces, ascending

@@ -18,20 +18,20 @@ bool follows(const TransformDrag& drag, int axis) {
 }
 
 // The way of the place that was grabbed, on its ring, over so many degrees.
-std::vector<glm::vec2> swept(double degrees, const Sight& sight, const glm::dvec3& center,
+std::vector<glm::vec2> swept(double degrees, const CursorProjection& projection, const glm::dvec3& center,
                              const TransformDrag& drag, const Camera& camera, const Viewport& viewport) {
   const Transform& t = drag.transform();
-  const auto from = sight.angle(t.axis, glm::dvec2(drag.press()));
+  const auto from = projection.angle(t.axis, glm::dvec2(drag.press()));
   if (!from) return {};
   const double radius =
-      sight.per_pixel() * (drag.constraint().kind == Kind::free ? gizmo_view_ring : gizmo_radius);
+      projection.per_pixel() * (drag.constraint().kind == Kind::free ? gizmo_view_ring : gizmo_radius);
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(degrees) / 4)));
   const Frame frame = frame_about(t.axis);
   std::vector<glm::vec2> arc;
   for (int i = 0; i <= steps; ++i) {
     const double angle = *from + degrees * i / steps * 0.017453292519943295;
     const glm::dvec3 at = center + radius * (std::cos(angle) * frame.u + std::sin(angle) * frame.v);
-    arc.push_back(glm::vec2(Sight(at, camera, viewport).at()));
+    arc.push_back(glm::vec2(CursorProjection(at, camera, viewport).at()));
   }
   return arc;
 }
@@ -42,22 +42,22 @@ DragGuides drag_guides(const TransformDrag& drag, const Space& space, const Came
                        const Viewport& viewport) {
   const glm::dvec3& pivot = drag.transform().pivot;
   const glm::dvec3 center(space.to_view({pivot.x, pivot.y, pivot.z}));
-  const Sight sight(center, camera, viewport);
+  const CursorProjection projection(center, camera, viewport);
   DragGuides guides;
-  guides.start = glm::vec2(sight.at());
+  guides.start = glm::vec2(projection.at());
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 direction(0);
     direction[axis] = 1;
-    const glm::dvec2 motion = sight.motion(direction);
-    if (!follows(drag, axis) || !(glm::length(motion) * sight.per_pixel() > 0.02)) continue;
+    const glm::dvec2 motion = projection.motion(direction);
+    if (!follows(drag, axis) || !(glm::length(motion) * projection.per_pixel() > 0.02)) continue;
     guides.axes.push_back(axis);
     guides.axis_directions.push_back(glm::vec2(glm::normalize(motion)));
   }
   if (drag.tool() != Tool::rotate) return guides;
   const double degrees = drag.transform().degrees;
   guides.whole_turns = static_cast<int>(std::min(std::abs(degrees) / 360, 1e6));
-  guides.arc = swept(std::fmod(degrees, 360.0), sight, center, drag, camera, viewport);
-  if (guides.whole_turns > 0) guides.circle = swept(360, sight, center, drag, camera, viewport);
+  guides.arc = swept(std::fmod(degrees, 360.0), projection, center, drag, camera, viewport);
+  if (guides.whole_turns > 0) guides.circle = swept(360, projection, center, drag, camera, viewport);
   return guides;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "scene/sight.h"
+#include "scene/cursor_projection.h"
 
 namespace viete::scene {
 
@@ -33,16 +33,16 @@ struct Layout {
   const glm::dvec3& center;
   const Camera& camera;
   const Viewport& viewport;
-  Sight sight{center, camera, viewport};
+  CursorProjection projection{center, camera, viewport};
 
   glm::vec2 at(const glm::dvec3& pixels) const {
-    return glm::vec2(Sight(center + sight.per_pixel() * pixels, camera, viewport).at());
+    return glm::vec2(CursorProjection(center + projection.per_pixel() * pixels, camera, viewport).at());
   }
 };
 
 Gizmo::Arm arm(const Layout& layout, int axis) {
   const glm::dvec3 a = unit(axis);
-  const double seen = std::sqrt(std::max(0.0, 1 - std::pow(glm::dot(a, layout.sight.to_eye()), 2)));
+  const double seen = std::sqrt(std::max(0.0, 1 - std::pow(glm::dot(a, layout.projection.to_eye()), 2)));
   const auto at = [&](float pixels) { return layout.at(double(pixels) * a); };
   return {at(arm_begin), at(gizmo_radius), at(gizmo_radius + gizmo_head), smooth(0.12f, 0.3f, seen)};
 }
@@ -50,7 +50,7 @@ Gizmo::Arm arm(const Layout& layout, int axis) {
 Gizmo::Plane plane(const Layout& layout, int axis) {
   const glm::dvec3 u = unit(axis + 1), v = unit(axis + 2);
   const auto at = [&](double a, double b) { return layout.at(a * u + b * v); };
-  const double seen = std::abs(glm::dot(unit(axis), layout.sight.to_eye()));
+  const double seen = std::abs(glm::dot(unit(axis), layout.projection.to_eye()));
   return {{at(plane_begin, plane_begin), at(plane_end, plane_begin), at(plane_end, plane_end),
            at(plane_begin, plane_end)},
           smooth(0.12f, 0.3f, seen)};
@@ -61,7 +61,7 @@ std::vector<Gizmo::RingPoint> ring(const Layout& layout, int axis) {
   for (int i = 0; i < ring_points; ++i) {
     const double angle = 6.283185307179586 * i / ring_points;
     const glm::dvec3 d = std::cos(angle) * unit(axis + 1) + std::sin(angle) * unit(axis + 2);
-    points.push_back({layout.at(double(gizmo_radius) * d), glm::dot(d, layout.sight.to_eye()) > -0.03});
+    points.push_back({layout.at(double(gizmo_radius) * d), glm::dot(d, layout.projection.to_eye()) > -0.03});
   }
   return points;
 }
@@ -132,16 +132,16 @@ std::optional<Constraint> pick_plane(const Gizmo& gizmo, const glm::vec2& cursor
 std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const Camera& camera,
                                 const Viewport& viewport) {
   const Layout layout{center, camera, viewport};
-  if (tool == Tool::select || !layout.sight.in_front()) return std::nullopt;
+  if (tool == Tool::select || !layout.projection.in_front()) return std::nullopt;
   Gizmo gizmo;
   gizmo.tool = tool;
-  gizmo.center = glm::vec2(layout.sight.at());
+  gizmo.center = glm::vec2(layout.projection.at());
   for (int axis = 0; axis < 3; ++axis) {
     if (tool == Tool::rotate) gizmo.rings[axis] = ring(layout, axis);
     gizmo.arms[axis] = arm(layout, axis);
     gizmo.planes[axis] = plane(layout, axis);
   }
-  const auto nearness = [&](int axis) { return glm::dot(unit(axis), layout.sight.to_eye()); };
+  const auto nearness = [&](int axis) { return glm::dot(unit(axis), layout.projection.to_eye()); };
   std::sort(gizmo.far_to_near.begin(), gizmo.far_to_near.end(),
             [&](int a, int b) { return nearness(a) < nearness(b); });
   return gizmo;

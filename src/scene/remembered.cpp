@@ -80,7 +80,7 @@ void write_remembered(const fs::path& file, const Remembered& remembered) {
   for (const auto& entry : all.recent) json["recent"].push_back(to_json(entry));
   json["folder"] = path_json(all.folder);
   json["hints"] = all.hints;
-  base::replace_file(file, readable(json, file), base::Outlives::program);
+  base::replace_file(file, readable(json, file), base::Durability::process);
 }
 
 }  // namespace viete::scene

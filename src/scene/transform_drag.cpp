@@ -96,15 +96,16 @@ Transform TransformDrag::measured(const DragInput& input, const Camera& camera, 
   const glm::dvec2 cursor(input.cursor);
   if (input.slow) lag_ += held_back * (cursor - cursor_);
   const glm::dvec2 slowed = cursor - lag_;
-  const Sight sight(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera, viewport);
+  const CursorProjection projection(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera,
+                                    viewport);
   Transform t;
   t.pivot = pivot_;
   if (tool_ == Tool::rotate) {
     t.axis = direction();
-    t.degrees = degree * turn_by_mouse(input, sight);
+    t.degrees = degree * turn_by_mouse(input, projection);
     if (input.snap) t.degrees = turn_snap * std::round(t.degrees / turn_snap);
   } else if (tool_ == Tool::scale) {
-    t.factors = scale_by_mouse(slowed, sight);
+    t.factors = scale_by_mouse(slowed, projection);
     for (int i = 0; i < 3 && input.snap; ++i) t.factors[i] = snapped(t.factors[i], scale_snaps);
   } else {
     t.shift = move_by_mouse(slowed, camera, viewport);
@@ -117,15 +118,16 @@ Transform TransformDrag::measured(const DragInput& input, const Camera& camera, 
 
 glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const Camera& camera,
                                         const Viewport& viewport) const {
-  const Sight sight(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera, viewport);
+  const CursorProjection projection(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera,
+                                    viewport);
   glm::dvec3 moved(0);
   if (constraint_.kind == Kind::free) {
     moved = camera.plane_displacement(glm::vec2(cursor - press_), depth_, viewport);
   } else if (constraint_.kind == Kind::axis) {
-    moved = (sight.along(direction(), cursor) - sight.along(direction(), press_)) * direction();
+    moved = (projection.along(direction(), cursor) - projection.along(direction(), press_)) * direction();
   } else {
-    const auto from = sight.in_plane(direction(), camera.ray(glm::vec2(press_), viewport));
-    const auto to = sight.in_plane(direction(), camera.ray(glm::vec2(cursor), viewport));
+    const auto from = projection.in_plane(direction(), camera.ray(glm::vec2(press_), viewport));
+    const auto to = projection.in_plane(direction(), camera.ray(glm::vec2(cursor), viewport));
     if (!from || !to) return pulled_;
     moved = *to - *from;
     moved[constraint_.axis] = 0;
@@ -134,14 +136,14 @@ glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const Camera& 
 }
 
 // The cursor's angle is known up to whole turns: of all that it can mean, the one nearest to the last.
-double TransformDrag::turn_by_mouse(const DragInput& input, const Sight& sight) {
-  const auto now = sight.angle(direction(), input.cursor), then = sight.angle(direction(), press_);
+double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjection& projection) {
+  const auto now = projection.angle(direction(), input.cursor), then = projection.angle(direction(), press_);
   double turned = 0;
   if (now && then) {
     constexpr double turn = 2 * 3.14159265358979323846;
     turned = turned_ + std::remainder(*now - *then - turned_, turn);
   } else {
-    turned = sight.edge_on_angle(direction(), glm::dvec2(input.cursor) - press_, gizmo_radius);
+    turned = projection.edge_on_angle(direction(), glm::dvec2(input.cursor) - press_, gizmo_radius);
   }
   if (input.slow) turn_lag_ += held_back * (turned - turned_);
   turned_ = turned;
@@ -149,16 +151,17 @@ double TransformDrag::turn_by_mouse(const DragInput& input, const Sight& sight) 
 }
 
 // Along the axis on screen, or away from the pivot in a plane; evenly: to the right and up.
-glm::dvec3 TransformDrag::scale_by_mouse(const glm::dvec2& cursor, const Sight& sight) const {
+glm::dvec3 TransformDrag::scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const {
   if (constraint_.kind == Kind::free) {
     const glm::dvec2 moved = cursor - press_;
     return factors(1 + (moved.x - moved.y) / even_scale_pixels);
   }
-  glm::dvec2 outward = constraint_.kind == Kind::axis ? sight.motion(direction()) : press_ - sight.at();
+  glm::dvec2 outward =
+      constraint_.kind == Kind::axis ? projection.motion(direction()) : press_ - projection.at();
   const double length = glm::length(outward);
   if (!(length > 0)) return factors(1);
   outward /= length;
-  const double grip = glm::dot(press_ - sight.at(), outward);
+  const double grip = glm::dot(press_ - projection.at(), outward);
   const double moved = glm::dot(cursor - press_, outward);
   return factors(1 + moved / std::max(grip, shortest_grip));
 }

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/cursor_projection.h"
 #include "scene/document.h"
 #include "scene/number_entry.h"
-#include "scene/sight.h"
 #include "scene/tool.h"
 #include "scene/transform.h"
 
@@ -63,8 +63,8 @@ private:
   Transform measured(const DragInput& input, const Camera& camera, const Viewport& viewport);
   Transform typed(double value) const;
   glm::dvec3 move_by_mouse(const glm::dvec2& cursor, const Camera& camera, const Viewport& viewport) const;
-  double turn_by_mouse(const DragInput& input, const Sight& sight);
-  glm::dvec3 scale_by_mouse(const glm::dvec2& cursor, const Sight& sight) const;
+  double turn_by_mouse(const DragInput& input, const CursorProjection& projection);
+  glm::dvec3 scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const;
   glm::dvec3 factors(double value) const;
   std::string amounts() const;
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "ui/format.h"
-#include "ui/ink.h"
+#include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

@@ -3,7 +3,7 @@
 
 #include "scene/drag_guides.h"
 #include "scene/pointer.h"
-#include "ui/ink.h"
+#include "ui/overlay_painter.h"
 #include "ui/panels.h"
 
 namespace viete::ui {
@@ -16,8 +16,8 @@ using Kind = Constraint::Kind;
 // The gizmo at rest, or the one handle of it that is in use.
 class GizmoDrawing {
 public:
-  GizmoDrawing(const Context& ui, Ink& ink, const scene::Gizmo& gizmo)
-      : ui_(ui), ink_(ink), gizmo_(gizmo), hand_(ui.workspace.hand) {}
+  GizmoDrawing(const Context& ui, OverlayPainter& painter, const scene::Gizmo& gizmo)
+      : ui_(ui), painter_(painter), gizmo_(gizmo), hand_(ui.workspace.hand) {}
 
   void draw() {
     if (gizmo_.tool == scene::Tool::rotate) return rings();
@@ -42,9 +42,9 @@ private:
     const auto& arm = gizmo_.arms[axis];
     if (!shown(handle) || arm.opacity <= 0) return;
     const ImU32 c = color(handle);
-    ink_.line(arm.base, arm.tip, c, lit(handle) ? 3.0f : 2.25f, arm.opacity);
+    painter_.line(arm.base, arm.tip, c, lit(handle) ? 3.0f : 2.25f, arm.opacity);
     if (gizmo_.tool == scene::Tool::scale) {
-      ink_.polygon(square(0.5f * (arm.tip + arm.end), 5), c, arm.opacity);
+      painter_.polygon(square(0.5f * (arm.tip + arm.end), 5), c, arm.opacity);
     } else {
       arrow_head(arm, c);
     }
@@ -55,25 +55,25 @@ private:
     const float length = glm::length(shaft);
     if (!(length > 0)) return;
     const glm::vec2 across = 5.0f / length * glm::vec2(-shaft.y, shaft.x);
-    ink_.polygon(std::array{arm.tip + across, arm.end, arm.tip - across}, c, arm.opacity);
+    painter_.polygon(std::array{arm.tip + across, arm.end, arm.tip - across}, c, arm.opacity);
   }
 
   void plane(int axis) {
     const Constraint handle{Kind::plane, axis};
     const auto& plane = gizmo_.planes[axis];
     if (!shown(handle) || plane.opacity <= 0) return;
-    ink_.tint(plane.corners, faded(color(handle), (lit(handle) ? 0.65f : 0.4f) * plane.opacity));
-    ink_.outline(plane.corners, faded(color(handle), plane.opacity));
+    painter_.tint(plane.corners, faded(color(handle), (lit(handle) ? 0.65f : 0.4f) * plane.opacity));
+    painter_.outline(plane.corners, faded(color(handle), plane.opacity));
   }
 
   void center() {
     const ImU32 c = color({});
     const float width = lit({}) ? 2.25f : 1.5f;
-    if (lit({})) ink_.tint(square(gizmo_.center, 5), faded(c, 0.25f));
+    if (lit({})) painter_.tint(square(gizmo_.center, 5), faded(c, 0.25f));
     if (gizmo_.tool == scene::Tool::scale) {
-      ink_.line(square(gizmo_.center, scene::gizmo_center - 1), c, width, true);
+      painter_.line(square(gizmo_.center, scene::gizmo_center - 1), c, width, true);
     } else {
-      ink_.circle(gizmo_.center, scene::gizmo_center, c, width);
+      painter_.circle(gizmo_.center, scene::gizmo_center, c, width);
     }
   }
 
@@ -82,8 +82,8 @@ private:
       if (shown({Kind::axis, axis})) ring_side(axis, false);
     }
     if (shown({}))
-      ink_.circle(gizmo_.center, scene::gizmo_view_ring, color({}), lit({}) ? 2.5f : 1.25f,
-                  lit({}) ? 1 : 0.6f);
+      painter_.circle(gizmo_.center, scene::gizmo_view_ring, color({}), lit({}) ? 2.5f : 1.25f,
+                      lit({}) ? 1 : 0.6f);
     for (const int axis : gizmo_.far_to_near) {
       if (shown({Kind::axis, axis})) ring_side(axis, true);
     }
@@ -101,8 +101,8 @@ private:
     if (points.size() < 2) return;
     const bool bright = lit({Kind::axis, axis});
     const ImU32 c = color({Kind::axis, axis});
-    if (front) return ink_.line(points, c, bright ? 3.0f : 2.25f, points.size() == n);
-    ink_.line(points, c, 1.25f, false, 0.3f);
+    if (front) return painter_.line(points, c, bright ? 3.0f : 2.25f, points.size() == n);
+    painter_.line(points, c, 1.25f, false, 0.3f);
   }
 
   static std::array<glm::vec2, 4> square(const glm::vec2& center, float half) {
@@ -111,24 +111,24 @@ private:
   }
 
   const Context& ui_;
-  Ink& ink_;
+  OverlayPainter& painter_;
   const scene::Gizmo& gizmo_;
   const scene::Hand& hand_;
 };
 
-void guides(const Context& ui, Ink& ink, const scene::DragGuides& guides) {
+void guides(const Context& ui, OverlayPainter& painter, const scene::DragGuides& guides) {
   constexpr float beyond_any_window = 6000;
   for (std::size_t i = 0; i < guides.axes.size(); ++i) {
     const glm::vec2 reach = beyond_any_window * guides.axis_directions[i];
-    ink.line(guides.start - reach, guides.start + reach, ui.colors.axis[guides.axes[i]], 1, 0.55f);
+    painter.line(guides.start - reach, guides.start + reach, ui.colors.axis[guides.axes[i]], 1, 0.55f);
   }
   if (guides.arc.empty()) return;
   const ImU32 c = ui.colors.highlight;
   for (int i = 0; i < std::min(guides.whole_turns, 3); ++i)
-    ink.fan(guides.start, guides.circle, faded(c, 0.12f));
-  ink.fan(guides.start, guides.arc, faded(c, 0.2f));
-  ink.line(guides.start, guides.arc.front(), c, 1, 0.7f);
-  ink.line(guides.start, guides.arc.back(), c, 1.5f);
+    painter.fan(guides.start, guides.circle, faded(c, 0.12f));
+  painter.fan(guides.start, guides.arc, faded(c, 0.2f));
+  painter.line(guides.start, guides.arc.front(), c, 1, 0.7f);
+  painter.line(guides.start, guides.arc.back(), c, 1.5f);
 }
 
 // The amount beside the cursor, inside the view.
@@ -152,9 +152,10 @@ void readout(const Context& ui, const std::string& text) {
 void gizmo_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (w.hand.box) return;
-  Ink ink(ui);
-  if (w.hand.drag) guides(ui, ink, scene::drag_guides(*w.hand.drag, w.document.space, w.camera, w.viewport));
-  if (const auto gizmo = scene::gizmo_of(w)) GizmoDrawing(ui, ink, *gizmo).draw();
+  OverlayPainter painter(ui);
+  if (w.hand.drag)
+    guides(ui, painter, scene::drag_guides(*w.hand.drag, w.document.space, w.camera, w.viewport));
+  if (const auto gizmo = scene::gizmo_of(w)) GizmoDrawing(ui, painter, *gizmo).draw();
   if (w.hand.drag) readout(ui, w.hand.drag->readout());
 }
 

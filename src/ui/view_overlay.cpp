@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "ui/ink.h"
+#include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

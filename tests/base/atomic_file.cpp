@@ -80,7 +80,7 @@ TEST_CASE("a_failure_while_writing_leaves_the_old_file_and_no_rest") {
 TEST_CASE("without_waiting_for_the_disk_a_file_is_still_replaced_as_a_whole") {
   const test::TemporaryFolder folder;
   replace_file(folder / "a", "one");
-  replace_file(folder / "a", "two", base::Outlives::program);
+  replace_file(folder / "a", "two", base::Durability::process);
   CHECK(test::file_bytes(folder / "a") == "two");
   CHECK(folder.entries() == 1);
 }

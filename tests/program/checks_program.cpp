@@ -49,9 +49,9 @@ int highlighted(Driver& d) {
   return count;
 }
 
-const scene::Finding* find(Driver& d, scene::Oddity oddity) {
+const scene::Finding* find(Driver& d, scene::Defect defect) {
   for (const auto& finding : d.workspace().checks.findings) {
-    if (finding.oddity == oddity) return &finding;
+    if (finding.defect == defect) return &finding;
   }
   return nullptr;
 }
@@ -78,7 +78,7 @@ TEST_CASE("an_open_cage_is_found_and_a_click_shows_where") {
   d.workspace().view.axes = false;
   REQUIRE(scene::load_model(d.workspace(), dragon(), open_cage(scratch.path())));
   d.settle();
-  const auto* open = find(d, scene::Oddity::open);
+  const auto* open = find(d, scene::Defect::open);
   REQUIRE(open);
   CHECK(open->edges.size() == 3);
   const auto before = d.workspace().camera.pose();
@@ -106,9 +106,9 @@ TEST_CASE("the_highlight_follows_the_cage_when_it_is_dragged") {
   d.workspace().view.axes = false;
   REQUIRE(scene::load_model(d.workspace(), dragon(), open_cage(scratch.path())));
   d.settle();
-  d.click(widget_of(d, find(d, scene::Oddity::open)));
+  d.click(widget_of(d, find(d, scene::Defect::open)));
   d.settle();
-  const auto edge = find(d, scene::Oddity::open)->edges[0];
+  const auto edge = find(d, scene::Defect::open)->edges[0];
   d.move({700, 20});
   const auto shot = [&] {
     return d.picture().pixel(static_cast<int>(d.vertex(edge[0]).x), static_cast<int>(d.vertex(edge[0]).y));
@@ -131,7 +131,7 @@ TEST_CASE("vertices_outside_are_counted_and_shown_and_go_with_the_cage") {
   d.workspace().view.axes = false;
   REQUIRE(scene::load_model(d.workspace(), dragon(), low));
   d.settle();
-  const auto* outside = find(d, scene::Oddity::vertices_outside);
+  const auto* outside = find(d, scene::Defect::vertices_outside);
   REQUIRE(outside);
   CHECK(outside->size() > 100);
   d.click(widget_of(d, outside));

@@ -30,9 +30,9 @@ mesh::Surface with_triangles(const mesh::Surface& s, std::vector<mesh::Triangle>
   return mesh::from_triangles(s.positions, triangles);
 }
 
-void check_only(const std::vector<Finding>& found, Oddity oddity, Subject subject, ElementKind kind) {
+void check_only(const std::vector<Finding>& found, Defect defect, Subject subject, ElementKind kind) {
   REQUIRE(found.size() == 1);
-  CHECK(found[0].oddity == oddity);
+  CHECK(found[0].defect == defect);
   CHECK(found[0].subject == subject);
   CHECK(found[0].kind == kind);
   CHECK(!meaning(found[0]).empty());
@@ -49,7 +49,7 @@ TEST_CASE("an_open_cage_names_its_edges") {
   auto triangles = test::cube(1.5).triangles;
   triangles.erase(triangles.begin());
   const auto found = check_in(with_triangles(test::cube(1.5), triangles));
-  check_only(found, Oddity::open, Subject::cage, ElementKind::edge);
+  check_only(found, Defect::open, Subject::cage, ElementKind::edge);
   CHECK(found[0].edges == Edges{{0, 1}, {0, 2}, {1, 2}});
   CHECK(title(found[0]) == "3 open edges");
   CHECK(first_elements(found[0], 2) == "0-1, 0-2 and 1 more");
@@ -64,7 +64,7 @@ TEST_CASE("a_fin_names_its_edge_of_three_faces") {
   const auto found = check_in(with_triangles(s, triangles));
   REQUIRE(found.size() == 2);
   CHECK(found[0].edges == Edges{{1, 8}, {2, 8}});
-  CHECK(found[1].oddity == Oddity::nonmanifold_edge);
+  CHECK(found[1].defect == Defect::nonmanifold_edge);
   CHECK(found[1].edges == Edges{{1, 2}});
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("a_turned_face_names_its_edges_and_puts_nothing_outside") {
   auto s = test::cube(1.5);
   std::swap(s.triangles[4][0], s.triangles[4][1]);
   const auto found = check_in(with_triangles(s, s.triangles), test::cube(1.499));
-  check_only(found, Oddity::misoriented, Subject::cage, ElementKind::edge);
+  check_only(found, Defect::misoriented, Subject::cage, ElementKind::edge);
   CHECK(found[0].edges.size() == 3);
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("an_inside_out_cage_is_said_and_does_not_matter") {
   auto s = test::cube(1.5);
   for (auto& t : s.triangles) std::swap(t[0], t[1]);
   const auto found = check_in(with_triangles(s, s.triangles));
-  check_only(found, Oddity::inside_out, Subject::cage, ElementKind::face);
+  check_only(found, Defect::inside_out, Subject::cage, ElementKind::face);
   CHECK(found[0].size() == 12);
   CHECK(!matters(found[0]));
 }
@@ -93,9 +93,9 @@ TEST_CASE("a_face_without_area_and_a_thin_one_are_named") {
     auto triangles = s.triangles;
     triangles.push_back({1, 8, 3});
     const auto found = check_in(with_triangles(s, triangles));
-    const auto oddity = beside > 0 ? Oddity::thin : Oddity::degenerate;
+    const auto defect = beside > 0 ? Defect::thin : Defect::degenerate;
     const auto at =
-        std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.oddity == oddity; });
+        std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.defect == defect; });
     REQUIRE(at != found.end());
     CHECK(at->elements == List{12});
   }
@@ -107,7 +107,7 @@ TEST_CASE("vertices_at_one_place_are_named_and_do_not_open_the_cage") {
   s.positions.push_back(s.positions[3]);
   triangles[1][2] = 8;
   const auto found = check_in(with_triangles(s, triangles));
-  check_only(found, Oddity::doubled_vertex, Subject::cage, ElementKind::vertex);
+  check_only(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex);
   CHECK(found[0].elements == List{8});
   CHECK(title(found[0]) == "1 vertex on top of another");
 }
@@ -116,7 +116,7 @@ TEST_CASE("a_vertex_without_a_face_is_said_and_does_not_matter") {
   auto s = test::cube(1.5);
   s.positions.push_back({0, 5, 0});
   const auto found = check_in(s);
-  check_only(found, Oddity::unused_vertex, Subject::cage, ElementKind::vertex);
+  check_only(found, Defect::unused_vertex, Subject::cage, ElementKind::vertex);
   CHECK(found[0].elements == List{8});
   CHECK(!matters(found[0]));
 }
@@ -126,7 +126,7 @@ TEST_CASE("a_cage_that_cuts_itself_names_the_faces") {
   s.positions[7] = {-2.5, -2.5, -2.5};  // pulled through the whole cage
   const auto found = check_in(s, test::cube(0.01));
   REQUIRE(!found.empty());
-  CHECK(found[0].oddity == Oddity::self_intersection);
+  CHECK(found[0].defect == Defect::self_intersection);
   CHECK(found[0].size() >= 4);
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("model_vertices_outside_the_cage_are_named") {
   model.positions[2] = {-1, 1.75, -1};
   model.positions[5] = {4, 4, 4};
   const auto found = check_in(test::cube(1.5), model);
-  check_only(found, Oddity::vertices_outside, Subject::model, ElementKind::vertex);
+  check_only(found, Defect::vertices_outside, Subject::model, ElementKind::vertex);
   CHECK(found[0].elements == List{2, 5});
   CHECK(matters(found[0]));
 }
@@ -149,7 +149,7 @@ TEST_CASE("faces_are_polygons_and_not_their_triangles") {
   s.positions[5] = s.positions[4];
   const auto found = check_model(s, mesh::summarize(s));
   const auto named =
-      std::find_if(found.begin(), found.end(), [](const auto& f) { return f.oddity == Oddity::degenerate; });
+      std::find_if(found.begin(), found.end(), [](const auto& f) { return f.defect == Defect::degenerate; });
   REQUIRE(named != found.end());
   CHECK(named->elements == List{1});
   CHECK(vertices_of(*named, s, 0) == List{1, 4, 5, 6, 2});
@@ -161,8 +161,8 @@ TEST_CASE("what_matters_comes_first") {
   model.positions[5] = {4, 4, 4};
   const auto found = check_in(test::cube(1.5), model);
   REQUIRE(found.size() == 2);
-  CHECK(found[0].oddity == Oddity::vertices_outside);
-  CHECK(found[1].oddity == Oddity::unused_vertex);
+  CHECK(found[0].defect == Defect::vertices_outside);
+  CHECK(found[1].defect == Defect::unused_vertex);
 }
 
 TEST_CASE("checks_can_be_cancelled") {
@@ -173,7 +173,7 @@ TEST_CASE("checks_can_be_cancelled") {
 
 TEST_CASE("a_finding_is_shown_stepped_through_and_hidden") {
   auto w = test::cube_workspace();
-  take_findings(w.checks, {{Oddity::open, Subject::cage, ElementKind::edge, {}, {{0, 1}, {5, 7}}}});
+  take_findings(w.checks, {{Defect::open, Subject::cage, ElementKind::edge, {}, {{0, 1}, {5, 7}}}});
   CHECK(shown_elements(w.checks, 10).empty());
   toggle_finding(w, 0);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{0, 1});

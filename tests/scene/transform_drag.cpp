@@ -31,7 +31,9 @@ struct Drag {
     const glm::dvec3 c = selection_center(w.document);
     return w.document.space.to_view({c.x, c.y, c.z});
   }
-  glm::vec2 center() const { return glm::vec2(Sight(glm::dvec3(view_center()), w.camera, w.viewport).at()); }
+  glm::vec2 center() const {
+    return glm::vec2(CursorProjection(glm::dvec3(view_center()), w.camera, w.viewport).at());
+  }
   void move(glm::vec2 by) { input.cursor += by, update(); }
   void update() { drag->update(w.document, input, w.camera, w.viewport); }
   void type(const char* text) {
@@ -92,7 +94,8 @@ TEST_CASE("an_axis_move_goes_along_its_axis_only_and_follows_the_cursor") {
       direction[axis] = 1;
       const glm::dvec2 on_screen =
           60.0 *
-          glm::normalize(Sight(glm::dvec3(d.view_center()), d.w.camera, d.w.viewport).motion(direction));
+          glm::normalize(
+              CursorProjection(glm::dvec3(d.view_center()), d.w.camera, d.w.viewport).motion(direction));
       const glm::vec2 sideways(-on_screen.y, on_screen.x);
       const glm::vec2 expected = d.center() + glm::vec2(on_screen);
       d.move(glm::vec2(on_screen) + 0.3f * sideways);  // what is across the axis does not count
@@ -232,9 +235,9 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
 }
 
 TEST_CASE("an_axis_scale_follows_its_handle_and_scales_nothing_else") {
-  const Sight sight(glm::dvec3(Drag(Tool::scale, {}, {0, 0}).view_center()), test::cube_workspace().camera,
-                    test::cube_workspace().viewport);
-  const glm::vec2 outward(glm::normalize(sight.motion({1, 0, 0})));
+  const CursorProjection projection(glm::dvec3(Drag(Tool::scale, {}, {0, 0}).view_center()),
+                                    test::cube_workspace().camera, test::cube_workspace().viewport);
+  const glm::vec2 outward(glm::normalize(projection.motion({1, 0, 0})));
   Drag d(Tool::scale, {Kind::axis, 0}, 80.0f * outward);
   d.move(40.0f * outward);
   CHECK(d.drag->transform().factors.x == doctest::Approx(1.5).epsilon(1e-5));

@@ -1,4 +1,5 @@
-// How movements of the cursor read at a point of the scene: along an axis, in a plane, about an axis.
+// From the cursor to the scene, at one point of it: a length along an axis, an angle about one, a place in a
+// plane.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,10 +9,11 @@
 
 namespace viete::scene {
 
-/// A point as the camera sees it. Points, axes and lengths in view units, cursors in logical pixels.
-class Sight {
+/// A point as the camera sees it, and cursors projected to axes and planes through it. Points, axes and
+/// lengths in view units, cursors in logical pixels.
+class CursorProjection {
 public:
-  Sight(const glm::dvec3& point, const Camera& camera, const Viewport& viewport);
+  CursorProjection(const glm::dvec3& point, const Camera& camera, const Viewport& viewport);
 
   bool in_front() const { return in_front_; }
   glm::dvec2 at() const { return at_; }
@@ -23,9 +25,9 @@ public:
   /// How the point moves on screen, in pixels per view unit, when it sets out in this direction.
   glm::dvec2 motion(const glm::dvec3& direction) const;
 
-  /// Where the place of the axis through the point is that the cursor points at, as a length from the point:
-  /// the place follows the cursor, in perspective, too. 0 if the axis points at the eye; no nearer to the
-  /// vanishing point than a twentieth.
+  /// Where on the axis through the point the cursor points, as a length from the point; exact in perspective
+  /// too. 0 if the axis points at the eye; towards the vanishing point no more than 20 times what an
+  /// orthographic view would give.
   double along(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
   /// The angle at which the cursor stands about the axis through the point, radians in (-pi, pi], from an

@@ -1,4 +1,5 @@
-// Lines and shapes over the view, behind the panels: each with a thin halo, so that it reads on any ground.
+// Lines and shapes over the view, behind the panels: each with a thin halo, so that it shows on any
+// background.
 #pragma once
 
 #include <span>
@@ -15,12 +16,12 @@ inline ImVec2 vec(const glm::vec2& p) {
 }
 
 /// Draws into ImGui's background list, with edges as sharp as the screen's pixels at any scale.
-class Ink {
+class OverlayPainter {
 public:
-  explicit Ink(const Context& ui);
-  ~Ink();
-  Ink(const Ink&) = delete;
-  Ink& operator=(const Ink&) = delete;
+  explicit OverlayPainter(const Context& ui);
+  ~OverlayPainter();
+  OverlayPainter(const OverlayPainter&) = delete;
+  OverlayPainter& operator=(const OverlayPainter&) = delete;
 
   /// opacity applies to colour and halo.
   void line(std::span<const glm::vec2> points, ImU32 color, float width, bool closed = false,

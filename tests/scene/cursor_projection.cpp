@@ -1,4 +1,4 @@
-#include "scene/sight.h"
+#include "scene/cursor_projection.h"
 
 #include <doctest/doctest.h>
 
@@ -17,7 +17,7 @@ Camera camera(bool orthographic) {
 }
 
 glm::dvec2 pixel(const Camera& c, const glm::dvec3& p) {
-  return Sight(p, c, test::viewport).at();
+  return CursorProjection(p, c, test::viewport).at();
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ TEST_CASE("motion_is_the_derivative_of_the_projection") {
     const glm::dvec3 p(0.4, -0.3, 0.7);
     for (const auto& d : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0.6, 0, 0.8)}) {
       const glm::dvec2 expected = (pixel(c, p + 1e-4 * d) - pixel(c, p - 1e-4 * d)) / 2e-4;
-      CHECK(glm::distance(Sight(p, c, test::viewport).motion(d), expected) < 1e-3);
+      CHECK(glm::distance(CursorProjection(p, c, test::viewport).motion(d), expected) < 1e-3);
     }
   }
 }
@@ -47,10 +47,10 @@ TEST_CASE("a_place_on_an_axis_is_found_again_from_its_pixel") {
   for (const bool orthographic : {false, true}) {
     const Camera c = camera(orthographic);
     const glm::dvec3 p(0.4, -0.3, 0.7);
-    const Sight sight(p, c, test::viewport);
+    const CursorProjection projection(p, c, test::viewport);
     for (const auto& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
       for (const double t : {-0.5, 0.0, 0.01, 0.8}) {
-        CHECK(sight.along(axis, pixel(c, p + t * axis)) == doctest::Approx(t).epsilon(1e-5));
+        CHECK(projection.along(axis, pixel(c, p + t * axis)) == doctest::Approx(t).epsilon(1e-5));
       }
     }
   }
@@ -59,11 +59,12 @@ TEST_CASE("a_place_on_an_axis_is_found_again_from_its_pixel") {
 TEST_CASE("an_axis_that_points_at_the_eye_does_not_run_away") {
   const Camera c;
   const glm::dvec3 p(c.pose().target);
-  const Sight sight(p, c, test::viewport);
-  CHECK(sight.along(sight.to_eye(), {900, 100}) == 0);
+  const CursorProjection projection(p, c, test::viewport);
+  CHECK(projection.along(projection.to_eye(), {900, 100}) == 0);
   // Beyond the vanishing point of a receding axis the length stays finite and keeps its sign.
   const glm::dvec3 away = glm::normalize(glm::dvec3(c.forward()) + 0.3 * glm::dvec3(c.right()));
-  const double far = sight.along(away, sight.at() + 10000.0 * glm::normalize(sight.motion(away)));
+  const double far =
+      projection.along(away, projection.at() + 10000.0 * glm::normalize(projection.motion(away)));
   CHECK(std::isfinite(far));
   CHECK(far > 0);
 }
@@ -72,12 +73,12 @@ TEST_CASE("angles_about_an_axis_are_right_handed_and_true") {
   for (const bool orthographic : {false, true}) {
     const Camera c = camera(orthographic);
     const glm::dvec3 p(c.pose().target);
-    const Sight sight(p, c, test::viewport);
+    const CursorProjection projection(p, c, test::viewport);
     for (const auto& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
       const Frame f = frame_about(axis);
       CHECK(glm::distance(glm::cross(f.u, f.v), axis) < 1e-15);
       const auto at = [&](double a) {
-        return *sight.angle(axis, pixel(c, p + 0.01 * (std::cos(a) * f.u + std::sin(a) * f.v)));
+        return *projection.angle(axis, pixel(c, p + 0.01 * (std::cos(a) * f.u + std::sin(a) * f.v)));
       };
       CHECK(at(1.2) - at(0.2) == doctest::Approx(1).epsilon(1e-2));
       CHECK(at(-2.0) - at(-3.0) == doctest::Approx(1).epsilon(1e-2));
@@ -89,19 +90,19 @@ TEST_CASE("an_edge_on_ring_has_no_angle_but_its_near_side_follows_the_cursor") {
   Camera c;
   c.look(StandardView::front);
   c.animate(1);
-  const Sight sight(glm::dvec3(c.pose().target), c, test::viewport);
-  CHECK_FALSE(sight.angle({1, 0, 0}, {700, 300}));
+  const CursorProjection projection(glm::dvec3(c.pose().target), c, test::viewport);
+  CHECK_FALSE(projection.angle({1, 0, 0}, {700, 300}));
   // Pushed up, the near side of a wheel about +x turns backwards.
-  CHECK(sight.edge_on_angle({1, 0, 0}, {0, -84}, 84) == doctest::Approx(-1));
+  CHECK(projection.edge_on_angle({1, 0, 0}, {0, -84}, 84) == doctest::Approx(-1));
 }
 
 TEST_CASE("planes_are_hit_where_the_ray_meets_them_and_not_beyond_their_horizon") {
   const Camera c;
   const glm::dvec3 p(c.pose().target), up(0, 1, 0);
-  const Sight sight(p, c, test::viewport);
-  const auto hit = sight.in_plane(up, c.ray({700, 500}, test::viewport));
+  const CursorProjection projection(p, c, test::viewport);
+  const auto hit = projection.in_plane(up, c.ray({700, 500}, test::viewport));
   REQUIRE(hit);
   CHECK(hit->y == doctest::Approx(p.y));
   CHECK(glm::distance(pixel(c, *hit), glm::dvec2(700, 500)) < 0.01);
-  CHECK_FALSE(sight.in_plane(up, c.ray({700, -5000}, test::viewport)));
+  CHECK_FALSE(projection.in_plane(up, c.ray({700, -5000}, test::viewport)));
 }

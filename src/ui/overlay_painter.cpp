@@ -1,4 +1,4 @@
-#include "ui/ink.h"
+#include "ui/overlay_painter.h"
 
 #include <array>
 #include <vector>
@@ -21,50 +21,51 @@ ImU32 faded(ImU32 color, float opacity) {
   return (color & 0x00ffffff) | alpha << 24;
 }
 
-Ink::Ink(const Context& ui) : ui_(ui), list_(*ImGui::GetBackgroundDrawList()) {
+OverlayPainter::OverlayPainter(const Context& ui) : ui_(ui), list_(*ImGui::GetBackgroundDrawList()) {
   list_._FringeScale = 1 / ImGui::GetIO().DisplayFramebufferScale.x;
 }
 
-Ink::~Ink() {
+OverlayPainter::~OverlayPainter() {
   list_._FringeScale = 1;
 }
 
-ImU32 Ink::halo(ImU32 color, float opacity) const {
+ImU32 OverlayPainter::halo(ImU32 color, float opacity) const {
   return faded(ui_.colors.halo, opacity * static_cast<float>(color >> 24) / 255);
 }
 
-void Ink::stroke(std::span<const glm::vec2> points, ImU32 color, float width, bool closed) {
+void OverlayPainter::stroke(std::span<const glm::vec2> points, ImU32 color, float width, bool closed) {
   list_.AddPolyline(as_imgui(points), static_cast<int>(points.size()), color, closed ? ImDrawFlags_Closed : 0,
                     width);
 }
 
-void Ink::line(std::span<const glm::vec2> points, ImU32 color, float width, bool closed, float opacity) {
+void OverlayPainter::line(std::span<const glm::vec2> points, ImU32 color, float width, bool closed,
+                          float opacity) {
   stroke(points, halo(color, opacity), width + 2 * halo_width, closed);
   stroke(points, faded(color, opacity), width, closed);
 }
 
-void Ink::line(const glm::vec2& a, const glm::vec2& b, ImU32 color, float width, float opacity) {
+void OverlayPainter::line(const glm::vec2& a, const glm::vec2& b, ImU32 color, float width, float opacity) {
   const std::array points{a, b};
   line(points, color, width, false, opacity);
 }
 
-void Ink::circle(const glm::vec2& center, float radius, ImU32 color, float width, float opacity) {
+void OverlayPainter::circle(const glm::vec2& center, float radius, ImU32 color, float width, float opacity) {
   list_.AddCircle(vec(center), radius, halo(color, opacity), 0, width + 2 * halo_width);
   list_.AddCircle(vec(center), radius, faded(color, opacity), 0, width);
 }
 
-void Ink::disc(const glm::vec2& center, float radius, ImU32 color, float opacity) {
+void OverlayPainter::disc(const glm::vec2& center, float radius, ImU32 color, float opacity) {
   list_.AddCircleFilled(vec(center), radius + halo_width, halo(color, opacity));
   list_.AddCircleFilled(vec(center), radius, faded(color, opacity));
 }
 
-void Ink::polygon(std::span<const glm::vec2> corners, ImU32 color, float opacity) {
+void OverlayPainter::polygon(std::span<const glm::vec2> corners, ImU32 color, float opacity) {
   stroke(corners, halo(color, opacity), 2 * halo_width, true);
   tint(corners, faded(color, opacity));
 }
 
 // ImGui smooths the edges of clockwise polygons outwards; on screen, y points down.
-void Ink::tint(std::span<const glm::vec2> corners, ImU32 color) {
+void OverlayPainter::tint(std::span<const glm::vec2> corners, ImU32 color) {
   float area = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::vec2 a = corners[i], b = corners[(i + 1) % corners.size()];
@@ -75,12 +76,12 @@ void Ink::tint(std::span<const glm::vec2> corners, ImU32 color) {
   list_.AddConvexPolyFilled(as_imgui(clockwise), static_cast<int>(clockwise.size()), color);
 }
 
-void Ink::outline(std::span<const glm::vec2> corners, ImU32 color) {
+void OverlayPainter::outline(std::span<const glm::vec2> corners, ImU32 color) {
   stroke(corners, color, 1.25f, true);
 }
 
 // Triangles that share edges: smoothing each would show as rays.
-void Ink::fan(const glm::vec2& center, std::span<const glm::vec2> line, ImU32 color) {
+void OverlayPainter::fan(const glm::vec2& center, std::span<const glm::vec2> line, ImU32 color) {
   const ImDrawListFlags flags = list_.Flags;
   list_.Flags &= ~ImDrawListFlags_AntiAliasedFill;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -89,7 +90,7 @@ void Ink::fan(const glm::vec2& center, std::span<const glm::vec2> line, ImU32 co
   list_.Flags = flags;
 }
 
-void Ink::letter(const glm::vec2& center, const char* text, ImU32 color, float size) {
+void OverlayPainter::letter(const glm::vec2& center, const char* text, ImU32 color, float size) {
   ImFont* font = ui_.fonts.strong;
   const ImVec2 extent = font->CalcTextSizeA(size, 1e9f, 0, text);
   list_.AddText(font, size, {center.x - 0.5f * extent.x, center.y - 0.5f * extent.y}, color, text);

@@ -1,4 +1,4 @@
-#include "scene/sight.h"
+#include "scene/cursor_projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ constexpr double edge_on = 0.12;  // sine of the angle below which a ring or a p
 
 }  // namespace
 
-Sight::Sight(const glm::dvec3& point, const Camera& camera, const Viewport& v)
+CursorProjection::CursorProjection(const glm::dvec3& point, const Camera& camera, const Viewport& v)
     : point_(point),
       right_(camera.right()),
       up_(camera.up()),
@@ -28,14 +28,14 @@ Sight::Sight(const glm::dvec3& point, const Camera& camera, const Viewport& v)
 }
 
 // x = (L + t l) / (z + t n) with L = slope z: its derivative at t = 0 is (l - slope n) / z.
-glm::dvec2 Sight::motion(const glm::dvec3& d) const {
+glm::dvec2 CursorProjection::motion(const glm::dvec3& d) const {
   const glm::dvec2 side(glm::dot(d, right_), glm::dot(d, up_));
   const glm::dvec2 moved = side - glm::dot(d, forward_) * slope_;
   return glm::dvec2(moved.x, -moved.y) / per_pixel_;
 }
 
 // The image of the axis is a straight line; on it, from the point, u = t |m| / (1 + t n / z), solved for t.
-double Sight::along(const glm::dvec3& axis, const glm::dvec2& cursor) const {
+double CursorProjection::along(const glm::dvec3& axis, const glm::dvec2& cursor) const {
   const glm::dvec2 m = motion(axis);
   const double speed = glm::length(m);
   if (speed * per_pixel_ < 0.05) return 0;
@@ -44,7 +44,7 @@ double Sight::along(const glm::dvec3& axis, const glm::dvec2& cursor) const {
   return u / std::max(speed - u * bend, 0.05 * speed);
 }
 
-std::optional<double> Sight::angle(const glm::dvec3& axis, const glm::dvec2& cursor) const {
+std::optional<double> CursorProjection::angle(const glm::dvec3& axis, const glm::dvec2& cursor) const {
   const Frame frame = frame_about(axis);
   const glm::dvec2 u = motion(frame.u), v = motion(frame.v), d = cursor - at_;
   const double area = u.x * v.y - u.y * v.x;
@@ -52,13 +52,14 @@ std::optional<double> Sight::angle(const glm::dvec3& axis, const glm::dvec2& cur
   return std::atan2((u.x * d.y - u.y * d.x) / area, (d.x * v.y - d.y * v.x) / area);
 }
 
-double Sight::edge_on_angle(const glm::dvec3& axis, const glm::dvec2& pixels, double radius) const {
+double CursorProjection::edge_on_angle(const glm::dvec3& axis, const glm::dvec2& pixels,
+                                       double radius) const {
   const glm::dvec2 m = motion(glm::cross(axis, to_eye_));
   const double speed = glm::length(m);
   return speed > 0 ? glm::dot(pixels, m) / (speed * radius) : 0;
 }
 
-std::optional<glm::dvec3> Sight::in_plane(const glm::dvec3& normal, const Ray& ray) const {
+std::optional<glm::dvec3> CursorProjection::in_plane(const glm::dvec3& normal, const Ray& ray) const {
   const double slope = glm::dot(ray.direction, normal), slope_at_point = -glm::dot(to_eye_, normal);
   if (std::abs(slope) < 0.5 * edge_on || slope * slope_at_point <= 0) return std::nullopt;
   return ray.origin + glm::dot(point_ - ray.origin, normal) / slope * ray.direction;
