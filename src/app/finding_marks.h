@@ -20,7 +20,7 @@ public:
 
   /// Every frame: follows what the workspace shows. moved: the positions are others than in the last frame.
   void set(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved);
-  /// After everything else: it shines through what hides it.
+  /// After everything else: it is seen through what hides it.
   void draw(const render::View& view, const render::Theme& theme) const;
 
 private:

@@ -71,7 +71,7 @@ static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const Dis
 }
 
 // Ratios [handle][stride], least squared distance over squared distance, become tapered weights: see
-// weights.h. Returns their sum.
+// inverse_distance.h. Returns their sum.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE hn::Vec<D> taper(D d, T cut, std::size_t count, T* ratios, std::size_t stride) {
   using V = hn::Vec<D>;

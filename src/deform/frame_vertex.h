@@ -1,4 +1,4 @@
-// A vertex of a frame. Shared with vector code: no functions here (see sym3/exp_by_jacobi.h).
+// A vertex of a frame. Shared with vector code: no functions here (see sym3/fallback.h).
 #pragma once
 
 namespace viete::deform {

@@ -1,5 +1,5 @@
 // A pose as numbers that are summed: a row a handle. Shared with vector code: no functions here (see
-// sym3/exp_by_jacobi.h).
+// sym3/fallback.h).
 #pragma once
 
 #include <cstddef>

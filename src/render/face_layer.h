@@ -1,4 +1,4 @@
-// Translucent faces: a breath of colour that also says what lies in front.
+// Translucent faces: a light tint, and depth, so that what is drawn later knows what lies in front.
 #pragma once
 
 #include <cstdint>

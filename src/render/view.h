@@ -6,8 +6,8 @@
 //   backdrop.draw(theme);                          // background gradient
 //   surface.draw(view, theme, surface_style);      // the model, lit
 //   grid.draw(view, theme, grid_style);            // ground grid, behind and below the model
-//   faces.draw(view, face_style);                  // tinted faces; they also hide what is behind them from
-//   here on lines.draw(view, line_style);                  // hidden parts faint, visible parts full
+//   faces.draw(view, face_style);                  // tinted; hide what is drawn behind them later
+//   lines.draw(view, line_style);                  // hidden parts faint, visible parts full
 //   discs.draw(view, disc_style);
 //   framebuffer.resolve();                         // samples -> pixels; the resolved picture is now bound
 //   imgui_renderer.draw(*ImGui::GetDrawData());    // panels, after the resolve
@@ -15,7 +15,7 @@
 //
 // Every draw() sets the GL state that it needs and leaves blending, depth test and scissor off and depth
 // writes on. Data changes at three speeds: topology (set_triangles, set_segments), looks (set_colors,
-// set_marks), positions (set_positions, every frame, no allocation while the count stays the same).
+// set_discs), positions (set_positions, every frame, no allocation while the count stays the same).
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ namespace viete::scene {
 using deform::largest_turn;
 using mesh::largest_coordinate;
 
-/// View units from the middle of the model, which has a diagonal of 2: how far a hand takes vertices and
+/// View units from the middle of the model, which has a diagonal of 2: how far a drag takes vertices and
 /// where a camera looks. Floats still tell parts of the model from each other there.
 inline constexpr double farthest_place = 1e6;
 
@@ -33,7 +33,7 @@ inline bool is_window(double width, double height) {
          width * height <= most_window_area;
 }
 
-/// Whether a hand may put a vertex there, in the file's units.
+/// Whether a drag may put a vertex there, in the file's units.
 inline bool is_in_reach(const Space& space, const mesh::Point& p) {
   for (int i = 0; i < 3; ++i) {
     const bool near = std::abs((p[i] - space.center[i]) * space.scale) <= farthest_place;

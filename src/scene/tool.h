@@ -1,4 +1,4 @@
-// Which tool the hand holds, and in which directions a drag of it may go.
+// The tools that move what is selected, and the directions in which a drag may go.
 #pragma once
 
 namespace viete::scene {
