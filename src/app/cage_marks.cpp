@@ -39,7 +39,7 @@ void CageMarks::set_faces(const scene::Workspace& workspace) {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       const auto face = surface.triangle_polygon[t];
       if (marked[face]) selected.push_back(surface.triangles[t]);
-      if (workspace.hand.hovered == face) hovered.push_back(surface.triangles[t]);
+      if (workspace.interaction.hovered == face) hovered.push_back(surface.triangles[t]);
     }
   }
   set_triangles(selected_faces_, selected, document.pose.positions);
@@ -59,7 +59,7 @@ void CageMarks::set_edges(const scene::Workspace& workspace, const render::Theme
   };
   for (const auto i : document.selection.indices()) add(i);
   const std::size_t selected = segments.size();
-  const auto hovered = workspace.hand.hovered;
+  const auto hovered = workspace.interaction.hovered;
   if (hovered && *hovered < scene::element_count(*document.cage, kind)) add(*hovered);
   std::vector<glm::vec4> colors(segments.size(), glm::vec4(theme.hover, 0.85f));
   std::fill_n(colors.begin(), selected, glm::vec4(theme.selection, 1));

@@ -11,8 +11,8 @@ class CageMarks {
 public:
   explicit CageMarks(const render::Gl& gl) : selected_faces_(gl), hovered_face_(gl), edges_(gl) {}
 
-  /// Every frame, after the cage was posed: what the workspace's selection and hand say now. Vertices are not
-  /// marked here.
+  /// Every frame, after the cage was posed: what the workspace's selection and pointer say now. Vertices are
+  /// not marked here.
   void set(const scene::Workspace& workspace, const render::Theme& theme);
   /// After the cage's lines.
   void draw(const render::View& view, const render::Theme& theme) const;

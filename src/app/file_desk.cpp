@@ -43,7 +43,7 @@ FileDesk::~FileDesk() {
   if (!state_.empty()) scene::remove_discarded(recovery_folder(state_));
 }
 
-void FileDesk::take_requests(scene::Workspace& w, bool hand_is_free) {
+void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   auto& r = w.requests;
   if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
   if (const auto request = std::exchange(r.open, std::nullopt))
@@ -60,7 +60,7 @@ void FileDesk::take_requests(scene::Workspace& w, bool hand_is_free) {
   go_on_after_saving(w);
   if (std::exchange(r.quit, false) && !w.question) close(w);
   show_exports(w);
-  if (hand_is_free && !w.question) take_loaded(w, false);
+  if (no_drag && !w.question) take_loaded(w, false);
 }
 
 void FileDesk::take_loaded(scene::Workspace& w, bool wait) {

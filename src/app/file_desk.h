@@ -24,10 +24,10 @@ public:
   /// What was discarded is gone for good.
   ~FileDesk();
 
-  /// Before the frame's work: takes requests and answers, and what was read once the hand is free, so that
+  /// Before the frame's work: takes requests and answers, and what was read once no drag runs, so that
   /// nothing is taken away under a drag. Asks before edits are lost that cannot be kept. Closes when exports
   /// are written, and not if one fails.
-  void take_requests(scene::Workspace& workspace, bool hand_is_free);
+  void take_requests(scene::Workspace& workspace, bool no_drag);
   /// After it: keeps what is new.
   void keep(scene::Workspace& workspace);
 

@@ -103,7 +103,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   prepared_ = false;
   if (!deformer_) return false;
   scene::Document& document = workspace.document;
-  const auto& drag = workspace.hand.drag;
+  const auto& drag = workspace.interaction.drag;
   if (dragging_ && !drag) {
     deformer_->end_drag();
     derived_.reset();  // the frame at rest depends on the pose alone

@@ -85,7 +85,7 @@ void Stage::set_hand(const scene::Workspace& workspace) {
   for (const auto v : scene::selected_vertices(*document.cage, document.selection)) {
     discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
   }
-  if (const auto v = workspace.hand.hovered; vertices && v && *v < discs.size()) discs[*v].ring = true;
+  if (const auto v = workspace.interaction.hovered; vertices && v && *v < discs.size()) discs[*v].ring = true;
   marks_.set(workspace, theme);
   cage_vertices_.set_discs(discs);
   cage_lines_.set_color(opaque(theme.cage));

@@ -61,7 +61,7 @@ void Camera::set_pose(const CameraPose& pose) {
   jump();
 }
 
-// What the hand does at once replaces what is being eased.
+// A movement that takes effect at once replaces one that is being eased.
 void Camera::jump() {
   goal_ = current_ = in_range(current_);
   remaining_ = 0;

@@ -24,7 +24,7 @@ constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage
 constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
                                   "Nothing is selected."};
 constexpr Condition has_selection_or_hover{
-    [](const Workspace& w) { return has_cage(w) && (has_selection(w) || w.hand.hovered); },
+    [](const Workspace& w) { return has_cage(w) && (has_selection(w) || w.interaction.hovered); },
     "Select something first, or point at it."};
 constexpr Condition is_working{[](const Workspace& w) { return w.loading.running || w.binding.running; },
                                "Nothing is being read or bound."};
@@ -39,12 +39,15 @@ constexpr Condition has_leftover{
     "There are no unsaved edits of an earlier run."};
 constexpr Condition has_discarded{[](const Workspace& w) { return !w.discarded.empty(); },
                                   "Nothing was discarded since the program was started."};
-constexpr Condition can_undo{[](const Workspace& w) { return w.document.history.can_undo() && !w.hand.drag; },
-                             "There is no edit to take back."};
-constexpr Condition can_redo{[](const Workspace& w) { return w.document.history.can_redo() && !w.hand.drag; },
-                             "No edit was taken back."};
-constexpr Condition is_posed{[](const Workspace& w) { return !w.hand.drag && differs_from_rest(w.document); },
-                             "The cage is at rest."};
+constexpr Condition can_undo{
+    [](const Workspace& w) { return w.document.history.can_undo() && !w.interaction.drag; },
+    "There is no edit to take back."};
+constexpr Condition can_redo{
+    [](const Workspace& w) { return w.document.history.can_redo() && !w.interaction.drag; },
+    "No edit was taken back."};
+constexpr Condition is_posed{
+    [](const Workspace& w) { return !w.interaction.drag && differs_from_rest(w.document); },
+    "The cage is at rest."};
 constexpr Condition has_posed_selection{[](const Workspace& w) { return has_selection(w) && is_posed(w); },
                                         "Nothing that is selected has moved."};
 
@@ -61,7 +64,8 @@ void use_method(Workspace& w) {
 template <sym3::Method Method>
 Command method_command(std::string_view name, char digit) {
   const sym3::MethodEntry& entry = sym3::methods()[static_cast<std::size_t>(Method)];
-  return {name, entry.label, entry.sentence, "Method", {key(digit), false, true}, {}, uses_method, use_method<Method>};
+  return {name, entry.label, entry.sentence,    "Method", {key(digit), false, true},
+          {},   uses_method, use_method<Method>};
 }
 
 // One for each way of blending that there is.
@@ -94,32 +98,32 @@ void invert_selection(Workspace& w) {
 
 void select_linked(Workspace& w) {
   Selection& selection = w.document.selection;
-  if (w.hand.hovered && *w.hand.hovered < selectable(w))
-    selection.apply(std::array{*w.hand.hovered}, SelectMode::add);
+  if (w.interaction.hovered && *w.interaction.hovered < selectable(w))
+    selection.apply(std::array{*w.interaction.hovered}, SelectMode::add);
   selection = linked(*w.document.cage, selection);
 }
 
 // What is under the cursor may be of another kind then.
 void step_back(Workspace& w) {
   undo(w.document);
-  w.hand.hovered.reset();
+  w.interaction.hovered.reset();
 }
 
 void step_forth(Workspace& w) {
   redo(w.document);
-  w.hand.hovered.reset();
+  w.interaction.hovered.reset();
 }
 
 template <ElementKind Kind>
 void select_by(Workspace& w) {
   select_kind(w.document, Kind);
-  w.hand.hovered.reset();
+  w.interaction.hovered.reset();
 }
 
 template <Tool Use>
 void use_tool(Workspace& w) {
   w.tool = Use;
-  w.hand.handle.reset();
+  w.interaction.handle.reset();
 }
 
 const std::vector<Command>& table() {

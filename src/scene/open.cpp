@@ -230,7 +230,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   document.revisions = {old.revisions.surfaces + 1, old.revisions.weights + 1, old.revisions.pose + 1,
                         old.revisions.method + 1};
   w.document = std::move(document);
-  w.hand = {};
+  w.interaction = {};
   w.stats.clear();
   w.methods = {};
   w.error_map = {};

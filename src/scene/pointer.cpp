@@ -32,7 +32,7 @@ glm::dvec3 center_in_view(const Document& document) {
 
 std::optional<Gizmo> gizmo_of(const Workspace& w) {
   if (!w.document.has_cage() || !w.view.cage || w.document.selection.empty()) return std::nullopt;
-  const Tool tool = w.hand.drag ? w.hand.drag->tool() : w.tool;
+  const Tool tool = w.interaction.drag ? w.interaction.drag->tool() : w.tool;
   return make_gizmo(tool, center_in_view(w.document), w.camera, w.viewport);
 }
 
@@ -64,12 +64,12 @@ void Pointer::frame(Workspace& workspace, const PointerInput& input) {
 
 // What lies on top takes the mouse: the axis widget, the gizmo, the cage.
 void Pointer::hover(Workspace& workspace, const PointerInput& input) const {
-  Hand& hand = workspace.hand;
-  hand.over_axes = input.over_view && over_axes(workspace, input.position);
-  const bool free = input.over_view && !hand.over_axes;
-  hand.handle = free ? handle_under(workspace, input.position) : std::nullopt;
-  const auto pick = free && !hand.handle ? element_under(workspace, input.position) : std::nullopt;
-  hand.hovered = pick ? std::optional(pick->index) : std::nullopt;
+  Interaction& interaction = workspace.interaction;
+  interaction.over_axes = input.over_view && over_axes(workspace, input.position);
+  const bool free = input.over_view && !interaction.over_axes;
+  interaction.handle = free ? handle_under(workspace, input.position) : std::nullopt;
+  const auto pick = free && !interaction.handle ? element_under(workspace, input.position) : std::nullopt;
+  interaction.hovered = pick ? std::optional(pick->index) : std::nullopt;
 }
 
 void Pointer::press(Workspace& workspace, const PointerInput& input) {
@@ -101,7 +101,7 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
   }
   switch (gesture_) {
     case Gesture::moving: transform(workspace, input); break;
-    case Gesture::boxing: workspace.hand.box->opposite = input.position; break;
+    case Gesture::boxing: workspace.interaction.box->opposite = input.position; break;
     case Gesture::orbiting:
       if (delta != glm::vec2(0)) workspace.camera.orbit(delta);
       break;
@@ -127,7 +127,8 @@ bool Pointer::draws_box(const Workspace& workspace) const {
 void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
   if (!draws_box(workspace)) return begin_transform(workspace);
   gesture_ = workspace.document.has_cage() && workspace.view.cage ? Gesture::boxing : Gesture::ignored;
-  if (gesture_ == Gesture::boxing) workspace.hand.box = Hand::Box{press_, input.position, mode_};
+  if (gesture_ == Gesture::boxing)
+    workspace.interaction.box = Interaction::Box{press_, input.position, mode_};
 }
 
 // A handle uses its tool; an element moves with the selection it belongs to.
@@ -136,19 +137,20 @@ void Pointer::begin_transform(Workspace& workspace) {
   gesture_ = Gesture::moving;
   if (handle_) {
     const double depth = workspace.camera.depth(glm::vec3(center_in_view(document)));
-    workspace.hand.drag.emplace(document, workspace.tool, *handle_, depth, press_, workspace.camera);
+    workspace.interaction.drag.emplace(document, workspace.tool, *handle_, depth, press_, workspace.camera);
     return;
   }
   if (!document.selection.contains(grabbed_->index)) {
     document.selection.apply(std::array{grabbed_->index},
                              mode_ == SelectMode::add ? SelectMode::add : SelectMode::replace);
   }
-  workspace.hand.hovered = grabbed_->index;
-  workspace.hand.drag.emplace(document, Tool::move, Constraint{}, grabbed_->depth, press_, workspace.camera);
+  workspace.interaction.hovered = grabbed_->index;
+  workspace.interaction.drag.emplace(document, Tool::move, Constraint{}, grabbed_->depth, press_,
+                                     workspace.camera);
 }
 
 void Pointer::transform(Workspace& workspace, const PointerInput& input) {
-  TransformDrag& drag = *workspace.hand.drag;
+  TransformDrag& drag = *workspace.interaction.drag;
   bool changed = input.position != last_.position || input.ctrl != last_.ctrl || input.backspace;
   if (input.backspace) drag.backspace();
   for (const char c : input.typed) changed |= drag.type(c);
@@ -164,7 +166,7 @@ void Pointer::transform(Workspace& workspace, const PointerInput& input) {
 void Pointer::release(Workspace& workspace, const PointerInput& input) {
   Document& document = workspace.document;
   if (gesture_ == Gesture::moving) {
-    workspace.hand.drag->commit(document);
+    workspace.interaction.drag->commit(document);
     workspace.view.hints = false;
   } else if (gesture_ == Gesture::boxing) {
     const auto inside =
@@ -191,14 +193,14 @@ void Pointer::click(Workspace& workspace) {
 }
 
 void Pointer::finish(Workspace& workspace, Gesture next) {
-  workspace.hand.drag.reset();
-  workspace.hand.box.reset();
+  workspace.interaction.drag.reset();
+  workspace.interaction.box.reset();
   gesture_ = next;
 }
 
 // The button stays "used up" until it is released, so that the rest of the movement does nothing.
 void Pointer::cancel(Workspace& workspace) {
-  if (workspace.hand.drag) workspace.hand.drag->cancel(workspace.document);
+  if (workspace.interaction.drag) workspace.interaction.drag->cancel(workspace.document);
   workspace.document.selection = selection_before_;
   finish(workspace, Gesture::ignored);
 }

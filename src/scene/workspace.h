@@ -1,5 +1,5 @@
 // The document and all that surrounds it while a person works on it: camera, view options, messages, what the
-// hand is doing.
+// pointer is doing.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +42,8 @@ struct ViewOptions {
   friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 
-/// What the mouse is doing in the view.
-struct Hand {
+/// What the pointer is over in the view, and the drag or box that it has begun.
+struct Interaction {
   std::optional<std::uint32_t> hovered;  ///< cage element under the cursor, of the selection's kind
   std::optional<Constraint> handle;      ///< of the gizmo, under the cursor
   bool over_axes = false;                ///< the cursor is over the axis widget
@@ -122,7 +122,7 @@ struct Workspace {
   Viewport viewport;
   ViewOptions view;
   Messages messages;
-  Hand hand;
+  Interaction interaction;
   Tool tool = Tool::move;
   Requests requests;
   FrameStats stats;

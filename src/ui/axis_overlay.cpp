@@ -38,7 +38,7 @@ void axis_overlay(const Context& ui) {
   const auto widget = scene::axis_widget_of(ui.workspace);
   if (!widget) return;
   OverlayPainter painter(ui);
-  const bool over = ui.workspace.hand.over_axes;
+  const bool over = ui.workspace.interaction.over_axes;
   const ImVec2 cursor = ImGui::GetIO().MousePos;
   const scene::AxisBall* hovered = over ? widget->ball({cursor.x, cursor.y}) : nullptr;
   if (over) painter.disc(widget->center, scene::axes_radius, faded(ui.colors.card, 0.7f), 1);

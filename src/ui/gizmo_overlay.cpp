@@ -17,7 +17,7 @@ using Kind = Constraint::Kind;
 class GizmoDrawing {
 public:
   GizmoDrawing(const Context& ui, OverlayPainter& painter, const scene::Gizmo& gizmo)
-      : ui_(ui), painter_(painter), gizmo_(gizmo), hand_(ui.workspace.hand) {}
+      : ui_(ui), painter_(painter), gizmo_(gizmo), interaction_(ui.workspace.interaction) {}
 
   void draw() {
     if (gizmo_.tool == scene::Tool::rotate) return rings();
@@ -28,9 +28,11 @@ public:
 
 private:
   // While one handle is dragged the others are out of the way.
-  bool shown(const Constraint& handle) const { return !hand_.drag || hand_.drag->constraint() == handle; }
+  bool shown(const Constraint& handle) const {
+    return !interaction_.drag || interaction_.drag->constraint() == handle;
+  }
   bool lit(const Constraint& handle) const {
-    return hand_.drag ? hand_.drag->constraint() == handle : hand_.handle == handle;
+    return interaction_.drag ? interaction_.drag->constraint() == handle : interaction_.handle == handle;
   }
   ImU32 color(const Constraint& handle) const {
     if (lit(handle)) return ui_.colors.highlight;
@@ -113,7 +115,7 @@ private:
   const Context& ui_;
   OverlayPainter& painter_;
   const scene::Gizmo& gizmo_;
-  const scene::Hand& hand_;
+  const scene::Interaction& interaction_;
 };
 
 void guides(const Context& ui, OverlayPainter& painter, const scene::DragGuides& guides) {
@@ -151,12 +153,12 @@ void readout(const Context& ui, const std::string& text) {
 
 void gizmo_overlay(const Context& ui) {
   const auto& w = ui.workspace;
-  if (w.hand.box) return;
+  if (w.interaction.box) return;
   OverlayPainter painter(ui);
-  if (w.hand.drag)
-    guides(ui, painter, scene::drag_guides(*w.hand.drag, w.document.space, w.camera, w.viewport));
+  if (w.interaction.drag)
+    guides(ui, painter, scene::drag_guides(*w.interaction.drag, w.document.space, w.camera, w.viewport));
   if (const auto gizmo = scene::gizmo_of(w)) GizmoDrawing(ui, painter, *gizmo).draw();
-  if (w.hand.drag) readout(ui, w.hand.drag->readout());
+  if (w.interaction.drag) readout(ui, w.interaction.drag->readout());
 }
 
 }  // namespace viete::ui

@@ -82,7 +82,7 @@ void discarded_line(const Context& ui) {
 void notice_bar(const Context& ui) {
   const auto& w = ui.workspace;
   const bool discarded = w.tell_discarded && !w.discarded.empty();
-  if ((w.leftovers.empty() && !discarded) || w.hand.drag || w.hand.box) return;
+  if ((w.leftovers.empty() && !discarded) || w.interaction.drag || w.interaction.box) return;
   const auto& v = w.viewport;
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 12}, ImGuiCond_Always, {0.5f, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);

@@ -17,15 +17,15 @@ std::string hovered_text(const scene::Selection& selection, std::uint32_t elemen
 
 // What the mouse would do now, in a few words.
 std::string mouse_text(const scene::Workspace& w) {
-  if (w.hand.drag)
+  if (w.interaction.drag)
     return "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button takes "
            "it back";
-  if (w.hand.box) return "Release to select, Esc to take it back";
-  if (w.hand.over_axes) return "Click looks along an axis, drag orbits";
-  if (w.hand.handle)
-    return scene::handle_name(w.tool, *w.hand.handle) +
+  if (w.interaction.box) return "Release to select, Esc to take it back";
+  if (w.interaction.over_axes) return "Click looks along an axis, drag orbits";
+  if (w.interaction.handle)
+    return scene::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
-  if (w.hand.hovered) return hovered_text(w.document.selection, *w.hand.hovered);
+  if (w.interaction.hovered) return hovered_text(w.document.selection, *w.interaction.hovered);
   if (w.document.has_cage())
     return "Drag a vertex, edge or selected face moves it,  on empty space selects;  middle or right drag "
            "orbits,  wheel zooms";

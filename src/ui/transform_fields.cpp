@@ -69,7 +69,7 @@ void transform_fields(const Context& ui) {
                  static_cast<std::size_t>(w.tool));
   const Fields shown = fields(w.document, w.tool);
   note(ui, shown.label);
-  ImGui::BeginDisabled(w.document.selection.empty() || w.hand.drag);
+  ImGui::BeginDisabled(w.document.selection.empty() || w.interaction.drag);
   const float letter = ImGui::CalcTextSize("X").x + ImGui::GetStyle().ItemInnerSpacing.x;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 3 * letter - 2 * spacing) / 3;

@@ -8,7 +8,7 @@ namespace viete::ui {
 
 namespace {
 
-void selection_box(const Context& ui, const scene::Hand::Box& box) {
+void selection_box(const Context& ui, const scene::Interaction::Box& box) {
   const ImVec2 a{std::min(box.corner.x, box.opposite.x), std::min(box.corner.y, box.opposite.y)};
   const ImVec2 b{std::max(box.corner.x, box.opposite.x), std::max(box.corner.y, box.opposite.y)};
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
@@ -38,10 +38,10 @@ void hints(const Context& ui) {
 
 void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
-  if (w.hand.box) selection_box(ui, *w.hand.box);
+  if (w.interaction.box) selection_box(ui, *w.interaction.box);
   if (w.binding.running || w.loading.running) return;  // their bar is there
   const bool room = !scene::shows_error_map(w);        // the legend takes it
-  if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.hand.drag) hints(ui);
+  if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }
 
 }  // namespace viete::ui

@@ -13,8 +13,8 @@ using Kind = scene::Constraint::Kind;
 
 namespace {
 
-struct Hand : Driver {
-  Hand() {
+struct Interaction : Driver {
+  Interaction() {
     const auto folder = test::assets_dir() / "dragon";
     REQUIRE(scene::load_model(workspace(), folder / "dragon.ply", folder / "cage.obj"));
     settle();
@@ -80,7 +80,7 @@ std::vector<mesh::Point> turned(const std::vector<mesh::Point>& points, const gl
 }  // namespace
 
 TEST_CASE("an_arrow_of_the_gizmo_moves_along_its_axis_only_and_undo_takes_it_back") {
-  Hand d;
+  Interaction d;
   const auto rest = d.pose();
   const auto v = d.free_vertex();
   d.click(glm::round(d.vertex(v)));
@@ -95,16 +95,16 @@ TEST_CASE("an_arrow_of_the_gizmo_moves_along_its_axis_only_and_undo_takes_it_bac
 }
 
 TEST_CASE("a_ring_rotates_the_selection_about_its_centre_and_ctrl_snaps") {
-  Hand d;
+  Interaction d;
   d.select_whole_cage();
   const auto rest = d.mesh();
   const auto [from, to] = d.on_ring(1, 12);  // of 96 points: 45 degrees
   const glm::dvec3 center = scene::selection_center(d.document());
   d.press_and_move(from, to);
-  const double degrees = d.workspace().hand.drag->transform().degrees;
+  const double degrees = d.workspace().interaction.drag->transform().degrees;
   CHECK(std::abs(degrees) == doctest::Approx(45).epsilon(0.15));
   d.key(Driver::left_ctrl, true);
-  CHECK(std::abs(d.workspace().hand.drag->transform().degrees) == 45);
+  CHECK(std::abs(d.workspace().interaction.drag->transform().degrees) == 45);
   d.button(0, false);
   d.key(Driver::left_ctrl, false);
   d.frame();
@@ -112,7 +112,7 @@ TEST_CASE("a_ring_rotates_the_selection_about_its_centre_and_ctrl_snaps") {
 }
 
 TEST_CASE("the_whole_cage_turned_by_hand_twice_round_stays_rigid_and_its_turns_are_counted") {
-  Hand d;
+  Interaction d;
   d.select_whole_cage();
   const auto rest = d.mesh();
   const glm::dvec3 center = scene::selection_center(d.document());
@@ -124,12 +124,12 @@ TEST_CASE("the_whole_cage_turned_by_hand_twice_round_stays_rigid_and_its_turns_a
     return middle + scene::gizmo_radius * glm::vec2(std::cos(a), std::sin(a));
   };
   d.move(on_circle(0));
-  REQUIRE(d.workspace().hand.handle == scene::Constraint{Kind::axis, 1});
+  REQUIRE(d.workspace().interaction.handle == scene::Constraint{Kind::axis, 1});
   d.button(0, true);
   for (int i = 1; i <= 56; ++i) d.move(on_circle(i));
-  const double degrees = d.workspace().hand.drag->transform().degrees;
+  const double degrees = d.workspace().interaction.drag->transform().degrees;
   CHECK(degrees == doctest::Approx(840).epsilon(1e-3));
-  CHECK(d.workspace().hand.drag->readout().substr(0, 4) == "Y 84");
+  CHECK(d.workspace().interaction.drag->readout().substr(0, 4) == "Y 84");
   d.button(0, false);
   d.frame();
   CHECK(largest_distance(d.mesh(), turned(rest, center, degrees)) < 1e-12);
@@ -143,7 +143,7 @@ TEST_CASE("the_whole_cage_turned_by_hand_twice_round_stays_rigid_and_its_turns_a
 }
 
 TEST_CASE("a_typed_angle_is_exact_and_enter_keeps_it") {
-  Hand d;
+  Interaction d;
   d.select_whole_cage();
   const auto rest = d.mesh();
   const glm::dvec3 center = scene::selection_center(d.document());
@@ -151,7 +151,7 @@ TEST_CASE("a_typed_angle_is_exact_and_enter_keeps_it") {
   d.press_and_move(from, to);
   d.type("450");
   d.press_key(scene::Key::enter);
-  CHECK_FALSE(d.workspace().hand.drag);
+  CHECK_FALSE(d.workspace().interaction.drag);
   d.move(to + glm::vec2(80, 80));
   d.button(0, false);
   d.frame();
@@ -163,7 +163,7 @@ TEST_CASE("a_typed_angle_is_exact_and_enter_keeps_it") {
 }
 
 TEST_CASE("a_typed_move_is_constrained_by_letters_and_its_keys_run_no_commands") {
-  Hand d;
+  Interaction d;
   const auto rest = d.pose();
   const auto v = d.free_vertex();
   const glm::vec2 at = glm::round(d.vertex(v));
@@ -185,7 +185,7 @@ TEST_CASE("a_typed_move_is_constrained_by_letters_and_its_keys_run_no_commands")
 
 TEST_CASE("esc_and_the_right_button_during_a_gizmo_drag_restore_exactly") {
   for (const bool by_escape : {true, false}) {
-    Hand d;
+    Interaction d;
     d.select_whole_cage();
     d.drag(d.on_ring(0, 10).first, d.on_ring(0, 10).second);
     const auto pose = d.document().pose;
@@ -210,14 +210,14 @@ TEST_CASE("esc_and_the_right_button_during_a_gizmo_drag_restore_exactly") {
 }
 
 TEST_CASE("a_scale_handle_scales_along_its_axis_and_the_middle_evenly") {
-  Hand d;
+  Interaction d;
   d.select_whole_cage();
   d.press_key('R');
   d.frame(2);
   const auto rest = d.mesh();
   const auto arm = d.gizmo().arms[0];
   d.press_and_move(arm.tip, arm.tip + 0.5f * (arm.tip - d.gizmo().center));
-  const glm::dvec3 factors = d.workspace().hand.drag->transform().factors;
+  const glm::dvec3 factors = d.workspace().interaction.drag->transform().factors;
   CHECK(factors.x == doctest::Approx(1.5).epsilon(0.02));
   CHECK(factors.y == 1);
   d.press_key(scene::Key::escape);
@@ -226,12 +226,12 @@ TEST_CASE("a_scale_handle_scales_along_its_axis_and_the_middle_evenly") {
   CHECK(d.mesh() == rest);
   const glm::vec2 middle = d.gizmo().center;
   d.press_and_move(middle, middle + glm::vec2(60, 0));
-  CHECK(d.workspace().hand.drag->transform().factors == glm::dvec3(1.5));
+  CHECK(d.workspace().interaction.drag->transform().factors == glm::dvec3(1.5));
   d.button(0, false);
 }
 
 TEST_CASE("edges_and_faces_are_selected_by_keys_clicks_and_boxes") {
-  Hand d;
+  Interaction d;
   d.press_key('2');
   CHECK(d.document().selection.kind() == ElementKind::edge);
   const auto& edges = d.document().cage->edges;
@@ -244,7 +244,7 @@ TEST_CASE("edges_and_faces_are_selected_by_keys_clicks_and_boxes") {
   const auto other = edges[clicked][0] == v ? edges[clicked][1] : edges[clicked][0];
   const glm::vec2 at = glm::mix(d.vertex(v), d.vertex(other), 0.25f);
   d.move(at);
-  REQUIRE(d.workspace().hand.hovered);
+  REQUIRE(d.workspace().interaction.hovered);
   d.click(at);
   REQUIRE(d.document().selection.size() == 1);
   CHECK(scene::selected_vertices(*d.document().cage, d.document().selection).size() == 2);
@@ -264,7 +264,7 @@ TEST_CASE("edges_and_faces_are_selected_by_keys_clicks_and_boxes") {
 
 TEST_CASE("selected_edges_and_faces_are_drawn_in_the_selection_colour") {
   for (const char key : {'2', '3'}) {
-    Hand d;
+    Interaction d;
     d.press_key('Q');
     d.press_key(key);
     d.press_key('A');
@@ -285,7 +285,7 @@ TEST_CASE("selected_edges_and_faces_are_drawn_in_the_selection_colour") {
 }
 
 TEST_CASE("in_an_orthographic_view_drags_follow_the_cursor_and_the_wheel_keeps_what_is_under_it") {
-  Hand d;
+  Interaction d;
   const auto v = d.free_vertex();
   d.press_key('O');
   CHECK(d.workspace().camera.pose().orthographic);
@@ -305,7 +305,7 @@ TEST_CASE("in_an_orthographic_view_drags_follow_the_cursor_and_the_wheel_keeps_w
 }
 
 TEST_CASE("the_axis_widget_is_clicked_for_a_view_and_dragged_to_orbit") {
-  Hand d;
+  Interaction d;
   const auto balls = scene::axis_widget_of(d.workspace()).value().balls;
   for (const auto& ball : balls) {
     if (ball.axis == 0 && ball.positive) d.click(ball.at);
@@ -320,7 +320,7 @@ TEST_CASE("the_axis_widget_is_clicked_for_a_view_and_dragged_to_orbit") {
 }
 
 TEST_CASE("numbers_are_typed_in_the_cage_panel") {
-  Hand d;
+  Interaction d;
   const auto v = d.free_vertex();
   d.click(glm::round(d.vertex(v)));
   const auto rest = d.pose();
@@ -351,7 +351,7 @@ TEST_CASE("numbers_are_typed_in_the_cage_panel") {
 namespace {
 
 // Something is selected, and a number stands in the field of the panel, not yet taken.
-struct TypingHand : Hand {
+struct TypingHand : Interaction {
   std::uint32_t vertex_selected = free_vertex();
   std::vector<mesh::Point> rest = pose();
 
@@ -451,9 +451,9 @@ TEST_CASE("a_number_that_leads_out_of_range_moves_nothing_and_says_so") {
   d.type("x");
   d.type("99999999999");
   CHECK(d.pose() == d.rest);
-  CHECK(d.workspace().hand.drag->readout() == "X 99999999999_   too far");
+  CHECK(d.workspace().interaction.drag->readout() == "X 99999999999_   too far");
   for (int i = 0; i < 9; ++i) d.press_key(scene::Key::backspace);
-  CHECK(d.workspace().hand.drag->readout() == "X 99_");
+  CHECK(d.workspace().interaction.drag->readout() == "X 99_");
   CHECK(d.point()[0] == d.rest[d.vertex_selected][0] + 99);
   d.type("999999999");
   d.press_key(scene::Key::enter);

@@ -141,11 +141,11 @@ TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {
     CHECK(run_command(w, "invert_selection"));
     CHECK(w.document.selection.empty());
     CHECK_FALSE(run_command(w, "select_linked"));
-    w.hand.hovered = 3;
+    w.interaction.hovered = 3;
     CHECK(run_command(w, "select_linked"));
     CHECK(w.document.selection.size() == count);
     CHECK(run_command(w, "select_none"));
-    w.hand.hovered.reset();
+    w.interaction.hovered.reset();
   }
 }
 

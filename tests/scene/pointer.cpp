@@ -41,10 +41,10 @@ struct Mouse {
 TEST_CASE("hovering_finds_the_vertex_and_panels_hide_it") {
   Mouse m;
   m.move(m.vertex(3));
-  CHECK(m.w.hand.hovered == 3u);
+  CHECK(m.w.interaction.hovered == 3u);
   m.input.over_view = false;
   m.step();
-  CHECK_FALSE(m.w.hand.hovered);
+  CHECK_FALSE(m.w.interaction.hovered);
 }
 
 TEST_CASE("clicks_select_shift_adds_ctrl_removes_and_empty_space_clears") {
@@ -121,7 +121,7 @@ TEST_CASE("a_drag_on_empty_space_selects_a_box") {
   Mouse m;
   m.drag({205, 5}, {995, 775});
   CHECK(m.selected().size() == 8);
-  CHECK_FALSE(m.w.hand.box);
+  CHECK_FALSE(m.w.interaction.box);
   m.input.ctrl = true;
   const glm::vec2 v = m.vertex(7);
   m.drag(v + glm::vec2(12, 12), v - glm::vec2(12, 12));
@@ -186,8 +186,8 @@ TEST_CASE("edges_are_hovered_clicked_and_dragged") {
   m.w.document.selection = Selection(ElementKind::edge);
   const glm::vec2 middle = 0.5f * (m.vertex(5) + m.vertex(7));
   m.move(middle);
-  REQUIRE(m.w.hand.hovered);
-  CHECK(m.w.document.cage->edges[*m.w.hand.hovered] == mesh::Edge{5, 7});
+  REQUIRE(m.w.interaction.hovered);
+  CHECK(m.w.document.cage->edges[*m.w.interaction.hovered] == mesh::Edge{5, 7});
   m.drag(middle, middle + glm::vec2(30, 10));
   CHECK(m.selected().size() == 1);
   CHECK(glm::distance(0.5f * (m.vertex(5) + m.vertex(7)), middle + glm::vec2(30, 10)) < 2);
@@ -213,8 +213,8 @@ TEST_CASE("a_handle_of_the_gizmo_is_hovered_and_used_and_a_click_on_it_keeps_the
   m.click(m.vertex(7));
   const Gizmo gizmo = *gizmo_of(m.w);
   m.move(gizmo.arms[1].tip);
-  CHECK(m.w.hand.handle == Constraint{Constraint::Kind::axis, 1});
-  CHECK_FALSE(m.w.hand.hovered);
+  CHECK(m.w.interaction.handle == Constraint{Constraint::Kind::axis, 1});
+  CHECK_FALSE(m.w.interaction.hovered);
   m.click(gizmo.arms[1].tip);
   CHECK(m.selected() == std::vector<std::uint32_t>{7});
   m.drag(gizmo.arms[1].tip, gizmo.arms[1].tip + glm::vec2(20, -40));
@@ -236,7 +236,7 @@ TEST_CASE("numbers_typed_during_a_drag_set_it_and_enter_keeps_it") {
   m.input.enter = true;
   m.step();
   m.input.enter = false;
-  CHECK_FALSE(m.w.hand.drag);
+  CHECK_FALSE(m.w.interaction.drag);
   m.move({300, 300});
   m.release();
   CHECK(m.w.document.pose.positions[7] == mesh::Point{1.5, 1.5, 1.75});
@@ -261,7 +261,7 @@ TEST_CASE("the_axis_widget_takes_clicks_for_views_and_drags_for_orbits") {
   Mouse m;
   const AxisWidget axes = *axis_widget_of(m.w);
   m.move(axes.center);
-  CHECK(m.w.hand.over_axes);
+  CHECK(m.w.interaction.over_axes);
   for (const auto& ball : axes.balls) {
     Mouse fresh;
     fresh.click(ball.at);
@@ -306,7 +306,7 @@ TEST_CASE("another_document_in_the_middle_of_a_gesture_ends_it") {
   m.move(m.vertex(7) + glm::vec2(30, 10));
   m.w.document = test::cube_document();
   m.w.document.revisions.surfaces = 1;
-  m.w.hand = {};
+  m.w.interaction = {};
   m.move({400, 400});
   m.release();
   CHECK_FALSE(differs_from_rest(m.w.document));
