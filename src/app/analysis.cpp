@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/clock.h"
 #include "deform/vertex_sample.h"
 
 namespace viete::app {
@@ -10,6 +11,7 @@ namespace {
 
 constexpr std::size_t benchmark_count = 1 << 18;  // some seconds, and more than caches hold
 constexpr std::size_t probed_matrices = 2048;
+constexpr double probe_seconds = 0.3;  // between two: each takes the frame a millisecond
 
 }  // namespace
 
@@ -82,8 +84,10 @@ void Analysis::finish_checks(scene::Workspace& workspace) {
 }
 
 bool Analysis::probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const {
-  const bool fresh = probed_ != model.frames() || workspace.methods.matrices == 0;
-  return probe_wanted_ && fresh && model.takes_exponentials() && probe_.ready();
+  if (!probe_wanted_ || !model.deformer() || !model.deformer()->ran()) return false;
+  const bool missing = model.takes_exponentials() && workspace.methods.matrices == 0;
+  const bool fresh = missing || probed_ != model.frames();
+  return fresh && probe_.ready() && base::wall_seconds() - probed_at_ > probe_seconds;
 }
 
 void Analysis::follow_probe(scene::Workspace& workspace, const LiveModel& model) {
@@ -93,8 +97,10 @@ void Analysis::follow_probe(scene::Workspace& workspace, const LiveModel& model)
   }
   if (!probe_is_due(workspace, model)) return;
   probed_ = model.frames();
-  probe_.offer(model.deformer()->sample_matrices(probed_matrices));
+  probed_at_ = base::wall_seconds();
   workspace.fused_error = model.deformer()->sampled_error();
+  if (model.takes_exponentials()) probe_.offer(model.deformer()->sample_matrices(probed_matrices));
+  shows_news_ |= !model.takes_exponentials();
 }
 
 bool Analysis::error_map_is_due(const scene::Workspace& workspace, const LiveModel& model) const {

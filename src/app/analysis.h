@@ -60,6 +60,7 @@ private:
   std::optional<std::vector<float>> errors_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
   unsigned long probed_ = 0, mapped_ = 0;  // which frame of the model
+  double probed_at_ = -1;                  // wall seconds
 };
 
 }  // namespace viete::app

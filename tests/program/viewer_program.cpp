@@ -317,6 +317,13 @@ TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {
   d.settle();
   REQUIRE(d.viewer().deformer());
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
+  const double error = d.viewer().deformer()->sampled_error();
+  CHECK(error > 0);
+  for (int i = 0; i < 100 && d.workspace().fused_error != error; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    d.frame();
+  }
+  CHECK(d.workspace().fused_error == error);  // what the panel says is of this frame
   d.place_of("method_diag");
   CHECK_FALSE(d.viewer().recorder().find("method_diag")->enabled);
   CHECK(largest_distance(positions(d), d.document().model.surface->positions) < 1e-6 * diagonal(d));
