@@ -37,7 +37,8 @@ Twist twist(const Cage& cage, int axis, double from, double to) {
 
 }  // namespace
 
-TEST_CASE("real_models_stay_at_rest_and_follow_similarities_and_affine_poses") {
+TEST_CASE("real_models_stay_at_rest_and_follow_similarities_and_affine_poses" *
+          doctest::test_suite(if_present)) {
   const fs::path data = shared_data();
   if (data.empty()) return;
   for (const std::string name : models) {
@@ -83,7 +84,7 @@ void check_no_jump(Bound& b, std::vector<mesh::Point>& before, double step) {
 
 }  // namespace
 
-TEST_CASE("twists_of_200_degrees_of_real_models_do_not_tear") {
+TEST_CASE("twists_of_200_degrees_of_real_models_do_not_tear" * doctest::test_suite(if_present)) {
   const fs::path data = shared_data();
   if (data.empty()) return;
   for (const auto& [name, axis] :
@@ -106,7 +107,7 @@ TEST_CASE("twists_of_200_degrees_of_real_models_do_not_tear") {
   }
 }
 
-TEST_CASE("poses_of_real_models_stretch_no_edge_far_beyond_the_cage") {
+TEST_CASE("poses_of_real_models_stretch_no_edge_far_beyond_the_cage" * doctest::test_suite(if_present)) {
   const fs::path data = shared_data();
   if (data.empty()) return;
   for (const std::string name : models) {
@@ -126,7 +127,7 @@ TEST_CASE("poses_of_real_models_stretch_no_edge_far_beyond_the_cage") {
   }
 }
 
-TEST_CASE("odd_cages_and_poses_give_an_error_or_finite_positions") {
+TEST_CASE("odd_cages_and_poses_give_an_error_or_finite_positions" * doctest::test_suite(if_present)) {
   const fs::path data = shared_data("bad");
   if (data.empty()) return;
   const auto model = read(data / "ok_mesh.obj");

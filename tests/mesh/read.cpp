@@ -134,7 +134,8 @@ TEST_CASE("damaged_files_are_read_or_refused_and_never_break_an_invariant") {
   CHECK(refused > 500);
 }
 
-TEST_CASE("every_odd_file_of_the_shared_data_does_what_its_manifest_expects") {
+TEST_CASE("every_odd_file_of_the_shared_data_does_what_its_manifest_expects" *
+          doctest::test_suite(test::if_present)) {
   const fs::path folder = test::shared_data("bad");
   if (folder.empty()) return;
   const test::TemporaryFolder unpacked;

@@ -1,7 +1,6 @@
 #include <cstdlib>
 #include <string>
 
-#include "base/error.h"
 #include "platform/offscreen_context.h"
 #include "render/backdrop.h"
 #include "render/surface_layer.h"
@@ -24,20 +23,10 @@ render::Image ball_picture(test::Stage& stage) {
   });
 }
 
-bool has(Kind kind) {
-  try {
-    platform::OffscreenContext::create(kind);
-    return true;
-  } catch (const base::Error& error) {
-    MESSAGE("skipped: " << error.what());
-    return false;
-  }
-}
-
 }  // namespace
 
-TEST_CASE("osmesa_and_egl_give_the_same_picture") {
-  if (!has(Kind::osmesa) || !has(Kind::egl)) return;
+TEST_CASE("osmesa_and_egl_give_the_same_picture" * doctest::test_suite(test::if_present)) {
+  if (!test::available(Kind::osmesa) || !test::available(Kind::egl)) return;
   render::Image by_osmesa, by_egl;
   {
     test::Stage stage(Kind::osmesa);
@@ -58,8 +47,8 @@ TEST_CASE("contexts_can_be_made_again_and_again") {
   }
 }
 
-TEST_CASE("environment_is_as_before_after_making_a_context") {
-  if (!has(Kind::egl)) return;
+TEST_CASE("environment_is_as_before_after_making_a_context" * doctest::test_suite(test::if_present)) {
+  if (!test::available(Kind::egl)) return;
   setenv("LIBGL_ALWAYS_SOFTWARE", "0", 1);
   const auto context = platform::OffscreenContext::create(Kind::egl);
   CHECK(std::string(std::getenv("LIBGL_ALWAYS_SOFTWARE")) == "0");

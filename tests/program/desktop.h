@@ -124,11 +124,11 @@ struct Desktop {
   }
 };
 
-/// Says so and gives true where a virtual display or its mouse is missing.
+/// Skips the case and gives true where a virtual display or its mouse is missing.
 inline bool no_desktop() {
   for (const char* program : {"Xvfb", "xdotool"}) {
     if (has_program(program)) continue;
-    MESSAGE("skipped: " << program << " is not installed");
+    skip(std::string(program) + " is not installed");
     return true;
   }
   return false;

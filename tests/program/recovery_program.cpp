@@ -444,7 +444,8 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag") {
   }
 }
 
-TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start") {
+TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
+          doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
   auto options = Driver::default_options();
   options.size = {1440, 900};

@@ -1,6 +1,6 @@
 // Every route to a picture gives the same picture.
-#include "base/error.h"
 #include "program/driver.h"
+#include "support/stage.h"
 
 using namespace viete;
 using test::Driver;
@@ -17,19 +17,9 @@ render::Image picture_by(Kind kind) {
   return d.picture();
 }
 
-bool available(Kind kind) {
-  try {
-    platform::OffscreenContext::create(kind);
-    return true;
-  } catch (const base::Error& error) {
-    MESSAGE("skipped: " << error.what());
-    return false;
-  }
-}
-
 }  // namespace
 
-TEST_CASE("osmesa_and_egl_give_the_same_picture") {
-  if (!available(Kind::osmesa) || !available(Kind::egl)) return;
+TEST_CASE("osmesa_and_egl_give_the_same_picture" * doctest::test_suite(test::if_present)) {
+  if (!test::available(Kind::osmesa) || !test::available(Kind::egl)) return;
   CHECK(render::difference(picture_by(Kind::osmesa), picture_by(Kind::egl), 2) < 0.001);
 }

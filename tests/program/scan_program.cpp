@@ -5,7 +5,7 @@
 using namespace viete;
 using test::Driver;
 
-TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged") {
+TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged" * doctest::test_suite(test::if_present)) {
   const auto folder = test::shared_data("igea-1m");
   if (folder.empty()) return;
   auto options = Driver::default_options();

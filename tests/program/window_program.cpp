@@ -27,7 +27,8 @@ void cut_panels(render::Image& image) {
 
 }  // namespace
 
-TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_program_puts_it") {
+TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_program_puts_it" *
+          doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
   auto options = Driver::default_options();
   options.size = {1440, 900};
@@ -69,7 +70,8 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
   CHECK(differing <= 0.001);
 }
 
-TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
+TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
+          doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
   auto options = Driver::default_options();
   options.size = {1440, 900};
@@ -134,7 +136,8 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen") {
   CHECK(differing <= 0.001);
 }
 
-TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_not") {
+TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_not" *
+          doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
   auto options = Driver::default_options();
   options.size = {1440, 900};

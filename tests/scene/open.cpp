@@ -205,7 +205,8 @@ TEST_CASE("what_is_opened_comes_to_the_front_of_the_recent_files") {
 }
 
 // An open cage may load "with a plain warning": so says its line of the manifest.
-TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_expects") {
+TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_expects" *
+          doctest::test_suite(test::if_present)) {
   const fs::path folder = test::shared_data("bad");
   if (folder.empty()) return;
   std::ifstream manifest(folder / "manifest.json");

@@ -1,10 +1,10 @@
 // Real meshes beside the checkout (../shared/data), used where they are present; a clone alone has none.
 #pragma once
 
-#include <doctest/doctest.h>
-
 #include <filesystem>
 #include <string>
+
+#include "support/skip.h"
 
 namespace viete::test {
 
@@ -16,12 +16,12 @@ inline std::filesystem::path assets_dir() {
   return source_dir() / "assets";
 }
 
-/// The folder of real meshes, or an empty path: then the test says that it is skipped and passes.
+/// The folder of real meshes, or an empty path: then the case is skipped.
 inline std::filesystem::path shared_data(const std::string& below = "") {
   for (auto base : {source_dir().parent_path() / "shared" / "data", source_dir() / "shared" / "data"}) {
     if (std::filesystem::exists(base / below)) return base / below;
   }
-  MESSAGE("skipped: ../shared/data/" << below << " is not here");
+  skip("../shared/data/" + below + " is not here");
   return {};
 }
 

@@ -8,13 +8,53 @@
 #include <filesystem>
 #include <string>
 
+#include "support/skip.h"
+
+namespace {
+
+constexpr int skipped_code = 77;  // as Automake's
+bool skipped = false, none_chosen = false;
+
+// A filter that fits no case tests nothing: that is no success.
+struct CountsCases : doctest::IReporter {
+  explicit CountsCases(const doctest::ContextOptions&) {}
+  void report_query(const doctest::QueryData&) override {}
+  void test_run_start() override {}
+  void test_run_end(const doctest::TestRunStats& run) override {
+    none_chosen = run.numTestCasesPassingFilters == 0;
+  }
+  void test_case_start(const doctest::TestCaseData&) override {}
+  void test_case_reenter(const doctest::TestCaseData&) override {}
+  void test_case_end(const doctest::CurrentTestCaseStats&) override {}
+  void test_case_exception(const doctest::TestCaseException&) override {}
+  void subcase_start(const doctest::SubcaseSignature&) override {}
+  void subcase_end() override {}
+  void log_assert(const doctest::AssertData&) override {}
+  void log_message(const doctest::MessageData&) override {}
+  void test_case_skipped(const doctest::TestCaseData&) override {}
+};
+REGISTER_LISTENER("counts_cases", 1, CountsCases);
+
+int run(int argc, char** argv) {
+  const int code = doctest::Context(argc, argv).run();
+  if (code != 0) return code;
+  return none_chosen ? 1 : skipped ? skipped_code : 0;
+}
+
+}  // namespace
+
+void viete::test::skip(const std::string& why) {
+  MESSAGE("skipped: " << why);
+  skipped = true;
+}
+
 int main(int argc, char** argv) {
   std::string folder = (std::filesystem::temp_directory_path() / "viete_test_state_XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) return 1;
   if (setenv("XDG_STATE_HOME", folder.c_str(), 1) != 0) return 1;
   if (setenv("XDG_CACHE_HOME", (folder + "/cache").c_str(), 1) != 0) return 1;
   const pid_t here = getpid();
-  const int code = doctest::Context(argc, argv).run();
+  const int code = run(argc, argv);
   std::error_code ignored;
   if (getpid() == here) std::filesystem::remove_all(folder, ignored);
   return code;

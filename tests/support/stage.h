@@ -10,13 +10,26 @@
 #include <memory>
 #include <vector>
 
+#include "base/error.h"
 #include "platform/offscreen_context.h"
 #include "render/framebuffer.h"
 #include "render/view.h"
+#include "support/skip.h"
 
 namespace viete::test {
 
 using render::Point;
+
+/// Whether there is such a context; if not, the case is skipped.
+inline bool available(platform::OffscreenContext::Kind kind) {
+  try {
+    platform::OffscreenContext::create(kind);
+    return true;
+  } catch (const base::Error& error) {
+    skip(error.what());
+    return false;
+  }
+}
 
 inline render::Gl load(const platform::OffscreenContext& context) {
   return render::load_gl([&](const char* name) { return context.get_proc_address(name); });
