@@ -1,8 +1,9 @@
 #include "bench/reference_frame.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <cmath>
 
-#include "deform/face_maps.h"
 #include "sym3/exp.h"
 
 namespace viete::bench {
@@ -27,6 +28,30 @@ Matrix exp_stretch(const Matrix& m) {
   return {{{e.xx, e.xy, e.xz}, {e.xy, e.yy, e.yz}, {e.xz, e.yz, e.zz}}};
 }
 
+Eigen::Vector3d vector(const deform::Vec3& v) {
+  return {v[0], v[1], v[2]};
+}
+
+std::array<Eigen::Vector3d, 3> corners(const mesh::Triangle& t, std::span<const mesh::Point> positions) {
+  return {vector(positions[t[0]]), vector(positions[t[1]]), vector(positions[t[2]])};
+}
+
+// Two edges and a normal as long as the root of their cross product.
+Eigen::Matrix3d frame_of(const std::array<Eigen::Vector3d, 3>& t) {
+  const Eigen::Vector3d u = t[1] - t[0], v = t[2] - t[0], n = u.cross(v);
+  Eigen::Matrix3d frame;
+  frame << u, v, n / std::sqrt(n.norm());
+  return frame;
+}
+
+Matrix rows_of(const Eigen::Matrix3d& m) {
+  Matrix rows;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) rows[r][c] = m(r, c);
+  }
+  return rows;
+}
+
 // I + sin t / t Y + (1 - cos t) / t^2 Y^2.
 Matrix exp_rodrigues(const Matrix& y) {
   const double square = y[2][1] * y[2][1] + y[0][2] * y[0][2] + y[1][0] * y[1][0], angle = std::sqrt(square);
@@ -45,8 +70,6 @@ Matrix exp_rodrigues(const Matrix& y) {
 ReferenceFrame::ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding)
     : cage_(cage),
       binding_(binding),
-      maps_(binding.handles),
-      logs_(binding.handles),
       handles_(binding.handles),
       positions_(binding.vertices),
       normals_(binding.vertices) {}
@@ -58,14 +81,18 @@ void ReferenceFrame::deform(const deform::Pose& pose) {
 }
 
 void ReferenceFrame::log_cage(const deform::Pose& pose) {
-  origin_ = deform::pose_origin(cage_, pose.positions);
-  deform::face_maps(cage_, pose.positions, maps_);
-  deform::log_maps(cage_, maps_, pose.turns, logs_, report_);
   for (std::size_t j = 0; j < handles_.size(); ++j) {
-    const auto& [x, y, c] = logs_[j];
-    handles_[j] = {{{{x.xx, x.xy, x.xz}, {x.xy, x.yy, x.yz}, {x.xz, x.yz, x.zz}}},
-                   {{{0, -y[2], y[1]}, {y[2], 0, -y[0]}, {-y[1], y[0], 0}}},
-                   c};
+    const auto& t = cage_.surface.triangles[j];
+    const auto posed = corners(t, pose.positions);
+    const Eigen::Matrix3d map = frame_of(posed) * frame_of(corners(t, cage_.surface.positions)).inverse();
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::Matrix3d& v = svd.matrixV();
+    const Eigen::Matrix3d stretch =
+        v * svd.singularValues().array().log().matrix().asDiagonal() * v.transpose();
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(svd.matrixU() * v.transpose()));
+    const Eigen::Vector3d y = turn.angle() * turn.axis(), c = (posed[0] + posed[1] + posed[2]) / 3;
+    handles_[j] = {
+        rows_of(stretch), {{{0, -y[2], y[1]}, {y[2], 0, -y[0]}, {-y[1], y[0], 0}}}, {c[0], c[1], c[2]}};
   }
 }
 
@@ -85,7 +112,7 @@ mesh::Point ReferenceFrame::place(std::size_t vertex) const {
   const mesh::Point& x = binding_.offsets[vertex];
   mesh::Point p;
   for (int r = 0; r < 3; ++r) {
-    p[r] = origin_[r] + (affine[r][0] * x[0] + affine[r][1] * x[1] + affine[r][2] * x[2] + sum[r]);
+    p[r] = affine[r][0] * x[0] + affine[r][1] * x[1] + affine[r][2] * x[2] + sum[r];
   }
   return p;
 }

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "deform/binding.h"
-#include "deform/log_maps.h"
 
 namespace viete::bench {
 
-/// Per vertex: whole matrices summed with weights in double (9 + 9 + 3 numbers a cage triangle), improved SD,
-/// Rodrigues' formula, the affine product; normals scattered from triangles. Buffers are allocated once.
+/// Per element: map, polar decomposition by SVD, logs of stretch and rotation, the rotation's principal one:
+/// for poses whose elements turn by less than 180 degrees and keep their area. Per vertex: whole matrices
+/// summed with weights in double (9 + 9 + 3 numbers a cage triangle), improved SD, Rodrigues' formula, the
+/// affine product; normals scattered from triangles. Buffers are allocated once.
 class ReferenceFrame {
 public:
   /// cage and binding are kept by reference; the binding has weights.
@@ -34,11 +35,7 @@ private:
 
   const deform::Cage& cage_;
   const deform::Binding& binding_;
-  std::vector<deform::FaceMap> maps_;
-  std::vector<deform::MapLog> logs_;
   std::vector<Handle> handles_;
-  deform::Vec3 origin_{};
-  deform::LogReport report_;
   std::vector<mesh::Point> positions_, normals_;
 };
 

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "bench/plain_weights.h"
-#include "mesh/summary.h"
+#include "bench/reference_frame.h"
+#include "deform/deformer.h"
 #include "mesh/shapes.h"
+#include "mesh/summary.h"
 #include "mesh/triangle.h"
 #include "mesh/winding_number.h"
 
@@ -58,5 +60,23 @@ TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
     }
     for (std::size_t j = 0; j < k; ++j)
       CHECK(plain.weights()[i * k + j] == doctest::Approx(row[j] / sum).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("reference_frame_is_the_staged_frame_by_other_means") {
+  using mesh::operator-;
+  const auto model = test::sphere(2);
+  const auto cage = std::make_shared<const deform::Cage>(deform::make_cage(bench::star_cage(model, 50)));
+  base::WorkerPool pool(1);
+  const auto binding = std::make_shared<const deform::Binding>(deform::bind(model, *cage, {}, pool));
+  deform::Deformer staged(cage, binding, deform::Blend::srl, pool);
+  bench::ReferenceFrame reference(*cage, *binding);
+  const auto pose = bench::moderate_pose(*cage);
+  staged.deform(pose, sym3::Method::diag);
+  reference.deform(pose);
+  const auto positions = staged.positions(), normals = staged.normals();
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    CHECK(mesh::norm(reference.positions()[v] - positions[v]) < 1e-9 * cage->diagonal);
+    CHECK(mesh::norm(reference.normals()[v] - normals[v]) < 1e-7);
   }
 }
