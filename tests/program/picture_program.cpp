@@ -1,8 +1,8 @@
 // Pictures of the program against pictures that someone looked at (tests/program/pictures).
 //
-// Tolerance: at most 2 levels per channel for 99.9 % of pixels, the panels masked, because versions of ImGui
-// move text. A missing reference, or VIETE_UPDATE_PICTURES=1, writes the picture instead: look at it before
-// you commit it.
+// Tolerance: at most 2 levels per channel for 99.9 % of pixels, panels masked or hidden, because versions of
+// ImGui move text. A missing reference, or VIETE_UPDATE_PICTURES=1, writes the picture instead: look at it
+// before you commit it.
 #include <cstdlib>
 
 #include "program/driver.h"
@@ -96,5 +96,60 @@ TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
     w.document.selection.apply(std::array<std::uint32_t, 3>{40, 41, 99}, scene::SelectMode::replace);
     d.frame(2);
     compare(h.name, d.picture(), true, h.scale);
+  }
+}
+
+namespace {
+
+// Small and without panels or text: what is open, and the commands that follow.
+struct ViewPicture {
+  const char* name;
+  const char* pose;
+  std::vector<const char*> commands;
+};
+
+const ViewPicture views[] = {
+    {"view_front", "", {"view_front"}},
+    {"view_top_orthographic", "", {"view_top", "toggle_orthographic"}},
+    {"view_left_light", "", {"view_left", "toggle_theme"}},
+    {"wireframe", "", {"toggle_wireframe", "toggle_cage"}},
+    {"model_alone", "pose_alert", {"toggle_cage", "toggle_grid"}},
+    {"posed_light", "pose_alert", {"toggle_theme"}},
+    {"ghost", "pose_alert", {"toggle_ghost", "toggle_model"}},
+    {"posed_linear", "pose_alert", {"scheme_linear", "toggle_cage"}},
+    {"posed_mean_value", "pose_alert", {"scheme_mvc", "toggle_cage"}},
+    {"vertices_light", "", {"select_vertices", "tool_select", "select_all", "toggle_theme"}},
+    {"edges", "", {"select_edges", "tool_select", "select_all"}},
+    {"faces", "", {"select_faces", "tool_select", "select_all"}},
+    {"tool_move_light", "", {"select_all", "tool_move", "toggle_theme"}},
+    {"tool_rotate", "", {"select_all", "tool_rotate"}},
+    {"tool_scale_light", "", {"select_all", "tool_scale", "toggle_theme", "toggle_model"}},
+};
+
+void open_dragon_aside(Driver& d, const std::string& pose) {
+  const auto folder = test::assets_dir() / "dragon";
+  std::vector<fs::path> files = {folder / "dragon.ply", folder / "cage.obj"};
+  if (!pose.empty()) files.push_back(folder / (pose + ".obj"));
+  d.workspace().requests.open = scene::OpenRequest{scene::OpenRequest::What::model, files};
+  d.frame(2);
+  d.viewer().finish_loading();
+  d.settle();
+  REQUIRE(d.document().has_cage());
+}
+
+}  // namespace
+
+TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") {
+  for (const auto& v : views) {
+    CAPTURE(v.name);
+    auto options = Driver::default_options();
+    options.size = {320, 220};
+    Driver d(options);
+    auto& view = d.workspace().view;
+    view.hints = view.axes = view.panels = false;
+    open_dragon_aside(d, v.pose);
+    for (const char* command : v.commands) CHECK_MESSAGE(scene::run_command(d.workspace(), command), command);
+    d.settle();
+    compare(v.name, d.picture(), false, 1);
   }
 }
