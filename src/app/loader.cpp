@@ -30,7 +30,8 @@ void Loader::Part::begin(std::string name) {
 
 Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Document& current,
                             const SavedBindings& saved, Part& part, base::Progress& progress) {
-  Loaded loaded{.opened = scene::open_files(request, current, &progress)};
+  Loaded loaded;
+  loaded.opened = scene::open_files(request, current, &progress);
   const scene::Opened& opened = loaded.opened;
   scene::check_drawable(opened);
   if (!opened.document) return loaded;

@@ -28,7 +28,8 @@ TEST_CASE("marks_of_xml_in_a_text_are_written_out") {
 }
 
 TEST_CASE("a_plot_has_its_bars_and_curves_by_name") {
-  bench::Plot plot{.title = "Times", .subtitle = "of exp", .bars_title = "bars", .curves_title = "curves"};
+  bench::Plot plot;
+  plot.title = "Times", plot.subtitle = "of exp", plot.bars_title = "bars", plot.curves_title = "curves";
   plot.bars = {{"Diag", 500, "#000000"}, {"Fast", 5, "#0072b2"}};
   plot.curves = {{"Fast, planes", "#0072b2", false, {{1024, 3}, {1e6, 5}}}};
   const std::string document = bench::draw_plot(plot);

@@ -18,7 +18,7 @@ Workspace edited(const test::CubeFiles& files) {
   Workspace w;
   REQUIRE(load_model(w, files.model, files.cage));
   CHECK_FALSE(has_unsaved_edits(w));
-  w.document.history.record("move", {w.document.pose, w.document.selection});
+  w.document.history.record("move", snapshot_of(w.document));
   w.document.pose.positions[0][0] -= 0.25;
   CHECK(has_unsaved_edits(w));
   return w;
