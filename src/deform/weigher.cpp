@@ -23,17 +23,14 @@ auto numbers(const Arrays& arrays) {
   return reinterpret_cast<const typename Array::value_type(*)[std::tuple_size_v<Array>]>(arrays.data());
 }
 
-// Whether the point touches an element without area, of which vector code knows nothing.
-bool on_degenerate_element(const Cage& cage, const mesh::Point& p) {
+// Whether the point touches one of these elements.
+bool touches(const Cage& cage, std::span<const std::uint32_t> elements, const mesh::Point& p) {
   const auto& x = cage.surface.positions;
-  for (std::size_t e = 0; e < cage.element_count(); ++e) {
-    if (!cage.degenerate[e]) continue;
+  return std::any_of(elements.begin(), elements.end(), [&](std::uint32_t e) {
     const auto& t = cage.surface.triangles[e];
-    if (mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance <=
-        cage.contact * cage.contact)
-      return true;
-  }
-  return false;
+    return mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance <=
+           cage.contact * cage.contact;
+  });
 }
 
 }  // namespace
@@ -67,11 +64,16 @@ void Weigher::add_triangles() {
   }
 }
 
-// Elements without area are left out: the two sides of such a one see the same.
+// Elements without area are left out: the two sides of such a one see the same. Points on them are not for
+// vector code.
 void Weigher::add_views() {
-  for (std::size_t e = 0; e < cage_.element_count(); ++e) {
+  for (std::uint32_t e = 0; e < cage_.element_count(); ++e) {
     const auto& t = cage_.surface.triangles[e];
-    if (!cage_.degenerate[e]) views_.push_back({{t[0], t[1], t[2]}, {}, {}});
+    if (cage_.degenerate[e]) {
+      without_area_.push_back(e);
+    } else {
+      views_.push_back({{t[0], t[1], t[2]}, {}, {}});
+    }
   }
   std::vector<mesh::Triangle> triangles;
   for (const auto& view : views_) triangles.push_back({view.corner[0], view.corner[1], view.corner[2]});
@@ -116,7 +118,7 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
                           views_.size(), at, scratch.data() + bind_lanes * handles()},
                          scratch.data());
   for (std::size_t l = 0; l < bind_lanes; ++l)
-    unclear |= unsigned(on_degenerate_element(cage_, points[l])) << l;
+    unclear |= unsigned(touches(cage_, without_area_, points[l])) << l;
   unsigned failed = 0;
   std::vector<double> row(unclear ? handles() : 0);
   for (std::size_t l = 0; l < bind_lanes; ++l) {

@@ -58,6 +58,7 @@ private:
   // For mean values: its edges, and its triangles by corners and edges.
   std::vector<mesh::Edge> edges_;
   std::vector<MeanValueTriangle> views_;
+  std::vector<std::uint32_t> without_area_;  // its other triangles
 };
 
 }  // namespace viete::deform
