@@ -99,7 +99,11 @@ void step_reach(Document& document, int step) {
 void give_up_scheme(Document& document, const deform::Scheme& instead) {
   History& history = document.history;
   const bool chosen_last = history.undo_label() == change_reach || history.undo_label() == change_blending;
-  if (chosen_last && !history.can_redo()) history.drop_last();
+  if (chosen_last && !history.can_redo()) {
+    history.drop_last();
+  } else {
+    history.go_on();  // what is kept of the edits is to be kept anew
+  }
   put_scheme(document, instead);
 }
 

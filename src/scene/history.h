@@ -24,7 +24,7 @@ public:
   /// An edit named `label` has just led away from `before`.
   void record(std::string label, Snapshot before);
 
-  /// The last edit went on: it is still one entry. Requires that it was not taken back.
+  /// What the last edit has left went on to change: it is still one entry.
   void go_on() { ++revision_; }
   /// As if the last edit had not been made: gives the state before it. Requires can_undo().
   Snapshot drop_last();

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/commands.h"
@@ -39,26 +39,29 @@ std::string keys_of(const scene::Command& command) {
   return scene::text(command.shortcut) + (also.empty() ? "" : ", " + also);
 }
 
-void add_groups(Rows& rows, std::initializer_list<std::string_view> groups) {
-  for (const auto group : groups) {
-    rows.push_back({std::string(group), ""});
-    for (const auto& command : scene::commands()) {
-      if (command.group != group || command.shortcut.key == scene::Key::none) continue;
-      rows.push_back({keys_of(command), std::string(command.hint)});
-    }
+// Every key, under the headings of its groups, which the table of commands has one after the other: those of
+// files, edits and selections, or the others.
+void add_commands(Rows& rows, bool of_hands) {
+  std::string_view group;
+  for (const auto& command : scene::commands()) {
+    const bool is_of_hands = command.group == "File" || command.group == "Edit" || command.group == "Select";
+    if (is_of_hands != of_hands || command.shortcut.key == scene::Key::none) continue;
+    if (std::exchange(group, command.group) != command.group)
+      rows.push_back({std::string(command.group), ""});
+    rows.push_back({keys_of(command), std::string(command.hint)});
   }
 }
 
 Rows hands_rows() {
   Rows rows{{"Mouse", ""}};
   for (const auto& entry : mouse_lines) rows.push_back({entry.action, entry.what});
-  add_groups(rows, {"File", "Edit", "Select"});
+  add_commands(rows, true);
   return rows;
 }
 
 Rows settings_rows(const scene::About& about) {
   Rows rows;
-  add_groups(rows, {"Tool", "Method", "View"});
+  add_commands(rows, false);
   rows.insert(rows.end(), {{"About", ""},
                            {"Viete", about.version + ", " + about.build},
                            {"Kernel", about.kernel},
