@@ -7,12 +7,9 @@ using test::Driver;
 namespace {
 
 void open_posed_dragon(Driver& d) {
-  const auto folder = test::assets_dir() / "dragon";
-  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
-  REQUIRE(scene::load_pose(d.workspace(), folder / "pose_alert.obj"));
   d.workspace().view.cage = d.workspace().view.grid = d.workspace().view.axes = d.workspace().view.hints =
       false;
-  d.settle();
+  d.open_dragon("pose_alert");
 }
 
 // Where the view shows anything but the background.

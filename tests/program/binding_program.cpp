@@ -12,15 +12,14 @@
 #include "support/folder.h"
 
 using namespace viete;
+using test::dragon;
+using test::dragon_cage;
 using test::Driver;
 using What = scene::OpenRequest::What;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path dragon = test::assets_dir() / "dragon" / "dragon.ply",
-               dragon_cage = test::assets_dir() / "dragon" / "cage.obj";
 
 // 8 * 4^levels triangles around the dragon.
 fs::path ball_cage(const fs::path& folder, int levels) {
@@ -45,9 +44,8 @@ std::vector<mesh::Point> positions(Driver& d) {
   return {p.begin(), p.end()};
 }
 
-void open_dragon(Driver& d) {
-  REQUIRE(scene::load_model(d.workspace(), dragon, dragon_cage));
-  d.settle();
+void open_posed_dragon(Driver& d) {
+  d.open_dragon();
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(40, 20));
   scene::mark_saved(d.workspace());  // so that another cage takes its place without a question
@@ -73,7 +71,7 @@ app::ViewerOptions small_window() {
 TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") {
   const test::TemporaryFolder folder;
   Driver d(small_window());
-  open_dragon(d);
+  open_posed_dragon(d);
   // 51 MB and half a second; a machine that binds it in a moment gets more.
   for (int levels = 2;; ++levels) {
     REQUIRE_MESSAGE(levels < 5, "a fifth of a billion weights came at once");
@@ -96,8 +94,7 @@ TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") 
     }
     REQUIRE(frames_until(d, [&] { return !d.viewer().loading(); }));
     if (d.document().cage.get() != cage) {
-      REQUIRE(scene::load_model(d.workspace(), dragon, dragon_cage));
-      d.settle();
+      d.open_dragon();
       continue;  // it was there before the key was
     }
     CHECK(d.document().pose.positions == pose);
@@ -111,7 +108,7 @@ TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") 
 TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
   const test::TemporaryFolder folder;
   Driver d(small_window());
-  open_dragon(d);
+  open_posed_dragon(d);
   const auto* cage = d.document().cage.get();
   d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 1)}};
   REQUIRE(frames_until(d, [&] {
@@ -160,7 +157,7 @@ TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_st
   }
   const test::TemporaryFolder folder;
   Driver d(small_window());
-  open_dragon(d);
+  open_posed_dragon(d);
   const auto* cage = d.document().cage.get();
   const auto before = positions(d);
   d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 8)}};
@@ -182,8 +179,9 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   Driver d(small_window());
   for (int levels = 2;; ++levels) {
     REQUIRE_MESSAGE(levels < 6, "mean value coordinates of 8192 triangles came at once");
-    REQUIRE(scene::load_model(d.workspace(), dragon, ball_cage(folder.path(), levels)));
     scene::run_command(d.workspace(), "scheme_log");  // a new document keeps what the last one used
+    scene::mark_saved(d.workspace());
+    REQUIRE(d.open({dragon, ball_cage(folder.path(), levels)}));
     d.settle();
     const auto rest = positions(d);
     scene::run_command(d.workspace(), "scheme_mvc");
@@ -216,8 +214,9 @@ TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it
   Driver d(small_window());
   for (int levels = 3;; ++levels) {
     REQUIRE_MESSAGE(levels < 6, "weights of 8192 triangles came at once");
-    REQUIRE(scene::load_model(d.workspace(), dragon, ball_cage(folder.path(), levels)));
     scene::set_reach(d.document(), deform::whole_cage);
+    scene::mark_saved(d.workspace());
+    REQUIRE(d.open({dragon, ball_cage(folder.path(), levels)}));
     d.settle();
     const auto rest = positions(d);
     scene::set_reach(d.document(), 3);
@@ -235,7 +234,7 @@ TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it
 
 TEST_CASE("what_a_binding_takes_is_known_before") {
   Driver d(small_window());
-  open_dragon(d);
+  open_posed_dragon(d);
   const auto plan = scene::binding_plan(d.document(), deform::Elements::point);
   CHECK(plan.handles == d.document().pose.positions.size());
   CHECK(plan.bytes ==

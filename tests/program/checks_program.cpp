@@ -6,22 +6,17 @@
 #include "support/folder.h"
 
 using namespace viete;
+using test::dragon;
+using test::dragon_cage;
 using test::Driver;
 
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path dragon() {
-  return test::assets_dir() / "dragon" / "dragon.ply";
-}
-const fs::path sound_cage() {
-  return test::assets_dir() / "dragon" / "cage.obj";
-}
-
 // The bundled cage without its first face.
 fs::path open_cage(const fs::path& folder) {
-  std::ifstream in(sound_cage());
+  std::ifstream in(dragon_cage);
   const fs::path path = folder / "open.obj";
   std::ofstream out(path);
   bool left_out = false;
@@ -65,7 +60,7 @@ std::string widget_of(Driver& d, const scene::Finding* finding) {
 TEST_CASE("a_sound_model_and_cage_show_no_finding") {
   Driver d;
   d.workspace().view.axes = false;
-  REQUIRE(scene::load_model(d.workspace(), dragon(), sound_cage()));
+  REQUIRE(d.open({dragon, dragon_cage}));
   d.settle();
   CHECK(!d.workspace().checks.running);
   CHECK(d.workspace().checks.findings.empty());
@@ -76,7 +71,7 @@ TEST_CASE("an_open_cage_is_found_and_a_click_shows_where") {
   const test::TemporaryFolder scratch;
   Driver d;
   d.workspace().view.axes = false;
-  REQUIRE(scene::load_model(d.workspace(), dragon(), open_cage(scratch.path())));
+  REQUIRE(d.open({dragon, open_cage(scratch.path())}));
   d.settle();
   const auto* open = find(d, scene::Defect::open);
   REQUIRE(open);
@@ -104,7 +99,7 @@ TEST_CASE("the_highlight_follows_the_cage_when_it_is_dragged") {
   const test::TemporaryFolder scratch;
   Driver d;
   d.workspace().view.axes = false;
-  REQUIRE(scene::load_model(d.workspace(), dragon(), open_cage(scratch.path())));
+  REQUIRE(d.open({dragon, open_cage(scratch.path())}));
   d.settle();
   d.click(widget_of(d, find(d, scene::Defect::open)));
   d.settle();
@@ -123,13 +118,13 @@ TEST_CASE("the_highlight_follows_the_cage_when_it_is_dragged") {
 
 TEST_CASE("vertices_outside_are_counted_and_shown_and_go_with_the_cage") {
   const test::TemporaryFolder scratch;
-  auto cage = *scene::open_surface(sound_cage()).surface;
+  auto cage = *scene::open_surface(dragon_cage).surface;
   for (auto& p : cage.positions) p[1] -= 0.3;
   const fs::path low = scratch / "low.obj";
   mesh::write(low, cage);
   Driver d;
   d.workspace().view.axes = false;
-  REQUIRE(scene::load_model(d.workspace(), dragon(), low));
+  REQUIRE(d.open({dragon, low}));
   d.settle();
   const auto* outside = find(d, scene::Defect::vertices_outside);
   REQUIRE(outside);
@@ -137,7 +132,7 @@ TEST_CASE("vertices_outside_are_counted_and_shown_and_go_with_the_cage") {
   d.click(widget_of(d, outside));
   d.settle();
   CHECK(highlighted(d) > 500);
-  REQUIRE(scene::load_cage(d.workspace(), sound_cage()));
+  REQUIRE(d.open({dragon_cage}, Driver::What::cage));
   d.frame();
   CHECK(d.workspace().checks.findings.empty());
   CHECK(!d.workspace().checks.shown);
@@ -149,7 +144,7 @@ TEST_CASE("vertices_outside_are_counted_and_shown_and_go_with_the_cage") {
 TEST_CASE("checks_run_aside_while_frames_go_on") {
   Driver d;
   d.workspace().view.axes = false;
-  REQUIRE(scene::load_model(d.workspace(), dragon(), sound_cage()));
+  REQUIRE(d.open({dragon, dragon_cage}));
   d.frame();
   // The frame that began them did not wait for them, or they were quick: both are fine, waiting is not.
   for (int i = 0; i < 4000 && d.viewer().checking(); ++i) d.frame();

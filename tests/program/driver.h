@@ -3,8 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "app/offscreen_viewer.h"
 #include "base/worker_pool.h"
@@ -15,6 +18,9 @@
 #include "ui/imgui_bridge.h"
 
 namespace viete::test {
+
+inline const std::filesystem::path dragon = assets_dir() / "dragon" / "dragon.ply",
+                                   dragon_cage = assets_dir() / "dragon" / "cage.obj";
 
 class Driver {
 public:
@@ -35,6 +41,13 @@ public:
   scene::Document& document() { return workspace().document; }
   void settle() { offscreen_.settle(); }
   render::Image picture() { return viewer().picture(); }
+
+  using What = scene::OpenRequest::What;
+  /// Opens files as a person does: asks for them, and the frames go on until they are there. False if they
+  /// are not taken: refused, or a question comes first.
+  [[nodiscard]] bool open(std::vector<std::filesystem::path> files, What what = What::model);
+  /// The dragon in its cage, at rest or in a pose of its own, and the picture at rest.
+  void open_dragon(const std::string& pose = "");
 
   /// Every event gets frames of its own.
   void frame(int count = 1) {
@@ -115,6 +128,29 @@ private:
   app::OffscreenViewer offscreen_;
   float column_end_;  // where the status bar begins, roughly
 };
+
+inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {
+  const scene::Revision before = document().revisions.pose;
+  workspace().requests.open = scene::OpenRequest{what, std::move(files)};
+  frame();
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
+  while (viewer().loading()) {
+    REQUIRE(std::chrono::steady_clock::now() < end);
+    if (viewer().wants_frame()) {
+      frame();
+    } else {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  return document().revisions.pose != before;
+}
+
+inline void Driver::open_dragon(const std::string& pose) {
+  std::vector<std::filesystem::path> files = {dragon, dragon_cage};
+  if (!pose.empty()) files.push_back(dragon.parent_path() / (pose + ".obj"));
+  REQUIRE(open(files));
+  settle();
+}
 
 inline std::uint32_t Driver::free_vertex() {
   const auto& w = workspace();

@@ -15,7 +15,7 @@ struct LargeModel : Driver {
   explicit LargeModel(const fs::path& folder, std::uint32_t cells = 160) : Driver(small_window()) {
     mesh::write(folder / "large.ply", SmallModel::grid_ball(cells));
     mesh::write(folder / "cage.obj", SmallModel::scaled(SmallModel::grid_ball(3), 1.4));
-    REQUIRE(scene::load_model(workspace(), folder / "large.ply", folder / "cage.obj"));
+    REQUIRE(open({folder / "large.ply", folder / "cage.obj"}));
     workspace().view.model = false;  // a software rasteriser would need longer for it than the export
     settle();
     drag_some_vertex(*this, {20, 10});
@@ -130,7 +130,7 @@ TEST_CASE("an_export_says_what_its_method_has_lost") {
   mesh::write(folder / "ball.ply", SmallModel::grid_ball(6));
   mesh::write(folder / "cage.obj", SmallModel::scaled(SmallModel::grid_ball(2), 1.4));
   Driver d(LargeModel::small_window());
-  REQUIRE(scene::load_model(d.workspace(), folder / "ball.ply", folder / "cage.obj"));
+  REQUIRE(d.open({folder / "ball.ply", folder / "cage.obj"}));
   d.document().method = sym3::Method::sd;
   d.settle();
   for (auto& p : d.document().pose.positions) p = {2 * p[0], (2 - 1e-5) * p[1], (2 + 1e-5) * p[2]};

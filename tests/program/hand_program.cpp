@@ -14,11 +14,7 @@ using Kind = scene::Constraint::Kind;
 namespace {
 
 struct Interaction : Driver {
-  Interaction() {
-    const auto folder = test::assets_dir() / "dragon";
-    REQUIRE(scene::load_model(workspace(), folder / "dragon.ply", folder / "cage.obj"));
-    settle();
-  }
+  Interaction() { open_dragon(); }
   scene::Gizmo gizmo() {
     const auto gizmo = scene::gizmo_of(workspace());
     REQUIRE(gizmo);

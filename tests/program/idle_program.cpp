@@ -5,11 +5,10 @@ using namespace viete;
 using test::Driver;
 
 TEST_CASE("the_viewer_rests_with_a_cage_without_one_and_with_nothing_open") {
-  const auto folder = test::assets_dir() / "dragon";
   for (const int open : {0, 1, 2}) {
     Driver d;
-    if (open == 1) REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", {}));
-    if (open == 2) REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+    if (open == 1) REQUIRE(d.open({test::dragon}));
+    if (open == 2) REQUIRE(d.open({test::dragon, test::dragon_cage}));
     d.settle();
     d.frame(5);
     CHECK_MESSAGE(!d.viewer().wants_frame(), open);
@@ -37,9 +36,7 @@ TEST_CASE("typed_text_arrives_in_a_few_frames_in_order") {
 
 TEST_CASE("a_press_and_the_movement_after_it_are_not_mixed_up") {
   Driver d;
-  const auto folder = test::assets_dir() / "dragon";
-  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
-  d.settle();
+  d.open_dragon();
   const auto v = d.free_vertex();
   const glm::vec2 from = glm::round(d.vertex(v)), to = from + glm::vec2(50, 20), offset = d.vertex(v) - from;
   d.move(from);

@@ -9,19 +9,11 @@
 
 namespace viete::test {
 
-inline const fs::path dragon = assets_dir() / "dragon" / "dragon.ply",
-                      dragon_cage = assets_dir() / "dragon" / "cage.obj";
-
 inline app::ViewerOptions remembering(const fs::path& state, glm::ivec2 size = {1280, 800}) {
   auto options = Driver::default_options();
   options.state = state;
   options.size = size;
   return options;
-}
-
-inline void open_dragon(Driver& d) {
-  REQUIRE(scene::load_model(d.workspace(), dragon, dragon_cage));
-  d.settle();
 }
 
 inline void drag_some_vertex(Driver& d, glm::vec2 by) {

@@ -37,7 +37,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   for (;; cells *= 2) {
     REQUIRE_MESSAGE(cells < 1000, "5.5 million vertices were read within 0.2 s");
     mesh::write(folder / "large.obj", SmallModel::grid_ball(cells));
-    REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+    REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     drag_some_vertex(d, {20, 10});
     surface = d.document().model.surface.get();
@@ -77,7 +77,7 @@ TEST_CASE("what_was_read_waits_until_the_drag_is_over") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   Driver d(remembering(folder / "state"));
-  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.press_and_move(at, at + glm::vec2(40, 5));
@@ -102,14 +102,13 @@ TEST_CASE("a_load_that_fails_leaves_everything_as_it_was") {
   const SmallModel small(folder.path());
   test::put_file(folder / "broken.obj", "v 0 0 0\nf 1 2 3\n");
   Driver d;
-  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   drag_some_vertex(d, {20, 10});
   const auto posed = d.document().pose.positions;
   const auto opened = d.workspace().opened;
   for (const What what : {What::model, What::cage, What::pose, What::dropped, What::recovery}) {
-    d.workspace().requests.open = scene::OpenRequest{what, {folder / "broken.obj"}};
-    d.settle();
+    CHECK_FALSE(d.open({folder / "broken.obj"}, what));
     const std::string said = d.workspace().messages.all().back().text;
     CHECK_MESSAGE(said.find("broken.obj:") != std::string::npos, said);
     CHECK(d.document().pose.positions == posed);

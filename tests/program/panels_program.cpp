@@ -60,7 +60,7 @@ void show(Driver& d, const std::string& name) {
 
 // The bundled cage without its first face: it has findings.
 fs::path open_cage(const fs::path& folder) {
-  auto surface = mesh::read(test::assets_dir() / "dragon" / "cage.obj").surface;
+  auto surface = mesh::read(test::dragon_cage).surface;
   std::vector<mesh::Triangle> triangles(surface.triangles.begin() + 1, surface.triangles.end());
   const fs::path path = folder / "open.obj";
   mesh::write(path, mesh::from_triangles(surface.positions, triangles));
@@ -105,9 +105,9 @@ void visit_notices(Driver& d, const std::string& look) {
 
 void visit_panels(Driver& d, const std::string& look) {
   const test::TemporaryFolder scratch;
-  const fs::path model = test::assets_dir() / "dragon" / "dragon.ply", cage = open_cage(scratch.path());
+  const fs::path cage = open_cage(scratch.path());
   show(d, look + "_empty");
-  REQUIRE(scene::load_model(d.workspace(), model, cage));
+  REQUIRE(d.open({test::dragon, cage}));
   d.settle();
   d.workspace().view.model = std::getenv("VIETE_PICTURES") != nullptr;  // places need no drawn model
   d.press_key(scene::key('A'));
@@ -123,8 +123,7 @@ void visit_panels(Driver& d, const std::string& look) {
   d.click("toggle_error_map");
   d.press_key(scene::key('E'));
   show(d, look + "_error_map_rotate");
-  CHECK_FALSE(scene::load_model(d.workspace(), scratch.path() / "none.ply", cage));
-  d.frame();
+  CHECK_FALSE(d.open({scratch / "none.ply", cage}));
   show(d, look + "_failed_load");
 
   d.press_key(scene::key('O'), true);
@@ -161,8 +160,7 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window") {
   auto options = Driver::default_options();
   options.size = {640, 400};
   Driver d(options);
-  const fs::path assets = test::assets_dir() / "dragon";
-  REQUIRE(scene::load_model(d.workspace(), assets / "dragon.ply", assets / "cage.obj"));
+  d.open_dragon();
   const std::string name = "a_model_whose_name_somebody_took_some_time_to_think_about.ply";
   auto& w = d.workspace();
   w.leftovers = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};

@@ -49,7 +49,7 @@ struct Scene {
 TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
   const Scene scenes[] = {{"rest_dark", "", true, true, 1},
                           {"rest_light_2x", "", true, false, 2},
-                          {"posed_dark", "pose_alert", false, true, 1}};
+                          {"posed_dark", "pose_alert.obj", false, true, 1}};
   for (const auto& s : scenes) {
     CAPTURE(s.name);
     auto options = Driver::default_options();
@@ -60,10 +60,8 @@ TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
     d.workspace().view.dark = s.dark;
     d.workspace().view.hints = false;
     d.workspace().view.axes = false;
-    const auto folder = test::assets_dir() / "dragon";
-    d.frame();
-    REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
-    if (*s.pose) REQUIRE(scene::load_pose(d.workspace(), folder / (std::string(s.pose) + ".obj")));
+    d.open_dragon();
+    if (*s.pose) REQUIRE(d.open({test::dragon.parent_path() / s.pose}, Driver::What::pose));
     d.settle();
     compare(s.name, d.picture(), s.panels, s.scale);
   }
@@ -87,10 +85,7 @@ TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
     auto& w = d.workspace();
     w.view.dark = h.dark;
     w.view.hints = w.view.model = w.view.grid = false;
-    const auto folder = test::assets_dir() / "dragon";
-    d.frame();
-    REQUIRE(scene::load_model(w, folder / "dragon.ply", folder / "cage.obj"));
-    d.settle();
+    d.open_dragon();
     scene::run_command(w, h.kind);
     scene::run_command(w, h.tool);
     w.document.selection.apply(std::array<std::uint32_t, 3>{40, 41, 99}, scene::SelectMode::replace);
@@ -126,17 +121,6 @@ const ViewPicture views[] = {
     {"tool_scale_light", "", {"select_all", "tool_scale", "toggle_theme", "toggle_model"}},
 };
 
-void open_dragon_aside(Driver& d, const std::string& pose) {
-  const auto folder = test::assets_dir() / "dragon";
-  std::vector<fs::path> files = {folder / "dragon.ply", folder / "cage.obj"};
-  if (!pose.empty()) files.push_back(folder / (pose + ".obj"));
-  d.workspace().requests.open = scene::OpenRequest{scene::OpenRequest::What::model, files};
-  d.frame(2);
-  d.viewer().finish_loading();
-  d.settle();
-  REQUIRE(d.document().has_cage());
-}
-
 }  // namespace
 
 TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") {
@@ -147,7 +131,7 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
     Driver d(options);
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = false;
-    open_dragon_aside(d, v.pose);
+    d.open_dragon(v.pose);
     for (const char* command : v.commands) CHECK_MESSAGE(scene::run_command(d.workspace(), command), command);
     d.settle();
     compare(v.name, d.picture(), false, 1);

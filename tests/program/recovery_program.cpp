@@ -8,7 +8,6 @@
 
 using namespace viete;
 using namespace test;
-using What = scene::OpenRequest::What;
 
 TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_saved_or_undone") {
   const test::TemporaryFolder folder;
@@ -20,7 +19,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
   };
   {
     Driver d(remembering(state));
-    REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+    REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     CHECK(kept_files(state).empty());
     drag_some_vertex(d, {30, 20});
@@ -61,7 +60,7 @@ TEST_CASE("a_whole_turn_and_another_reach_are_kept_without_a_moved_vertex") {
   const SmallModel small(folder.path());
   const fs::path state = folder / "state";
   Driver d(remembering(state));
-  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   const auto settled = [&](std::size_t files) {
     d.settle();
@@ -86,13 +85,12 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   Driver d(remembering(folder / "state"));
-  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   drag_some_vertex(d, {30, 20});
   const auto posed = d.document().pose.positions;
   const auto picture = rest_picture(d);
-  d.workspace().requests.open = scene::OpenRequest{What::model, {dragon, dragon_cage}};
-  d.settle();
+  d.open_dragon();
   CHECK(d.document().model.path == dragon);
   REQUIRE(d.workspace().leftovers.size() == 1);
   CHECK(d.workspace().leftovers[0].name == "small.ply");
@@ -178,7 +176,7 @@ TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks
   const SmallModel small(folder.path());
   test::put_file(folder / "state", "a file, not a folder");
   Driver d(remembering(folder / "state"));
-  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   drag_some_vertex(d, {30, 20});
   d.frame(5);
@@ -217,7 +215,7 @@ struct Unkept {
   Driver d{remembering(state)};
 
   Unkept() {
-    REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+    REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     drag_some_vertex(d, {30, 20});
     REQUIRE(wait_until([&] { return kept_files(state).size() == 1; }, 5));
@@ -325,7 +323,7 @@ TEST_CASE("without_a_home_folder_closing_asks_and_without_edits_it_does_not") {
   for (const bool edited : {false, true}) {
     CAPTURE(edited);
     Driver d;
-    REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+    REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     if (edited) drag_some_vertex(d, {30, 20});
     quit(d);
@@ -339,8 +337,7 @@ TEST_CASE("another_file_takes_the_place_of_edits_that_could_not_be_set_aside_onl
   Unkept u;
   Driver& d = u.d;
   const auto open_cage_as_model = [&] {
-    d.workspace().requests.open = scene::OpenRequest{What::model, {u.small.cage}};
-    d.settle();
+    CHECK_FALSE(d.open({u.small.cage}));
     d.frame(2);
   };
   open_cage_as_model();
@@ -367,7 +364,7 @@ TEST_CASE("edits_of_a_model_whose_name_is_not_utf_8_are_kept") {
   fs::rename(small.model, odd);
   {
     Driver d(remembering(state));
-    REQUIRE(scene::load_model(d.workspace(), odd, small.cage));
+    REQUIRE(d.open({odd, small.cage}));
     d.settle();
     drag_some_vertex(d, {30, 20});
     quit(d);
@@ -385,7 +382,7 @@ TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
   const fs::path folder = std::getenv("VIETE_TEST_FOLDER");
   const SmallModel small(folder);
   Driver d(remembering(folder / "state", {640, 400}));
-  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(d.open({small.model, small.cage}));
   d.workspace().view.panels = false;
   d.settle();
   const int log = open((folder / "log").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
@@ -450,7 +447,7 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   auto options = Driver::default_options();
   options.size = {1440, 900};
   Driver d(options);
-  open_dragon(d);
+  d.open_dragon();
   d.frame();
   const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
   d.drag(from, to);

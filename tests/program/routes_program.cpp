@@ -10,8 +10,7 @@ namespace {
 
 render::Image picture_by(Kind kind) {
   Driver d(Driver::default_options(), kind);
-  const auto folder = test::assets_dir() / "dragon";
-  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+  d.open_dragon();
   d.workspace().view.panels = false;
   d.settle();
   return d.picture();

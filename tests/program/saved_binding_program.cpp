@@ -12,14 +12,13 @@
 #include "support/folder.h"
 
 using namespace viete;
+using test::dragon;
+using test::dragon_cage;
 using test::Driver;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path dragon = test::assets_dir() / "dragon" / "dragon.ply",
-               dragon_cage = test::assets_dir() / "dragon" / "cage.obj";
 
 app::ViewerOptions keeping_in(const fs::path& folder, double worth_keeping = 0) {
   auto options = Driver::default_options();
@@ -40,7 +39,7 @@ std::vector<deform::FrameVertex> frame_of(Driver& d) {
 std::vector<deform::FrameVertex> open_and_frame(const app::ViewerOptions& options,
                                                 std::string* said = nullptr) {
   Driver d(options);
-  REQUIRE(scene::load_model(d.workspace(), dragon, dragon_cage));
+  REQUIRE(d.open({dragon, dragon_cage}));
   auto frame = frame_of(d);
   for (const auto& message : d.workspace().messages.all()) {
     if (said) *said += message.text + "\n";
@@ -119,7 +118,7 @@ TEST_CASE("another_model_under_the_same_name_gets_its_own_binding") {
     Driver d(keeping_in(kept));
     const fs::path cage = folder / "cage.ply";
     mesh::write(cage, test::moved(test::sphere(2), 5));
-    REQUIRE(scene::load_model(d.workspace(), model, cage));
+    REQUIRE(d.open({model, cage}));
     d.settle();
     CHECK(d.viewer().deformer()->positions()[0][0] ==
           doctest::Approx(d.document().model.surface->positions[0][0]));
@@ -132,7 +131,7 @@ TEST_CASE("a_folder_that_cannot_be_written_is_a_message_and_nothing_else") {
   test::put_file(folder / "file", "");
   std::string said;
   Driver d(keeping_in(folder / "file"));
-  REQUIRE(scene::load_model(d.workspace(), dragon, dragon_cage));
+  REQUIRE(d.open({dragon, dragon_cage}));
   frame_of(d);
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
   const auto& all = d.workspace().messages.all();

@@ -45,7 +45,7 @@ TEST_CASE("a_session_opens_to_the_same_picture_also_elsewhere") {
   std::vector<mesh::Point> mesh_before;
   {
     Driver d;
-    REQUIRE(scene::load_model(d.workspace(), folder / "work" / "dragon.ply", folder / "work" / "cage.obj"));
+    REQUIRE(d.open({folder / "work" / "dragon.ply", folder / "work" / "cage.obj"}));
     d.settle();
     drag_some_vertex(d, {60, -50});
     d.drag({800, 100}, {730, 160}, 2);  // orbit
@@ -64,7 +64,7 @@ TEST_CASE("a_session_opens_to_the_same_picture_also_elsewhere") {
   fs::current_path(folder / "moved");
   {
     Driver d;
-    REQUIRE(scene::open_now(d.workspace(), {What::model, {"a.viete"}}));
+    REQUIRE(d.open({"a.viete"}));
     const auto after = rest_picture(d);
     const auto positions = d.viewer().deformer()->positions();
     CHECK(std::equal(positions.begin(), positions.end(), mesh_before.begin(), mesh_before.end()));
@@ -85,7 +85,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   options.size = {800, 500};
   Driver d(options);
   d.workspace().view.panels = false;
-  open_dragon(d);
+  d.open_dragon();
   drag_some_vertex(d, {40, 30});
   const auto before = rest_picture(d);
   REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
@@ -170,7 +170,7 @@ TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   Driver d(remembering(folder / "state"));
-  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   drag_some_vertex(d, {30, 20});
   CHECK(scene::has_unsaved_edits(d.workspace()));
@@ -225,7 +225,7 @@ TEST_CASE("replacing_a_file_is_said_before_it_is_done") {
   const SmallModel small(folder.path());
   test::put_file(folder / "small_deformed.ply", "precious");
   Driver d;
-  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   d.press_key(scene::key('E'), true);
   d.frame(2);
@@ -250,7 +250,7 @@ TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {
   {
     Driver d(remembering(folder / "state"));
     CHECK(d.workspace().view.hints);
-    REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+    REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     drag_some_vertex(d, {30, 20});
   }
@@ -269,9 +269,9 @@ TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to
   const SmallModel small(folder.path());
   const fs::path session = folder / "a.viete";
   Driver d;
-  REQUIRE(scene::load_model(d.workspace(), small.model, small.cage));
+  REQUIRE(d.open({small.model, small.cage}));
   REQUIRE(scene::save_session(d.workspace(), session));
-  d.workspace().requests.open = scene::OpenRequest{What::model, {session}};
+  REQUIRE(d.open({session}));
   d.settle();
   scene::Workspace other;
   REQUIRE(scene::open_now(other, {What::model, {session}}));

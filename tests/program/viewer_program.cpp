@@ -12,13 +12,6 @@ using test::Driver;
 
 namespace {
 
-void open_dragon(Driver& d) {
-  const auto folder = test::assets_dir() / "dragon";
-  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
-  d.settle();
-  REQUIRE(d.viewer().deformer());
-}
-
 bool finite(const std::vector<mesh::Point>& points) {
   for (const auto& p : points) {
     for (const double x : p) {
@@ -71,7 +64,7 @@ TEST_CASE("settings_made_before_anything_is_open_are_kept_for_what_is_opened") {
   scene::run_command(d.workspace(), "scheme_mvc");
   scene::set_reach(d.document(), 3);
   d.frame(3);  // with nothing to show
-  open_dragon(d);
+  d.open_dragon();
   CHECK(d.document().scheme.weighting.weights == deform::Weights::mean_value);
   CHECK(d.document().scheme.weighting.reach == 3);
   CHECK(d.viewer().deformer()->state().logs().empty());  // as mean value coordinates have none
@@ -79,7 +72,7 @@ TEST_CASE("settings_made_before_anything_is_open_are_kept_for_what_is_opened") {
 
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto rest = positions(d);
   CHECK(largest_distance(rest, d.document().model.surface->positions) < 1e-13 * diagonal(d));
   const auto picture_before = d.picture();
@@ -122,7 +115,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
 
 TEST_CASE("the_selected_vertex_is_drawn_in_the_selection_colour") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto v = d.free_vertex();
   d.click(glm::round(d.vertex(v)));
   CHECK(d.document().selection.indices() == std::vector<std::uint32_t>{v});
@@ -136,7 +129,7 @@ TEST_CASE("the_selected_vertex_is_drawn_in_the_selection_colour") {
 
 TEST_CASE("the_four_methods_are_clicked_and_agree") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto v = d.free_vertex();
   d.drag(glm::round(d.vertex(v)), glm::round(d.vertex(v)) + glm::vec2(50, 40));
   d.move({700, 20});
@@ -180,7 +173,7 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
 
 TEST_CASE("undo_redo_and_cancel_by_keys_restore_exactly") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto rest = d.document().pose.positions;
   const auto v = d.free_vertex();
   const glm::vec2 at = glm::round(d.vertex(v));
@@ -209,7 +202,7 @@ TEST_CASE("undo_redo_and_cancel_by_keys_restore_exactly") {
 
 TEST_CASE("a_box_selects_and_the_selection_moves_together") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   d.drag({330, 10}, {1270, 760});
   const std::size_t all = d.document().pose.positions.size();
   CHECK(d.document().selection.size() == all);
@@ -228,7 +221,7 @@ TEST_CASE("a_box_selects_and_the_selection_moves_together") {
 
 TEST_CASE("a_broken_file_is_refused_through_the_file_panel_and_the_document_stays") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto v = d.free_vertex();
   const glm::vec2 at = glm::round(d.vertex(v));
   d.drag(at, at + glm::vec2(20, 20));
@@ -257,7 +250,7 @@ TEST_CASE("a_broken_file_is_refused_through_the_file_panel_and_the_document_stay
 
 TEST_CASE("a_path_typed_where_the_keyboard_is_opens_it") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto cage = test::assets_dir() / "dragon" / "cage.obj";
   d.press_key(scene::key('O'), true);
   d.frame(2);
@@ -271,7 +264,7 @@ TEST_CASE("a_path_typed_where_the_keyboard_is_opens_it") {
 
 TEST_CASE("the_first_enter_does_not_replace_a_file") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto file = std::filesystem::temp_directory_path() / "viete-kept-program.obj";
   std::ofstream(file) << "mine";
   d.press_key(scene::key('E'), true);
@@ -301,7 +294,7 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
     mesh::write(file, cage);
     Driver d;
     d.workspace().view.panels = d.workspace().view.hints = d.workspace().view.grid = false;
-    REQUIRE(scene::load_model(d.workspace(), file, {}));
+    REQUIRE(d.open({file}));
     d.settle();
     pictures.push_back(d.picture());
     std::filesystem::remove(file);
@@ -312,7 +305,7 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
 
 TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   d.click("scheme_mvc");
   d.settle();
   REQUIRE(d.viewer().deformer());
@@ -327,7 +320,7 @@ TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {
 
 TEST_CASE("the_reach_is_chosen_by_a_slider_and_mean_value_coordinates_have_none") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto whole = followers(d);
   d.click("reach");  // in its middle
   d.settle();
@@ -352,7 +345,7 @@ TEST_CASE("the_reach_is_chosen_by_a_slider_and_mean_value_coordinates_have_none"
 
 TEST_CASE("the_camera_answers_wheel_middle_drag_and_keys") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto start = d.workspace().camera.pose();
   d.move({800, 400});
   d.wheel(2);
@@ -372,7 +365,7 @@ TEST_CASE("the_camera_answers_wheel_middle_drag_and_keys") {
 
 TEST_CASE("the_wheel_over_the_panels_scrolls_them_and_not_the_camera") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const auto start = d.workspace().camera.pose();
   d.move({160, 500});
   d.wheel(-3);
@@ -382,7 +375,7 @@ TEST_CASE("the_wheel_over_the_panels_scrolls_them_and_not_the_camera") {
 
 TEST_CASE("a_click_that_goes_down_and_up_within_one_frame_counts") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   const glm::vec2 at = d.place_of("method_diag");
   d.move(at);
   for (int i = 0; i < 2; ++i) {
@@ -394,7 +387,7 @@ TEST_CASE("a_click_that_goes_down_and_up_within_one_frame_counts") {
 
 TEST_CASE("help_opens_with_f1_and_closes_with_esc") {
   Driver d;
-  open_dragon(d);
+  d.open_dragon();
   d.press_key(scene::Key::f1);
   CHECK(d.workspace().view.help);
   d.press_key(scene::Key::escape);
@@ -405,7 +398,7 @@ TEST_CASE("the_methods_are_measured_aside_and_shown") {
   auto options = Driver::default_options();
   options.probe = true;
   Driver d(options);
-  open_dragon(d);
+  d.open_dragon();
   for (int i = 0; i < 2000 && d.workspace().methods.matrices == 0; ++i) d.frame();
   const auto& stats = d.workspace().methods;
   REQUIRE(stats.matrices == 2048);
@@ -417,7 +410,7 @@ TEST_CASE("the_measured_error_is_of_the_frame_that_is_shown_whatever_it_blends")
   auto options = Driver::default_options();
   options.probe = true;
   Driver d(options);
-  open_dragon(d);
+  d.open_dragon();
   for (const char* scheme : {"scheme_log", "scheme_linear", "scheme_mvc"}) {
     CAPTURE(scheme);
     scene::run_command(d.workspace(), scheme);

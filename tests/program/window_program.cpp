@@ -33,8 +33,7 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
   auto options = Driver::default_options();
   options.size = {1440, 900};
   Driver d(options);
-  const auto folder = test::assets_dir() / "dragon";
-  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+  d.open_dragon();
   d.frame();
   scene::frame_all(d.workspace(), false);
   d.settle();
@@ -76,8 +75,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
   auto options = Driver::default_options();
   options.size = {1440, 900};
   Driver d(options);
-  const auto folder = test::assets_dir() / "dragon";
-  REQUIRE(scene::load_model(d.workspace(), folder / "dragon.ply", folder / "cage.obj"));
+  d.open_dragon();
   d.frame();
   scene::frame_all(d.workspace(), false);
   d.settle();
@@ -142,8 +140,7 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
   auto options = Driver::default_options();
   options.size = {1440, 900};
   Driver d(options);
-  const auto assets = test::assets_dir() / "dragon";
-  REQUIRE(scene::load_model(d.workspace(), assets / "dragon.ply", assets / "cage.obj"));
+  d.open_dragon();
   d.frame();
   const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
 
