@@ -185,12 +185,6 @@ double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const Vec3> turns) {
-  std::vector<Vec3> principal(rotations.size());
-  std::transform(rotations.begin(), rotations.end(), principal.begin(), sym3::log_rotation<double>);
-  return choose_branches(cage, rotations, principal, turns);
-}
-
 Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const Vec3> principal,
                          std::span<const Vec3> turns) {
   Branches result{{principal.begin(), principal.end()}, {}};

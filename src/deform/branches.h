@@ -22,15 +22,12 @@ struct Branches {
   std::vector<Vec3> turns;  ///< mean log of each part
 };
 
-/// Logs of the elements' rotations. Within a part all follow their neighbour, from the root on, along a
-/// minimum spanning forest of the dual graph by relative angle (ties: lowest pair). Which whole turns the
-/// part has made is decided by all its logs together: their root mean square distance to turns[part]
-/// (missing: 0) is the least, as long as neighbours stay as close, so that one element that was turned over,
-/// even the root, cannot pull the others round. Parts that are half a turn from their references take the
-/// same side as the first. A pure function of its inputs. O(k log k).
-Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
-                         std::span<const Vec3> turns);
-/// The same with the rotations' principal logs, where they are known.
+/// Logs of the elements' rotations, from their principal logs. Within a part all follow their neighbour, from
+/// the root on, along a minimum spanning forest of the dual graph by relative angle (ties: lowest pair).
+/// Which whole turns the part has made is decided by all its logs together: their root mean square distance
+/// to turns[part] (missing: 0) is the least, as long as neighbours stay as close, so that one element that
+/// was turned over, even the root, cannot pull the others round. Parts that are half a turn from their
+/// references take the same side as the first. A pure function of its inputs. O(k log k).
 Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 

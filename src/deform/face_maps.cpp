@@ -1,7 +1,5 @@
 #include "deform/face_maps.h"
 
-#include <numeric>
-
 namespace viete::deform {
 
 namespace {
@@ -108,12 +106,6 @@ Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh:
                     const Vec3& origin) {
   const auto& [a, b, c] = cage.surface.triangles[element];
   return (1.0 / 3) * ((positions[a] - origin) + (positions[b] - origin) + (positions[c] - origin));
-}
-
-void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps) {
-  std::vector<std::uint32_t> all(maps.size());
-  std::iota(all.begin(), all.end(), 0u);
-  face_maps(cage, posed, pose_origin(cage, posed), all, maps);
 }
 
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,

@@ -36,7 +36,5 @@ Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh:
 /// == cage.element_count(), posed.size() == cage.surface.positions.size().
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<FaceMap> maps);
-/// Of all, about pose_origin().
-void face_maps(const Cage& cage, std::span<const mesh::Point> posed, std::span<FaceMap> maps);
 
 }  // namespace viete::deform

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 
 #include "deform/branches.h"
 #include "deform/polar.h"
@@ -10,7 +9,6 @@
 namespace viete::deform {
 
 namespace {
-
 
 constexpr double flatness_floor = 1e-3;   // of the element's largest stretch
 constexpr double size_floor = 1e-4;       // of the pose's mean stretch
@@ -57,15 +55,6 @@ bool torn(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b, const Vec3& 
 }
 
 }  // namespace
-
-void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const Vec3> turns,
-              std::span<MapLog> logs, LogReport& report) {
-  std::vector<std::uint32_t> all(maps.size());
-  std::iota(all.begin(), all.end(), 0u);
-  std::vector<MapSplit> splits(maps.size());
-  split_maps(maps, all, splits);
-  log_maps(cage, maps, splits, turns, logs, report);
-}
 
 void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report) {

@@ -25,22 +25,19 @@ struct LogReport {
   std::vector<std::uint32_t> collapsed;  ///< elements whose stretch was raised to the floor
   /// Neighbours whose rotations differ by more than 120 degrees, or whose logs by more than 180 (no choice of
   /// branches is right around a ring of elements that turns once): between them the blend is ambiguous.
-  std::vector<std::array<std::uint32_t, 2>> torn;
+  std::vector<mesh::Edge> torn;
 };
 
-/// Polar split of each map, linear = R S: X = log S, Y = log R, in vector code, and by SVD where a map
-/// mirrors or nearly collapses. Singular values are raised to 1e-3 of the element's largest one and to 1e-4
-/// of the pose's mean one: no element collapses fully. A mirrored map takes the closest proper rotation. A
-/// map that is not finite counts as collapsed, with the log of I.
+/// Of each map, linear = R S: X = log S, Y = log R, from its split, and by SVD where it mirrors or nearly
+/// collapses. Singular values are raised to 1e-3 of the element's largest one and to 1e-4 of the pose's mean
+/// one: no element collapses fully. A mirrored map takes the closest proper rotation. A map that is not
+/// finite counts as collapsed, with the log of I.
 ///
 /// Branches of Y: choose_branches(). A pure function of its inputs; handing report.turns on follows a
 /// continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
 ///
 /// The log itself has a limit: rotations near a whole turn other than 0 (|Y| about 360 degrees) have nearly
 /// arbitrary axes, so elements there that do not turn rigidly together blend badly; `torn` says so.
-void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const Vec3> turns,
-              std::span<MapLog> logs, LogReport& report);
-/// The same of splits that are known. A frame in which few elements moved splits only those.
 void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deform/face_maps.h"
-#include "deform/log_maps.h"
+#include "deform/cage_state.h"
 #include "scene/elements.h"
 #include "scene/range.h"
 
@@ -60,9 +59,11 @@ struct Motion {
   // Turns in small steps; the pose's turns go along.
   void follow(double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
+    deform::CageState cage(document.cage, deform::Elements::face, deform::Blend::srl);
     for (int i = 1; i <= steps; ++i) {
       show(from + (to - from) * i / steps);
-      read_turns();
+      cage.set_pose(document.pose);
+      document.pose.turns = cage.report().turns;
     }
   }
 
@@ -77,17 +78,6 @@ struct Motion {
     for (std::size_t part = 0; part < turns.size(); ++part) {
       turns[part] = start[part] + std::abs(count) * (turns[part] - start[part]);
     }
-  }
-
-private:
-  void read_turns() {
-    const deform::Cage& cage = *document.cage;
-    std::vector<deform::FaceMap> maps(cage.element_count());
-    std::vector<deform::MapLog> logs(cage.element_count());
-    deform::LogReport report;
-    deform::face_maps(cage, document.pose.positions, maps);
-    deform::log_maps(cage, maps, document.pose.turns, logs, report);
-    document.pose.turns = report.turns;
   }
 };
 

@@ -15,6 +15,12 @@ Rotations all(const Cage& cage, const Vec3& axis, double degrees) {
   return Rotations(cage.element_count(), similarity(axis, degrees * degree).linear);
 }
 
+Branches branches_of(const Cage& cage, const Rotations& rotations, const std::vector<Vec3>& turns) {
+  std::vector<Vec3> principal;
+  for (const auto& r : rotations) principal.push_back(sym3::log_rotation(r));
+  return choose_branches(cage, rotations, principal, turns);
+}
+
 }  // namespace
 
 TEST_CASE("nearest_branch_is_among_all_turns_about_the_axis") {
@@ -59,7 +65,7 @@ TEST_CASE("one_element_turned_over_does_not_pull_the_others_round") {
     for (int a = 0; a <= 360; a += 10) {  // one full turn of one element alone
       auto rotations = all(cage, axis, 0.5);
       rotations[e] = similarity(axis, a * degree).linear;
-      b = choose_branches(cage, rotations, turns);
+      b = branches_of(cage, rotations, turns);
       turns = b.turns;
       for (std::size_t i = 0; i < b.logs.size(); ++i) {
         if (i != e) CHECK(norm(b.logs[i]) == doctest::Approx(0.5 * degree));
@@ -75,7 +81,7 @@ TEST_CASE("the_root_turned_over_does_not_pull_the_others_round_either") {
   for (int a = 0; a <= 720; a += 5) {
     auto rotations = all(cage, {1, 0, 0}, 3);
     rotations[cage.roots[0]] = similarity({0, 0, 1}, a * degree).linear;
-    const Branches b = choose_branches(cage, rotations, turns);
+    const Branches b = branches_of(cage, rotations, turns);
     turns = b.turns;
     for (std::uint32_t i = 0; i < b.logs.size(); ++i) {
       if (i != cage.roots[0]) CHECK(norm(b.logs[i]) == doctest::Approx(3 * degree));
@@ -87,7 +93,7 @@ TEST_CASE("turns_choose_among_whole_turns") {
   const Cage cage = make_cage(box());
   for (int k = -3; k <= 3; ++k) {
     const std::vector<Vec3> turns = {{0, 0, (40 + 360 * k) * degree}};
-    const Branches b = choose_branches(cage, all(cage, {0, 0, 1}, 30), turns);
+    const Branches b = branches_of(cage, all(cage, {0, 0, 1}, 30), turns);
     for (const auto& log : b.logs) CHECK(log[2] == doctest::Approx((30 + 360 * k) * degree));
     CHECK(b.turns[0][2] == doctest::Approx((30 + 360 * k) * degree));
   }

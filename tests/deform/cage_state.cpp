@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "deform/maps.h"
 #include "deform/shapes.h"
 
 using namespace viete;
@@ -53,8 +54,7 @@ TEST_CASE("rows_of_maps_move_points_as_the_maps_do") {
   CageState state(cage, Elements::face, Blend::linear);
   const Pose pose{mapped(cage->surface.positions, Twist{2, {0, 0, 0}, -1, 1, -50 * degree, 50 * degree}), {}};
   state.set_pose(pose);
-  std::vector<FaceMap> maps(cage->element_count());
-  face_maps(*cage, pose.positions, maps);
+  const auto maps = maps_of(*cage, pose.positions);
   const Rows rows = state.rows();
   const Vec3 middle_of_rest = middle(cage->surface.positions), point{0.3, -0.2, 0.7};
   for (std::size_t e = 0; e < maps.size(); ++e) {

@@ -2,17 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/maps.h"
 #include "deform/shapes.h"
 
 using namespace viete::test;
 
 namespace {
-
-std::vector<FaceMap> maps_of(const Cage& cage, const std::vector<viete::mesh::Point>& posed) {
-  std::vector<FaceMap> maps(cage.element_count());
-  face_maps(cage, posed, maps);
-  return maps;
-}
 
 Vec3 apply_map(const FaceMap& map, const Vec3& x) {
   return Affine{map.linear, map.center}(x);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/maps.h"
 #include "deform/shapes.h"
 
 using namespace viete::test;
@@ -13,13 +14,17 @@ struct Logs {
   LogReport report;
 };
 
+Logs logs_of(const Cage& cage, const std::vector<FaceMap>& maps, const std::vector<Vec3>& turns = {}) {
+  std::vector<MapSplit> splits(maps.size());
+  split_maps(maps, first(maps.size()), splits);
+  Logs result{std::vector<MapLog>(maps.size()), {}};
+  log_maps(cage, maps, splits, turns, result.logs, result.report);
+  return result;
+}
+
 Logs logs_of(const Cage& cage, const std::vector<viete::mesh::Point>& posed,
              const std::vector<Vec3>& turns = {}) {
-  std::vector<FaceMap> maps(cage.element_count());
-  face_maps(cage, posed, maps);
-  Logs result{std::vector<MapLog>(maps.size()), {}};
-  log_maps(cage, maps, turns, result.logs, result.report);
-  return result;
+  return logs_of(cage, maps_of(cage, posed), turns);
 }
 
 double angle_from(const Vec3& y, const Vec3& axis) {
@@ -126,12 +131,9 @@ TEST_CASE("a_uniformly_tiny_or_huge_pose_is_not_collapsed") {
 
 TEST_CASE("a_map_that_is_not_finite_is_reported_and_does_not_spread") {
   const Cage cage = make_cage(box());
-  std::vector<FaceMap> maps(12);
-  face_maps(cage, cage.surface.positions, maps);
+  auto maps = maps_of(cage, cage.surface.positions);
   maps[3].linear[4] = std::numeric_limits<double>::quiet_NaN();
-  std::vector<MapLog> logs(12);
-  LogReport report;
-  log_maps(cage, maps, {}, logs, report);
+  const auto [logs, report] = logs_of(cage, maps);
   CHECK(report.collapsed == std::vector<std::uint32_t>{3});
   for (const auto& l : logs) CHECK(std::isfinite(norm(l.rotation) + l.stretch.xx));
 }

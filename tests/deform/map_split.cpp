@@ -2,8 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <numeric>
-
+#include "deform/maps.h"
 #include "deform/polar.h"
 #include "deform/shapes.h"
 
@@ -32,12 +31,6 @@ std::vector<FaceMap> maps(std::size_t count) {
     }
   }
   return all;
-}
-
-std::vector<std::uint32_t> first(std::size_t count) {
-  std::vector<std::uint32_t> elements(count);
-  std::iota(elements.begin(), elements.end(), 0u);
-  return elements;
 }
 
 template <class Numbers>

@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "deform/face_maps.h"
+#include <memory>
+
+#include "deform/cage_state.h"
 #include "scene/cube.h"
 
 using namespace viete;
@@ -26,15 +28,13 @@ deform::Cage cage_of(int cubes) {
 }
 
 // Said of the cage with its first vertices mapped.
-std::vector<std::string> notes(const deform::Cage& cage, std::size_t mapped, auto map) {
+std::vector<std::string> notes(deform::Cage cage, std::size_t mapped, auto map) {
   deform::Pose pose = deform::rest_pose(cage);
   for (std::size_t v = 0; v < mapped; ++v) map(pose.positions[v]);
-  std::vector<deform::FaceMap> maps(cage.element_count());
-  std::vector<deform::MapLog> logs(cage.element_count());
-  deform::LogReport report;
-  deform::face_maps(cage, pose.positions, maps);
-  deform::log_maps(cage, maps, pose.turns, logs, report);
-  return pose_notes(report, cage, pose);
+  deform::CageState state(std::make_shared<const deform::Cage>(std::move(cage)), deform::Elements::face,
+                          deform::Blend::srl);
+  state.set_pose(pose);
+  return pose_notes(state.report(), state.cage(), pose);
 }
 
 bool holds(const std::string& text, const std::string& part) {
