@@ -4,22 +4,21 @@
 #include <memory>
 
 #include "app/command_line.h"
+#include "app/inputs.h"
 #include "app/options.h"
 #include "app/output.h"
 #include "base/clock.h"
-#include "base/error.h"
 #include "base/quantity.h"
 #include "base/worker_pool.h"
 #include "deform/binding_file.h"
-#include "scene/open.h"
 
 namespace viete::app {
 
 namespace {
 
 struct BindOptions {
-  std::filesystem::path model, cage, output;
-  SchemeOptions scheme;
+  Inputs inputs{Use::binding};
+  std::filesystem::path output;
   double tolerance = deform::usual_tolerance;
   bool force = false;
 };
@@ -38,16 +37,10 @@ void print(const deform::TiledBinding& tiles, double seconds) {
 }
 
 int bind_files(const BindOptions& options) {
-  check_output(options.output, Content::binding, with_files_of_sessions({options.model, options.cage}),
-               options.force);
-  scene::Opened opened =
-      scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage}}, {});
-  scene::check_drawable(opened);  // what is bound is for pictures
-  for (const auto& warning : opened.warnings) std::fprintf(stderr, "viete: note: %s\n", warning.c_str());
-  scene::Document& document = *opened.document;
-  if (!document.has_cage())
-    throw base::Error(options.model.string(), "the session has no cage", "open it and add one");
-  options.scheme.apply(document, opened.session.has_value());
+  check_output(options.output, Content::binding, files_read(options.inputs), options.force);
+  const scene::Opened opened = open(options.inputs, scene::check_drawable);  // what is bound is for pictures
+  print_notes(opened.warnings);
+  const scene::Document& document = *opened.document;
   base::WorkerPool pool;
   base::Stopwatch watch;
   const auto tiles = deform::bind_tiles(*document.model.surface, *document.cage, document.scheme.weighting,
@@ -63,13 +56,9 @@ void add_bind_command(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("bind", "Bind a model to its cage and save that, for view and render --binding");
   auto o = std::make_shared<BindOptions>();
-  add_file_option(*command, "MODEL", o->model,
-                  "Mesh (OBJ, PLY, OFF, STL), or a session (.viete) with its cage")
-      ->required();
-  add_file_option(*command, "CAGE", o->cage, "Cage around it, at rest");
+  add_input_options(*command, o->inputs);
   add_file_option(*command, "-o,--output", o->output, "File to write")->required();
   add_force_option(*command, o->force);
-  add_scheme_options(*command, o->scheme, false);
   auto* tolerance = command->add_option(
       "--tolerance", o->tolerance,
       "What compression may change the weights of a vertex by (root of the sum of squares; 0: no "
@@ -80,8 +69,7 @@ void add_bind_command(CLI::App& app, Action& action) {
       "that took "
       "more than a second by themselves, in ~/.cache/viete/bindings ($XDG_CACHE_HOME), 2 GB at most.");
   command->callback([o, &action] {
-    check_session_stands_alone(o->model, o->cage, {});
-    if (!scene::is_session(o->model) && o->cage.empty()) throw CLI::RequiredError("CAGE");
+    check_usage(o->inputs);
     action = [o] { return bind_files(*o); };
   });
 }

@@ -42,12 +42,11 @@ Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Docu
   }
   progress.section(1, 1);
   if (!document.has_cage()) return loaded;
-  const scene::Document& settings = opened.session ? document : current;  // that take() will leave
   part.binds = true;
-  part.begin(scene::text(scene::binding_plan(document, settings.scheme.weighting.elements)));
+  part.begin(scene::text(scene::binding_plan(document, document.scheme.weighting.elements)));
   progress.section(0, 1);
   loaded.bound =
-      bind(document.model.surface, document.cage, settings.scheme, settings.method, {}, saved, progress);
+      bind(document.model.surface, document.cage, document.scheme, document.method, {}, saved, progress);
   return loaded;
 }
 

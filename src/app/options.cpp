@@ -6,12 +6,9 @@
 #include <cstdio>
 
 #include "app/words.h"
-#include "base/error.h"
 #include "base/quantity.h"
-#include "scene/edit.h"
-#include "scene/frame_stats.h"
+#include "deform/scheme.h"
 #include "scene/range.h"
-#include "scene/session.h"
 
 namespace viete::app {
 
@@ -83,51 +80,6 @@ void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot) {
   add_force_option(app, files.force);
 }
 
-void add_method_option(CLI::App& app, sym3::Method& method) {
-  std::vector<std::string> words;
-  for (const sym3::Method m : scene::compared_methods) words.emplace_back(sym3::name(m));
-  auto* option = app.add_option_function<std::string>(
-      "--method", [&method](const std::string& word) { method = *sym3::method_from_name(word); },
-      "How exp is computed: " + listed(words));
-  one_of(option, words)->default_str("fast");
-}
-
-namespace {
-
-// Takes a name of the table.
-template <class Entry, class Choice>
-void add_choice(CLI::App& app, const std::string& name, std::span<const Entry> table,
-                std::optional<Choice>& choice, std::string text) {
-  std::vector<std::string> words;
-  for (const Entry& e : table) {
-    text += (words.empty() ? ": " : ", ") + std::string(e.name) + " (" + std::string(e.sentence) + ")";
-    words.emplace_back(e.name);
-  }
-  auto* option = app.add_option_function<std::string>(
-      name, [&choice, table](const std::string& word) { choice = deform::find_by_name(table, word); }, text);
-  one_of(option, words);
-}
-
-}  // namespace
-
-void add_scheme_options(CLI::App& app, SchemeOptions& options, bool with_blend) {
-  deform::PartialChoice& choice = options.choice;
-  add_choice(app, "--elements", deform::all_elements(), choice.elements, "Which maps the cage carries");
-  add_choice(app, "--weights", deform::all_weights(), choice.weights, "How much of each a vertex takes");
-  if (with_blend)
-    add_choice(app, "--blend", deform::all_blends(), choice.blend, "What of the maps is summed");
-  auto* option = app.add_option_function<std::string>(
-      "--coordinates",
-      [&options](const std::string& word) { options.coordinates = deform::combination_of_shorthand(word); },
-      "Short for elements, weights and blend: face (affine maps blended in log space) or mvc (mean value "
-      "coordinates)");
-  one_of(option, {"face", "mvc"})->default_str("face");
-  for (const char* other : {"--elements", "--weights", "--blend"}) {
-    if (auto* given = app.get_option_no_throw(other)) option->excludes(given);
-  }
-  add_reach_option(app, [&options](double reach) { options.reach = reach; });
-}
-
 CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take) {
   const std::string lowest = deform::text_of_reach(deform::lowest_reach);
   return app
@@ -146,30 +98,9 @@ CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& 
       ->default_str("all");
 }
 
-void SchemeOptions::apply(scene::Document& document, bool of_session) const {
-  deform::Scheme scheme = of_session ? document.scheme : deform::Scheme();
-  if (coordinates) scheme = deform::with(scheme, *coordinates);
-  if (choice.elements || choice.weights || choice.blend)
-    scheme = deform::with(scheme, deform::complete(choice, scheme));
-  if (reach) scheme.weighting.reach = *reach;
-  scene::put_scheme(document, scheme);
-  if (reach && !deform::entry(scheme.weighting.weights).has_reach) {
-    throw base::Error("--reach",
-                      "mean value coordinates have no reach: every vertex of the cage moves all of the model",
-                      "leave it out, or add --coordinates face");
-  }
-}
-
 void add_binding_option(CLI::App& app, std::filesystem::path& file) {
   add_file_option(app, "--binding", file,
                   "What viete bind has saved of this model and cage, instead of binding them");
-}
-
-void check_session_stands_alone(const std::filesystem::path& model, const std::filesystem::path& cage,
-                                const std::filesystem::path& pose) {
-  if (!scene::is_session(model) || (cage.empty() && pose.empty())) return;
-  throw CLI::ValidationError(cage.empty() ? "--pose" : "CAGE",
-                             "the session " + model.string() + " names its own: leave it out");
 }
 
 void add_size_option(CLI::App& app, glm::ivec2& size) {

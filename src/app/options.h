@@ -1,4 +1,4 @@
-// Options that several subcommands share: methods, ways of blending, sizes.
+// Kinds of options that subcommands share: numbers, words, files, sizes.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,13 +6,10 @@
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/output.h"
-#include "scene/document.h"
-#include "sym3/exp.h"
 
 namespace viete::app {
 
@@ -35,29 +32,10 @@ constexpr std::int64_t most_vertices = 10'000'000;
 /// --json, --force and, if asked for, --plot.
 void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 
-/// --method diag|sd|improved_sd|fast. The target must outlive parsing.
-void add_method_option(CLI::App& app, sym3::Method& method);
-/// --elements, --weights, --blend, or --coordinates for all three, and --reach NUMBER|all. What is not given
-/// a session keeps as it has it, where that goes together with what is.
-struct SchemeOptions {
-  deform::PartialChoice choice;
-  const deform::Combination* coordinates = nullptr;
-  std::optional<double> reach{};
-
-  /// To a document that was just opened. Throws base::Error if the choices do not go together, or a reach is
-  /// given where weights have none.
-  void apply(scene::Document& document, bool of_session) const;
-};
-/// Not --blend for commands that only make weights.
-void add_scheme_options(CLI::App& app, SchemeOptions& options, bool with_blend = true);
-/// --reach alone.
+/// --reach NUMBER|all.
 CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take);
 /// --binding FILE, written by `viete bind`.
 void add_binding_option(CLI::App& app, std::filesystem::path& file);
-/// A session names its cage and its pose itself: throws CLI::ValidationError if MODEL is one and others are
-/// given too.
-void check_session_stands_alone(const std::filesystem::path& model, const std::filesystem::path& cage,
-                                const std::filesystem::path& pose);
 /// --size WxH in logical pixels, 16 to 8192 each.
 void add_size_option(CLI::App& app, glm::ivec2& size);
 

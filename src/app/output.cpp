@@ -71,17 +71,6 @@ void check_output(const fs::path& file, Content content, const std::vector<fs::p
                     "choose another name, or add --force");
 }
 
-std::vector<fs::path> with_files_of_sessions(std::vector<fs::path> files) {
-  std::vector<fs::path> all = files;
-  for (const fs::path& file : files) {
-    if (!scene::is_session(file)) continue;
-    const scene::Session session = scene::read_session(file);
-    all.push_back(session.model);
-    all.push_back(session.cage);
-  }
-  return all;
-}
-
 void BenchFiles::check() const {
   check_output(json, Content::json, {plot}, force);
   check_output(plot, Content::svg, {json}, force);

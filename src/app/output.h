@@ -17,9 +17,6 @@ enum class Content { surface, binding, picture, json, svg };
 void check_output(const std::filesystem::path& file, Content content,
                   const std::vector<std::filesystem::path>& inputs, bool force);
 
-/// These files, and those that a session among them names. Throws base::Error if a session cannot be read.
-std::vector<std::filesystem::path> with_files_of_sessions(std::vector<std::filesystem::path> files);
-
 /// Where the numbers of a benchmark go; empty: nowhere.
 struct BenchFiles {
   std::filesystem::path json, plot;

@@ -7,26 +7,24 @@
 #include <utility>
 
 #include "app/command_line.h"
+#include "app/inputs.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
 #include "app/output.h"
 #include "base/error.h"
 #include "mesh/source.h"
-#include "scene/edit.h"
-#include "scene/open.h"
 
 namespace viete::app {
 
 namespace {
 
 struct RenderOptions {
-  std::filesystem::path model, cage, pose, output;
+  Inputs inputs{Use::picture};
+  std::filesystem::path output;
   ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
-  sym3::Method method = sym3::Method::fast;
-  SchemeOptions scheme;
   bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
   std::string look = "home";
-  bool force = false, method_given = false, size_given = false, look_given = false;
+  bool force = false, size_given = false, look_given = false;
 };
 
 const std::map<std::string, scene::StandardView> looks = {
@@ -51,8 +49,6 @@ void set_up(scene::Workspace& workspace, scene::Opened&& opened, const RenderOpt
   const std::optional<scene::Session> session = opened.session;
   scene::take(workspace, std::move(opened));
   workspace.view = view_of(options, session);
-  if (!session || options.method_given) scene::set_method(workspace.document, options.method);
-  options.scheme.apply(workspace.document, session.has_value());
 }
 
 // A session has its own camera, which another look replaces.
@@ -70,16 +66,14 @@ void check_output(const RenderOptions& options) {
     throw base::Error(options.output.string(), "pictures are written as PNG only",
                       "give the file the extension .png");
   }
-  const auto inputs =
-      with_files_of_sessions({options.model, options.cage, options.pose, options.viewer.bindings.named});
+  auto inputs = files_read(options.inputs);
+  inputs.push_back(options.viewer.bindings.named);
   check_output(options.output, Content::picture, inputs, options.force);
 }
 
 int render(const RenderOptions& options) {
   check_output(options);
-  scene::Opened opened =
-      scene::open_files({scene::OpenRequest::What::model, {options.model, options.cage, options.pose}}, {});
-  scene::check_drawable(opened);
+  scene::Opened opened = open(options.inputs, scene::check_drawable);
   const bool has_camera = opened.session && opened.session->camera;
   ViewerOptions viewer_options = options.viewer;
   if (opened.session && opened.session->window && !options.size_given)
@@ -89,15 +83,13 @@ int render(const RenderOptions& options) {
   set_up(workspace, std::move(opened), options);
   aim(offscreen.viewer(), has_camera, options);
   offscreen.settle();
-  if (const auto& cage = workspace.document.cage) {
-    for (const auto& warning : cage->warnings) std::fprintf(stderr, "viete: note: %s\n", warning.c_str());
-  }
+  if (const auto& cage = workspace.document.cage) print_notes(cage->warnings);
   const auto& messages = workspace.messages.all();
   for (const auto& message : messages) {
     if (message.severity == scene::Severity::error) throw base::Error("", message.text);
-    std::fprintf(stderr, "viete: note: %s\n", message.text.c_str());
+    print_notes({message.text});
   }
-  for (const auto& note : workspace.pose_notes) std::fprintf(stderr, "viete: note: %s\n", note.c_str());
+  print_notes(workspace.pose_notes);
   render::write_png(options.output, offscreen.viewer().picture());
   return exit_ok;
 }
@@ -107,18 +99,12 @@ int render(const RenderOptions& options) {
 void add_render_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("render", "Render a picture without a window");
   auto o = std::make_shared<RenderOptions>();
-  add_file_option(*command, "MODEL", o->model,
-                  "Mesh (OBJ, PLY, OFF, STL), or a session (.viete), which has its own view")
-      ->required();
-  add_file_option(*command, "CAGE", o->cage, "Cage around it");
-  add_file_option(*command, "--pose", o->pose, "Posed version of the cage");
+  add_input_options(*command, o->inputs);
   add_file_option(*command, "-o,--output", o->output, "PNG file to write")->required();
   add_force_option(*command, o->force);
   add_size_option(*command, o->viewer.size);
   auto* scale = command->add_option("--scale", o->viewer.scale, "Device pixels per logical pixel");
   in_range(scale, 0.5, 4)->default_str("1");
-  add_method_option(*command, o->method);
-  add_scheme_options(*command, o->scheme);
   add_binding_option(*command, o->viewer.bindings.named);
   auto* look = command->add_option("--look", o->look, "home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
@@ -129,8 +115,7 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_flag("--no-cage", o->no_cage, "Without the cage");
   command->add_flag("--no-grid", o->no_grid, "Without the ground grid");
   command->callback([o, command, &action] {
-    check_session_stands_alone(o->model, o->cage, o->pose);
-    o->method_given = command->count("--method") > 0;
+    check_usage(o->inputs);
     o->size_given = command->count("--size") > 0;
     o->look_given = command->count("--look") > 0;
     action = [o] { return render(*o); };

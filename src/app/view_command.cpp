@@ -10,7 +10,6 @@
 #include "app/window_viewer.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "scene/session.h"
 
 namespace viete::app {
 
@@ -33,9 +32,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   viewer_options.bindings = {.folder = bindings_folder(), .named = options.binding};
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
-  set_settings(workspace.document, options);
-  if (!scene::open_now(workspace,
-                       {scene::OpenRequest::What::model, {options.model, options.cage, options.pose}})) {
+  if (!scene::open_now(workspace, options.inputs.request())) {
     throw base::Error("", workspace.messages.all().back().text);
   }
   offscreen.settle();
@@ -45,12 +42,11 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
 }
 
 int view(WindowOptions options) {
-  scene::Document tried;
-  set_settings(tried, options);  // contradictions are told before anything opens
-  if (options.model.empty()) {
+  Inputs& inputs = options.inputs;
+  if (inputs.model.empty()) {
     const BundledModel bundled = bundled_model();
-    options.model = bundled.model;
-    options.cage = bundled.cage;
+    inputs.model = bundled.model;
+    inputs.cage = bundled.cage;
   }
   std::string reason;
   if (run_window(options, reason)) return exit_ok;
@@ -62,26 +58,15 @@ int view(WindowOptions options) {
 void add_view_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("view", "Open the viewer (this is what `viete` alone does)");
   auto options = std::make_shared<WindowOptions>();
-  add_file_option(*command, "MODEL", options->model,
-                  "Mesh to deform (OBJ, PLY, OFF, STL), or a session (.viete); default: the bundled dragon");
-  add_file_option(*command, "CAGE", options->cage, "Cage around it");
-  add_file_option(*command, "--pose", options->pose,
-                  "Posed version of the cage, same vertices in the same order");
-  add_method_option(*command, options->method);
-  add_scheme_options(*command, options->scheme);
+  add_input_options(*command, options->inputs);
   add_binding_option(*command, options->binding);
   in_range(command->add_option("--scale", options->scale, "Device pixels per logical pixel"), 0.5, 4)
       ->default_str("what the display says");
   whole_in_range(command->add_option("--frames", options->frames, "Close after so many frames"), 0,
                  1'000'000'000)
       ->default_str("never");
-  command->callback([command, options, &action] {
-    check_session_stands_alone(options->model, options->cage, options->pose);
-    for (const char* setting : {"--method", "--coordinates", "--reach"}) {
-      if (scene::is_session(options->model) && command->count(setting) > 0)
-        throw CLI::ValidationError(setting, "the session " + options->model.string() +
-                                                " has its own: leave it out, and change it in the window");
-    }
+  command->callback([options, &action] {
+    check_usage(options->inputs);
     action = [options] { return view(*options); };
   });
 }

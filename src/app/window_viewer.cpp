@@ -10,7 +10,6 @@
 #include "app/viewer.h"
 #include "base/clock.h"
 #include "platform/window.h"
-#include "scene/edit.h"
 #include "scene/saving.h"
 
 namespace viete::app {
@@ -106,11 +105,6 @@ void WindowViewer::run(int frames) {
 
 }  // namespace
 
-void set_settings(scene::Document& document, const WindowOptions& options) {
-  scene::set_method(document, options.method);
-  options.scheme.apply(document, false);
-}
-
 bool run_window(const WindowOptions& options, std::string& reason) {
   const auto window = platform::Window::open({1440, 900}, options.scale, reason);
   if (!window) return false;
@@ -119,9 +113,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   scene::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())
     workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
-  set_settings(workspace.document, options);
-  workspace.requests.open =
-      scene::OpenRequest{scene::OpenRequest::What::model, {options.model, options.cage, options.pose}};
+  workspace.requests.open = options.inputs.request();
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
   if (viewer.keeping()) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "mesh/source.h"
+#include "scene/session.h"
 
 namespace viete::scene {
 
@@ -15,11 +16,10 @@ using Entry = FileBrowser::Entry;
 namespace {
 
 bool fits(const fs::path& path, const FileBrowser& browser) {
-  const std::string extension = mesh::extension_of(path);
   const auto formats = browser.formats();
   const bool session = browser.purpose == Purpose::model || browser.purpose == Purpose::save_session;
-  return (session && extension == "viete") ||
-         std::find(formats.begin(), formats.end(), extension) != formats.end();
+  return (session && is_session(path)) ||
+         std::find(formats.begin(), formats.end(), mesh::extension_of(path)) != formats.end();
 }
 
 std::string lower(std::string text) {
@@ -119,7 +119,7 @@ fs::path typed_path(const FileBrowser& browser) {
 fs::path chosen_file(const FileBrowser& browser) {
   fs::path file = typed_path(browser);
   const bool session = browser.purpose == Purpose::save_session;
-  if (session && mesh::extension_of(file) != "viete") file += ".viete";
+  if (session && !is_session(file)) file += session_extension;
   if (browser.saves() && !session && file.extension().empty()) file += ".obj";
   return file;
 }

@@ -123,9 +123,11 @@ Document document_of_session(const Session& session, const fs::path& file, base:
   }
 }
 
-Opened open_session(const fs::path& file, base::Progress* progress) {
+Opened open_session(const fs::path& file, bool recovered, base::Progress* progress) {
   Opened opened;
   opened.file = file;
+  opened.recovered = recovered;
+  opened.has_settings = true;
   opened.content = content_of(file);  // before it is read: what changes in between is noticed
   opened.session = read_session(file);
   Session& session = *opened.session;
@@ -192,9 +194,7 @@ Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage) {
 }
 
 Opened open_dropped(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
-  const auto session = std::find_if(files.begin(), files.end(), is_session);
-  if (files.size() == 1 && session != files.end()) return open_session(files[0], progress);
-  if (files.empty() || files.size() > 2 || session != files.end()) {
+  if (files.empty() || files.size() > 2 || std::any_of(files.begin(), files.end(), is_session)) {
     throw base::Error("", std::to_string(files.size()) + " files were dropped",
                       "drop one session, one model, one pose, or a model and its cage");
   }
@@ -204,6 +204,25 @@ Opened open_dropped(const std::vector<fs::path>& files, const Document& current,
   if (files.size() == 1) return open_dropped_surface(std::move(first), current);
   if (progress) progress->section(middle, 0.8);
   return open_dropped_pair(std::move(first), open_surface(files[1], progress));
+}
+
+bool names_session(const OpenRequest& request) {
+  if (request.what == What::recovery) return true;
+  const bool alone =
+      request.what == What::model || (request.what == What::dropped && request.files.size() == 1);
+  return alone && !request.files.empty() && is_session(request.files.front());
+}
+
+Opened read(const OpenRequest& request, const Document& current, base::Progress* progress) {
+  const auto& files = request.files;
+  const fs::path first = files.empty() ? fs::path() : files.front();
+  if (names_session(request)) return open_session(first, request.what == What::recovery, progress);
+  switch (request.what) {
+    case What::cage: return open_cage(first, current, progress);
+    case What::pose: return open_pose(first, current);
+    case What::dropped: return open_dropped(files, current, progress);
+    default: return open_model(files, progress);
+  }
 }
 
 void check(const Opened& opened, void (*check_document)(const Document&)) {
@@ -255,20 +274,17 @@ void take_pose(Workspace& w, deform::Pose&& pose) {
 }  // namespace
 
 Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress) {
-  const fs::path first = request.files.empty() ? fs::path() : request.files.front();
   if (progress) progress->section(0, 0.8);  // the rest is what is computed from it
-  switch (request.what) {
-    case What::cage: return open_cage(first, current, progress);
-    case What::pose: return open_pose(first, current);
-    case What::dropped: return open_dropped(request.files, current, progress);
-    case What::model: break;
-    case What::recovery: {
-      Opened opened = open_session(first, progress);
-      opened.recovered = true;
-      return opened;
-    }
+  Opened opened = read(request, current, progress);
+  if (!opened.document) return opened;
+  Document& document = *opened.document;
+  if (!opened.has_settings) {
+    document.method = current.method;
+    document.scheme = current.scheme;
   }
-  return is_session(first) ? open_session(first, progress) : open_model(request.files, progress);
+  put_settings(document, request.settings);
+  opened.has_settings |= request.settings.any();
+  return opened;
 }
 
 void check_drawable(const Opened& opened) {
@@ -282,7 +298,7 @@ void take(Workspace& w, Opened&& opened) {
   report(w, opened);
   if (opened.pose) return take_pose(w, std::move(*opened.pose));
   const bool same_model = opened.document->model.surface == w.document.model.surface;
-  take_document(w, std::move(*opened.document), !opened.session);
+  take_document(w, std::move(*opened.document), !opened.has_settings);
   w.saved.session.clear();
   w.saved.content.reset();
   w.saved.pose = {};
@@ -297,6 +313,7 @@ void take(Workspace& w, Opened&& opened) {
     w.recovered_from = opened.file;
   } else {
     mark_saved(w);
+    if (opened.session) w.saved.scheme = opened.session->scheme;  // another one was asked for: unsaved
     w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
                                              : RecentFile{w.saved.session, {}});
   }

@@ -447,7 +447,7 @@ void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& fil
 }
 
 bool is_session(const fs::path& file) {
-  return mesh::extension_of(file) == "viete";
+  return mesh::extension_of(file) == session_extension + 1;
 }
 
 }  // namespace viete::scene

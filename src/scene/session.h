@@ -68,7 +68,8 @@ void tell_what_changed(Session& session, const Document& document, const std::fi
 /// cage.
 void fit_to_cage(Session& session, const deform::Cage& cage, const std::filesystem::path& file);
 
-/// By its extension, .viete.
+inline constexpr const char* session_extension = ".viete";
+/// By its extension.
 bool is_session(const std::filesystem::path& file);
 
 }  // namespace viete::scene

@@ -21,6 +21,7 @@
 #include "scene/question.h"
 #include "scene/recovery.h"
 #include "scene/remembered.h"
+#include "scene/settings.h"
 #include "scene/tool.h"
 #include "scene/transform_drag.h"
 
@@ -72,6 +73,7 @@ struct OpenRequest {
   };
   What what = What::model;
   std::vector<std::filesystem::path> files;
+  AskedSettings settings{};  ///< for a model; the rest is as in what is open now, or as the session has it
 };
 
 /// What only the program around can do; it takes and clears these once a frame.

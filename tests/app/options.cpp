@@ -5,7 +5,10 @@
 #include <limits>
 #include <string>
 
+#include "support/text.h"
+
 using namespace viete;
+using test::mentions;
 
 namespace {
 
@@ -17,10 +20,6 @@ std::string refusal(CLI::App& command, const std::string& arguments) {
     return error.what();
   }
   return {};
-}
-
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -53,17 +52,6 @@ TEST_CASE("a_word_is_one_of_its_list_and_a_misspelt_one_is_corrected") {
   CHECK(refusal(command, "--look front").empty());
   const std::string text = refusal(command, "--look fornt");
   CHECK(mentions(text, "needs home, front or back, not fornt; did you mean front?"));
-}
-
-TEST_CASE("every_method_that_has_a_name_is_taken") {
-  for (const auto method :
-       {sym3::Method::diag, sym3::Method::sd, sym3::Method::improved_sd, sym3::Method::fast}) {
-    CLI::App command;
-    sym3::Method taken = sym3::Method::improved_sd_faithful;
-    app::add_method_option(command, taken);
-    CHECK(refusal(command, "--method " + std::string(sym3::name(method))).empty());
-    CHECK(taken == method);
-  }
 }
 
 TEST_CASE("a_picture_has_a_size_that_a_session_may_have") {

@@ -11,6 +11,7 @@
 
 #include "support/data.h"
 #include "support/folder.h"
+#include "support/text.h"
 
 namespace viete::test {
 
@@ -45,7 +46,7 @@ inline std::string without_display(const fs::path& folder) {
 }
 
 inline bool mentions(const Outcome& outcome, const std::string& text) {
-  return outcome.text.find(text) != std::string::npos;
+  return test::mentions(outcome.text, text);
 }
 
 const fs::path dragon = assets_dir() / "dragon" / "dragon.ply", cage = assets_dir() / "dragon" / "cage.obj",

@@ -59,9 +59,6 @@ TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
   const auto both = run("view --coordinates mvc --reach 3", here);
   CHECK(both.code == 1);
   CHECK(mentions(both, "mean value coordinates have no reach"));
-  const auto session = run("view a.viete --reach 3", here);
-  CHECK(session.code == 2);
-  CHECK(mentions(session, "--reach: the session a.viete has its own"));
 }
 
 TEST_CASE("the_bundled_model_is_found_from_any_working_directory") {

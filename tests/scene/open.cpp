@@ -225,3 +225,60 @@ TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_exp
   }
   CHECK(entries > 20);
 }
+
+TEST_CASE(
+    "settings_that_are_asked_for_stand_over_those_of_a_session_and_are_unsaved_where_they_shape_the_model") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
+  set_method(w.document, sym3::Method::sd);
+  set_reach(w.document, 3);
+  REQUIRE(save_session(w, files / "a.viete"));
+
+  Workspace as_saved;
+  REQUIRE(open_now(as_saved, {What::model, {files / "a.viete"}}));
+  CHECK(as_saved.document.method == sym3::Method::sd);
+  CHECK(as_saved.document.scheme.weighting.reach == 3);
+  CHECK_FALSE(has_unsaved_edits(as_saved));
+
+  AskedSettings asked;
+  asked.method = sym3::Method::diag;
+  Workspace other_method;
+  REQUIRE(open_now(other_method, {What::model, {files / "a.viete"}, asked}));
+  CHECK(other_method.document.method == sym3::Method::diag);
+  CHECK_FALSE(has_unsaved_edits(other_method));
+
+  asked.choice.blend = deform::Blend::linear;
+  Workspace other_blend;
+  REQUIRE(open_now(other_blend, {What::model, {files / "a.viete"}, asked}));
+  CHECK(other_blend.document.scheme.blend == deform::Blend::linear);
+  CHECK(other_blend.document.scheme.weighting.reach == 3);
+  CHECK(has_unsaved_edits(other_blend));
+}
+
+TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_for") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
+  set_method(w.document, sym3::Method::sd);
+  set_reach(w.document, 3);
+  REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
+  CHECK(w.document.method == sym3::Method::sd);
+  CHECK(w.document.scheme.weighting.reach == 3);
+  AskedSettings asked;
+  asked.reach = 4;
+  REQUIRE(open_now(w, {What::model, {files.model, files.cage}, asked}));
+  CHECK(w.document.method == sym3::Method::sd);
+  CHECK(w.document.scheme.weighting.reach == 4);
+  CHECK_FALSE(has_unsaved_edits(w));
+}
+
+TEST_CASE("settings_that_do_not_go_together_open_nothing") {
+  const test::CubeFiles files;
+  AskedSettings asked;
+  asked.choice = {deform::Elements::face, deform::Weights::mean_value, std::nullopt};
+  Workspace w;
+  CHECK_FALSE(open_now(w, {What::model, {files.model, files.cage}, asked}));
+  CHECK_FALSE(w.document.model.surface);
+  CHECK(said(w, "do not go together"));
+}

@@ -13,8 +13,10 @@
 #include "scene/json_file.h"
 #include "scene/open.h"
 #include "scene/saving.h"
+#include "support/text.h"
 
 using namespace viete;
+using test::mentions;
 using namespace viete::scene;
 namespace fs = std::filesystem;
 
@@ -59,10 +61,6 @@ std::string refusal(const fs::path& file) {
   Workspace w;
   CHECK_FALSE(open_now(w, {OpenRequest::What::model, {file}}));
   return w.messages.all().back().text;
-}
-
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 std::string with(const std::string& key, const std::string& value) {

@@ -1,0 +1,113 @@
+#include "app/inputs.h"
+
+#include <cstdio>
+#include <span>
+
+#include "app/options.h"
+#include "app/words.h"
+#include "base/error.h"
+
+namespace viete::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void add_files(CLI::App& app, Inputs& inputs) {
+  auto* model =
+      add_file_option(app, "MODEL", inputs.model,
+                      "Mesh (OBJ, PLY, OFF, STL), or a session (.viete), which names its own cage and pose");
+  inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
+  add_file_option(app, "CAGE", inputs.cage, "Cage around it, at rest");
+  if (inputs.use == Use::binding) return;
+  add_file_option(app, "--pose", inputs.pose, "Posed version of the cage, same vertices in the same order");
+}
+
+// Takes a name of the table.
+template <class Entry, class Choice>
+void add_choice(CLI::App& app, const std::string& name, std::span<const Entry> table,
+                std::optional<Choice>& choice, std::string text) {
+  std::vector<std::string> words;
+  for (const Entry& e : table) {
+    text += (words.empty() ? ": " : ", ") + std::string(e.name) + " (" + std::string(e.sentence) + ")";
+    words.emplace_back(e.name);
+  }
+  auto* option = app.add_option_function<std::string>(
+      name, [&choice, table](const std::string& word) { choice = deform::find_by_name(table, word); }, text);
+  one_of(option, words);
+}
+
+void add_scheme_options(CLI::App& app, Inputs& inputs) {
+  deform::PartialChoice& choice = inputs.settings.choice;
+  add_choice(app, "--elements", deform::all_elements(), choice.elements, "Which maps the cage carries");
+  add_choice(app, "--weights", deform::all_weights(), choice.weights, "How much of each a vertex takes");
+  if (inputs.use != Use::binding)
+    add_choice(app, "--blend", deform::all_blends(), choice.blend, "What of the maps is summed");
+  auto* option = app.add_option_function<std::string>(
+      "--coordinates",
+      [&choice](const std::string& word) {
+        const deform::Combination& c = *deform::combination_of_shorthand(word);
+        choice = {c.elements, c.weights, c.blend};
+      },
+      "Short for elements, weights and blend: face (affine maps blended in log space) or mvc (mean value "
+      "coordinates)");
+  one_of(option, {"face", "mvc"})->default_str("face");
+  for (const char* other : {"--elements", "--weights", "--blend"}) {
+    if (auto* given = app.get_option_no_throw(other)) option->excludes(given);
+  }
+  add_reach_option(app, [&inputs](double reach) { inputs.settings.reach = reach; });
+}
+
+void add_method_option(CLI::App& app, std::optional<sym3::Method>& method) {
+  std::vector<std::string> words;
+  for (const sym3::Method m : scene::compared_methods) words.emplace_back(sym3::name(m));
+  auto* option = app.add_option_function<std::string>(
+      "--method", [&method](const std::string& word) { method = sym3::method_from_name(word); },
+      "How exp is computed: " + listed(words));
+  one_of(option, words)->default_str("fast");
+}
+
+}  // namespace
+
+void add_input_options(CLI::App& app, Inputs& inputs) {
+  add_files(app, inputs);
+  if (inputs.use != Use::binding) add_method_option(app, inputs.settings.method);
+  add_scheme_options(app, inputs);
+}
+
+void check_usage(const Inputs& inputs) {
+  if (inputs.session()) {
+    if (inputs.cage.empty() && inputs.pose.empty()) return;
+    throw CLI::ValidationError(inputs.cage.empty() ? "--pose" : "CAGE",
+                               "the session " + inputs.model.string() + " names its own: leave it out");
+  }
+  const bool file = inputs.use == Use::file;
+  if ((file || inputs.use == Use::binding) && inputs.cage.empty()) throw CLI::RequiredError("CAGE");
+  if (file && inputs.pose.empty()) throw CLI::RequiredError("--pose");
+  scene::Document tried;
+  put_settings(tried, inputs.settings);
+}
+
+scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
+  scene::Opened opened = scene::open_files(inputs.request(), {});
+  check(opened);
+  const bool needs_cage = inputs.use == Use::file || inputs.use == Use::binding;
+  if (needs_cage && !opened.document->has_cage())
+    throw base::Error(inputs.model.string(), "the session has no cage", "open it and add one");
+  return opened;
+}
+
+std::vector<fs::path> files_read(const Inputs& inputs) {
+  std::vector<fs::path> files = inputs.files();
+  if (!inputs.session()) return files;
+  const scene::Session session = scene::read_session(inputs.model);
+  files.push_back(session.model);
+  files.push_back(session.cage);
+  return files;
+}
+
+void print_notes(const std::vector<std::string>& notes) {
+  for (const auto& note : notes) std::fprintf(stderr, "viete: note: %s\n", note.c_str());
+}
+
+}  // namespace viete::app

@@ -1,0 +1,49 @@
+// What a command opens, and how the model is to be moved: MODEL [CAGE] [--pose POSE], or a SESSION.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/open.h"
+
+namespace viete::app {
+
+/// What a command makes of what it opens.
+enum class Use {
+  window,   ///< MODEL may be left out
+  picture,  ///< needs a MODEL
+  file,     ///< needs CAGE and --pose too
+  binding,  ///< needs CAGE; neither pose nor method nor blend matter
+};
+
+struct Inputs {
+  Use use = Use::picture;
+  std::filesystem::path model{}, cage{}, pose{};  ///< model may be a session
+  scene::AskedSettings settings{};          ///< a session keeps what is left open as it has it
+
+  bool session() const { return scene::is_session(model); }
+  scene::OpenRequest request() const { return {scene::OpenRequest::What::model, files(), settings}; }
+  std::vector<std::filesystem::path> files() const { return {model, cage, pose}; }
+};
+
+/// MODEL, CAGE, --pose, --method, and --elements, --weights, --blend, --reach or their shorthand
+/// --coordinates: those that the use has. The target must outlive parsing.
+void add_input_options(CLI::App& app, Inputs& inputs);
+
+/// After parsing. Throws CLI::ParseError where something is missing, or is named beside a session that names
+/// it too, and base::Error where the settings do not go together.
+void check_usage(const Inputs& inputs);
+
+/// Throws base::Error if `check` does, or if the inputs' use needs a cage and there is none. Warnings stay in
+/// what is opened.
+scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&));
+
+/// The inputs' files, and those that a session among them names. Throws base::Error if it cannot be read.
+std::vector<std::filesystem::path> files_read(const Inputs& inputs);
+
+/// On stderr, a line each.
+void print_notes(const std::vector<std::string>& notes);
+
+}  // namespace viete::app

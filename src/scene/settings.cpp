@@ -1,0 +1,23 @@
+#include "scene/settings.h"
+
+#include "base/error.h"
+#include "scene/edit.h"
+
+namespace viete::scene {
+
+void put_settings(Document& document, const AskedSettings& asked) {
+  deform::Scheme scheme = document.scheme;
+  const deform::PartialChoice& choice = asked.choice;
+  if (choice.elements || choice.weights || choice.blend)
+    scheme = deform::with(scheme, deform::complete(choice, scheme));
+  if (asked.reach) scheme.weighting.reach = *asked.reach;
+  if (asked.reach && !deform::entry(scheme.weighting.weights).has_reach) {
+    throw base::Error("--reach",
+                      "mean value coordinates have no reach: every vertex of the cage moves all of the model",
+                      "leave it out, or add --coordinates face");
+  }
+  if (asked.method) document.method = *asked.method;
+  put_scheme(document, scheme);
+}
+
+}  // namespace viete::scene

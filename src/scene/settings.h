@@ -1,0 +1,23 @@
+// How a model is moved, as far as someone asks for it before it is opened.
+#pragma once
+
+#include <optional>
+
+#include "scene/document.h"
+
+namespace viete::scene {
+
+/// What is left open stays as the document has it, where that goes together with what is asked for.
+struct AskedSettings {
+  std::optional<sym3::Method> method{};
+  deform::PartialChoice choice{};
+  std::optional<double> reach{};
+
+  bool any() const { return method || reach || choice.elements || choice.weights || choice.blend; }
+};
+
+/// To a document that was just opened: no edit. Throws base::Error and changes nothing if the choices do not
+/// go together, or a reach is asked for where weights have none.
+void put_settings(Document& document, const AskedSettings& asked);
+
+}  // namespace viete::scene

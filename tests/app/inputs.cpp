@@ -1,0 +1,78 @@
+#include "app/inputs.h"
+
+#include <doctest/doctest.h>
+
+#include <optional>
+#include <string>
+
+#include "base/error.h"
+#include "support/text.h"
+
+using namespace viete;
+using app::Inputs;
+using app::Use;
+using test::mentions;
+
+namespace {
+
+// What a command of this use makes of a command line; throws what it says against it.
+Inputs parsed(Use use, const std::string& arguments) {
+  CLI::App command;
+  Inputs inputs{use};
+  app::add_input_options(command, inputs);
+  command.parse(arguments, false);
+  app::check_usage(inputs);
+  return inputs;
+}
+
+// The words that it says against it; empty if it takes them.
+std::string refusal(Use use, const std::string& arguments) {
+  try {
+    parsed(use, arguments);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("every_use_asks_for_what_it_cannot_do_without") {
+  CHECK(refusal(Use::window, "").empty());
+  CHECK(refusal(Use::picture, "a.obj").empty());
+  CHECK(refusal(Use::binding, "a.obj c.obj").empty());
+  CHECK(refusal(Use::file, "a.obj c.obj --pose p.obj").empty());
+  CHECK(mentions(refusal(Use::picture, ""), "MODEL"));
+  CHECK(mentions(refusal(Use::binding, "a.obj"), "CAGE"));
+  CHECK(mentions(refusal(Use::file, "a.obj --pose p.obj"), "CAGE"));
+  CHECK(mentions(refusal(Use::file, "a.obj c.obj"), "--pose"));
+}
+
+TEST_CASE("a_session_names_its_cage_and_pose_itself") {
+  for (const Use use : {Use::window, Use::picture, Use::file, Use::binding}) {
+    CHECK(refusal(use, "s.viete").empty());
+    CHECK(mentions(refusal(use, "s.viete c.obj"), "CAGE: the session s.viete names its own"));
+  }
+  CHECK(mentions(refusal(Use::file, "s.viete --pose p.obj"), "--pose: the session s.viete names its own"));
+}
+
+TEST_CASE("a_binding_has_neither_pose_nor_method_nor_blend") {
+  for (const char* other : {"--pose p.obj", "--method diag", "--blend srl"})
+    CHECK_FALSE(refusal(Use::binding, std::string("a.obj c.obj ") + other).empty());
+}
+
+TEST_CASE("every_method_that_has_a_name_is_taken_and_none_is_asked_for_by_itself") {
+  CHECK_FALSE(parsed(Use::picture, "a.obj").settings.any());
+  for (const auto method :
+       {sym3::Method::diag, sym3::Method::sd, sym3::Method::improved_sd, sym3::Method::fast}) {
+    const auto inputs = parsed(Use::picture, "a.obj --method " + std::string(sym3::name(method)));
+    CHECK(inputs.settings.method == method);
+  }
+}
+
+TEST_CASE("settings_that_do_not_go_together_are_told_before_anything_is_opened") {
+  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --elements face --weights mean-value"), base::Error);
+  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --coordinates mvc --reach 3"), base::Error);
+  // What a session has is not known yet.
+  CHECK(refusal(Use::picture, "s.viete --reach 3").empty());
+}
