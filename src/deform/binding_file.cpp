@@ -183,7 +183,7 @@ void make_room(const Reader& reader, TiledBinding& b) {
   const std::size_t weights = b.compressed()  ? 0
                               : b.has_lists() ? b.listed_weights()
                                               : b.leaves.slot_count() * b.handles;
-  const auto [factors, skeleton] = b.place_factors();
+  const auto [factors, skeleton] = b.lay_out_factors();
   reader.expect(sizeof(float) * (b.offsets.size() + weights + factors + skeleton));
   base::require_memory(binding_memory(static_cast<double>(reader.left()), b.leaves.vertices, b.handles));
   b.weights.resize(weights);

@@ -36,7 +36,7 @@ using Sums = hn::Vec<Tag<T>>[vectors_at_once][Columns];
 
 // Where lane group g of a run lies in an array of tiles with `rows` lines each: tiles are cut into vectors.
 template <class T>
-static HWY_INLINE std::size_t place(std::size_t group, std::size_t rows) {
+static HWY_INLINE std::size_t index_of(std::size_t group, std::size_t rows) {
   const std::size_t lane = group * hn::Lanes(Tag<T>());
   return lane / tile_lanes<T> * rows * tile_lanes<T> + lane % tile_lanes<T>;
 }
@@ -44,7 +44,7 @@ static HWY_INLINE std::size_t place(std::size_t group, std::size_t rows) {
 // Of an array with `rows` lines a tile, what the vector will want that takes this one's place next.
 template <class T>
 static HWY_INLINE void prefetch_next(const T* array, std::size_t vector, std::size_t rows) {
-  const T* next = array + place<T>(vector + vectors_at_once, rows);
+  const T* next = array + index_of<T>(vector + vectors_at_once, rows);
 #pragma GCC unroll 12
   for (std::size_t c = 0; c < rows; ++c) hwy::Prefetch(next + c * tile_lanes<T>);
 }
@@ -54,7 +54,7 @@ static HWY_INLINE void load_base(const TileRun<T>& run, std::size_t group, Sums<
   const Tag<T> d;
 #pragma GCC unroll 2
   for (int v = 0; v < vectors_at_once; ++v) {
-    const T* base = run.base ? run.base + place<T>(group + v, Columns) : nullptr;
+    const T* base = run.base ? run.base + index_of<T>(group + v, Columns) : nullptr;
     if (base) prefetch_next<T>(run.base, group + v, Columns);
 #pragma GCC unroll 12
     for (std::size_t c = 0; c < Columns; ++c) {
@@ -78,8 +78,8 @@ static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums
   const T *weights[vectors_at_once], *next[vectors_at_once];
 #pragma GCC unroll 2
   for (int v = 0; v < vectors_at_once; ++v) {
-    weights[v] = run.weights + place<T>(group + v, run.rows);
-    next[v] = run.weights + place<T>(group + vectors_at_once + v, run.rows);
+    weights[v] = run.weights + index_of<T>(group + v, run.rows);
+    next[v] = run.weights + index_of<T>(group + vectors_at_once + v, run.rows);
   }
   const auto add_row = [&](std::size_t j, const T* const(&soon)[vectors_at_once], std::size_t line) HWY_ATTR
       __attribute__((always_inline)) {
@@ -125,7 +125,7 @@ static void blend_tiles(const TileRun<T>& run, T* sums) {
     Sums<T, Columns> s;
     blend_group<T, Columns>(run, g, s);
     for (int v = 0; v < vectors_at_once; ++v) {
-      T* out = sums + place<T>(g + v, Columns);
+      T* out = sums + index_of<T>(g + v, Columns);
 #pragma GCC unroll 12
       for (std::size_t c = 0; c < Columns; ++c) hn::Store(s[v][c], d, out + c * tile_lanes<T>);
     }
@@ -138,7 +138,7 @@ using Vector3 = lanes::Three<hn::Vec<Tag<T>>>;
 template <class T>
 static HWY_INLINE Vector3<T> load_rest(const T* rest, std::size_t group) {
   const Tag<T> d;
-  const T* at = rest + place<T>(group, 3);
+  const T* at = rest + index_of<T>(group, 3);
   prefetch_next(rest, group, 3);
   return {hn::Load(d, at), hn::Load(d, at + tile_lanes<T>), hn::Load(d, at + 2 * tile_lanes<T>)};
 }
@@ -201,54 +201,55 @@ static HWY_INLINE void store_positions(const Vector3<T>& p, std::size_t group, T
 }
 #endif
 
-template <class T>
-static void place_logs(const TileRun<T>& run, const T* rest, T* out) {
-  constexpr std::size_t n = log_shape.columns;
-  const Tag<T> d;
-  using V = Batch<T>;
-  for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
-    Sums<T, n> s;
-    blend_group<T, n>(run, g, s);
-    add_mean<log_shape.with_mean, T, n>(run, s);
-    const auto at = [&s](std::size_t c) HWY_ATTR { return column<T, n>(s, c); };
-    const lanes::Six<V> log{at(0), at(1), at(2), at(3), at(4), at(5)};
-    const lanes::Three<V> u = lanes::times(lanes::exp_lanes(d, log), load_rests(rest, g));
-    const lanes::Three<V> turn{at(6), at(7), at(8)};
-    const lanes::Three<V> p = lanes::rotate_lanes(d, turn, u);
-    store_positions<T>({Add(p.x, at(9)), Add(p.y, at(10)), Add(p.z, at(11))}, g, out);
-  }
-}
+// How sums of rows, by column, move vertices from where they are at rest: one for each RowForm.
+struct ByLogs {
+  static constexpr RowShape shape = log_shape;
 
-template <class T>
-static void place_maps(const TileRun<T>& run, const T* rest, T* out) {
-  constexpr std::size_t n = map_shape.columns;
-  using V = Batch<T>;
-  for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
-    Sums<T, n> s;
-    blend_group<T, n>(run, g, s);
-    add_mean<map_shape.with_mean, T, n>(run, s);
-    const auto at = [&s](std::size_t c) HWY_ATTR { return column<T, n>(s, c); };
-    const lanes::Three<V> x = load_rests(rest, g);
-    const auto moved = [&](V from, std::size_t r) HWY_ATTR {
-      const V turned = lanes::sum_of_products(at(3 * r), x.x, at(3 * r + 1), x.y, at(3 * r + 2), x.z);
+  template <class D, class Column, class Rest>
+  HWY_INLINE auto operator()(D d, const Column& at, const Rest& offset) const {
+    const lanes::Six log{at(0), at(1), at(2), at(3), at(4), at(5)};
+    const lanes::Three u = lanes::times(lanes::exp_lanes(d, log), offset());
+    const lanes::Three turn{at(6), at(7), at(8)};
+    const lanes::Three p = lanes::rotate_lanes(d, turn, u);
+    return lanes::Three{Add(p.x, at(9)), Add(p.y, at(10)), Add(p.z, at(11))};
+  }
+};
+
+struct ByMaps {
+  static constexpr RowShape shape = map_shape;
+
+  template <class D, class Column, class Rest>
+  HWY_INLINE auto operator()(D, const Column& at, const Rest& rest) const {
+    const lanes::Three x = rest();
+    const auto moved = [&](auto from, std::size_t r) HWY_ATTR {
+      const auto turned = lanes::sum_of_products(at(3 * r), x.x, at(3 * r + 1), x.y, at(3 * r + 2), x.z);
       return Add(from, Add(turned, at(9 + r)));
     };
-    store_positions<T>({moved(x.x, 0), moved(x.y, 1), moved(x.z, 2)}, g, out);
+    return lanes::Three{moved(x.x, 0), moved(x.y, 1), moved(x.z, 2)};
   }
-}
+};
 
-template <class T>
-static void place_positions(const TileRun<T>& run, const T* rest, T* out) {
-  constexpr std::size_t n = position_shape.columns;
+struct ByPositions {
+  static constexpr RowShape shape = position_shape;
+
+  template <class D, class Column, class Rest>
+  HWY_INLINE auto operator()(D, const Column& at, const Rest& offset) const {
+    const lanes::Three o = offset();
+    return lanes::Three{Add(at(0), o.x), Add(at(1), o.y), Add(at(2), o.z)};
+  }
+};
+
+template <class T, class Move>
+static void place_tiles(const TileRun<T>& run, const T* rest, T* out) {
+  constexpr RowShape shape = Move::shape;
+  const Tag<T> d;
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
-    Sums<T, n> s;
-    blend_group<T, n>(run, g, s);
-    for (int v = 0; v < vectors_at_once; ++v) {
-      const Vector3<T> offset = load_rest(rest, g + v);
-      store_position<T>(
-          Vector3<T>{hn::Add(s[v][0], offset.x), hn::Add(s[v][1], offset.y), hn::Add(s[v][2], offset.z)},
-          g + v, out);
-    }
+    Sums<T, shape.columns> s;
+    blend_group<T, shape.columns>(run, g, s);
+    add_mean<shape.with_mean, T, shape.columns>(run, s);
+    const auto sum = [&](std::size_t c) HWY_ATTR { return column<T, shape.columns>(s, c); };
+    const auto at_rest = [&]() HWY_ATTR { return load_rests(rest, g); };
+    store_positions<T>(Move()(d, sum, at_rest), g, out);
   }
 }
 

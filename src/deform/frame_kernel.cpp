@@ -14,11 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
-static const FrameKernel frame = {{blend_tiles<float, log_shape.columns>, place_logs<float>},
-                                  {blend_tiles<float, map_shape.columns>, place_maps<float>},
-                                  {blend_tiles<float, position_shape.columns>, place_positions<float>},
-                                  ring_vertices,
-                                  ring_high_valence};
+static const FrameKernel frame = {
+    {blend_tiles<float, log_shape.columns>, place_tiles<float, ByLogs>},
+    {blend_tiles<float, map_shape.columns>, place_tiles<float, ByMaps>},
+    {blend_tiles<float, position_shape.columns>, place_tiles<float, ByPositions>},
+    ring_vertices,
+    ring_high_valence};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

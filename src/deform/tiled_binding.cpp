@@ -239,11 +239,11 @@ private:
       if (f.dense) results[leaf].factors.factors = w.rows;
       set_factored_offsets(leaf, results[leaf], w);
     });
-    const auto sizes = b_.place_factors();
+    const auto sizes = b_.lay_out_factors();
     b_.factors.resize(sizes.factors);
     b_.skeleton.assign(sizes.skeleton, 0.0f);
     for (std::size_t leaf = 0; leaf < results.size(); ++leaf) {
-      place_leaf(b_.factored[leaf], results[leaf]);
+      store_leaf(b_.factored[leaf], results[leaf]);
       results[leaf] = {};
     }
   }
@@ -262,7 +262,7 @@ private:
     }
   }
 
-  void place_leaf(const LeafFactors& f, const LeafResult& r) {
+  void store_leaf(const LeafFactors& f, const LeafResult& r) {
     std::copy(r.factors.factors.begin(), r.factors.factors.end(),
               b_.factors.begin() + static_cast<std::ptrdiff_t>(f.first));
     for (std::size_t t = 0; t < r.factors.pivots.size(); ++t) {
@@ -306,7 +306,7 @@ double TiledBinding::mean_rows() const {
   return static_cast<double>(weights.size()) / static_cast<double>(leaves.slot_count());
 }
 
-TiledBinding::Sizes TiledBinding::place_factors() {
+TiledBinding::Sizes TiledBinding::lay_out_factors() {
   std::size_t size = 0, pivots = 0;
   for (std::size_t leaf = 0; leaf < factored.size(); ++leaf) {
     LeafFactors& f = factored[leaf];

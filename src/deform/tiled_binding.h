@@ -81,7 +81,7 @@ struct TiledBinding {
     std::size_t factors, skeleton;
   };
   /// From rank and dense of every leaf: where its factors and pivots begin. Returns what sizes that asks for.
-  Sizes place_factors();
+  Sizes lay_out_factors();
 };
 
 /// All of a binding that does not take its weights: leaves, rings, unit, rest, and room for offsets. Throws

@@ -101,7 +101,7 @@ TEST_CASE("leaves_that_stay_dense_among_factored_ones_come_back_too") {
     b.factored[leaf].dense = true;
     b.factored[leaf].rank = static_cast<std::uint32_t>(b.handles);
   }
-  const auto sizes = b.place_factors();
+  const auto sizes = b.lay_out_factors();
   b.factors.resize(sizes.factors);
   b.skeleton.resize(sizes.skeleton);
   Random random(5);
