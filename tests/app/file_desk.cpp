@@ -1,0 +1,315 @@
+#include "app/file_desk.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "mesh/shapes.h"
+#include "mesh/write.h"
+#include "scene/edit.h"
+#include "scene/files.h"
+#include "scene/saving.h"
+
+using namespace viete;
+using What = scene::OpenRequest::What;
+using QuestionKind = scene::Question::Kind;
+
+namespace {
+
+// A program's files, without the program: cubes to open, and a folder to remember in.
+struct Desk {
+  test::CubeFiles files;
+  std::filesystem::path state = files / "state";
+  scene::Workspace workspace;
+  std::optional<app::FileDesk> desk;
+
+  explicit Desk(bool remembers = true) { begin(remembers); }
+  void begin(bool remembers = true, app::SavedBindings saved = {}) {
+    desk.reset();
+    workspace = {};
+    desk.emplace(remembers ? state : std::filesystem::path(), std::move(saved), workspace);
+  }
+  void frame(bool no_drag = true) {
+    desk->take_requests(workspace, no_drag);
+    desk->keep(workspace);
+  }
+  void open(std::vector<std::filesystem::path> paths, What what = What::model) {
+    workspace.requests.open = scene::OpenRequest{what, std::move(paths)};
+    frame();
+    desk->finish_loading(workspace);
+  }
+  void open_cubes() {
+    open({files.model, files.cage});
+    REQUIRE(workspace.document.has_cage());
+  }
+  void edit() {
+    deform::Pose pose = workspace.document.pose;
+    pose.positions[0][0] += 0.25;
+    scene::set_pose(workspace.document, pose);
+  }
+  void quit() {
+    workspace.requests.quit = true;
+    frame();
+  }
+  void answer(scene::Answer answer) {
+    workspace.requests.answer = answer;
+    frame();
+  }
+  bool asks(QuestionKind kind) const { return workspace.question && workspace.question->kind == kind; }
+  std::string last_message() const {
+    return workspace.messages.all().empty() ? "" : workspace.messages.all().back().text;
+  }
+};
+
+std::size_t files_in(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder, ignored), {}));
+}
+
+}  // namespace
+
+TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_question") {
+  Desk d;
+  d.frame();
+  d.answer(scene::Answer::go_on);
+  d.workspace.requests.undo_discard = d.workspace.requests.stop_export = d.workspace.requests.stop_work =
+      true;
+  d.workspace.requests.discard = d.files / "no_leftover.viete";
+  d.workspace.requests.save_model = d.files / "out.obj";  // of nothing
+  d.frame();
+  CHECK_FALSE(d.desk->closed());
+  CHECK_FALSE(d.desk->loading());
+  CHECK_FALSE(d.desk->exporting());
+  CHECK_FALSE(d.desk->kept());
+  CHECK(d.workspace.messages.all().empty());
+  CHECK(files_in(d.state) == 0);
+}
+
+TEST_CASE("what_is_opened_comes_with_look_and_binding_and_the_binding_is_given_once") {
+  Desk d;
+  d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model, d.files.cage}};
+  d.frame();
+  CHECK_FALSE(d.workspace.requests.open);
+  d.desk->finish_loading(d.workspace);
+  REQUIRE(d.workspace.document.has_cage());
+  CHECK_FALSE(d.workspace.loading.running);
+  CHECK(d.desk->look().surface == d.workspace.document.model.surface);
+  CHECK(d.desk->take_bound().binds(d.workspace.document));
+  CHECK_FALSE(d.desk->take_bound().binding);
+}
+
+TEST_CASE("nothing_is_taken_away_under_a_drag") {
+  Desk d;
+  d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model}};
+  for (int i = 0; i < 20; ++i) {
+    d.frame(false);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  CHECK(d.desk->loading());
+  CHECK_FALSE(d.workspace.document.model.surface);
+  d.desk->finish_loading(d.workspace);
+  CHECK(d.workspace.document.model.surface);
+}
+
+TEST_CASE("a_file_that_cannot_be_opened_is_a_message") {
+  Desk d;
+  d.open_cubes();
+  d.open({d.files.broken});
+  CHECK(d.workspace.document.model.path == d.files.model);
+  CHECK(d.workspace.messages.all().back().severity == scene::Severity::error);
+  CHECK(d.last_message().find("broken.obj") != std::string::npos);
+}
+
+TEST_CASE("without_edits_or_with_edits_that_are_kept_the_program_closes_at_once") {
+  for (const bool edited : {false, true}) {
+    Desk d;
+    d.open_cubes();
+    if (edited) d.edit();
+    d.quit();
+    CHECK(d.desk->closed());
+    CHECK(d.desk->kept() == edited);
+    CHECK(files_in(d.state / "recovery") == (edited ? 1 : 0));
+  }
+}
+
+TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
+  Desk d(false);
+  d.open_cubes();
+  d.edit();
+  CHECK_FALSE(d.desk->keep_now(d.workspace));
+  SUBCASE("before the program closes, and it stays") {
+    d.quit();
+    REQUIRE(d.asks(QuestionKind::close));
+    d.answer(scene::Answer::cancel);
+    CHECK_FALSE(d.workspace.question);
+    CHECK_FALSE(d.desk->closed());
+  }
+  SUBCASE("before the program closes, and it goes without them") {
+    d.quit();
+    d.answer(scene::Answer::go_on);
+    CHECK(d.desk->closed());
+  }
+  SUBCASE("before the program closes, and it goes once they are saved") {
+    d.workspace.saved.session = d.files / "a.viete";
+    d.quit();
+    d.answer(scene::Answer::save);
+    d.frame();
+    CHECK(d.desk->closed());
+    CHECK(std::filesystem::exists(d.files / "a.viete"));
+  }
+  SUBCASE("before the program closes, and again when saving fails") {
+    d.workspace.saved.session = d.files / "no" / "such" / "folder.viete";
+    d.quit();
+    d.answer(scene::Answer::save);
+    d.frame();
+    CHECK(d.asks(QuestionKind::close));
+    CHECK_FALSE(d.desk->closed());
+  }
+  SUBCASE("before another file takes their place, and it does not") {
+    d.open({d.files.cage});
+    REQUIRE(d.asks(QuestionKind::open));
+    d.answer(scene::Answer::cancel);
+    CHECK(d.workspace.document.model.path == d.files.model);
+    CHECK(scene::has_unsaved_edits(d.workspace));
+  }
+  SUBCASE("before another file takes their place, and it does") {
+    d.open({d.files.cage});
+    CHECK(d.workspace.document.model.path == d.files.model);
+    d.answer(scene::Answer::go_on);
+    CHECK(d.workspace.document.model.path == d.files.cage);
+  }
+}
+
+TEST_CASE("edits_that_can_be_kept_are_set_aside_for_another_file_but_stay_with_another_pose") {
+  Desk d;
+  d.open_cubes();
+  d.edit();
+  d.open({d.files.pose}, What::pose);
+  CHECK(d.workspace.leftovers.empty());
+  d.open({d.files.cage});
+  CHECK_FALSE(d.workspace.question);
+  CHECK(d.workspace.document.model.path == d.files.cage);
+  CHECK(d.workspace.leftovers.size() == 1);
+}
+
+TEST_CASE("a_session_that_has_changed_on_disk_is_replaced_only_when_told_to") {
+  Desk d;
+  const auto session = d.files / "a.viete";
+  d.open_cubes();
+  const auto save = [&] {
+    d.workspace.requests.save_session = session;
+    d.frame();
+  };
+  save();
+  CHECK_FALSE(d.workspace.question);
+  test::put_file(session, "theirs");
+  save();
+  REQUIRE(d.asks(QuestionKind::replace));
+  d.answer(scene::Answer::cancel);
+  CHECK(test::file_bytes(session) == "theirs");
+  save();
+  d.answer(scene::Answer::go_on);
+  CHECK(test::file_bytes(session) != "theirs");
+}
+
+TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
+  for (const bool fails : {false, true}) {
+    CAPTURE(fails);
+    Desk d;
+    mesh::write(d.files / "large.ply", test::sphere(6));  // so that it is not written at once
+    d.open({d.files / "large.ply", d.files.cage});
+    d.workspace.requests.save_model = fails ? d.files / "no" / "such" / "folder.obj" : d.files / "out.obj";
+    d.quit();
+    CHECK_FALSE(d.desk->closed());
+    CHECK(d.workspace.exporting.what.ends_with(", then closing"));
+    d.desk->finish_exports(d.workspace);
+    CHECK_FALSE(d.desk->exporting());
+    d.frame();
+    CHECK(d.desk->closed() != fails);
+    CHECK(std::filesystem::exists(d.files / "out.obj") != fails);
+  }
+}
+
+TEST_CASE("a_leftover_is_discarded_comes_back_and_is_gone_when_the_program_ends") {
+  Desk d;
+  const auto file = d.state / "recovery" / "999999999-1.viete";
+  std::filesystem::create_directories(file.parent_path());
+  test::put_file(file, "{}");
+  d.begin();
+  REQUIRE(d.workspace.leftovers.size() == 1);
+  const auto discard = [&] {
+    d.workspace.requests.discard = file;
+    d.frame();
+    CHECK(d.workspace.leftovers.empty());
+    CHECK(d.workspace.tell_discarded);
+    CHECK_FALSE(std::filesystem::exists(file));
+  };
+  discard();
+  d.workspace.requests.undo_discard = true;
+  d.frame();
+  CHECK(d.workspace.leftovers.size() == 1);
+  CHECK_FALSE(d.workspace.tell_discarded);
+  CHECK(test::file_bytes(file) == "{}");
+  discard();
+  d.begin();
+  CHECK(d.workspace.leftovers.empty());
+  CHECK(files_in(d.state / "recovery") == 0);
+}
+
+TEST_CASE("what_is_remembered_is_there_at_the_next_start_and_without_a_folder_nothing_is") {
+  for (const bool remembers : {true, false}) {
+    Desk d(remembers);
+    CHECK(d.workspace.view.hints);
+    d.open_cubes();
+    d.workspace.view.hints = false;
+    d.frame();
+    d.begin(remembers);
+    CHECK(d.workspace.view.hints == !remembers);
+    CHECK(d.workspace.remembered.recent.size() == (remembers ? 1 : 0));
+    CHECK(std::filesystem::exists(d.state) == remembers);
+  }
+}
+
+TEST_CASE("what_was_remembered_and_cannot_be_read_is_said_and_the_program_starts_without_it") {
+  Desk d;
+  std::filesystem::create_directories(d.state);
+  test::put_file(d.state / "remembered.json", "nonsense");
+  d.begin();
+  CHECK(d.workspace.messages.all().back().severity == scene::Severity::warning);
+  CHECK(d.last_message().ends_with("; starting without it"));
+  CHECK(d.workspace.view.hints);
+}
+
+TEST_CASE("the_named_binding_is_for_the_first_document_only") {
+  Desk d;
+  d.begin(true, {.folder = d.files / "kept", .named = d.files / "a.binding"});
+  CHECK(d.desk->take_saved().named == d.files / "a.binding");
+  const app::SavedBindings later = d.desk->take_saved();
+  CHECK(later.named.empty());
+  CHECK(later.folder == d.files / "kept");
+}
+
+TEST_CASE("a_binding_is_kept_if_it_took_long_and_there_is_a_folder") {
+  const struct {
+    bool folder;
+    double seconds;
+    std::size_t files;
+  } cases[] = {{true, 1, 1}, {true, 0.999, 0}, {false, 2, 0}};
+  for (const auto& c : cases) {
+    CAPTURE(c.seconds);
+    Desk d;
+    const auto kept = d.files / "kept";
+    d.begin(true, {.folder = c.folder ? kept : std::filesystem::path(), .worth_keeping = 1});
+    d.open_cubes();
+    app::Bound bound = d.desk->take_bound();
+    bound.seconds = c.seconds;
+    d.desk->keep_binding(bound);
+    d.desk.reset();  // when it has been written
+    CHECK(files_in(kept) == c.files);
+  }
+}

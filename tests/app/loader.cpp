@@ -1,0 +1,147 @@
+#include "app/loader.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "scene/edit.h"
+#include "scene/files.h"
+#include "scene/saving.h"
+
+using namespace viete;
+using What = scene::OpenRequest::What;
+
+namespace {
+
+using Result = app::Loader::Job::Result;
+
+Result loaded(app::Loader& loader, const scene::OpenRequest& request, const scene::Document& current = {}) {
+  loader.start(request, current, {});
+  auto result = loader.poll(true);
+  REQUIRE(result);
+  return *std::move(result);
+}
+
+// A document as the loader gave it.
+scene::Document opened(app::Loader& loader, const scene::OpenRequest& request) {
+  const Result result = loaded(loader, request);
+  REQUIRE_MESSAGE(result.value, result.problem);
+  return result.value->opened.document.value();
+}
+
+}  // namespace
+
+TEST_CASE("a_loader_that_was_given_nothing_is_idle") {
+  app::Loader loader;
+  CHECK_FALSE(loader.running());
+  CHECK_FALSE(loader.state().running);
+  CHECK_FALSE(loader.was_binding());
+  CHECK_FALSE(loader.poll(true));
+  loader.stop();
+}
+
+TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
+  const test::CubeFiles files;
+  app::Loader loader;
+  loader.start({What::model, {files.model, files.cage}}, {}, {});
+  CHECK(loader.running());
+  CHECK(loader.state().running);
+  const auto result = loader.poll(true);
+  REQUIRE(result);
+  REQUIRE(result->value);
+  const scene::Document& document = result->value->opened.document.value();
+  CHECK(document.model.path == files.model);
+  CHECK(result->value->look.surface == document.model.surface);
+  CHECK(result->value->bound.binds(document));
+  CHECK(loader.was_binding());
+  CHECK_FALSE(loader.running());
+  CHECK_FALSE(loader.state().running);
+  CHECK_FALSE(loader.poll(true));
+}
+
+TEST_CASE("only_what_is_new_is_derived") {
+  const test::CubeFiles files;
+  app::Loader loader;
+  const Result model = loaded(loader, {What::model, {files.model}});
+  REQUIRE(model.value);
+  CHECK(model.value->look.surface);
+  CHECK_FALSE(model.value->bound.binding);
+  CHECK_FALSE(loader.was_binding());
+
+  const Result cage = loaded(loader, {What::cage, {files.cage}}, *model.value->opened.document);
+  REQUIRE(cage.value);
+  CHECK_FALSE(cage.value->look.surface);
+  CHECK(cage.value->bound.binds(*cage.value->opened.document));
+
+  const Result pose = loaded(loader, {What::pose, {files.pose}}, *cage.value->opened.document);
+  REQUIRE(pose.value);
+  CHECK(pose.value->opened.pose);
+  CHECK_FALSE(pose.value->opened.document);
+  CHECK_FALSE(pose.value->look.surface);
+  CHECK_FALSE(pose.value->bound.binding);
+}
+
+TEST_CASE("it_is_bound_as_what_is_open_or_as_the_session_says") {
+  const test::CubeFiles files;
+  app::Loader loader;
+  scene::Document current;
+  scene::set_reach(current, 3);
+  const Result model = loaded(loader, {What::model, {files.model, files.cage}}, current);
+  REQUIRE(model.value);
+  CHECK(model.value->bound.binding->weighting.reach == 3);
+
+  scene::Workspace saved;
+  saved.document = opened(loader, {What::model, {files.model, files.cage}});
+  scene::set_reach(saved.document, 2);
+  REQUIRE(scene::save_session(saved, files / "a.viete"));
+  const Result session = loaded(loader, {What::model, {files / "a.viete"}}, current);
+  REQUIRE(session.value);
+  CHECK(session.value->bound.binding->weighting.reach == 2);
+}
+
+TEST_CASE("files_that_cannot_be_opened_are_a_problem_that_names_them") {
+  const test::CubeFiles files;
+  app::Loader loader;
+  for (const What what : {What::model, What::cage, What::pose, What::dropped, What::recovery}) {
+    const Result result = loaded(loader, {what, {files.broken}});
+    CHECK_FALSE(result.value);
+    CHECK_FALSE(result.stopped);
+    CHECK_MESSAGE(result.problem.find("broken.obj") != std::string::npos, result.problem);
+    CHECK_FALSE(loaded(loader, {what, {}}).value);
+  }
+}
+
+TEST_CASE("another_request_takes_the_place_of_the_first") {
+  const test::CubeFiles files;
+  app::Loader loader;
+  loader.start({What::model, {files.model, files.cage}}, {}, {});
+  loader.start({What::model, {files.cage}}, {}, {});
+  const auto result = loader.poll(true);
+  REQUIRE(result);
+  REQUIRE(result->value);
+  CHECK(result->value->opened.document->model.path == files.cage);
+  CHECK_FALSE(loader.poll(true));
+}
+
+TEST_CASE("reading_that_is_stopped_says_so") {
+  const test::TemporaryFolder folder;
+  std::string text;
+  app::Loader loader;
+  bool stopped = false;
+  // 6 MB of text; a machine that reads them in a moment gets more.
+  for (std::size_t lines = 200'000; !stopped; lines *= 2) {
+    REQUIRE(lines < 5'000'000);
+    while (text.size() < 30 * lines) text += "v 0.123456789 1 2\nv 1 0 0.5\n";
+    test::put_file(folder / "large.obj", text + "f 1 2 3\n");
+    loader.start({What::model, {folder / "large.obj"}}, {}, {});
+    CHECK(loader.state().what == "Reading large.obj");
+    loader.stop();
+    const auto result = loader.poll(true);
+    REQUIRE(result);
+    stopped = result->stopped;
+    CHECK(stopped != result->value.has_value());
+  }
+  CHECK_FALSE(loader.running());
+}

@@ -1,0 +1,93 @@
+#include "app/method_probe.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "sym3/reference.h"
+
+using namespace viete;
+
+namespace {
+
+using Matrices = std::vector<sym3::Sym3<double>>;
+
+Matrices some_matrices(int count) {
+  Matrices matrices;
+  for (int i = 0; i < count; ++i) matrices.push_back({0.3, 0.1 + 1e-4 * i, -0.2, 0.4, 1e-5 * i, -0.1});
+  return matrices;
+}
+
+scene::MethodStats probed(const Matrices& matrices) {
+  app::MethodProbe probe;
+  REQUIRE(probe.ready());
+  probe.offer(matrices);
+  CHECK_FALSE(probe.ready());
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
+  while (!probe.has_result()) {
+    REQUIRE(std::chrono::steady_clock::now() < end);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  CHECK_FALSE(probe.busy());
+  CHECK_FALSE(probe.ready());  // until the result is taken
+  const auto stats = probe.poll();
+  REQUIRE(stats);
+  CHECK_FALSE(probe.poll());
+  return *stats;
+}
+
+}  // namespace
+
+TEST_CASE("every_method_is_measured_by_its_own_errors") {
+  const Matrices matrices = some_matrices(101);
+  const auto stats = app::measure_methods(matrices);
+  CHECK(stats.matrices == 101);
+  for (std::size_t m = 0; m < scene::compared_methods.size(); ++m) {
+    std::vector<double> errors;
+    for (const auto& s : matrices)
+      errors.push_back(sym3::relative_error(sym3::exp(s, scene::compared_methods[m]), s));
+    std::sort(errors.begin(), errors.end());
+    CHECK(stats.samples[m].worst_error == errors.back());
+    CHECK(stats.samples[m].median_error == errors[50]);
+    CHECK(stats.samples[m].ns_per_matrix >= 0);
+  }
+}
+
+TEST_CASE("of_no_matrices_nothing_is_measured") {
+  CHECK(app::measure_methods({}).matrices == 0);
+  CHECK(probed({}).matrices == 0);
+}
+
+TEST_CASE("an_answer_that_is_no_number_makes_both_errors_say_so") {
+  Matrices matrices = some_matrices(3);
+  matrices[1].xx = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& sample : app::measure_methods(matrices).samples) {
+    CHECK(std::isnan(sample.worst_error));
+    CHECK(std::isnan(sample.median_error));
+  }
+}
+
+TEST_CASE("a_probe_takes_all_of_few_matrices_and_an_even_sample_of_many") {
+  CHECK(probed(some_matrices(1)).matrices == 1);
+  CHECK(probed(some_matrices(app::probe_limit)).matrices == app::probe_limit);
+  for (const bool in_sample : {true, false}) {  // of two neighbours near the end one is taken
+    Matrices matrices = some_matrices(2 * app::probe_limit);
+    matrices[matrices.size() - (in_sample ? 2 : 1)].xx = std::numeric_limits<double>::quiet_NaN();
+    const auto stats = probed(matrices);
+    CHECK(stats.matrices == app::probe_limit);
+    CHECK(std::isnan(stats.samples[0].worst_error) == in_sample);
+  }
+}
+
+TEST_CASE("a_probe_that_was_offered_nothing_has_no_result") {
+  app::MethodProbe probe;
+  CHECK(probe.ready());
+  CHECK_FALSE(probe.busy());
+  CHECK_FALSE(probe.has_result());
+  CHECK_FALSE(probe.poll());
+}
