@@ -1,13 +1,8 @@
 #include "sym3/double_double.h"
 
-#include <doctest/doctest.h>
-
-#include "bench/ensembles.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
 using sym3::DoubleDouble;
 
 namespace {

@@ -1,20 +1,13 @@
 #include "sym3/eigenvalues.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/entries_of.h"
 #include "sym3/kernel.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
-
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
-using sym3::Sym3;
 
 namespace {
 

@@ -1,19 +1,13 @@
 #include "sym3/exp.h"
 
-#include <doctest/doctest.h>
-
 #include <limits>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/each_kernel.h"
 #include "sym3/entries_of.h"
+#include "sym3/preamble.h"
 
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
 using sym3::Method;
-using sym3::Sym3;
 
 namespace {
 

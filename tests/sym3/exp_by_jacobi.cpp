@@ -1,14 +1,8 @@
 // The kernels' fallback for exp, called directly: right on ordinary matrices too.
 #include "sym3/fallback.h"
 
-#include <doctest/doctest.h>
-
-#include "bench/ensembles.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
-
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
 
 TEST_CASE("exp_by_jacobi_is_exact_to_16_u_at_any_spread") {
   for (const double spread : {0.0, 1e-9, 1.0, 30.0, 700.0, 1300.0}) {

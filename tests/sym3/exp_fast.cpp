@@ -1,19 +1,12 @@
 // The error bounds of method `fast`, for every kernel that this machine can run, against 113 bits.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/each_kernel.h"
 #include "sym3/entries_of.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
-
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
-using sym3::Sym3;
 
 namespace {
 

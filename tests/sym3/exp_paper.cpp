@@ -1,19 +1,12 @@
 // The paper's methods: how exact they are, and where they are not.
 #include "sym3/exp_paper.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/entries_of.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
-
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
-using sym3::Sym3;
 
 namespace {
 

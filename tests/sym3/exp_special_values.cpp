@@ -1,17 +1,10 @@
 // What method `fast` answers where there is no ordinary number to answer; every kernel.
-#include <doctest/doctest.h>
-
 #include <limits>
 
-#include "bench/ensembles.h"
 #include "sym3/each_kernel.h"
 #include "sym3/entries_of.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
-
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
-using sym3::Sym3;
 
 namespace {
 

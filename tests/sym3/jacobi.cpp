@@ -1,17 +1,11 @@
 #include "sym3/jacobi.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 
-#include "bench/ensembles.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
 using sym3::DoubleDouble;
-using sym3::Sym3;
 
 namespace {
 

@@ -1,20 +1,13 @@
 #include "sym3/kernel.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <set>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/call_kernel.h"
 #include "sym3/each_kernel.h"
-
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
-using sym3::Sym3;
+#include "sym3/preamble.h"
 
 TEST_CASE("kernels_have_names_and_the_last_is_scalar") {
   std::set<std::string_view> names;

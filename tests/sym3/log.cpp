@@ -2,27 +2,20 @@
 // layout get the same bits.
 #include "sym3/log.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/arranged.h"
 #include "sym3/call_kernel.h"
 #include "sym3/entries_of.h"
 #include "sym3/exp.h"
 #include "sym3/fallback.h"
 #include "sym3/kernel.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 #include "sym3/with_condition.h"
-
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
-using sym3::Sym3;
 
 namespace {
 

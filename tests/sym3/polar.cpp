@@ -1,18 +1,13 @@
 #include "sym3/polar.h"
 
-#include <doctest/doctest.h>
-
 #include <cstring>
 #include <limits>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/kernel.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
 using sym3::Mat3;
 
 namespace {

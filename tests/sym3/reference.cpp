@@ -1,19 +1,12 @@
 #include "sym3/reference.h"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <limits>
 
-#include "bench/ensembles.h"
 #include "sym3/entries_of.h"
 #include "sym3/exp.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
-
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
-using sym3::Sym3;
 
 namespace {
 

@@ -1,19 +1,14 @@
 #include "sym3/rotation.h"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/kernel.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
 using sym3::Mat3;
 using sym3::Vec3;
 

@@ -1,21 +1,14 @@
 // The kernels' fallback for log and roots, called directly: accurate at any condition number and gap.
 #include "sym3/fallback.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/entries_of.h"
+#include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 #include "sym3/with_condition.h"
-
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
-using sym3::Sym3;
 
 namespace {
 

@@ -1,24 +1,18 @@
 // Layouts, lengths, positions, neighbours, threads: the answer of a batch depends on none of them.
 #include "sym3/view.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cstring>
 #include <limits>
 #include <thread>
 #include <vector>
 
-#include "bench/ensembles.h"
 #include "sym3/arranged.h"
 #include "sym3/each_kernel.h"
 #include "sym3/entries_of.h"
+#include "sym3/preamble.h"
 
-using namespace viete;
-using namespace viete::bench::ensembles;
-using namespace viete::test;
 using sym3::Layout;
-using sym3::Sym3;
 using sym3::SymView;
 
 namespace {
