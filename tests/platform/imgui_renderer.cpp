@@ -6,28 +6,32 @@ using namespace viete;
 
 namespace {
 
-/// An ImGui context of its own, with the size of the stage in logical pixels.
+/// A renderer in an ImGui context of its own, with the size of the stage in logical pixels.
 struct Panels {
-  explicit Panels(test::Stage& owner, float framebuffer_scale = 1) : stage(owner) {
-    ImGui::CreateContext();
+  explicit Panels(float framebuffer_scale = 1) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.DisplaySize = ImVec2(static_cast<float>(stage.view.size.x) / framebuffer_scale,
                             static_cast<float>(stage.view.size.y) / framebuffer_scale);
     io.DisplayFramebufferScale = ImVec2(framebuffer_scale, framebuffer_scale);
     io.DeltaTime = 1.0F / 60;
+    renderer.upload_fonts();
   }
-  ~Panels() { ImGui::DestroyContext(); }
 
   template <class Build>
-  render::Image picture(platform::ImGuiRenderer& renderer, Build build) {
+  render::Image picture(Build build) {
     ImGui::NewFrame();
     build(*ImGui::GetForegroundDrawList());
     ImGui::Render();
     return stage.picture([&] { renderer.draw(*ImGui::GetDrawData()); });
   }
 
-  test::Stage& stage;
+  test::Stage stage;
+  struct Context {
+    Context() { ImGui::CreateContext(); }
+    ~Context() { ImGui::DestroyContext(); }
+  } context;
+  platform::ImGuiRenderer renderer{stage.gl};
 };
 
 constexpr ImU32 orange = IM_COL32(255, 128, 0, 255);
@@ -43,12 +47,9 @@ std::size_t count(const render::Image& image, const render::Rgba8& color) {
 }  // namespace
 
 TEST_CASE("rectangle_is_drawn_where_asked") {
-  test::Stage stage;
-  Panels panels(stage);
-  platform::ImGuiRenderer renderer(stage.gl);
-  renderer.upload_fonts();
-  const render::Image image = panels.picture(
-      renderer, [](ImDrawList& list) { list.AddRectFilled(ImVec2(20, 30), ImVec2(60, 50), orange); });
+  Panels panels;
+  const render::Image image =
+      panels.picture([](ImDrawList& list) { list.AddRectFilled(ImVec2(20, 30), ImVec2(60, 50), orange); });
   CHECK(count(image, {255, 128, 0, 255}) == 40 * 20);
   CHECK(image.pixel(20, 30)[0] == 255);
   CHECK(image.pixel(59, 49)[0] == 255);
@@ -57,11 +58,8 @@ TEST_CASE("rectangle_is_drawn_where_asked") {
 }
 
 TEST_CASE("rectangle_is_clipped") {
-  test::Stage stage;
-  Panels panels(stage);
-  platform::ImGuiRenderer renderer(stage.gl);
-  renderer.upload_fonts();
-  const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
+  Panels panels;
+  const render::Image image = panels.picture([](ImDrawList& list) {
     list.PushClipRect(ImVec2(100, 40), ImVec2(110, 60));
     list.AddRectFilled(ImVec2(0, 0), ImVec2(320, 200), orange);
     list.PopClipRect();
@@ -72,11 +70,8 @@ TEST_CASE("rectangle_is_clipped") {
 }
 
 TEST_CASE("clip_rectangle_beyond_the_picture_is_harmless") {
-  test::Stage stage;
-  Panels panels(stage);
-  platform::ImGuiRenderer renderer(stage.gl);
-  renderer.upload_fonts();
-  const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
+  Panels panels;
+  const render::Image image = panels.picture([](ImDrawList& list) {
     list.PushClipRect(ImVec2(-500, -500), ImVec2(5000, 5000));
     list.AddRectFilled(ImVec2(-50, -50), ImVec2(10, 10), orange);
     list.PopClipRect();
@@ -88,11 +83,8 @@ TEST_CASE("clip_rectangle_beyond_the_picture_is_harmless") {
 }
 
 TEST_CASE("framebuffer_scale_doubles_everything") {
-  test::Stage stage;
-  Panels panels(stage, 2);
-  platform::ImGuiRenderer renderer(stage.gl);
-  renderer.upload_fonts();
-  const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
+  Panels panels(2);
+  const render::Image image = panels.picture([](ImDrawList& list) {
     list.PushClipRect(ImVec2(20, 30), ImVec2(40, 50));
     list.AddRectFilled(ImVec2(20, 30), ImVec2(60, 40), orange);
     list.PopClipRect();
@@ -102,11 +94,8 @@ TEST_CASE("framebuffer_scale_doubles_everything") {
 }
 
 TEST_CASE("translucent_colour_is_blended") {
-  test::Stage stage;
-  Panels panels(stage);
-  platform::ImGuiRenderer renderer(stage.gl);
-  renderer.upload_fonts();
-  const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
+  Panels panels;
+  const render::Image image = panels.picture([](ImDrawList& list) {
     list.AddRectFilled(ImVec2(0, 0), ImVec2(50, 50), IM_COL32(255, 255, 255, 255));
     list.AddRectFilled(ImVec2(0, 0), ImVec2(50, 50), IM_COL32(0, 0, 0, 128));
   });
@@ -114,27 +103,22 @@ TEST_CASE("translucent_colour_is_blended") {
 }
 
 TEST_CASE("text_is_drawn_from_the_font_atlas") {
-  test::Stage stage;
-  Panels panels(stage);
-  platform::ImGuiRenderer renderer(stage.gl);
-  renderer.upload_fonts();
-  const render::Image image = panels.picture(
-      renderer, [](ImDrawList& list) { list.AddText(ImVec2(10, 10), IM_COL32_WHITE, "HHHH"); });
+  Panels panels;
+  const render::Image image =
+      panels.picture([](ImDrawList& list) { list.AddText(ImVec2(10, 10), IM_COL32_WHITE, "HHHH"); });
   CHECK(test::count_not_black(image) > 40);
   CHECK(test::count_not_black(image) < 400);
 }
 
 TEST_CASE("texture_of_our_own_is_shown_as_an_image") {
-  test::Stage stage;
-  Panels panels(stage);
-  platform::ImGuiRenderer renderer(stage.gl);
-  renderer.upload_fonts();
-  const render::Texture texture(stage.gl);
+  Panels panels;
+  const render::Gl& gl = panels.stage.gl;
+  const render::Texture texture(gl);
   const std::uint8_t green[4] = {0, 200, 0, 255};
-  stage.gl.BindTexture(GL_TEXTURE_2D, texture.id());
-  stage.gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  stage.gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, green);
-  const render::Image image = panels.picture(renderer, [&](ImDrawList& list) {
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, green);
+  const render::Image image = panels.picture([&](ImDrawList& list) {
     list.AddImage((ImTextureID)(std::intptr_t)texture.id(), ImVec2(10, 10), ImVec2(20, 20));
     list.AddRectFilled(ImVec2(40, 10), ImVec2(50, 20), orange);
   });
@@ -143,11 +127,8 @@ TEST_CASE("texture_of_our_own_is_shown_as_an_image") {
 }
 
 TEST_CASE("more_than_65536_vertices_are_drawn") {
-  test::Stage stage;
-  Panels panels(stage);
-  platform::ImGuiRenderer renderer(stage.gl);
-  renderer.upload_fonts();
-  const render::Image image = panels.picture(renderer, [](ImDrawList& list) {
+  Panels panels;
+  const render::Image image = panels.picture([](ImDrawList& list) {
     for (int i = 0; i < 20000; ++i) list.AddRectFilled(ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE);
     list.AddRectFilled(ImVec2(20, 30), ImVec2(60, 50), orange);
   });
