@@ -1,35 +1,17 @@
 // Broken cages in the real program: what is wrong is found, said, and shown where it is.
-#include <fstream>
-
 #include "mesh/write.h"
-#include "program/driver.h"
+#include "program/open_cage.h"
 #include "support/folder.h"
 
 using namespace viete;
 using test::dragon;
 using test::dragon_cage;
 using test::Driver;
+using test::open_cage;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-// The bundled cage without its first face.
-fs::path open_cage(const fs::path& folder) {
-  std::ifstream in(dragon_cage);
-  const fs::path path = folder / "open.obj";
-  std::ofstream out(path);
-  bool left_out = false;
-  for (std::string line; std::getline(in, line);) {
-    const bool face = line.rfind("f ", 0) == 0;
-    if (face && !left_out) {
-      left_out = true;
-    } else {
-      out << line << '\n';
-    }
-  }
-  return path;
-}
 
 // Pixels of the highlight in the view: much red, little green, as no model, cage or selection has it.
 int highlighted(Driver& d) {

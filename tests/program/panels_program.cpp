@@ -3,9 +3,7 @@
 // VIETE_PICTURES=FOLDER also writes a picture of each, to be looked at.
 #include <cstdlib>
 
-#include "mesh/read.h"
-#include "mesh/write.h"
-#include "program/driver.h"
+#include "program/open_cage.h"
 #include "render/image.h"
 #include "scene/open.h"
 #include "support/folder.h"
@@ -58,15 +56,6 @@ void show(Driver& d, const std::string& name) {
   if (folder) render::write_png(fs::path(folder) / (name + ".png"), d.picture());
 }
 
-// The bundled cage without its first face: it has findings.
-fs::path open_cage(const fs::path& folder) {
-  auto surface = mesh::read(test::dragon_cage).surface;
-  std::vector<mesh::Triangle> triangles(surface.triangles.begin() + 1, surface.triangles.end());
-  const fs::path path = folder / "open.obj";
-  mesh::write(path, mesh::from_triangles(surface.positions, triangles));
-  return path;
-}
-
 void visit_questions(Driver& d, const std::string& look) {
   auto& w = d.workspace();
   w.question =
@@ -105,7 +94,7 @@ void visit_notices(Driver& d, const std::string& look) {
 
 void visit_panels(Driver& d, const std::string& look) {
   const test::TemporaryFolder scratch;
-  const fs::path cage = open_cage(scratch.path());
+  const fs::path cage = test::open_cage(scratch.path());
   show(d, look + "_empty");
   REQUIRE(d.open({test::dragon, cage}));
   d.settle();

@@ -5,9 +5,7 @@
 // reference, or VIETE_UPDATE_PICTURES=1, writes the picture instead: look at it before you commit it.
 #include <cstdlib>
 
-#include "mesh/read.h"
-#include "mesh/write.h"
-#include "program/driver.h"
+#include "program/open_cage.h"
 #include "render/image.h"
 #include "scene/edit.h"
 #include "support/folder.h"
@@ -225,10 +223,7 @@ void show_panels(Driver& d) {
 
 void show_checks(Driver& d) {
   const test::TemporaryFolder folder;
-  auto cage = mesh::read(test::dragon_cage).surface;
-  cage.triangles.pop_back();
-  mesh::write(folder / "open.ply", mesh::from_triangles(cage.positions, cage.triangles));
-  REQUIRE(d.open({test::dragon, folder / "open.ply"}));
+  REQUIRE(d.open({test::dragon, test::open_cage(folder.path())}));
   d.settle();
   d.click("section/Model");
   d.click("section/Cage");
