@@ -45,10 +45,7 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
     add_choice(app, "--blend", deform::all_blends(), choice.blend, "What of the maps is summed");
   auto* option = app.add_option_function<std::string>(
       "--coordinates",
-      [&choice](const std::string& word) {
-        const deform::Combination& c = *deform::combination_of_shorthand(word);
-        choice = {c.elements, c.weights, c.blend};
-      },
+      [&choice](const std::string& word) { choice = choices(*deform::scheme_of_shorthand(word)); },
       "Short for elements, weights and blend: face (affine maps blended in log space) or mvc (mean value "
       "coordinates)");
   one_of(option, {"face", "mvc"})->default_str("face");

@@ -15,10 +15,10 @@ bool LiveModel::follow(scene::Workspace& workspace) {
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
   if (new_surfaces) follow_surfaces(workspace);
   if (new_surfaces || new_weights) follow_weights(document);
-  // Another blend sums other rows over the same weights.
+  // Other elements or another blend sum other rows over the same weights.
   if (deformer_ && deformer_->scheme() != document.scheme &&
       deformer_->scheme().weighting == document.scheme.weighting)
-    make_deformer(document.scheme.blend);
+    make_deformer(document.scheme);
   // The staged engine's weights are made when a method asks for them; until then method `fast` serves.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(workspace, false);
@@ -64,11 +64,11 @@ void LiveModel::install(scene::Workspace& workspace, Bound bound) {
   if (!bound.problem.empty()) workspace.messages.error(bound.problem);
   files_.keep_binding(bound);
   bound_ = std::move(bound);
-  make_deformer(workspace.document.scheme.blend);
+  make_deformer(workspace.document.scheme);
 }
 
-void LiveModel::make_deformer(deform::Blend blend) {
-  deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, blend, pool_);
+void LiveModel::make_deformer(const deform::Scheme& scheme) {
+  deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool_);
   derived_.reset();
   unprepared_ = true;
   dragging_ = false;

@@ -155,7 +155,7 @@ private:
   // Not if it does not fit the memory: then there is nothing staged to compare with.
   void bind_staged(const mesh::Surface& model) try {
     binding_ = std::make_shared<const deform::Binding>(deform::bind(model, *cage_, weighting_, all_));
-    staged_ = std::make_unique<deform::Deformer>(cage_, binding_, deform::Blend::srl, one_);
+    staged_ = std::make_unique<deform::Deformer>(cage_, binding_, deform::Scheme{binding_->weighting}, one_);
     staged_->deform(pose_, Method::diag);  // an exponential that shares nothing with ours
     expected_ = staged_->positions();
   } catch (const base::Error& error) {

@@ -142,7 +142,7 @@ void require_same(const Reader& reader, const Header& h, const mesh::Surface& mo
   if (other_model && other_cage) reader.stale("model and cage are not those that it was made for");
   if (other_model) reader.stale("the model is not the one that it was made for");
   if (other_cage) reader.stale("the cage is not the one that it was made for");
-  if (h.elements != number(weighting.elements) || h.weights != number(weighting.weights)) {
+  if (h.elements != number(weighed_as(weighting.elements)) || h.weights != number(weighting.weights)) {
     reader.stale("it is not for elements " + std::string(entry(weighting.elements).name) + " with weights " +
                  std::string(entry(weighting.weights).name));
   }
@@ -197,7 +197,7 @@ std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, const We
                           double tolerance) {
   const Header key{.model = mesh::content_key(model),
                    .cage = mesh::content_key(cage.surface),
-                   .elements = number(weighting.elements),
+                   .elements = number(weighed_as(weighting.elements)),
                    .weights = number(weighting.weights),
                    .reach = weighting.used_reach(),
                    .tolerance = tolerance};
@@ -210,7 +210,7 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
   Header h{.model = mesh::content_key(model),
            .cage = mesh::content_key(cage.surface),
            .order = checksum(b.leaves.order),
-           .elements = number(b.weighting.elements),
+           .elements = number(weighed_as(b.weighting.elements)),
            .weights = number(b.weighting.weights),
            .storage = static_cast<std::uint32_t>(b.storage()),
            .failed = b.failed,

@@ -16,7 +16,7 @@ constexpr std::size_t log_columns = log_shape.columns;
 static_assert(sizeof(MapLog) == log_columns * sizeof(double));
 
 // D and d of RowForm::maps; exactly 0 for a map that does nothing.
-std::array<double, map_shape.columns> displacement(const FaceMap& map, const Vec3& rest_center) {
+std::array<double, map_shape.columns> displacement(const AffineMap& map, const Vec3& rest_center) {
   std::array<double, map_shape.columns> row;
   for (int r = 0; r < 3; ++r) {
     double from_center = 0;
@@ -58,7 +58,7 @@ std::size_t handle_count(const Cage& cage, Elements elements) {
 }
 
 std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements) {
-  return elements == Elements::face ? cage.centers : cage.surface.positions;
+  return entry(elements).handles == Handles::faces ? cage.centers : cage.surface.positions;
 }
 
 CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend)
@@ -69,6 +69,7 @@ CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend 
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});
   if (form_ != RowForm::logs) values_.resize(handles * shape(form_).columns);
   if (form_ != RowForm::positions) maps_.resize(handles);
+  if (elements == Elements::patch) patches_ = make_patches(*cage_);
   if (form_ != RowForm::logs) return;
   splits_.resize(handles);
   logs_.resize(handles);
@@ -85,11 +86,19 @@ void CageState::begin_drag(std::span<const std::uint32_t> vertices) {
   moving_.clear();
   ++resting_revision_;
   for (const auto h : all_) {
-    const auto& t = cage_->surface.triangles;
-    const bool moved =
-        elements_ == Elements::point ? moves[h] : moves[t[h][0]] || moves[t[h][1]] || moves[t[h][2]];
-    if (moved) moving_.push_back(h);
+    if (moves_with(h, moves)) moving_.push_back(h);
   }
+}
+
+bool CageState::moves_with(std::uint32_t handle, const std::vector<bool>& vertices) const {
+  switch (elements_) {
+    case Elements::point: return vertices[handle];
+    case Elements::face:
+      return std::ranges::any_of(cage_->surface.triangles[handle], [&](auto v) { return vertices[v]; });
+    case Elements::patch:
+      return std::ranges::any_of(patches_.of(handle), [&](const auto& p) { return vertices[p.vertex]; });
+  }
+  return false;
 }
 
 void CageState::end_drag() {
@@ -104,7 +113,11 @@ void CageState::set_pose(const Pose& pose) {
   if (!few) origin_ = pose_origin(*cage_, pose.positions);
   const std::span<const std::uint32_t> moved = few ? moving_ : all_;
   if (form_ != RowForm::positions) {
-    face_maps(*cage_, pose.positions, origin_, moved, maps_);
+    if (elements_ == Elements::patch) {
+      patch_maps(*cage_, patches_, pose.positions, origin_, moved, maps_);
+    } else {
+      face_maps(*cage_, pose.positions, origin_, moved, maps_);
+    }
     times_[Link::face_maps] = watch.lap_ms();
   }
   if (form_ == RowForm::logs) {

@@ -11,6 +11,7 @@
 #include "deform/links.h"
 #include "deform/log_maps.h"
 #include "deform/map_split.h"
+#include "deform/patch_maps.h"
 #include "deform/rows.h"
 #include "deform/scheme.h"
 
@@ -67,6 +68,7 @@ public:
   const LinkTimes& times() const { return times_; }
 
 private:
+  bool moves_with(std::uint32_t handle, const std::vector<bool>& vertices) const;
   void write_values(const Pose& pose, std::span<const std::uint32_t> handles);
   bool others_stayed() const;
 
@@ -76,7 +78,8 @@ private:
   std::vector<std::uint32_t> all_, moving_;
   Vec3 origin_{0, 0, 0};
   bool posed_ = false;
-  std::vector<FaceMap> maps_;
+  Patches patches_;  // if these are the elements
+  std::vector<AffineMap> maps_;
   std::vector<MapSplit> splits_;
   std::vector<MapLog> logs_, logs_before_;
   std::vector<double> values_;  // of maps and positions

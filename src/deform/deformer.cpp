@@ -7,11 +7,11 @@
 
 namespace viete::deform {
 
-Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, Blend blend,
-                   base::WorkerPool& pool)
+Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding,
+                   const Scheme& scheme, base::WorkerPool& pool)
     : binding_(std::move(binding)),
-      blend_(blend),
-      state_(cage, binding_->weighting.elements, blend),
+      scheme_(scheme),
+      state_(cage, scheme.weighting.elements, scheme.blend),
       weigher_(state_.cage(), binding_->weighting) {
   const RowForm form = state_.rows().form;
   if (binding_->tiles) fused_ = std::make_unique<FusedEngine>(binding_->tiles, form, pool);
@@ -19,7 +19,7 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
 }
 
 std::optional<EngineKind> Deformer::engine(sym3::Method method) const {
-  if (fused_ && (!scheme().exponential() || method == sym3::Method::fast)) return EngineKind::fused;
+  if (fused_ && (!scheme_.exponential() || method == sym3::Method::fast)) return EngineKind::fused;
   if (staged_) return EngineKind::staged;
   return std::nullopt;
 }

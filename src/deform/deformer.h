@@ -20,11 +20,11 @@ namespace viete::deform {
 /// so that a new binding can be made elsewhere while this one is in use. Not thread-safe.
 class Deformer {
 public:
-  /// cage and binding must not be null and belong together.
-  Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, Blend blend,
+  /// cage and binding must not be null and belong together, the binding's weights being those of the scheme.
+  Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, const Scheme& scheme,
            base::WorkerPool& pool);
 
-  Scheme scheme() const { return {binding_->weighting, blend_}; }
+  const Scheme& scheme() const { return scheme_; }
   const Binding& binding() const { return *binding_; }
   /// The engine that runs the method; nothing if the binding is not for it.
   std::optional<EngineKind> engine(sym3::Method method) const;
@@ -58,7 +58,7 @@ private:
   const Engine& last() const;
 
   std::shared_ptr<const Binding> binding_;
-  Blend blend_;
+  Scheme scheme_;
   CageState state_;
   Weigher weigher_;
   std::unique_ptr<FusedEngine> fused_;

@@ -102,6 +102,10 @@ RestFrame rest_frame(std::span<const mesh::Point> positions, const mesh::Triangl
           (s / (a2 / std::sqrt(std::sqrt(a2)))) * area};
 }
 
+Vec3 posed_normal(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions) {
+  return frame(positions, cage.surface.triangles[element], cage.frames[element].corner).n;
+}
+
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
                     const Vec3& origin) {
   const auto& [a, b, c] = cage.surface.triangles[element];
@@ -109,7 +113,7 @@ Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh:
 }
 
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
-               std::span<const std::uint32_t> elements, std::span<FaceMap> maps) {
+               std::span<const std::uint32_t> elements, std::span<AffineMap> maps) {
   for (const auto e : elements) {
     const auto& t = cage.surface.triangles[e];
     maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, element_center(cage, e, posed, origin)};

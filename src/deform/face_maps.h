@@ -1,18 +1,12 @@
-// Link 1 of the frame: the affine map of each cage element, rest to posed.
+// Link 1 of the frame, of faces: the affine map of each cage triangle, rest to posed.
 #pragma once
 
 #include <span>
 
+#include "deform/affine_map.h"
 #include "deform/cage.h"
-#include "sym3/rotation.h"
 
 namespace viete::deform {
-
-/// x' = linear (x - c) + center + origin, c the rest centroid. Entries of linear by rows.
-struct FaceMap {
-  sym3::Mat3<double> linear;
-  Vec3 center;  ///< posed centroid minus the pose's origin
-};
 
 /// The middle of a bounding box: of a rest cage, where poses have their origin too while they stay near.
 Vec3 middle(std::span<const mesh::Point> positions);
@@ -22,6 +16,9 @@ Vec3 middle(std::span<const mesh::Point> positions);
 /// about half the cage. A pose that is edited keeps its origin, but for large steps, and so what the edit
 /// does not reach keeps its bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
+
+/// n of an element at these positions, see RestFrame; 0 without area.
+Vec3 posed_normal(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions);
 
 /// Of a triangle of these positions.
 RestFrame rest_frame(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
@@ -35,6 +32,6 @@ Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh:
 /// gives a matrix of rank 2 or less. Of these elements alone; the others' maps stay as they are. maps.size()
 /// == cage.element_count(), posed.size() == cage.surface.positions.size().
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
-               std::span<const std::uint32_t> elements, std::span<FaceMap> maps);
+               std::span<const std::uint32_t> elements, std::span<AffineMap> maps);
 
 }  // namespace viete::deform

@@ -9,7 +9,6 @@ namespace viete::deform {
 
 namespace {
 
-
 float* row(const LeafRows& leaf, std::size_t slot) {
   return leaf.rows + slot / lanes * lanes * leaf.columns + slot % lanes;
 }

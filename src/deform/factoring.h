@@ -10,8 +10,8 @@
 namespace viete::deform {
 
 struct Factors {
-  std::vector<std::size_t> pivots;  ///< slots of the leaf; empty if there is no point in it
-  base::AlignedVector<float> factors;     ///< [tile][pivot][lane]: row = sum of factor times the pivot's row
+  std::vector<std::size_t> pivots;     ///< slots of the leaf; empty if there is no point in it
+  base::AlignedVector<float> factors;  ///< [tile][pivot][lane]: row = sum of factor times the pivot's row
 };
 
 /// Row interpolative decomposition with pivoting: takes out the largest row of what is left until none is

@@ -37,7 +37,7 @@ bool finite(const sym3::Mat3<double>& m) {
 
 // A map that mirrors, collapses or is not finite, by its singular values, which are raised to the floor. True
 // if one was below.
-bool split_collapsed(const FaceMap& map, double mean, MapSplit& split) {
+bool split_collapsed(const AffineMap& map, double mean, MapSplit& split) {
   const bool usable = finite(map.linear);
   Polar p =
       usable ? polar(map.linear) : Polar{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 1, 1}};
@@ -56,7 +56,7 @@ bool torn(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b, const Vec3& 
 
 }  // namespace
 
-void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const MapSplit> splits,
+void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report) {
   report = {};
   const double mean = mean_stretch(cage, splits);

@@ -38,7 +38,7 @@ struct LogReport {
 ///
 /// The log itself has a limit: rotations near a whole turn other than 0 (|Y| about 360 degrees) have nearly
 /// arbitrary axes, so elements there that do not turn rigidly together blend badly; `torn` says so.
-void log_maps(const Cage& cage, std::span<const FaceMap> maps, std::span<const MapSplit> splits,
+void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 
 }  // namespace viete::deform

@@ -37,7 +37,7 @@ void stretches(const Planes<9>& r, const Planes<9>& m, std::size_t count, Planes
   }
 }
 
-void split_portion(std::span<const FaceMap> maps, std::span<const std::uint32_t> elements,
+void split_portion(std::span<const AffineMap> maps, std::span<const std::uint32_t> elements,
                    std::span<MapSplit> splits) {
   const std::size_t count = elements.size();
   Planes<9> m, r;
@@ -61,7 +61,7 @@ void split_portion(std::span<const FaceMap> maps, std::span<const std::uint32_t>
 
 }  // namespace
 
-void split_maps(std::span<const FaceMap> maps, std::span<const std::uint32_t> elements,
+void split_maps(std::span<const AffineMap> maps, std::span<const std::uint32_t> elements,
                 std::span<MapSplit> splits) {
   for (std::size_t n = 0; n < elements.size(); n += portion) {
     split_portion(maps, elements.subspan(n, std::min(portion, elements.size() - n)), splits);

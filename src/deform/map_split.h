@@ -19,7 +19,7 @@ struct MapSplit {
 
 /// Of these elements' maps, in double vector code; splits of the others stay as they are. Each depends on its
 /// own map alone, to the last bit. Error of rotation and stretch: sym3/polar.h, sym3/log.h.
-void split_maps(std::span<const FaceMap> maps, std::span<const std::uint32_t> elements,
+void split_maps(std::span<const AffineMap> maps, std::span<const std::uint32_t> elements,
                 std::span<MapSplit> splits);
 
 }  // namespace viete::deform

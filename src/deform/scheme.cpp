@@ -11,36 +11,51 @@ namespace viete::deform {
 namespace {
 
 constexpr std::array elements_table = {
-    ElementsEntry{Elements::face, "face", "an affine map per cage triangle, of its edges and its normal",
-                  "faces", true},
-    ElementsEntry{Elements::point, "point", "a translation per cage vertex", "vertices", false},
+    ElementsEntry{{"face", "Faces", "an affine map per cage triangle, of its edges and its normal"},
+                  Elements::face,
+                  Handles::faces,
+                  true,
+                  "similarities"},
+    ElementsEntry{{"patch", "Patches", "an affine map per cage triangle, fitted to it and its neighbours"},
+                  Elements::patch,
+                  Handles::faces,
+                  true,
+                  "affine poses"},
+    ElementsEntry{{"point", "Points", "a translation per cage vertex"},
+                  Elements::point,
+                  Handles::vertices,
+                  false,
+                  "translations"},
 };
 
 constexpr std::array weights_table = {
-    WeightsEntry{Weights::inverse, "inverse", "1/d^2, d the distance to the element, as far as it reaches",
-                 "constants", true},
-    WeightsEntry{Weights::mean_value, "mean-value", "mean value coordinates of the cage's vertices",
-                 "linear functions, in closed cages", false},
+    WeightsEntry{
+        {"inverse", "Inverse distance", "1/d^2, d the distance to the element, as far as it reaches"},
+        Weights::inverse,
+        "constants",
+        true},
+    WeightsEntry{{"mean-value", "Mean value", "mean value coordinates of the cage's vertices"},
+                 Weights::mean_value,
+                 "linear functions, in closed cages",
+                 false},
 };
 
 constexpr std::array blend_table = {
-    BlendEntry{Blend::srl, "srl", "logs of stretches and of rotations, about the blended centre",
-               "similarities, also after whole turns", 12, true},
-    BlendEntry{Blend::linear, "linear", "the maps themselves are averaged", "similarities", 12, false},
+    BlendEntry{{"srl", "Log space", "logs of stretches and of rotations, about the blended centre"},
+               Blend::srl,
+               true},
+    BlendEntry{{"linear", "Linear", "the maps themselves are averaged"}, Blend::linear, false},
 };
 
-constexpr std::array combination_table = {
-    Combination{
-        Elements::face, Weights::inverse, Blend::srl, "face", "scheme_log", "Faces, log space",
-        "Each cage triangle carries an affine map; rotations and stretches are blended as logarithms with "
-        "weights 1/d^2, so that any number of turns is followed."},
-    Combination{
-        Elements::face, Weights::inverse, Blend::linear, "", "scheme_linear", "Faces, linear",
-        "The same maps and weights, but the maps themselves are averaged, without an exponential: between "
-        "parts that are turned against each other the model caves in."},
-    Combination{Elements::point, Weights::mean_value, Blend::linear, "mvc", "scheme_mvc", "Mean value",
-                "Positions of cage vertices are blended with mean value coordinates. Smooth, linear, no "
-                "exponential."},
+struct Shorthand {
+  std::string_view word;
+  Elements elements;
+  Weights weights;
+  Blend blend;
+};
+constexpr std::array shorthand_table = {
+    Shorthand{"face", Elements::face, Weights::inverse, Blend::srl},
+    Shorthand{"mvc", Elements::point, Weights::mean_value, Blend::linear},
 };
 
 template <class Table, class Value>
@@ -48,12 +63,76 @@ const auto& find(const Table& table, Value value) {
   return *std::find_if(table.begin(), table.end(), [&](const auto& e) { return e.value == value; });
 }
 
-std::string words(const Combination& c) {
-  return "--elements " + std::string(entry(c.elements).name) + " --weights " +
-         std::string(entry(c.weights).name) + " --blend " + std::string(entry(c.blend).name);
+// What does not go together, and why.
+struct Rule {
+  bool (*breaks)(const ElementsEntry&, const WeightsEntry&, const BlendEntry&);
+  std::string_view reason;
+};
+constexpr std::array rules = {
+    Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
+           return w.value == Weights::mean_value && e.handles != Handles::vertices;
+         },
+         "mean values belong to vertices of the cage, and these elements are its faces"},
+    Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
+           return w.value == Weights::inverse && !e.affine;
+         },
+         "translations need weights that reproduce linear functions, as mean values do"},
+    Rule{[](const ElementsEntry& e, const WeightsEntry&, const BlendEntry& b) {
+           return !e.affine && b.value != Blend::linear;
+         },
+         "translations have no logarithms, and are blended linearly"},
+};
+
+bool breaks(const Rule& rule, const Scheme& s) {
+  return rule.breaks(entry(s.weighting.elements), entry(s.weighting.weights), entry(s.blend));
+}
+
+// Whether they go together or not, in the order of the tables.
+std::vector<Scheme> every_scheme() {
+  std::vector<Scheme> all;
+  for (const ElementsEntry& e : elements_table) {
+    for (const WeightsEntry& w : weights_table) {
+      for (const BlendEntry& b : blend_table) all.push_back({{e.value, w.value}, b.value});
+    }
+  }
+  return all;
+}
+
+std::vector<Scheme> sensible_schemes() {
+  std::vector<Scheme> all;
+  for (const Shorthand& s : shorthand_table) all.push_back({{s.elements, s.weights}, s.blend});
+  for (const Scheme& s : every_scheme()) {
+    if (shorthand(s).empty() && !conflict(s)) all.push_back(s);
+  }
+  return all;
+}
+
+bool fits(const PartialChoice& choice, const Scheme& s) {
+  return choice.elements.value_or(s.weighting.elements) == s.weighting.elements &&
+         choice.weights.value_or(s.weighting.weights) == s.weighting.weights &&
+         choice.blend.value_or(s.blend) == s.blend;
+}
+
+int in_common(const Scheme& a, const Scheme& b) {
+  return (a.weighting.elements == b.weighting.elements) + (a.weighting.weights == b.weighting.weights) +
+         (a.blend == b.blend);
+}
+
+// Why no scheme has all that is chosen: the rule that is broken whatever the rest is.
+std::string_view reason(const PartialChoice& choice) {
+  for (const Rule& rule : rules) {
+    const bool always = std::ranges::all_of(
+        every_scheme(), [&](const Scheme& s) { return !fits(choice, s) || breaks(rule, s); });
+    if (always) return rule.reason;
+  }
+  return "each choice contradicts another one";
 }
 
 }  // namespace
+
+std::string_view name(Handles handles) {
+  return handles == Handles::faces ? "faces" : "vertices";
+}
 
 std::span<const ElementsEntry> all_elements() {
   return elements_table;
@@ -67,6 +146,12 @@ std::span<const BlendEntry> all_blends() {
 const ElementsEntry& entry(Elements elements) {
   return find(elements_table, elements);
 }
+Elements weighed_as(Elements elements) {
+  const ElementsEntry& e = entry(elements);
+  return std::ranges::find_if(elements_table,
+                              [&](const auto& o) { return o.handles == e.handles && o.affine == e.affine; })
+      ->value;
+}
 const WeightsEntry& entry(Weights weights) {
   return find(weights_table, weights);
 }
@@ -74,39 +159,54 @@ const BlendEntry& entry(Blend blend) {
   return find(blend_table, blend);
 }
 
-std::span<const Combination> combinations() {
-  return combination_table;
-}
-
-const Combination& combination_of(const Scheme& scheme) {
-  return *std::find(combination_table.begin(), combination_table.end(), scheme);
-}
-
-const Combination* combination_of_shorthand(std::string_view word) {
-  const auto found = std::find_if(combination_table.begin(), combination_table.end(),
-                                  [&](const auto& c) { return !c.shorthand.empty() && c.shorthand == word; });
-  return found == combination_table.end() ? nullptr : &*found;
-}
-
-Scheme with(const Scheme& scheme, const Combination& c) {
-  return {{c.elements, c.weights, scheme.weighting.reach}, c.blend};
-}
-
-const Combination& complete(const PartialChoice& choice, const Scheme& preferred) {
-  const Combination* best = nullptr;
-  int most = -1;
-  for (const Combination& c : combination_table) {
-    if (c.elements != choice.elements.value_or(c.elements) ||
-        c.weights != choice.weights.value_or(c.weights) || c.blend != choice.blend.value_or(c.blend))
-      continue;
-    const int kept = (c.elements == preferred.weighting.elements) +
-                     (c.weights == preferred.weighting.weights) + (c.blend == preferred.blend);
-    if (kept > most) best = &c, most = kept;
+std::optional<std::string_view> conflict(const Scheme& scheme) {
+  for (const Rule& rule : rules) {
+    if (breaks(rule, scheme)) return rule.reason;
   }
-  if (best) return *best;
-  std::string all;
-  for (const Combination& c : combination_table) all += (all.empty() ? "" : "; ") + words(c);
-  throw base::Error("", "these elements, weights and blend do not go together", "choose one of: " + all);
+  return std::nullopt;
+}
+
+const std::vector<Scheme>& all_schemes() {
+  static const std::vector<Scheme> all = sensible_schemes();
+  return all;
+}
+
+std::string_view shorthand(const Scheme& s) {
+  for (const Shorthand& entry : shorthand_table) {
+    if (in_common(s, {{entry.elements, entry.weights}, entry.blend}) == 3) return entry.word;
+  }
+  return {};
+}
+
+std::optional<Scheme> scheme_of_shorthand(std::string_view word) {
+  for (const Shorthand& s : shorthand_table) {
+    if (s.word == word) return Scheme{{s.elements, s.weights}, s.blend};
+  }
+  return std::nullopt;
+}
+
+PartialChoice choices(const Scheme& s) {
+  return {s.weighting.elements, s.weighting.weights, s.blend};
+}
+
+Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
+  const Scheme* best = nullptr;
+  for (const Scheme& s : all_schemes()) {
+    if (fits(choice, s) && (!best || in_common(s, preferred) > in_common(*best, preferred))) best = &s;
+  }
+  if (!best) {
+    throw base::Error("",
+                      "these elements, weights and blend do not go together: " + std::string(reason(choice)),
+                      "leave one of them out, and it is chosen to fit");
+  }
+  Scheme scheme = *best;
+  scheme.weighting.reach = preferred.weighting.reach;
+  return scheme;
+}
+
+std::string text(const Scheme& s) {
+  return std::string(entry(s.weighting.elements).name) + ", " + std::string(entry(s.weighting.weights).name) +
+         ", " + std::string(entry(s.blend).name);
 }
 
 std::string text_of_reach(double reach) {

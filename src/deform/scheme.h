@@ -1,5 +1,6 @@
 // How a cage moves a model, as three choices that combine: elements, weights, blend. What there is of each
-// stands in one table, from which command line, sessions, panels and tests take names and sentences.
+// stands in one table, from which command line, sessions, panels and tests take names and sentences; what
+// does not go together is said by conflict().
 #pragma once
 
 #include <limits>
@@ -7,11 +8,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace viete::deform {
 
+// Saved bindings hold numbers of these: new ones come last.
+
 /// Which map each handle of the cage carries, and what the handles are.
-enum class Elements { face, point };
+enum class Elements { face, point, patch };
 
 /// How much of each handle a vertex takes.
 enum class Weights { inverse, mean_value };
@@ -19,31 +23,37 @@ enum class Weights { inverse, mean_value };
 /// What of the maps is summed, and how the sums become a position.
 enum class Blend { srl, linear };
 
+/// What of the cage handles are.
+enum class Handles { faces, vertices };
+std::string_view name(Handles handles);
+
 /// Who forms the sums: the links of the chain one by one, in double, or in one pass over the weights, in
 /// float. Chosen by the program, see Deformer.
 enum class EngineKind { staged, fused };
 
-struct ElementsEntry {
-  Elements value;
+/// What every table says of a choice.
+struct ChoiceEntry {
   std::string_view name;      ///< the word of command line and sessions
+  std::string_view label;     ///< in the window: "Faces"
   std::string_view sentence;  ///< what it is
-  std::string_view handles;   ///< what a person calls them: "faces"
-  bool affine;                ///< maps turn and stretch; else they only move, and all blends are the same
 };
 
-struct WeightsEntry {
+struct ElementsEntry : ChoiceEntry {
+  Elements value;
+  Handles handles;
+  bool affine;                  ///< maps turn and stretch; else they only move, and all blends are the same
+  std::string_view reproduces;  ///< which poses of the whole cage each map follows exactly
+};
+
+struct WeightsEntry : ChoiceEntry {
   Weights value;
-  std::string_view name, sentence;
   std::string_view reproduces;  ///< which functions of space sums of weights give back exactly
   bool has_reach;               ///< the reach of a Weighting counts
 };
 
-struct BlendEntry {
+struct BlendEntry : ChoiceEntry {
   Blend value;
-  std::string_view name, sentence;
-  std::string_view reproduces;  ///< which poses of the whole cage the model follows exactly
-  std::size_t columns;          ///< numbers that are summed of an affine map
-  bool exponential;             ///< a symmetric exponential a vertex and frame; else methods are all the same
+  bool exponential;  ///< a symmetric exponential a vertex and frame; else methods are all the same
 };
 
 std::span<const ElementsEntry> all_elements();
@@ -52,6 +62,9 @@ std::span<const BlendEntry> all_blends();
 const ElementsEntry& entry(Elements elements);
 const WeightsEntry& entry(Weights weights);
 const BlendEntry& entry(Blend blend);
+
+/// The first elements that have the same handles and weights: of patches, faces.
+Elements weighed_as(Elements elements);
 
 /// The value of that name in a table.
 template <class Entry>
@@ -79,9 +92,10 @@ struct Weighting {
 
   double used_reach() const { return entry(weights).has_reach ? reach : whole_cage; }
   bool local() const { return used_reach() < whole_cage; }
-  /// True if both give the same weights.
+  /// True if both give the same weights, whatever maps they are for.
   friend bool operator==(const Weighting& a, const Weighting& b) {
-    return a.elements == b.elements && a.weights == b.weights && a.used_reach() == b.used_reach();
+    return weighed_as(a.elements) == weighed_as(b.elements) && a.weights == b.weights &&
+           a.used_reach() == b.used_reach();
   }
 };
 
@@ -91,30 +105,21 @@ struct Scheme {
 
   /// A frame takes an exponential a vertex.
   bool exponential() const { return entry(weighting.elements).affine && entry(blend).exponential; }
-  friend bool operator==(const Scheme&, const Scheme&) = default;
-};
-
-/// A combination that makes sense.
-struct Combination {
-  Elements elements;
-  Weights weights;
-  Blend blend;
-  std::string_view shorthand;  ///< the word of --coordinates; empty: it has none
-  std::string_view name;       ///< stable, for commands, scripts and tests: "scheme_face"
-  std::string_view label;      ///< on buttons: "Faces, log space"
-  std::string_view sentence;   ///< what it does
-
-  friend bool operator==(const Scheme& s, const Combination& c) {
-    return s.weighting.elements == c.elements && s.weighting.weights == c.weights && s.blend == c.blend;
+  friend bool operator==(const Scheme& a, const Scheme& b) {
+    return a.weighting.elements == b.weighting.elements && a.weighting == b.weighting && a.blend == b.blend;
   }
 };
-std::span<const Combination> combinations();
-/// The row of the table that the scheme is.
-const Combination& combination_of(const Scheme& scheme);
-const Combination* combination_of_shorthand(std::string_view word);
 
-/// The scheme with other elements, weights and blend.
-Scheme with(const Scheme& scheme, const Combination& combination);
+/// Why these do not go together, as a sentence; nothing if they do.
+std::optional<std::string_view> conflict(const Scheme& scheme);
+
+/// All that go together, those with a shorthand first; reach as in a default Weighting.
+const std::vector<Scheme>& all_schemes();
+
+/// The word of --coordinates that stands for elements, weights and blend of a scheme; empty: none does.
+std::string_view shorthand(const Scheme& scheme);
+/// The scheme of the word; nothing if it is none.
+std::optional<Scheme> scheme_of_shorthand(std::string_view word);
 
 /// Choices that are made, and those that are left open.
 struct PartialChoice {
@@ -122,9 +127,21 @@ struct PartialChoice {
   std::optional<Weights> weights{};
   std::optional<Blend> blend{};
 };
-/// The combination that has all that is chosen, and otherwise most of `preferred`. Throws base::Error if
-/// there is none, naming those that there are.
-const Combination& complete(const PartialChoice& choice, const Scheme& preferred = {});
+PartialChoice choices(const Scheme& scheme);
+inline PartialChoice only(Elements elements) {
+  return {.elements = elements};
+}
+inline PartialChoice only(Weights weights) {
+  return {.weights = weights};
+}
+inline PartialChoice only(Blend blend) {
+  return {.blend = blend};
+}
+/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, and its reach.
+/// Throws base::Error if there is none, saying why.
+Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
+/// "face, inverse, srl": as the command line names them.
+std::string text(const Scheme& scheme);
 
 /// "3" or "all", as the command line has it.
 std::string text_of_reach(double reach);

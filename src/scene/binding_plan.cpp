@@ -16,7 +16,8 @@ BindingPlan binding_plan(const Document& document, deform::Elements elements) {
 
 std::string text(const BindingPlan& plan) {
   return "Binding " + base::with_thousands(plan.vertices) + " vertices to " +
-         base::with_thousands(plan.handles) + ' ' + std::string(deform::entry(plan.elements).handles) + ", " +
+         base::with_thousands(plan.handles) + ' ' +
+         std::string(deform::name(deform::entry(plan.elements).handles)) + ", " +
          base::memory_size(static_cast<double>(plan.bytes));
 }
 

@@ -1,5 +1,6 @@
 #include "scene/commands.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <vector>
@@ -13,8 +14,9 @@ namespace viete::scene {
 namespace {
 
 constexpr Condition always{[](const Workspace&) { return true; }, ""};
-constexpr Condition uses_method{[](const Workspace& w) { return w.document.scheme.exponential(); },
-                                "This way of blending takes no exponential; choose Faces, log space first."};
+constexpr Condition uses_method{
+    [](const Workspace& w) { return w.document.scheme.exponential(); },
+    "This way of blending takes no exponential; choose the blend Log space first."};
 constexpr Condition has_reach{
     [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has_reach; },
     "Mean value coordinates have no reach: every vertex of the cage moves all of the model."};
@@ -68,12 +70,19 @@ Command method_command(std::string_view name, char digit) {
           {},   uses_method, use_method<Method>};
 }
 
-// One for each way of blending that there is.
-template <std::size_t Row>
-Command scheme_command() {
-  const deform::Combination& c = deform::combinations()[Row];
-  return {c.name, c.label, c.sentence, "Blend", {}, {}, always, [](Workspace& w) {
-            set_scheme(w.document, deform::with(w.document.scheme, deform::combinations()[Row]));
+std::string command_name(const char* choice, const deform::ChoiceEntry& entry) {
+  std::string name = choice + std::string(entry.name);
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+// Of a way to blend this part is chosen; the rest stays as far as it goes together with it.
+template <auto Value>
+Command choice_command() {
+  static const std::string name = choice_command_name(Value);
+  const auto& entry = deform::entry(Value);
+  return {name, entry.label, entry.sentence, "Blend", {}, {}, always, [](Workspace& w) {
+            set_scheme(w.document, deform::complete(deform::only(Value), w.document.scheme));
           }};
 }
 
@@ -128,6 +137,9 @@ void use_tool(Workspace& w) {
 
 const std::vector<Command>& table() {
   using M = sym3::Method;
+  using E = deform::Elements;
+  using W = deform::Weights;
+  using B = deform::Blend;
   using V = StandardView;
   // clang-format off
   static const std::vector<Command> all = {
@@ -201,7 +213,9 @@ const std::vector<Command>& table() {
       method_command<M::diag>("method_diag", '1'), method_command<M::sd>("method_sd", '2'),
       method_command<M::improved_sd>("method_improved_sd", '3'), method_command<M::fast>("method_fast", '4'),
 
-      scheme_command<0>(), scheme_command<1>(), scheme_command<2>(),
+      choice_command<E::face>(), choice_command<E::patch>(), choice_command<E::point>(),
+      choice_command<W::inverse>(), choice_command<W::mean_value>(),
+      choice_command<B::srl>(), choice_command<B::linear>(),
       {"reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", "Blend", {key('K')}, {}, has_reach,
        [](Workspace& w) { step_reach(w.document, -1); }},
       {"reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.", "Blend", {key('K'), false, true}, {},
@@ -283,6 +297,16 @@ std::string text(const Shortcut& shortcut) {
 
 std::span<const Command> commands() {
   return table();
+}
+
+std::string choice_command_name(deform::Elements elements) {
+  return command_name("elements_", deform::entry(elements));
+}
+std::string choice_command_name(deform::Weights weights) {
+  return command_name("weights_", deform::entry(weights));
+}
+std::string choice_command_name(deform::Blend blend) {
+  return command_name("blend_", deform::entry(blend));
 }
 
 const Command* find_command(std::string_view name) {

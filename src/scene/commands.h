@@ -65,6 +65,11 @@ struct Command {
 /// In the order of the help.
 std::span<const Command> commands();
 
+/// "elements_face", "weights_mean_value": of the command that chooses it.
+std::string choice_command_name(deform::Elements elements);
+std::string choice_command_name(deform::Weights weights);
+std::string choice_command_name(deform::Blend blend);
+
 /// nullptr if there is none of that name.
 const Command* find_command(std::string_view name);
 

@@ -26,7 +26,8 @@ void restore(Document& document, Snapshot&& snapshot) {
 void put_scheme(Document& document, const deform::Scheme& scheme) {
   const deform::Scheme old = std::exchange(document.scheme, scheme);
   if (old.weighting != scheme.weighting) ++document.revisions.weights;
-  if (old.blend != scheme.blend) ++document.revisions.method;
+  if (old.blend != scheme.blend || old.weighting.elements != scheme.weighting.elements)
+    ++document.revisions.method;
 }
 
 bool differs_from_rest(const Document& document) {

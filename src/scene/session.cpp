@@ -256,8 +256,8 @@ Session session_of(const Workspace& w) {
 }
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
-  const deform::Combination& combination = deform::combination_of(session.scheme);
-  const std::uint32_t version = combination.shorthand.empty() ? 2 : 1;
+  const std::string_view shorthand = deform::shorthand(session.scheme);
+  const std::uint32_t version = shorthand.empty() ? 2 : 1;
   ordered_json json = {{"format", format_name}, {"version", version}};
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
@@ -269,10 +269,10 @@ std::string session_text(const Session& session, const fs::path& file, bool port
     if (session.origin_content) json["session_content"] = hexadecimal(*session.origin_content);
   }
   json["method"] = sym3::name(session.method);
-  json["elements"] = deform::entry(combination.elements).name;
-  json["weights"] = deform::entry(combination.weights).name;
-  json["blend"] = deform::entry(combination.blend).name;
-  if (!combination.shorthand.empty()) json["coordinates"] = combination.shorthand;
+  json["elements"] = deform::entry(session.scheme.weighting.elements).name;
+  json["weights"] = deform::entry(session.scheme.weighting.weights).name;
+  json["blend"] = deform::entry(session.scheme.blend).name;
+  if (!shorthand.empty()) json["coordinates"] = shorthand;
   const double reach = session.scheme.weighting.reach;
   if (reach < deform::whole_cage) json["reach"] = reach;
   if (session.camera) json["camera"] = camera_json(*session.camera);
@@ -309,34 +309,34 @@ void read_scheme(const JsonReader& json, Session& s) {
   take_choice("elements", choice.elements, deform::all_elements());
   take_choice("weights", choice.weights, deform::all_weights());
   take_choice("blend", choice.blend, deform::all_blends());
-  const deform::Combination* combination = nullptr;
+  std::optional<deform::Scheme> scheme;
   const char* key = choice.blend      ? "blend"
                     : choice.weights  ? "weights"
                     : choice.elements ? "elements"
                                       : nullptr;
   if (key) {
     take_part(
-        json, key, combination,
+        json, key, scheme,
         [&](const auto& v) {
           try {
-            return &deform::complete(choice);
+            return deform::complete(choice);
           } catch (const base::Error& error) {
             v.fail(error.problem());
           }
         },
         "coordinates count instead, or face", s.warnings);
   }
-  if (!combination) {
+  if (!scheme) {
     take_part(
-        json, "coordinates", combination,
+        json, "coordinates", scheme,
         [](const auto& v) {
-          const auto* found = deform::combination_of_shorthand(v.text());
+          const auto found = deform::scheme_of_shorthand(v.text());
           if (!found) v.fail(mesh::in_quotes(v.text()) + " is not known");
-          return found;
+          return *found;
         },
         "face instead, of face and mvc", s.warnings);
   }
-  if (combination) s.scheme = deform::with(s.scheme, *combination);
+  if (scheme) s.scheme = *scheme;
   take_part(json, "reach", s.scheme.weighting.reach, reach_of, "the whole cage instead", s.warnings);
 }
 

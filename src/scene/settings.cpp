@@ -8,8 +8,7 @@ namespace viete::scene {
 void put_settings(Document& document, const AskedSettings& asked) {
   deform::Scheme scheme = document.scheme;
   const deform::PartialChoice& choice = asked.choice;
-  if (choice.elements || choice.weights || choice.blend)
-    scheme = deform::with(scheme, deform::complete(choice, scheme));
+  if (choice.elements || choice.weights || choice.blend) scheme = deform::complete(choice, scheme);
   if (asked.reach) scheme.weighting.reach = *asked.reach;
   if (asked.reach && !deform::entry(scheme.weighting.weights).has_reach) {
     throw base::Error("--reach",

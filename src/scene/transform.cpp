@@ -56,10 +56,16 @@ struct Motion {
     apply(transform, before.positions, vertices, document.pose.positions);
   }
 
+  // Those of the frame, or else faces: points do not turn.
+  deform::Elements turning_elements() const {
+    const deform::Elements used = document.scheme.weighting.elements;
+    return deform::entry(used).affine ? used : deform::Elements::face;
+  }
+
   // Turns in small steps; the pose's turns go along.
   void follow(double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
-    deform::CageState cage(document.cage, deform::Elements::face, deform::Blend::srl);
+    deform::CageState cage(document.cage, turning_elements(), deform::Blend::srl);
     for (int i = 1; i <= steps; ++i) {
       show(from + (to - from) * i / steps);
       cage.set_pose(document.pose);

@@ -11,18 +11,52 @@ namespace viete::ui {
 
 namespace {
 
-void scheme_button(const Context& ui, const scene::Combination& combination) {
+using scene::entry;
+
+constexpr float label_width = 84;
+
+// What else changes with it, and what it takes.
+std::string consequences(const scene::Workspace& w, const scene::Scheme& next) {
+  const scene::Scheme& now = w.document.scheme;
+  std::string text;
+  const auto say = [&](const char* what, std::string_view before, std::string_view after) {
+    if (before != after) text += (text.empty() ? "" : "\n") + std::string(what) + ": " + std::string(after);
+  };
+  say("Elements", entry(now.weighting.elements).label, entry(next.weighting.elements).label);
+  say("Weights", entry(now.weighting.weights).label, entry(next.weighting.weights).label);
+  say("Blend", entry(now.blend).label, entry(next.blend).label);
+  if (w.document.has_cage() && now.weighting != next.weighting)
+    text += "\n" + scene::text(scene::binding_plan(w.document, next.weighting.elements)) + " of memory.";
+  return text;
+}
+
+// A line of a chooser's list: its name, and what it is in quiet words below.
+template <class Entry>
+void choice(const Context& ui, const Entry& choice, bool chosen) {
   scene::Workspace& w = ui.workspace;
-  const scene::Command& command = *scene::find_command(combination.name);
-  const bool chosen = w.document.scheme == combination;
-  if (ImGui::RadioButton(command.label.data(), chosen)) command.run(w);
+  const scene::Command& command = *scene::find_command(scene::choice_command_name(choice.value));
+  if (ImGui::Selectable(command.label.data(), chosen)) command.run(w);
   record(ui, command.name.data());
   std::string tip(command.hint);
-  const bool bound = combination.elements == w.document.scheme.weighting.elements &&
-                     combination.weights == w.document.scheme.weighting.weights;
-  if (w.document.has_cage() && !bound)
-    tip += "\n\n" + scene::text(scene::binding_plan(w.document, combination.elements)) + " of memory.";
+  const std::string more = consequences(w, scene::complete(scene::only(choice.value), w.document.scheme));
+  if (!chosen) tip += "\n\n" + more;
   hint(tip);
+}
+
+// One of a table: closed it shows what is chosen.
+template <class Entry, class Value>
+void chooser(const Context& ui, const char* name, const char* label, std::span<const Entry> table,
+             Value chosen) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(label_width);
+  ImGui::SetNextItemWidth(-1);
+  const std::string id = std::string("##") + name;
+  const bool open = ImGui::BeginCombo(id.c_str(), entry(chosen).label.data());
+  record(ui, name);
+  if (!open) return hint(std::string(entry(chosen).sentence));
+  for (const Entry& e : table) choice(ui, e, e.value == chosen);
+  ImGui::EndCombo();
 }
 
 void reach_slider(const Context& ui) {
@@ -34,7 +68,7 @@ void reach_slider(const Context& ui) {
   ImGui::BeginDisabled(!used);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Reach");
-  ImGui::SameLine();
+  ImGui::SameLine(label_width);
   constexpr float value_width = 84;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(-value_width);
@@ -61,11 +95,10 @@ void reach_slider(const Context& ui) {
 }  // namespace
 
 void blending(const Context& ui) {
-  std::size_t place = 0;
-  for (const scene::Combination& combination : scene::combinations()) {
-    if (place++ % 2 == 1) ImGui::SameLine(0.55f * column_width);
-    scheme_button(ui, combination);
-  }
+  const scene::Scheme& scheme = ui.workspace.document.scheme;
+  chooser(ui, "elements", "Elements", scene::all_elements(), scheme.weighting.elements);
+  chooser(ui, "weights", "Weights", scene::all_weights(), scheme.weighting.weights);
+  chooser(ui, "blend", "Blend", scene::all_blends(), scheme.blend);
   reach_slider(ui);
 }
 

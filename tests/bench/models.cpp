@@ -69,7 +69,7 @@ TEST_CASE("reference_frame_is_the_staged_frame_by_other_means") {
   const auto cage = std::make_shared<const deform::Cage>(deform::make_cage(bench::star_cage(model, 50)));
   base::WorkerPool pool(1);
   const auto binding = std::make_shared<const deform::Binding>(deform::bind(model, *cage, {}, pool));
-  deform::Deformer staged(cage, binding, deform::Blend::srl, pool);
+  deform::Deformer staged(cage, binding, deform::Scheme{binding->weighting}, pool);
   bench::ReferenceFrame reference(*cage, *binding);
   const auto pose = bench::moderate_pose(*cage);
   staged.deform(pose, sym3::Method::diag);

@@ -59,7 +59,7 @@ Errors errors(const Case& c, const mesh::Surface& cage, const mesh::Surface& poi
   Bound staged(points, cage, c.weighting, 2, c.blend);
   const auto tiled = std::make_shared<const Binding>(
       bind(points, *staged.cage, c.weighting, EngineKind::fused, nullptr, staged.pool));
-  Deformer fused(staged.cage, tiled, c.blend, staged.pool);
+  Deformer fused(staged.cage, tiled, {c.weighting, c.blend}, staged.pool);
   fused.deform(pose, sym3::Method::fast);
   const IndependentPose same{pose.positions, pose.turns.empty() ? Vec3{0, 0, 0} : pose.turns[0]};
   const auto exact = deform_independently(points.positions, cage, same, c.scheme, c.weighting.used_reach());
@@ -72,7 +72,7 @@ Errors errors(const Case& c, const mesh::Surface& cage, const mesh::Surface& poi
 void compare(const mesh::Surface& cage, const mesh::Surface& points, const Pose& pose) {
   for (const auto& c : cases) {
     const Errors e = errors(c, cage, points, pose);
-    CAPTURE(combination_of({c.weighting, c.blend}).name);
+    CAPTURE(text({c.weighting, c.blend}));
     CHECK(e.staged < c.staged_bound);
     CHECK(e.fused < 1e-6);
   }

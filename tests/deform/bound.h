@@ -20,7 +20,7 @@ struct Bound {
         cage(std::make_shared<const Cage>(make_cage(cage_surface))),
         pool(threads),
         binding(std::make_shared<const Binding>(bind(model, *cage, weighting, pool))),
-        deformer(cage, binding, blend, pool) {}
+        deformer(cage, binding, {weighting, blend}, pool) {}
 
   std::vector<mesh::Point> deform(const Pose& pose, sym3::Method method = sym3::Method::fast) {
     deformer.deform(pose, method);

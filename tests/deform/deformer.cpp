@@ -101,19 +101,16 @@ TEST_CASE("vertices_are_positions_and_normals_as_floats_about_the_origin") {
 }
 
 TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponential") {
-  struct Case {
-    Weighting weighting;
-    Blend blend;
-  };
-  for (const auto& [weighting, blend] :
-       {Case{faces, Blend::srl}, {faces, Blend::linear}, {mean_values, Blend::linear}}) {
+  for (const Scheme& scheme : all_schemes()) {
+    CAPTURE(text(scheme));
+    const auto& [weighting, blend] = scheme;
     Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2), weighting, 2, blend);
     const auto tiled = std::make_shared<const Binding>(
         bind(staged.model, *staged.cage, weighting, EngineKind::fused, nullptr, staged.pool));
     CHECK(tiled->weights.empty());
-    Deformer fused(staged.cage, tiled, blend, staged.pool);
+    Deformer fused(staged.cage, tiled, scheme, staged.pool);
     const bool exponential = fused.scheme().exponential();
-    CHECK(exponential == (weighting == faces && blend == Blend::srl));
+    CHECK(exponential == (blend == Blend::srl));
     CHECK(fused.engine(Method::fast) == EngineKind::fused);
     CHECK(fused.engine(Method::diag).has_value() == !exponential);
     const Pose pose = staged.pose(shear());
@@ -134,7 +131,7 @@ TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponen
     const auto both = std::make_shared<const Binding>(
         bind(staged.model, *staged.cage, weighting, EngineKind::staged, tiled.get(), staged.pool));
     CHECK(both->tiles == tiled->tiles);
-    Deformer any(staged.cage, both, blend, staged.pool);
+    Deformer any(staged.cage, both, scheme, staged.pool);
     any.deform(pose, Method::fast);
     any.deform(pose, Method::diag);
     CHECK(any.ran() == (exponential ? EngineKind::staged : EngineKind::fused));

@@ -9,7 +9,7 @@ using namespace viete::test;
 
 namespace {
 
-Vec3 apply_map(const FaceMap& map, const Vec3& x) {
+Vec3 apply_map(const AffineMap& map, const Vec3& x) {
   return Affine{map.linear, map.center}(x);
 }
 

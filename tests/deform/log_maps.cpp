@@ -14,7 +14,7 @@ struct Logs {
   LogReport report;
 };
 
-Logs logs_of(const Cage& cage, const std::vector<FaceMap>& maps, const std::vector<Vec3>& turns = {}) {
+Logs logs_of(const Cage& cage, const std::vector<AffineMap>& maps, const std::vector<Vec3>& turns = {}) {
   std::vector<MapSplit> splits(maps.size());
   split_maps(maps, first(maps.size()), splits);
   Logs result{std::vector<MapLog>(maps.size()), {}};

@@ -11,9 +11,9 @@ using namespace viete::test;
 namespace {
 
 // Rotations by up to 180 degrees of stretches between 0.5 and 2.
-std::vector<FaceMap> maps(std::size_t count) {
+std::vector<AffineMap> maps(std::size_t count) {
   Random random(3);
-  std::vector<FaceMap> all(count);
+  std::vector<AffineMap> all(count);
   for (auto& map : all) {
     const Polar p = polar(viete::sym3::exp_rotation(random.vector(1.8)));
     const Polar axes = polar(viete::sym3::exp_rotation(random.vector(1.8)));
@@ -74,7 +74,7 @@ TEST_CASE("a_split_depends_on_its_own_map_alone_to_the_last_bit") {
 }
 
 TEST_CASE("a_split_tells_of_maps_that_mirror_or_are_not_finite") {
-  std::vector<FaceMap> two(2);
+  std::vector<AffineMap> two(2);
   two[0].linear = {-1, 0, 0, 0, 2, 0, 0, 0, 3};
   two[1].linear = {1, 0, 0, 0, std::numeric_limits<double>::quiet_NaN(), 0, 0, 0, 1};
   std::vector<MapSplit> splits(2);

@@ -7,8 +7,10 @@
 #include <string>
 
 #include "base/error.h"
+#include "support/text.h"
 
 using namespace viete::deform;
+using viete::test::mentions;
 
 namespace {
 
@@ -34,34 +36,74 @@ TEST_CASE("every_choice_is_found_by_its_value_and_by_its_name") {
   check_table(all_blends());
 }
 
-TEST_CASE("a_combination_is_completed_from_any_part_of_it") {
-  CHECK(complete({}).shorthand == "face");
-  for (const Combination& c : combinations()) {
-    CHECK(&complete({c.elements, c.weights, c.blend}) == &c);
-    CHECK(&combination_of({{c.elements, c.weights}, c.blend}) == &c);
+TEST_CASE("a_scheme_is_completed_from_any_part_of_it") {
+  CHECK(shorthand(complete({})) == "face");
+  for (const Scheme& s : all_schemes()) {
+    CAPTURE(text(s));
+    CHECK_FALSE(conflict(s));
+    CHECK(complete(choices(s)) == s);
+    CHECK(complete({}, s) == s);
   }
-  CHECK(complete({.weights = Weights::mean_value}).shorthand == "mvc");
-  CHECK(complete({.elements = Elements::point}).shorthand == "mvc");
-  CHECK(complete({.blend = Blend::linear}).elements == Elements::face);
+  CHECK(shorthand(complete({.weights = Weights::mean_value})) == "mvc");
+  CHECK(shorthand(complete({.elements = Elements::point})) == "mvc");
+  CHECK(text(complete({.blend = Blend::linear})) == "face, inverse, linear");
 }
 
-TEST_CASE("choices_that_do_not_go_together_are_refused_with_those_that_do") {
-  try {
-    complete({.elements = Elements::face, .weights = Weights::mean_value});
-    FAIL("was not refused");
-  } catch (const viete::base::Error& error) {
-    const std::string what = error.what();
-    CHECK(what.find("do not go together") != std::string::npos);
-    CHECK(what.find("--elements point --weights mean-value --blend linear") != std::string::npos);
-    CHECK(what.find("--elements face --weights inverse --blend srl") != std::string::npos);
+TEST_CASE("one_choice_changes_no_more_of_the_others_than_it_must") {
+  for (const Scheme& now : all_schemes()) {
+    for (const Scheme& other : all_schemes()) {
+      Scheme wished = now;
+      wished.blend = other.blend;
+      const Scheme chosen = complete(only(other.blend), now);
+      CHECK(chosen.blend == other.blend);
+      if (!conflict(wished)) CHECK(chosen == wished);
+    }
   }
 }
 
-TEST_CASE("shorthands_stand_for_combinations") {
-  CHECK(combination_of_shorthand("face")->blend == Blend::srl);
-  CHECK(combination_of_shorthand("mvc")->weights == Weights::mean_value);
-  CHECK(combination_of_shorthand("") == nullptr);
-  CHECK(combination_of_shorthand("linear") == nullptr);
+TEST_CASE("every_scheme_is_sensible_once_and_every_choice_is_part_of_one") {
+  const auto& all = all_schemes();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(all[i] == all[j]);
+  }
+  for (const auto& e : all_elements()) CHECK_NOTHROW(complete(only(e.value)));
+  for (const auto& e : all_weights()) CHECK_NOTHROW(complete(only(e.value)));
+  for (const auto& e : all_blends()) CHECK_NOTHROW(complete(only(e.value)));
+}
+
+TEST_CASE("choices_that_do_not_go_together_are_refused_with_the_reason") {
+  const struct {
+    PartialChoice choice;
+    const char* reason;
+  } cases[] = {
+      {{.elements = Elements::face, .weights = Weights::mean_value}, "mean values belong to vertices"},
+      {{.elements = Elements::point, .weights = Weights::inverse}, "reproduce linear functions"},
+      {{.elements = Elements::point, .blend = Blend::srl}, "translations have no logarithms"}};
+  for (const auto& c : cases) {
+    try {
+      complete(c.choice);
+      FAIL("was not refused");
+    } catch (const viete::base::Error& error) {
+      CHECK(mentions(error.what(), "do not go together"));
+      CHECK(mentions(error.what(), c.reason));
+    }
+  }
+}
+
+TEST_CASE("shorthands_stand_for_schemes") {
+  CHECK(scheme_of_shorthand("face") == Scheme());
+  CHECK(scheme_of_shorthand("mvc")->weighting.weights == Weights::mean_value);
+  CHECK_FALSE(scheme_of_shorthand("").has_value());
+  CHECK_FALSE(scheme_of_shorthand("linear").has_value());
+}
+
+TEST_CASE("elements_that_have_the_same_weights_share_bindings_but_are_other_schemes") {
+  const Weighting faces{}, patches{Elements::patch}, points{Elements::point, Weights::mean_value};
+  CHECK(faces == patches);
+  CHECK_FALSE(faces == points);
+  CHECK_FALSE(Scheme{faces} == Scheme{patches});
+  CHECK(weighed_as(Elements::patch) == Elements::face);
+  CHECK(weighed_as(Elements::point) == Elements::point);
 }
 
 TEST_CASE("a_reach_counts_only_where_weights_have_one") {
@@ -74,7 +116,7 @@ TEST_CASE("a_reach_counts_only_where_weights_have_one") {
   CHECK_FALSE(near == all);
   CHECK(points == near_points);
   CHECK_FALSE(all == points);
-  CHECK(with({near, Blend::srl}, *combination_of_shorthand("mvc")).weighting.reach == 3);
+  CHECK(complete({.weights = Weights::mean_value}, {near}).weighting.reach == 3);
 }
 
 TEST_CASE("a_reach_is_written_as_it_is_read") {

@@ -91,7 +91,7 @@ TEST_CASE("mean_value_coordinates_show_no_errors") {
   Driver d;
   open_posed_dragon(d);
   d.workspace().view.error_map = true;
-  d.click("scheme_mvc");
+  d.choose("weights", "weights_mean_value");
   d.settle();
   CHECK(!scene::shows_error_map(d.workspace()));
 }

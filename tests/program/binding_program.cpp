@@ -179,12 +179,12 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   Driver d(small_window());
   for (int levels = 2;; ++levels) {
     REQUIRE_MESSAGE(levels < 6, "mean value coordinates of 8192 triangles came at once");
-    scene::run_command(d.workspace(), "scheme_log");  // a new document keeps what the last one used
+    scene::run_command(d.workspace(), "blend_srl");  // a new document keeps what the last one used
     scene::mark_saved(d.workspace());
     REQUIRE(d.open({dragon, ball_cage(folder.path(), levels)}));
     d.settle();
     const auto rest = positions(d);
-    scene::run_command(d.workspace(), "scheme_mvc");
+    scene::run_command(d.workspace(), "weights_mean_value");
     d.frame();
     if (!d.workspace().binding.running) continue;
     CHECK(d.workspace().binding.what.rfind("Binding 50,000 vertices to ", 0) == 0);
@@ -204,7 +204,7 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
     CHECK(!d.viewer().deformer()->sample_matrices(10).empty());
     break;
   }
-  scene::run_command(d.workspace(), "scheme_mvc");
+  scene::run_command(d.workspace(), "weights_mean_value");
   d.settle();
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
 }

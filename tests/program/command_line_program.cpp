@@ -213,7 +213,7 @@ TEST_CASE("elements_weights_and_blend_are_chosen_apart_or_by_one_word") {
   const auto apart = run(scene + " --elements face --weights mean-value");
   CHECK(apart.code == 1);
   CHECK_MESSAGE(mentions(apart, "do not go together"), apart.text);
-  CHECK_MESSAGE(mentions(apart, "--elements point --weights mean-value --blend linear"), apart.text);
+  CHECK_MESSAGE(mentions(apart, "mean values belong to vertices of the cage"), apart.text);
   CHECK(run(scene + " --coordinates mvc --blend srl").code == 2);
   CHECK(run(scene + " --blend magic").code == 2);
   CHECK(run("bind " + quoted(dragon) + " " + quoted(cage) + " -o x.binding --blend srl").code == 2);

@@ -93,6 +93,12 @@ public:
 
   /// Scrolls the column until the widget is visible, as a person would, and clicks its middle.
   void click(const std::string& widget) { click(place_of(widget)); }
+  /// Opens a chooser and takes one of its list.
+  void choose(const std::string& chooser, const std::string& item) {
+    click(chooser);
+    frame(2);
+    click(item);
+  }
   glm::vec2 place_of(const std::string& widget) {
     for (int i = 0; i < 60; ++i) {
       const auto rect = viewer().recorder().find(widget);

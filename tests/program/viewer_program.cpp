@@ -61,7 +61,7 @@ std::size_t followers(Driver& d) {
 
 TEST_CASE("settings_made_before_anything_is_open_are_kept_for_what_is_opened") {
   Driver d;
-  scene::run_command(d.workspace(), "scheme_mvc");
+  scene::run_command(d.workspace(), "weights_mean_value");
   scene::set_reach(d.document(), 3);
   d.frame(3);  // with nothing to show
   d.open_dragon();
@@ -306,14 +306,14 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
 TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {
   Driver d;
   d.open_dragon();
-  d.click("scheme_mvc");
+  d.choose("weights", "weights_mean_value");
   d.settle();
   REQUIRE(d.viewer().deformer());
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
   d.place_of("method_diag");
   CHECK_FALSE(d.viewer().recorder().find("method_diag")->enabled);
   CHECK(largest_distance(positions(d), d.document().model.surface->positions) < 1e-6 * diagonal(d));
-  d.click("scheme_log");
+  d.choose("blend", "blend_srl");
   d.settle();
   CHECK_FALSE(d.viewer().deformer()->sample_matrices(10).empty());
 }
@@ -329,13 +329,13 @@ TEST_CASE("the_reach_is_chosen_by_a_slider_and_mean_value_coordinates_have_none"
   CHECK(reach < 10);
   CHECK(d.viewer().deformer() != nullptr);
   CHECK(followers(d) < whole);
-  d.click("scheme_mvc");
+  d.choose("weights", "weights_mean_value");
   d.settle();
   d.place_of("reach");
   CHECK_FALSE(d.viewer().recorder().find("reach")->enabled);
   d.click("reach");
   CHECK(d.document().scheme.weighting.reach == reach);
-  d.click("scheme_log");
+  d.choose("blend", "blend_srl");
   d.settle();
   CHECK(d.document().scheme.weighting.reach == reach);
   scene::set_reach(d.document(), deform::whole_cage);
@@ -411,9 +411,9 @@ TEST_CASE("the_measured_error_is_of_the_frame_that_is_shown_whatever_it_blends")
   options.probe = true;
   Driver d(options);
   d.open_dragon();
-  for (const char* scheme : {"scheme_log", "scheme_linear", "scheme_mvc"}) {
-    CAPTURE(scheme);
-    scene::run_command(d.workspace(), scheme);
+  for (const deform::Scheme& scheme : deform::all_schemes()) {
+    CAPTURE(text(scheme));
+    scene::set_scheme(d.document(), scheme);
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);

@@ -63,17 +63,17 @@ TEST_CASE("methods_switch_without_touching_history_pose_or_weights") {
 TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
   Workspace w = test::cube_workspace();
   const Revisions before = w.document.revisions;
-  CHECK(run_command(w, "scheme_linear"));
+  CHECK(run_command(w, "blend_linear"));
   CHECK(w.document.scheme.blend == deform::Blend::linear);
   CHECK(w.document.revisions.weights == before.weights);  // other sums of the same weights
   CHECK(w.document.revisions.method > before.method);
   CHECK_FALSE(run_command(w, "method_sd"));
-  CHECK(run_command(w, "scheme_mvc"));
+  CHECK(run_command(w, "weights_mean_value"));
   CHECK(w.document.scheme.weighting.weights == deform::Weights::mean_value);
   CHECK(w.document.revisions.weights > before.weights);
   CHECK(w.document.revisions.surfaces == before.surfaces);
   CHECK(w.document.history.undo_count() == 2);
-  CHECK(run_command(w, "scheme_mvc"));
+  CHECK(run_command(w, "weights_mean_value"));
   CHECK(w.document.history.undo_count() == 2);
   CHECK(run_command(w, "undo"));
   CHECK(w.document.scheme.blend == deform::Blend::linear);
@@ -101,9 +101,9 @@ TEST_CASE("reaches_are_stepped_through_as_one_edit_where_weights_have_one") {
   CHECK(reach == deform::whole_cage);
   CHECK(run_command(w, "redo"));
   CHECK(reach == 6);
-  CHECK(run_command(w, "scheme_mvc"));
+  CHECK(run_command(w, "weights_mean_value"));
   CHECK_FALSE(run_command(w, "reach_shorter"));
-  CHECK(run_command(w, "scheme_log"));
+  CHECK(run_command(w, "blend_srl"));
   CHECK(reach == 6);
   CHECK(run_command(w, "reach_shorter"));
   CHECK(w.document.history.undo_count() == 4);
@@ -113,12 +113,12 @@ TEST_CASE("a_way_of_blending_that_is_not_to_be_had_leaves_no_trace_in_the_histor
   Workspace w = test::cube_workspace();
   run_command(w, "reset_pose");
   const std::size_t edits = w.document.history.undo_count();
-  run_command(w, "scheme_mvc");
+  run_command(w, "weights_mean_value");
   give_up_scheme(w.document, deform::Scheme());
   CHECK(w.document.scheme == deform::Scheme());
   CHECK(w.document.history.undo_count() == edits);
   w.document.pose.positions[0][0] += 0.25;
-  run_command(w, "scheme_mvc");
+  run_command(w, "weights_mean_value");
   run_command(w, "reset_pose");
   give_up_scheme(w.document, deform::Scheme());  // what came after it stays
   CHECK(w.document.history.undo_count() == edits + 2);

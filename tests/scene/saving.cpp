@@ -79,9 +79,9 @@ TEST_CASE("coordinates_and_reach_are_edits_that_a_session_keeps_and_a_pose_does_
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_session(w, files / "a.viete"));
   CHECK_FALSE(has_unsaved_edits(w));
-  run_command(w, "scheme_mvc");
+  run_command(w, "elements_patch");
   CHECK(has_unsaved_edits(w));
-  run_command(w, "scheme_log");
+  run_command(w, "elements_face");
   CHECK_FALSE(has_unsaved_edits(w));
 
   Workspace back;

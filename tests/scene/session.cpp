@@ -31,7 +31,7 @@ Workspace worked(const test::CubeFiles& files) {
   w.document.pose.turns = {{0.1, 6.3, -1e-9}};
   w.document.selection.apply(std::vector<std::uint32_t>{2, 5}, SelectMode::replace);
   w.document.method = sym3::Method::sd;
-  w.document.scheme = deform::with(w.document.scheme, *deform::combination_of_shorthand("mvc"));
+  w.document.scheme = *deform::scheme_of_shorthand("mvc");
   w.document.scheme.weighting.reach = 2.7;
   w.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f});
   w.view = {.dark = false,
@@ -278,18 +278,19 @@ TEST_CASE("more_turns_than_the_cage_has_parts_are_refused") {
 
 TEST_CASE("elements_weights_and_blend_are_kept_and_older_programs_read_what_they_know") {
   const test::CubeFiles files;
-  for (const auto& combination : deform::combinations()) {
-    CAPTURE(combination.name);
+  for (deform::Scheme scheme : deform::all_schemes()) {
+    CAPTURE(text(scheme));
+    scheme.weighting.reach = 3;
     Workspace w;
     REQUIRE(load_model(w, files.model, files.cage));
-    w.document.scheme = deform::with({{.reach = 3}, {}}, combination);
+    w.document.scheme = scheme;
     REQUIRE(save_session(w, files / "a.viete"));
     const auto json = read_json(files / "a.viete");
-    CHECK(json["elements"] == std::string(deform::entry(combination.elements).name));
-    CHECK(json["weights"] == std::string(deform::entry(combination.weights).name));
-    CHECK(json["blend"] == std::string(deform::entry(combination.blend).name));
-    CHECK(json["version"] == (combination.shorthand.empty() ? 2 : 1));
-    CHECK(json.value("coordinates", "") == std::string(combination.shorthand));
+    CHECK(json["elements"] == std::string(deform::entry(scheme.weighting.elements).name));
+    CHECK(json["weights"] == std::string(deform::entry(scheme.weighting.weights).name));
+    CHECK(json["blend"] == std::string(deform::entry(scheme.blend).name));
+    CHECK(json["version"] == (shorthand(scheme).empty() ? 2 : 1));
+    CHECK(json.value("coordinates", "") == std::string(shorthand(scheme)));
     Workspace back;
     REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
     CHECK(back.document.scheme == w.document.scheme);
@@ -305,20 +306,20 @@ TEST_CASE("a_session_may_name_any_part_of_a_scheme") {
                        keys + "}");
     return read_session(files / "a.viete");
   };
-  const auto word = [](const Session& s) { return deform::combination_of(s.scheme).name; };
-  CHECK(word(scheme(R"("reach": 3)")) == "scheme_log");
-  CHECK(word(scheme(R"("coordinates": "mvc")")) == "scheme_mvc");
-  CHECK(word(scheme(R"("weights": "mean-value")")) == "scheme_mvc");
-  CHECK(word(scheme(R"("blend": "linear")")) == "scheme_linear");
-  CHECK(word(scheme(R"("blend": "linear", "coordinates": "mvc")")) == "scheme_linear");
+  const auto word = [](const Session& s) { return text(s.scheme); };
+  CHECK(word(scheme(R"("reach": 3)")) == "face, inverse, srl");
+  CHECK(word(scheme(R"("coordinates": "mvc")")) == "point, mean-value, linear");
+  CHECK(word(scheme(R"("weights": "mean-value")")) == "point, mean-value, linear");
+  CHECK(word(scheme(R"("blend": "linear")")) == "face, inverse, linear");
+  CHECK(word(scheme(R"("blend": "linear", "coordinates": "mvc")")) == "face, inverse, linear");
   CHECK(scheme(R"("blend": "linear")").warnings.empty());
   const Session apart = scheme(R"("elements": "face", "weights": "mean-value")");
-  CHECK(word(apart) == "scheme_log");
+  CHECK(word(apart) == "face, inverse, srl");
   REQUIRE(apart.warnings.size() == 1);
   CHECK(
       mentions(apart.warnings[0], "a.viete: weights: these elements, weights and blend do not go together"));
   const Session unknown = scheme(R"("blend": "magic", "weights": "mean-value")");
-  CHECK(word(unknown) == "scheme_mvc");
+  CHECK(word(unknown) == "point, mean-value, linear");
   REQUIRE(unknown.warnings.size() == 1);
   CHECK(
       mentions(unknown.warnings[0], "a.viete: blend: \"magic\" is not known; what fits the others instead"));

@@ -18,7 +18,7 @@ _viete_value() {
       esac
       ;;
     --method) words='fast diag sd improved_sd' ;;
-    --elements) words='face point' ;;
+    --elements) words='face patch point' ;;
     --weights) words='inverse mean-value' ;;
     --blend) words='srl linear' ;;
     --coordinates) words='face mvc' ;;

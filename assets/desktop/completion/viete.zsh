@@ -8,7 +8,7 @@ local -a force=('--force[replace other files too]')
 local -a output=($force '(-o --output)'{-o+,--output=}'[file to write]:file:_files')
 local -a pose=("--pose=[posed cage]:pose:$mesh")
 local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_sd)')
-local -a weighting=('--elements=[which maps the cage carries]:elements:(face point)'
+local -a weighting=('--elements=[which maps the cage carries]:elements:(face patch point)'
   '--weights=[how much of each map a vertex takes]:weights:(inverse mean-value)')
 local -a blend=('--blend=[what of the maps is summed]:blend:(srl linear)')
 local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
