@@ -44,10 +44,11 @@ int report(const Bench& bench, const BenchOptions& options) {
   return exit_ok;
 }
 
+// Of the bundled model where no other is named.
 template <class Options>
-int run_on_bundled_model(Options& options, const BenchFiles& files, void (*run)(const Options&)) {
-  files.check();
-  options.model = bundled_model().model;
+int run_on_model(Options& options, const BenchFiles& files, void (*run)(const Options&)) {
+  files.check({options.model, options.cage});
+  if (options.model.empty()) options.model = bundled_model().model;
   options.json = files.json;
   run(options);
   return exit_ok;
@@ -78,38 +79,50 @@ int run_accuracy(const BenchOptions& options) {
   return exit_ok;
 }
 
+template <class Options>
+CLI::Option* add_model_and_cage(CLI::App& command, Options& options, const char* usual_cage) {
+  add_file_option(command, "MODEL", options.model, "Mesh (OBJ, PLY, OFF, STL)")
+      ->default_str("the bundled dragon");
+  return add_file_option(command, "CAGE", options.cage, "Cage around it, at rest")->default_str(usual_cage);
+}
+
 void add_frame_bench(CLI::App& bench, Action& action) {
-  auto* command = bench.add_subcommand("frame", "A frame of the bundled model: by path, cage and stage");
+  auto* command = bench.add_subcommand("frame", "A frame of a model: by path, cage and stage");
   auto options = std::make_shared<bench::FrameOptions>();
   auto files = std::make_shared<BenchFiles>();
+  auto* cage = add_model_and_cage(*command, *options, "some that are made, see --faces");
   auto* counts = command->add_option("--count", options->counts,
                                      "Vertices, several with commas; 200000 and 800000 subdivide");
-  whole_in_range(counts, 1, most_vertices)->delimiter(',')->default_str("all 50,000");
+  whole_in_range(counts, 1, most_vertices)->delimiter(',')->allow_extra_args(false)->default_str("all");
   auto* faces = command->add_option("--faces", options->faces, "Cage triangles, several with commas");
-  whole_in_range(faces, 8, 10'000)->delimiter(',')->default_str("50,100,300,600");
+  whole_in_range(faces, 8, 10'000)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->default_str("50,100,300,600")
+      ->excludes(cage);
   add_rounds_option(*command, options->rounds, "11");
   auto* tolerance = command->add_option("--tolerance", options->tolerance, "Of compressed weights");
   in_range(tolerance, 0, 0.1)->default_str("3e-5");
   add_reach_option(*command, [options](double reach) { options->reach = reach; });
   add_bench_files(*command, *files);
   command->callback([options, files, &action] {
-    action = [options, files] { return run_on_bundled_model(*options, *files, bench::bench_frame); };
+    action = [options, files] { return run_on_model(*options, *files, bench::bench_frame); };
   });
 }
 
 void add_bind_bench(CLI::App& bench, Action& action) {
-  auto* command =
-      bench.add_subcommand("bind", "Binding the bundled model: time against plain loops, and memory");
+  auto* command = bench.add_subcommand("bind", "Binding a model: time against plain loops, and memory");
   auto options = std::make_shared<bench::BindOptions>();
   auto files = std::make_shared<BenchFiles>();
+  auto* cage = add_model_and_cage(*command, *options, "one that is made, see --faces");
   auto* count = command->add_option("--count", options->count, "Vertices at least, by subdivision");
-  whole_in_range(count, 1, most_vertices)->default_str("all 50,000");
+  whole_in_range(count, 1, most_vertices)->default_str("all");
   auto* faces = command->add_option("--faces", options->faces, "Cage triangles");
-  whole_in_range(faces, 8, 10'000)->default_str("300");
+  whole_in_range(faces, 8, 10'000)->default_str("300")->excludes(cage);
   add_rounds_option(*command, options->rounds, "5");
   add_bench_files(*command, *files);
   command->callback([options, files, &action] {
-    action = [options, files] { return run_on_bundled_model(*options, *files, bench::bench_bind); };
+    action = [options, files] { return run_on_model(*options, *files, bench::bench_bind); };
   });
 }
 

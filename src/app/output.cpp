@@ -71,9 +71,11 @@ void check_output(const fs::path& file, Content content, const std::vector<fs::p
                     "choose another name, or add --force");
 }
 
-void BenchFiles::check() const {
-  check_output(json, Content::json, {plot}, force);
-  check_output(plot, Content::svg, {json}, force);
+void BenchFiles::check(std::vector<fs::path> inputs) const {
+  inputs.push_back(plot);
+  check_output(json, Content::json, inputs, force);
+  inputs.back() = json;
+  check_output(plot, Content::svg, inputs, force);
 }
 
 }  // namespace viete::app

@@ -22,8 +22,8 @@ struct BenchFiles {
   std::filesystem::path json, plot;
   bool force = false;
 
-  /// As check_output(); neither may be the other.
-  void check() const;
+  /// As check_output(); neither may be the other, nor one of `inputs`.
+  void check(std::vector<std::filesystem::path> inputs = {}) const;
 };
 
 }  // namespace viete::app

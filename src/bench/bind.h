@@ -7,9 +7,10 @@
 namespace viete::bench {
 
 struct BindOptions {
-  std::filesystem::path model;  ///< the bundled one
-  std::size_t count = 0;        ///< vertices at least, by subdivision; 0: those of the model
-  std::size_t faces = 300;      ///< of the cage
+  std::filesystem::path model;
+  std::filesystem::path cage;  ///< empty: one of `faces` triangles is made for the model
+  std::size_t count = 0;       ///< vertices at least, by subdivision; 0: those of the model
+  std::size_t faces = 300;
   std::size_t rounds = 5;
   std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
 };

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/clock.h"
@@ -20,7 +21,6 @@
 #include "bench/rounds.h"
 #include "bench/table.h"
 #include "deform/deformer.h"
-#include "scene/document.h"
 
 namespace viete::bench {
 
@@ -31,9 +31,8 @@ using sym3::Method;
 
 constexpr std::size_t exp_portion = 4096;  // matrices that stay in cache
 
-// The bundled model, its first vertices, or subdivided until it has about as many.
-mesh::Surface benchmark_model(const std::filesystem::path& file, std::size_t count) {
-  mesh::Surface model = *scene::open_document(file, {}).model.surface;
+// The model, its first vertices, or subdivided until it has about as many.
+mesh::Surface of_size(mesh::Surface model, std::size_t count) {
   while (count > 2 * model.positions.size()) model = subdivided(model);
   if (count == 0 || 2 * count > model.positions.size()) return model;
   std::vector<mesh::Triangle> kept;
@@ -119,10 +118,9 @@ struct FusedFrame {
 /// One model in one cage: everything that is compared, bound and ready.
 class FrameRuns {
 public:
-  FrameRuns(const mesh::Surface& model, std::size_t faces, double tolerance, double reach)
-      : cage_(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, faces)))),
-        pose_(moderate_pose(*cage_)),
-        weighting_{.reach = reach} {
+  FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage, double tolerance,
+            double reach)
+      : cage_(std::move(cage)), pose_(moderate_pose(*cage_)), weighting_{.reach = reach} {
     bind_staged(model);
     dense_ = bind_fused(model, 0, deform::Storage::dense);
     compressed_ = bind_fused(model, tolerance,
@@ -316,19 +314,32 @@ nlohmann::json to_json(const FrameTime& t) {
   return json;
 }
 
+using Cages = std::vector<std::shared_ptr<const deform::Cage>>;
+
+// The one that was opened, or those that are made.
+Cages cages_around(const mesh::Surface& model, const scene::Document& opened,
+                   const std::vector<std::size_t>& faces) {
+  if (opened.has_cage()) return {opened.cage};
+  Cages cages;
+  for (const std::size_t count : faces)
+    cages.push_back(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, count))));
+  return cages;
+}
+
 }  // namespace
 
 void bench_frame(const FrameOptions& options) {
   if (options.reach < deform::whole_cage)
     std::printf("reach %s; ", deform::text_of_reach(options.reach).c_str());
   std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
+  const scene::Document opened = open_model(options.model, options.cage);
   std::vector<FrameTime> all;
   for (const std::size_t count : options.counts) {
-    const mesh::Surface model = benchmark_model(options.model, count);
+    const mesh::Surface model = of_size(*opened.model.surface, count);
     const auto share =
         std::max<std::size_t>(1, model.positions.size() / 50'000);  // of the rounds, for large models
-    for (const std::size_t faces : options.faces) {
-      FrameRuns runs(model, faces, options.tolerance, options.reach);
+    for (const auto& cage : cages_around(model, opened, options.faces)) {
+      FrameRuns runs(model, cage, options.tolerance, options.reach);
       runs.run(std::max<std::size_t>(3, options.rounds / share));
       const auto times = runs.times();
       runs.print(times);
@@ -337,7 +348,8 @@ void bench_frame(const FrameOptions& options) {
   }
   std::printf("\n");
   Bars bars;
-  if (options.reach == deform::whole_cage) check_frame(all, bars);  // which are of 1/d^2 without an end
+  // They are of 1/d^2 without an end, in cages that are made.
+  if (options.reach == deform::whole_cage && !opened.has_cage()) check_frame(all, bars);
   nlohmann::json results = nlohmann::json::array();
   for (const auto& t : all) results.push_back(to_json(t));
   write_json(options.json, {{"figure", "frame"}, {"results", results}, {"bars", bars.rows}});

@@ -11,9 +11,10 @@
 namespace viete::bench {
 
 struct FrameOptions {
-  std::filesystem::path model;            ///< the bundled one
+  std::filesystem::path model;
+  std::filesystem::path cage;             ///< empty: cages of `faces` triangles are made for the model
   std::vector<std::size_t> counts = {0};  ///< vertices: the model is cut off or subdivided; 0: as it is
-  std::vector<std::size_t> faces = {50, 100, 300, 600};  ///< of cages
+  std::vector<std::size_t> faces = {50, 100, 300, 600};
   std::size_t rounds = 11;
   double tolerance = deform::usual_tolerance;
   double reach = deform::whole_cage;

@@ -80,6 +80,12 @@ std::vector<double> radii_around(const mesh::Surface& model, const Point& center
 
 }  // namespace
 
+scene::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage) {
+  scene::Document document = scene::open_document(model, cage);
+  scene::check_drawable(document);
+  return document;
+}
+
 mesh::Surface subdivided(const mesh::Surface& surface) {
   std::vector<Point> positions = surface.positions;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;

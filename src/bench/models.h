@@ -2,11 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 
 #include "deform/cage.h"
 #include "mesh/surface.h"
+#include "scene/document.h"
 
 namespace viete::bench {
+
+/// A model, and its cage if that is named, fit for frames in float. Throws base::Error.
+scene::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage = {});
 
 /// Each triangle cut into four at the middles of its edges.
 mesh::Surface subdivided(const mesh::Surface& surface);

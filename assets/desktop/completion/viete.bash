@@ -69,6 +69,7 @@ _viete() {
   case $cur:$command in
     -*) _viete_options "$command" ;;
     *:bench) COMPREPLY=($(compgen -W "$benches" -- "$cur")) ;;
+    *:bench\ frame | *:bench\ bind) _filedir "$_viete_meshes" ;;
     *:bench\ *) ;;
     *:info) _filedir "$_viete_meshes" ;;
     *)

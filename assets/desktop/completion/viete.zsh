@@ -4,6 +4,7 @@
 local any="_files -g '*.(#i)(obj|ply|off|stl|viete)(-.)'" mesh="_files -g '*.(#i)(obj|ply|off|stl)(-.)'"
 local -a help=('(-h --help)'{-h,--help}'[what it can do]')
 local -a files=("1:model or session:$any" "2:cage:$mesh")
+local -a meshes=("1:model:$mesh" "2:cage:$mesh")
 local -a force=('--force[replace other files too]')
 local -a output=($force '(-o --output)'{-o+,--output=}'[file to write]:file:_files')
 local -a pose=("--pose=[posed cage]:pose:$mesh")
@@ -40,8 +41,8 @@ case $command in
   'bench eigen') specs+=($count $json $plot) ;;
   'bench accuracy') specs+=($count $json $float) ;;
   'bench sym3') specs+=($count $json) ;;
-  'bench frame') specs+=($count $json $rounds $tolerance $reach) ;;
-  'bench bind') specs+=($count $json $rounds) ;;
+  'bench frame') specs+=($meshes $count $json $rounds $tolerance $reach) ;;
+  'bench bind') specs+=($meshes $count $json $rounds) ;;
   'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind)') ;;
   *) # view, which may be left out
     specs+=($files $pose $method $weighting $blend $coordinates $reach $binding $scale '--frames=[close after so many frames]:frames:')
