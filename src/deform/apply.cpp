@@ -1,5 +1,9 @@
 #include "deform/apply.h"
 
+#include <cassert>
+
+#include "deform/matrix_log.h"
+
 namespace viete::deform {
 
 namespace {
@@ -24,17 +28,57 @@ void apply(const Binding& binding, const BlendedLogs& sums, std::span<const sym3
   }
 }
 
-void apply(const Binding& binding, const BlendedMaps& sums, const Vec3& origin, std::size_t begin,
-           std::size_t end, std::span<mesh::Point> positions) {
-  for (std::size_t i = begin; i < end; ++i) {
-    const Vec3 x = binding.rest[i] - binding.rest_origin;
-    positions[i] = origin + (x + (times(sums.linear[i], x) + sums.shift[i]));
-  }
+namespace {
+
+using Sums = std::span<const double>;
+
+Vec3 three(Sums s, std::size_t first) {
+  return {s[first], s[first + 1], s[first + 2]};
 }
 
-void apply(const Binding& binding, std::span<const Vec3> sums, const Vec3& origin, std::size_t begin,
-           std::size_t end, std::span<mesh::Point> positions) {
-  for (std::size_t i = begin; i < end; ++i) positions[i] = origin + (sums[i] + binding.offsets[i]);
+sym3::Mat3<double> nine(Sums s) {
+  return {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8]};
+}
+
+// S o, of S - I.
+Vec3 stretched(Sums s, const Vec3& o) {
+  return o + times(sym3::Sym3<double>{s[0], s[1], s[2], s[3], s[4], s[5]}, o);
+}
+
+// Rotated by a quaternion of any length, given as w - 1, x, y, z; by none if it is 0, as where opposite ones
+// cancel.
+Vec3 rotated(Sums s, const Vec3& u) {
+  const double w = 1 + s[0];
+  const Vec3 v = three(s, 1);
+  const double square = w * w + squared_norm(v);
+  if (!(square > 0)) return u;
+  const Vec3 t = (2 / square) * cross(v, u);
+  return u + w * t + cross(v, t);
+}
+
+// Relative to the pose's origin.
+Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o) {
+  switch (form) {
+    case RowForm::maps: return x + (times(nine(s), x) + three(s, 9));
+    case RowForm::positions: return three(s, 0) + o;
+    case RowForm::stretches: return times(sym3::exp_rotation(three(s, 6)), stretched(s, o)) + three(s, 9);
+    case RowForm::quaternions: return rotated(s.subspan(6, 4), stretched(s, o)) + three(s, 10);
+    case RowForm::matrix_logs: return times(matrix_exp(nine(s)), o) + three(s, 9);
+    case RowForm::logs: break;
+  }
+  assert(false);  // logs go the way of exp
+  return x;
+}
+
+}  // namespace
+
+void apply(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
+           std::size_t begin, std::size_t end, std::span<mesh::Point> positions) {
+  const std::size_t columns = shape(form).columns;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Vec3 x = binding.rest[i] - binding.rest_origin;
+    positions[i] = origin + moved(form, sums.subspan(i * columns, columns), x, binding.offsets[i]);
+  }
 }
 
 }  // namespace viete::deform

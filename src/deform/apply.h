@@ -11,9 +11,8 @@ namespace viete::deform {
 /// link 4: sym3::exp of sums.stretch. The forms and their letters: RowForm.
 void apply(const Binding& binding, const BlendedLogs& sums, std::span<const sym3::Sym3<double>> stretches,
            const Vec3& origin, std::size_t begin, std::size_t end, std::span<mesh::Point> positions);
-void apply(const Binding& binding, const BlendedMaps& sums, const Vec3& origin, std::size_t begin,
-           std::size_t end, std::span<mesh::Point> positions);
-void apply(const Binding& binding, std::span<const Vec3> sums, const Vec3& origin, std::size_t begin,
-           std::size_t end, std::span<mesh::Point> positions);
+/// Of any other form, sums being [vertex][column].
+void apply(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
+           std::size_t begin, std::size_t end, std::span<mesh::Point> positions);
 
 }  // namespace viete::deform

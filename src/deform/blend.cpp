@@ -1,5 +1,8 @@
 #include "deform/blend.h"
 
+#include <algorithm>
+#include <cassert>
+
 namespace viete::deform {
 
 namespace {
@@ -49,20 +52,28 @@ void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::siz
   });
 }
 
-void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end, BlendedMaps& sums) {
-  constexpr std::size_t n = map_shape.columns;
-  for_rows<2, n>(binding, rows.values.data(), begin, end, [&](std::size_t i, const double(&s)[n]) {
-    sums.linear[i] = {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8]};
-    sums.shift[i] = {s[9], s[10], s[11]};
-  });
+namespace {
+
+template <std::size_t Columns>
+void blend_columns(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
+                   std::span<double> sums) {
+  constexpr std::size_t at_once = Columns < 4 ? 4 : 2;
+  for_rows<at_once, Columns>(binding, rows.values.data(), begin, end,
+                             [&](std::size_t i, const double(&s)[Columns]) {
+                               std::copy_n(s, Columns, sums.begin() + std::ptrdiff_t(i * Columns));
+                             });
 }
 
+}  // namespace
+
 void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
-           std::span<Vec3> sums) {
-  constexpr std::size_t n = position_shape.columns;
-  for_rows<4, n>(binding, rows.values.data(), begin, end, [&](std::size_t i, const double(&s)[n]) {
-    sums[i] = {s[0], s[1], s[2]};
-  });
+           std::span<double> sums) {
+  switch (rows.columns()) {
+    case 3: return blend_columns<3>(binding, rows, begin, end, sums);
+    case 12: return blend_columns<12>(binding, rows, begin, end, sums);
+    case 13: return blend_columns<13>(binding, rows, begin, end, sums);
+    default: assert(false);  // a form has another number of columns
+  }
 }
 
 }  // namespace viete::deform

@@ -21,20 +21,11 @@ struct BlendedLogs {
   void resize(std::size_t n) { stretch.resize(n), rotation.resize(n), center.resize(n); }
 };
 
-/// Sums of rows of RowForm::maps.
-struct BlendedMaps {
-  std::vector<sym3::Mat3<double>> linear;
-  std::vector<Vec3> shift;
-
-  void resize(std::size_t n) { linear.resize(n), shift.resize(n); }
-};
-
-/// Vertices [begin, end) of sums = weights * rows, which are of the form that the sums are for. sums are
-/// sized already; those of positions are the positions' alone. Each sum runs over the handles in their order:
-/// the same bits for any division into ranges.
+/// Vertices [begin, end) of sums = weights * rows. Logs go to where exp takes them from; of any form sums are
+/// [vertex][column]. They are sized already. Each sum runs over the handles in their order: the same bits for
+/// any division into ranges.
 void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end, BlendedLogs& sums);
-void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end, BlendedMaps& sums);
 void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
-           std::span<Vec3> sums);
+           std::span<double> sums);
 
 }  // namespace viete::deform

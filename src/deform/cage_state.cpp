@@ -7,6 +7,7 @@
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "deform/map_rows.h"
 
 namespace viete::deform {
 
@@ -14,20 +15,6 @@ namespace {
 
 constexpr std::size_t log_columns = log_shape.columns;
 static_assert(sizeof(MapLog) == log_columns * sizeof(double));
-
-// D and d of RowForm::maps; exactly 0 for a map that does nothing.
-std::array<double, map_shape.columns> displacement(const AffineMap& map, const Vec3& rest_center) {
-  std::array<double, map_shape.columns> row;
-  for (int r = 0; r < 3; ++r) {
-    double from_center = 0;
-    for (int c = 0; c < 3; ++c) {
-      row[3 * r + c] = map.linear[3 * r + c] - (r == c ? 1.0 : 0.0);
-      from_center += row[3 * r + c] * rest_center[c];
-    }
-    row[map_shape.first_length + r] = (map.center[r] - rest_center[r]) - from_center;
-  }
-  return row;
-}
 
 }  // namespace
 
@@ -42,15 +29,26 @@ void check_pose(const Cage& cage, const Pose& pose) {
 
 RowForm row_form(Elements elements, Blend blend) {
   if (!entry(elements).affine) return RowForm::positions;
-  return blend == Blend::srl ? RowForm::logs : RowForm::maps;
+  switch (blend) {
+    case Blend::srl: return RowForm::logs;
+    case Blend::linear: return RowForm::maps;
+    case Blend::slrl: return RowForm::stretches;
+    case Blend::sql: return RowForm::quaternions;
+    case Blend::log3: return RowForm::matrix_logs;
+  }
+  return RowForm::maps;
 }
 
 const RowShape& shape(RowForm form) {
   switch (form) {
     case RowForm::logs: return log_shape;
     case RowForm::maps: return map_shape;
-    default: return position_shape;
+    case RowForm::positions: return position_shape;
+    case RowForm::stretches: return stretch_shape;
+    case RowForm::quaternions: return quaternion_shape;
+    case RowForm::matrix_logs: break;
   }
+  return matrix_log_shape;
 }
 
 std::size_t handle_count(const Cage& cage, Elements elements) {
@@ -68,9 +66,10 @@ CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend 
   std::iota(all_.begin(), all_.end(), 0u);
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});
   if (form_ != RowForm::logs) values_.resize(handles * shape(form_).columns);
-  if (form_ != RowForm::positions) maps_.resize(handles);
+  if (form_ == RowForm::positions) return;
+  maps_.resize(handles);
   if (elements == Elements::patch) patches_ = make_patches(*cage_);
-  if (form_ != RowForm::logs) return;
+  if (!has_logs(form_)) return;
   splits_.resize(handles);
   logs_.resize(handles);
 }
@@ -120,16 +119,18 @@ void CageState::set_pose(const Pose& pose) {
     }
     times_[Link::face_maps] = watch.lap_ms();
   }
-  if (form_ == RowForm::logs) {
+  bool others_moved = !few;
+  if (has_logs(form_)) {
     if (few) logs_before_ = logs_;
     split_maps(maps_, moved, splits_);
     log_maps(*cage_, maps_, splits_, pose.turns, logs_, report_);
-    times_[Link::log_maps] = watch.lap_ms();
+    others_moved = !few || !others_stayed();
   } else {
     report_ = {pose.turns, {}, {}};
-    write_values(pose, moved);
   }
-  if (!few || !others_stayed()) ++resting_revision_;
+  if (form_ != RowForm::logs) write_values(pose, others_moved ? std::span<const std::uint32_t>(all_) : moved);
+  if (has_logs(form_)) times_[Link::log_maps] = watch.lap_ms();
+  if (others_moved) ++resting_revision_;
   posed_ = true;
 }
 
@@ -137,13 +138,13 @@ void CageState::write_values(const Pose& pose, std::span<const std::uint32_t> ha
   const Vec3 rest_origin = middle(cage_->surface.positions);
   const std::size_t columns = shape(form_).columns;
   for (const auto h : handles) {
-    double* row = values_.data() + h * columns;
+    const auto row = std::span(values_).subspan(h * columns, columns);
     if (form_ == RowForm::positions) {
       const Vec3 p = pose.positions[h] - origin_;
-      std::copy(p.begin(), p.end(), row);
+      std::copy(p.begin(), p.end(), row.begin());
     } else {
-      const auto d = displacement(maps_[h], element_center(*cage_, h, cage_->surface.positions, rest_origin));
-      std::copy(d.begin(), d.end(), row);
+      const Vec3 center = element_center(*cage_, h, cage_->surface.positions, rest_origin);
+      write_row(form_, maps_[h], has_logs(form_) ? logs_[h] : MapLog{}, center, row);
     }
   }
 }

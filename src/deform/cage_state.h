@@ -60,8 +60,10 @@ public:
   std::span<const std::uint32_t> moving() const { return moving_; }
   /// Grows whenever rows change that no drag moves.
   unsigned long resting_revision() const { return resting_revision_; }
-  /// Of faces that are blended by their logs; else empty.
-  std::span<const MapLog> logs() const { return logs_; }
+  /// Of maps whose logs are the rows; else empty.
+  std::span<const MapLog> logs() const {
+    return form_ == RowForm::logs ? std::span<const MapLog>(logs_) : std::span<const MapLog>();
+  }
   /// Of the last pose; without logs only its turns, handed on.
   const LogReport& report() const { return report_; }
   /// Milliseconds of the last pose.
@@ -82,7 +84,7 @@ private:
   std::vector<AffineMap> maps_;
   std::vector<MapSplit> splits_;
   std::vector<MapLog> logs_, logs_before_;
-  std::vector<double> values_;  // of maps and positions
+  std::vector<double> values_;  // of all forms but logs
   unsigned long resting_revision_ = 0;
   LogReport report_;
   LinkTimes times_;

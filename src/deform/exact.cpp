@@ -54,28 +54,19 @@ double place_logs(const Binding& binding, const Rows& rows, sym3::Method method,
   return method == sym3::Method::fast ? 0 : worst_difference(stretches, sums.stretch);
 }
 
-void place_maps(const Binding& binding, const Rows& rows, std::span<mesh::Point> positions) {
-  BlendedMaps sums;
-  sums.resize(positions.size());
-  blend(binding, rows, 0, positions.size(), sums);
-  apply(binding, sums, rows.origin, 0, positions.size(), positions);
-}
-
-void place_positions(const Binding& binding, const Rows& rows, std::span<mesh::Point> positions) {
-  std::vector<Vec3> sums(positions.size());
-  blend(binding, rows, 0, positions.size(), sums);
-  apply(binding, sums, rows.origin, 0, positions.size(), positions);
+void place_others(const Binding& binding, const Rows& rows, std::span<mesh::Point> positions) {
+  std::vector<double> sums(positions.size() * rows.columns());
+  blend(binding, rows, 0, positions.size(), std::span(sums));
+  apply(binding, rows.form, sums, rows.origin, 0, positions.size(), positions);
 }
 
 }  // namespace
 
 double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions) {
-  switch (rows.form) {
-    case RowForm::logs: return place_logs(binding, rows, method, positions);
-    case RowForm::maps: place_maps(binding, rows, positions); return 0;
-    default: place_positions(binding, rows, positions); return 0;
-  }
+  if (rows.form == RowForm::logs) return place_logs(binding, rows, method, positions);
+  place_others(binding, rows, positions);
+  return 0;
 }
 
 ExactModel deform_exactly(std::span<const mesh::Point> rest, std::shared_ptr<const Cage> cage,

@@ -8,6 +8,7 @@
 #endif
 
 #include "deform/frame_kernel.h"
+#include "deform/matrix_exp-inl.h"
 #include "sym3/exp-inl.h"
 #include "sym3/rotation-inl.h"
 
@@ -45,7 +46,7 @@ static HWY_INLINE std::size_t index_of(std::size_t group, std::size_t rows) {
 template <class T>
 static HWY_INLINE void prefetch_next(const T* array, std::size_t vector, std::size_t rows) {
   const T* next = array + index_of<T>(vector + vectors_at_once, rows);
-#pragma GCC unroll 12
+#pragma GCC unroll 16
   for (std::size_t c = 0; c < rows; ++c) hwy::Prefetch(next + c * tile_lanes<T>);
 }
 
@@ -56,7 +57,7 @@ static HWY_INLINE void load_base(const TileRun<T>& run, std::size_t group, Sums<
   for (int v = 0; v < vectors_at_once; ++v) {
     const T* base = run.base ? run.base + index_of<T>(group + v, Columns) : nullptr;
     if (base) prefetch_next<T>(run.base, group + v, Columns);
-#pragma GCC unroll 12
+#pragma GCC unroll 16
     for (std::size_t c = 0; c < Columns; ++c) {
       s[v][c] = base ? hn::Load(d, base + c * tile_lanes<T>) : hn::Zero(d);
     }
@@ -72,7 +73,7 @@ static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums
   V s[vectors_at_once][Columns];
 #pragma GCC unroll 2
   for (int v = 0; v < vectors_at_once; ++v) {
-#pragma GCC unroll 12
+#pragma GCC unroll 16
     for (std::size_t c = 0; c < Columns; ++c) s[v][c] = sums[v][c];
   }
   const T *weights[vectors_at_once], *next[vectors_at_once];
@@ -90,7 +91,7 @@ static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums
       hwy::Prefetch(soon[v] + line * tile_lanes<T>);
       w[v] = hn::Load(d, weights[v] + j * tile_lanes<T>);
     }
-#pragma GCC unroll 12
+#pragma GCC unroll 16
     for (std::size_t c = 0; c < Columns; ++c) {
       const V t = hn::Set(d, entry[c]);
 #pragma GCC unroll 2
@@ -102,7 +103,7 @@ static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums
   for (std::size_t line = 0; j < run.rows; ++j, ++line) add_row(j, next, line);
 #pragma GCC unroll 2
   for (int v = 0; v < vectors_at_once; ++v) {
-#pragma GCC unroll 12
+#pragma GCC unroll 16
     for (std::size_t c = 0; c < Columns; ++c) sums[v][c] = s[v][c];
   }
 }
@@ -126,7 +127,7 @@ static void blend_tiles(const TileRun<T>& run, T* sums) {
     blend_group<T, Columns>(run, g, s);
     for (int v = 0; v < vectors_at_once; ++v) {
       T* out = sums + index_of<T>(g + v, Columns);
-#pragma GCC unroll 12
+#pragma GCC unroll 16
       for (std::size_t c = 0; c < Columns; ++c) hn::Store(s[v][c], d, out + c * tile_lanes<T>);
     }
   }
@@ -158,7 +159,7 @@ template <std::size_t WithMean, class T, std::size_t Columns>
 static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, Columns>& s) {
   if (!run.mean) return;
   const Tag<T> d;
-#pragma GCC unroll 12
+#pragma GCC unroll 16
   for (std::size_t c = 0; c < WithMean; ++c) {
     const auto mean = hn::Set(d, run.mean[c]);
 #pragma GCC unroll 2
@@ -239,6 +240,63 @@ struct ByPositions {
   }
 };
 
+// S o, of S - I in the first columns.
+template <class Column, class V>
+static HWY_INLINE lanes::Three<V> stretched(const Column& at, const lanes::Three<V>& o) {
+  const lanes::Six<V> s{at(0), at(1), at(2), at(3), at(4), at(5)};
+  const lanes::Three<V> more = lanes::times(s, o);
+  return {Add(o.x, more.x), Add(o.y, more.y), Add(o.z, more.z)};
+}
+
+struct ByStretches {
+  static constexpr RowShape shape = stretch_shape;
+
+  template <class D, class Column, class Rest>
+  HWY_INLINE auto operator()(D d, const Column& at, const Rest& offset) const {
+    const lanes::Three turn{at(6), at(7), at(8)};
+    const lanes::Three p = lanes::rotate_lanes(d, turn, stretched(at, offset()));
+    return lanes::Three{Add(p.x, at(9)), Add(p.y, at(10)), Add(p.z, at(11))};
+  }
+};
+
+// 2 / x; 0 where x is.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V twice_inverse(D d, V x) {
+  return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), hn::Div(hn::Set(d, 2.0f), x));
+}
+template <class D, class V>
+static HWY_INLINE lanes::Two<V> twice_inverse(D d, lanes::Two<V> x) {
+  return {twice_inverse(d, x.a), twice_inverse(d, x.b)};
+}
+
+struct ByQuaternions {
+  static constexpr RowShape shape = quaternion_shape;
+
+  template <class D, class Column, class Rest>
+  HWY_INLINE auto operator()(D d, const Column& at, const Rest& offset) const {
+    using V = decltype(at(0));
+    const lanes::Three<V> u = stretched(at, offset()), v{at(7), at(8), at(9)};
+    const V w = Add(at(6), V(hn::Set(d, 1.0f)));
+    const V factor = twice_inverse(d, MulAdd(w, w, lanes::sum_of_products(v.x, v.x, v.y, v.y, v.z, v.z)));
+    const lanes::Three<V> c = lanes::cross(v, u), t{Mul(factor, c.x), Mul(factor, c.y), Mul(factor, c.z)};
+    const lanes::Three<V> tt = lanes::cross(v, t);
+    return lanes::Three<V>{Add(Add(MulAdd(w, t.x, u.x), tt.x), at(10)),
+                           Add(Add(MulAdd(w, t.y, u.y), tt.y), at(11)),
+                           Add(Add(MulAdd(w, t.z, u.z), tt.z), at(12))};
+  }
+};
+
+struct ByMatrixLogs {
+  static constexpr RowShape shape = matrix_log_shape;
+
+  template <class D, class Column, class Rest>
+  HWY_INLINE auto operator()(D d, const Column& at, const Rest& offset) const {
+    const lanes::Nine log{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)};
+    const lanes::Three p = exp_times(d, log, offset());
+    return lanes::Three{Add(p.x, at(9)), Add(p.y, at(10)), Add(p.z, at(11))};
+  }
+};
+
 template <class T, class Move>
 static void place_tiles(const TileRun<T>& run, const T* rest, T* out) {
   constexpr RowShape shape = Move::shape;
@@ -251,6 +309,11 @@ static void place_tiles(const TileRun<T>& run, const T* rest, T* out) {
     const auto at_rest = [&]() HWY_ATTR { return load_rests(rest, g); };
     store_positions<T>(Move()(d, sum, at_rest), g, out);
   }
+}
+
+template <class Move>
+static constexpr TileKernel tile_kernel() {
+  return {blend_tiles<float, Move::shape.columns>, place_tiles<float, Move>};
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

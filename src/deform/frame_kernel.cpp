@@ -15,9 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
 static const FrameKernel frame = {
-    {blend_tiles<float, log_shape.columns>, place_tiles<float, ByLogs>},
-    {blend_tiles<float, map_shape.columns>, place_tiles<float, ByMaps>},
-    {blend_tiles<float, position_shape.columns>, place_tiles<float, ByPositions>},
+    {tile_kernel<ByLogs>(), tile_kernel<ByMaps>(), tile_kernel<ByPositions>(), tile_kernel<ByStretches>(),
+     tile_kernel<ByQuaternions>(), tile_kernel<ByMatrixLogs>()},
     ring_vertices,
     ring_high_valence};
 

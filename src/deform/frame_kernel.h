@@ -54,7 +54,7 @@ struct TileKernel {
 /// One compilation of the frame. Each lane is computed alone and in the same order whatever the width of the
 /// machine's vectors: the same bits from all kernels with fused multiply-add, and from all without.
 struct FrameKernel {
-  TileKernel logs, maps, positions;  ///< by RowForm
+  TileKernel forms[6];  ///< by RowForm
   /// To vertices[order[slot]]: position times unit, and the unit normal by its one-ring, (0, 0, 1)
   /// where there is no area; nothing where neither slots nor ghosts changed by a bit. Leaves write to
   /// different places and vertices.

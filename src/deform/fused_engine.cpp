@@ -21,14 +21,6 @@ void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* t
   }
 }
 
-const TileKernel& kernel_of(const FrameKernel& kernel, RowForm form) {
-  switch (form) {
-    case RowForm::logs: return kernel.logs;
-    case RowForm::maps: return kernel.maps;
-    default: return kernel.positions;
-  }
-}
-
 }  // namespace
 
 FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm form, base::WorkerPool& pool,
@@ -36,7 +28,7 @@ FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm fo
     : binding_(std::move(binding)),
       pool_(pool),
       kernel_(frame_kernel(kernel)),
-      tiles_(kernel_of(kernel_, form)),
+      tiles_(kernel_.forms[static_cast<std::size_t>(form)]),
       form_(form),
       columns_(shape(form).columns) {
   entries_.resize(binding_->handles * columns_);

@@ -12,7 +12,7 @@ namespace viete::deform {
 
 namespace {
 
-using Matrix = sym3::Sym3<double>;
+using Symmetric = sym3::Sym3<double>;
 
 constexpr double width_of_fit = 0.03;  // e, of the cage's diagonal
 constexpr double least_spread = 0.1;   // of the largest singular value
@@ -21,7 +21,7 @@ constexpr std::size_t most_vertices = 256;
 
 // Sums of w x x^T, lengths in diagonals of the cage.
 struct Spread {
-  Matrix k{0, 0, 0, 0, 0, 0};
+  Symmetric k{0, 0, 0, 0, 0, 0};
 
   void add(double w, const Vec3& x) {
     k.xx += w * x[0] * x[0], k.xy += w * x[0] * x[1], k.xz += w * x[0] * x[2];
@@ -43,14 +43,14 @@ private:
 };
 
 // By cofactors: the condition is that of the spread, squared.
-Matrix inverse(const Matrix& m) {
-  const Matrix c{m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
+Symmetric inverse(const Symmetric& m) {
+  const Symmetric c{m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
                  m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
   const double scale = 1 / (m.xx * c.xx + m.xy * c.xy + m.xz * c.xz);
   return {scale * c.xx, scale * c.xy, scale * c.xz, scale * c.yy, scale * c.yz, scale * c.zz};
 }
 
-Vec3 times(const Matrix& m, const Vec3& x) {
+Vec3 times(const Symmetric& m, const Vec3& x) {
   return {m.xx * x[0] + m.xy * x[1] + m.xz * x[2], m.xy * x[0] + m.yy * x[1] + m.yz * x[2],
           m.xz * x[0] + m.yz * x[1] + m.zz * x[2]};
 }
@@ -129,7 +129,7 @@ private:
       spread_.add(w, n);
       patches_.normal_duals[patch_] = (scale * w) * times(inverse(spread_.k), n);
     }
-    const Matrix k = inverse(spread_.k);
+    const Symmetric k = inverse(spread_.k);
     for (const auto v : vertices_) {
       const Vec3 x = from_center(v);
       patches_.vertices.push_back({v, (scale * weight(x)) * times(k, x)});

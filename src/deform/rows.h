@@ -10,9 +10,12 @@ namespace viete::deform {
 /// of the rest cage, o = x - sum w c its offset from the weighted mean of the handles' rest centres, and
 /// positions are relative to the pose's origin.
 enum class RowForm {
-  logs,       ///< X = log S (xx xy xz yy yz zz), Y = log R, centre c':  exp(Y) exp(X) o + c'
-  maps,       ///< D = M - I by rows, d = D (-c) + c' - c:               x + D x + d
-  positions,  ///< position p':                                          o + p'
+  logs,         ///< X = log S (xx xy xz yy yz zz), Y = log R, centre c':  exp(Y) exp(X) o + c'
+  maps,         ///< D = M - I by rows, d = D (-c) + c' - c:               x + D x + d
+  positions,    ///< position p':                                          o + p'
+  stretches,    ///< S - I (xx xy xz yy yz zz), Y, c':                     exp(Y) S o + c'
+  quaternions,  ///< S - I, the quaternion of exp(Y) (w - 1, x, y, z), c': R(q / |q|) S o + c'
+  matrix_logs,  ///< L = log M by rows, c':                                exp(L) o + c'
 };
 
 struct RowShape {
@@ -26,6 +29,9 @@ struct RowShape {
 inline constexpr RowShape log_shape{12, 9, 9};  // what the centres miss, the offsets hold
 inline constexpr RowShape map_shape{12, 9, 12};
 inline constexpr RowShape position_shape{3, 0, 0};
-inline constexpr std::size_t most_columns = 12;
+inline constexpr RowShape stretch_shape{12, 9, 9};
+inline constexpr RowShape quaternion_shape{13, 10, 10};
+inline constexpr RowShape matrix_log_shape{12, 9, 9};
+inline constexpr std::size_t most_columns = 13;
 
 }  // namespace viete::deform

@@ -44,6 +44,11 @@ constexpr std::array blend_table = {
     BlendEntry{{"srl", "Log space", "logs of stretches and of rotations, about the blended centre"},
                Blend::srl,
                true},
+    BlendEntry{{"slrl", "Logs of turns", "stretches averaged, logs of rotations"}, Blend::slrl, false},
+    BlendEntry{
+        {"sql", "Quaternions", "stretches averaged, rotations as unit quaternions"}, Blend::sql, false},
+    BlendEntry{
+        {"log3", "Matrix logs", "logs of the whole maps, turn and stretch in one"}, Blend::log3, false},
     BlendEntry{{"linear", "Linear", "the maps themselves are averaged"}, Blend::linear, false},
 };
 

@@ -21,7 +21,7 @@ enum class Elements { face, point, patch };
 enum class Weights { inverse, mean_value };
 
 /// What of the maps is summed, and how the sums become a position.
-enum class Blend { srl, linear };
+enum class Blend { srl, linear, slrl, sql, log3 };
 
 /// What of the cage handles are.
 enum class Handles { faces, vertices };

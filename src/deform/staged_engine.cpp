@@ -20,10 +20,10 @@ StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form,
       normals_(binding_->vertices),
       vertices_(binding_->vertices) {
   const std::size_t n = binding_->vertices;
-  switch (form) {
-    case RowForm::logs: logs_.resize(n), stretches_.resize(n); break;
-    case RowForm::maps: maps_.resize(n); break;
-    case RowForm::positions: sums_.resize(n); break;
+  if (form == RowForm::logs) {
+    logs_.resize(n), stretches_.resize(n);
+  } else {
+    sums_.resize(n * shape(form).columns);
   }
 }
 
@@ -35,11 +35,7 @@ void StagedEngine::for_vertices(const Body& body) {
 void StagedEngine::run(const CageState& state, sym3::Method method) {
   const Rows rows = state.rows();
   times_ = {};
-  switch (rows.form) {
-    case RowForm::logs: blend_logs(rows, method); break;
-    case RowForm::maps: blend_maps(rows); break;
-    case RowForm::positions: blend_positions(rows); break;
-  }
+  rows.form == RowForm::logs ? blend_logs(rows, method) : blend_others(rows);
   finish(rows.origin);
 }
 
@@ -59,23 +55,15 @@ void StagedEngine::blend_logs(const Rows& rows, sym3::Method method) {
   times_[Link::apply] = watch.lap_ms();
 }
 
-void StagedEngine::blend_maps(const Rows& rows) {
+void StagedEngine::blend_others(const Rows& rows) {
   base::Stopwatch watch;
-  for_vertices([&](std::size_t begin, std::size_t end) { blend(*binding_, rows, begin, end, maps_); });
+  for_vertices(
+      [&](std::size_t begin, std::size_t end) { blend(*binding_, rows, begin, end, std::span(sums_)); });
   times_[Link::blend] = watch.lap_ms();
   for_vertices([&](std::size_t begin, std::size_t end) {
-    apply(*binding_, maps_, rows.origin, begin, end, positions_);
+    apply(*binding_, rows.form, sums_, rows.origin, begin, end, positions_);
   });
   times_[Link::apply] = watch.lap_ms();
-}
-
-void StagedEngine::blend_positions(const Rows& rows) {
-  base::Stopwatch watch;
-  for_vertices([&](std::size_t begin, std::size_t end) {
-    blend(*binding_, rows, begin, end, sums_);
-    apply(*binding_, sums_, rows.origin, begin, end, positions_);
-  });
-  times_[Link::blend] = watch.lap_ms();
 }
 
 void StagedEngine::finish(const Vec3& origin) {

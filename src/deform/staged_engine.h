@@ -28,15 +28,13 @@ private:
   template <class Body>
   void for_vertices(const Body& body);
   void blend_logs(const Rows& rows, sym3::Method method);
-  void blend_maps(const Rows& rows);
-  void blend_positions(const Rows& rows);
+  void blend_others(const Rows& rows);
   void finish(const Vec3& origin);
 
   std::shared_ptr<const Binding> binding_;
   base::WorkerPool& pool_;
   BlendedLogs logs_;
-  BlendedMaps maps_;
-  std::vector<Vec3> sums_;
+  std::vector<double> sums_;  // of other forms
   std::vector<sym3::Sym3<double>> stretches_;
   std::vector<mesh::Point> positions_, normals_;
   std::vector<FrameVertex> vertices_;

@@ -51,6 +51,9 @@ struct Case {
 constexpr double end_of_reach = 3;
 const Case cases[] = {{faces, Blend::srl, IndependentScheme::faces_srl, 1e-14},
                       {faces_reaching(end_of_reach), Blend::srl, IndependentScheme::faces_srl, 1e-14},
+                      {faces, Blend::slrl, IndependentScheme::faces_slrl, 1e-14},
+                      {faces, Blend::sql, IndependentScheme::faces_sql, 1e-14},
+                      {faces, Blend::log3, IndependentScheme::faces_log3, 1e-13},
                       {faces, Blend::linear, IndependentScheme::faces_linear, 1e-14},
                       {mean_values, Blend::linear, IndependentScheme::points_mean_value, 1e-13}};
 
@@ -69,8 +72,9 @@ Errors errors(const Case& c, const mesh::Surface& cage, const mesh::Surface& poi
           largest_distance(fused.positions(), exact.positions) / diagonal};
 }
 
-void compare(const mesh::Surface& cage, const mesh::Surface& points, const Pose& pose) {
+void compare(const mesh::Surface& cage, const mesh::Surface& points, const Pose& pose, bool half_turns) {
   for (const auto& c : cases) {
+    if (c.blend == Blend::log3 && !half_turns) continue;  // principal logs alone are compared
     const Errors e = errors(c, cage, points, pose);
     CAPTURE(text({c.weighting, c.blend}));
     CHECK(e.staged < c.staged_bound);
@@ -86,7 +90,8 @@ TEST_CASE("frames_of_random_poses_agree_with_an_evaluation_in_quad_precision") {
   for (const auto& cage : cages) {
     const double size = mesh::bounds(cage.positions).diagonal();
     const auto points = points_about(cage, random);
-    for (int n = 0; n < 4; ++n) compare(cage, points, {mapped(cage.positions, Waves(random, size)), {}});
+    for (int n = 0; n < 4; ++n)
+      compare(cage, points, {mapped(cage.positions, Waves(random, size)), {}}, true);
   }
 }
 
@@ -100,6 +105,6 @@ TEST_CASE("frames_of_turns_beyond_180_degrees_agree_with_an_evaluation_in_quad_p
   } twists[] = {{-220, 220, {0, 0, 0}}, {40, 300, {0, 0, 3}}, {40, 300, {0, 0, -3.5}}};
   for (const auto& t : twists) {
     const Twist twist{2, {0, 0, 0}, -1.5, 1.5, t.low * degree, t.high * degree};
-    compare(cage, points, {mapped(cage.positions, twist), {t.turn}});
+    compare(cage, points, {mapped(cage.positions, twist), {t.turn}}, false);
   }
 }

@@ -15,6 +15,7 @@ Binding random_binding(std::size_t vertices, std::size_t handles, Random& random
   b.handles = handles;
   for (std::size_t i = 0; i < vertices * handles; ++i) b.weights.push_back(random(0, 1));
   for (std::size_t i = 0; i < vertices; ++i) b.offsets.push_back(random.vector(1));
+  b.rest.resize(vertices);
   return b;
 }
 
@@ -72,12 +73,12 @@ TEST_CASE("blend_over_any_division_into_ranges_has_the_same_bits") {
   std::vector<Vec3> posed(k);
   for (auto& p : posed) p = random.vector(1);
   BlendedLogs whole = sized(n), parts = sized(n);
-  std::vector<Vec3> a(n), c(n);
+  std::vector<double> a(3 * n), c(3 * n);
   blend(b, rows_of(logs), 0, n, whole);
-  blend(b, rows_of(posed), 0, n, a);
+  blend(b, rows_of(posed), 0, n, std::span(a));
   for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 4u}, {4u, 11u}, {11u, 50u}}) {
     blend(b, rows_of(logs), begin, end, parts);
-    blend(b, rows_of(posed), begin, end, c);
+    blend(b, rows_of(posed), begin, end, std::span(c));
   }
   CHECK(whole.stretch == parts.stretch);
   CHECK(whole.rotation == parts.rotation);
@@ -91,9 +92,9 @@ TEST_CASE("blended_positions_are_origin_offset_and_weighted_sum") {
   std::vector<Vec3> posed(5);
   for (auto& p : posed) p = random.vector(1);
   std::vector<viete::mesh::Point> out(6);
-  std::vector<Vec3> sums(6);
-  blend(b, rows_of(posed), 0, 6, sums);
-  apply(b, sums, {10, 20, 30}, 0, 6, out);
+  std::vector<double> sums(18);
+  blend(b, rows_of(posed), 0, 6, std::span(sums));
+  apply(b, RowForm::positions, sums, {10, 20, 30}, 0, 6, out);
   for (std::size_t i = 0; i < 6; ++i) {
     Vec3 sum = Vec3{10, 20, 30} + b.offsets[i];
     for (std::size_t j = 0; j < 5; ++j) sum = sum + b.weights[i * 5 + j] * posed[j];

@@ -43,7 +43,7 @@ TEST_CASE("every_staged_link_of_a_blend_is_timed_and_no_other") {
   CHECK(timed(faces, Blend::srl) ==
         std::set{L::face_maps, L::log_maps, L::blend, L::exp, L::apply, L::normals});
   CHECK(timed(faces, Blend::linear) == std::set{L::face_maps, L::blend, L::apply, L::normals});
-  CHECK(timed(mean_values, Blend::linear) == std::set{L::blend, L::normals});
+  CHECK(timed(mean_values, Blend::linear) == std::set{L::blend, L::apply, L::normals});
 }
 
 TEST_CASE("a_pose_with_another_number_of_vertices_is_refused") {

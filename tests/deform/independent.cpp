@@ -110,6 +110,7 @@ struct Element {
   Vector rest_center, center, turn;  // turn: the log of the rotation
   Matrix map, rotation;
   QuadSym stretch;  // the log
+  Matrix log{};     // of the whole map, where that is asked for
 };
 
 Element element(const Corners& rest, const Corners& posed) {
@@ -261,6 +262,117 @@ Vector by_logs(const Vector& x, const std::vector<Element>& elements, const std:
   return plus(times(quad_rotation(turn), times(stretch, offset)), center);
 }
 
+// Weighted sums of N numbers an element, and of what all blends about a centre need.
+template <std::size_t N, class Numbers>
+std::array<Quad, N> weighted(const std::vector<Element>& elements, const std::vector<Quad>& weights,
+                             const Numbers& numbers) {
+  std::array<Quad, N> sum{};
+  for (std::size_t j = 0; j < elements.size(); ++j) {
+    const std::array<Quad, N> row = numbers(elements[j]);
+    for (std::size_t i = 0; i < N; ++i) sum[i] += weights[j] * row[i];
+  }
+  return sum;
+}
+
+Vector about_center(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights,
+                    const Matrix& m) {
+  const Vector rest = weighted<3>(elements, weights, [](const Element& e) { return e.rest_center; });
+  const Vector center = weighted<3>(elements, weights, [](const Element& e) { return e.center; });
+  return plus(times(m, minus(x, rest)), center);
+}
+
+Matrix mean_stretch(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
+  const auto s = weighted<6>(elements, weights, [](const Element& e) {
+    const QuadSym m = quad_exp(e.stretch);
+    return std::array<Quad, 6>{m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};
+  });
+  return full({s[0], s[1], s[2], s[3], s[4], s[5]});
+}
+
+Matrix rotation_of(const Vector& turn) {
+  Matrix r{};
+  for (int i = 0; i < 3; ++i) {
+    Vector axis{};
+    axis[i] = 1;
+    const Vector column = times(quad_rotation(turn), axis);
+    for (int k = 0; k < 3; ++k) r[3 * k + i] = column[k];
+  }
+  return r;
+}
+
+Matrix turned_mean_stretch(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
+  const Vector turn = weighted<3>(elements, weights, [](const Element& e) { return e.turn; });
+  return product(rotation_of(turn), mean_stretch(elements, weights));
+}
+
+// Of half the angle of each turn; the mean is as long as it is.
+Matrix mean_quaternion_stretch(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
+  const auto q = weighted<4>(elements, weights, [](const Element& e) {
+    const Quad angle = length(e.turn), sine = angle > 0 ? sinq(angle / 2) / angle : Quad(0.5);
+    return std::array<Quad, 4>{cosq(angle / 2), sine * e.turn[0], sine * e.turn[1], sine * e.turn[2]};
+  });
+  const Vector v{q[1], q[2], q[3]};
+  const Quad sine = length(v), angle = 2 * atan2q(sine, q[0]);
+  return product(rotation_of(plus({}, v, sine > 0 ? angle / sine : 0)), mean_stretch(elements, weights));
+}
+
+constexpr Matrix identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+Matrix combined(const Matrix& a, const Matrix& b, Quad of_a, Quad of_b) {
+  Matrix c{};
+  for (int i = 0; i < 9; ++i) c[i] = of_a * a[i] + of_b * b[i];
+  return c;
+}
+
+Matrix inverse(const Matrix& m) {
+  const Vector a{m[0], m[3], m[6]}, b{m[1], m[4], m[7]}, c{m[2], m[5], m[8]};
+  const Vector rows[] = {outer(b, c), outer(c, a), outer(a, b)};
+  const Quad determinant = inner(a, rows[0]);
+  Matrix r{};
+  for (int i = 0; i < 9; ++i) r[i] = rows[i / 3][i % 3] / determinant;
+  return r;
+}
+
+// By Denman and Beavers.
+Matrix square_root(const Matrix& m) {
+  Matrix y = m, z = identity;
+  for (int i = 0; i < 14; ++i) {
+    const Matrix next = combined(y, inverse(z), 0.5, 0.5);
+    z = combined(z, inverse(y), 0.5, 0.5);
+    y = next;
+  }
+  return y;
+}
+
+// 2^12 times that of the root, which is so near to I that a few terms do.
+Matrix log_of_matrix(Matrix m) {
+  constexpr int roots = 12;
+  for (int i = 0; i < roots; ++i) m = square_root(m);
+  const Matrix x = combined(m, identity, 1, -1);
+  Matrix power = x, sum{};
+  for (int n = 1; n <= 12; ++n) {
+    sum = combined(sum, power, 1, (n % 2 ? Quad(1) : Quad(-1)) / n);
+    power = product(power, x);
+  }
+  return combined(sum, sum, 1 << roots, 0);
+}
+
+Matrix exp_of_matrix(const Matrix& log) {
+  constexpr int squarings = 10;
+  const Matrix x = combined(log, log, Quad(1) / (1 << squarings), 0);
+  Matrix term = identity, sum = identity;
+  for (int n = 1; n <= 24; ++n) {
+    term = combined(product(term, x), x, Quad(1) / n, 0);
+    sum = combined(sum, term, 1, 1);
+  }
+  for (int i = 0; i < squarings; ++i) sum = product(sum, sum);
+  return sum;
+}
+
+Matrix mean_of_matrix_logs(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
+  return exp_of_matrix(weighted<9>(elements, weights, [](const Element& e) { return e.log; }));
+}
+
 Vector by_maps(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights) {
   Vector sum{};
   for (std::size_t j = 0; j < elements.size(); ++j) {
@@ -289,6 +401,20 @@ double largest_step(const std::vector<Element>& elements,
   return std::acos(static_cast<double>((least - 1) / 2));
 }
 
+Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
+                const std::vector<Element>& elements, IndependentScheme scheme, double reach) {
+  using enum IndependentScheme;
+  if (scheme == points_mean_value) return by_positions(pose.positions, mean_value(x, cage));
+  const auto w = inverse_distance(x, cage, reach);
+  switch (scheme) {
+    case faces_srl: return by_logs(x, elements, w);
+    case faces_slrl: return about_center(x, elements, w, turned_mean_stretch(elements, w));
+    case faces_sql: return about_center(x, elements, w, mean_quaternion_stretch(elements, w));
+    case faces_log3: return about_center(x, elements, w, mean_of_matrix_logs(elements, w));
+    default: return by_maps(x, elements, w);
+  }
+}
+
 }  // namespace
 
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
@@ -296,16 +422,15 @@ IndependentFrame deform_independently(std::span<const mesh::Point> points, const
   std::vector<Element> elements;
   for (const auto& t : cage.triangles)
     elements.push_back(element(corners(t, cage.positions), corners(t, pose.positions)));
+  if (scheme == IndependentScheme::faces_log3) {
+    for (Element& e : elements) e.log = log_of_matrix(e.map);
+  }
   const auto around = neighbours(cage);
   choose_turns(elements, around, quad(pose.turn));
   IndependentFrame frame{{}, largest_step(elements, around)};
   for (const auto& point : points) {
     const Vector x = quad(point);
-    const bool mean_values = scheme == IndependentScheme::points_mean_value;
-    const auto weights = mean_values ? mean_value(x, cage) : inverse_distance(x, cage, reach);
-    const Vector moved = mean_values                              ? by_positions(pose.positions, weights)
-                         : scheme == IndependentScheme::faces_srl ? by_logs(x, elements, weights)
-                                                                  : by_maps(x, elements, weights);
+    const Vector moved = moved_by(x, cage, pose, elements, scheme, reach);
     frame.positions.push_back(
         {static_cast<double>(moved[0]), static_cast<double>(moved[1]), static_cast<double>(moved[2])});
   }

@@ -1,0 +1,138 @@
+// What every way of blending must do, whatever it is.
+#include <doctest/doctest.h>
+
+#include "deform/bound.h"
+#include "deform/map_rows.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+mesh::Surface model() {
+  return together(tube(12, 12, 0.3, 3), box({1, 1, 1}, {0.5, 0, 0}));
+}
+
+mesh::Surface cage_of_a_part() {
+  return tube(9, 7, 0.4, 2.2);
+}
+
+// Both engines, of one scheme.
+struct Both {
+  Both(const mesh::Surface& model, const mesh::Surface& cage, const Scheme& scheme)
+      : staged(model, cage, scheme.weighting, 2, scheme.blend),
+        fused(staged.cage,
+              std::make_shared<const Binding>(
+                  bind(model, *staged.cage, scheme.weighting, EngineKind::fused, nullptr, staged.pool)),
+              scheme, staged.pool) {}
+
+  // Of the two in the same pose, in diagonals of the cage at rest or posed, whichever is larger.
+  double difference(const Pose& pose) {
+    fused.deform(pose, sym3::Method::fast);
+    const double unit = std::max(staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());
+    return largest_distance(fused.positions(), staged.deform(pose)) / unit;
+  }
+
+  Bound staged;
+  Deformer fused;
+};
+
+}  // namespace
+
+TEST_CASE("every_scheme_keeps_rest_and_follows_similarities") {
+  for (const Scheme& scheme : all_schemes()) {
+    CAPTURE(text(scheme));
+    Both b(model(), cage_of_a_part(), scheme);
+    const auto& rest = b.staged.model.positions;
+    CHECK(largest_distance(b.staged.deform(rest_pose(*b.staged.cage)), rest) <
+          1e-14 * b.staged.cage->diagonal);
+    for (const double angle : {0.0, 1e-9, 90.0, 179.999, 180.0, 270.0}) {
+      for (const double scale : {1e-3, 1.0, 1e3}) {
+        const auto map = similarity({1, -2, 3}, angle * degree, scale, {20 * scale, scale, -scale});
+        CHECK(b.staged.error(map) < 1e-12);
+        CHECK(b.difference(b.staged.pose(map)) < 1e-6);
+      }
+    }
+  }
+}
+
+TEST_CASE("affine_poses_are_exact_where_elements_or_weights_promise_it") {
+  std::size_t exact = 0;
+  for (const Scheme& scheme : all_schemes()) {
+    CAPTURE(text(scheme));
+    const bool promised = entry(scheme.weighting.elements).reproduces == "affine poses" ||
+                          scheme.weighting.weights == Weights::mean_value;
+    Both b(model(), cage_of_a_part(), scheme);
+    const double error = b.staged.error(shear());
+    CHECK((error < 1e-12) == promised);
+    CHECK(b.difference(b.staged.pose(shear())) < 5e-6);
+    exact += promised;
+  }
+  CHECK(exact > 1);
+}
+
+TEST_CASE("moving_the_posed_cage_moves_the_model_as_it_is") {
+  const Twist twist{2, {0.1, 0, 0}, -1.1, 1.1, -60 * degree, 70 * degree};
+  const Vec3 way{100, -50, 25};
+  for (const Scheme& scheme : all_schemes()) {
+    CAPTURE(text(scheme));
+    Both b(model(), cage_of_a_part(), scheme);
+    const auto here = b.staged.deform(b.staged.pose(twist));
+    const auto moved = [&](const Vec3& x) { return twist(x) + way; };
+    const auto there = mapped(here, [&](const Vec3& x) { return x + way; });
+    CHECK(largest_distance(b.staged.deform(b.staged.pose(moved)), there) < 1e-12);
+  }
+}
+
+TEST_CASE("both_engines_agree_on_twists_beyond_180_degrees_and_on_mirrored_and_collapsed_poses") {
+  const Twist twist{2, {0.1, 0, 0}, -1.1, 1.1, -200 * degree, 210 * degree};
+  const auto flat = [](const Vec3& x) { return Vec3{x[0], x[1], 0}; };
+  const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
+  const auto dot = [](const Vec3&) { return Vec3{1, 2, 3}; };
+  for (const Scheme& scheme : all_schemes()) {
+    CAPTURE(text(scheme));
+    Both b(model(), cage_of_a_part(), scheme);
+    CHECK(b.difference(b.staged.pose(twist)) < 2e-5);
+    CHECK(b.difference(b.staged.pose(flat)) < 2e-5);
+    CHECK(b.difference(b.staged.pose(mirror)) < 2e-5);
+    CHECK(all_finite(b.staged.deform(b.staged.pose(dot))));
+  }
+}
+
+TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
+  for (const Scheme& scheme : all_schemes()) {
+    if (!has_logs(row_form(scheme.weighting.elements, scheme.blend))) continue;
+    CAPTURE(text(scheme));
+    Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), scheme.weighting, 2, scheme.blend);
+    // One end ahead of the other through 180 degrees, and all together through 360 and 540.
+    for (const double ahead : {15.0, 0.0}) {
+      std::vector<mesh::Point> before;
+      std::vector<Vec3> turns;
+      const int most = ahead > 0 ? 300 : 560;
+      for (int a = 0; a <= most; a += 4) {
+        const Twist twist{2, {0, 0, 0}, -1.1, 1.1, (a - ahead) * degree, (a + ahead) * degree};
+        const auto now = b.deform(b.pose(twist, turns));
+        turns = b.report().turns;
+        if (!before.empty()) CHECK(largest_distance(now, before) < 3 * 4 * degree * 0.4);
+        before = now;
+      }
+      CHECK(norm(turns[0]) == doctest::Approx(most * degree).epsilon(0.05));
+    }
+  }
+}
+
+TEST_CASE("a_drag_gives_what_a_whole_frame_gives") {
+  for (const Scheme& scheme : all_schemes()) {
+    CAPTURE(text(scheme));
+    Both b(model(), tube(20, 12, 0.6, 3), scheme);
+    Pose pose = b.staged.pose(Twist{2, {0, 0, 0}, -1.5, 1.5, -20 * degree, 40 * degree});
+    b.fused.deform(pose, sym3::Method::fast);
+    const std::uint32_t vertex[] = {100};
+    b.fused.begin_drag(vertex);
+    for (int step = 0; step < 4; ++step) {
+      pose.positions[100][0] += 0.03;
+      b.fused.deform(pose, sym3::Method::fast);
+    }
+    CHECK(largest_distance(b.fused.positions(), b.staged.deform(pose)) < 2e-5 * b.staged.cage->diagonal);
+  }
+}
