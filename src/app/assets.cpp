@@ -1,5 +1,6 @@
 #include "app/assets.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -32,7 +33,12 @@ fs::path assets_folder() {
 
 BundledModel bundled_model() {
   const fs::path folder = assets_folder() / "dragon";
-  return {folder / "dragon.ply", folder / "cage.obj"};
+  BundledModel bundled{folder / "dragon.ply", folder / "cage.obj", {}};
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().starts_with("pose_")) bundled.poses.push_back(entry.path());
+  }
+  std::sort(bundled.poses.begin(), bundled.poses.end());
+  return bundled;
 }
 
 }  // namespace viete::app

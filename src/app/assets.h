@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace viete::app {
 
@@ -11,6 +12,7 @@ std::filesystem::path assets_folder();
 
 struct BundledModel {
   std::filesystem::path model, cage;
+  std::vector<std::filesystem::path> poses;  ///< of the cage, by name
 };
 BundledModel bundled_model();
 

@@ -1,4 +1,5 @@
-// viete bench exp|eigen|frame|bind|accuracy|sym3: the paper's figures, and its future work, on this machine.
+// viete bench exp|eigen|frame|bind|modes|accuracy|sym3: the paper's figures, and its future work, on this
+// machine.
 #include <cstdio>
 #include <memory>
 
@@ -14,6 +15,7 @@
 #include "bench/eigen.h"
 #include "bench/exp.h"
 #include "bench/frame.h"
+#include "bench/modes.h"
 #include "bench/sym3.h"
 #include "sym3/kernel.h"
 
@@ -51,6 +53,19 @@ int run_on_model(Options& options, const BenchFiles& files, void (*run)(const Op
   if (options.model.empty()) options.model = bundled_model().model;
   options.json = files.json;
   run(options);
+  return exit_ok;
+}
+
+int run_modes(bench::ModesOptions& options, const BenchFiles& files) {
+  auto inputs = options.poses;
+  inputs.insert(inputs.end(), {options.model, options.cage});
+  files.check(inputs);
+  if (options.model.empty()) {
+    const BundledModel bundled = bundled_model();
+    options.model = bundled.model, options.cage = bundled.cage, options.poses = bundled.poses;
+  }
+  options.json = files.json;
+  bench::bench_modes(options);
   return exit_ok;
 }
 
@@ -126,6 +141,25 @@ void add_bind_bench(CLI::App& bench, Action& action) {
   });
 }
 
+void add_modes_bench(CLI::App& bench, Action& action) {
+  auto* command = bench.add_subcommand(
+      "modes", "Every way of blending, side by side: what it reproduces, how it distorts, what it costs");
+  auto options = std::make_shared<bench::ModesOptions>();
+  auto files = std::make_shared<BenchFiles>();
+  add_model_and_cage(*command, *options, "that of the dragon");
+  command->add_option("POSE", options->poses, "Posed cages, same vertices in the same order")
+      ->default_str("those of the dragon");
+  add_method_option(*command, [options](sym3::Method method) { options->settings.method = method; });
+  add_reach_option(*command, [options](double reach) { options->settings.reach = reach; });
+  add_rounds_option(*command, options->settings.rounds, "11");
+  add_bench_files(*command, *files);
+  command->callback([options, files, &action] {
+    if (!options->model.empty() && options->poses.empty())
+      throw CLI::RequiredError(options->cage.empty() ? "CAGE" : "POSE");
+    action = [options, files] { return run_modes(*options, *files); };
+  });
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
@@ -165,6 +199,7 @@ void add_bench_command(CLI::App& app, Action& action) {
   }
   add_frame_bench(*command, action);
   add_bind_bench(*command, action);
+  add_modes_bench(*command, action);
 }
 
 }  // namespace viete::app

@@ -55,20 +55,12 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
   add_reach_option(app, [&inputs](double reach) { inputs.settings.reach = reach; });
 }
 
-void add_method_option(CLI::App& app, std::optional<sym3::Method>& method) {
-  std::vector<std::string> words;
-  for (const sym3::Method m : scene::compared_methods) words.emplace_back(sym3::name(m));
-  auto* option = app.add_option_function<std::string>(
-      "--method", [&method](const std::string& word) { method = sym3::method_from_name(word); },
-      "How exp is computed: " + listed(words));
-  one_of(option, words)->default_str("fast");
-}
-
 }  // namespace
 
 void add_input_options(CLI::App& app, Inputs& inputs) {
   add_files(app, inputs);
-  if (inputs.use != Use::binding) add_method_option(app, inputs.settings.method);
+  if (inputs.use != Use::binding)
+    add_method_option(app, [&inputs](sym3::Method method) { inputs.settings.method = method; });
   add_scheme_options(app, inputs);
 }
 

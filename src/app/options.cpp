@@ -8,6 +8,7 @@
 #include "app/words.h"
 #include "base/quantity.h"
 #include "deform/scheme.h"
+#include "scene/frame_stats.h"
 #include "scene/range.h"
 
 namespace viete::app {
@@ -78,6 +79,15 @@ void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot) {
   add_file_option(app, "--json", files.json, "Also write the numbers to this file");
   if (has_plot) add_file_option(app, "--plot", files.plot, "Also draw them: an SVG file");
   add_force_option(app, files.force);
+}
+
+void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take) {
+  std::vector<std::string> words;
+  for (const sym3::Method m : scene::compared_methods) words.emplace_back(sym3::name(m));
+  auto* option = app.add_option_function<std::string>(
+      "--method", [take](const std::string& word) { take(*sym3::method_from_name(word)); },
+      "How exp is computed: " + listed(words));
+  one_of(option, words)->default_str("fast");
 }
 
 CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take) {

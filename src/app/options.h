@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/output.h"
+#include "sym3/exp.h"
 
 namespace viete::app {
 
@@ -32,6 +33,8 @@ constexpr std::int64_t most_vertices = 10'000'000;
 /// --json, --force and, if asked for, --plot.
 void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 
+/// --method WORD.
+void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
 /// --reach NUMBER|all.
 CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take);
 /// --binding FILE, written by `viete bind`.

@@ -1,8 +1,13 @@
 // viete bench: small runs of every benchmark, their files and tables.
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 #include <vector>
 
+#include "deform/scheme.h"
+#include "mesh/shapes.h"
+#include "mesh/write.h"
 #include "program/command_line.h"
 
 using namespace viete;
@@ -46,6 +51,54 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
   CHECK(run("bench frame --faces 8 " + files).code == 2);
   CHECK(mentions(run("bench bind --json " + quoted(cage) + " " + files), "one of those that are read"));
   CHECK(mentions(run("bench bind none.obj " + quoted(cage)), "none.obj"));
+}
+
+TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
+  const TemporaryFolder scratch;
+  const fs::path json = scratch / "modes.json", ball = scratch / "ball.obj", box = scratch / "box.obj",
+                 tall = scratch / "pose_tall.obj";
+  auto cube = test::moved(test::cube(), 1.5);
+  mesh::write(ball, test::sphere(2));
+  mesh::write(box, cube);
+  for (auto& p : cube.positions) p[2] *= 2;
+  mesh::write(tall, cube);
+  const std::string files = quoted(ball) + " " + quoted(box) + " " + quoted(tall) + " " + quoted(box);
+  const auto outcome = run("bench modes --rounds 1 --reach 4 " + files + " --json " + quoted(json));
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(mentions(outcome, "66 vertices, 12 cage triangles, method fast, reach 4"));
+  for (const char* title : {"\ntall ", "\nbox ", "\nall 2 poses "}) CHECK(mentions(outcome, title));
+  std::istringstream lines(outcome.text);
+  for (std::string line; std::getline(lines, line);) CHECK_MESSAGE(line.size() <= 110, line);
+  std::ifstream in(json);
+  const auto results = nlohmann::json::parse(in)["results"];
+  for (const deform::Scheme& scheme : deform::all_schemes()) CHECK(mentions(outcome, deform::text(scheme)));
+  CHECK(results.size() == deform::all_schemes().size());
+  for (const auto& mode : results) {
+    REQUIRE(mode["poses"].size() == 2);
+    CHECK(double(mode["deviations"]["translation"]) < 1e-9);
+    CHECK(double(mode["poses"][1]["energy"]) < 1e-9);  // the box is at rest
+  }
+  const auto& mean_values = *std::find_if(results.begin(), results.end(), [](const auto& mode) {
+    return mode["elements"] == "point" && mode["weights"] == "mean-value";
+  });
+  CHECK(double(mean_values["poses"][0]["volume"]) == doctest::Approx(2));
+  CHECK(double(mean_values["poses"][0]["worst_shear"]) == doctest::Approx(2).epsilon(0.05));
+}
+
+TEST_CASE("what_is_missing_or_does_not_fit_is_said_before_modes_are_compared") {
+  const TemporaryFolder scratch;
+  const std::string model = quoted(dragon), in_cage = model + " " + quoted(cage);
+  const auto no_cage = run("bench modes " + model), no_pose = run("bench modes " + in_cage);
+  CHECK(no_cage.code == 2);
+  CHECK(mentions(no_cage, "CAGE is required"));
+  CHECK(no_pose.code == 2);
+  CHECK(mentions(no_pose, "POSE is required"));
+  CHECK(run("bench modes " + in_cage + " none.obj").code == 1);
+  const auto other = run("bench modes " + in_cage + " " + model);  // of another number of vertices
+  CHECK(other.code == 1);
+  CHECK(mentions(other, "dragon.ply"));
+  const auto replaced = run("bench modes " + in_cage + " " + quoted(pose) + " --json " + quoted(pose));
+  CHECK(mentions(replaced, "one of those that are read"));
 }
 
 TEST_CASE("benchmarks_are_drawn_as_svg_with_every_method_and_layout") {

@@ -12,7 +12,7 @@ using namespace viete::test;
 namespace {
 
 const std::vector<std::string> commands = {"view", "render", "deform", "bind", "info", "bench"},
-                               benches = {"exp", "eigen", "accuracy", "sym3", "frame", "bind"};
+                               benches = {"exp", "eigen", "accuracy", "sym3", "frame", "bind", "modes"};
 
 void check_width(const Outcome& help) {
   std::istringstream lines(help.text);
@@ -67,7 +67,8 @@ TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_
       {"render a b -o x.png -o y.png", "--output is given more than once\n"},
       {"render a b -q -o x.png", "no option -q\n"},
       {"render a b c d -o x.png", "more than viete render takes: c d\n"},
-      {"bench", "viete bench needs one of exp, eigen, accuracy, sym3, frame or bind\nRun viete bench --help"},
+      {"bench",
+       "viete bench needs one of exp, eigen, accuracy, sym3, frame, bind or modes\nRun viete bench --help"},
       {"bench nothing", "viete bench has no command nothing\n"},
       {"bench exponential", "no command exponential; did you mean exp?"},
       {"bench frame --face 8", "no option --face; did you mean --faces?\nRun viete bench frame --help"},
@@ -132,7 +133,9 @@ TEST_CASE("every_number_has_a_range_without_nan_and_infinity_and_says_it_in_shor
                {"bench frame --reach ", "needs a number from 1.5 on, or all, not "},
                {"bench bind --count ", "needs a whole number from 1 to 10,000,000, not "},
                {"bench bind --faces ", "needs a whole number from 8 to 10,000, not "},
-               {"bench bind --rounds ", "needs a whole number from 1 to 1,000, not "}};
+               {"bench bind --rounds ", "needs a whole number from 1 to 1,000, not "},
+               {"bench modes --rounds ", "needs a whole number from 1 to 1,000, not "},
+               {"bench modes --reach ", "needs a number from 1.5 on, or all, not "}};
   for (const auto& c : cases) {
     for (const char* bad : {"nan", "inf", "-inf", "-1", "1e400", "10000000000x", "0x10", "''"}) {
       const Outcome outcome = run(c.line + bad);

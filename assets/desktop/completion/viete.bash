@@ -51,6 +51,7 @@ _viete_options() {
     'bench sym3') options+=' --force --count --json' ;;
     'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
     'bench bind') options+=' --force --count --faces --rounds --json' ;;
+    'bench modes') options+=' --force --method --reach --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))
 }
@@ -59,7 +60,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform bind info bench help' benches='exp eigen accuracy sym3 frame bind'
+  local commands='view render deform bind info bench help' benches='exp eigen accuracy sym3 frame bind modes'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -69,7 +70,7 @@ _viete() {
   case $cur:$command in
     -*) _viete_options "$command" ;;
     *:bench) COMPREPLY=($(compgen -W "$benches" -- "$cur")) ;;
-    *:bench\ frame | *:bench\ bind) _filedir "$_viete_meshes" ;;
+    *:bench\ frame | *:bench\ bind | *:bench\ modes) _filedir "$_viete_meshes" ;;
     *:bench\ *) ;;
     *:info) _filedir "$_viete_meshes" ;;
     *)

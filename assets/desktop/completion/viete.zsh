@@ -18,7 +18,7 @@ local -a tolerance=('--tolerance=[of compressed weights]:tolerance:')
 local -a binding=('--binding=[what viete bind has saved]:binding:_files')
 local -a scale=('--scale=[device pixels per logical pixel]:scale:')
 local -a count=('--count=[matrices or vertices]:count:')
-local -a rounds=('--faces=[triangles of the cage]:triangles:' '--rounds=[repetitions]:rounds:')
+local -a faces=('--faces=[triangles of the cage]:triangles:') rounds=('--rounds=[repetitions]:rounds:')
 local -a json=($force "--json=[also write the numbers]:file:_files -g '*.json'")
 local -a plot=("--plot=[also draw them]:file:_files -g '*.svg'")
 local -a float=('--float[single precision]')
@@ -41,9 +41,10 @@ case $command in
   'bench eigen') specs+=($count $json $plot) ;;
   'bench accuracy') specs+=($count $json $float) ;;
   'bench sym3') specs+=($count $json) ;;
-  'bench frame') specs+=($meshes $count $json $rounds $tolerance $reach) ;;
-  'bench bind') specs+=($meshes $count $json $rounds) ;;
-  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind)') ;;
+  'bench frame') specs+=($meshes $count $json $faces $rounds $tolerance $reach) ;;
+  'bench bind') specs+=($meshes $count $json $faces $rounds) ;;
+  'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $reach $rounds) ;;
+  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind modes)') ;;
   *) # view, which may be left out
     specs+=($files $pose $method $weighting $blend $coordinates $reach $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
@@ -62,7 +63,7 @@ fi
 # The words of the command are no files.
 local -i skip=0
 [[ $command == (view|render|deform|bind|info|bench\ *) ]] && skip=1
-[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind) ]] && ((CURRENT > 3)) && skip=2
+[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|modes) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))
 _arguments -s $specs

@@ -1,0 +1,230 @@
+#include "bench/modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/quantity.h"
+#include "base/worker_pool.h"
+#include "bench/following.h"
+#include "bench/models.h"
+#include "bench/modes_table.h"
+#include "bench/rounds.h"
+#include "bench/table.h"
+#include "deform/deformer.h"
+#include "deform/pose_io.h"
+
+namespace viete::bench {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+// Of energies per area, and of bending: below it they are rounding.
+constexpr double next_to_none = 1e-10;
+
+/// Everything that is measured of one model in one cage.
+class ModeRuns {
+public:
+  ModeRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
+           std::span<const NamedPose> poses, sym3::Method method)
+      : surface_(model), cage_(std::move(cage)), poses_(poses), method_(method), model_(model) {
+    nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
+  }
+
+  // In double, link by link. One binding at a time: those of all vertices are large.
+  void measure_shapes(Mode& mode) {
+    const deform::Weighting& weighting = mode.scheme.weighting;
+    if (!staged_ || !(staged_->weighting == weighting)) {
+      staged_.reset();
+      staged_ = std::make_shared<const deform::Binding>(deform::bind(surface_, *cage_, weighting, all_));
+      note(staged_->warnings);
+    }
+    deform::Deformer deformer(cage_, staged_, mode.scheme, all_);
+    const Deform deform = [&](const deform::Pose& pose) {
+      deformer.deform(pose, method_);
+      return deformer.positions();
+    };
+    std::ranges::transform(whole_poses(), mode.deviations.begin(), [&](const WholePose& pose) {
+      return deviation(pose, *cage_, model_.positions(), deform);
+    });
+    mode.leak = leak(*cage_, model_.positions(), deform);
+    for (const NamedPose& p : poses_) mode.qualities.push_back(quality(p.pose, deform(p.pose)));
+  }
+  const RestModel& model() const { return model_; }
+  double rest_gap() const { return gap_of(deform::rest_pose(*cage_), model_.positions()); }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  void forget_shapes() { staged_.reset(); }
+
+  // What the program would bind, timed, and a frame of it.
+  void add_frame(Mode& mode) {
+    const deform::Weighting& weighting = mode.scheme.weighting;
+    const auto known =
+        std::ranges::find_if(bound_, [&](const auto& b) { return b.binding->weighting == weighting; });
+    Bound bound;
+    if (known != bound_.end()) {
+      bound = *known;
+    } else {
+      const double start = base::thread_seconds();
+      bound.binding = std::make_shared<const deform::Binding>(
+          deform::bind(surface_, *cage_, weighting, deform::EngineKind::fused, nullptr, one_));
+      bound.ms = 1e3 * (base::thread_seconds() - start);
+      bound_.push_back(bound);
+    }
+    mode.bind_ms = bound.ms;
+    auto frame = std::make_unique<deform::Deformer>(cage_, bound.binding, mode.scheme, one_);
+    if (!frame->engine(method_)) {
+      const auto both = std::make_shared<const deform::Binding>(
+          deform::bind(surface_, *cage_, weighting, deform::EngineKind::staged, bound.binding.get(), all_));
+      frame = std::make_unique<deform::Deformer>(cage_, both, mode.scheme, one_);
+    }
+    mode.fused = frame->engine(method_) == deform::EngineKind::fused;
+    frames_.push_back({&mode, std::move(frame)});
+  }
+
+  // Of each a few frames in a row, as under a hand.
+  void time_frames(std::size_t rounds) {
+    constexpr std::size_t in_a_row = 4;
+    std::vector<RoundCase> cases;
+    for (const auto& [mode, frame] : frames_) {
+      cases.push_back({"", in_a_row, [this, f = frame.get()](std::size_t) {
+                         for (std::size_t n = 0; n < in_a_row; ++n) f->deform(poses_[0].pose, method_);
+                       }});
+    }
+    base::Progress progress;
+    const auto results = measure_rounds(cases, rounds, progress);
+    for (std::size_t f = 0; f < frames_.size(); ++f)
+      frames_[f].mode->frame_ms = 1e-6 * results[f].ns_per_item;
+  }
+
+private:
+  struct Bound {
+    std::shared_ptr<const deform::Binding> binding;
+    double ms = 0;
+  };
+  struct Frame {
+    Mode* mode;
+    std::unique_ptr<deform::Deformer> deformer;
+  };
+
+  void note(const std::vector<std::string>& warnings) {
+    for (const auto& w : warnings) {
+      if (std::ranges::find(warnings_, w) == warnings_.end()) warnings_.push_back(w);
+    }
+  }
+
+  double gap_of(const deform::Pose& pose, std::span<const mesh::Point> positions) const {
+    return gap(*cage_, nearest_, model_.vertex_shares(), pose.positions, positions);
+  }
+
+  ShapeQuality quality(const deform::Pose& pose, std::span<const mesh::Point> positions) const {
+    return {model_.distortion(positions),
+            model_.bending(positions),
+            model_.volume(positions),
+            gap_of(pose, positions),
+            nothing,
+            nothing};
+  }
+
+  const mesh::Surface& surface_;
+  std::shared_ptr<const deform::Cage> cage_;
+  std::span<const NamedPose> poses_;
+  sym3::Method method_;
+  RestModel model_;
+  base::WorkerPool one_{1}, all_{0};
+  std::vector<CagePoint> nearest_;
+  std::shared_ptr<const deform::Binding> staged_;
+  std::vector<Bound> bound_;
+  std::vector<Frame> frames_;
+  std::vector<std::string> warnings_;
+};
+
+// Those of the same weights one after the other, so that these are made once.
+std::vector<Mode> modes_by_weights(double reach) {
+  std::vector<Mode> modes;
+  for (deform::Scheme scheme : deform::all_schemes()) {
+    scheme.weighting.reach = reach;
+    const auto alike = std::find_if(modes.rbegin(), modes.rend(),
+                                    [&](const Mode& m) { return m.scheme.weighting == scheme.weighting; });
+    Mode mode;
+    mode.scheme = scheme;
+    modes.insert(alike == modes.rend() ? modes.end() : alike.base(), std::move(mode));
+  }
+  return modes;
+}
+
+double ratio(double value, double of) {
+  return of > next_to_none ? value / of : nothing;
+}
+
+void compare_with_mean_values(std::vector<Mode>& modes) {
+  const auto mean_values = deform::scheme_of_shorthand("mvc");
+  const auto reference = std::ranges::find_if(
+      modes, [&](const Mode& m) { return m.problem.empty() && m.scheme == mean_values; });
+  if (reference == modes.end()) return;
+  const std::vector<ShapeQuality> theirs = reference->qualities;
+  for (Mode& mode : modes) {
+    for (std::size_t p = 0; p < mode.qualities.size(); ++p) {
+      ShapeQuality& q = mode.qualities[p];
+      q.energy_ratio = ratio(q.distortion.energy, theirs[p].distortion.energy);
+      q.bending_ratio = ratio(q.bending, theirs[p].bending);
+    }
+  }
+}
+
+// A way of blending that this cage does not allow is left out, and why is said.
+template <class Measure>
+void attempt(Mode& mode, const Measure& measure) {
+  if (!mode.problem.empty()) return;
+  try {
+    measure(mode);
+  } catch (const base::Error& error) {
+    mode.problem = error.what();
+    mode.qualities.clear();
+  }
+}
+
+// By the file: "pose_alert.obj" is alert.
+std::string name_of_pose(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string(), prefix = "pose_";
+  return stem.starts_with(prefix) ? stem.substr(prefix.size()) : stem;
+}
+
+}  // namespace
+
+ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
+                             std::span<const NamedPose> poses, const ModeSettings& settings) {
+  ModeRuns runs(model, std::move(cage), poses, settings.method);
+  std::vector<Mode> modes = modes_by_weights(settings.reach);
+  for (Mode& mode : modes) attempt(mode, [&](Mode& m) { runs.measure_shapes(m); });
+  runs.forget_shapes();
+  for (Mode& mode : modes) attempt(mode, [&](Mode& m) { runs.add_frame(m); });
+  runs.time_frames(settings.rounds);
+  compare_with_mean_values(modes);
+  return {std::move(modes), runs.model().encloses(), runs.model().without_area(), runs.rest_gap(),
+          runs.warnings()};
+}
+
+void bench_modes(const ModesOptions& options) {
+  const scene::Document opened = open_model(options.model, options.cage);
+  const mesh::Surface& model = *opened.model.surface;
+  std::vector<NamedPose> poses;
+  std::vector<std::string> warnings = opened.cage->warnings;
+  for (const auto& file : options.poses)
+    poses.push_back({name_of_pose(file), deform::read_pose(file, *opened.cage, warnings)});
+  std::printf("modes: %s vertices, %zu cage triangles, method %s, reach %s, kernel %s, %s\n%s",
+              base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
+              std::string(sym3::name(options.settings.method)).c_str(),
+              deform::text_of_reach(options.settings.reach).c_str(), std::string(sym3::kernel_name()).c_str(),
+              processor_name().c_str(), modes_legend);
+  for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
+  const ModeComparison compared = measure_modes(model, opened.cage, poses, options.settings);
+  print(compared, poses);
+  write_json(options.json, to_json(compared, poses));
+}
+
+}  // namespace viete::bench

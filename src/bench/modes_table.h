@@ -1,0 +1,30 @@
+// What was measured of all ways of blending, as tables and as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "bench/modes.h"
+
+namespace viete::bench {
+
+/// What the columns are.
+inline constexpr const char* modes_legend =
+    R"(  moved, rigid, similar, affine: the cage is posed as a whole by a map of that kind, and this is how far
+    the model is from that map, in diagonals; exact: below 1e-9
+  leak: motion of what is more than a quarter of the diagonal away when one vertex of the cage is moved
+    by a tenth of it, in diagonals; median of the model, and of 8 vertices of the cage
+  frame, bind: ms, processor time of one thread; *: link by link, in double
+  volume: over that at rest
+  energy: symmetric Dirichlet energy of the triangles, 0 at rest, mean by area; x mvc: over that of mean
+    value coordinates
+  shear: longest over shortest stretch (singular values) of a triangle, median and worst
+  bending: energy of the changes of angle between triangles (discrete shells); kinks make it large
+  gap: mean distance of the surface from where the nearest point of the cage has gone, in diagonals
+)";
+
+/// A table of the modes by themselves, one a pose, and one over all poses where there are several.
+void print(const ModeComparison& compared, std::span<const NamedPose> poses);
+nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses);
+
+}  // namespace viete::bench
