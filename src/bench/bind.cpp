@@ -22,7 +22,8 @@ namespace viete::bench {
 
 namespace {
 
-constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform::Weights::mean_value};
+constexpr deform::Weighting faces{}, integrals{deform::Elements::face, deform::Weights::integrated},
+    mean_values{deform::Elements::point, deform::Weights::mean_value};
 
 /// One model in one cage, and every way to bind them.
 class BindRuns {
@@ -54,6 +55,8 @@ public:
     add("leaves and rings", [this] { lay_out(model_, cage_, faces); });
     add("bound, dense", [this] { dense_ = bind(faces, 0); });
     add("bound, compressed", [this] { compressed_ = bind(faces, deform::usual_tolerance); });
+    add("integrated, vectors", [this] { weigh(integrals); });
+    add("integrated, bound, compressed", [this] { bind(integrals, deform::usual_tolerance); });
     if (plain_)
       add("mean values, one at a time",
           [this] { weigh_one_by_one(deform::mean_value_weights, cage_.surface.positions.size()); });

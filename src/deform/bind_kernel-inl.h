@@ -110,7 +110,7 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
     PointV nearest = hn::Set(d, 1e300), sum = hn::Zero(d);
     for (std::size_t i = 0; i < job.count; ++i) {
       const PointV square =
-          hn::Max(hn::Set(d, job.squared_contact), squared_distance(d, p, job.triangles[i], job.shifts[i]));
+          hn::Max(hn::Set(d, job.least_square), squared_distance(d, p, job.triangles[i], job.shifts[i]));
       hn::StoreU(square, d, weights + i * bind_lanes + l);
       if (!job.triangles[i].degenerate) nearest = hn::Min(nearest, square);
     }
@@ -178,7 +178,7 @@ static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out
     auto near = hn::Lt(nearest, hn::Zero(d));
     for (std::size_t i = 0; i < job.count; ++i) {
       const auto& t = job.triangles[i];
-      const RowV square = hn::Max(hn::Set(d, job.squared_contact), squared_distance(d, p, t, job.shifts[i]));
+      const RowV square = hn::Max(hn::Set(d, job.least_square), squared_distance(d, p, t, job.shifts[i]));
       hn::StoreU(square, d, out.rows + i * row_lanes + l);
       if (t.degenerate) continue;
       nearest = hn::Min(nearest, square);

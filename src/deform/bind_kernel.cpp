@@ -7,13 +7,14 @@
 #include <hwy/foreach_target.h>
 
 #include "deform/bind_kernel-inl.h"
+#include "deform/integrated_kernel-inl.h"
 #include "deform/mean_value_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
 static const BindKernel bind = {
-    inverse_distance, inverse_distance_rows, mean_value, to_rows, take_out, solve};
+    inverse_distance, inverse_distance_rows, integrated, mean_value, to_rows, take_out, solve};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -20,6 +20,8 @@ struct DistanceTriangle {
   T along[2][3], inward[2][3];
   T outside;  ///< 0; infinity where there is no area: nothing is inside
   T near;     ///< squared, a sixteenth of the longest edge: nearer distances lose too many digits in float
+  T twice_area;
+  T opposite;       ///< dot product of the two edges at the corner opposite to the longest one
   bool degenerate;  ///< without influence
 };
 
@@ -28,7 +30,7 @@ struct WeightJob {
   const DistanceTriangle<T>* triangles;
   const T (*shifts)[3];
   std::size_t count;
-  T squared_contact;
+  T least_square;   ///< of a distance: the squared contact, or the squared softening
   T cut;            ///< 1 / reach^2; 0: no end
   const T* points;  ///< [3][lane]
 };
@@ -69,11 +71,13 @@ struct LeafRows {
 };
 
 struct BindKernel {
-  /// weights [triangle][8 lanes]: inverse_distance_weights(), d no less than contact.
+  /// weights [triangle][8 lanes]: inverse_distance_weights().
   void (*inverse_distance)(const WeightJob<double>& job, double* weights);
   /// The same of 16 lanes in floats, and their sums. Returns false, rows being of no use, where a point is so
   /// near to a triangle that its distance is not known well enough.
   bool (*inverse_distance_rows)(const WeightJob<float>& job, const RowJob& rows);
+  /// weights [triangle][8 lanes]: integrated_weights().
+  void (*integrated)(const WeightJob<double>& job, double* weights);
   /// weights [corner][lane], each lane summing to 1. Returns a bit for each lane that mean_value_weights()
   /// must decide: its point lies in or next to a triangle's plane, or the weights vanish.
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "deform/face_maps.h"
+#include "deform/integrated_distance.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "deform/tiled_binding.h"
@@ -37,10 +38,10 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
   std::size_t failed = 0;
   for (std::size_t i = begin; i < end; ++i) {
     const std::span<double> row(b.weights.data() + i * b.handles, b.handles);
-    if (b.weighting.weights == Weights::mean_value) {
-      failed += !mean_value_weights(cage, b.rest[i], row);
-    } else {
-      inverse_distance_weights(cage, b.rest[i], row, b.weighting.reach);
+    switch (b.weighting.weights) {
+      case Weights::inverse: inverse_distance_weights(cage, b.rest[i], row, b.weighting.reach); break;
+      case Weights::integrated: integrated_weights(cage, b.rest[i], row); break;
+      case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }

@@ -54,6 +54,8 @@ DistanceTriangle<double> in_frame_of(const Vec3& a, const Vec3& b, const Vec3& c
   set_edge(bx, 0, cx - bx, cy, t.along[0], t.inward[0], t.length[1]);
   set_edge(cx, cy, -cx, -cy, t.along[1], t.inward[1], t.length[2]);
   t.outside = has_area ? 0 : std::numeric_limits<double>::infinity();
+  t.twice_area = bx * cy;
+  t.opposite = cx * (cx - bx) + cy * cy;
   t.near = (bx / 16) * (bx / 16);
   return t;
 }
@@ -83,6 +85,8 @@ DistanceTriangle<float> in_float(const DistanceTriangle<double>& t) {
   convert(t.length, f.length);
   f.outside = static_cast<float>(t.outside);
   f.near = static_cast<float>(t.near);
+  f.twice_area = static_cast<float>(t.twice_area);
+  f.opposite = static_cast<float>(t.opposite);
   f.degenerate = t.degenerate;
   return f;
 }

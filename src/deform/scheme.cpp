@@ -34,6 +34,11 @@ constexpr std::array weights_table = {
         Weights::inverse,
         "constants",
         true},
+    WeightsEntry{
+        {"integrated", "Integrated", "1/r^4 integrated over the face, however the cage is cut into faces"},
+        Weights::integrated,
+        "constants",
+        false},
     WeightsEntry{{"mean-value", "Mean value", "mean value coordinates of the cage's vertices"},
                  Weights::mean_value,
                  "linear functions, in closed cages",
@@ -78,6 +83,10 @@ constexpr std::array rules = {
            return w.value == Weights::mean_value && e.handles != Handles::vertices;
          },
          "mean values belong to vertices of the cage, and these elements are its faces"},
+    Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
+           return w.value == Weights::integrated && e.handles != Handles::faces;
+         },
+         "integrals over faces are weights of faces, and these elements are vertices of the cage"},
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
            return w.value == Weights::inverse && !e.affine;
          },

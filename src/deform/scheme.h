@@ -18,7 +18,7 @@ namespace viete::deform {
 enum class Elements { face, point, patch };
 
 /// How much of each handle a vertex takes.
-enum class Weights { inverse, mean_value };
+enum class Weights { inverse, mean_value, integrated };
 
 /// What of the maps is summed, and how the sums become a position.
 enum class Blend { srl, linear, slrl, sql, log3 };

@@ -7,6 +7,7 @@
 #include "deform/distance_triangle.h"
 #include "deform/face_maps.h"
 #include "deform/frame_kernel.h"
+#include "deform/integrated_distance.h"
 #include "deform/mean_value.h"
 #include "mesh/half_edges.h"
 #include "mesh/triangle.h"
@@ -44,7 +45,7 @@ Weigher::Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kerne
   const auto centers = handle_centers(cage, weighting.elements);
   handles_ = relative_to(origin_, {centers.begin(), centers.end()});
   for (const Vec3& p : cage.surface.positions) corners_.push_back(scaled(p));
-  weighting.weights == Weights::inverse ? add_triangles() : add_views();
+  weighting.weights == Weights::mean_value ? add_views() : add_triangles();
 }
 
 Vec3 Weigher::scaled(const mesh::Point& p) const {
@@ -104,15 +105,24 @@ std::size_t Weigher::scratch_size() const {
 unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch) const {
   double at[3 * bind_lanes];
   for (std::size_t l = 0; l < bind_lanes; ++l) {
-    const Vec3 p = scaled(points[l]);
+    Vec3 p = scaled(points[l]);
+    if (weighting_.weights == Weights::integrated) p = std::min(1.0, farthest_weighed / norm(p)) * p;
     for (int i = 0; i < 3; ++i) at[i * bind_lanes + l] = p[i];
   }
-  if (weighting_.weights == Weights::inverse) {
-    kernel_.inverse_distance(
-        {triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), cut(), at},
-        scratch.data());
-    return 0;
+  switch (weighting_.weights) {
+    case Weights::inverse: kernel_.inverse_distance(job(squared_contact(), at), scratch.data()); return 0;
+    case Weights::integrated: kernel_.integrated(job(squared_softening(), at), scratch.data()); return 0;
+    case Weights::mean_value: return weigh_mean_values(points, at, scratch);
   }
+  return 0;
+}
+
+WeightJob<double> Weigher::job(double least_square, const double* at) const {
+  return {triangles_.data(), numbers(shifts_), triangles_.size(), least_square, cut(), at};
+}
+
+unsigned Weigher::weigh_mean_values(std::span<const mesh::Point, bind_lanes> points, const double* at,
+                                    std::span<double> scratch) const {
   unsigned unclear =
       kernel_.mean_value({numbers(corners_), corners_.size(), numbers(edges_), edges_.size(), views_.data(),
                           views_.size(), at, scratch.data() + bind_lanes * handles()},
@@ -133,6 +143,10 @@ double Weigher::squared_contact() const {
   return scale_ * cage_.contact * scale_ * cage_.contact;
 }
 
+double Weigher::squared_softening() const {
+  return scale_ * softening(cage_) * scale_ * softening(cage_);
+}
+
 double Weigher::cut() const {
   return 1 / weighting_.reach / weighting_.reach;
 }
@@ -141,9 +155,9 @@ std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, floa
                                        std::span<Vec3> sums) const {
   std::vector<bool> failed(points.size());
   std::vector<double> scratch(scratch_size());
-  const bool by_distance = weighting_.weights == Weights::inverse;
+  const bool in_float = weighting_.weights == Weights::inverse;
   const Vec3 middle = scaled(points[points.size() / 2]);
-  std::vector<std::array<float, 3>> shifts(by_distance ? handles() : 0);
+  std::vector<std::array<float, 3>> shifts(in_float ? handles() : 0);
   for (std::size_t e = 0; e < shifts.size(); ++e) {
     const Vec3 s = shift_of(triangles_[e], origins_[e] - middle);
     shifts[e] = {static_cast<float>(s[0]), static_cast<float>(s[1]), static_cast<float>(s[2])};
@@ -151,7 +165,7 @@ std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, floa
   for (std::size_t s = 0; s < points.size(); s += lanes) {
     double tile_sums[3 * lanes];
     const RowJob out{numbers(handles_), handles(), rows + s * handles(), tile_sums};
-    if (!by_distance || !weigh_in_float(points.subspan(s).first<lanes>(), middle, shifts, out)) {
+    if (!in_float || !weigh_in_float(points.subspan(s).first<lanes>(), middle, shifts, out)) {
       for (std::size_t half = 0; half < lanes; half += bind_lanes) {
         const unsigned lost = weigh(points.subspan(s + half).first<bind_lanes>(), scratch);
         kernel_.to_rows(scratch.data(), {out.handles, out.count, out.rows + half, out.sums + half});

@@ -13,7 +13,8 @@
 
 namespace viete::deform {
 
-/// The weights of Binding for any points: inverse_distance_weights() and mean_value_weights() to 1e-13, less
+/// The weights of Binding for any points: inverse_distance_weights(), integrated_weights() and
+/// mean_value_weights() to 1e-13, less
 /// where those themselves are less certain. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
@@ -39,7 +40,11 @@ private:
   void add_triangles();
   void add_views();
   Vec3 scaled(const mesh::Point& p) const;
+  WeightJob<double> job(double least_square, const double* at) const;
+  unsigned weigh_mean_values(std::span<const mesh::Point, bind_lanes> points, const double* at,
+                             std::span<double> scratch) const;
   double squared_contact() const;
+  double squared_softening() const;
   double cut() const;
   bool weigh_in_float(std::span<const mesh::Point, tile_lanes<float>> points, const Vec3& middle,
                       std::span<const std::array<float, 3>> shifts, const RowJob& out) const;

@@ -19,7 +19,7 @@ constexpr Condition uses_method{
     "This way of blending takes no exponential; choose the blend Log space first."};
 constexpr Condition has_reach{
     [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has_reach; },
-    "Mean value coordinates have no reach: every vertex of the cage moves all of the model."};
+    "These weights have no reach: all of the cage moves all of the model."};
 constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
                               "Open a model first."};
 constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); }, "Open a cage first."};
@@ -214,7 +214,7 @@ const std::vector<Command>& table() {
       method_command<M::improved_sd>("method_improved_sd", '3'), method_command<M::fast>("method_fast", '4'),
 
       choice_command<E::face>(), choice_command<E::patch>(), choice_command<E::point>(),
-      choice_command<W::inverse>(), choice_command<W::mean_value>(),
+      choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::mean_value>(),
       choice_command<B::srl>(), choice_command<B::slrl>(), choice_command<B::sql>(), choice_command<B::log3>(),
       choice_command<B::linear>(),
       {"reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", "Blend", {key('K')}, {}, has_reach,

@@ -12,8 +12,8 @@ void put_settings(Document& document, const AskedSettings& asked) {
   if (asked.reach) scheme.weighting.reach = *asked.reach;
   if (asked.reach && !deform::entry(scheme.weighting.weights).has_reach) {
     throw base::Error("--reach",
-                      "mean value coordinates have no reach: every vertex of the cage moves all of the model",
-                      "leave it out, or add --coordinates face");
+                      "these weights have no reach: all of the cage moves all of the model",
+                      "leave it out, or choose --weights inverse");
   }
   if (asked.method) document.method = *asked.method;
   put_scheme(document, scheme);

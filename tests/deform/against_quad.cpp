@@ -55,6 +55,7 @@ const Case cases[] = {{faces, Blend::srl, IndependentScheme::faces_srl, 1e-14},
                       {faces, Blend::sql, IndependentScheme::faces_sql, 1e-14},
                       {faces, Blend::log3, IndependentScheme::faces_log3, 1e-13},
                       {faces, Blend::linear, IndependentScheme::faces_linear, 1e-14},
+                      {face_integrals, Blend::srl, IndependentScheme::face_integrals_srl, 5e-14},
                       {mean_values, Blend::linear, IndependentScheme::points_mean_value, 1e-13}};
 
 // In diagonals of the posed cage.

@@ -8,7 +8,8 @@
 
 namespace viete::test {
 
-inline constexpr Weighting faces{}, mean_values{Elements::point, Weights::mean_value};
+inline constexpr Weighting faces{}, mean_values{Elements::point, Weights::mean_value},
+    face_integrals{Elements::face, Weights::integrated};
 inline Weighting faces_reaching(double reach) {
   return {Elements::face, Weights::inverse, reach};
 }

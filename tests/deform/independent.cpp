@@ -215,6 +215,26 @@ std::vector<Quad> inverse_distance(const Vector& p, const mesh::Surface& cage, d
   return weights;
 }
 
+// In closed form, with as many digits more as cancel.
+Quad inverse_fourth_power(const Vector& p, const Corners& t) {
+  const Vector n = outer(minus(t[1], t[0]), minus(t[2], t[0]));
+  const Quad height = inner(minus(p, t[0]), n) / length(n), h2 = height * height;
+  Quad sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Vector u = minus(t[i], p), v = minus(t[(i + 1) % 3], p), edge = minus(v, u);
+    const Quad m = inner(n, outer(u, edge)) / (length(n) * length(edge)), q = sqrtq(h2 + m * m);
+    sum += m / q * atan2q(q * length(edge), inner(u, v));
+  }
+  return sum / (2 * h2);
+}
+
+std::vector<Quad> integrated(const Vector& p, const mesh::Surface& cage) {
+  std::vector<Quad> weights;
+  for (const auto& t : cage.triangles) weights.push_back(inverse_fourth_power(p, corners(t, cage.positions)));
+  divide_by_sum(weights);
+  return weights;
+}
+
 // Adds one triangle's part; the letters are the paper's.
 void add_mean_values(const Vector& p, const mesh::Triangle& t, const mesh::Surface& cage,
                      std::vector<Quad>& weights) {
@@ -407,6 +427,7 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
   if (scheme == points_mean_value) return by_positions(pose.positions, mean_value(x, cage));
   const auto w = inverse_distance(x, cage, reach);
   switch (scheme) {
+    case face_integrals_srl: return by_logs(x, elements, integrated(x, cage));
     case faces_srl: return by_logs(x, elements, w);
     case faces_slrl: return about_center(x, elements, w, turned_mean_stretch(elements, w));
     case faces_sql: return about_center(x, elements, w, mean_quaternion_stretch(elements, w));

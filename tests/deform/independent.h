@@ -16,6 +16,7 @@ enum class IndependentScheme {
   faces_sql,
   faces_log3,
   faces_linear,
+  face_integrals_srl,
   points_mean_value
 };
 
@@ -30,12 +31,12 @@ struct IndependentFrame {
 };
 
 /// Points moved by a posed cage, from the papers: affine maps of triangles with a normal of length sqrt|N|,
-/// weights d^-2 (within `reach`, see inverse_distance.h; infinity: everywhere) or mean value coordinates by
-/// spherical triangles (Ju, Schaefer, Warren, SIGGRAPH 2005, figure 4), and exp(Y) exp(X) (x - sum w c) + sum
-/// w c', or the sums of RowForm for other blends; logs of whole matrices are principal ones. The cage is one
-/// closed part whose triangles have area at rest and posed, points do not lie on it. Logs follow their
-/// neighbours breadth first, so the answer is the only sensible one where largest_step is below a quarter
-/// turn.
+/// weights d^-2 (within `reach`, see inverse_distance.h; infinity: everywhere), integrals of r^-4 or mean
+/// value coordinates by spherical triangles (Ju, Schaefer, Warren, SIGGRAPH 2005, figure 4), and exp(Y)
+/// exp(X) (x - sum w c) + sum w c', or the sums of RowForm for other blends; logs of whole matrices are
+/// principal ones. The cage is one closed part whose triangles have area at rest and posed, points do not lie
+/// on it. Logs follow their neighbours breadth first, so the answer is the only sensible one where
+/// largest_step is below a quarter turn.
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
                                       const IndependentPose& pose, IndependentScheme scheme, double reach);
 

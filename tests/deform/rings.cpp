@@ -45,7 +45,7 @@ TEST_CASE("positions_of_a_leaf_are_counted_in_16_bits_however_many_fans_meet_in_
   constexpr std::uint32_t centers = leaf_slots, fans = 40;
   Leaves leaves;
   leaves.vertices = centers * (1 + 2 * fans);
-  std::vector<mesh::Triangle> triangles;
+  std::vector<viete::mesh::Triangle> triangles;
   for (std::uint32_t v = 0; v < leaves.vertices; ++v) leaves.order.push_back(v);
   for (std::uint32_t v = centers; v < leaves.vertices; v += 2)
     triangles.push_back({(v - centers) / (2 * fans), v, v + 1});

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/integrated_distance.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "deform/shapes.h"
@@ -27,7 +28,18 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   return points;
 }
 
-const Weighting weightings[] = {faces, faces_reaching(lowest_reach), faces_reaching(3), mean_values};
+// By their definition.
+void weights_of_one(const Cage& cage, const Weighting& weighting, const viete::mesh::Point& p,
+                    std::span<double> weights) {
+  switch (weighting.weights) {
+    case Weights::inverse: return inverse_distance_weights(cage, p, weights, weighting.reach);
+    case Weights::integrated: return integrated_weights(cage, p, weights);
+    case Weights::mean_value: mean_value_weights(cage, p, weights);
+  }
+}
+
+const Weighting weightings[] = {faces, faces_reaching(lowest_reach), faces_reaching(3), mean_values,
+                                face_integrals};
 
 }  // namespace
 
@@ -50,10 +62,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
         std::copy_n(points.begin() + std::ptrdiff_t(i), bind_lanes, eight.begin());
         weigher.weigh(eight, many);
         for (std::size_t l = 0; l < bind_lanes; ++l) {
-          if (weighting.weights == Weights::inverse)
-            inverse_distance_weights(cage, eight[l], one, weighting.reach);
-          else
-            mean_value_weights(cage, eight[l], one);
+          weights_of_one(cage, weighting, eight[l], one);
           for (std::size_t j = 0; j < one.size(); ++j)
             worst = std::max(worst, std::abs(many[j * bind_lanes + l] - one[j]));
         }
@@ -115,7 +124,7 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
     for (auto& p : scaled.positions) p = scale * p;
     const Cage cage = make_cage(scaled);
     for (const auto& weighting : weightings) {
-      const bool by_distance = weighting.weights == Weights::inverse;
+      const bool by_distance = weighting.weights != Weights::mean_value;
       CAPTURE(weighting.reach);
       auto points = points_around(make_cage(surface));
       const double farthest = by_distance ? 1e25 : 10;  // mean values grow with the distance

@@ -184,7 +184,7 @@ TEST_CASE("a_reach_leaves_far_vertices_where_they_are_and_bad_ones_are_refused")
   }
   const auto none = run("render " + scene + " -o x.png --coordinates mvc --reach 3");
   CHECK(none.code == 1);
-  CHECK_MESSAGE(mentions(none, "mean value coordinates have no reach"), none.text);
+  CHECK_MESSAGE(mentions(none, "these weights have no reach"), none.text);
 }
 
 TEST_CASE("elements_weights_and_blend_are_chosen_apart_or_by_one_word") {

@@ -58,7 +58,7 @@ TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
   CHECK(pictures[1] != pictures[2]);
   const auto both = run("view --coordinates mvc --reach 3", here);
   CHECK(both.code == 1);
-  CHECK(mentions(both, "mean value coordinates have no reach"));
+  CHECK(mentions(both, "these weights have no reach"));
 }
 
 TEST_CASE("the_bundled_model_is_found_from_any_working_directory") {

@@ -19,7 +19,7 @@ _viete_value() {
       ;;
     --method) words='fast diag sd improved_sd' ;;
     --elements) words='face patch point' ;;
-    --weights) words='inverse mean-value' ;;
+    --weights) words='inverse integrated mean-value' ;;
     --blend) words='srl slrl sql log3 linear' ;;
     --coordinates) words='face mvc' ;;
     --reach) words='all 1.5 2 3 5' ;;
