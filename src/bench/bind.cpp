@@ -128,6 +128,10 @@ void bench_bind(const BindOptions& options) {
     bars.check("weights: plain loops / vectors", faster("plain loops", "vectors"), 45, true);
     bars.check("bound, compressed: plain loops /", faster("plain loops", "bound, compressed"), 5, true);
   }
+  if (promised) {
+    bars.check("bound, compressed: integrated / inverse",
+               faster("integrated, bound, compressed", "bound, compressed"), 3, false);
+  }
   const double memory =
       static_cast<double>(runs.dense().bytes()) / static_cast<double>(runs.compressed().bytes());
   std::printf("  memory: %.1f MB dense, %.1f MB compressed to %g\n",

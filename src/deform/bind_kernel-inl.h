@@ -169,6 +169,16 @@ static HWY_INLINE RowV inverse(RowV x) {
   return hn::MulAdd(y, hn::MulAdd(e, e, e), y);
 }
 
+// Rows of a tile times a factor a lane, and their sums.
+static void normalise_rows(const float* shares, const RowJob& out) {
+  const hn::Rebind<float, PointTag> half;
+  for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(half)) {
+    const auto share = hn::LoadU(half, shares + l);
+    fill_rows(out, l,
+              [&](std::size_t i) { return hn::Mul(share, hn::LoadU(half, out.rows + i * row_lanes + l)); });
+  }
+}
+
 static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out) {
   const RowTag d;
   HWY_ALIGN float shares[row_lanes];
@@ -199,12 +209,7 @@ static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out
     if (job.cut > 0) sum = taper(d, job.cut, job.count, out.rows + l, row_lanes);
     hn::StoreU(hn::Div(hn::Set(d, 1.0f), sum), d, shares + l);
   }
-  const hn::Rebind<float, PointTag> half;
-  for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(half)) {
-    const auto share = hn::LoadU(half, shares + l);
-    fill_rows(out, l,
-              [&](std::size_t i) { return hn::Mul(share, hn::LoadU(half, out.rows + i * row_lanes + l)); });
-  }
+  normalise_rows(shares, out);
   return true;
 }
 

@@ -122,7 +122,8 @@ void integrated_weights(const Cage& cage, const mesh::Point& p, std::span<double
     if (cage.degenerate[e]) continue;
     std::array<Vec3, 3> corners;
     for (int i = 0; i < 3; ++i) corners[i] = unit * (positions[cage.surface.triangles[e][i]] - origin);
-    weights[e] = inverse_fourth_power_integral(corners, x, soft);
+    weights[e] =
+        std::max(0.0, inverse_fourth_power_integral(corners, x, soft));  // a needle's may be rounding
     sum += weights[e];
   }
   for (double& w : weights) w /= sum;

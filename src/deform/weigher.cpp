@@ -155,7 +155,7 @@ std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, floa
                                        std::span<Vec3> sums) const {
   std::vector<bool> failed(points.size());
   std::vector<double> scratch(scratch_size());
-  const bool in_float = weighting_.weights == Weights::inverse;
+  const bool in_float = weighting_.weights != Weights::mean_value;
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(in_float ? handles() : 0);
   for (std::size_t e = 0; e < shifts.size(); ++e) {
@@ -185,9 +185,12 @@ bool Weigher::weigh_in_float(std::span<const mesh::Point, lanes> points, const V
     const Vec3 p = scaled(points[l]) - middle;
     for (int i = 0; i < 3; ++i) at[i * lanes + l] = static_cast<float>(p[i]);
   }
-  return kernel_.inverse_distance_rows({float_triangles_.data(), numbers(shifts), float_triangles_.size(),
-                                        static_cast<float>(squared_contact()), static_cast<float>(cut()), at},
-                                       out);
+  const bool integrated = weighting_.weights == Weights::integrated;
+  const double least_square = integrated ? squared_softening() : squared_contact();
+  const WeightJob<float> job{float_triangles_.data(),   numbers(shifts),
+                             float_triangles_.size(),   static_cast<float>(least_square),
+                             static_cast<float>(cut()), at};
+  return (integrated ? kernel_.integrated_rows : kernel_.inverse_distance_rows)(job, out);
 }
 
 }  // namespace viete::deform

@@ -160,3 +160,43 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
     }
   }
 }
+
+TEST_CASE("integrals_of_points_that_are_near_each_other_are_their_definition_in_double_and_in_float") {
+  Random random(23);
+  for (const auto& surface : {box({1, 2, 3}), tube(7, 9, 0.5, 3)}) {
+    const Cage cage = make_cage(surface);
+    std::vector<viete::mesh::Point> points;
+    for (int n = 0; n < 60; ++n) {
+      // Anywhere, in the plane of a face, in line with an edge, and far away.
+      const auto& t = surface.triangles[n % surface.triangles.size()];
+      const Vec3 &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
+      const Vec3 u = random(1.2, 3) * (b - a), v = random(-3, 3) * (c - a);
+      const Vec3 middles[] = {random.vector(1.5), a + u + v, a + u,
+                              std::pow(10, random(0, 9)) * random.vector(1)};
+      const double size = n % 3 == 0 ? 0 : 0.03;
+      for (std::size_t i = 0; i < 16; ++i) points.push_back(middles[n % 4] + random.vector(size));
+    }
+    for (const auto& kernel : viete::sym3::kernels()) {
+      CAPTURE(kernel.name);
+      const Weigher weigher(cage, face_integrals, kernel);
+      std::vector<double> eight(weigher.scratch_size()), one(weigher.handles());
+      std::vector<float> rows(16 * weigher.handles());
+      std::vector<Vec3> sums(16);
+      double worst = 0, worst_in_float = 0;
+      for (std::size_t tile = 0; tile < points.size(); tile += 16) {
+        weigher.weigh_tiles(std::span(points).subspan(tile, 16), rows.data(), sums);
+        for (std::size_t s = 0; s < 16; ++s) {
+          if (s % bind_lanes == 0)
+            weigher.weigh(std::span(points).subspan(tile + s).first<bind_lanes>(), eight);
+          integrated_weights(cage, points[tile + s], one);
+          for (std::size_t j = 0; j < one.size(); ++j) {
+            worst = std::max(worst, std::abs(eight[j * bind_lanes + s % bind_lanes] - one[j]));
+            worst_in_float = std::max(worst_in_float, std::abs(rows[j * 16 + s] - one[j]));
+          }
+        }
+      }
+      CHECK(worst < 1e-11);
+      CHECK(worst_in_float < 2e-6);
+    }
+  }
+}
