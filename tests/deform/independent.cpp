@@ -425,9 +425,9 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
                 const std::vector<Element>& elements, IndependentScheme scheme, double reach) {
   using enum IndependentScheme;
   if (scheme == points_mean_value) return by_positions(pose.positions, mean_value(x, cage));
-  const auto w = inverse_distance(x, cage, reach);
+  const auto w = scheme == face_integrals_srl ? integrated(x, cage) : inverse_distance(x, cage, reach);
   switch (scheme) {
-    case face_integrals_srl: return by_logs(x, elements, integrated(x, cage));
+    case face_integrals_srl:
     case faces_srl: return by_logs(x, elements, w);
     case faces_slrl: return about_center(x, elements, w, turned_mean_stretch(elements, w));
     case faces_sql: return about_center(x, elements, w, mean_quaternion_stretch(elements, w));

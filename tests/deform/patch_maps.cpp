@@ -14,7 +14,7 @@ namespace {
 constexpr Weighting patches{Elements::patch};
 
 // Maps of all patches of a cage in a pose.
-std::vector<AffineMap> maps_of(const Cage& cage, std::span<const mesh::Point> posed) {
+std::vector<AffineMap> patch_maps_of(const Cage& cage, std::span<const mesh::Point> posed) {
   std::vector<AffineMap> maps(cage.element_count());
   std::vector<std::uint32_t> all(maps.size());
   std::iota(all.begin(), all.end(), 0u);
@@ -22,7 +22,7 @@ std::vector<AffineMap> maps_of(const Cage& cage, std::span<const mesh::Point> po
   return maps;
 }
 
-double largest_difference(const AffineMap& map, const Affine& affine) {
+double patch_difference(const AffineMap& map, const Affine& affine) {
   double largest = 0;
   for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(map.linear[i] - affine.linear[i]));
   return largest;
@@ -43,8 +43,8 @@ TEST_CASE("an_affine_pose_is_the_map_of_every_patch") {
       const Cage cage = make_cage(scaled);
       Affine map = shear();
       map.shift = size * map.shift;
-      for (const auto& m : maps_of(cage, mapped(scaled.positions, map)))
-        CHECK(largest_difference(m, map) < 2e-13);
+      for (const auto& m : patch_maps_of(cage, mapped(scaled.positions, map)))
+        CHECK(patch_difference(m, map) < 2e-13);
     }
   }
 }
@@ -56,7 +56,7 @@ TEST_CASE("a_patch_that_did_not_move_is_exactly_the_identity_and_so_are_triangle
   auto posed = surface.positions;
   posed.back()[2] += 0.3;
   const auto patches_of_cage = make_patches(cage);
-  const auto maps = maps_of(cage, posed);
+  const auto maps = patch_maps_of(cage, posed);
   std::size_t still = 0;
   for (std::size_t e = 0; e < maps.size(); ++e) {
     const auto patch = patches_of_cage.of(e);
@@ -76,7 +76,8 @@ TEST_CASE("a_flat_cage_takes_its_normals_and_follows_similarities") {
       mesh::from_triangles({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
   const Cage cage = make_cage(plane);
   const auto map = similarity({1, -2, 3}, 2.5, 3, {1, 2, 3});
-  for (const auto& m : maps_of(cage, mapped(plane.positions, map))) CHECK(largest_difference(m, map) < 1e-14);
+  for (const auto& m : patch_maps_of(cage, mapped(plane.positions, map)))
+    CHECK(patch_difference(m, map) < 1e-14);
 }
 
 TEST_CASE("a_patch_of_a_round_cage_is_its_ring_and_of_a_flat_side_it_grows_around_the_edge") {

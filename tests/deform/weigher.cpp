@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/bound.h"
 #include "deform/integrated_distance.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
