@@ -15,7 +15,6 @@ public:
                            platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any);
 
   Viewer& viewer() { return *viewer_; }
-  std::string context_name() const { return context_->name(); }
   /// Frames of 1/60 s until the picture is at rest: fonts and windows settled, model bound, nothing moving.
   void settle();
 

@@ -28,8 +28,7 @@ public:
   Image read();
 
   glm::ivec2 size() const { return size_; }
-  int samples() const { return samples_; }        ///< 0 without multisampling
-  GLuint texture() const { return color_.id(); }  ///< the resolved picture, bottom row first
+  int samples() const { return samples_; }  ///< 0 without multisampling
 
 private:
   void allocate(glm::ivec2 size, int samples);

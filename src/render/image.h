@@ -1,4 +1,4 @@
-// A picture in memory: PNG files in and out, and how much two pictures differ.
+// A picture in memory, and as a PNG file.
 #pragma once
 
 #include <array>
@@ -22,12 +22,5 @@ struct Image {
 
 /// Writes beside the file, syncs and renames, so that the file is whole or untouched. Throws base::Error.
 void write_png(const std::filesystem::path& path, const Image& image);
-
-/// Throws base::Error if the file is missing, is no PNG, or is larger than 16384 pixels a side.
-Image read_png(const std::filesystem::path& path);
-
-/// The share of pixels (0 to 1) with a channel (r, g, b or a) that differs by more than `tolerance` levels.
-/// Throws base::Error if the sizes differ.
-double difference(const Image& a, const Image& b, int tolerance);
 
 }  // namespace viete::render

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <vector>
 
 #include "scene/edit.h"
@@ -315,14 +314,6 @@ const Command* find_command(std::string_view name) {
     if (command.name == name) return &command;
   }
   return nullptr;
-}
-
-bool run_command(Workspace& workspace, std::string_view name) {
-  const Command* command = find_command(name);
-  if (!command) throw std::logic_error("no command named " + std::string(name));
-  if (!command->enabled(workspace)) return false;
-  command->run(workspace);
-  return true;
 }
 
 }  // namespace viete::scene

@@ -73,7 +73,4 @@ std::string choice_command_name(deform::Blend blend);
 /// nullptr if there is none of that name.
 const Command* find_command(std::string_view name);
 
-/// Runs it if it is enabled; says whether it was. An unknown name is a bug of the caller: std::logic_error.
-bool run_command(Workspace& workspace, std::string_view name);
-
 }  // namespace viete::scene

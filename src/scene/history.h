@@ -31,10 +31,8 @@ public:
 
   bool can_undo() const { return !undo_.empty(); }
   bool can_redo() const { return !redo_.empty(); }
-  /// What the next undo or redo would take back or repeat; empty if nothing.
+  /// What the next undo would take back; empty if nothing.
   std::string undo_label() const { return can_undo() ? undo_.back().label : ""; }
-  std::string redo_label() const { return can_redo() ? redo_.back().label : ""; }
-  std::size_t undo_count() const { return undo_.size(); }
   /// Grows with each edit that is finished, taken back or repeated.
   unsigned long revision() const { return revision_; }
 

@@ -9,14 +9,14 @@ namespace viete::scene {
 
 namespace {
 
+constexpr float tolerance = 8;  // logical pixels
+
 // Of candidates within the tolerance: the nearest, or, of those within 2 pixels of the nearest, the one in
 // front.
 class Nearest {
 public:
-  explicit Nearest(float tolerance) : tolerance_(tolerance) {}
-
   void offer(std::uint32_t index, float distance, float depth) {
-    if (!(distance <= tolerance_)) return;
+    if (!(distance <= tolerance)) return;
     nearest_ = std::min(nearest_, distance);
     close_.push_back({{index, depth}, distance});
   }
@@ -31,13 +31,13 @@ public:
   }
 
 private:
-  float tolerance_, nearest_ = std::numeric_limits<float>::max();
+  float nearest_ = std::numeric_limits<float>::max();
   std::vector<std::pair<Pick, float>> close_;
 };
 
 std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::Point> points,
-                               const glm::vec2& cursor, float tolerance) {
-  Nearest nearest(tolerance);
+                               const glm::vec2& cursor) {
+  Nearest nearest;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (const auto at = project(points[i])) nearest.offer(i, glm::distance(glm::vec2(*at), cursor), at->z);
   }
@@ -47,7 +47,7 @@ std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::P
 // Depth is not linear on screen in perspective, but near enough to say which of two edges is in front.
 std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Point> points,
                               std::span<const mesh::Edge> edges, const glm::vec2& cursor) {
-  Nearest nearest(pick_tolerance);
+  Nearest nearest;
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
     const auto ends = project.segment(points[edges[i][0]], points[edges[i][1]]);
     if (!ends) continue;
@@ -133,19 +133,13 @@ std::optional<std::array<glm::vec3, 2>> Projector::segment(const mesh::Point& a,
   return std::array{on_screen(from), on_screen(to)};
 }
 
-std::optional<std::uint32_t> pick_nearest(const Projector& project, std::span<const mesh::Point> points,
-                                          const glm::vec2& cursor, float tolerance) {
-  const auto pick = pick_point(project, points, cursor, tolerance);
-  return pick ? std::optional(pick->index) : std::nullopt;
-}
-
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
                                  const glm::vec2& cursor) {
   if (!document.has_cage()) return std::nullopt;
   const Projector project(document.space, camera, viewport);
   const auto& points = document.pose.positions;
   const auto kind = document.selection.kind();
-  if (kind == ElementKind::vertex) return pick_point(project, points, cursor, pick_tolerance);
+  if (kind == ElementKind::vertex) return pick_point(project, points, cursor);
   if (kind == ElementKind::face) {
     if (const auto inside = pick_inside(document, camera, camera.ray(cursor, viewport))) return inside;
   }

@@ -32,13 +32,6 @@ private:
   glm::vec2 window_;
 };
 
-inline constexpr float pick_tolerance = 8;  ///< logical pixels
-
-/// The point nearest to the cursor within the tolerance; of points within 2 pixels of the nearest, the one in
-/// front. The mesh does not hide points: a cage is edited from outside and from behind.
-std::optional<std::uint32_t> pick_nearest(const Projector& project, std::span<const mesh::Point> points,
-                                          const glm::vec2& cursor, float tolerance = pick_tolerance);
-
 /// An element of the cage, and how deep in front of the camera the place is at which the cursor met it, in
 /// view units.
 struct Pick {
@@ -46,9 +39,10 @@ struct Pick {
   float depth;
 };
 
-/// The element of the selection's kind under the cursor, in the pose. Vertices as pick_nearest(); edges
-/// likewise, by their nearest point; of faces the one in front, and outside of all the face at the nearest
-/// edge within the tolerance. Nothing if there is no cage.
+/// The element of the selection's kind under the cursor, in the pose: the vertex nearest to it within 8
+/// logical pixels, of vertices within 2 pixels of the nearest the one in front; edges likewise, by their
+/// nearest point; of faces the one in front, and outside of all the face at the nearest edge as close. The
+/// mesh hides nothing: a cage is edited from outside and from behind. Nothing if there is no cage.
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
                                  const glm::vec2& cursor);
 

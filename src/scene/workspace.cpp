@@ -55,18 +55,6 @@ bool open_now(Workspace& workspace, const OpenRequest& request) {
   }
 }
 
-bool load_model(Workspace& workspace, const std::filesystem::path& model, const std::filesystem::path& cage) {
-  return open_now(workspace, {OpenRequest::What::model, {model, cage}});
-}
-
-bool load_cage(Workspace& workspace, const std::filesystem::path& cage) {
-  return open_now(workspace, {OpenRequest::What::cage, {cage}});
-}
-
-bool load_pose(Workspace& workspace, const std::filesystem::path& pose) {
-  return open_now(workspace, {OpenRequest::What::pose, {pose}});
-}
-
 void frame_all(Workspace& workspace, bool eased) {
   const Document& document = workspace.document;
   if (!document.model.surface) return;

@@ -158,9 +158,6 @@ bool shows_error_map(const Workspace& workspace);
 /// Opens at once, without reading aside. On failure everything stays as it was and a message says why.
 /// Returns success.
 bool open_now(Workspace& workspace, const OpenRequest& request);
-bool load_model(Workspace& workspace, const std::filesystem::path& model, const std::filesystem::path& cage);
-bool load_cage(Workspace& workspace, const std::filesystem::path& cage);
-bool load_pose(Workspace& workspace, const std::filesystem::path& pose);
 
 /// Moves the camera to see the model and its posed cage, or the selected vertices.
 void frame_all(Workspace& workspace, bool eased);

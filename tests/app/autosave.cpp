@@ -9,6 +9,7 @@
 #include "scene/open.h"
 #include "scene/saving.h"
 #include "scene/session.h"
+#include "support/open.h"
 
 using namespace viete;
 
@@ -25,7 +26,7 @@ struct Kept {
   app::Autosave autosave{folder, queue};
 
   Kept() {
-    REQUIRE(scene::load_model(workspace, files.model, files.cage));
+    REQUIRE(test::load_model(workspace, files.model, files.cage));
     autosave.follow(workspace);
   }
   void edit(double x) {
@@ -74,7 +75,7 @@ TEST_CASE("edits_are_set_aside_when_another_document_is_opened") {
   Kept k;
   k.edit(0.25);
   REQUIRE(k.autosave.set_aside(k.workspace));
-  REQUIRE(scene::load_model(k.workspace, k.files.model, k.files.cage));
+  REQUIRE(test::load_model(k.workspace, k.files.model, k.files.cage));
   k.autosave.follow(k.workspace);
   CHECK_FALSE(fs::exists(scene::recovery_file(k.folder)));
   REQUIRE(k.workspace.leftovers.size() == 1);

@@ -6,6 +6,7 @@
 
 #include "scene/files.h"
 #include "scene/open.h"
+#include "support/open.h"
 
 using namespace viete;
 
@@ -17,7 +18,7 @@ struct Exports {
   scene::Messages messages;
   app::Exporter exporter;
 
-  Exports() { REQUIRE(scene::load_model(workspace, files.model, files.cage)); }
+  Exports() { REQUIRE(test::load_model(workspace, files.model, files.cage)); }
   void add(const std::string& name) { exporter.add(scene::export_of(workspace.document, files / name)); }
 };
 

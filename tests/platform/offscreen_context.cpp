@@ -4,6 +4,7 @@
 #include "platform/offscreen_context.h"
 #include "render/backdrop.h"
 #include "render/surface_layer.h"
+#include "support/pictures.h"
 #include "support/stage.h"
 
 using namespace viete;
@@ -37,7 +38,7 @@ TEST_CASE("osmesa_and_egl_give_the_same_picture" * doctest::test_suite(test::if_
     by_egl = ball_picture(stage);
   }
   CHECK(test::count_not_black(by_osmesa) > 0);
-  CHECK(render::difference(by_osmesa, by_egl, 2) <= 0.001);
+  CHECK(test::difference(by_osmesa, by_egl, 2) <= 0.001);
 }
 
 TEST_CASE("contexts_can_be_made_again_and_again") {

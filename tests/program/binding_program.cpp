@@ -9,6 +9,8 @@
 #include "scene/binding_plan.h"
 #include "scene/edit.h"
 #include "scene/saving.h"
+#include "support/commands.h"
+#include "support/edits.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -78,7 +80,7 @@ TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") 
     const auto* cage = d.document().cage.get();
     const auto before = positions(d);
     const auto pose = d.document().pose.positions;
-    const auto edits = d.document().history.undo_count();
+    const auto edits = test::edit_count(d.document().history);
     d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), levels)}};
     bool bound = false, wrong = false;
     REQUIRE(frames_until(d, [&] {
@@ -98,7 +100,7 @@ TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") 
       continue;  // it was there before the key was
     }
     CHECK(d.document().pose.positions == pose);
-    CHECK(d.document().history.undo_count() == edits);
+    CHECK(test::edit_count(d.document().history) == edits);
     CHECK(positions(d) == before);
     CHECK(d.workspace().messages.all().back().text.find("Stopped binding") != std::string::npos);
     break;
@@ -165,7 +167,7 @@ TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_st
   REQUIRE(frames_until(d, [&] { return !d.viewer().loading(); }));
   CHECK(d.document().cage.get() == cage);
   CHECK(positions(d) == before);
-  CHECK(d.document().history.undo_count() == 1);
+  CHECK(test::edit_count(d.document().history) == 1);
   const auto& message = d.workspace().messages.all().back();
   CHECK(message.severity == scene::Severity::error);
   for (const char* part :
@@ -179,12 +181,12 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   Driver d(small_window());
   for (int levels = 2;; ++levels) {
     REQUIRE_MESSAGE(levels < 6, "mean value coordinates of 8192 triangles came at once");
-    scene::run_command(d.workspace(), "blend_srl");  // a new document keeps what the last one used
+    test::run_command(d.workspace(), "blend_srl");  // a new document keeps what the last one used
     scene::mark_saved(d.workspace());
     REQUIRE(d.open({dragon, ball_cage(folder.path(), levels)}));
     d.settle();
     const auto rest = positions(d);
-    scene::run_command(d.workspace(), "weights_mean_value");
+    test::run_command(d.workspace(), "weights_mean_value");
     d.frame();
     if (!d.workspace().binding.running) continue;
     CHECK(d.workspace().binding.what.rfind("Binding 50,000 vertices to ", 0) == 0);
@@ -204,7 +206,7 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
     CHECK(!d.viewer().deformer()->sample_matrices(10).empty());
     break;
   }
-  scene::run_command(d.workspace(), "weights_mean_value");
+  test::run_command(d.workspace(), "weights_mean_value");
   d.settle();
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
 }

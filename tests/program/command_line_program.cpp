@@ -9,6 +9,7 @@
 #include "program/command_line.h"
 #include "render/image.h"
 #include "scene/cube.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -104,7 +105,7 @@ TEST_CASE("render_writes_a_picture_of_the_asked_size") {
   const auto outcome = run("render " + quoted(dragon) + " " + quoted(cage) + " -o " + quoted(out) +
                            " --size 320x200 --scale 2");
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
-  const auto image = render::read_png(out);
+  const auto image = test::read_png(out);
   CHECK(image.width == 640);
   CHECK(image.height == 400);
   CHECK(image.pixel(5, 5) != image.pixel(320, 200));
@@ -124,7 +125,7 @@ TEST_CASE("bind_saves_what_render_then_takes_instead_of_binding") {
   const auto rendered = run("render " + scene + view + quoted(same) + " --binding " + quoted(file));
   CHECK_MESSAGE(rendered.code == 0, rendered.text);
   CHECK(rendered.text == "");
-  CHECK(render::read_png(out).rgba == render::read_png(same).rgba);
+  CHECK(test::read_png(out).rgba == test::read_png(same).rgba);
   CHECK(run("bind " + scene + " -o " + quoted(file) + " --tolerance 0 --coordinates mvc").code == 0);
   CHECK(run("render " + scene + view + quoted(same) + " --coordinates mvc --binding " + quoted(file)).code ==
         0);

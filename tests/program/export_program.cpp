@@ -2,6 +2,7 @@
 #include "mesh/read.h"
 #include "program/kept_work.h"
 #include "scene/saving.h"
+#include "support/commands.h"
 
 using namespace viete;
 using namespace test;
@@ -79,7 +80,7 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   CHECK(folder.entries() == before);
 
   d.ask_for(file);
-  CHECK_FALSE_MESSAGE(scene::run_command(d.workspace(), "stop_work"), "Esc is not for what runs beside work");
+  CHECK_FALSE_MESSAGE(test::run_command(d.workspace(), "stop_work"), "Esc is not for what runs beside work");
   d.frames_until(
       [&] { return d.viewer().recorder().find("stop_export").has_value() || !d.viewer().exporting(); });
   const auto button = d.viewer().recorder().find("stop_export");

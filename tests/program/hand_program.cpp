@@ -5,6 +5,7 @@
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/pointer.h"
+#include "support/edits.h"
 
 using namespace viete;
 using scene::ElementKind;
@@ -85,7 +86,7 @@ TEST_CASE("an_arrow_of_the_gizmo_moves_along_its_axis_only_and_undo_takes_it_bac
   CHECK(d.pose()[v][0] == rest[v][0]);
   CHECK(d.pose()[v][1] > rest[v][1]);
   CHECK(d.pose()[v][2] == rest[v][2]);
-  CHECK(d.document().history.undo_count() == 1);
+  CHECK(test::edit_count(d.document().history) == 1);
   d.press_key('Z', true);
   CHECK(d.pose() == rest);
 }
@@ -153,7 +154,7 @@ TEST_CASE("a_typed_angle_is_exact_and_enter_keeps_it") {
   d.frame();
   CHECK(largest_distance(d.mesh(), turned(rest, center, 90)) < 1e-12);
   CHECK(d.document().pose.turns[0][1] == doctest::Approx(2.5 * 3.14159265358979323846).epsilon(1e-9));
-  CHECK(d.document().history.undo_count() == 1);
+  CHECK(test::edit_count(d.document().history) == 1);
   d.press_key('Z', true);
   CHECK(d.mesh() == rest);
 }
@@ -201,7 +202,7 @@ TEST_CASE("esc_and_the_right_button_during_a_gizmo_drag_restore_exactly") {
     CHECK(d.document().pose.positions == pose.positions);
     CHECK(d.document().pose.turns == pose.turns);
     CHECK(d.mesh() == mesh);
-    CHECK(d.document().history.undo_count() == 1);
+    CHECK(test::edit_count(d.document().history) == 1);
   }
 }
 
@@ -329,10 +330,10 @@ TEST_CASE("numbers_are_typed_in_the_cage_panel") {
   };
   enter("transform_y", "1.5");
   CHECK(d.pose()[v] == mesh::Point{rest[v][0], 1.5, rest[v][2]});
-  CHECK(d.document().history.undo_count() == 1);
+  CHECK(test::edit_count(d.document().history) == 1);
   d.click("transform_x");
   d.press_key(scene::Key::enter);
-  CHECK_MESSAGE(d.document().history.undo_count() == 1, "an Enter without a change is no edit");
+  CHECK_MESSAGE(test::edit_count(d.document().history) == 1, "an Enter without a change is no edit");
   d.click("undo");
   d.click("select_all");
   d.click("tool_rotate");
@@ -358,7 +359,7 @@ struct TypingHand : Interaction {
     type(number);
   }
   const mesh::Point& point() { return pose()[vertex_selected]; }
-  std::size_t edits() { return document().history.undo_count(); }
+  std::size_t edits() { return test::edit_count(document().history); }
   std::string last_message() {
     const auto& all = workspace().messages.all();
     return all.empty() ? "" : all.back().text;

@@ -1,6 +1,7 @@
 // Large files read aside, and loads that fail.
 #include "program/kept_work.h"
 #include "scene/saving.h"
+#include "support/edits.h"
 
 using namespace viete;
 using namespace test;
@@ -55,7 +56,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
         60));
     if (d.document().model.surface.get() == surface) break;
   }
-  CHECK(d.document().history.undo_count() == 1);
+  CHECK(test::edit_count(d.document().history) == 1);
   CHECK(d.workspace().messages.all().back().text.find("Stopped reading") != std::string::npos);
 
   d.workspace().requests.open = request;

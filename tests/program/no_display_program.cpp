@@ -4,6 +4,7 @@
 
 #include "program/command_line.h"
 #include "render/image.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -16,7 +17,7 @@ TEST_CASE("without_a_display_the_viewer_says_so_in_one_line_and_renders_a_pictur
     CHECK_MESSAGE(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1, outcome.text);
     CHECK(mentions(outcome, "no window"));
     CHECK_MESSAGE(mentions(outcome, fs::canonical(scratch.path() / "viete.png").string()), outcome.text);
-    CHECK(render::read_png(scratch.path() / "viete.png").width == 1440);
+    CHECK(test::read_png(scratch.path() / "viete.png").width == 1440);
   }
 }
 
@@ -30,7 +31,7 @@ TEST_CASE("a_picture_that_is_there_stays_and_so_does_what_a_link_of_its_name_lea
   CHECK(file_bytes(scratch / "precious") == "precious");
   CHECK_FALSE(fs::exists(scratch / "nowhere"));
   CHECK_MESSAGE(mentions(outcome, "viete-3.png"), outcome.text);
-  CHECK(render::read_png(scratch / "viete-3.png").width == 1440);
+  CHECK(test::read_png(scratch / "viete-3.png").width == 1440);
 }
 
 TEST_CASE("nothing_is_announced_of_a_file_that_cannot_be_opened") {
@@ -50,7 +51,7 @@ TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
   for (const char* settings : {"", " --reach 2", " --coordinates mvc"}) {
     const auto outcome = run(scene + settings, here);
     REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
-    pictures.push_back(render::read_png(scratch / "viete.png").rgba);
+    pictures.push_back(test::read_png(scratch / "viete.png").rgba);
     fs::remove(scratch / "viete.png");
   }
   CHECK(pictures[0] != pictures[1]);

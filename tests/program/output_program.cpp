@@ -5,6 +5,7 @@
 #include "program/command_line.h"
 #include "render/image.h"
 #include "scene/cube.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -102,7 +103,7 @@ TEST_CASE("where_results_go_is_looked_at_before_the_work_starts") {
 TEST_CASE("extensions_are_taken_in_capitals_too") {
   const SmallFiles files;
   CHECK(files.run("render model.obj --size 64x64 -o A.PNG").code == 0);
-  CHECK(render::read_png(files / "A.PNG").width == 64);
+  CHECK(test::read_png(files / "A.PNG").width == 64);
   CHECK(files.run("deform model.obj cage.obj --pose pose.obj -o A.OBJ").code == 0);
   fs::rename(files / "s.viete", files / "S.VIETE");
   CHECK(files.run("render S.VIETE --size 64x64 -o b.png").code == 0);

@@ -8,7 +8,9 @@
 #include "program/open_cage.h"
 #include "render/image.h"
 #include "scene/edit.h"
+#include "support/commands.h"
 #include "support/folder.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using test::Driver;
@@ -40,7 +42,7 @@ void compare(const std::string& name, render::Image picture, bool panels, float 
     return;
   }
   REQUIRE_MESSAGE(fs::exists(reference), reference.string());
-  const double differing = render::difference(picture, render::read_png(reference), tolerance.levels);
+  const double differing = test::difference(picture, test::read_png(reference), tolerance.levels);
   if (differing > tolerance.share) render::write_png(test::build_dir() / (name + "-now.png"), picture);
   CHECK_MESSAGE(differing <= tolerance.share, name, ": compare with ", name, "-now.png in the build folder");
 }
@@ -94,8 +96,8 @@ TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
     w.view.dark = h.dark;
     w.view.hints = w.view.model = w.view.grid = false;
     d.open_dragon();
-    scene::run_command(w, h.kind);
-    scene::run_command(w, h.tool);
+    test::run_command(w, h.kind);
+    test::run_command(w, h.tool);
     w.document.selection.apply(std::array<std::uint32_t, 3>{40, 41, 99}, scene::SelectMode::replace);
     d.frame(2);
     compare(h.name, d.picture(), true, h.scale);
@@ -141,7 +143,7 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = false;
     d.open_dragon(v.pose);
-    for (const char* command : v.commands) CHECK_MESSAGE(scene::run_command(d.workspace(), command), command);
+    for (const char* command : v.commands) CHECK_MESSAGE(test::run_command(d.workspace(), command), command);
     d.settle();
     compare(v.name, d.picture(), false, 1);
   }
@@ -252,7 +254,7 @@ void show_error_map(Driver& d) {
   }
   scene::set_pose(d.document(), pose);
   for (const char* command : {"method_sd", "toggle_error_map", "toggle_cage"})
-    CHECK(scene::run_command(d.workspace(), command));
+    CHECK(test::run_command(d.workspace(), command));
   put_numbers(d);
 }
 

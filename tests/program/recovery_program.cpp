@@ -5,6 +5,8 @@
 #include "scene/edit.h"
 #include "scene/saving.h"
 #include "scene/transform.h"
+#include "support/edits.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using namespace test;
@@ -101,7 +103,7 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   CHECK(d.document().pose.positions == posed);
   CHECK(d.workspace().leftovers.empty());
   CHECK(scene::has_unsaved_edits(d.workspace()));
-  CHECK(render::difference(picture, rest_picture(d), 0) == 0);
+  CHECK(test::difference(picture, rest_picture(d), 0) == 0);
   CHECK(wait_until([&] { return kept_files(folder / "state").size() == 1; }, 5));
   CHECK(scene::read_session(kept_files(folder / "state").front()).pose->positions == posed);
 }
@@ -187,7 +189,7 @@ TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks
       },
       5));
   CHECK(d.workspace().messages.all().back().text.find((folder / "state").string()) != std::string::npos);
-  CHECK(d.document().history.undo_count() == 1);
+  CHECK(test::edit_count(d.document().history) == 1);
 }
 
 namespace {

@@ -1,5 +1,6 @@
 // Every route to a picture gives the same picture.
 #include "program/driver.h"
+#include "support/pictures.h"
 #include "support/stage.h"
 
 using namespace viete;
@@ -20,5 +21,5 @@ render::Image picture_by(Kind kind) {
 
 TEST_CASE("osmesa_and_egl_give_the_same_picture" * doctest::test_suite(test::if_present)) {
   if (!test::available(Kind::osmesa) || !test::available(Kind::egl)) return;
-  CHECK(render::difference(picture_by(Kind::osmesa), picture_by(Kind::egl), 2) < 0.001);
+  CHECK(test::difference(picture_by(Kind::osmesa), picture_by(Kind::egl), 2) < 0.001);
 }

@@ -4,6 +4,7 @@
 #include "program/kept_work.h"
 #include "scene/edit.h"
 #include "scene/saving.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using namespace test;
@@ -68,7 +69,7 @@ TEST_CASE("a_session_opens_to_the_same_picture_also_elsewhere") {
     const auto after = rest_picture(d);
     const auto positions = d.viewer().deformer()->positions();
     CHECK(std::equal(positions.begin(), positions.end(), mesh_before.begin(), mesh_before.end()));
-    const double differing = render::difference(before, after, 0);
+    const double differing = test::difference(before, after, 0);
     if (differing > 0) {
       render::write_png(test::build_dir() / "session-before.png", before);
       render::write_png(test::build_dir() / "session-after.png", after);
@@ -90,7 +91,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   const auto before = rest_picture(d);
   REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
   REQUIRE(run_viete("render a.viete -o a.png", folder.path()).starts_with("0 "));
-  CHECK(render::difference(before, render::read_png(folder / "a.png"), 0) == 0);
+  CHECK(test::difference(before, test::read_png(folder / "a.png"), 0) == 0);
   REQUIRE(run_viete("deform a.viete -o a.ply", folder.path()).starts_with("0 "));
   // The window shows floats; what is written is double, by the window too.
   const auto written = mesh::read(folder / "a.ply").surface.positions;
@@ -104,7 +105,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
 
   REQUIRE(run_viete("render a.viete -o b.png --size 320x200 --light --look top", folder.path())
               .starts_with("0 "));
-  CHECK(render::read_png(folder / "b.png").width == 320);
+  CHECK(test::read_png(folder / "b.png").width == 320);
   CHECK(run_viete("deform a.viete -o b.ply --coordinates mvc", folder.path()).starts_with("0 "));
   CHECK(mesh::read(folder / "b.ply").surface.positions != mesh::read(folder / "a.ply").surface.positions);
 }
@@ -136,7 +137,7 @@ TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one
       (said.starts_with("0 ") && said.find("a.viete: window: no window has this size") < said.size() &&
        said.find("a.viete: camera.target[1]: found null") < said.size()),
       said);
-  CHECK(render::read_png(folder / "a.png").width == 1280);
+  CHECK(test::read_png(folder / "a.png").width == 1280);
   const std::string bombs[] = {
       std::string(20 << 20, '['), head + "\"pose\": " + std::string(1 << 20, '['),
       R"({"format": "viete session", "version": 1, "model": ")" + std::string(50 << 20, 'x') + "\"}"};

@@ -6,6 +6,9 @@
 #include "mesh/write.h"
 #include "program/driver.h"
 #include "scene/edit.h"
+#include "support/commands.h"
+#include "support/edits.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using test::Driver;
@@ -61,7 +64,7 @@ std::size_t followers(Driver& d) {
 
 TEST_CASE("settings_made_before_anything_is_open_are_kept_for_what_is_opened") {
   Driver d;
-  scene::run_command(d.workspace(), "weights_mean_value");
+  test::run_command(d.workspace(), "weights_mean_value");
   scene::set_reach(d.document(), 3);
   d.frame(3);  // with nothing to show
   d.open_dragon();
@@ -88,7 +91,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   d.button(0, false);
   d.frame(2);
   CHECK(finite(positions(d)));
-  CHECK(d.document().history.undo_count() == 1);
+  CHECK(test::edit_count(d.document().history) == 1);
 
   // Mesh pixels change where the deformer moved them: around the projected positions of the vertex that moved
   // farthest.
@@ -192,7 +195,7 @@ TEST_CASE("undo_redo_and_cancel_by_keys_restore_exactly") {
   d.frame();
   CHECK(d.document().pose.positions == moved);
   CHECK(positions(d) == mesh_before);
-  CHECK(d.document().history.undo_count() == 1);
+  CHECK(test::edit_count(d.document().history) == 1);
   d.click("undo");
   CHECK(d.document().pose.positions == rest);
   d.click("redo");
@@ -299,8 +302,8 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
     pictures.push_back(d.picture());
     std::filesystem::remove(file);
   }
-  CHECK(render::difference(pictures[0], pictures[1], 8) < 0.002);
-  CHECK(render::difference(pictures[0], pictures[2], 8) < 0.002);
+  CHECK(test::difference(pictures[0], pictures[1], 8) < 0.002);
+  CHECK(test::difference(pictures[0], pictures[2], 8) < 0.002);
 }
 
 TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {

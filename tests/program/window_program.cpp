@@ -7,6 +7,7 @@
 #include "program/driver.h"
 #include "scene/pointer.h"
 #include "support/folder.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using test::Child;
@@ -48,7 +49,7 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
   std::this_thread::sleep_for(std::chrono::seconds(1));
   desktop.xdotool(std::string("key ") + f12_keycode);
   REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
-  auto real = render::read_png(*desktop.screenshot());
+  auto real = test::read_png(*desktop.screenshot());
   desktop.xdotool("key ctrl+q");
   REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
   CHECK(viewer.exit_code() == 0);
@@ -61,7 +62,7 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
   REQUIRE(real.height == offscreen.height);
   cut_panels(real);
   cut_panels(offscreen);
-  const double differing = render::difference(real, offscreen, 2);
+  const double differing = test::difference(real, offscreen, 2);
   if (differing > 0.001) {
     render::write_png(test::build_dir() / "window-real.png", real);
     render::write_png(test::build_dir() / "window-offscreen.png", offscreen);
@@ -117,7 +118,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
   std::this_thread::sleep_for(std::chrono::seconds(1));
   desktop.xdotool(std::string("key ") + f12_keycode);
   REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
-  auto real = render::read_png(*desktop.screenshot());
+  auto real = test::read_png(*desktop.screenshot());
   desktop.xdotool("key ctrl+q");
   REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
   CHECK(viewer.exit_code() == 0);
@@ -126,7 +127,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
   REQUIRE(real.width == offscreen.width);
   cut_panels(real);
   cut_panels(offscreen);
-  const double differing = render::difference(real, offscreen, 2);
+  const double differing = test::difference(real, offscreen, 2);
   if (differing > 0.001) {
     render::write_png(test::build_dir() / "window-gizmo-real.png", real);
     render::write_png(test::build_dir() / "window-gizmo-offscreen.png", offscreen);

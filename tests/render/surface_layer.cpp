@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "render/palette.h"
+#include "support/pictures.h"
 #include "support/stage.h"
 
 using namespace viete;
@@ -43,7 +44,7 @@ TEST_CASE("multisampled_and_plain_pictures_agree_on_area_and_light") {
   Scene scene(test::ball(7));
   const render::Image plain = scene.picture(), sampled = scene.picture({}, 4);
   CHECK(test::lit_area(sampled) == doctest::Approx(test::lit_area(plain)).epsilon(0.01));
-  CHECK(render::difference(plain, sampled, 8) < 0.02);
+  CHECK(test::difference(plain, sampled, 8) < 0.02);
 }
 
 TEST_CASE("key_light_comes_from_the_upper_left") {
@@ -74,7 +75,7 @@ TEST_CASE("model_far_from_the_origin_looks_the_same") {
   Scene far_scene(test::ball(7, far));
   far_scene.stage.view.view =
       far_scene.stage.view.view * glm::translate(glm::dmat4(1), glm::dvec3(-far[0], -far[1], -far[2]));
-  CHECK(render::difference(here, far_scene.picture(), 2) < 0.001);
+  CHECK(test::difference(here, far_scene.picture(), 2) < 0.001);
 }
 
 TEST_CASE("wireframe_darkens_edges_only") {
@@ -82,7 +83,7 @@ TEST_CASE("wireframe_darkens_edges_only") {
   render::SurfaceStyle wire;
   wire.wireframe = 0.5F;
   const render::Image plain = scene.picture(), wired = scene.picture(wire);
-  const double changed = render::difference(plain, wired, 8) * 320 * 200;
+  const double changed = test::difference(plain, wired, 8) * 320 * 200;
   CHECK(changed > 500);
   CHECK(changed < 0.3 * static_cast<double>(test::count_not_black(plain)));
   CHECK(test::lit_area(wired) < test::lit_area(plain));
@@ -103,7 +104,7 @@ TEST_CASE("skipping_the_backs_of_a_closed_surface_changes_nothing") {
   Scene scene(test::ball(7));
   render::SurfaceStyle closed;
   closed.closed = true;
-  CHECK(render::difference(scene.picture(), scene.picture(closed), 1) < 0.001);
+  CHECK(test::difference(scene.picture(), scene.picture(closed), 1) < 0.001);
 }
 
 TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belongs") {

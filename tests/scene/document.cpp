@@ -9,6 +9,7 @@
 #include "scene/cube.h"
 #include "scene/edit.h"
 #include "scene/files.h"
+#include "support/open.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -43,7 +44,7 @@ TEST_CASE("sizes_that_float_can_draw_are_told_from_those_that_it_cannot") {
     } else {
       CHECK_THROWS_WITH_AS(check_drawable(document), doctest::Contains("sized.obj: a size of"), base::Error);
       Workspace w;
-      CHECK_FALSE(load_model(w, files / "sized.obj", {}));
+      CHECK_FALSE(test::load_model(w, files / "sized.obj", {}));
       CHECK_FALSE(w.document.model.surface);
     }
   }
@@ -75,7 +76,7 @@ TEST_CASE("sizes_that_double_can_deform_are_told_from_those_that_it_cannot") {
 TEST_CASE("a_pose_that_cannot_be_drawn_is_refused_and_the_old_one_stays") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   mesh::write(files / "far.obj", test::cube(1e40));
   const auto before = w.document.pose.positions;
   CHECK_FALSE(open_now(w, {OpenRequest::What::pose, {files / "far.obj"}}));
@@ -95,16 +96,16 @@ TEST_CASE("opening_a_model_and_a_cage_fills_a_document") {
 TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
   const Files files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   const auto* surface = w.document.model.surface.get();
   w.document.pose.positions[0][0] += 1;
   const auto pose = w.document.pose.positions;
   const auto topology = w.document.revisions.surfaces;
-  CHECK_FALSE(load_model(w, files.broken, {}));
-  CHECK_FALSE(load_model(w, files.model, files.broken));
-  CHECK_FALSE(load_cage(w, files.broken));
-  CHECK_FALSE(load_cage(w, files.folder / "missing.obj"));
-  CHECK_FALSE(load_pose(w, files.broken));
+  CHECK_FALSE(test::load_model(w, files.broken, {}));
+  CHECK_FALSE(test::load_model(w, files.model, files.broken));
+  CHECK_FALSE(test::load_cage(w, files.broken));
+  CHECK_FALSE(test::load_cage(w, files.folder / "missing.obj"));
+  CHECK_FALSE(test::load_pose(w, files.broken));
   CHECK(w.document.model.surface.get() == surface);
   CHECK(w.document.pose.positions == pose);
   CHECK(w.document.revisions.surfaces == topology);
@@ -115,8 +116,8 @@ TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
 TEST_CASE("a_pose_is_one_undoable_edit") {
   const Files files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
-  REQUIRE(load_pose(w, files.pose));
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  REQUIRE(test::load_pose(w, files.pose));
   CHECK(w.document.pose.positions == test::cube(2).positions);
   undo(w.document);
   CHECK_FALSE(differs_from_rest(w.document));
@@ -125,8 +126,8 @@ TEST_CASE("a_pose_is_one_undoable_edit") {
 TEST_CASE("a_pose_or_a_cage_without_a_document_is_refused_with_advice") {
   const Files files;
   Workspace w;
-  CHECK_FALSE(load_cage(w, files.cage));
-  CHECK_FALSE(load_pose(w, files.pose));
+  CHECK_FALSE(test::load_cage(w, files.cage));
+  CHECK_FALSE(test::load_pose(w, files.pose));
   CHECK(w.messages.all().back().text.find("open the cage first") != std::string::npos);
 }
 
@@ -136,7 +137,7 @@ TEST_CASE("loading_keeps_method_coordinates_and_reach") {
   w.document.method = sym3::Method::diag;
   w.document.scheme = *deform::scheme_of_shorthand("mvc");
   w.document.scheme.weighting.reach = 3;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   CHECK(w.document.method == sym3::Method::diag);
   CHECK(w.document.scheme == *deform::scheme_of_shorthand("mvc"));
   CHECK(w.document.scheme.weighting.reach == 3);

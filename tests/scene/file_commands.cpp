@@ -4,6 +4,8 @@
 
 #include "scene/commands.h"
 #include "scene/files.h"
+#include "support/commands.h"
+#include "support/open.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -12,18 +14,18 @@ using Purpose = FileBrowser::Purpose;
 TEST_CASE("save_asks_for_a_name_once_and_then_writes_there") {
   const test::CubeFiles files;
   Workspace w;
-  CHECK_FALSE(run_command(w, "save_session"));
-  REQUIRE(load_model(w, files.model, files.cage));
-  REQUIRE(run_command(w, "save_session"));
+  CHECK_FALSE(test::run_command(w, "save_session"));
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  REQUIRE(test::run_command(w, "save_session"));
   CHECK(w.browser.open);
   CHECK(w.browser.purpose == Purpose::save_session);
   CHECK(chosen_file(w.browser).filename() == "model.viete");
   w.browser.open = false;
   w.saved.session = files / "walk.viete";
-  REQUIRE(run_command(w, "save_session"));
+  REQUIRE(test::run_command(w, "save_session"));
   CHECK_FALSE(w.browser.open);
   CHECK(w.requests.save_session == files / "walk.viete");
-  REQUIRE(run_command(w, "save_session_as"));
+  REQUIRE(test::run_command(w, "save_session_as"));
   CHECK(w.browser.open);
   CHECK(chosen_file(w.browser).filename() == "walk.viete");
 }
@@ -31,31 +33,31 @@ TEST_CASE("save_asks_for_a_name_once_and_then_writes_there") {
 TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one_does_no_harm") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
-  run_command(w, "open_model");
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   std::filesystem::create_directories(files / "other");
   w.remembered.folder = files / "other";
-  run_command(w, "open_pose");
+  test::run_command(w, "open_pose");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()) / "other");
   w.remembered.folder = files / "gone";
-  run_command(w, "open_cage");
+  test::run_command(w, "open_cage");
   CHECK(w.browser.folder == std::filesystem::canonical(std::filesystem::current_path()));
   CHECK(w.browser.problem.empty());
 }
 
 TEST_CASE("leftovers_are_restored_discarded_and_put_off_one_at_a_time") {
   Workspace w;
-  CHECK_FALSE(run_command(w, "restore_leftover"));
+  CHECK_FALSE(test::run_command(w, "restore_leftover"));
   w.leftovers = {{"/a.viete", "a", 0}, {"/b.viete", "b", 0}};
-  REQUIRE(run_command(w, "restore_leftover"));
+  REQUIRE(test::run_command(w, "restore_leftover"));
   CHECK(w.requests.open->what == OpenRequest::What::recovery);
   CHECK(w.requests.open->files.front() == "/a.viete");
-  REQUIRE(run_command(w, "put_off_leftover"));
-  REQUIRE(run_command(w, "discard_leftover"));
+  REQUIRE(test::run_command(w, "put_off_leftover"));
+  REQUIRE(test::run_command(w, "discard_leftover"));
   CHECK(w.requests.discard == "/b.viete");
-  CHECK_FALSE(run_command(w, "undo_discard"));
+  CHECK_FALSE(test::run_command(w, "undo_discard"));
   w.discarded = {{{"/b.viete", "b", 0}, "/b.discarded"}};
-  REQUIRE(run_command(w, "undo_discard"));
+  REQUIRE(test::run_command(w, "undo_discard"));
   CHECK(w.requests.undo_discard);
 }

@@ -9,6 +9,8 @@
 #include "scene/files.h"
 #include "scene/saving.h"
 #include "support/data.h"
+#include "support/edits.h"
+#include "support/open.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -70,15 +72,15 @@ TEST_CASE("a_cage_that_most_of_the_model_is_outside_of_is_named_whichever_way_it
   mesh::write(files / "inside_out.obj", mesh::from_triangles(inside_out.positions, inside_out.triangles));
   const std::string warning = "far.obj: all of model.obj is outside of this cage";
   Workspace w;
-  REQUIRE(load_model(w, files.model, files / "far.obj"));
+  REQUIRE(test::load_model(w, files.model, files / "far.obj"));
   CHECK(said(w, warning));
   Workspace later;
-  REQUIRE(load_model(later, files.model, {}));
-  REQUIRE(load_cage(later, files / "far.obj"));
+  REQUIRE(test::load_model(later, files.model, {}));
+  REQUIRE(test::load_cage(later, files / "far.obj"));
   CHECK(said(later, warning));
   for (const auto& cage : {files.cage, files / "inside_out.obj"}) {
     Workspace fits;
-    REQUIRE(load_model(fits, files.model, cage));
+    REQUIRE(test::load_model(fits, files.model, cage));
     CHECK_FALSE(said(fits, "outside"));
   }
 }
@@ -89,10 +91,10 @@ TEST_CASE("vertices_of_the_cage_that_have_no_face_do_not_move_the_view_away") {
   stray.positions.push_back({99, 99, 99});
   mesh::write(files / "stray.obj", stray);
   Workspace plain, with_stray;
-  REQUIRE(load_model(plain, files.model, files.cage));
+  REQUIRE(test::load_model(plain, files.model, files.cage));
   mesh::write(files / "same.obj", test::cube(1.5));
-  REQUIRE(load_model(plain, files.model, files / "same.obj"));
-  REQUIRE(load_model(with_stray, files.model, files / "stray.obj"));
+  REQUIRE(test::load_model(plain, files.model, files / "same.obj"));
+  REQUIRE(test::load_model(with_stray, files.model, files / "stray.obj"));
   frame_all(plain, false);
   frame_all(with_stray, false);
   CHECK(with_stray.camera.pose().distance == doctest::Approx(plain.camera.pose().distance));
@@ -101,19 +103,19 @@ TEST_CASE("vertices_of_the_cage_that_have_no_face_do_not_move_the_view_away") {
 TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   REQUIRE(drop(w, {files.pose}));
   CHECK(w.document.model.path == files.model);
   CHECK(w.document.pose.positions == test::cube(2).positions);
   CHECK(said(w, "Took pose.obj as a pose"));
-  CHECK(w.document.history.undo_count() == 1);
+  CHECK(test::edit_count(w.document.history) == 1);
   CHECK_FALSE(has_unsaved_edits(w));
 }
 
 TEST_CASE("a_pose_over_unsaved_edits_stays_unsaved") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   w.document.pose.positions[0][0] -= 1;
   CHECK(has_unsaved_edits(w));
   REQUIRE(drop(w, {files.pose}));
@@ -136,7 +138,7 @@ TEST_CASE("a_dropped_surface_around_a_model_without_cage_is_its_cage_and_anythin
 TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   REQUIRE(save_session(w, files / "a.viete"));
   Workspace other;
   REQUIRE(drop(other, {files / "a.viete"}));
@@ -177,7 +179,7 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
 TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   w.document.pose.positions[0][0] -= 1;
   w.saved.session = files / "mine.viete";
   test::put_file(files / "r.viete", session_text(session_of(w), files / "r.viete", false));
@@ -195,10 +197,10 @@ TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
 TEST_CASE("what_is_opened_comes_to_the_front_of_the_recent_files") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
-  REQUIRE(load_model(w, files.cage, {}));
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.cage, {}));
   REQUIRE(save_session(w, files / "a.viete"));
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   REQUIRE(w.remembered.recent.size() == 3);
   CHECK(w.remembered.recent[0] == RecentFile{files.model, files.cage});
   CHECK(w.remembered.recent[1] == RecentFile{files / "a.viete", {}});
@@ -217,8 +219,8 @@ TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_exp
     ++entries;
     CAPTURE(name);
     Workspace w;
-    REQUIRE(load_model(w, folder / "ok_mesh.obj", kind == "pose" ? folder / "ok_cage.obj" : ""));
-    const bool taken = kind == "cage" ? load_cage(w, folder / name) : load_pose(w, folder / name);
+    REQUIRE(test::load_model(w, folder / "ok_mesh.obj", kind == "pose" ? folder / "ok_cage.obj" : ""));
+    const bool taken = kind == "cage" ? test::load_cage(w, folder / name) : test::load_pose(w, folder / name);
     CHECK((taken || expect != "load"));
     if (expect == "reject" && name != "cage_open.obj") CHECK_FALSE(taken);
     if (name == "cage_open.obj") CHECK(w.document.cage->warnings.size() == 1);

@@ -8,50 +8,6 @@
 using namespace viete;
 using namespace viete::scene;
 
-TEST_CASE("the_vertex_under_the_cursor_is_picked_within_eight_pixels") {
-  const Workspace w = test::cube_workspace();
-  const Projector project(w.document.space, w.camera, w.viewport);
-  const auto& points = w.document.pose.positions;
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const glm::vec2 at(*project(points[i]));
-    CHECK(pick_nearest(project, points, at) == i);
-    CHECK(pick_nearest(project, points, at + glm::vec2(0, 7.5f)) == i);
-    CHECK_FALSE(pick_nearest(project, points, at + glm::vec2(0, 8.5f)));
-  }
-}
-
-TEST_CASE("of_vertices_on_one_pixel_the_nearer_one_is_picked") {
-  Workspace w = test::cube_workspace();
-  w.camera.look(StandardView::front);
-  w.camera.animate(1);
-  CameraPose pose = w.camera.pose();
-  pose.distance = 900;  // so far that front and back vertices are less than 2 pixels apart
-  w.camera.set_pose(pose);
-  const Projector project(w.document.space, w.camera, w.viewport);
-  const std::vector<mesh::Point> points{{0, 0, -1}, {0, 0, 1}};
-  CHECK(pick_nearest(project, points, glm::vec2(*project(points[0]))) == 1u);
-}
-
-TEST_CASE("points_behind_the_camera_are_never_picked") {
-  const Workspace w = test::cube_workspace();
-  const Projector project(w.document.space, w.camera, w.viewport);
-  const glm::vec3 behind = w.camera.eye() - 3.0f * w.camera.forward();
-  const double s = w.document.space.scale;
-  const std::vector<mesh::Point> points{{behind.x / s, behind.y / s, behind.z / s}};
-  CHECK_FALSE(project(points[0]));
-  CHECK_FALSE(pick_nearest(project, points, {600, 390}, 1e6f));
-  CHECK(pick_box(project, points, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
-}
-
-TEST_CASE("a_box_picks_what_is_inside_whichever_corner_comes_first") {
-  const Workspace w = test::cube_workspace();
-  const Projector project(w.document.space, w.camera, w.viewport);
-  const auto& points = w.document.pose.positions;
-  const glm::vec2 at(*project(points[5]));
-  CHECK(pick_box(project, points, at + 2.0f, at - 2.0f) == std::vector<std::uint32_t>{5});
-  CHECK(pick_box(project, points, {0, 0}, {1000, 800}).size() == 8);
-}
-
 namespace {
 
 Workspace front_cube(ElementKind kind) {
@@ -66,6 +22,11 @@ std::optional<Pick> pick(const Workspace& w, const glm::vec2& cursor) {
   return pick_element(w.document, w.camera, w.viewport, cursor);
 }
 
+std::optional<std::uint32_t> pick_index(const Workspace& w, const glm::vec2& cursor) {
+  const auto found = pick(w, cursor);
+  return found ? std::optional(found->index) : std::nullopt;
+}
+
 glm::vec2 pixel(const Workspace& w, const mesh::Point& p) {
   return glm::vec2(*Projector(w.document.space, w.camera, w.viewport)(p));
 }
@@ -75,6 +36,55 @@ bool has(const Workspace& w, std::uint32_t index, const mesh::Edge& edge) {
 }
 
 }  // namespace
+
+TEST_CASE("the_vertex_under_the_cursor_is_picked_within_eight_pixels") {
+  const Workspace w = test::cube_workspace();
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const glm::vec2 at = pixel(w, w.document.pose.positions[i]);
+    CHECK(pick_index(w, at) == i);
+    CHECK(pick_index(w, at + glm::vec2(0, 7.5f)) == i);
+    CHECK_FALSE(pick_index(w, at + glm::vec2(0, 8.5f)));
+  }
+}
+
+TEST_CASE("of_vertices_on_one_pixel_the_nearer_one_is_picked") {
+  Workspace w = test::cube_workspace();
+  w.camera.look(StandardView::front);
+  w.camera.animate(1);
+  CameraPose pose = w.camera.pose();
+  pose.distance = 900;
+  w.camera.set_pose(pose);
+  const mesh::Point back{0, 0, -1}, front{0, 0, 1};
+  w.document.pose.positions.assign(8, back);
+  w.document.pose.positions[5] = front;  // less than 2 pixels from the others
+  for (const auto& p : {back, front}) CHECK(pick_index(w, pixel(w, p)) == 5u);
+}
+
+TEST_CASE("points_behind_the_camera_are_never_picked") {
+  Workspace w = test::cube_workspace();
+  const double s = w.document.space.scale;
+  const auto along = [&](float way) {
+    const glm::vec3 p = w.camera.eye() + way * w.camera.forward();
+    return mesh::Point{p.x / s, p.y / s, p.z / s};
+  };
+  const glm::vec2 middle = pixel(w, along(3));
+  for (auto& p : w.document.pose.positions) p = along(3);
+  CHECK(pick_index(w, middle));
+  for (auto& p : w.document.pose.positions) p = along(-3);
+  const Projector project(w.document.space, w.camera, w.viewport);
+  CHECK_FALSE(project(along(-3)));
+  CHECK_FALSE(pick_index(w, middle));
+  CHECK(pick_box(project, w.document.pose.positions, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
+}
+
+TEST_CASE("a_box_picks_what_is_inside_whichever_corner_comes_first") {
+  const Workspace w = test::cube_workspace();
+  const Projector project(w.document.space, w.camera, w.viewport);
+  const auto& points = w.document.pose.positions;
+  const glm::vec2 at(*project(points[5]));
+  CHECK(pick_box(project, points, at + 2.0f, at - 2.0f) == std::vector<std::uint32_t>{5});
+  CHECK(pick_box(project, points, {0, 0}, {1000, 800}).size() == 8);
+}
 
 TEST_CASE("the_edge_under_the_cursor_is_picked_within_eight_pixels_and_the_front_one_first") {
   for (const bool orthographic : {false, true}) {

@@ -5,6 +5,7 @@
 #include "scene/cube.h"
 #include "scene/edit.h"
 #include "scene/picking.h"
+#include "support/edits.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -69,7 +70,7 @@ TEST_CASE("a_dragged_vertex_follows_the_cursor_to_the_pixel") {
   m.drag(from, to);
   CHECK(glm::distance(m.vertex(7), to) < 0.01f);
   CHECK(m.selected() == std::vector<std::uint32_t>{7});
-  CHECK(m.w.document.history.undo_count() == 1);
+  CHECK(test::edit_count(m.w.document.history) == 1);
   undo(m.w.document);
   CHECK(m.w.document.pose.positions == m.w.document.cage->surface.positions);
 }
@@ -240,7 +241,7 @@ TEST_CASE("numbers_typed_during_a_drag_set_it_and_enter_keeps_it") {
   m.move({300, 300});
   m.release();
   CHECK(m.w.document.pose.positions[7] == mesh::Point{1.5, 1.5, 1.75});
-  CHECK(m.w.document.history.undo_count() == 1);
+  CHECK(test::edit_count(m.w.document.history) == 1);
 }
 
 TEST_CASE("ctrl_pressed_while_the_mouse_rests_snaps_at_once") {

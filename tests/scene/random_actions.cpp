@@ -8,6 +8,8 @@
 #include "scene/cube.h"
 #include "scene/edit.h"
 #include "scene/pointer.h"
+#include "support/commands.h"
+#include "support/edits.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -114,9 +116,9 @@ private:
     drag(left_button, glm::round(from), from + glm::vec2(below(201) - 100, below(201) - 100));
   }
   void select_all_now_and_then() {
-    run_command(w, once_in(3) ? "select_all" : "select_linked");
+    test::run_command(w, once_in(3) ? "select_all" : "select_linked");
     static const char* const tools[] = {"tool_move", "tool_rotate", "tool_scale"};
-    run_command(w, tools[below(3)]);
+    test::run_command(w, tools[below(3)]);
     w.view.cage = true;
   }
   void run_any_command() {
@@ -155,14 +157,14 @@ TEST_CASE("ten_thousand_random_actions_are_undone_to_the_last_bit_and_redone_as_
     for (const auto& p : document.pose.positions) {
       for (const double x : p) REQUIRE(std::isfinite(x));
     }
-    const std::size_t count = document.history.undo_count();
+    const std::size_t count = test::edit_count(document.history);
     edits += count;
     while (document.history.can_undo()) undo(document);
     CHECK(of(document) == start);
     CHECK_FALSE(differs_from_rest(document));
     for (std::size_t i = 0; i < count; ++i) redo(document);
     CHECK(of(document) == end);
-    CHECK(document.history.undo_count() == count);
+    CHECK(test::edit_count(document.history) == count);
   }
   CHECK_MESSAGE(edits > 1000, "the actions must reach the document: ", edits);
 }

@@ -6,6 +6,7 @@
 #include "base/process.h"
 #include "scene/files.h"
 #include "scene/session.h"
+#include "support/open.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -27,7 +28,7 @@ TEST_CASE("only_the_work_of_programs_that_have_ended_is_left_over") {
 TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   const fs::path folder = files / "recovery";
   fs::create_directories(folder);
   const auto put = [&](const std::string& name, int minutes_ago) {

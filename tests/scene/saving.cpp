@@ -7,6 +7,8 @@
 #include "scene/files.h"
 #include "scene/session.h"
 #include "scene/transform.h"
+#include "support/commands.h"
+#include "support/open.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -16,7 +18,7 @@ namespace {
 
 Workspace edited(const test::CubeFiles& files) {
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   CHECK_FALSE(has_unsaved_edits(w));
   w.document.history.record("move", snapshot_of(w.document));
   w.document.pose.positions[0][0] -= 0.25;
@@ -50,7 +52,7 @@ TEST_CASE("undoing_to_what_was_opened_leaves_nothing_to_save") {
 TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   w.document.pose.turns = {{0, 3.14159, 0}};
   CHECK_FALSE(has_unsaved_edits(w));
   w.document.pose.turns = {{0, 1e-9, 0}};
@@ -70,7 +72,7 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
 TEST_CASE("coordinates_and_reach_are_edits_that_a_session_keeps_and_a_pose_does_not_and_the_method_is_none") {
   const test::CubeFiles files;
   Workspace w;
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   set_method(w.document, sym3::Method::diag);
   CHECK_FALSE(has_unsaved_edits(w));
   set_reach(w.document, 3);
@@ -79,9 +81,9 @@ TEST_CASE("coordinates_and_reach_are_edits_that_a_session_keeps_and_a_pose_does_
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_session(w, files / "a.viete"));
   CHECK_FALSE(has_unsaved_edits(w));
-  run_command(w, "elements_patch");
+  test::run_command(w, "elements_patch");
   CHECK(has_unsaved_edits(w));
-  run_command(w, "elements_face");
+  test::run_command(w, "elements_face");
   CHECK_FALSE(has_unsaved_edits(w));
 
   Workspace back;

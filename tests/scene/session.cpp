@@ -13,6 +13,7 @@
 #include "scene/json_file.h"
 #include "scene/open.h"
 #include "scene/saving.h"
+#include "support/open.h"
 #include "support/text.h"
 
 using namespace viete;
@@ -26,7 +27,7 @@ namespace {
 Workspace worked(const test::CubeFiles& files) {
   Workspace w;
   w.viewport = {{1000, 800}, {320, 0}, {680, 774}};
-  REQUIRE(load_model(w, files.model, files.cage));
+  REQUIRE(test::load_model(w, files.model, files.cage));
   w.document.pose.positions[3] = {0.1, -1.0 / 3, 1e-17};
   w.document.pose.turns = {{0.1, 6.3, -1e-9}};
   w.document.selection.apply(std::vector<std::uint32_t>{2, 5}, SelectMode::replace);
@@ -282,7 +283,7 @@ TEST_CASE("elements_weights_and_blend_are_kept_and_older_programs_read_what_they
     CAPTURE(text(scheme));
     scheme.weighting.reach = 3;
     Workspace w;
-    REQUIRE(load_model(w, files.model, files.cage));
+    REQUIRE(test::load_model(w, files.model, files.cage));
     w.document.scheme = scheme;
     REQUIRE(save_session(w, files / "a.viete"));
     const auto json = read_json(files / "a.viete");
@@ -468,7 +469,7 @@ TEST_CASE("a_model_and_a_cage_whose_names_are_not_utf_8_come_back") {
   fs::rename(files.model, folder / "m\xff.obj");
   fs::rename(files.cage, folder / "c\xff.obj");
   Workspace w;
-  REQUIRE(load_model(w, folder / "m\xff.obj", folder / "c\xff.obj"));
+  REQUIRE(test::load_model(w, folder / "m\xff.obj", folder / "c\xff.obj"));
   for (const fs::path& session : {folder / "s\xff.viete", files / "s.viete"}) {
     REQUIRE(save_session(w, session));
     Workspace back;

@@ -6,6 +6,7 @@
 
 #include "scene/cube.h"
 #include "scene/edit.h"
+#include "support/edits.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -137,7 +138,7 @@ TEST_CASE("absurd_amounts_neither_hang_nor_leave_the_range_of_numbers") {
     CHECK_FALSE(transform_selection(document, Tool::scale, grow));
     CHECK(document.pose.positions == large);
   }
-  CHECK(document.history.undo_count() == 1);
+  CHECK(test::edit_count(document.history) == 1);
 }
 
 TEST_CASE("an_edit_stays_within_what_can_be_drawn_whatever_the_size_and_place_of_the_model") {

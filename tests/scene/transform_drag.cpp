@@ -6,6 +6,7 @@
 
 #include "scene/cube.h"
 #include "scene/picking.h"
+#include "support/edits.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -251,6 +252,6 @@ TEST_CASE("a_finished_drag_is_one_entry_of_the_history_with_a_name") {
   Drag d(Tool::scale, {}, {0, 0});
   for (int i = 0; i < 10; ++i) d.move({3, 0});
   d.drag->commit(d.w.document);
-  CHECK(d.w.document.history.undo_count() == 1);
+  CHECK(test::edit_count(d.w.document.history) == 1);
   CHECK(d.w.document.history.undo_label() == "scale 2 vertices");
 }
