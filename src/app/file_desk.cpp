@@ -81,7 +81,7 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
 }
 
 void FileDesk::take(scene::Workspace& w, Loader::Loaded&& loaded) {
-  if (loaded.look.surface) look_ = std::move(loaded.look);
+  if (loaded.shading.surface) shading_ = std::move(loaded.shading);
   if (loaded.bound.binding) bound_ = std::move(loaded.bound);
   scene::take(w, std::move(loaded.opened));
 }

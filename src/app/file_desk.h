@@ -47,8 +47,8 @@ public:
   void finish_loading(scene::Workspace& workspace) { take_loaded(workspace, true); }
   /// Waits for those that are being written, and says so.
   void finish_exports(scene::Workspace& workspace);
-  /// The look of the model that was read last.
-  ModelLook& look() { return look_; }
+  /// The shading of the model that was read last.
+  ModelShading& shading() { return shading_; }
   /// What was bound with the document that was taken last; once.
   Bound take_bound() { return std::exchange(bound_, {}); }
   /// Where the next binding may be found; the file that the user has named is for the first one.
@@ -76,7 +76,7 @@ private:
   SavedBindings saved_;
   Loader loader_;
   Exporter exporter_;
-  ModelLook look_;
+  ModelShading shading_;
   Bound bound_;
   std::optional<Loader::Loaded> waiting_;  // for the answer whether it may take the place of what is open
   bool closing_ = false, closed_ = false;  // closing waits for exports

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/bound.h"
-#include "app/model_look.h"
+#include "app/model_shading.h"
 #include "base/background.h"
 #include "scene/open.h"
 
@@ -20,8 +20,8 @@ class Loader {
 public:
   struct Loaded {
     scene::Opened opened;
-    ModelLook look;  ///< of a new model
-    Bound bound;     ///< of a new model or cage
+    ModelShading shading;  ///< of a new model
+    Bound bound;           ///< of a new model or cage
   };
   using Job = base::BackgroundJob<Loaded>;
 

@@ -37,7 +37,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
       analysis_(options.probe),
       imgui_renderer_(gl),
       framebuffer_(gl),
-      stage_(gl) {
+      renderer_(gl) {
   fonts_ = ui::add_fonts(options.scale, options.builtin_font);
   imgui_renderer_.upload_fonts();
   platform::InputQueue::configure();
@@ -156,8 +156,9 @@ void Viewer::follow_document() {
   if (model_.is_due(document) || model_.has_result()) settle(3);
   if (model_.follow(workspace_)) {
     analysis_.forget();
-    if (files_.look().surface != document.model.surface) files_.look() = look_of(document.model.surface);
-    stage_.set_document(document, files_.look());
+    if (files_.shading().surface != document.model.surface)
+      files_.shading() = shading_of(document.model.surface);
+    renderer_.set_document(document, files_.shading());
     cage_drawn_.reset();
   }
   analysis_.follow_document(workspace_);
@@ -194,15 +195,15 @@ void Viewer::upload(scene::FrameTimes& times) {
   if (!document.model.surface) return;
   base::Stopwatch watch;
   const bool cage_moved = cage_drawn_ != document.revisions.pose;
-  stage_.set_findings(
+  renderer_.set_findings(
       workspace_, [&](std::size_t v) { return model_.vertex(document, v); }, deformed_ || cage_moved);
   if (document.has_cage()) {
-    if (cage_moved) stage_.set_cage(workspace_);
-    stage_.set_hand(workspace_);
+    if (cage_moved) renderer_.set_cage(workspace_);
+    renderer_.set_hand(workspace_);
     cage_drawn_ = document.revisions.pose;
   }
-  if (deformed_) stage_.set_model(model_.deformer()->vertices(), model_.deformer()->origin());
-  if (const auto errors = analysis_.take_errors()) stage_.set_errors(*errors);
+  if (deformed_) renderer_.set_model(model_.deformer()->vertices(), model_.deformer()->origin());
+  if (const auto errors = analysis_.take_errors()) renderer_.set_errors(*errors);
   times.upload = watch.lap_ms();
 }
 
@@ -218,7 +219,7 @@ void Viewer::panels(scene::FrameTimes& times) {
 void Viewer::draw(scene::FrameTimes& times) {
   base::Stopwatch watch;
   framebuffer_.begin(device_size(), refined_ ? options_.still_samples : options_.samples);
-  stage_.draw(workspace_, device_size(), options_.scale);
+  renderer_.draw(workspace_, device_size(), options_.scale);
   framebuffer_.resolve();
   imgui_renderer_.draw(*ImGui::GetDrawData());
   if (gl_.software)

@@ -10,7 +10,7 @@
 #include "app/file_desk.h"
 #include "app/live_model.h"
 #include "app/saved_bindings.h"
-#include "app/stage.h"
+#include "app/workspace_renderer.h"
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
@@ -118,7 +118,7 @@ private:
   ui::Fonts fonts_;
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;
-  Stage stage_;
+  WorkspaceRenderer renderer_;
   std::vector<ImU32> error_colors_;
 
   std::optional<scene::Revision> cage_drawn_;  ///< which pose; nothing: none of this cage

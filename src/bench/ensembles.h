@@ -20,8 +20,8 @@ inline double uniform(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Columns are an orthonormal frame, uniform over the rotations: that of a quaternion uniform in the ball.
-inline std::array<std::array<double, 3>, 3> random_frame(Random& random) {
+/// Uniform over the rotations: that of a quaternion uniform in the ball.
+inline std::array<std::array<double, 3>, 3> random_rotation(Random& random) {
   double w, x, y, z, norm2;
   do {
     w = uniform(random, -1, 1), x = uniform(random, -1, 1), y = uniform(random, -1, 1),
@@ -34,10 +34,10 @@ inline std::array<std::array<double, 3>, 3> random_frame(Random& random) {
            {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)}}};
 }
 
-/// Eigenvalues as given, up to the rounding of the entries, in a random frame.
+/// Eigenvalues as given, up to the rounding of the entries; eigenvectors the columns of a random rotation.
 template <class T>
 Sym3<T> with_eigenvalues(const std::array<double, 3>& values, Random& random) {
-  const auto v = random_frame(random);
+  const auto v = random_rotation(random);
   const auto entry = [&](int i, int j) {
     double sum = 0;
     for (int k = 0; k < 3; ++k) sum += values[k] * v[i][k] * v[j][k];

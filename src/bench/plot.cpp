@@ -26,21 +26,21 @@ std::string count_text(double count) {
   return text;
 }
 
-struct Frame {
+struct Area {
   double left, top, right, bottom;
 };
 
-void draw_bars(Svg& svg, const Plot& plot, const Frame& frame) {
-  svg.text({frame.left, frame.top - 22}, plot.bars_title, {.size = 13, .strong = true});
+void draw_bars(Svg& svg, const Plot& plot, const Area& area) {
+  svg.text({area.left, area.top - 22}, plot.bars_title, {.size = 13, .strong = true});
   const double label = 118, room = 104;
   double longest = 0;
   for (const PlotBar& bar : plot.bars) longest = std::max(longest, bar.ns);
-  const double step = (frame.bottom - frame.top) / static_cast<double>(plot.bars.size());
-  const double height = std::min(26.0, 0.62 * step), full = frame.right - frame.left - label - room;
-  double middle = frame.top + 0.5 * step;
-  svg.line({frame.left + label, frame.top}, {frame.left + label, frame.bottom}, rule, 1);
+  const double step = (area.bottom - area.top) / static_cast<double>(plot.bars.size());
+  const double height = std::min(26.0, 0.62 * step), full = area.right - area.left - label - room;
+  double middle = area.top + 0.5 * step;
+  svg.line({area.left + label, area.top}, {area.left + label, area.bottom}, rule, 1);
   for (const PlotBar& bar : plot.bars) {
-    const double length = std::max(1.5, full * bar.ns / longest), start = frame.left + label;
+    const double length = std::max(1.5, full * bar.ns / longest), start = area.left + label;
     svg.text({start - 10, middle + 4}, bar.name, {.anchor = "end"});
     svg.bar({start, middle - 0.5 * height}, length, height, bar.color);
     const std::string value = base::few_digits(bar.ns);
@@ -71,24 +71,24 @@ LogScale scale_of(const std::vector<PlotCurve>& curves, double PlotCurve::Point:
   return {std::log10(low) - 0.06, std::log10(high) + 0.06, from, to};
 }
 
-void draw_grid(Svg& svg, const LogScale& x, const LogScale& y, const Frame& frame) {
+void draw_grid(Svg& svg, const LogScale& x, const LogScale& y, const Area& area) {
   for (double decade = std::floor(y.low); decade <= y.high; ++decade) {
     for (const double times : {1.0, 2.0, 5.0}) {
       const double value = times * std::pow(10, decade);
       if (std::log10(value) < y.low || std::log10(value) > y.high) continue;
-      svg.line({frame.left, y(value)}, {frame.right, y(value)}, rule, times == 1 ? 1.5 : 0.75);
-      svg.text({frame.left - 8, y(value) + 4}, count_text(value),
+      svg.line({area.left, y(value)}, {area.right, y(value)}, rule, times == 1 ? 1.5 : 0.75);
+      svg.text({area.left - 8, y(value) + 4}, count_text(value),
                {.color = faint, .size = 11, .anchor = "end"});
     }
   }
   for (double decade = std::ceil(x.low); decade <= x.high; ++decade) {
     const double value = std::pow(10, decade);
-    svg.line({x(value), frame.bottom}, {x(value), frame.bottom + 5}, faint, 1);
-    svg.text({x(value), frame.bottom + 20}, count_text(value),
+    svg.line({x(value), area.bottom}, {x(value), area.bottom + 5}, faint, 1);
+    svg.text({x(value), area.bottom + 20}, count_text(value),
              {.color = faint, .size = 11, .anchor = "middle"});
   }
-  svg.line({frame.left, frame.bottom}, {frame.right, frame.bottom}, faint, 1);
-  svg.text({0.5 * (frame.left + frame.right), frame.bottom + 40}, "matrices in a batch",
+  svg.line({area.left, area.bottom}, {area.right, area.bottom}, faint, 1);
+  svg.text({0.5 * (area.left + area.right), area.bottom + 40}, "matrices in a batch",
            {.color = faint, .anchor = "middle"});
 }
 
@@ -116,11 +116,11 @@ void draw_names(Svg& svg, const std::vector<PlotCurve>& curves, const LogScale& 
   }
 }
 
-void draw_curves(Svg& svg, const Plot& plot, const Frame& frame) {
-  svg.text({frame.left - 34, frame.top - 22}, plot.curves_title, {.size = 13, .strong = true});
-  const LogScale x = scale_of(plot.curves, &PlotCurve::Point::count, frame.left, frame.right);
-  const LogScale y = scale_of(plot.curves, &PlotCurve::Point::ns, frame.bottom, frame.top);
-  draw_grid(svg, x, y, frame);
+void draw_curves(Svg& svg, const Plot& plot, const Area& area) {
+  svg.text({area.left - 34, area.top - 22}, plot.curves_title, {.size = 13, .strong = true});
+  const LogScale x = scale_of(plot.curves, &PlotCurve::Point::count, area.left, area.right);
+  const LogScale y = scale_of(plot.curves, &PlotCurve::Point::ns, area.bottom, area.top);
+  draw_grid(svg, x, y, area);
   for (const PlotCurve& curve : plot.curves) {
     std::vector<SvgPoint> points;
     for (const auto& p : curve.points) points.push_back({x(p.count), y(p.ns)});
@@ -128,7 +128,7 @@ void draw_curves(Svg& svg, const Plot& plot, const Frame& frame) {
     if (curve.dashed) continue;
     for (const SvgPoint& p : points) svg.disc(p, 3.5, curve.color);
   }
-  draw_names(svg, plot.curves, y, frame.right + 12, frame.bottom);
+  draw_names(svg, plot.curves, y, area.right + 12, area.bottom);
 }
 
 }  // namespace

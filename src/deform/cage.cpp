@@ -42,7 +42,7 @@ void add_elements(Cage& cage) {
   for (std::size_t e = 0; e < cage.surface.triangles.size(); ++e) {
     const Corners t = corners(cage.surface, e);
     cage.centers.push_back(t.a + (1.0 / 3) * ((t.b - t.a) + (t.c - t.a)));
-    cage.frames.push_back(rest_frame(cage.surface.positions, cage.surface.triangles[e]));
+    cage.bases.push_back(rest_basis(cage.surface.positions, cage.surface.triangles[e]));
     cage.degenerate.push_back(!mesh::has_area(t.a, t.b, t.c));
     if (cage.degenerate.back()) found.push_back(e);
   }

@@ -15,9 +15,9 @@ using mesh::cross, mesh::dot, mesh::largest_abs, mesh::norm, mesh::relative_to, 
 using mesh::Vec3;
 using mesh::operator+, mesh::operator-, mesh::operator*;
 
-/// An element at rest, as its map needs it: edges u and v from one of its corners, n = N / sqrt|N| with
-/// N = u x v, and the rows of [u v n]^-1.
-struct RestFrame {
+/// A basis of an element at rest, as its map needs it: edges u and v from one of its corners, n = N / sqrt|N|
+/// with N = u x v; and the dual basis, the rows of [u v n]^-1.
+struct RestBasis {
   int corner = 0;
   Vec3 u{}, v{}, n{}, dual_u{}, dual_v{}, dual_n{};
 };
@@ -27,7 +27,7 @@ struct Cage {
   mesh::Surface surface;                 ///< rest positions and triangles
   std::vector<mesh::Edge> edges;         ///< of its polygons, each once
   std::vector<Vec3> centers;             ///< rest centroid of each element
-  std::vector<RestFrame> frames;         ///< of each element; of use where it has area
+  std::vector<RestBasis> bases;          ///< of each element; of use where it has area
   std::vector<std::uint8_t> degenerate;  ///< 1 where an element has no area at rest: identity map, no weight
   /// Pairs of elements that share an edge (vertices at the same place count as one); sorted. Elements without
   /// area are left out and their neighbours joined, so that they do not cut the cage into parts.

@@ -37,8 +37,8 @@ void set_edge(double x, double y, double dx, double dy, double* along, double* i
   std::copy_n(to_inward, 3, inward);
 }
 
-// The longest edge is from a to b.
-DistanceTriangle<double> in_frame_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+// x along the longest edge, which is from a to b, and z across the triangle.
+DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c) {
   DistanceTriangle<double> t{};
   const double size = largest_abs(b - a);
   const Vec3 direction = size > 0 ? (1 / size) * (b - a) : Vec3{1, 0, 0};
@@ -71,7 +71,7 @@ int first_corner(const std::array<Vec3, 3>& p) {
 DistanceTriangle<double> distance_triangle(const std::array<Vec3, 3>& corners, Vec3& origin) {
   const int first = first_corner(corners);
   origin = corners[first];
-  return in_frame_of(corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]);
+  return in_own_axes(corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]);
 }
 
 DistanceTriangle<float> in_float(const DistanceTriangle<double>& t) {

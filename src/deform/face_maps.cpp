@@ -4,7 +4,7 @@ namespace viete::deform {
 
 namespace {
 
-struct Frame {
+struct Basis {
   Vec3 u, v, n;
 };
 
@@ -17,7 +17,7 @@ Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   return length > 0 ? (size / std::sqrt(length)) * area : Vec3{0, 0, 0};
 }
 
-Frame frame(std::span<const mesh::Point> positions, const mesh::Triangle& t, int corner) {
+Basis basis(std::span<const mesh::Point> positions, const mesh::Triangle& t, int corner) {
   const mesh::Point& a = positions[t[corner]];
   const Vec3 u = positions[t[(corner + 1) % 3]] - a, v = positions[t[(corner + 2) % 3]] - a;
   return {u, v, scaled_normal(u, v)};
@@ -37,30 +37,16 @@ int best_corner(std::span<const mesh::Point> positions, const mesh::Triangle& t)
   return best;
 }
 
-struct Box {
-  Vec3 low, high;
-
-  Vec3 middle() const { return 0.5 * low + 0.5 * high; }
-  double longest_side() const { return largest_abs(high - low); }
-};
-
-Box box_of(std::span<const mesh::Point> positions) {
-  Box box{positions[0], positions[0]};
-  for (const auto& p : positions) {
-    for (int i = 0; i < 3; ++i) {
-      box.low[i] = std::min(box.low[i], p[i]);
-      box.high[i] = std::max(box.high[i], p[i]);
-    }
-  }
-  return box;
+double longest_side(const mesh::Bounds& box) {
+  return largest_abs(box.high - box.low);
 }
 
 // posed rest^-1; near rest as I + (posed - rest) rest^-1, which is exactly I where nothing moved.
-sym3::Mat3<double> linear_map(const RestFrame& rest, const Frame& posed) {
-  const Frame moved{posed.u - rest.u, posed.v - rest.v, posed.n - rest.n};
+sym3::Mat3<double> linear_map(const RestBasis& rest, const Basis& posed) {
+  const Basis moved{posed.u - rest.u, posed.v - rest.v, posed.n - rest.n};
   const bool near =
       squared_norm(moved.u) + squared_norm(moved.v) < 0.25 * (squared_norm(rest.u) + squared_norm(rest.v));
-  const Frame& f = near ? moved : posed;
+  const Basis& f = near ? moved : posed;
   sym3::Mat3<double> m{};
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
@@ -74,22 +60,22 @@ sym3::Mat3<double> linear_map(const RestFrame& rest, const Frame& posed) {
 }  // namespace
 
 Vec3 middle(std::span<const mesh::Point> positions) {
-  return box_of(positions).middle();
+  return mesh::bounds(positions).center();
 }
 
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed) {
-  const Box rest = box_of(cage.surface.positions), pose = box_of(posed);
-  const double size = std::min(rest.longest_side(), pose.longest_side());
+  const mesh::Bounds rest = mesh::bounds(cage.surface.positions), pose = mesh::bounds(posed);
+  const double size = std::min(longest_side(rest), longest_side(pose));
   const double step = size > 0 ? std::exp2(std::floor(std::log2(size))) : 0;
-  Vec3 origin = rest.middle();
-  const Vec3 way = pose.middle() - origin;
+  Vec3 origin = rest.center();
+  const Vec3 way = pose.center() - origin;
   for (int i = 0; i < 3; ++i) origin[i] += step * std::round(way[i] / step);
-  return std::isfinite(squared_norm(origin)) ? origin : pose.middle();
+  return std::isfinite(squared_norm(origin)) ? origin : pose.center();
 }
 
-RestFrame rest_frame(std::span<const mesh::Point> positions, const mesh::Triangle& t) {
+RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& t) {
   const int corner = best_corner(positions, t);
-  const Frame f = frame(positions, t, corner);
+  const Basis f = basis(positions, t, corner);
   const double s = 1 / std::max(largest_abs(f.u), largest_abs(f.v));
   const Vec3 u = s * f.u, v = s * f.v, area = cross(u, v);
   const double a2 = squared_norm(area);
@@ -118,7 +104,7 @@ void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3&
     const auto& t = cage.surface.triangles[e];
     maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, element_center(cage, e, posed, origin)};
     if (cage.degenerate[e]) continue;
-    maps[e].linear = linear_map(cage.frames[e], frame(posed, t, cage.frames[e].corner));
+    maps[e].linear = linear_map(cage.bases[e], basis(posed, t, cage.bases[e].corner));
   }
 }
 

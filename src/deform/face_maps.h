@@ -21,7 +21,7 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 Vec3 posed_normal(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions);
 
 /// Of a triangle of these positions.
-RestFrame rest_frame(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
+RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
 
 /// Centroid of an element at these positions, relative to origin.
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,

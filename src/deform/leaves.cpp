@@ -9,13 +9,7 @@ namespace {
 using Run = std::span<std::uint32_t>;
 
 int longest_side(std::span<const mesh::Point> positions, Run run) {
-  mesh::Point low = positions[run[0]], high = low;
-  for (const auto v : run) {
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], positions[v][i]);
-      high[i] = std::max(high[i], positions[v][i]);
-    }
-  }
+  const auto [low, high] = mesh::bounds(positions, run);
   int side = 0;
   for (int i = 1; i < 3; ++i) {
     if (high[i] - low[i] > high[side] - low[side]) side = i;

@@ -65,12 +65,15 @@ Bounds bounds(std::span<const Point> positions) {
   return box;
 }
 
-Bounds used_bounds(const Surface& surface) {
-  if (surface.corners.empty()) return bounds(surface.positions);
-  const Point& first = surface.positions[surface.corners[0]];
-  Bounds box{first, first};
-  for (const std::uint32_t v : surface.corners) extend(box, surface.positions[v]);
+Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> some) {
+  if (some.empty()) return {};
+  Bounds box{positions[some[0]], positions[some[0]]};
+  for (const std::uint32_t v : some) extend(box, positions[v]);
   return box;
+}
+
+Bounds used_bounds(const Surface& surface) {
+  return surface.corners.empty() ? bounds(surface.positions) : bounds(surface.positions, surface.corners);
 }
 
 }  // namespace viete::mesh

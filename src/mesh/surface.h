@@ -46,6 +46,8 @@ struct Bounds {
 };
 
 Bounds bounds(std::span<const Point> positions);
+/// Of these positions alone.
+Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> some);
 
 /// The box of the vertices that a polygon uses (stray vertices do not count); of all vertices if there is no
 /// polygon.

@@ -45,8 +45,8 @@ double CursorProjection::along(const glm::dvec3& axis, const glm::dvec2& cursor)
 }
 
 std::optional<double> CursorProjection::angle(const glm::dvec3& axis, const glm::dvec2& cursor) const {
-  const Frame frame = frame_about(axis);
-  const glm::dvec2 u = motion(frame.u), v = motion(frame.v), d = cursor - at_;
+  const PlaneAxes across = plane_axes(axis);
+  const glm::dvec2 u = motion(across.u), v = motion(across.v), d = cursor - at_;
   const double area = u.x * v.y - u.y * v.x;
   if (std::abs(area) * per_pixel_ * per_pixel_ < edge_on) return std::nullopt;
   return std::atan2((u.x * d.y - u.y * d.x) / area, (d.x * v.y - d.y * v.x) / area);
@@ -65,7 +65,7 @@ std::optional<glm::dvec3> CursorProjection::in_plane(const glm::dvec3& normal, c
   return ray.origin + glm::dot(point_ - ray.origin, normal) / slope * ray.direction;
 }
 
-Frame frame_about(const glm::dvec3& axis) {
+PlaneAxes plane_axes(const glm::dvec3& axis) {
   int smallest = 0;
   for (int i = 1; i < 3; ++i) {
     if (std::abs(axis[i]) < std::abs(axis[smallest])) smallest = i;

@@ -49,10 +49,10 @@ private:
   bool orthographic_, in_front_;
 };
 
-/// The axis and the two that follow it: cross(u, v) == axis for any axis of length 1.
-struct Frame {
+/// Two axes of the plane across an axis of length 1: cross(u, v) == axis.
+struct PlaneAxes {
   glm::dvec3 u, v;
 };
-Frame frame_about(const glm::dvec3& axis);
+PlaneAxes plane_axes(const glm::dvec3& axis);
 
 }  // namespace viete::scene

@@ -26,11 +26,11 @@ std::vector<glm::vec2> swept(double degrees, const CursorProjection& projection,
   const double radius =
       projection.per_pixel() * (drag.constraint().kind == Kind::free ? gizmo_view_ring : gizmo_radius);
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(degrees) / 4)));
-  const Frame frame = frame_about(t.axis);
+  const PlaneAxes across = plane_axes(t.axis);
   std::vector<glm::vec2> arc;
   for (int i = 0; i <= steps; ++i) {
     const double angle = *from + degrees * i / steps * 0.017453292519943295;
-    const glm::dvec3 at = center + radius * (std::cos(angle) * frame.u + std::sin(angle) * frame.v);
+    const glm::dvec3 at = center + radius * (std::cos(angle) * across.u + std::sin(angle) * across.v);
     arc.push_back(glm::vec2(CursorProjection(at, camera, viewport).at()));
   }
   return arc;

@@ -1,14 +1,11 @@
 #include "scene/pose_notes.h"
 
+#include "base/quantity.h"
 #include "scene/workspace.h"
 
 namespace viete::scene {
 
 namespace {
-
-std::string plural(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + ' ' + (n == 1 ? one : many);
-}
 
 // Of each part of the cage, signed: positive when its faces look outward. In units of the cage's size.
 std::vector<double> volumes(const deform::Cage& cage, const std::vector<mesh::Point>& positions) {
@@ -50,7 +47,8 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
   std::vector<std::string> notes;
   if (!report.collapsed.empty()) {
     notes.push_back(
-        plural(report.collapsed.size(), "cage triangle has", "cage triangles have") +
+        base::counted(report.collapsed.size(), "cage triangle") +
+        (report.collapsed.size() == 1 ? " has" : " have") +
         " collapsed (first: " + std::to_string(report.collapsed.front()) +
         (report.collapsed.size() == 1 ? "); its stretch is floored" : "); their stretches are floored"));
   }
@@ -59,7 +57,7 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
   if (inside_out > 0) notes.push_back(inside_out_note(inside_out, cage.roots.size()));
   if (inside_out < cage.roots.size()) {
     const auto& [a, b] = report.torn.front();
-    notes.push_back(plural(report.torn.size(), "pair", "pairs") +
+    notes.push_back(base::counted(report.torn.size(), "pair") +
                     " of cage neighbours turned by over 120 degrees (first: " + std::to_string(a) + ", " +
                     std::to_string(b) + "); the mesh may fold there");
   }

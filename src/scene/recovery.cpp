@@ -59,13 +59,13 @@ fs::path set_aside_file(const fs::path& folder) {
   return free_name(folder, ".viete");
 }
 
-Discarded discard(const Leftover& leftover) {
-  const Discarded discarded{leftover, free_name(leftover.file.parent_path(), discarded_extension)};
+DiscardedLeftover discard(const Leftover& leftover) {
+  const DiscardedLeftover discarded{leftover, free_name(leftover.file.parent_path(), discarded_extension)};
   rename_leftover(leftover.file, discarded.aside);
   return discarded;
 }
 
-void undo_discard(const Discarded& discarded) {
+void undo_discard(const DiscardedLeftover& discarded) {
   rename_leftover(discarded.aside, discarded.leftover.file);
 }
 

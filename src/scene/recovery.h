@@ -18,7 +18,7 @@ struct Leftover {
 };
 
 /// One that is no longer wanted: moved aside until the program ends, so that it can come back.
-struct Discarded {
+struct DiscardedLeftover {
   Leftover leftover;
   std::filesystem::path aside;
 };
@@ -29,8 +29,8 @@ std::filesystem::path recovery_file(const std::filesystem::path& folder);
 std::filesystem::path set_aside_file(const std::filesystem::path& folder);
 
 /// Moves the file aside, and back. Throw base::Error, and then it is where it was.
-Discarded discard(const Leftover& leftover);
-void undo_discard(const Discarded& discarded);
+DiscardedLeftover discard(const Leftover& leftover);
+void undo_discard(const DiscardedLeftover& discarded);
 /// Removes for good what was discarded by this program and by those that have ended.
 void remove_discarded(const std::filesystem::path& folder);
 

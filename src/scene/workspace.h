@@ -139,13 +139,13 @@ struct Workspace {
   Benchmark benchmark;
   Saved saved;
   Remembered remembered;
-  std::vector<Leftover> leftovers;       ///< unsaved work that can be brought back, newest first
-  std::filesystem::path recovered_from;  ///< the leftover that is open, until its work is safe elsewhere
-  Revision opened = 0;                   ///< another document was opened
-  std::vector<std::string> pose_notes;   ///< what the deformer had to decide in this pose, one line each
-  std::vector<Discarded> discarded;      ///< newest last; gone when the program ends
-  bool tell_discarded = false;           ///< the last of them is to be shown
-  std::optional<Question> question;      ///< waits for an answer; nothing else is done meanwhile
+  std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
+  std::filesystem::path recovered_from;      ///< the leftover that is open, until its work is safe elsewhere
+  Revision opened = 0;                       ///< another document was opened
+  std::vector<std::string> pose_notes;       ///< what the deformer had to decide in this pose, one line each
+  std::vector<DiscardedLeftover> discarded;  ///< newest last; gone when the program ends
+  bool tell_discarded = false;               ///< the last of them is to be shown
+  std::optional<Question> question;          ///< waits for an answer; nothing else is done meanwhile
   std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
   FileBrowser browser;
   std::map<std::string, TypedText> typed;  ///< by the name of the field

@@ -98,7 +98,7 @@ TEST_CASE("what_is_opened_comes_with_look_and_binding_and_the_binding_is_given_o
   d.desk->finish_loading(d.workspace);
   REQUIRE(d.workspace.document.has_cage());
   CHECK_FALSE(d.workspace.loading.running);
-  CHECK(d.desk->look().surface == d.workspace.document.model.surface);
+  CHECK(d.desk->shading().surface == d.workspace.document.model.surface);
   CHECK(d.desk->take_bound().binds(d.workspace.document));
   CHECK_FALSE(d.desk->take_bound().binding);
 }

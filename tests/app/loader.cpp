@@ -53,7 +53,7 @@ TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   REQUIRE(result->value);
   const scene::Document& document = result->value->opened.document.value();
   CHECK(document.model.path == files.model);
-  CHECK(result->value->look.surface == document.model.surface);
+  CHECK(result->value->shading.surface == document.model.surface);
   CHECK(result->value->bound.binds(document));
   CHECK(loader.was_binding());
   CHECK_FALSE(loader.running());
@@ -66,20 +66,20 @@ TEST_CASE("only_what_is_new_is_derived") {
   app::Loader loader;
   const Result model = loaded(loader, {What::model, {files.model}});
   REQUIRE(model.value);
-  CHECK(model.value->look.surface);
+  CHECK(model.value->shading.surface);
   CHECK_FALSE(model.value->bound.binding);
   CHECK_FALSE(loader.was_binding());
 
   const Result cage = loaded(loader, {What::cage, {files.cage}}, *model.value->opened.document);
   REQUIRE(cage.value);
-  CHECK_FALSE(cage.value->look.surface);
+  CHECK_FALSE(cage.value->shading.surface);
   CHECK(cage.value->bound.binds(*cage.value->opened.document));
 
   const Result pose = loaded(loader, {What::pose, {files.pose}}, *cage.value->opened.document);
   REQUIRE(pose.value);
   CHECK(pose.value->opened.pose);
   CHECK_FALSE(pose.value->opened.document);
-  CHECK_FALSE(pose.value->look.surface);
+  CHECK_FALSE(pose.value->shading.surface);
   CHECK_FALSE(pose.value->bound.binding);
 }
 

@@ -75,7 +75,7 @@ TEST_CASE("angles_about_an_axis_are_right_handed_and_true") {
     const glm::dvec3 p(c.pose().target);
     const CursorProjection projection(p, c, test::viewport);
     for (const auto& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
-      const Frame f = frame_about(axis);
+      const PlaneAxes f = plane_axes(axis);
       CHECK(glm::distance(glm::cross(f.u, f.v), axis) < 1e-15);
       const auto at = [&](double a) {
         return *projection.angle(axis, pixel(c, p + 0.01 * (std::cos(a) * f.u + std::sin(a) * f.v)));

@@ -59,14 +59,14 @@ TEST_CASE("what_was_discarded_comes_back_or_goes_with_its_program") {
   const test::TemporaryFolder folder;
   const fs::path file = folder / "999999999-1.viete";
   test::put_file(file, "work");
-  const Discarded discarded = discard({file, "work", 0});
+  const DiscardedLeftover discarded = discard({file, "work", 0});
   CHECK(find_leftovers(folder.path()).empty());
   CHECK(test::file_bytes(discarded.aside) == "work");
   undo_discard(discarded);
   CHECK(test::file_bytes(file) == "work");
   CHECK_THROWS_AS(undo_discard(discarded), base::Error);
 
-  const Discarded again = discard({file, "work", 0});
+  const DiscardedLeftover again = discard({file, "work", 0});
   test::put_file(folder / "999999999-1_1.discarded", "of a program that was killed");
   remove_discarded(folder.path());
   CHECK(fs::is_empty(folder.path()));

@@ -57,7 +57,7 @@ double error(const Mat3<T>& r, const Truth& truth) {
 
 template <class T>
 Mat3<T> with_singular_values(const std::array<double, 3>& s, Random& random) {
-  const auto a = random_frame(random), b = random_frame(random);
+  const auto a = random_rotation(random), b = random_rotation(random);
   Mat3<T> m;
   for (int i = 0; i < 9; ++i) {
     double sum = 0;

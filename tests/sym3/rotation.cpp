@@ -29,7 +29,7 @@ QuadVec vector_to_quad(const Vec3<T>& v) {
 /// A direction: along an axis, in a plane of two, or anywhere; scaled to the angle.
 template <class T>
 Vec3<T> vector_of_angle(double angle, int i, Random& random) {
-  const auto f = random_frame(random);
+  const auto f = random_rotation(random);
   if (i % 4 == 0) {
     Vec3<T> w{};
     w[i / 4 % 3] = T(i % 8 ? angle : -angle);

@@ -6,7 +6,7 @@
 
 #include "app/cage_marks.h"
 #include "app/finding_marks.h"
-#include "app/model_look.h"
+#include "app/model_shading.h"
 #include "deform/frame_vertex.h"
 #include "render/backdrop.h"
 #include "render/disc_layer.h"
@@ -17,12 +17,12 @@
 
 namespace viete::app {
 
-class Stage {
+class WorkspaceRenderer {
 public:
-  explicit Stage(const render::Gl& gl);
+  explicit WorkspaceRenderer(const render::Gl& gl);
 
   /// New topology: model and cage of the document, the model at rest.
-  void set_document(const scene::Document& document, const ModelLook& look);
+  void set_document(const scene::Document& document, const ModelShading& shading);
   /// The deformed model, relative to origin in the file's coordinates.
   void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
   /// log10 of the error per vertex, for the error map; empty: none.

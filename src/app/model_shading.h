@@ -8,13 +8,13 @@
 
 namespace viete::app {
 
-struct ModelLook {
+struct ModelShading {
   std::shared_ptr<const mesh::Surface> surface;  ///< the model it belongs to; null: none
   std::vector<mesh::Point> normals;              ///< at rest
   std::vector<float> occlusion;                  ///< see mesh/cavity.h
 };
 
 /// Linear time, a third of a second for a million triangles. Thread-safe.
-ModelLook look_of(std::shared_ptr<const mesh::Surface> surface);
+ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface);
 
 }  // namespace viete::app

@@ -1,4 +1,4 @@
-#include "app/stage.h"
+#include "app/workspace_renderer.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +30,7 @@ render::Theme theme_of(const scene::Workspace& w) {
 
 }  // namespace
 
-Stage::Stage(const render::Gl& gl)
+WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
     : gl_(gl),
       backdrop_(gl),
       grid_(gl),
@@ -44,12 +44,12 @@ Stage::Stage(const render::Gl& gl)
   model_.set_palette(render::surface_palette());
 }
 
-void Stage::set_document(const scene::Document& document, const ModelLook& look) {
+void WorkspaceRenderer::set_document(const scene::Document& document, const ModelShading& shading) {
   const mesh::Surface& model = *document.model.surface;
   model_.set_triangles(model.triangles, model.positions.size());
   has_errors_ = false;
-  model_.set_occlusion(look.occlusion);
-  model_.set_positions(model.positions, look.normals);
+  model_.set_occlusion(shading.occlusion);
+  model_.set_positions(model.positions, shading.normals);
   ground_ = document.model.bounds.low[1];
   if (!document.has_cage()) return;
   const mesh::Surface& cage = document.cage->surface;
@@ -60,7 +60,7 @@ void Stage::set_document(const scene::Document& document, const ModelLook& look)
 }
 
 // The rooms do not know each other; their vertices are the same bytes.
-void Stage::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
+void WorkspaceRenderer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
   using From = deform::FrameVertex;
   using To = render::SurfaceVertex;
   static_assert(sizeof(From) == sizeof(To) && offsetof(From, position) == offsetof(To, position) &&
@@ -68,14 +68,14 @@ void Stage::set_model(std::span<const deform::FrameVertex> vertices, const mesh:
   model_.set_vertices({reinterpret_cast<const To*>(vertices.data()), vertices.size()}, origin);
 }
 
-void Stage::set_cage(const scene::Workspace& workspace) {
+void WorkspaceRenderer::set_cage(const scene::Workspace& workspace) {
   const auto& positions = workspace.document.pose.positions;
   cage_faces_.set_positions(positions);
   cage_lines_.set_positions(positions);
   cage_vertices_.set_positions(positions);
 }
 
-void Stage::set_hand(const scene::Workspace& workspace) {
+void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   const render::Theme theme = theme_of(workspace);
   const auto& document = workspace.document;
   // Vertices stand back where edges or faces are what is selected.
@@ -92,7 +92,7 @@ void Stage::set_hand(const scene::Workspace& workspace) {
   ghost_lines_.set_color(opaque(theme.cage));
 }
 
-void Stage::draw(const scene::Workspace& w, glm::ivec2 size, float scale) const {
+void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float scale) const {
   const render::Theme theme = theme_of(w);
   const auto& document = w.document;
   backdrop_.draw(theme);
@@ -119,7 +119,8 @@ void Stage::draw(const scene::Workspace& w, glm::ivec2 size, float scale) const 
   findings_.draw(view, theme);
 }
 
-void Stage::draw_cage(const scene::Workspace& w, const render::View& view, const render::Theme& theme) const {
+void WorkspaceRenderer::draw_cage(const scene::Workspace& w, const render::View& view,
+                                  const render::Theme& theme) const {
   if (w.view.ghost) ghost_lines_.draw(view, {1, 0.15f, 0.5f});
   cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
   cage_lines_.draw(view, {1.25f, 0.9f, 0.25f});
