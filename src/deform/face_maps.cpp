@@ -89,7 +89,7 @@ RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangl
 }
 
 Vec3 posed_normal(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions) {
-  return frame(positions, cage.surface.triangles[element], cage.frames[element].corner).n;
+  return basis(positions, cage.surface.triangles[element], cage.bases[element].corner).n;
 }
 
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,

@@ -17,7 +17,7 @@ Vec3 middle(std::span<const mesh::Point> positions);
 /// does not reach keeps its bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
-/// n of an element at these positions, see RestFrame; 0 without area.
+/// n of an element at these positions, see RestBasis; 0 without area.
 Vec3 posed_normal(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions);
 
 /// Of a triangle of these positions.

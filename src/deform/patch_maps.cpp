@@ -124,7 +124,7 @@ private:
   void finish() {
     const double scale = 1 / cage_.diagonal;
     if (spread_.ratio() < flat_spread) {
-      const Vec3 n = scale * cage_.frames[patch_].n;
+      const Vec3 n = scale * cage_.bases[patch_].n;
       const double w = spread_.largest() / squared_norm(n);
       spread_.add(w, n);
       patches_.normal_duals[patch_] = (scale * w) * times(inverse(spread_.k), n);
@@ -172,7 +172,7 @@ void patch_maps(const Cage& cage, const Patches& patches, std::span<const mesh::
     for (const auto& [v, dual] : patches.of(e)) add_product(m, way(v) - way_of_center, dual);
     const Vec3& normal_dual = patches.normal_duals[e];
     if (squared_norm(normal_dual) == 0) continue;
-    add_product(m, posed_normal(cage, e, posed) - cage.frames[e].n, normal_dual);
+    add_product(m, posed_normal(cage, e, posed) - cage.bases[e].n, normal_dual);
   }
 }
 
