@@ -15,32 +15,35 @@ using scene::entry;
 
 constexpr float label_width = 84;
 
-// What else changes with it, and what it takes.
-std::string consequences(const scene::Workspace& w, const scene::Scheme& next) {
+// What changes along with the entry that is chosen, and what it takes.
+std::string consequences(const scene::Workspace& w, const scene::Scheme& next, std::string_view chosen) {
   const scene::Scheme& now = w.document.scheme;
   std::string text;
   const auto say = [&](const char* what, std::string_view before, std::string_view after) {
-    if (before != after) text += (text.empty() ? "" : "\n") + std::string(what) + ": " + std::string(after);
+    if (before != after && after != chosen)
+      text += (text.empty() ? "" : "\n") + std::string(what) + ": " + std::string(after);
   };
   say("Elements", entry(now.weighting.elements).label, entry(next.weighting.elements).label);
   say("Weights", entry(now.weighting.weights).label, entry(next.weighting.weights).label);
   say("Blend", entry(now.blend).label, entry(next.blend).label);
   if (w.document.has_cage() && now.weighting != next.weighting)
-    text += "\n" + scene::text(scene::binding_plan(w.document, next.weighting.elements)) + " of memory.";
+    text += (text.empty() ? "" : "\n") +
+            scene::text(scene::binding_plan(w.document, next.weighting.elements)) + " of memory.";
   return text;
 }
 
-// A line of a chooser's list: its name, and what it is in quiet words below.
+// A line of a chooser's list.
 template <class Entry>
 void choice(const Context& ui, const Entry& choice, bool chosen) {
   scene::Workspace& w = ui.workspace;
   const scene::Command& command = *scene::find_command(scene::choice_command_name(choice.value));
+  if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   if (ImGui::Selectable(command.label.data(), chosen)) command.run(w);
+  if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
-  std::string tip(command.hint);
-  const std::string more = consequences(w, scene::complete(scene::only(choice.value), w.document.scheme));
-  if (!chosen) tip += "\n\n" + more;
-  hint(tip);
+  const scene::Scheme next = scene::complete(scene::only(choice.value), w.document.scheme);
+  const std::string more = consequences(w, next, choice.label);
+  hint(std::string(command.hint) + (more.empty() ? "" : "\n\n" + more));
 }
 
 // One of a table: closed it shows what is chosen.
