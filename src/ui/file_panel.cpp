@@ -143,16 +143,17 @@ const Browser::Entry* entry_list(const Context& ui, const std::vector<const Brow
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& entry = *entries[i];
     const bool highlighted = i == ui.workspace.browser.highlighted;
-    if (!entry.folder) {
-      const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-      text_right(ui, right, bytes_text(entry.bytes), ui.colors.faint);
-    }
+    const float line = ImGui::GetCursorScreenPos().y;
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const std::string label = entry.folder ? entry.name + "/" : entry.name;
     ImGui::PushStyleColor(ImGuiCol_Header, ui.colors.card_active);
     if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), highlighted)) clicked = &entry;
     ImGui::PopStyleColor();
     if (highlighted && moved) ImGui::SetScrollHereY();
     record(ui, "file/" + entry.name);
+    if (!entry.folder) {  // over the highlight, on the same line
+      text_right(ui, right, bytes_text(entry.bytes), ui.colors.faint, line);
+    }
   }
   if (!entries.empty()) return clicked;
   const bool sessions = ui.workspace.browser.purpose == Purpose::save_session;

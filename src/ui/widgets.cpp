@@ -128,9 +128,13 @@ std::string method_label(scene::Method method) {
 }
 
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color) {
+  text_right(ui, x, text, color, ImGui::GetCursorScreenPos().y);
+}
+
+void text_right(const Context& ui, float x, const std::string& text, ImU32 color, float line) {
   ImGui::PushFont(ui.fonts.numbers);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const float y = ImGui::GetCursorScreenPos().y + 0.5f * (ImGui::GetTextLineHeight() - size.y);
+  const float y = line + 0.5f * (ImGui::GetTextLineHeight() - size.y);
   ImGui::GetWindowDrawList()->AddText({x - size.x, y}, color, text.c_str());
   ImGui::PopFont();
 }

@@ -45,7 +45,8 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
 /// The newest recent files, at most so many, each a line that opens it.
 void recent_list(const Context& ui, std::size_t most);
 
-/// Text of the numbers font, right edge at x.
+/// Text of the numbers font, right edge at x, on the line that comes next or the one that begins at y = line.
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color);
+void text_right(const Context& ui, float x, const std::string& text, ImU32 color, float line);
 
 }  // namespace viete::ui
