@@ -113,6 +113,8 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   scene::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())
     workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
+  // Also for what is opened instead, if this cannot be.
+  if (!options.inputs.session()) scene::put_settings(workspace.document, options.inputs.settings);
   workspace.requests.open = options.inputs.request();
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();

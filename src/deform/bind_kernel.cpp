@@ -13,8 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
-static const BindKernel bind = {
-    inverse_distance, inverse_distance_rows, integrated, integrated_rows, mean_value, to_rows, take_out, solve};
+static const BindKernel bind = {inverse_distance, inverse_distance_rows,
+                                integrated,       integrated_rows,
+                                mean_value,       to_rows,
+                                take_out,         solve};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -117,7 +117,7 @@ void CageState::set_pose(const Pose& pose) {
     } else {
       face_maps(*cage_, pose.positions, origin_, moved, maps_);
     }
-    times_[Link::face_maps] = watch.lap_ms();
+    times_[Link::maps] = watch.lap_ms();
   }
   bool others_moved = !few;
   if (has_logs(form_)) {

@@ -9,7 +9,7 @@ namespace viete::deform {
 
 /// `fused` stands for blend, exp and apply where they are one pass, `skeleton` for the blend of the vertices
 /// that compressed weights interpolate.
-enum class Link { face_maps, log_maps, blend, exp, apply, skeleton, fused, normals };
+enum class Link { maps, log_maps, blend, exp, apply, skeleton, fused, normals };
 inline constexpr std::size_t link_count = 8;
 std::string_view name(Link link);
 

@@ -34,8 +34,7 @@ struct Turning {
   Matrix quarter_turn;
 };
 
-std::optional<Turning> turning(const Matrix& m) {
-  const Eigen::Vector3cd values = Eigen::EigenSolver<Matrix>(m, false).eigenvalues();
+std::optional<Turning> turning(const Matrix& m, const Eigen::Vector3cd& values) {
   int real = 0;
   for (int i = 1; i < 3; ++i) {
     if (std::abs(values[i].imag()) < std::abs(values[real].imag())) real = i;
@@ -56,14 +55,18 @@ double whole_turns(const Turning& t, const Vec3& turn) {
   return std::round((dot(axis, turn) / norm(axis) - t.angle) / (2 * std::numbers::pi));
 }
 
-bool has_principal_log(const Matrix& m, const std::optional<Turning>& t) {
-  return t || (Eigen::EigenSolver<Matrix>(m, false).eigenvalues().real().array() > 0).all();
+// Not where a real eigenvalue is negative, as one of every mirrored map is, or 0.
+bool has_log(const Eigen::Vector3cd& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](const auto& v) { return v.imag() != 0 || v.real() > 0; });
 }
 
 // Nothing where there is none, and where rounding alone would decide which.
 std::optional<Matrix> log_of_branch(const Matrix& m, const MapLog& log) {
-  const auto t = turning(m);
-  if (!has_principal_log(m, t) || (t && t->clearness < least_clear)) return std::nullopt;
+  const Eigen::Vector3cd values = Eigen::EigenSolver<Matrix>(m, false).eigenvalues();
+  if (!has_log(values)) return std::nullopt;
+  const auto t = turning(m, values);
+  if (t && t->clearness < least_clear) return std::nullopt;
   Matrix l = m.log();
   if (t) {
     l += 2 * std::numbers::pi * whole_turns(*t, log.rotation) * t->quarter_turn;

@@ -45,7 +45,7 @@ private:
 // By cofactors: the condition is that of the spread, squared.
 Symmetric inverse(const Symmetric& m) {
   const Symmetric c{m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
-                 m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
+                    m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
   const double scale = 1 / (m.xx * c.xx + m.xy * c.xy + m.xz * c.xz);
   return {scale * c.xx, scale * c.xy, scale * c.xz, scale * c.yy, scale * c.yz, scale * c.zz};
 }

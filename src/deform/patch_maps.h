@@ -24,11 +24,12 @@ struct PatchVertex {
 /// over the vertices p of the triangle, of its neighbours across edges, of theirs, ring after ring, until
 /// they spread as far in all directions: until the least singular value of their sqrt(w) (p - c) is a tenth
 /// of the largest, or more. w = 1 / (e^2 + |p - c|^2) keeps the fit local, e being 3 % of the cage's
-/// diagonal. In most places one ring does.
+/// diagonal. In most places one ring does. A patch ends where it has 256 vertices or the part of the cage has
+/// no more.
 ///
-/// Any affine pose of the whole cage is the map of every patch. Where a part of the cage lies in a plane
-/// there is no third direction, and the normal of the triangle stands for it, as in face_maps(): then
-/// similarities are.
+/// Any affine pose of the whole cage is the map of every patch. Where one lies in a plane, to a thousandth of
+/// its size, there is no third direction, and the normal of the triangle stands for it, as in face_maps():
+/// then similarities are.
 struct Patches {
   std::vector<std::size_t> starts;    ///< in vertices; one more than elements
   std::vector<PatchVertex> vertices;  ///< patch by patch; none where the triangle has no area

@@ -12,8 +12,8 @@ using viete::sym3::Method;
 
 TEST_CASE("links_have_different_names") {
   std::set<std::string_view> names;
-  for (const auto link : {Link::face_maps, Link::log_maps, Link::blend, Link::exp, Link::apply,
-                          Link::skeleton, Link::fused, Link::normals})
+  for (const auto link : {Link::maps, Link::log_maps, Link::blend, Link::exp, Link::apply, Link::skeleton,
+                          Link::fused, Link::normals})
     names.insert(name(link));
   CHECK(names.size() == link_count);
 }
@@ -40,9 +40,8 @@ TEST_CASE("every_staged_link_of_a_blend_is_timed_and_no_other") {
     return links;
   };
   using L = Link;
-  CHECK(timed(faces, Blend::srl) ==
-        std::set{L::face_maps, L::log_maps, L::blend, L::exp, L::apply, L::normals});
-  CHECK(timed(faces, Blend::linear) == std::set{L::face_maps, L::blend, L::apply, L::normals});
+  CHECK(timed(faces, Blend::srl) == std::set{L::maps, L::log_maps, L::blend, L::exp, L::apply, L::normals});
+  CHECK(timed(faces, Blend::linear) == std::set{L::maps, L::blend, L::apply, L::normals});
   CHECK(timed(mean_values, Blend::linear) == std::set{L::blend, L::apply, L::normals});
 }
 

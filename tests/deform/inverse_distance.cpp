@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "deform/shapes.h"
+#include "deform/weight_checks.h"
 #include "mesh/triangle.h"
 
 using namespace viete::test;
@@ -142,20 +143,7 @@ TEST_CASE("near_an_element_weights_approach_the_limit_without_a_jump") {
 }
 
 TEST_CASE("weights_are_the_same_at_every_length_scale_and_finite_everywhere") {
-  const auto unit = box({1, 2, 3});
-  const Cage cage = make_cage(unit);
-  Random random(5);
-  for (const double s : {1e-30, 1e-3, 1e3, 1e30}) {
-    auto scaled = unit;
-    for (auto& p : scaled.positions) p = s * p;
-    const Cage other = make_cage(scaled);
-    for (int n = 0; n < 50; ++n) {
-      const Vec3 p = random.vector(4);
-      const auto a = weights_at(cage, p), b = weights_at(other, s * p);
-      for (std::size_t e = 0; e < a.size(); ++e) CHECK(a[e] == doctest::Approx(b[e]).epsilon(1e-10));
-    }
-    for (const auto& p : scaled.positions) CHECK(sum(weights_at(other, p)) == doctest::Approx(1));
-  }
+  check_every_length_scale([](const Cage& cage, const Vec3& p) { return weights_at(cage, p); });
 }
 
 TEST_CASE("elements_without_area_have_no_weight") {

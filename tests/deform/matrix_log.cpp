@@ -76,3 +76,14 @@ TEST_CASE("where_there_is_no_logarithm_it_is_bounded_and_continuous") {
     before = l;
   }
 }
+
+TEST_CASE("of_mirrored_and_flat_matrices_it_is_the_sum_of_the_logs_of_the_nearest_rotation_and_stretch") {
+  const sym3::Mat3<double> mirrored{-1, 0.1, 0, 0.2, 1, 0.3, 0, 0.1, 1.2},
+      spun{0, -1, 0.1, 1, 0, 0, 0.2, 0, -1.5}, flat{1, 0, 0, 0, 1, 0, 0, 0, 0};
+  for (const auto& m : {mirrored, spun, flat}) {
+    const MapLog log{{0.1, 0.02, 0, -0.2, 0, 0.3}, {0.3, -0.2, 0.9}, {0, 0, 0}};
+    const auto& [x, y, center] = log;
+    CHECK(matrix_log(m, log) == sym3::Mat3<double>{x.xx, x.xy - y[2], x.xz + y[1], x.xy + y[2], x.yy,
+                                                   x.yz - y[0], x.xz - y[1], x.yz + y[0], x.zz});
+  }
+}
