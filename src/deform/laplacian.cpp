@@ -1,0 +1,78 @@
+#include "deform/laplacian.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mesh/triangle.h"
+
+namespace viete::deform {
+
+namespace {
+
+// The sides opposite the corners, of a size near 1; all 0 if the corners coincide.
+std::array<Vec3, 3> scaled_sides(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
+  std::array<Vec3, 3> sides{c - b, a - c, b - a};
+  const double largest = std::max({largest_abs(sides[0]), largest_abs(sides[1]), largest_abs(sides[2])});
+  const double scale = 1 / largest;
+  if (!(largest > 0 && std::isfinite(scale))) return {};
+  for (Vec3& side : sides) side = scale * side;
+  return sides;
+}
+
+double longest_squared(const std::array<Vec3, 3>& sides) {
+  return std::max({squared_norm(sides[0]), squared_norm(sides[1]), squared_norm(sides[2])});
+}
+
+double doubled_area(const std::array<Vec3, 3>& sides) {
+  return norm(cross(sides[0], sides[1]));
+}
+
+}  // namespace
+
+bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
+  const auto sides = scaled_sides(a, b, c);
+  return !(doubled_area(sides) > thin_triangle * longest_squared(sides));
+}
+
+// The cotangent between two sides that run from a corner is their product over twice the area.
+Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
+  const auto s = scaled_sides(a, b, c);
+  const double counted = std::max(doubled_area(s), thin_triangle * longest_squared(s));
+  if (!(counted > 0)) return {0, 0, 0};
+  const double scale = -0.5 / counted;
+  return {scale * dot(s[1], s[2]), scale * dot(s[2], s[0]), scale * dot(s[0], s[1])};
+}
+
+Eigen::SparseMatrix<double> stiffness_matrix(std::span<const mesh::Point> positions,
+                                             std::span<const mesh::Triangle> triangles) {
+  const auto n = static_cast<int>(positions.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(positions.size() + 12 * triangles.size());
+  for (int v = 0; v < n; ++v) entries.emplace_back(v, v, 0.0);
+  for (const mesh::Triangle& t : triangles) {
+    if (mesh::repeats_corner(t)) continue;
+    const Vec3 half = half_cotangents(positions[t[0]], positions[t[1]], positions[t[2]]);
+    for (int k = 0; k < 3; ++k) {
+      const auto i = static_cast<int>(t[(k + 1) % 3]), j = static_cast<int>(t[(k + 2) % 3]);
+      entries.emplace_back(i, i, half[k]), entries.emplace_back(j, j, half[k]);
+      entries.emplace_back(i, j, -half[k]), entries.emplace_back(j, i, -half[k]);
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+std::vector<double> lumped_mass(std::span<const mesh::Point> positions,
+                                std::span<const mesh::Triangle> triangles) {
+  std::vector<double> mass(positions.size(), 0.0);
+  for (const mesh::Triangle& t : triangles) {
+    const mesh::Point& a = positions[t[0]];
+    const double third = norm(cross(positions[t[1]] - a, positions[t[2]] - a)) / 6;
+    for (const auto v : t) mass[v] += third;
+  }
+  return mass;
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,39 @@
+// The Laplacian of a triangle mesh as a sparse matrix: what harmonic functions and Poisson problems on it are
+// solved with.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <span>
+#include <vector>
+
+#include "deform/cage.h"
+
+namespace viete::deform {
+
+/// A triangle with less than this for twice its area over the square of its longest side is thin: it counts
+/// as if it had that area.
+inline constexpr double thin_triangle = 1e-6;
+
+bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
+
+/// Half the cotangent of the angle at each corner: what the opposite edge weighs in the triangle's share of
+/// the Dirichlet energy, 1/2 sum h_k |f_i - f_j|^2 = area / 2 |grad f|^2. Free of scale: lengths from 1e-300
+/// to 1e300. At most 1 / (2 thin_triangle) in size, as a thin triangle has the energy above times its area
+/// over the area that it counts with: never less than 0, and more than 0 for some f unless all three corners
+/// coincide; then all three are 0.
+Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
+
+/// K with f^T K f = sum over triangles of area |grad f|^2 for every function f that is linear on each (M.
+/// Meyer et al., Discrete Differential-Geometry Operators, 2003; U. Pinkall, K. Polthier, 1993). n x n for n
+/// positions, symmetric, both halves stored, rows sum to 0, positive semi-definite; free of scale, and thin
+/// triangles bounded, by half_cotangents(). Every vertex has a diagonal entry, 0 if it is in no triangle;
+/// triangles that repeat a corner add nothing. Any triangles, manifold or not. Thread-safe.
+Eigen::SparseMatrix<double> stiffness_matrix(std::span<const mesh::Point> positions,
+                                             std::span<const mesh::Triangle> triangles);
+
+/// A third of the area of the triangles around each vertex, in squares of the positions' unit; 0 where there
+/// is none. Lengths from 1e-75 to 1e75.
+std::vector<double> lumped_mass(std::span<const mesh::Point> positions,
+                                std::span<const mesh::Triangle> triangles);
+
+}  // namespace viete::deform

@@ -1,0 +1,158 @@
+#include "deform/laplacian.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deform/shapes.h"
+
+using namespace viete;
+using namespace viete::deform;
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+Sparse stiffness(const mesh::Surface& s) {
+  return stiffness_matrix(s.positions, s.triangles);
+}
+
+template <class Function>
+Eigen::VectorXd sampled(const mesh::Surface& s, const Function& f) {
+  Eigen::VectorXd values(Eigen::Index(s.positions.size()));
+  for (std::size_t v = 0; v < s.positions.size(); ++v) values[Eigen::Index(v)] = f(s.positions[v]);
+  return values;
+}
+
+double largest(const Sparse& m) {
+  return m.nonZeros() ? m.coeffs().cwiseAbs().maxCoeff() : 0;
+}
+
+// A plane grid of n x n squares over [0, 1]^2, its inner vertices moved at random.
+mesh::Surface rough_grid(std::uint32_t n) {
+  test::Random random(5);
+  std::vector<mesh::Point> p;
+  std::vector<mesh::Triangle> t;
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    for (std::uint32_t j = 0; j <= n; ++j) {
+      const bool inner = i > 0 && i < n && j > 0 && j < n;
+      const auto moved = [&](std::uint32_t k) { return (k + (inner ? random(-0.3, 0.3) : 0)) / n; };
+      p.push_back({moved(i), moved(j), 0});
+    }
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+      t.push_back({a, b, b + 1}), t.push_back({a, b + 1, a + 1});
+    }
+  }
+  return mesh::from_triangles(p, t);
+}
+
+}  // namespace
+
+TEST_CASE("half_cotangents_are_those_of_the_angles_at_every_scale_and_place") {
+  const double root3 = std::sqrt(3.0);
+  for (const double scale : {1e-300, 1e-70, 1.0, 1e70, 1e299}) {
+    const auto at = [&](double x, double y) { return mesh::Point{scale * x, 0, scale * y}; };
+    const Vec3 right = half_cotangents(at(0, 0), at(1, 0), at(0, root3));
+    CHECK(std::abs(right[0]) < 1e-15);
+    CHECK(right[1] == doctest::Approx(0.5 / root3).epsilon(1e-15));
+    CHECK(right[2] == doctest::Approx(0.5 * root3).epsilon(1e-15));
+    const Vec3 obtuse = half_cotangents(at(0, 0), at(1, 0), at(-0.5, root3 / 2));
+    CHECK(obtuse[0] == doctest::Approx(-0.5 / root3).epsilon(1e-15));
+    CHECK(obtuse[1] == doctest::Approx(0.5 * root3).epsilon(1e-15));
+    CHECK(obtuse[2] == doctest::Approx(0.5 * root3).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("the_stiffness_matrix_gives_the_dirichlet_energy_of_linear_functions") {
+  const mesh::Surface grid = rough_grid(9);
+  const Sparse k = stiffness(grid);
+  const Eigen::VectorXd f = sampled(grid, [](const auto& p) { return 3 * p[0] - 2 * p[1] + 7; });
+  CHECK(f.dot(k * f) == doctest::Approx(13).epsilon(1e-13));  // |grad|^2 = 9 + 4, area 1
+  const mesh::Surface box = test::box({1, 2, 3});
+  const Eigen::VectorXd z = sampled(box, [](const auto& p) { return p[2]; });
+  CHECK(z.dot(stiffness(box) * z) == doctest::Approx(2 * 24 + 2 * 12).epsilon(1e-14));  // of the four sides
+}
+
+TEST_CASE("linear_functions_are_harmonic_inside_a_plane_however_it_is_cut") {
+  const mesh::Surface grid = rough_grid(12);
+  const Eigen::VectorXd f = sampled(grid, [](const auto& p) { return 3 * p[0] - 2 * p[1] + 7; });
+  const Eigen::VectorXd residual = stiffness(grid) * f;
+  for (std::size_t v = 0; v < grid.positions.size(); ++v) {
+    const auto& p = grid.positions[v];
+    if (p[0] > 0 && p[0] < 1 && p[1] > 0 && p[1] < 1) CHECK(std::abs(residual[Eigen::Index(v)]) < 1e-12);
+  }
+}
+
+TEST_CASE("stiffness_is_symmetric_sums_to_zero_and_has_every_diagonal_entry") {
+  mesh::Surface s = test::tube(20, 9, 0.7, 5);
+  s.positions.push_back({9, 9, 9});                                    // in no triangle
+  s.triangles.push_back({0, 0, 5}), s.triangles.push_back({3, 3, 3});  // none either
+  const Sparse k = stiffness(s);
+  REQUIRE(k.rows() == Eigen::Index(s.positions.size()));
+  CHECK(largest(Sparse(k - Sparse(k.transpose()))) == 0);
+  CHECK((k * Eigen::VectorXd::Ones(k.cols())).cwiseAbs().maxCoeff() < 1e-14 * largest(k));
+  for (Eigen::Index v = 0; v < k.rows(); ++v) {
+    bool stored = false;
+    for (Sparse::InnerIterator at(k, v); at; ++at) stored |= at.row() == v;
+    CHECK(stored);
+  }
+  CHECK(k.coeff(k.rows() - 1, k.rows() - 1) == 0);
+  CHECK(k.coeff(0, 5) == stiffness(test::tube(20, 9, 0.7, 5)).coeff(0, 5));
+}
+
+TEST_CASE("stiffness_does_not_depend_on_scale_or_place") {
+  const mesh::Surface s = test::tube(20, 9, 0.7, 5);
+  const Sparse k = stiffness(s);
+  for (const double scale : {1e-150, 1e-3, 1e150}) {
+    mesh::Surface scaled = s;
+    for (auto& p : scaled.positions) p = scale * p;
+    CHECK(largest(Sparse(stiffness(scaled) - k)) < 1e-13 * largest(k));
+  }
+  mesh::Surface far = s;
+  for (auto& p : far.positions) p = p + Vec3{1000, -2000, 3000};
+  CHECK(largest(Sparse(stiffness(far) - k)) < 1e-10 * largest(k));
+}
+
+TEST_CASE("thin_triangles_add_a_bounded_energy_that_is_never_negative") {
+  test::Random random(3);
+  for (const double height : {1e-2, 1.1e-6, 0.9e-6, 1e-9, 1e-200, 0.0}) {
+    for (const double foot : {0.0, 0.1, 0.5, 1.0}) {
+      const std::vector<mesh::Point> p = {{0, 0, 0}, {2, 0, 0}, {2 * foot, 0, 2 * height}};
+      CHECK(is_thin(p[0], p[1], p[2]) == (height <= thin_triangle));
+      const std::vector<mesh::Triangle> t = {{0, 1, 2}};
+      const Sparse k = stiffness_matrix(p, t);
+      CHECK(largest(k) <= 1 / thin_triangle);
+      CHECK(largest(k) > 0.1);
+      for (int i = 0; i < 20; ++i) {
+        const auto [x, y, z] = random.vector(1);
+        const Eigen::Vector3d f(x, y, z);
+        CHECK(f.dot(k * f) >= -1e-15 * largest(k));
+      }
+    }
+  }
+}
+
+TEST_CASE("a_triangle_that_is_one_point_adds_nothing") {
+  for (const mesh::Point& p : {mesh::Point{0, 0, 0}, mesh::Point{3, 4, 5}}) {
+    CHECK(half_cotangents(p, p, p) == Vec3{0, 0, 0});
+    CHECK(is_thin(p, p, p));
+  }
+  const mesh::Point tiny{5e-324, 0, 0};  // the scale that would make it 1 is no number
+  CHECK(half_cotangents({0, 0, 0}, tiny, {0, 0, 0}) == Vec3{0, 0, 0});
+}
+
+TEST_CASE("lumped_mass_shares_the_area_among_the_vertices_of_triangles") {
+  mesh::Surface box = test::box({1, 2, 3});
+  box.positions.push_back({0, 0, 0});
+  const auto mass = lumped_mass(box.positions, box.triangles);
+  double sum = 0;
+  for (const double m : mass) sum += m;
+  CHECK(sum == doctest::Approx(88).epsilon(1e-14));
+  CHECK(mass.back() == 0);
+  const std::vector<mesh::Point> corner = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
+  CHECK(lumped_mass(corner, std::vector<mesh::Triangle>{{0, 1, 2}}) == std::vector<double>{2, 2, 2});
+}
