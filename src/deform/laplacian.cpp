@@ -1,5 +1,6 @@
 #include "deform/laplacian.h"
 
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,8 +45,8 @@ Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Poi
   return {scale * dot(s[1], s[2]), scale * dot(s[2], s[0]), scale * dot(s[0], s[1])};
 }
 
-Eigen::SparseMatrix<double> stiffness_matrix(std::span<const mesh::Point> positions,
-                                             std::span<const mesh::Triangle> triangles) {
+SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
+                              std::span<const mesh::Triangle> triangles) {
   const auto n = static_cast<int>(positions.size());
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(positions.size() + 12 * triangles.size());
@@ -61,7 +62,11 @@ Eigen::SparseMatrix<double> stiffness_matrix(std::span<const mesh::Point> positi
   }
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  const int* starts = matrix.outerIndexPtr();
+  const auto count = matrix.nonZeros();
+  return {{starts, starts + n + 1},
+          {matrix.innerIndexPtr(), matrix.innerIndexPtr() + count},
+          {matrix.valuePtr(), matrix.valuePtr() + count}};
 }
 
 std::vector<double> lumped_mass(std::span<const mesh::Point> positions,

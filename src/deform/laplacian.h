@@ -2,13 +2,23 @@
 // solved with.
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "deform/cage.h"
 
 namespace viete::deform {
+
+/// A square matrix by compressed columns, as sparse solvers take it: column j has values[i] in row rows[i],
+/// starts[j] <= i < starts[j + 1], ascending by row. (Eigen::Map<const Eigen::SparseMatrix<double>> views
+/// it.)
+struct SparseMatrix {
+  std::vector<std::int32_t> starts{0}, rows;
+  std::vector<double> values;
+
+  std::size_t size() const { return starts.size() - 1; }
+};
 
 /// A triangle with less than this for twice its area over the square of its longest side is thin: it counts
 /// as if it had that area.
@@ -28,8 +38,8 @@ Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Poi
 /// positions, symmetric, both halves stored, rows sum to 0, positive semi-definite; free of scale, and thin
 /// triangles bounded, by half_cotangents(). Every vertex has a diagonal entry, 0 if it is in no triangle;
 /// triangles that repeat a corner add nothing. Any triangles, manifold or not. Thread-safe.
-Eigen::SparseMatrix<double> stiffness_matrix(std::span<const mesh::Point> positions,
-                                             std::span<const mesh::Triangle> triangles);
+SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
+                              std::span<const mesh::Triangle> triangles);
 
 /// A third of the area of the triangles around each vertex, in squares of the positions' unit; 0 where there
 /// is none. Lengths from 1e-75 to 1e75.
