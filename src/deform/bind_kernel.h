@@ -19,7 +19,7 @@ struct DistanceTriangle {
   /// Along its second and third edge a point is at along . (x, y, 1), and left of it by inward . (x, y, 1).
   T along[2][3], inward[2][3];
   T outside;  ///< 0; infinity where there is no area: nothing is inside
-  T near;     ///< squared, a sixteenth of the longest edge: nearer distances lose too many digits in float
+  T near;     ///< squared, a sixteenth of the longest edge, or a little: nearer distances lose digits in float
   T twice_area;
   T opposite;       ///< dot product of the two edges at the corner opposite to the longest one
   bool degenerate;  ///< without influence

@@ -39,7 +39,10 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
   for (std::size_t i = begin; i < end; ++i) {
     const std::span<double> row(b.weights.data() + i * b.handles, b.handles);
     switch (b.weighting.weights) {
-      case Weights::inverse: inverse_distance_weights(cage, b.rest[i], row, b.weighting.reach); break;
+      case Weights::inverse:
+        inverse_distance_weights(cage, b.rest[i], row, b.weighting.reach,
+                                 entry(b.weighting.elements).handles);
+        break;
       case Weights::integrated: integrated_weights(cage, b.rest[i], row); break;
       case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
     }

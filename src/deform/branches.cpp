@@ -48,30 +48,30 @@ std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotat
   return forest;
 }
 
-// The elements that hang together with a root, parents first.
-struct Part {
-  std::vector<std::uint32_t> elements, parents;  // parents: places in elements
+// The maps that hang together with a root, parents first.
+struct Tree {
+  std::vector<std::uint32_t> maps, parents;  // parents: places in maps
 };
 
-Part part_of(const mesh::Adjacency& forest, std::uint32_t root) {
-  Part part{{root}, {0}};
-  for (std::uint32_t n = 0; n < part.elements.size(); ++n) {
-    const std::uint32_t parent = part.elements[part.parents[n]];
-    for (const auto child : forest.of(part.elements[n])) {
+Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
+  Tree tree{{root}, {0}};
+  for (std::uint32_t n = 0; n < tree.maps.size(); ++n) {
+    const std::uint32_t parent = tree.maps[tree.parents[n]];
+    for (const auto child : forest.of(tree.maps[n])) {
       if (child == parent) continue;
-      part.elements.push_back(child);
-      part.parents.push_back(n);
+      tree.maps.push_back(child);
+      tree.parents.push_back(n);
     }
   }
-  return part;
+  return tree;
 }
 
-// What the logs of a part are compared with.
+// What the logs of a tree are compared with.
 struct Anchors {
   Vec3 reference, leader;
 };
 
-// The logs of a part for one branch of the root's log. Distances are root mean squares: unlike that of the
+// The logs of a tree for one branch of the root's log. Distances are root mean squares: unlike that of the
 // mean they cannot be small by cancelling.
 struct Branching {
   std::vector<Vec3> logs;
@@ -85,15 +85,15 @@ struct Branching {
   }
 };
 
-Branching follow(const Part& part, const Vec3& root_log, std::span<const Vec3> principal,
+Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> principal,
                  const Anchors& anchors) {
   Branching b;
-  b.logs.reserve(part.elements.size());
+  b.logs.reserve(tree.maps.size());
   double roughness = 0, to_reference = 0, to_leader = 0;
-  for (std::size_t n = 0; n < part.elements.size(); ++n) {
-    const Vec3 log = n == 0 ? root_log : nearest_branch(principal[part.elements[n]], b.logs[part.parents[n]]);
+  for (std::size_t n = 0; n < tree.maps.size(); ++n) {
+    const Vec3 log = n == 0 ? root_log : nearest_branch(principal[tree.maps[n]], b.logs[tree.parents[n]]);
     b.logs.push_back(log);
-    roughness += squared_norm(log - b.logs[part.parents[n]]);
+    roughness += squared_norm(log - b.logs[tree.parents[n]]);
     to_reference += squared_norm(log - anchors.reference);
     to_leader += squared_norm(log - anchors.leader);
   }
@@ -113,27 +113,27 @@ bool better(const Branching& a, const Branching& b) {
 }
 
 // Tries the branches of the root's log around the reference.
-Branching choose(const Part& part, std::span<const Vec3> principal, const Anchors& anchors) {
-  const Vec3 log = nearest_branch(principal[part.elements[0]], anchors.reference);
-  Branching best = follow(part, log, principal, anchors);
+Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchors& anchors) {
+  const Vec3 log = nearest_branch(principal[tree.maps[0]], anchors.reference);
+  Branching best = follow(tree, log, principal, anchors);
   const double length = norm(log);
   for (const double k : {-turn, turn}) {
     if (length == 0) break;
-    Branching other = follow(part, ((length + k) / length) * log, principal, anchors);
+    Branching other = follow(tree, ((length + k) / length) * log, principal, anchors);
     if (better(other, best)) best = std::move(other);
   }
   return best;
 }
 
-std::vector<Vec3> part_means(const Cage& cage, std::span<const Vec3> logs) {
-  std::vector<Vec3> sums(cage.roots.size() + 1, {0, 0, 0});
-  std::vector<std::size_t> counts(cage.roots.size() + 1);
-  for (std::size_t e = 0; e < logs.size(); ++e) {
-    sums[cage.parts[e]] = sums[cage.parts[e]] + logs[e];
-    ++counts[cage.parts[e]];
+std::vector<Vec3> component_means(const MapGraph& graph, std::span<const Vec3> logs) {
+  std::vector<Vec3> sums(graph.roots.size() + 1, {0, 0, 0});
+  std::vector<std::size_t> counts(graph.roots.size() + 1);
+  for (std::size_t m = 0; m < logs.size(); ++m) {
+    sums[graph.component[m]] = sums[graph.component[m]] + logs[m];
+    ++counts[graph.component[m]];
   }
-  sums.pop_back();  // of elements without area
-  for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = (1 / static_cast<double>(counts[p])) * sums[p];
+  sums.pop_back();  // of skipped maps
+  for (std::size_t c = 0; c < sums.size(); ++c) sums[c] = (1 / static_cast<double>(counts[c])) * sums[c];
   return sums;
 }
 
@@ -148,13 +148,13 @@ bool stays(const Vec3& v, const Vec3& reference) {
 // branch of it is farther than the principal one from all that roots are compared with, the references and
 // the leader. Let r be the longest of these. The principal log v is at most |v| + r away from them, its other
 // branches, which are at least 2 pi - |v| long, at least 2 pi - |v| - r: more, if |v| + r < pi.
-bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
+bool all_stay_principal(const MapGraph& graph, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
   for (const auto& reference : turns) longest = std::max(longest, norm(reference));
   const auto within = [&](const Vec3& log) { return norm(log) + longest < turn / 2 - to_spare; };
   return std::all_of(principal.begin(), principal.end(), within) &&
-         std::all_of(cage.dual_edges.begin(), cage.dual_edges.end(), [&](const mesh::Edge& pair) {
+         std::all_of(graph.edges.begin(), graph.edges.end(), [&](const mesh::Edge& pair) {
            const Vec3 &a = principal[pair[0]], &b = principal[pair[1]];
            return stays(a, b) && stays(b, a);
          });
@@ -185,23 +185,45 @@ double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const Vec3> principal,
+namespace {
+
+// Of each component, those of its part.
+std::vector<Vec3> references(const MapGraph& graph, std::span<const Vec3> turns) {
+  std::vector<Vec3> of(graph.roots.size(), {0, 0, 0});
+  for (std::size_t c = 0; c < of.size(); ++c) {
+    if (graph.part_of[c] < turns.size()) of[c] = turns[graph.part_of[c]];
+  }
+  return of;
+}
+
+// Of each part, that of the component that tells it.
+std::vector<Vec3> turns_of_parts(const MapGraph& graph, std::span<const Vec3> means) {
+  std::vector<Vec3> turns(graph.component_of.size(), {0, 0, 0});
+  for (std::size_t p = 0; p < turns.size(); ++p) {
+    if (graph.component_of[p] < means.size()) turns[p] = means[graph.component_of[p]];
+  }
+  return turns;
+}
+
+}  // namespace
+
+Branches choose_branches(const MapGraph& graph, Rotations rotations, std::span<const Vec3> principal,
                          std::span<const Vec3> turns) {
   Branches result{{principal.begin(), principal.end()}, {}};
-  std::vector<Vec3> means = part_means(cage, principal);
-  if (all_stay_principal(cage, principal, turns, means)) {
-    result.turns = std::move(means);
+  std::vector<Vec3> means = component_means(graph, principal);
+  if (all_stay_principal(graph, principal, turns, means)) {
+    result.turns = turns_of_parts(graph, means);
     return result;
   }
-  const mesh::Adjacency forest =
-      mesh::adjacency(rotations.size(), spanning_forest(cage.dual_edges, rotations));
-  for (std::size_t p = 0; p < cage.roots.size(); ++p) {
-    const Vec3 reference = p < turns.size() ? turns[p] : Vec3{0, 0, 0};
-    const Part part = part_of(forest, cage.roots[p]);
-    const Branching chosen = choose(part, principal, {reference, p > 0 ? result.turns[0] : reference});
-    for (std::size_t n = 0; n < chosen.logs.size(); ++n) result.logs[part.elements[n]] = chosen.logs[n];
-    result.turns.push_back(chosen.mean());
+  const std::vector<Vec3> followed = references(graph, turns);
+  const mesh::Adjacency forest = mesh::adjacency(rotations.size(), spanning_forest(graph.edges, rotations));
+  for (std::size_t c = 0; c < graph.roots.size(); ++c) {
+    const Tree tree = tree_of(forest, graph.roots[c]);
+    const Branching chosen = choose(tree, principal, {followed[c], c > 0 ? means[0] : followed[c]});
+    for (std::size_t n = 0; n < chosen.logs.size(); ++n) result.logs[tree.maps[n]] = chosen.logs[n];
+    means[c] = chosen.mean();
   }
+  result.turns = turns_of_parts(graph, means);
   return result;
 }
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/cage.h"
+#include "deform/map_graph.h"
 #include "sym3/rotation.h"
 
 namespace viete::deform {
@@ -18,17 +18,17 @@ Vec3 nearest_branch(const Vec3& v, const Vec3& reference);
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
 struct Branches {
-  std::vector<Vec3> logs;   ///< of each element
-  std::vector<Vec3> turns;  ///< mean log of each part
+  std::vector<Vec3> logs;   ///< of each map
+  std::vector<Vec3> turns;  ///< mean log of each part of the cage
 };
 
-/// Logs of the elements' rotations, from their principal logs. Within a part all follow their neighbour, from
-/// the root on, along a minimum spanning forest of the dual graph by relative angle (ties: lowest pair).
-/// Which whole turns the part has made is decided by all its logs together: their root mean square distance
-/// to turns[part] (missing: 0) is the least, as long as neighbours stay as close, so that one element that
-/// was turned over, even the root, cannot pull the others round. Parts that are half a turn from their
-/// references take the same side as the first. A pure function of its inputs. O(k log k).
-Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
+/// Logs of the maps' rotations, from their principal logs. Within a component all follow their neighbour,
+/// from the root on, along a minimum spanning forest of the graph by relative angle (ties: lowest pair).
+/// Which whole turns the component has made is decided by all its logs together: their root mean square
+/// distance to turns[its part] (missing: 0) is the least, as long as neighbours stay as close, so that one
+/// map that was turned over, even the root, cannot pull the others round. Components that are half a turn
+/// from their references take the same side as the first. A pure function of its inputs. O(k log k).
+Branches choose_branches(const MapGraph& graph, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 
 }  // namespace viete::deform

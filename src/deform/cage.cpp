@@ -113,7 +113,12 @@ void connect(Cage& cage) {
 Cage make_cage(mesh::Surface surface) {
   Cage cage;
   cage.surface = std::move(surface);
+  cage.unused.assign(cage.surface.positions.size(), 1);
+  for (const auto v : cage.surface.corners) cage.unused[v] = 0;
   cage.edges = mesh::polygon_edges(cage.surface);
+  for (const auto& [a, b] : cage.edges)
+    cage.edge_centers.push_back(cage.surface.positions[a] +
+                                0.5 * (cage.surface.positions[b] - cage.surface.positions[a]));
   add_elements(cage);
   cage.diagonal = mesh::used_bounds(cage.surface).diagonal();
   cage.contact =

@@ -25,7 +25,9 @@ struct RestBasis {
 /// The rest cage with everything about it that does not change when it is posed. Elements are its triangles.
 struct Cage {
   mesh::Surface surface;                 ///< rest positions and triangles
+  std::vector<std::uint8_t> unused;      ///< 1 where no polygon has the vertex
   std::vector<mesh::Edge> edges;         ///< of its polygons, each once
+  std::vector<Vec3> edge_centers;        ///< their middles at rest
   std::vector<Vec3> centers;             ///< rest centroid of each element
   std::vector<RestBasis> bases;          ///< of each element; of use where it has area
   std::vector<std::uint8_t> degenerate;  ///< 1 where an element has no area at rest: identity map, no weight

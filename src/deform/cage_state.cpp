@@ -1,6 +1,7 @@
 #include "deform/cage_state.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -15,6 +16,23 @@ namespace {
 
 constexpr std::size_t log_columns = log_shape.columns;
 static_assert(sizeof(MapLog) == log_columns * sizeof(double));
+
+std::vector<std::uint32_t> first_numbers(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  return numbers;
+}
+
+// Of elements with several maps.
+LogReport of_handles(LogReport report, const std::vector<std::uint32_t>& owners) {
+  for (auto& m : report.collapsed) m = owners[m];
+  const auto again = std::unique(report.collapsed.begin(), report.collapsed.end());
+  report.collapsed.erase(again, report.collapsed.end());
+  for (auto& [a, b] : report.torn) a = owners[a], b = owners[b];
+  std::sort(report.torn.begin(), report.torn.end());
+  report.torn.erase(std::unique(report.torn.begin(), report.torn.end()), report.torn.end());
+  return report;
+}
 
 }  // namespace
 
@@ -56,107 +74,124 @@ std::size_t handle_count(const Cage& cage, Elements elements) {
 }
 
 std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements) {
-  return entry(elements).handles == Handles::faces ? cage.centers : cage.surface.positions;
+  switch (entry(elements).handles) {
+    case Handles::faces: return cage.centers;
+    case Handles::edges: return cage.edge_centers;
+    case Handles::vertices: break;
+  }
+  return cage.surface.positions;
 }
 
 CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend)
-    : cage_(std::move(cage)), elements_(elements), form_(row_form(elements, blend)) {
+    : cage_(std::move(cage)), handles_(entry(elements).handles), form_(row_form(elements, blend)) {
   const std::size_t handles = handle_count(*cage_, elements);
-  all_.resize(handles);
-  std::iota(all_.begin(), all_.end(), 0u);
+  all_ = first_numbers(handles);
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});
-  if (form_ != RowForm::logs) values_.resize(handles * shape(form_).columns);
+  values_.resize(handles * shape(form_).columns);
   if (form_ == RowForm::positions) return;
-  maps_.resize(handles);
-  if (elements == Elements::patch) patches_ = make_patches(*cage_);
+  elements_ = element_maps(*cage_, elements);
+  all_maps_ = first_numbers(elements_->count());
+  maps_.resize(elements_->count());
+  rest_centers_.resize(handles);
+  elements_->compute(cage_->surface.positions, middle(cage_->surface.positions), all_maps_, maps_);
+  for (const auto m : all_maps_) rest_centers_[elements_->owners()[m]] = maps_[m].center;
   if (!has_logs(form_)) return;
-  splits_.resize(handles);
-  logs_.resize(handles);
+  splits_.resize(elements_->count());
+  logs_.resize(elements_->count());
 }
 
 Rows CageState::rows() const {
-  if (form_ != RowForm::logs) return {form_, values_, origin_};
-  return {form_, {reinterpret_cast<const double*>(logs_.data()), log_columns * logs_.size()}, origin_};
+  return {form_, values_, origin_};
 }
 
 void CageState::begin_drag(std::span<const std::uint32_t> vertices) {
   std::vector<bool> moves(cage_->surface.positions.size());
   for (const auto v : vertices) moves[v] = true;
-  moving_.clear();
+  moving_.clear(), moving_maps_.clear();
   ++resting_revision_;
-  for (const auto h : all_) {
-    if (moves_with(h, moves)) moving_.push_back(h);
+  std::vector<bool> moved = moves;  // handles
+  if (elements_) {
+    moved.assign(all_.size(), false);
+    for (const auto m : all_maps_) {
+      if (std::ranges::any_of(elements_->vertices(m), [&](auto v) { return moves[v]; }))
+        moved[elements_->owners()[m]] = true;
+    }
   }
-}
-
-bool CageState::moves_with(std::uint32_t handle, const std::vector<bool>& vertices) const {
-  switch (elements_) {
-    case Elements::point: return vertices[handle];
-    case Elements::face:
-      return std::ranges::any_of(cage_->surface.triangles[handle], [&](auto v) { return vertices[v]; });
-    case Elements::patch:
-      return std::ranges::any_of(patches_.of(handle), [&](const auto& p) { return vertices[p.vertex]; });
-  }
-  return false;
+  std::ranges::copy_if(all_, std::back_inserter(moving_), [&](auto h) { return moved[h]; });
+  std::ranges::copy_if(all_maps_, std::back_inserter(moving_maps_),
+                       [&](auto m) { return moved[elements_->owners()[m]]; });
 }
 
 void CageState::end_drag() {
-  moving_.clear();
+  moving_.clear(), moving_maps_.clear();
 }
 
 void CageState::set_pose(const Pose& pose) {
   check_pose(*cage_, pose);
   times_ = {};
-  base::Stopwatch watch;
   const bool few = posed_ && !moving_.empty();
   if (!few) origin_ = pose_origin(*cage_, pose.positions);
-  const std::span<const std::uint32_t> moved = few ? moving_ : all_;
-  if (form_ != RowForm::positions) {
-    if (elements_ == Elements::patch) {
-      patch_maps(*cage_, patches_, pose.positions, origin_, moved, maps_);
-    } else {
-      face_maps(*cage_, pose.positions, origin_, moved, maps_);
-    }
-    times_[Link::maps] = watch.lap_ms();
-  }
-  bool others_moved = !few;
-  if (has_logs(form_)) {
-    if (few) logs_before_ = logs_;
-    split_maps(maps_, moved, splits_);
-    log_maps(*cage_, maps_, splits_, pose.turns, logs_, report_);
-    others_moved = !few || !others_stayed();
-  } else {
-    report_ = {pose.turns, {}, {}};
-  }
-  if (form_ != RowForm::logs) write_values(pose, others_moved ? std::span<const std::uint32_t>(all_) : moved);
-  if (has_logs(form_)) times_[Link::log_maps] = watch.lap_ms();
-  if (others_moved) ++resting_revision_;
+  if (elements_ ? set_maps(pose, few) : set_positions(pose, few)) ++resting_revision_;
   posed_ = true;
 }
 
-void CageState::write_values(const Pose& pose, std::span<const std::uint32_t> handles) {
-  const Vec3 rest_origin = middle(cage_->surface.positions);
+bool CageState::set_positions(const Pose& pose, bool few) {
+  report_ = {pose.turns, {}, {}};
+  for (const auto h : few ? moving_ : all_) {
+    const Vec3 p = pose.positions[h] - origin_;
+    std::copy(p.begin(), p.end(), values_.begin() + 3 * h);
+  }
+  return !few;
+}
+
+bool CageState::set_maps(const Pose& pose, bool few) {
+  base::Stopwatch watch;
+  const std::span<const std::uint32_t> moved = few ? moving_maps_ : all_maps_;
+  elements_->compute(pose.positions, origin_, moved, maps_);
+  times_[Link::maps] = watch.lap_ms();
+  if (!has_logs(form_)) {
+    report_ = {pose.turns, {}, {}};
+    write_rows(moved);
+    return !few;
+  }
+  if (few) logs_before_ = logs_;
+  split_maps(maps_, moved, splits_);
+  log_maps(elements_->graph(), maps_, splits_, pose.turns, logs_, report_);
+  const bool others_moved = !few || !others_stayed();
+  write_rows(others_moved ? std::span<const std::uint32_t>(all_maps_) : moved);
+  if (!elements_->single()) report_ = of_handles(std::move(report_), elements_->owners());
+  report_.handles = handles_;
+  times_[Link::log_maps] = watch.lap_ms();
+  return others_moved;
+}
+
+// All maps of an element are among them, or none.
+void CageState::write_rows(std::span<const std::uint32_t> maps) {
   const std::size_t columns = shape(form_).columns;
-  for (const auto h : handles) {
-    const auto row = std::span(values_).subspan(h * columns, columns);
-    if (form_ == RowForm::positions) {
-      const Vec3 p = pose.positions[h] - origin_;
-      std::copy(p.begin(), p.end(), row.begin());
-    } else {
-      const Vec3 center = element_center(*cage_, h, cage_->surface.positions, rest_origin);
-      write_row(form_, maps_[h], has_logs(form_) ? logs_[h] : MapLog{}, center, row);
+  double own[most_columns];
+  for (std::size_t n = 0; n < maps.size(); ++n) {
+    const auto m = maps[n], handle = elements_->owners()[m];
+    const auto row = std::span(values_).subspan(handle * columns, columns);
+    const MapLog log = has_logs(form_) ? logs_[m] : MapLog{};
+    if (elements_->single()) {
+      write_row(form_, maps_[m], log, rest_centers_[handle], row);
+      continue;
     }
+    write_row(form_, maps_[m], log, rest_centers_[handle], std::span(own, columns));
+    const bool first = n == 0 || elements_->owners()[maps[n - 1]] != handle;
+    const double share = elements_->shares()[m];
+    for (std::size_t c = 0; c < columns; ++c) row[c] = (first ? 0 : row[c]) + share * own[c];
   }
 }
 
-// An element that no vertex of moved can still take another branch of its log. What floats do not tell apart
+// A map that no vertex of moved can still take another branch of its log. What floats do not tell apart
 // is the same: an axis may follow that of its neighbour in its last bits.
 bool CageState::others_stayed() const {
   const auto* now = reinterpret_cast<const double*>(logs_.data());
   const auto* before = reinterpret_cast<const double*>(logs_before_.data());
-  auto moving = moving_.begin();
+  auto moving = moving_maps_.begin();
   for (std::size_t h = 0; h < logs_.size(); ++h) {
-    if (moving != moving_.end() && *moving == h) {
+    if (moving != moving_maps_.end() && *moving == h) {
       ++moving;
       continue;
     }

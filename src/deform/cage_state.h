@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "deform/cage.h"
-#include "deform/face_maps.h"
+#include "deform/element_maps.h"
 #include "deform/links.h"
 #include "deform/log_maps.h"
 #include "deform/map_split.h"
-#include "deform/patch_maps.h"
 #include "deform/rows.h"
 #include "deform/scheme.h"
 
@@ -60,31 +59,31 @@ public:
   std::span<const std::uint32_t> moving() const { return moving_; }
   /// Grows whenever rows change that no drag moves.
   unsigned long resting_revision() const { return resting_revision_; }
-  /// Of maps whose logs are the rows; else empty.
-  std::span<const MapLog> logs() const {
-    return form_ == RowForm::logs ? std::span<const MapLog>(logs_) : std::span<const MapLog>();
-  }
-  /// Of the last pose; without logs only its turns, handed on.
+  /// Of the last pose, naming handles; without logs only its turns, handed on.
   const LogReport& report() const { return report_; }
   /// Milliseconds of the last pose.
   const LinkTimes& times() const { return times_; }
 
 private:
-  bool moves_with(std::uint32_t handle, const std::vector<bool>& vertices) const;
-  void write_values(const Pose& pose, std::span<const std::uint32_t> handles);
+  // Both, of all or of the few that a drag moves: whether rows changed that no drag moves.
+  bool set_positions(const Pose& pose, bool few);
+  bool set_maps(const Pose& pose, bool few);
+  void write_rows(std::span<const std::uint32_t> maps);
   bool others_stayed() const;
 
   std::shared_ptr<const Cage> cage_;
-  Elements elements_;
+  Handles handles_;
   RowForm form_;
-  std::vector<std::uint32_t> all_, moving_;
+  std::unique_ptr<const ElementMaps> elements_;  // null where rows are positions
+  std::vector<std::uint32_t> all_, moving_;      // handles
+  std::vector<std::uint32_t> all_maps_, moving_maps_;
   Vec3 origin_{0, 0, 0};
   bool posed_ = false;
-  Patches patches_;  // if these are the elements
   std::vector<AffineMap> maps_;
   std::vector<MapSplit> splits_;
   std::vector<MapLog> logs_, logs_before_;
-  std::vector<double> values_;  // of all forms but logs
+  std::vector<double> values_;
+  std::vector<Vec3> rest_centers_;  // of the handles, from the middle of the rest cage
   unsigned long resting_revision_ = 0;
   LogReport report_;
   LinkTimes times_;

@@ -65,7 +65,7 @@ std::vector<mesh::Point> Deformer::normals() const {
 }
 
 std::vector<sym3::Sym3<double>> Deformer::sample_matrices(std::size_t limit) const {
-  return ran_ ? sample_stretches(weigher_, *binding_, state_.logs(), limit)
+  return ran_ ? sample_stretches(weigher_, *binding_, state_.rows(), limit)
               : std::vector<sym3::Sym3<double>>();
 }
 

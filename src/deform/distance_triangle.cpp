@@ -8,6 +8,8 @@ namespace viete::deform {
 
 namespace {
 
+constexpr double least_near = 1.0 / 512;  // the cage's diagonal being 1: floats of coordinates are a leaf's size
+
 // v without its part along the unit vector, as a unit vector, at a right angle to it to the last bits; 0 if
 // rounding is all that is left.
 Vec3 unit_across(const Vec3& v, const Vec3& unit) {
@@ -56,7 +58,8 @@ DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c
   t.outside = has_area ? 0 : std::numeric_limits<double>::infinity();
   t.twice_area = bx * cy;
   t.opposite = cx * (cx - bx) + cy * cy;
-  t.near = (bx / 16) * (bx / 16);
+  const double near = std::max(bx / 16, least_near);
+  t.near = near * near;
   return t;
 }
 

@@ -24,25 +24,6 @@ void sort_unique(std::vector<mesh::Edge>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-// Takes skipped elements out: the neighbours of each cluster of them are joined in a chain.
-std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip) {
-  mesh::UnionFind clusters(skip.size());
-  for (const auto& [i, j] : pairs) {
-    if (skip[i] && skip[j]) clusters.join(i, j);
-  }
-  std::vector<mesh::Edge> kept, rim;  // rim: cluster and neighbour
-  for (const auto& [i, j] : pairs) {
-    if (!skip[i] && !skip[j]) kept.push_back({i, j});
-    if (skip[i] != skip[j]) rim.push_back({clusters.find(skip[i] ? i : j), skip[i] ? j : i});
-  }
-  sort_unique(rim);
-  for (std::size_t n = 1; n < rim.size(); ++n) {
-    if (rim[n][0] == rim[n - 1][0]) kept.push_back({rim[n - 1][1], rim[n][1]});
-  }
-  sort_unique(kept);
-  return kept;
-}
-
 // Breadth first from `start` over its part: the order of visits, and how far each is.
 struct Sweep {
   std::vector<std::uint32_t> order, distance, parent;
@@ -89,6 +70,24 @@ std::uint32_t middle_of_longest_path(const mesh::Adjacency& graph, Sweep& sweep)
 }
 
 }  // namespace
+
+std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip) {
+  mesh::UnionFind clusters(skip.size());
+  for (const auto& [i, j] : pairs) {
+    if (skip[i] && skip[j]) clusters.join(i, j);
+  }
+  std::vector<mesh::Edge> kept, rim;  // rim: cluster and neighbour
+  for (const auto& [i, j] : pairs) {
+    if (!skip[i] && !skip[j]) kept.push_back({i, j});
+    if (skip[i] != skip[j]) rim.push_back({clusters.find(skip[i] ? i : j), skip[i] ? j : i});
+  }
+  sort_unique(rim);
+  for (std::size_t n = 1; n < rim.size(); ++n) {
+    if (rim[n][0] == rim[n - 1][0]) kept.push_back({rim[n - 1][1], rim[n][1]});
+  }
+  sort_unique(kept);
+  return kept;
+}
 
 DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip) {
   const auto table = mesh::half_edges(surface.positions.size(), mesh::welded(surface).triangles);

@@ -23,6 +23,10 @@ struct DualGraph {
 /// joined.
 DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip);
 
+/// Pairs i < j of what is not skipped, sorted, each once; the neighbours of each cluster of skipped elements are
+/// joined in a chain.
+std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip);
+
 /// The centre of each connected part, in the order of the parts' lowest elements: the element of least
 /// eccentricity, lowest index first. Exact up to 4,096 elements in a part, beyond that the middle of a
 /// longest path found by two sweeps, so that the cost stays O(4096 edges). Skipped elements have no part.

@@ -41,22 +41,6 @@ double longest_side(const mesh::Bounds& box) {
   return largest_abs(box.high - box.low);
 }
 
-// posed rest^-1; near rest as I + (posed - rest) rest^-1, which is exactly I where nothing moved.
-sym3::Mat3<double> linear_map(const RestBasis& rest, const Basis& posed) {
-  const Basis moved{posed.u - rest.u, posed.v - rest.v, posed.n - rest.n};
-  const bool near =
-      squared_norm(moved.u) + squared_norm(moved.v) < 0.25 * (squared_norm(rest.u) + squared_norm(rest.v));
-  const Basis& f = near ? moved : posed;
-  sym3::Mat3<double> m{};
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) {
-      m[3 * r + c] = (near && r == c ? 1.0 : 0.0) +
-                     (f.u[r] * rest.dual_u[c] + f.v[r] * rest.dual_v[c] + f.n[r] * rest.dual_n[c]);
-    }
-  }
-  return m;
-}
-
 }  // namespace
 
 Vec3 middle(std::span<const mesh::Point> positions) {
@@ -98,13 +82,36 @@ Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh:
   return (1.0 / 3) * ((positions[a] - origin) + (positions[b] - origin) + (positions[c] - origin));
 }
 
+Vec3 side_along(const Vec3& area) {
+  const double size = largest_abs(area);
+  if (!(size > 0)) return {0, 0, 0};
+  const Vec3 unit = (1 / size) * area;
+  return (std::sqrt(size) / std::sqrt(norm(unit))) * unit;
+}
+
+sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n) {
+  const Vec3 way_u = u - rest.u, way_v = v - rest.v, way_n = n - rest.n;
+  const bool near =
+      squared_norm(way_u) + squared_norm(way_v) < 0.25 * (squared_norm(rest.u) + squared_norm(rest.v));
+  const Vec3 &a = near ? way_u : u, &b = near ? way_v : v, &c = near ? way_n : n;
+  sym3::Mat3<double> m{};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      m[3 * i + j] = (near && i == j ? 1.0 : 0.0) +
+                     (a[i] * rest.dual_u[j] + b[i] * rest.dual_v[j] + c[i] * rest.dual_n[j]);
+    }
+  }
+  return m;
+}
+
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<AffineMap> maps) {
   for (const auto e : elements) {
     const auto& t = cage.surface.triangles[e];
     maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, element_center(cage, e, posed, origin)};
     if (cage.degenerate[e]) continue;
-    maps[e].linear = linear_map(cage.bases[e], basis(posed, t, cage.bases[e].corner));
+    const auto [u, v, n] = basis(posed, t, cage.bases[e].corner);
+    maps[e].linear = linear_map(cage.bases[e], u, v, n);
   }
 }
 

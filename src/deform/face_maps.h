@@ -1,4 +1,4 @@
-// Link 1 of the frame, of faces: the affine map of each cage triangle, rest to posed.
+// Maps of faces: the affine map of each cage triangle, rest to posed.
 #pragma once
 
 #include <span>
@@ -16,6 +16,13 @@ Vec3 middle(std::span<const mesh::Point> positions);
 /// about half the cage. A pose that is edited keeps its origin, but for large steps, and so what the edit
 /// does not reach keeps its bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
+
+/// x / sqrt|x| of an area x: as long as its side. Any length scale; 0 for 0.
+Vec3 side_along(const Vec3& area);
+
+/// What takes the basis at rest to u, v, n; near rest as I + (posed - rest) rest^-1, which is exactly I where
+/// nothing moved.
+sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n);
 
 /// n of an element at these positions, see RestBasis; 0 without area.
 Vec3 posed_normal(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions);

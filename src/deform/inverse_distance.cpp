@@ -19,15 +19,15 @@ void taper(double reach, std::span<double> ratios) {
 
 }  // namespace
 
-void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
-                              double reach) {
+void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights, double reach,
+                              Handles handles) {
   const auto& x = cage.surface.positions;
   const double contact2 = cage.contact * cage.contact;
   double nearest2 = std::numeric_limits<double>::infinity();
   for (std::size_t e = 0; e < weights.size(); ++e) {
     weights[e] = std::numeric_limits<double>::infinity();
-    if (cage.degenerate[e]) continue;
-    const auto& t = cage.surface.triangles[e];
+    const auto [t, weighs] = handle_shape(cage, handles, e);
+    if (!weighs) continue;
     weights[e] = std::max(contact2, mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance);
     nearest2 = std::min(nearest2, weights[e]);
   }
@@ -36,6 +36,19 @@ void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<
   double sum = 0;
   for (const double w : weights) sum += w;
   for (double& w : weights) w /= sum;
+}
+
+HandleShape handle_shape(const Cage& cage, Handles handles, std::size_t handle) {
+  const auto h = static_cast<std::uint32_t>(handle);
+  switch (handles) {
+    case Handles::faces: return {cage.surface.triangles[h], !cage.degenerate[h]};
+    case Handles::edges: {
+      const auto& [a, b] = cage.edges[h];
+      return {{a, b, b}, cage.surface.positions[a] != cage.surface.positions[b]};
+    }
+    case Handles::vertices: break;
+  }
+  return {{h, h, h}, !cage.unused[h]};
 }
 
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,

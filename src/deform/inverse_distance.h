@@ -1,4 +1,4 @@
-// Weights of cage elements at a point: 1/d^2 by exact two-sided distance, as far as an element reaches.
+// Weights of faces, edges or vertices at a point: 1/d^2 by exact two-sided distance, as far as one reaches.
 #pragma once
 
 #include <span>
@@ -24,10 +24,17 @@ namespace viete::deform {
 ///
 /// Formed from ratios of distances, so that nothing overflows at any length scale; distances below
 /// cage.contact count as that, so that a point on elements has the limit: equal shares of the elements
-/// touched, the rest next to nothing, or nothing. Elements without area get 0. weights.size() ==
-/// cage.element_count(); reach >= lowest_reach.
+/// touched, the rest next to nothing, or nothing. weights.size(): one a handle of that kind; those without
+/// extent (see HandleShape) get 0. reach >= lowest_reach.
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
-                              double reach = whole_cage);
+                              double reach = whole_cage, Handles handles = Handles::faces);
+
+/// Where a handle lies, for distances.
+struct HandleShape {
+  mesh::Triangle corners;  ///< of an edge its second vertex twice, of a vertex this three times
+  bool weighs;             ///< false for faces without area, edges without length, vertices of no polygon
+};
+HandleShape handle_shape(const Cage& cage, Handles handles, std::size_t handle);
 
 /// Of a vertex at x at rest: x - sum w h, taken as blend() takes it, so that a cage at rest gives x back to
 /// the last bits. What is only the rounding of x itself is dropped: it would not shrink with a pose that

@@ -15,11 +15,11 @@ constexpr double size_floor = 1e-4;       // of the pose's mean stretch
 constexpr double smallest_floor = 1e-12;  // where the whole pose is one point
 
 // Geometric mean of the elements' largest stretches: what size the pose has as a whole.
-double mean_stretch(const Cage& cage, std::span<const MapSplit> splits) {
+double mean_stretch(const MapGraph& graph, std::span<const MapSplit> splits) {
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t e = 0; e < splits.size(); ++e) {
-    if (cage.degenerate[e] || !(splits[e].largest > 0)) continue;
+    if (graph.skipped[e] || !(splits[e].largest > 0)) continue;
     sum += std::log(splits[e].largest);
     ++count;
   }
@@ -56,25 +56,24 @@ bool torn(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b, const Vec3& 
 
 }  // namespace
 
-void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
+void log_maps(const MapGraph& graph, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report) {
   report = {};
-  const double mean = mean_stretch(cage, splits);
+  const double mean = mean_stretch(graph, splits);
   std::vector<sym3::Mat3<double>> rotations(maps.size());
   std::vector<Vec3> principal(maps.size());
   for (std::uint32_t e = 0; e < maps.size(); ++e) {
     MapSplit split = splits[e];
-    const bool ordinary =
-        cage.degenerate[e] || split.least >= floor_of(split.largest, mean);  // false for NaN
+    const bool ordinary = graph.skipped[e] || split.least >= floor_of(split.largest, mean);  // false for NaN
     if (!ordinary && split_collapsed(maps[e], mean, split)) report.collapsed.push_back(e);
     rotations[e] = split.rotation;
     principal[e] = split.turn;
     logs[e] = {split.stretch, {0, 0, 0}, maps[e].center};
   }
-  Branches branches = choose_branches(cage, rotations, principal, turns);
+  Branches branches = choose_branches(graph, rotations, principal, turns);
   for (std::size_t e = 0; e < logs.size(); ++e) logs[e].rotation = branches.logs[e];
   report.turns = std::move(branches.turns);
-  for (const auto& pair : cage.dual_edges) {
+  for (const auto& pair : graph.edges) {
     const auto [i, j] = pair;
     if (torn(rotations[i], rotations[j], logs[i].rotation, logs[j].rotation)) report.torn.push_back(pair);
   }

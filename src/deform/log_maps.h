@@ -5,9 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "deform/cage.h"
 #include "deform/face_maps.h"
+#include "deform/map_graph.h"
 #include "deform/map_split.h"
+#include "deform/scheme.h"
 #include "sym3/sym3.h"
 
 namespace viete::deform {
@@ -21,11 +22,13 @@ struct MapLog {
 
 /// What had to be decided: shown to the user, and carried to the next pose.
 struct LogReport {
-  std::vector<Vec3> turns;               ///< the mean log of each part: pass as the next pose's `turns`
-  std::vector<std::uint32_t> collapsed;  ///< elements whose stretch was raised to the floor
-  /// Neighbours whose rotations differ by more than 120 degrees, or whose logs by more than 180 (no choice of
-  /// branches is right around a ring of elements that turns once): between them the blend is ambiguous.
+  std::vector<Vec3> turns;  ///< the mean log of each part of the cage: pass as the next pose's `turns`
+  std::vector<std::uint32_t> collapsed;  ///< maps, ascending, whose stretch was raised to the floor
+  /// Neighbouring maps whose rotations differ by more than 120 degrees, or whose logs by more than 180 (no
+  /// choice of branches is right around a ring of elements that turns once): between them the blend is
+  /// ambiguous.
   std::vector<mesh::Edge> torn;
+  Handles handles = Handles::faces;  ///< what the numbers of CageState's report name
 };
 
 /// Of each map, linear = R S: X = log S, Y = log R, from its split, and by SVD where it mirrors or nearly
@@ -38,7 +41,7 @@ struct LogReport {
 ///
 /// The log itself has a limit: rotations near a whole turn other than 0 (|Y| about 360 degrees) have nearly
 /// arbitrary axes, so elements there that do not turn rigidly together blend badly; `torn` says so.
-void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
+void log_maps(const MapGraph& graph, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 
 }  // namespace viete::deform

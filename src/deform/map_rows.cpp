@@ -53,6 +53,10 @@ bool has_logs(RowForm form) {
   return form != RowForm::positions && form != RowForm::maps;
 }
 
+bool has_stretch_logs(RowForm form) {
+  return form == RowForm::logs;
+}
+
 void write_row(RowForm form, const AffineMap& map, const MapLog& log, const Vec3& rest_center, Row row) {
   switch (form) {
     case RowForm::positions: return;

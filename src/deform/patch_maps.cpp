@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "deform/face_maps.h"
+#include "mesh/normals.h"
 #include "sym3/eigenvalues.h"
 
 namespace viete::deform {
@@ -18,6 +20,7 @@ constexpr double width_of_fit = 0.03;  // e, of the cage's diagonal
 constexpr double least_spread = 0.1;   // of the largest singular value
 constexpr double flat_spread = 1e-3;   // below it a patch lies in a plane
 constexpr std::size_t most_vertices = 256;
+constexpr double least_area = 1e-9;  // of a sum of areas: what is less has cancelled
 
 // Sums of w x x^T, lengths in diagonals of the cage.
 struct Spread {
@@ -55,26 +58,45 @@ Vec3 times(const Symmetric& m, const Vec3& x) {
           m.xz * x[0] + m.yz * x[1] + m.zz * x[2]};
 }
 
-// Makes the patches one after the other; what it knows of vertices and elements is marked by the patch that
-// saw them last.
+// A cage vertex, and how far its movement goes into the map of a patch.
+struct PatchVertex {
+  std::uint32_t vertex;
+  Vec3 dual;
+};
+
+// What patches are of: their centres, what each begins with, and where it grows. As many maps as centres.
+struct Seeds {
+  std::vector<Vec3> centers;        // at rest
+  std::vector<Vec3> normals;        // at rest, as long as the size of what they stand on
+  mesh::Adjacency corners, around;  // the vertices of each, and its neighbours
+  std::vector<std::uint8_t> skipped;
+};
+
+struct Patches {
+  std::vector<std::size_t> starts;    // in vertices; one more than patches
+  std::vector<PatchVertex> vertices;  // patch by patch; none where it is skipped
+  std::vector<Vec3> normal_duals;     // of each patch's normal; 0 where its vertices do
+
+  std::span<const PatchVertex> of(std::size_t patch) const {
+    return std::span(vertices).subspan(starts[patch], starts[patch + 1] - starts[patch]);
+  }
+};
+
+// Makes the patches one after the other; what it knows of vertices and seeds is marked by the patch that saw
+// them last.
 class PatchMaker {
 public:
-  explicit PatchMaker(const Cage& cage)
+  PatchMaker(const Cage& cage, const Seeds& seeds)
       : cage_(cage),
-        around_(cage.element_count()),
-        seen_element_(cage.element_count(), none),
-        seen_vertex_(cage.surface.positions.size(), none) {
-    for (const auto& [a, b] : cage.dual_edges) {
-      around_[a].push_back(b);
-      around_[b].push_back(a);
-    }
-  }
+        seeds_(seeds),
+        seen_seed_(seeds.centers.size(), none),
+        seen_vertex_(cage.surface.positions.size(), none) {}
 
   Patches make() {
     patches_.starts.push_back(0);
-    patches_.normal_duals.assign(cage_.element_count(), {0, 0, 0});
-    for (std::uint32_t e = 0; e < cage_.element_count(); ++e) {
-      if (!cage_.degenerate[e]) add_patch(e);
+    patches_.normal_duals.assign(seeds_.centers.size(), {0, 0, 0});
+    for (std::uint32_t s = 0; s < seeds_.centers.size(); ++s) {
+      if (!seeds_.skipped[s]) add_patch(s);
       patches_.starts.push_back(patches_.vertices.size());
     }
     return std::move(patches_);
@@ -83,37 +105,37 @@ public:
 private:
   static constexpr std::uint32_t none = ~0u;
 
-  void add_patch(std::uint32_t element) {
-    patch_ = element;
+  void add_patch(std::uint32_t seed) {
+    patch_ = seed;
     vertices_.clear();
     spread_ = {};
-    std::vector<std::uint32_t> ring = {element};
-    seen_element_[element] = patch_;
-    add_corners(element);
+    std::vector<std::uint32_t> ring = {seed};
+    seen_seed_[seed] = patch_;
+    add_corners(seed);
     do {
       ring = next_ring(ring);
-      for (const auto e : ring) add_corners(e);
+      for (const auto s : ring) add_corners(s);
     } while (!ring.empty() && spread_.ratio() < least_spread && vertices_.size() < most_vertices);
     finish();
   }
 
   std::vector<std::uint32_t> next_ring(const std::vector<std::uint32_t>& ring) {
     std::vector<std::uint32_t> next;
-    for (const auto e : ring) {
-      for (const auto n : around_[e]) {
-        if (std::exchange(seen_element_[n], patch_) != patch_) next.push_back(n);
+    for (const auto s : ring) {
+      for (const auto n : seeds_.around.of(s)) {
+        if (std::exchange(seen_seed_[n], patch_) != patch_) next.push_back(n);
       }
     }
     return next;
   }
 
   Vec3 from_center(std::uint32_t vertex) const {
-    return (1 / cage_.diagonal) * (cage_.surface.positions[vertex] - cage_.centers[patch_]);
+    return (1 / cage_.diagonal) * (cage_.surface.positions[vertex] - seeds_.centers[patch_]);
   }
   static double weight(const Vec3& x) { return 1 / (width_of_fit * width_of_fit + squared_norm(x)); }
 
-  void add_corners(std::uint32_t element) {
-    for (const auto v : cage_.surface.triangles[element]) {
+  void add_corners(std::uint32_t seed) {
+    for (const auto v : seeds_.corners.of(seed)) {
       if (std::exchange(seen_vertex_[v], patch_) == patch_) continue;
       const Vec3 x = from_center(v);
       spread_.add(weight(x), x);
@@ -124,7 +146,8 @@ private:
   void finish() {
     const double scale = 1 / cage_.diagonal;
     if (spread_.ratio() < flat_spread) {
-      const Vec3 n = scale * cage_.bases[patch_].n;
+      if (squared_norm(seeds_.normals[patch_]) == 0) return;
+      const Vec3 n = scale * seeds_.normals[patch_];
       const double w = spread_.largest() / squared_norm(n);
       spread_.add(w, n);
       patches_.normal_duals[patch_] = (scale * w) * times(inverse(spread_.k), n);
@@ -137,8 +160,8 @@ private:
   }
 
   const Cage& cage_;
-  std::vector<std::vector<std::uint32_t>> around_;
-  std::vector<std::uint32_t> seen_element_, seen_vertex_;
+  const Seeds& seeds_;
+  std::vector<std::uint32_t> seen_seed_, seen_vertex_;
   Patches patches_;
   // Of the patch that is being made:
   std::uint32_t patch_ = 0;
@@ -152,28 +175,118 @@ void add_product(sym3::Mat3<double>& m, const Vec3& a, const Vec3& b) {
   }
 }
 
-}  // namespace
-
-Patches make_patches(const Cage& cage) {
-  return PatchMaker(cage).make();
+// The sum of the areas around a vertex, as long as its root; 0 where they cancel.
+Vec3 vertex_normal(const Cage& cage, std::span<const std::uint32_t> triangles,
+                   std::span<const mesh::Point> at) {
+  Vec3 sum{0, 0, 0};
+  double total = 0;
+  for (const auto e : triangles) {
+    const auto& [a, b, c] = cage.surface.triangles[e];
+    const Vec3 area = cross(at[b] - at[a], at[c] - at[a]);
+    sum = sum + area;
+    total += norm(area);
+  }
+  return norm(sum) > least_area * total ? side_along(sum) : Vec3{0, 0, 0};
 }
 
-// By how far vertices moved, the whole pose aside: exactly I where none did.
-void patch_maps(const Cage& cage, const Patches& patches, std::span<const mesh::Point> posed,
-                const Vec3& origin, std::span<const std::uint32_t> elements, std::span<AffineMap> maps) {
-  const auto& rest = cage.surface.positions;
-  const Vec3 rest_origin = middle(rest);
-  const auto way = [&](std::uint32_t v) { return (posed[v] - origin) - (rest[v] - rest_origin); };
-  for (const auto e : elements) {
-    maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, element_center(cage, e, posed, origin)};
-    auto& m = maps[e].linear;
-    const auto [a, b, c] = cage.surface.triangles[e];
-    const Vec3 way_of_center = (1.0 / 3) * (way(a) + way(b) + way(c));
-    for (const auto& [v, dual] : patches.of(e)) add_product(m, way(v) - way_of_center, dual);
-    const Vec3& normal_dual = patches.normal_duals[e];
-    if (squared_norm(normal_dual) == 0) continue;
-    add_product(m, posed_normal(cage, e, posed) - cage.bases[e].n, normal_dual);
+mesh::Adjacency movers(const Seeds& seeds, const Patches& patches) {
+  return mesh::make_adjacency(seeds.centers.size(), [&](const auto& add) {
+    for (std::uint32_t s = 0; s < seeds.centers.size(); ++s) {
+      for (const auto v : seeds.corners.of(s)) add(s, v);
+      for (const auto& p : patches.of(s)) add(s, p.vertex);
+    }
+  });
+}
+
+// posed normal(patch, positions) and center(patch, positions, origin).
+template <class Normal, class Center>
+class PatchMaps : public ElementMaps {
+public:
+  PatchMaps(const Cage& cage, MapGraph graph, const Seeds& seeds, Patches patches, Normal normal,
+            Center center)
+      : ElementMaps(std::move(graph), movers(seeds, patches)),
+        cage_(cage),
+        corners_(seeds.corners),
+        rest_normals_(seeds.normals),
+        patches_(std::move(patches)),
+        normal_(std::move(normal)),
+        center_(std::move(center)) {}
+
+  // By how far vertices moved, the whole pose aside: exactly I where none did.
+  void compute(std::span<const mesh::Point> posed, const Vec3& origin, std::span<const std::uint32_t> which,
+               std::span<AffineMap> maps) const override {
+    const auto& rest = cage_.surface.positions;
+    const Vec3 rest_origin = middle(rest);
+    const auto way = [&](std::uint32_t v) { return (posed[v] - origin) - (rest[v] - rest_origin); };
+    for (const auto e : which) {
+      maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, center_(e, posed, origin)};
+      auto& m = maps[e].linear;
+      const auto corners = corners_.of(e);
+      Vec3 way_of_center{0, 0, 0};
+      for (const auto v : corners) way_of_center = way_of_center + way(v);
+      way_of_center = (1.0 / static_cast<double>(corners.size())) * way_of_center;
+      for (const auto& [v, dual] : patches_.of(e)) add_product(m, way(v) - way_of_center, dual);
+      const Vec3& normal_dual = patches_.normal_duals[e];
+      if (squared_norm(normal_dual) == 0) continue;
+      add_product(m, normal_(e, posed) - rest_normals_[e], normal_dual);
+    }
   }
+
+private:
+  const Cage& cage_;
+  mesh::Adjacency corners_;
+  std::vector<Vec3> rest_normals_;
+  Patches patches_;
+  Normal normal_;
+  Center center_;
+};
+
+template <class Normal, class Center>
+std::unique_ptr<const ElementMaps> patch_maps(const Cage& cage, MapGraph graph, Seeds seeds, Normal normal,
+                                              Center center) {
+  const auto& rest = cage.surface.positions;
+  const Vec3 zero{0, 0, 0};
+  for (std::uint32_t s = 0; s < graph.count(); ++s) {
+    seeds.centers.push_back(center(s, rest, zero));
+    seeds.normals.push_back(normal(s, rest));
+  }
+  seeds.skipped = graph.skipped;
+  Patches patches = PatchMaker(cage, seeds).make();
+  return std::make_unique<PatchMaps<Normal, Center>>(cage, std::move(graph), seeds, std::move(patches),
+                                                     std::move(normal), std::move(center));
+}
+
+}  // namespace
+
+std::unique_ptr<const ElementMaps> face_patch_maps(const Cage& cage) {
+  MapGraph graph = face_graph(cage);
+  Seeds seeds;
+  seeds.corners = mesh::make_adjacency(graph.count(), [&](const auto& add) {
+    for (std::uint32_t e = 0; e < graph.count(); ++e) {
+      for (const auto v : cage.surface.triangles[e]) add(e, v);
+    }
+  });
+  seeds.around = mesh::adjacency(graph.count(), graph.edges);
+  return patch_maps(
+      cage, std::move(graph), std::move(seeds),
+      [&cage](std::uint32_t e, std::span<const mesh::Point> at) { return posed_normal(cage, e, at); },
+      [&cage](std::uint32_t e, std::span<const mesh::Point> at, const Vec3& origin) {
+        return element_center(cage, e, at, origin);
+      });
+}
+
+std::unique_ptr<const ElementMaps> vertex_patch_maps(const Cage& cage) {
+  MapGraph graph = vertex_graph(cage);
+  Seeds seeds;
+  seeds.corners = mesh::make_adjacency(graph.count(), [&](const auto& add) {
+    for (std::uint32_t v = 0; v < graph.count(); ++v) add(v, v);
+  });
+  seeds.around = mesh::adjacency(graph.count(), graph.edges);
+  return patch_maps(
+      cage, std::move(graph), std::move(seeds),
+      [&cage, around = mesh::vertex_triangles(cage.surface.positions.size(), cage.surface.triangles)](
+          std::uint32_t v, std::span<const mesh::Point> at) { return vertex_normal(cage, around.of(v), at); },
+      [](std::uint32_t v, std::span<const mesh::Point> at, const Vec3& origin) { return at[v] - origin; });
 }
 
 }  // namespace viete::deform

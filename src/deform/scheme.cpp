@@ -21,6 +21,28 @@ constexpr std::array elements_table = {
                   Handles::faces,
                   true,
                   "affine poses"},
+    ElementsEntry{
+        {"vertex-patch", "Vertex patches", "an affine map per cage vertex, fitted to its neighbours"},
+        Elements::vertex_patch,
+        Handles::vertices,
+        true,
+        "affine poses"},
+    ElementsEntry{{"edge", "Edges", "an affine map per cage edge, of its two faces"},
+                  Elements::edge,
+                  Handles::edges,
+                  true,
+                  "similarities"},
+    ElementsEntry{{"vertex", "Vertices", "an affine map per cage vertex, of its corners about one normal"},
+                  Elements::vertex,
+                  Handles::vertices,
+                  true,
+                  "similarities"},
+    ElementsEntry{
+        {"vertex-face", "Vertices, by face", "an affine map per cage vertex, of its corners one by one"},
+        Elements::vertex_face,
+        Handles::vertices,
+        true,
+        "similarities"},
     ElementsEntry{{"point", "Points", "a translation per cage vertex"},
                   Elements::point,
                   Handles::vertices,
@@ -48,13 +70,14 @@ constexpr std::array weights_table = {
 constexpr std::array blend_table = {
     BlendEntry{{"srl", "Log space", "logs of stretches and of rotations, about the blended centre"},
                Blend::srl,
+               true,
                true},
-    BlendEntry{{"slrl", "Logs of turns", "stretches averaged, logs of rotations"}, Blend::slrl, false},
+    BlendEntry{{"slrl", "Logs of turns", "stretches averaged, logs of rotations"}, Blend::slrl, false, true},
     BlendEntry{
-        {"sql", "Quaternions", "stretches averaged, rotations as unit quaternions"}, Blend::sql, false},
+        {"sql", "Quaternions", "stretches averaged, rotations as unit quaternions"}, Blend::sql, false, true},
     BlendEntry{
-        {"log3", "Matrix logs", "logs of the whole maps, turn and stretch in one"}, Blend::log3, false},
-    BlendEntry{{"linear", "Linear", "the maps themselves are averaged"}, Blend::linear, false},
+        {"log3", "Matrix logs", "logs of the whole maps, turn and stretch in one"}, Blend::log3, false, true},
+    BlendEntry{{"linear", "Linear", "the maps themselves are averaged"}, Blend::linear, false, false},
 };
 
 struct Shorthand {
@@ -82,15 +105,19 @@ constexpr std::array rules = {
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
            return w.value == Weights::mean_value && e.handles != Handles::vertices;
          },
-         "mean values belong to vertices of the cage, and these elements are its faces"},
+         "mean values belong to vertices of the cage, and these elements are its faces or edges"},
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
            return w.value == Weights::integrated && e.handles != Handles::faces;
          },
-         "integrals over faces are weights of faces, and these elements are vertices of the cage"},
+         "integrals over faces are weights of faces, and these elements are edges or vertices of the cage"},
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
            return w.value == Weights::inverse && !e.affine;
          },
          "translations need weights that reproduce linear functions, as mean values do"},
+    Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry& b) {
+           return w.value == Weights::mean_value && e.affine && b.about_center;
+         },
+         "about the mean value of its centres a vertex has nothing left to turn: it would move as by points"},
     Rule{[](const ElementsEntry& e, const WeightsEntry&, const BlendEntry& b) {
            return !e.affine && b.value != Blend::linear;
          },
@@ -145,7 +172,12 @@ std::string_view reason(const PartialChoice& choice) {
 }  // namespace
 
 std::string_view name(Handles handles) {
-  return handles == Handles::faces ? "faces" : "vertices";
+  switch (handles) {
+    case Handles::faces: return "faces";
+    case Handles::edges: return "edges";
+    case Handles::vertices: break;
+  }
+  return "vertices";
 }
 
 std::span<const ElementsEntry> all_elements() {

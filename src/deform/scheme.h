@@ -15,7 +15,7 @@ namespace viete::deform {
 // Saved bindings hold numbers of these: new ones come last.
 
 /// Which map each handle of the cage carries, and what the handles are.
-enum class Elements { face, point, patch };
+enum class Elements { face, point, patch, vertex_patch, edge, vertex, vertex_face };
 
 /// How much of each handle a vertex takes.
 enum class Weights { inverse, mean_value, integrated };
@@ -24,7 +24,7 @@ enum class Weights { inverse, mean_value, integrated };
 enum class Blend { srl, linear, slrl, sql, log3 };
 
 /// What of the cage handles are.
-enum class Handles { faces, vertices };
+enum class Handles { faces, edges, vertices };
 std::string_view name(Handles handles);
 
 /// Who forms the sums: the links of the chain one by one, in double, or in one pass over the weights, in
@@ -53,7 +53,8 @@ struct WeightsEntry : ChoiceEntry {
 
 struct BlendEntry : ChoiceEntry {
   Blend value;
-  bool exponential;  ///< a symmetric exponential a vertex and frame; else methods are all the same
+  bool exponential;   ///< a symmetric exponential a vertex and frame; else methods are all the same
+  bool about_center;  ///< what is blended turns and stretches a vertex about the blended centre alone
 };
 
 std::span<const ElementsEntry> all_elements();

@@ -2,6 +2,7 @@
 
 #include "deform/exact.h"
 #include "deform/inverse_distance.h"
+#include "deform/map_rows.h"
 
 namespace viete::deform {
 
@@ -51,11 +52,11 @@ double sampled_error(const Weigher& weigher, const Binding& binding, const Rows&
 }
 
 std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,
-                                                 std::span<const MapLog> logs, std::size_t limit,
+                                                 const Rows& rows, std::size_t limit,
                                                  base::Progress* progress) {
   constexpr std::size_t portion = 1024;
   std::vector<sym3::Sym3<double>> sample;
-  if (logs.empty()) return sample;
+  if (!has_stretch_logs(rows.form)) return sample;
   std::vector<mesh::Point> points;
   for (const auto v : spread_vertices(binding, limit)) points.push_back(binding.rest[v]);
   sample.reserve(points.size());
@@ -66,9 +67,9 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
     sym3::Sym3<double> m{};
     for (std::size_t j = 0; j < weights.size(); ++j) {
       const double w = weights[j];
-      const auto& x = logs[j].stretch;
-      m = {m.xx + w * x.xx, m.xy + w * x.xy, m.xz + w * x.xz,
-           m.yy + w * x.yy, m.yz + w * x.yz, m.zz + w * x.zz};
+      const double* x = rows.values.data() + j * rows.columns();
+      m = {m.xx + w * x[0], m.xy + w * x[1], m.xz + w * x[2],
+           m.yy + w * x[3], m.yz + w * x[4], m.zz + w * x[5]};
     }
     sample.push_back(m);
   });

@@ -52,9 +52,9 @@ double sampled_error(const Weigher& weigher, const Binding& binding, const Rows&
                      std::span<const FrameVertex> frame);
 
 /// The symmetric logs that at most `limit` vertices, spread evenly over the model, blend: what their
-/// exponential is taken of. Empty if logs is. Throws base::Cancelled.
+/// exponential is taken of. Empty if rows hold none. Throws base::Cancelled.
 std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,
-                                                 std::span<const MapLog> logs, std::size_t limit,
+                                                 const Rows& rows, std::size_t limit,
                                                  base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

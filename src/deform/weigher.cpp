@@ -8,6 +8,7 @@
 #include "deform/face_maps.h"
 #include "deform/frame_kernel.h"
 #include "deform/integrated_distance.h"
+#include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "mesh/half_edges.h"
 #include "mesh/triangle.h"
@@ -53,11 +54,12 @@ Vec3 Weigher::scaled(const mesh::Point& p) const {
 }
 
 void Weigher::add_triangles() {
-  for (std::size_t e = 0; e < cage_.element_count(); ++e) {
-    const auto& t = cage_.surface.triangles[e];
+  const Handles kind = entry(weighting_.elements).handles;
+  for (std::size_t h = 0; h < handles_.size(); ++h) {
+    const auto [t, weighs] = handle_shape(cage_, kind, h);
     Vec3 origin;
     auto triangle = distance_triangle({corners_[t[0]], corners_[t[1]], corners_[t[2]]}, origin);
-    triangle.degenerate = cage_.degenerate[e];
+    triangle.degenerate = !weighs;
     triangles_.push_back(triangle);
     float_triangles_.push_back(in_float(triangle));
     origins_.push_back(origin);

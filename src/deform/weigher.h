@@ -56,7 +56,7 @@ private:
   double scale_;  // a power of two: the cage's diagonal times it is near 1
   std::vector<Vec3> handles_;
   std::vector<Vec3> corners_;  // of the cage, about the origin and scaled, as all that follows
-  // For faces: its triangles, and where their axes begin.
+  // For distances: the handles as triangles, and where their axes begin.
   std::vector<DistanceTriangle<double>> triangles_;
   std::vector<DistanceTriangle<float>> float_triangles_;
   std::vector<Vec3> origins_, shifts_;

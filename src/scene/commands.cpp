@@ -212,7 +212,8 @@ const std::vector<Command>& table() {
       method_command<M::diag>("method_diag", '1'), method_command<M::sd>("method_sd", '2'),
       method_command<M::improved_sd>("method_improved_sd", '3'), method_command<M::fast>("method_fast", '4'),
 
-      choice_command<E::face>(), choice_command<E::patch>(), choice_command<E::point>(),
+      choice_command<E::face>(), choice_command<E::patch>(), choice_command<E::edge>(), choice_command<E::vertex>(),
+      choice_command<E::vertex_face>(), choice_command<E::vertex_patch>(), choice_command<E::point>(),
       choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::mean_value>(),
       choice_command<B::srl>(), choice_command<B::slrl>(), choice_command<B::sql>(), choice_command<B::log3>(),
       choice_command<B::linear>(),

@@ -47,7 +47,7 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
   std::vector<std::string> notes;
   if (!report.collapsed.empty()) {
     notes.push_back(
-        base::counted(report.collapsed.size(), "cage triangle") +
+        std::to_string(report.collapsed.size()) + " of the cage's " + std::string(name(report.handles)) +
         (report.collapsed.size() == 1 ? " has" : " have") +
         " collapsed (first: " + std::to_string(report.collapsed.front()) +
         (report.collapsed.size() == 1 ? "); its stretch is floored" : "); their stretches are floored"));
@@ -57,9 +57,10 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
   if (inside_out > 0) notes.push_back(inside_out_note(inside_out, cage.roots.size()));
   if (inside_out < cage.roots.size()) {
     const auto& [a, b] = report.torn.front();
-    notes.push_back(base::counted(report.torn.size(), "pair") +
-                    " of cage neighbours turned by over 120 degrees (first: " + std::to_string(a) + ", " +
-                    std::to_string(b) + "); the mesh may fold there");
+    notes.push_back(
+        base::counted(report.torn.size(), "pair") +
+        " of cage neighbours turned by over 120 degrees (first: " + std::string(name(report.handles)) + " " +
+        std::to_string(a) + ", " + std::to_string(b) + "); the mesh may fold there");
   }
   return notes;
 }

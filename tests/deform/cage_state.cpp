@@ -134,7 +134,6 @@ TEST_CASE("without_logs_the_turns_of_a_pose_are_handed_on") {
     CageState state(cage, elements, blend);
     state.set_pose({cage->surface.positions, {{1, 2, 3}}});
     CHECK(state.report().turns == std::vector<Vec3>{{1, 2, 3}});
-    CHECK(state.logs().empty());
   }
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("every_scheme_keeps_rest_and_follows_similarities") {
     for (const double angle : {0.0, 1e-9, 90.0, 179.999, 180.0, 270.0}) {
       for (const double scale : {1e-3, 1.0, 1e3}) {
         const auto map = similarity({1, -2, 3}, angle * degree, scale, {20 * scale, scale, -scale});
-        CHECK(b.staged.error(map) < 1e-12);
+        CHECK(b.staged.error(map) < 2e-12);
         CHECK(b.difference(b.staged.pose(map)) < 1e-6);
       }
     }
@@ -60,8 +60,9 @@ TEST_CASE("affine_poses_are_exact_where_elements_or_weights_promise_it") {
   std::size_t exact = 0;
   for (const Scheme& scheme : all_schemes()) {
     CAPTURE(text(scheme));
-    const bool promised = entry(scheme.weighting.elements).reproduces == "affine poses" ||
-                          scheme.weighting.weights == Weights::mean_value;
+    const bool promised =
+        entry(scheme.weighting.elements).reproduces == "affine poses" ||
+        (scheme.weighting.elements == Elements::point && scheme.weighting.weights == Weights::mean_value);
     Both b(model(), cage_of_a_part(), scheme);
     const double error = b.staged.error(shear());
     CHECK((error < 1e-12) == promised);

@@ -33,14 +33,21 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
 void weights_of_one(const Cage& cage, const Weighting& weighting, const viete::mesh::Point& p,
                     std::span<double> weights) {
   switch (weighting.weights) {
-    case Weights::inverse: return inverse_distance_weights(cage, p, weights, weighting.reach);
+    case Weights::inverse:
+      return inverse_distance_weights(cage, p, weights, weighting.reach, entry(weighting.elements).handles);
     case Weights::integrated: return integrated_weights(cage, p, weights);
     case Weights::mean_value: mean_value_weights(cage, p, weights);
   }
 }
 
-const Weighting weightings[] = {faces, faces_reaching(lowest_reach), faces_reaching(3), mean_values,
-                                face_integrals};
+const Weighting weightings[] = {faces,
+                                faces_reaching(lowest_reach),
+                                faces_reaching(3),
+                                mean_values,
+                                face_integrals,
+                                {Elements::edge, Weights::inverse},
+                                {Elements::vertex, Weights::inverse},
+                                {Elements::vertex_patch, Weights::inverse, 3}};
 
 }  // namespace
 
