@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "deform/matrix_log.h"
+#include "deform/translation_log.h"
 
 namespace viete::deform {
 
@@ -56,14 +57,41 @@ Vec3 rotated(Sums s, const Vec3& u) {
   return u + w * t + cross(v, t);
 }
 
-// Relative to the pose's origin.
-Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o) {
+// u of translation_log.h, from L times a vector, and E - I times one.
+template <class Turned, class Stretched>
+Vec3 translation(const Vec3& a, const Vec3& center, const Vec3& m, const Turned& l, const Stretched& e) {
+  const Vec3 way = center - m;
+  return a - (way + e(way)) + 0.5 * l(center + m);
+}
+
+Vec3 moved_by_screw(Sums s, const Vec3& x, const Vec3& o, const Vec3& stretched) {
+  const Vec3 turn = three(s, 6), center = three(s, 18);
+  const sym3::Sym3<double> e{s[9], s[10], s[11], s[12], s[13], s[14]};
+  const Vec3 u = translation(
+      three(s, 15), center, x - o, [&](const Vec3& v) { return cross(turn, v); },
+      [&](const Vec3& v) { return times(e, v); });
+  return center + (stretched + phi_times(turn, cross(turn, stretched) + u));
+}
+
+Vec3 moved_by_affine_log(Sums s, const Vec3& x, const Vec3& o) {
+  const auto l = nine(s), e = nine(s.subspan(9));
+  const Vec3 center = three(s, 21);
+  const Vec3 u = translation(
+      three(s, 18), center, x - o, [&](const Vec3& v) { return times(l, v); },
+      [&](const Vec3& v) { return times(e, v); });
+  return center + (o + phi_times(l, times(l, o) + u));
+}
+
+// Relative to the pose's origin; stretched of screws: exp(X) o.
+Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o, const Vec3& stretched_offset) {
   switch (form) {
     case RowForm::maps: return x + (times(nine(s), x) + three(s, 9));
     case RowForm::positions: return three(s, 0) + o;
     case RowForm::stretches: return times(sym3::exp_rotation(three(s, 6)), stretched(s, o)) + three(s, 9);
     case RowForm::quaternions: return rotated(s.subspan(6, 4), stretched(s, o)) + three(s, 10);
     case RowForm::matrix_logs: return times(matrix_exp(nine(s)), o) + three(s, 9);
+    case RowForm::screws: return moved_by_screw(s, x, o, stretched_offset);
+    case RowForm::affine_logs: return moved_by_affine_log(s, x, o);
     case RowForm::logs: break;
   }
   assert(false);  // logs go the way of exp
@@ -72,13 +100,24 @@ Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o) {
 
 }  // namespace
 
-void apply(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
-           std::size_t begin, std::size_t end, std::span<mesh::Point> positions) {
+void apply(const Binding& binding, RowForm form, Sums sums, std::span<const sym3::Sym3<double>> stretches,
+           const Vec3& origin, std::size_t begin, std::size_t end, std::span<mesh::Point> positions) {
   const std::size_t columns = shape(form).columns;
   for (std::size_t i = begin; i < end; ++i) {
-    const Vec3 x = binding.rest[i] - binding.rest_origin;
-    positions[i] = origin + moved(form, sums.subspan(i * columns, columns), x, binding.offsets[i]);
+    const Vec3 x = binding.rest[i] - binding.rest_origin, &o = binding.offsets[i];
+    const Vec3 stretched_offset = form == RowForm::screws ? times(stretches[i], o) : o;
+    positions[i] = origin + moved(form, sums.subspan(i * columns, columns), x, o, stretched_offset);
   }
+}
+
+void exponentiate(RowForm form, Sums sums, sym3::Method method, std::size_t begin, std::size_t end,
+                  std::span<sym3::Sym3<double>> logs, std::span<sym3::Sym3<double>> stretches) {
+  const std::size_t columns = shape(form).columns;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double* x = sums.data() + i * columns;
+    logs[i] = {x[0], x[1], x[2], x[3], x[4], x[5]};
+  }
+  sym3::exp<double>(logs.subspan(begin, end - begin), stretches.subspan(begin, end - begin), method);
 }
 
 }  // namespace viete::deform

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "deform/blend.h"
+#include "sym3/exp.h"
 
 namespace viete::deform {
 
@@ -11,8 +12,14 @@ namespace viete::deform {
 /// link 4: sym3::exp of sums.stretch. The forms and their letters: RowForm.
 void apply(const Binding& binding, const BlendedLogs& sums, std::span<const sym3::Sym3<double>> stretches,
            const Vec3& origin, std::size_t begin, std::size_t end, std::span<mesh::Point> positions);
-/// Of any other form, sums being [vertex][column].
-void apply(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
-           std::size_t begin, std::size_t end, std::span<mesh::Point> positions);
+/// Of any other form, sums being [vertex][column]; stretches of screws alone.
+void apply(const Binding& binding, RowForm form, std::span<const double> sums,
+           std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
+           std::size_t end, std::span<mesh::Point> positions);
+
+/// Link 4 of screws: the exponentials of the first six columns of vertices [begin, end).
+void exponentiate(RowForm form, std::span<const double> sums, sym3::Method method, std::size_t begin,
+                  std::size_t end, std::span<sym3::Sym3<double>> logs,
+                  std::span<sym3::Sym3<double>> stretches);
 
 }  // namespace viete::deform

@@ -53,6 +53,8 @@ RowForm row_form(Elements elements, Blend blend) {
     case Blend::slrl: return RowForm::stretches;
     case Blend::sql: return RowForm::quaternions;
     case Blend::log3: return RowForm::matrix_logs;
+    case Blend::sse: return RowForm::screws;
+    case Blend::log4: return RowForm::affine_logs;
   }
   return RowForm::maps;
 }
@@ -64,9 +66,11 @@ const RowShape& shape(RowForm form) {
     case RowForm::positions: return position_shape;
     case RowForm::stretches: return stretch_shape;
     case RowForm::quaternions: return quaternion_shape;
-    case RowForm::matrix_logs: break;
+    case RowForm::matrix_logs: return matrix_log_shape;
+    case RowForm::screws: return screw_shape;
+    case RowForm::affine_logs: break;
   }
-  return matrix_log_shape;
+  return affine_log_shape;
 }
 
 std::size_t handle_count(const Cage& cage, Elements elements) {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "deform/apply.h"
 #include "deform/blend.h"
+#include "deform/map_rows.h"
 #include "deform/vertex_sample.h"
 #include "deform/weigher.h"
 
@@ -54,19 +55,26 @@ double place_logs(const Binding& binding, const Rows& rows, sym3::Method method,
   return method == sym3::Method::fast ? 0 : worst_difference(stretches, sums.stretch);
 }
 
-void place_others(const Binding& binding, const Rows& rows, std::span<mesh::Point> positions) {
-  std::vector<double> sums(positions.size() * rows.columns());
-  blend(binding, rows, 0, positions.size(), std::span(sums));
-  apply(binding, rows.form, sums, rows.origin, 0, positions.size(), positions);
+double place_others(const Binding& binding, const Rows& rows, sym3::Method method,
+                    std::span<mesh::Point> positions) {
+  const std::size_t n = positions.size();
+  std::vector<double> sums(n * rows.columns());
+  blend(binding, rows, 0, n, std::span(sums));
+  std::vector<Stretch> logs, stretches;
+  if (has_stretch_logs(rows.form)) {
+    logs.resize(n), stretches.resize(n);
+    exponentiate(rows.form, sums, method, 0, n, logs, stretches);
+  }
+  apply(binding, rows.form, sums, stretches, rows.origin, 0, n, positions);
+  return method == sym3::Method::fast ? 0 : worst_difference(stretches, logs);
 }
 
 }  // namespace
 
 double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions) {
-  if (rows.form == RowForm::logs) return place_logs(binding, rows, method, positions);
-  place_others(binding, rows, positions);
-  return 0;
+  return rows.form == RowForm::logs ? place_logs(binding, rows, method, positions)
+                                    : place_others(binding, rows, method, positions);
 }
 
 ExactModel deform_exactly(std::span<const mesh::Point> rest, std::shared_ptr<const Cage> cage,

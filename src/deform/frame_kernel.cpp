@@ -16,7 +16,8 @@ namespace viete::deform::HWY_NAMESPACE {
 
 static const FrameKernel frame = {
     {tile_kernel<ByLogs>(), tile_kernel<ByMaps>(), tile_kernel<ByPositions>(), tile_kernel<ByStretches>(),
-     tile_kernel<ByQuaternions>(), tile_kernel<ByMatrixLogs>()},
+     tile_kernel<ByQuaternions>(), tile_kernel<ByMatrixLogs>(), tile_kernel<ByScrews>(),
+     tile_kernel<ByAffineLogs>()},
     ring_vertices,
     ring_high_valence};
 

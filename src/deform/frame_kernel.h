@@ -47,14 +47,14 @@ struct RingRun {
 struct TileKernel {
   /// sums [tile][column][lane].
   void (*blend)(const TileRun<float>& run, float* sums);
-  /// rest [tile][3][lane]: x for maps, else o (see RowForm); out [slot] as x y z x.
-  void (*place)(const TileRun<float>& run, const float* rest, float* out);
+  /// rest, offsets [tile][3][lane]: x and o of RowForm; out [slot] as x y z x.
+  void (*place)(const TileRun<float>& run, const float* rest, const float* offsets, float* out);
 };
 
 /// One compilation of the frame. Each lane is computed alone and in the same order whatever the width of the
 /// machine's vectors: the same bits from all kernels with fused multiply-add, and from all without.
 struct FrameKernel {
-  TileKernel forms[6];  ///< by RowForm
+  TileKernel forms[row_forms];  ///< by RowForm
   /// To vertices[order[slot]]: position times unit, and the unit normal by its one-ring, (0, 0, 1)
   /// where there is no area; nothing where neither slots nor ghosts changed by a bit. Leaves write to
   /// different places and vertices.

@@ -210,7 +210,6 @@ TileRun<float> FusedEngine::leaf_run(std::size_t leaf, const float* table) const
 
 void FusedEngine::place_vertices() {
   const TiledBinding& b = *binding_;
-  const auto& rest = form_ == RowForm::maps ? b.rest : b.offsets;
   const bool placed = dragging_ && std::exchange(drag_.placed, true);
   for_leaves([&](std::size_t leaf) {
     leaf_moved_[leaf] = !(placed && drag_.row_count(leaf) == 0);
@@ -228,7 +227,7 @@ void FusedEngine::place_vertices() {
              drag_.listed.data() + start};
     }
     run.mean = mean_.data();
-    tiles_.place(run, rest.data() + begin * 3,
+    tiles_.place(run, b.rest.data() + begin * 3, b.offsets.data() + begin * 3,
                  positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]));
   });
 }

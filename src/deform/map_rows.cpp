@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "deform/matrix_log.h"
+#include "deform/translation_log.h"
 #include "sym3/exp.h"
 
 namespace viete::deform {
@@ -47,6 +48,36 @@ void write_quaternion(const Vec3& turn, Row row) {
   write((angle > 0 ? std::sin(angle / 2) / angle : 0.5) * turn, row.subspan(1, 3));
 }
 
+Vec3 times(const sym3::Mat3<double>& m, const Vec3& x) {
+  return {m[0] * x[0] + m[1] * x[1] + m[2] * x[2], m[3] * x[0] + m[4] * x[1] + m[5] * x[2],
+          m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
+}
+
+// X, Y, E - I, a of RowForm::screws. a in terms of E - I: at rest it is exactly 0.
+void write_screw(const MapLog& log, const Vec3& rest_center, Row row) {
+  auto e = even_part(log.rotation);
+  e.xx -= 1, e.yy -= 1, e.zz -= 1;
+  write(log.stretch, row);
+  write(log.rotation, row.subspan(6, 3));
+  write(e, row.subspan(9, 6));
+  const Vec3 way = log.center - rest_center;
+  const Vec3 stretched{e.xx * way[0] + e.xy * way[1] + e.xz * way[2],
+                       e.xy * way[0] + e.yy * way[1] + e.yz * way[2],
+                       e.xz * way[0] + e.yz * way[1] + e.zz * way[2]};
+  write(way + stretched - 0.5 * cross(log.rotation, log.center + rest_center), row.subspan(15, 3));
+}
+
+// L, E - I, a of RowForm::affine_logs.
+void write_affine_log(const AffineMap& map, const MapLog& log, const Vec3& rest_center, Row row) {
+  const auto l = matrix_log(map.linear, log);
+  auto e = even_part(l, log.rotation);
+  for (const int i : {0, 4, 8}) e[i] -= 1;
+  std::copy(l.begin(), l.end(), row.begin());
+  std::copy(e.begin(), e.end(), row.begin() + 9);
+  const Vec3 way = log.center - rest_center;
+  write(way + times(e, way) - 0.5 * times(l, log.center + rest_center), row.subspan(18, 3));
+}
+
 }  // namespace
 
 bool has_logs(RowForm form) {
@@ -54,7 +85,7 @@ bool has_logs(RowForm form) {
 }
 
 bool has_stretch_logs(RowForm form) {
-  return form == RowForm::logs;
+  return form == RowForm::logs || form == RowForm::screws;
 }
 
 void write_row(RowForm form, const AffineMap& map, const MapLog& log, const Vec3& rest_center, Row row) {
@@ -73,6 +104,8 @@ void write_row(RowForm form, const AffineMap& map, const MapLog& log, const Vec3
       write_stretch(log, row);
       write_quaternion(log.rotation, row.subspan(6, 4));
       break;
+    case RowForm::screws: write_screw(log, rest_center, row); break;
+    case RowForm::affine_logs: write_affine_log(map, log, rest_center, row); break;
     case RowForm::matrix_logs: {
       const auto l = matrix_log(map.linear, log);
       std::copy(l.begin(), l.end(), row.begin());

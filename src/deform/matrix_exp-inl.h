@@ -126,12 +126,76 @@ static HWY_INLINE lanes::Three<V> exp_times(D d, const lanes::Nine<V>& log, cons
           lanes::sum_of_products(a, u.z, b, v.z, c, w.z)};
 }
 
+template <class V>
+static HWY_INLINE lanes::Nine<V> first_matrix(const lanes::Nine<lanes::Two<V>>& m) {
+  return {m.xx.a, m.xy.a, m.xz.a, m.yx.a, m.yy.a, m.yz.a, m.zx.a, m.zy.a, m.zz.a};
+}
+template <class V>
+static HWY_INLINE lanes::Nine<V> second_matrix(const lanes::Nine<lanes::Two<V>>& m) {
+  return {m.xx.b, m.xy.b, m.xz.b, m.yx.b, m.yy.b, m.yz.b, m.zx.b, m.zy.b, m.zz.b};
+}
+
 template <class D, class V>
 static HWY_INLINE lanes::Three<lanes::Two<V>> exp_times(D d, const lanes::Nine<lanes::Two<V>>& m,
                                                         const lanes::Three<lanes::Two<V>>& u) {
-  const lanes::Nine<V> a{m.xx.a, m.xy.a, m.xz.a, m.yx.a, m.yy.a, m.yz.a, m.zx.a, m.zy.a, m.zz.a};
-  const lanes::Nine<V> b{m.xx.b, m.xy.b, m.xz.b, m.yx.b, m.yy.b, m.yz.b, m.zx.b, m.zy.b, m.zz.b};
-  return lanes::together(exp_times(d, a, lanes::first(u)), exp_times(d, b, lanes::second(u)));
+  return lanes::together(exp_times(d, first_matrix(m), lanes::first(u)),
+                         exp_times(d, second_matrix(m), lanes::second(u)));
+}
+
+// (mean + D) p.
+template <class V>
+static HWY_INLINE InPowers<V> shifted(const InPowers<V>& p, V mean, V j2, V j3) {
+  return {hn::MulAdd(mean, p.a, hn::Mul(p.c, j3)), hn::MulAdd(mean, p.b, hn::MulAdd(p.c, j2, p.a)),
+          hn::MulAdd(mean, p.c, p.b)};
+}
+
+/// phi(L) u, phi(L) = (e^L - I) / L = I + L / 2 + L^2 / 6 + ...: as exp_times(), in powers of D, but that the
+/// mean stays in L; and phi(2 A) = phi(A) + A phi(A)^2 / 2.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE lanes::Three<V> phi_times(D d, const lanes::Nine<V>& log, const lanes::Three<V>& u) {
+  const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), quarter = hn::Set(d, 0.25f);
+  V square = sum_of_squares(log), scale = one, doublings = hn::Zero(d);
+  for (int j = 0; j < most_squarings; ++j) {
+    const auto large = hn::Gt(square, one);
+    if (hn::AllFalse(d, large)) break;
+    square = hn::IfThenElse(large, hn::Mul(square, quarter), square);
+    scale = hn::IfThenElse(large, hn::Mul(scale, half), scale);
+    doublings = hn::Add(doublings, hn::IfThenElseZero(large, one));
+  }
+  const V unscaled = hn::Mul(hn::Set(d, 1.0f / 3), hn::Add(log.xx, hn::Add(log.yy, log.zz)));
+  lanes::Nine<V> m = log;
+  m.xx = hn::Sub(m.xx, unscaled), m.yy = hn::Sub(m.yy, unscaled), m.zz = hn::Sub(m.zz, unscaled);
+  const V scale2 = hn::Mul(scale, scale), mean = hn::Mul(scale, unscaled);
+  const V j2 = hn::Mul(scale2, trace_of_square_halved(d, m));
+  const V j3 = hn::Mul(hn::Mul(scale2, scale), determinant(m));
+  constexpr int last = sizeof(inverse_factorials) / sizeof(float) - 1;
+  InPowers<V> p{hn::Set(d, inverse_factorials[last]), hn::Zero(d), hn::Zero(d)};
+#pragma GCC unroll 16
+  for (int n = last - 1; n >= 1; --n) {
+    p = shifted(p, mean, j2, j3);
+    p.a = hn::Add(p.a, hn::Set(d, inverse_factorials[n]));
+  }
+  V factor = half;  // of A in units of the scaled one, and a half
+  for (int j = 0; j < most_squarings; ++j) {
+    const auto more = hn::Gt(doublings, hn::Set(d, static_cast<float>(j)));
+    if (hn::AllFalse(d, more)) break;
+    const InPowers<V> q = shifted(squared(p, j2, j3), mean, j2, j3);
+    const InPowers<V> next{hn::MulAdd(factor, q.a, p.a), hn::MulAdd(factor, q.b, p.b),
+                           hn::MulAdd(factor, q.c, p.c)};
+    p = select(more, next, p);
+    factor = hn::Add(factor, factor);
+  }
+  const V b = hn::Mul(scale, p.b), c = hn::Mul(scale2, p.c);
+  const lanes::Three<V> v = times(m, u), w = times(m, v);
+  return {lanes::sum_of_products(p.a, u.x, b, v.x, c, w.x), lanes::sum_of_products(p.a, u.y, b, v.y, c, w.y),
+          lanes::sum_of_products(p.a, u.z, b, v.z, c, w.z)};
+}
+
+template <class D, class V>
+static HWY_INLINE lanes::Three<lanes::Two<V>> phi_times(D d, const lanes::Nine<lanes::Two<V>>& m,
+                                                        const lanes::Three<lanes::Two<V>>& u) {
+  return lanes::together(phi_times(d, first_matrix(m), lanes::first(u)),
+                         phi_times(d, second_matrix(m), lanes::second(u)));
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

@@ -212,27 +212,50 @@ public:
         normal_(std::move(normal)),
         center_(std::move(center)) {}
 
-  // By how far vertices moved, the whole pose aside: exactly I where none did.
+  // Near rest by how far vertices moved, the whole pose aside: exactly I where none did.
   void compute(std::span<const mesh::Point> posed, const Vec3& origin, std::span<const std::uint32_t> which,
                std::span<AffineMap> maps) const override {
     const auto& rest = cage_.surface.positions;
     const Vec3 rest_origin = middle(rest);
-    const auto way = [&](std::uint32_t v) { return (posed[v] - origin) - (rest[v] - rest_origin); };
+    const auto to = [&](std::uint32_t v) { return posed[v] - origin; };
+    const auto way = [&](std::uint32_t v) { return to(v) - (rest[v] - rest_origin); };
     for (const auto e : which) {
-      maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, center_(e, posed, origin)};
+      maps[e].center = center_(e, posed, origin);
+      maps[e].linear = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+      if (graph().skipped[e]) continue;
+      const bool near = is_near(e, way, rest);
+      if (!near) maps[e].linear = {};
       auto& m = maps[e].linear;
-      const auto corners = corners_.of(e);
-      Vec3 way_of_center{0, 0, 0};
-      for (const auto v : corners) way_of_center = way_of_center + way(v);
-      way_of_center = (1.0 / static_cast<double>(corners.size())) * way_of_center;
-      for (const auto& [v, dual] : patches_.of(e)) add_product(m, way(v) - way_of_center, dual);
+      const Vec3 of_center = near ? mean(e, way) : mean(e, to);
+      for (const auto& [v, dual] : patches_.of(e)) add_product(m, (near ? way(v) : to(v)) - of_center, dual);
       const Vec3& normal_dual = patches_.normal_duals[e];
       if (squared_norm(normal_dual) == 0) continue;
-      add_product(m, normal_(e, posed) - rest_normals_[e], normal_dual);
+      const Vec3 normal = normal_(e, posed);
+      add_product(m, near ? normal - rest_normals_[e] : normal, normal_dual);
     }
   }
 
 private:
+  template <class Of>
+  Vec3 mean(std::uint32_t patch, const Of& of) const {
+    const auto corners = corners_.of(patch);
+    Vec3 sum{0, 0, 0};
+    for (const auto v : corners) sum = sum + of(v);
+    return (1.0 / static_cast<double>(corners.size())) * sum;
+  }
+
+  // Of patches that are not empty.
+  template <class Way>
+  bool is_near(std::uint32_t patch, const Way& way, std::span<const mesh::Point> rest) const {
+    const Vec3 way_of_center = mean(patch, way), center = mean(patch, [&](auto v) { return rest[v]; });
+    double moved = 0, size = 0;
+    for (const auto& [v, dual] : patches_.of(patch)) {
+      moved += squared_norm(way(v) - way_of_center);
+      size += squared_norm(rest[v] - center);
+    }
+    return moved <= 0.25 * size;
+  }
+
   const Cage& cage_;
   mesh::Adjacency corners_;
   std::vector<Vec3> rest_normals_;

@@ -16,7 +16,11 @@ enum class RowForm {
   stretches,    ///< S - I (xx xy xz yy yz zz), Y, c':                     exp(Y) S o + c'
   quaternions,  ///< S - I, the quaternion of exp(Y) (w - 1, x, y, z), c': R(q / |q|) S o + c'
   matrix_logs,  ///< L = log M by rows, c':                                exp(L) o + c'
+  screws,       ///< X, Y, E - I (xx xy xz yy yz zz), a, c':               exp(X) o, then exp of (Y, u)
+  affine_logs,  ///< L, E - I by rows, a, c':                              exp of (L, u)
 };
+// Of the last two: what takes p to exp(L) p + phi(L) u + c', u = a - E (c' - m) + L (c' + m) / 2 with m = x -
+// o; of screws L p = Y x p. See translation_log.h.
 
 struct RowShape {
   std::size_t columns;
@@ -32,6 +36,9 @@ inline constexpr RowShape position_shape{3, 0, 0};
 inline constexpr RowShape stretch_shape{12, 9, 9};
 inline constexpr RowShape quaternion_shape{13, 10, 10};
 inline constexpr RowShape matrix_log_shape{12, 9, 9};
-inline constexpr std::size_t most_columns = 13;
+inline constexpr RowShape screw_shape{21, 15, 15};
+inline constexpr RowShape affine_log_shape{24, 18, 18};
+inline constexpr std::size_t most_columns = 24;
+inline constexpr std::size_t row_forms = 8;
 
 }  // namespace viete::deform

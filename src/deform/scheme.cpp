@@ -72,11 +72,18 @@ constexpr std::array blend_table = {
                Blend::srl,
                true,
                true},
+    BlendEntry{
+        {"sse", "Screws", "logs of stretches, and of rotations and translations in one: screw motions"},
+        Blend::sse,
+        true,
+        false},
     BlendEntry{{"slrl", "Logs of turns", "stretches averaged, logs of rotations"}, Blend::slrl, false, true},
     BlendEntry{
         {"sql", "Quaternions", "stretches averaged, rotations as unit quaternions"}, Blend::sql, false, true},
     BlendEntry{
         {"log3", "Matrix logs", "logs of the whole maps, turn and stretch in one"}, Blend::log3, false, true},
+    BlendEntry{
+        {"log4", "Affine logs", "logs of the whole maps with their translations"}, Blend::log4, false, false},
     BlendEntry{{"linear", "Linear", "the maps themselves are averaged"}, Blend::linear, false, false},
 };
 

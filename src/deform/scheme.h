@@ -21,7 +21,7 @@ enum class Elements { face, point, patch, vertex_patch, edge, vertex, vertex_fac
 enum class Weights { inverse, mean_value, integrated };
 
 /// What of the maps is summed, and how the sums become a position.
-enum class Blend { srl, linear, slrl, sql, log3 };
+enum class Blend { srl, linear, slrl, sql, log3, sse, log4 };
 
 /// What of the cage handles are.
 enum class Handles { faces, edges, vertices };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "deform/map_rows.h"
 #include "mesh/normals.h"
 
 namespace viete::deform {
@@ -24,6 +25,7 @@ StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form,
     logs_.resize(n), stretches_.resize(n);
   } else {
     sums_.resize(n * shape(form).columns);
+    if (has_stretch_logs(form)) logs_.stretch.resize(n), stretches_.resize(n);
   }
 }
 
@@ -35,7 +37,7 @@ void StagedEngine::for_vertices(const Body& body) {
 void StagedEngine::run(const CageState& state, sym3::Method method) {
   const Rows rows = state.rows();
   times_ = {};
-  rows.form == RowForm::logs ? blend_logs(rows, method) : blend_others(rows);
+  rows.form == RowForm::logs ? blend_logs(rows, method) : blend_others(rows, method);
   finish(rows.origin);
 }
 
@@ -55,13 +57,19 @@ void StagedEngine::blend_logs(const Rows& rows, sym3::Method method) {
   times_[Link::apply] = watch.lap_ms();
 }
 
-void StagedEngine::blend_others(const Rows& rows) {
+void StagedEngine::blend_others(const Rows& rows, sym3::Method method) {
   base::Stopwatch watch;
   for_vertices(
       [&](std::size_t begin, std::size_t end) { blend(*binding_, rows, begin, end, std::span(sums_)); });
   times_[Link::blend] = watch.lap_ms();
+  if (has_stretch_logs(rows.form)) {
+    for_vertices([&](std::size_t begin, std::size_t end) {
+      exponentiate(rows.form, sums_, method, begin, end, logs_.stretch, stretches_);
+    });
+    times_[Link::exp] = watch.lap_ms();
+  }
   for_vertices([&](std::size_t begin, std::size_t end) {
-    apply(*binding_, rows.form, sums_, rows.origin, begin, end, positions_);
+    apply(*binding_, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
   });
   times_[Link::apply] = watch.lap_ms();
 }

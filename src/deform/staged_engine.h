@@ -28,7 +28,7 @@ private:
   template <class Body>
   void for_vertices(const Body& body);
   void blend_logs(const Rows& rows, sym3::Method method);
-  void blend_others(const Rows& rows);
+  void blend_others(const Rows& rows, sym3::Method method);
   void finish(const Vec3& origin);
 
   std::shared_ptr<const Binding> binding_;

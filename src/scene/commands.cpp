@@ -216,7 +216,7 @@ const std::vector<Command>& table() {
       choice_command<E::vertex_face>(), choice_command<E::vertex_patch>(), choice_command<E::point>(),
       choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::mean_value>(),
       choice_command<B::srl>(), choice_command<B::slrl>(), choice_command<B::sql>(), choice_command<B::log3>(),
-      choice_command<B::linear>(),
+      choice_command<B::sse>(), choice_command<B::log4>(), choice_command<B::linear>(),
       {"reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", "Blend", {key('K')}, {}, has_reach,
        [](Workspace& w) { step_reach(w.document, -1); }},
       {"reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.", "Blend", {key('K'), false, true}, {},

@@ -109,7 +109,7 @@ TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponen
     CHECK(tiled->weights.empty());
     Deformer fused(staged.cage, tiled, scheme, staged.pool);
     const bool exponential = fused.scheme().exponential();
-    CHECK(exponential == (blend == Blend::srl));
+    CHECK(exponential == (blend == Blend::srl || blend == Blend::sse));
     CHECK(fused.engine(Method::fast) == EngineKind::fused);
     CHECK(fused.engine(Method::diag).has_value() == !exponential);
     const Pose pose = staged.pose(shear());

@@ -393,6 +393,44 @@ Matrix mean_of_matrix_logs(const std::vector<Element>& elements, const std::vect
   return exp_of_matrix(weighted<9>(elements, weights, [](const Element& e) { return e.log; }));
 }
 
+Matrix cross_matrix(const Vector& w) {
+  return {0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0};
+}
+
+// I + L / 2 + L^2 / 6 + ...
+Matrix phi(const Matrix& log) {
+  Matrix term = identity, sum = identity;
+  for (int n = 2; n <= 80; ++n) {
+    term = combined(product(term, log), term, Quad(1) / n, 0);
+    sum = combined(sum, term, 1, 1);
+  }
+  return sum;
+}
+
+// Motions about m and m', the weighted means of the centres: x' = m' + exp(L) y + phi(L) u, L and u weighted
+// means of logs of (linear, (c' - m') - linear (c - m)).
+Vector by_motions(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights,
+                  bool rigid) {
+  const Vector m = weighted<3>(elements, weights, [](const Element& e) { return e.rest_center; });
+  const Vector center = weighted<3>(elements, weights, [](const Element& e) { return e.center; });
+  const auto log_of = [&](const Element& e) { return rigid ? cross_matrix(e.turn) : e.log; };
+  const Matrix log = weighted<9>(elements, weights, log_of);
+  const Vector u = weighted<3>(elements, weights, [&](const Element& e) {
+    const Vector way =
+        minus(minus(e.center, center), times(rigid ? e.rotation : e.map, minus(e.rest_center, m)));
+    return times(inverse(phi(log_of(e))), way);
+  });
+  Vector y = minus(x, m);
+  if (rigid) {
+    const auto s = weighted<6>(elements, weights, [](const Element& e) {
+      return std::array<Quad, 6>{e.stretch.xx, e.stretch.xy, e.stretch.xz,
+                                 e.stretch.yy, e.stretch.yz, e.stretch.zz};
+    });
+    y = times(full(quad_exp({s[0], s[1], s[2], s[3], s[4], s[5]})), y);
+  }
+  return plus(center, plus(times(exp_of_matrix(log), y), times(phi(log), u)));
+}
+
 Vector by_maps(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights) {
   Vector sum{};
   for (std::size_t j = 0; j < elements.size(); ++j) {
@@ -431,6 +469,8 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
     case faces_srl: return by_logs(x, elements, w);
     case faces_slrl: return about_center(x, elements, w, turned_mean_stretch(elements, w));
     case faces_sql: return about_center(x, elements, w, mean_quaternion_stretch(elements, w));
+    case faces_sse: return by_motions(x, elements, w, true);
+    case faces_log4: return by_motions(x, elements, w, false);
     case faces_log3: return about_center(x, elements, w, mean_of_matrix_logs(elements, w));
     default: return by_maps(x, elements, w);
   }
@@ -443,7 +483,7 @@ IndependentFrame deform_independently(std::span<const mesh::Point> points, const
   std::vector<Element> elements;
   for (const auto& t : cage.triangles)
     elements.push_back(element(corners(t, cage.positions), corners(t, pose.positions)));
-  if (scheme == IndependentScheme::faces_log3) {
+  if (scheme == IndependentScheme::faces_log3 || scheme == IndependentScheme::faces_log4) {
     for (Element& e : elements) e.log = log_of_matrix(e.map);
   }
   const auto around = neighbours(cage);

@@ -15,6 +15,8 @@ enum class IndependentScheme {
   faces_slrl,
   faces_sql,
   faces_log3,
+  faces_sse,
+  faces_log4,
   faces_linear,
   face_integrals_srl,
   points_mean_value

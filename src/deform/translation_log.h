@@ -1,0 +1,33 @@
+// What the logarithm of a screw motion, or of an affine map, makes of its translation.
+#pragma once
+
+#include "deform/affine_map.h"
+#include "sym3/sym3.h"
+
+namespace viete::deform {
+
+/// The map x' = e^L x + l has the logarithm (L, W l), W = phi(L)^-1 with
+///
+///     phi(L) = (e^L - I) / L = I + L / 2 + L^2 / 6 + ...,    W = E - L / 2,    E = (L / 2) coth(L / 2),
+///
+/// E being even in L: of a rotation vector Y with theta = |Y| symmetric, 1 along Y and (theta / 2) cot(theta
+/// / 2) across. For the maps of handles with centres c and c', taken about the points m and m', the
+/// translation is (c' - m') - e^L (c - m), and since W e^L = E + L / 2 its log is linear in m and m':
+///
+///     u = a - E (m' - m) + L (m' + m) / 2,    a = E (c' - c) - L (c' + c) / 2.
+///
+/// So E, L and a can be blended, and u be put together about the blended centres: unlike logs about an
+/// origin, which depend on where it lies, that moves with what is moved. It is 0 where all handles move as
+/// one.
+///
+/// Near turns by 360, 720 ... degrees there is no logarithm: across the axis cot has poles. Within 60 degrees
+/// of these E is let go to 0 across, so that it is continuous and bounded at every angle.
+sym3::Sym3<double> even_part(const mesh::Vec3& turn);
+/// turn: the rotation that L turns by, near enough to tell its axis.
+sym3::Mat3<double> even_part(const sym3::Mat3<double>& log, const mesh::Vec3& turn);
+
+/// phi(L) x, to 1e-14 of |x| e^|L| or so, |L| up to 60.
+mesh::Vec3 phi_times(const sym3::Mat3<double>& log, const mesh::Vec3& x);
+mesh::Vec3 phi_times(const mesh::Vec3& turn, const mesh::Vec3& x);
+
+}  // namespace viete::deform
