@@ -37,6 +37,20 @@ void add_choice(CLI::App& app, const std::string& name, std::span<const Entry> t
   one_of(option, words);
 }
 
+// Percent.
+void add_amount_option(CLI::App& app, const std::string& name, const std::string& what,
+                       std::optional<double>& amount) {
+  app.add_option_function<double>(
+         name,
+         [&amount, name](double percent) {
+           amount = deform::amount_from_percent(percent);
+           if (!amount) throw CLI::ValidationError(name, "needs a number from 0 to 200");
+         },
+         "How much of the cage's " + what + " acts, in percent, 0 to 200: 0 leaves it out")
+      ->option_text("PERCENT")
+      ->default_str("100");
+}
+
 void add_scheme_options(CLI::App& app, Inputs& inputs) {
   deform::PartialChoice& choice = inputs.settings.choice;
   add_choice(app, "--elements", deform::all_elements(), choice.elements, "Which maps the cage carries");
@@ -53,6 +67,9 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
     if (auto* given = app.get_option_no_throw(other)) option->excludes(given);
   }
   add_reach_option(app, [&inputs](double reach) { inputs.settings.reach = reach; });
+  if (inputs.use == Use::binding) return;
+  add_amount_option(app, "--turn", "rotation", inputs.settings.turn);
+  add_amount_option(app, "--stretch", "stretch", inputs.settings.stretch);
 }
 
 }  // namespace

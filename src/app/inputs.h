@@ -21,15 +21,15 @@ enum class Use {
 struct Inputs {
   Use use = Use::picture;
   std::filesystem::path model{}, cage{}, pose{};  ///< model may be a session
-  scene::AskedSettings settings{};          ///< a session keeps what is left open as it has it
+  scene::AskedSettings settings{};                ///< a session keeps what is left open as it has it
 
   bool session() const { return scene::is_session(model); }
   scene::OpenRequest request() const { return {scene::OpenRequest::What::model, files(), settings}; }
   std::vector<std::filesystem::path> files() const { return {model, cage, pose}; }
 };
 
-/// MODEL, CAGE, --pose, --method, and --elements, --weights, --blend, --reach or their shorthand
-/// --coordinates: those that the use has. The target must outlive parsing.
+/// MODEL, CAGE, --pose, --method, --elements, --weights, --blend, --reach or their shorthand --coordinates,
+/// --turn and --stretch: those that the use has. The target must outlive parsing.
 void add_input_options(CLI::App& app, Inputs& inputs);
 
 /// After parsing. Throws CLI::ParseError where something is missing, or is named beside a session that names

@@ -16,15 +16,22 @@ bool LiveModel::follow(scene::Workspace& workspace) {
   if (new_surfaces) follow_surfaces(workspace);
   if (new_surfaces || new_weights) follow_weights(document);
   // Other elements or another blend sum other rows over the same weights.
-  if (deformer_ && deformer_->scheme() != document.scheme &&
-      deformer_->scheme().weighting == document.scheme.weighting)
-    make_deformer(document.scheme);
+  if (deformer_ && deformer_->scheme().weighting == document.scheme.weighting) follow_blend(document.scheme);
   // The staged engine's weights are made when a method asks for them; until then method `fast` serves.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(workspace, false);
   workspace.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
                        binder_.seconds()};
   return new_surfaces;
+}
+
+void LiveModel::follow_blend(const deform::Scheme& scheme) {
+  if (deformer_->scheme() == scheme) return;
+  deform::Scheme bound = deformer_->scheme();
+  bound.amounts = scheme.amounts;
+  if (bound != scheme) return make_deformer(scheme);
+  deformer_->set_amounts(scheme.amounts);
+  derived_.reset();
 }
 
 // Everything that was derived from the old ones goes.

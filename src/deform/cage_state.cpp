@@ -9,6 +9,8 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "deform/map_rows.h"
+#include "sym3/exp.h"
+#include "sym3/rotation.h"
 
 namespace viete::deform {
 
@@ -32,6 +34,24 @@ LogReport of_handles(LogReport report, const std::vector<std::uint32_t>& owners)
   std::sort(report.torn.begin(), report.torn.end());
   report.torn.erase(std::unique(report.torn.begin(), report.torn.end()), report.torn.end());
   return report;
+}
+
+MapLog scaled(const MapLog& log, const Amounts& amounts) {
+  const auto& x = log.stretch;
+  const double s = amounts.stretch;
+  return {
+      {s * x.xx, s * x.xy, s * x.xz, s * x.yy, s * x.yz, s * x.zz}, amounts.turn * log.rotation, log.center};
+}
+
+AffineMap map_of(const MapLog& log) {
+  const auto r = sym3::exp_rotation(log.rotation);
+  const auto s = sym3::exp(log.stretch);
+  const sym3::Mat3<double> stretch{s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
+  AffineMap map{{}, log.center};
+  for (int i = 0; i < 9; ++i) {
+    for (int k = 0; k < 3; ++k) map.linear[i] += r[i / 3 * 3 + k] * stretch[3 * k + i % 3];
+  }
+  return map;
 }
 
 }  // namespace
@@ -99,9 +119,18 @@ CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend 
   rest_centers_.resize(handles);
   elements_->compute(cage_->surface.positions, middle(cage_->surface.positions), all_maps_, maps_);
   for (const auto m : all_maps_) rest_centers_[elements_->owners()[m]] = maps_[m].center;
-  if (!has_logs(form_)) return;
   splits_.resize(elements_->count());
   logs_.resize(elements_->count());
+}
+
+void CageState::set_amounts(const Amounts& amounts) {
+  if (amounts_ == amounts) return;
+  amounts_ = amounts;
+  posed_ = false;
+}
+
+bool CageState::takes_logs() const {
+  return has_logs(form_) || (elements_ && !amounts_.whole());
 }
 
 Rows CageState::rows() const {
@@ -153,7 +182,7 @@ bool CageState::set_maps(const Pose& pose, bool few) {
   const std::span<const std::uint32_t> moved = few ? moving_maps_ : all_maps_;
   elements_->compute(pose.positions, origin_, moved, maps_);
   times_[Link::maps] = watch.lap_ms();
-  if (!has_logs(form_)) {
+  if (!takes_logs()) {
     report_ = {pose.turns, {}, {}};
     write_rows(moved);
     return !few;
@@ -176,16 +205,23 @@ void CageState::write_rows(std::span<const std::uint32_t> maps) {
   for (std::size_t n = 0; n < maps.size(); ++n) {
     const auto m = maps[n], handle = elements_->owners()[m];
     const auto row = std::span(values_).subspan(handle * columns, columns);
-    const MapLog log = has_logs(form_) ? logs_[m] : MapLog{};
     if (elements_->single()) {
-      write_row(form_, maps_[m], log, rest_centers_[handle], row);
+      write_row_of(m, row);
       continue;
     }
-    write_row(form_, maps_[m], log, rest_centers_[handle], std::span(own, columns));
+    write_row_of(m, std::span(own, columns));
     const bool first = n == 0 || elements_->owners()[maps[n - 1]] != handle;
     const double share = elements_->shares()[m];
     for (std::size_t c = 0; c < columns; ++c) row[c] = (first ? 0 : row[c]) + share * own[c];
   }
+}
+
+void CageState::write_row_of(std::uint32_t m, std::span<double> row) const {
+  const Vec3& rest_center = rest_centers_[elements_->owners()[m]];
+  if (!takes_logs()) return write_row(form_, maps_[m], {}, rest_center, row);
+  if (amounts_.whole()) return write_row(form_, maps_[m], logs_[m], rest_center, row);
+  const MapLog log = scaled(logs_[m], amounts_);
+  write_row(form_, map_of(log), log, rest_center, row);
 }
 
 // A map that no vertex of moved can still take another branch of its log. What floats do not tell apart

@@ -52,6 +52,8 @@ public:
   /// From now on poses differ from the last one in these vertices alone.
   void begin_drag(std::span<const std::uint32_t> vertices);
   void end_drag();
+  /// Of the next poses, whole ones first.
+  void set_amounts(const Amounts& amounts);
 
   const Cage& cage() const { return *cage_; }
   Rows rows() const;
@@ -68,12 +70,15 @@ private:
   // Both, of all or of the few that a drag moves: whether rows changed that no drag moves.
   bool set_positions(const Pose& pose, bool few);
   bool set_maps(const Pose& pose, bool few);
+  bool takes_logs() const;
   void write_rows(std::span<const std::uint32_t> maps);
+  void write_row_of(std::uint32_t map, std::span<double> row) const;
   bool others_stayed() const;
 
   std::shared_ptr<const Cage> cage_;
   Handles handles_;
   RowForm form_;
+  Amounts amounts_;
   std::unique_ptr<const ElementMaps> elements_;  // null where rows are positions
   std::vector<std::uint32_t> all_, moving_;      // handles
   std::vector<std::uint32_t> all_maps_, moving_maps_;

@@ -13,6 +13,7 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
       scheme_(scheme),
       state_(cage, scheme.weighting.elements, scheme.blend),
       weigher_(state_.cage(), binding_->weighting) {
+  state_.set_amounts(scheme.amounts);
   const RowForm form = state_.rows().form;
   if (binding_->tiles) fused_ = std::make_unique<FusedEngine>(binding_->tiles, form, pool);
   if (!binding_->weights.empty()) staged_ = std::make_unique<StagedEngine>(binding_, form, pool);
@@ -22,6 +23,11 @@ std::optional<EngineKind> Deformer::engine(sym3::Method method) const {
   if (fused_ && (!scheme_.exponential() || method == sym3::Method::fast)) return EngineKind::fused;
   if (staged_) return EngineKind::staged;
   return std::nullopt;
+}
+
+void Deformer::set_amounts(const Amounts& amounts) {
+  scheme_.amounts = amounts;
+  state_.set_amounts(amounts);
 }
 
 void Deformer::deform(const Pose& pose, sym3::Method method) {

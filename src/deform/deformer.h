@@ -25,6 +25,8 @@ public:
            base::WorkerPool& pool);
 
   const Scheme& scheme() const { return scheme_; }
+  /// Of the next frames; all else of the scheme stays.
+  void set_amounts(const Amounts& amounts);
   const Binding& binding() const { return *binding_; }
   /// The engine that runs the method; nothing if the binding is not for it.
   std::optional<EngineKind> engine(sym3::Method method) const;

@@ -82,6 +82,7 @@ ExactModel deform_exactly(std::span<const mesh::Point> rest, std::shared_ptr<con
                           base::Progress* progress) {
   if (rest.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   CageState state(cage, scheme.weighting.elements, scheme.blend);
+  state.set_amounts(scheme.amounts);
   state.set_pose(pose);
   const Rows rows = state.rows();
   const Weigher weigher(*cage, scheme.weighting);

@@ -254,6 +254,7 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   }
   Scheme scheme = *best;
   scheme.weighting.reach = preferred.weighting.reach;
+  scheme.amounts = preferred.amounts;
   return scheme;
 }
 
@@ -266,6 +267,11 @@ std::string text_of_reach(double reach) {
   if (!(reach < whole_cage)) return "all";
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, reach).ptr};
+}
+
+std::optional<double> amount_from_percent(double percent) {
+  if (!(percent >= 0 && percent <= 100 * largest_amount)) return std::nullopt;
+  return percent / 100;
 }
 
 std::optional<double> reach_from_text(std::string_view text) {

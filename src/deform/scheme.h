@@ -100,14 +100,26 @@ struct Weighting {
   }
 };
 
+/// How much of each map's rotation and of its stretch acts, both in log space: 0 none, 1 as it is, 2 twice
+/// as much. Centres follow the cage as they are.
+struct Amounts {
+  double turn = 1, stretch = 1;
+
+  bool whole() const { return turn == 1 && stretch == 1; }
+  friend bool operator==(const Amounts&, const Amounts&) = default;
+};
+inline constexpr double largest_amount = 2;
+
 struct Scheme {
   Weighting weighting;
   Blend blend = Blend::srl;
+  Amounts amounts{};  ///< of maps that turn and stretch; others leave it unused
 
   /// A frame takes an exponential a vertex.
   bool exponential() const { return entry(weighting.elements).affine && entry(blend).exponential; }
   friend bool operator==(const Scheme& a, const Scheme& b) {
-    return a.weighting.elements == b.weighting.elements && a.weighting == b.weighting && a.blend == b.blend;
+    return a.weighting.elements == b.weighting.elements && a.weighting == b.weighting && a.blend == b.blend &&
+           a.amounts == b.amounts;
   }
 };
 
@@ -138,7 +150,8 @@ inline PartialChoice only(Weights weights) {
 inline PartialChoice only(Blend blend) {
   return {.blend = blend};
 }
-/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, and its reach.
+/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, its reach and its
+/// amounts.
 /// Throws base::Error if there is none, saying why.
 Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
 /// "face, inverse, srl": as the command line names them.
@@ -146,6 +159,8 @@ std::string text(const Scheme& scheme);
 
 /// "3" or "all", as the command line has it.
 std::string text_of_reach(double reach);
+/// Percent, 0 to 200, as a fraction.
+std::optional<double> amount_from_percent(double percent);
 /// A number from lowest_reach on, or "all".
 std::optional<double> reach_from_text(std::string_view text);
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* change_blending = "change blending";
 constexpr const char* change_reach = "change reach";
+constexpr const char* change_amounts = "change how much turns and stretches";
 
 void restore(Document& document, Snapshot&& snapshot) {
   document.pose = std::move(snapshot.pose);
@@ -21,12 +22,23 @@ void restore(Document& document, Snapshot&& snapshot) {
   put_scheme(document, snapshot.scheme);
 }
 
+// As by a slider: one after the other they are one edit.
+void slide_scheme(Document& document, const deform::Scheme& scheme, const char* label) {
+  if (document.history.undo_label() == label && !document.history.can_redo()) {
+    document.history.go_on();
+  } else {
+    document.history.record(label, snapshot_of(document));
+  }
+  put_scheme(document, scheme);
+}
+
 }  // namespace
 
 void put_scheme(Document& document, const deform::Scheme& scheme) {
   const deform::Scheme old = std::exchange(document.scheme, scheme);
   if (old.weighting != scheme.weighting) ++document.revisions.weights;
-  if (old.blend != scheme.blend || old.weighting.elements != scheme.weighting.elements)
+  if (old.blend != scheme.blend || old.weighting.elements != scheme.weighting.elements ||
+      old.amounts != scheme.amounts)
     ++document.revisions.method;
 }
 
@@ -78,15 +90,15 @@ void set_scheme(Document& document, const deform::Scheme& scheme) {
 }
 
 void set_reach(Document& document, double reach) {
-  if (document.scheme.weighting.reach == reach) return;
   deform::Scheme scheme = document.scheme;
   scheme.weighting.reach = reach;
-  if (document.history.undo_label() == change_reach && !document.history.can_redo()) {
-    document.history.go_on();
-  } else {
-    document.history.record(change_reach, snapshot_of(document));
-  }
-  put_scheme(document, scheme);
+  if (document.scheme.weighting.reach != reach) slide_scheme(document, scheme, change_reach);
+}
+
+void set_amounts(Document& document, const deform::Amounts& amounts) {
+  deform::Scheme scheme = document.scheme;
+  scheme.amounts = amounts;
+  if (document.scheme.amounts != amounts) slide_scheme(document, scheme, change_amounts);
 }
 
 void step_reach(Document& document, int step) {

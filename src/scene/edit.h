@@ -25,10 +25,13 @@ void redo(Document& document);
 /// A setting: the pose is untouched, the history too.
 void set_method(Document& document, sym3::Method method);
 
-/// How the cage moves the model. Undoable; reaches that are chosen one after the other are one edit.
+/// How the cage moves the model. Undoable; reaches that are chosen one after the other are one edit, amounts
+/// too.
 void set_scheme(Document& document, const deform::Scheme& scheme);
 /// deform::lowest_reach or more. Of weights that have none it is kept for others.
 void set_reach(Document& document, double reach);
+/// Each 0 to deform::largest_amount.
+void set_amounts(Document& document, const deform::Amounts& amounts);
 /// The next shorter or longer one of those that people choose from.
 void step_reach(Document& document, int step);
 /// Of a document that was just opened: no edit.

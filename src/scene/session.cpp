@@ -215,6 +215,12 @@ double reach_of(const JsonReader& json) {
   return reach;
 }
 
+double amount_of(const JsonReader& json) {
+  const auto amount = deform::amount_from_percent(json.number());
+  if (!amount) json.fail("an amount must be 0 to 200 percent");
+  return *amount;
+}
+
 glm::ivec2 window_of(const JsonReader& json) {
   const auto [width, height] = json.numbers<2>();
   if (!is_window(width, height)) json.fail("no window has this size");
@@ -255,9 +261,18 @@ Session session_of(const Workspace& w) {
   return session;
 }
 
+namespace {
+
+// As it was typed: 29 and not 28.999999999999996.
+double percent(double amount) {
+  return std::round(1e8 * amount) / 1e6;
+}
+
+}  // namespace
+
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
   const std::string_view shorthand = deform::shorthand(session.scheme);
-  const std::uint32_t version = shorthand.empty() ? 2 : 1;
+  const std::uint32_t version = shorthand.empty() || !session.scheme.amounts.whole() ? 2 : 1;
   ordered_json json = {{"format", format_name}, {"version", version}};
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
@@ -275,6 +290,9 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (!shorthand.empty()) json["coordinates"] = shorthand;
   const double reach = session.scheme.weighting.reach;
   if (reach < deform::whole_cage) json["reach"] = reach;
+  const deform::Amounts& amounts = session.scheme.amounts;
+  if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
+  if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -338,6 +356,8 @@ void read_scheme(const JsonReader& json, Session& s) {
   }
   if (scheme) s.scheme = *scheme;
   take_part(json, "reach", s.scheme.weighting.reach, reach_of, "the whole cage instead", s.warnings);
+  take_part(json, "turn", s.scheme.amounts.turn, amount_of, "100 percent instead", s.warnings);
+  take_part(json, "stretch", s.scheme.amounts.stretch, amount_of, "100 percent instead", s.warnings);
 }
 
 void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {

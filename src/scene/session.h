@@ -21,6 +21,7 @@ namespace viete::scene {
 ///   "method"              "diag", "sd", "improved_sd" or "fast"
 ///   "elements", "weights", "blend"   names of deform/scheme.h; missing: what fits the others
 ///   "coordinates"         "face" or "mvc", short for three that go together; those count where both stand
+///   "turn", "stretch"     how much of maps' rotations and stretches acts, percent, 0 to 200; missing: 100
 ///   "reach"               of weights that have one, 1.5 or more; missing: the whole cage
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
 ///                         "pitch" in radians, "orthographic"

@@ -11,10 +11,16 @@ void put_settings(Document& document, const AskedSettings& asked) {
   if (choice.elements || choice.weights || choice.blend) scheme = deform::complete(choice, scheme);
   if (asked.reach) scheme.weighting.reach = *asked.reach;
   if (asked.reach && !deform::entry(scheme.weighting.weights).has_reach) {
-    throw base::Error("--reach",
-                      "these weights have no reach: all of the cage moves all of the model",
+    throw base::Error("--reach", "these weights have no reach: all of the cage moves all of the model",
                       "leave it out, or choose --weights inverse");
   }
+  if ((asked.turn || asked.stretch) && !deform::entry(scheme.weighting.elements).affine) {
+    throw base::Error(asked.turn ? "--turn" : "--stretch",
+                      "points of the cage only move: they do not turn or stretch",
+                      "leave it out, or choose other --elements");
+  }
+  scheme.amounts.turn = asked.turn.value_or(scheme.amounts.turn);
+  scheme.amounts.stretch = asked.stretch.value_or(scheme.amounts.stretch);
   if (asked.method) document.method = *asked.method;
   put_scheme(document, scheme);
 }

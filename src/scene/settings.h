@@ -12,12 +12,15 @@ struct AskedSettings {
   std::optional<sym3::Method> method{};
   deform::PartialChoice choice{};
   std::optional<double> reach{};
+  std::optional<double> turn{}, stretch{};  ///< of deform::Amounts
 
-  bool any() const { return method || reach || choice.elements || choice.weights || choice.blend; }
+  bool any() const {
+    return method || reach || turn || stretch || choice.elements || choice.weights || choice.blend;
+  }
 };
 
 /// To a document that was just opened: no edit. Throws base::Error and changes nothing if the choices do not
-/// go together, or a reach is asked for where weights have none.
+/// go together, or a reach is asked for where weights have none, or amounts where maps only move.
 void put_settings(Document& document, const AskedSettings& asked);
 
 }  // namespace viete::scene

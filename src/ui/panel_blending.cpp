@@ -62,37 +62,73 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
   ImGui::EndCombo();
 }
 
+// A slider of so many stops, with its value beside it. True if it was moved.
+bool stops(const Context& ui, const char* name, const char* label, int& stop, int last, bool used,
+           const std::string& value, const std::string& hint_text) {
+  ImGui::BeginDisabled(!used);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(label_width);
+  constexpr float value_width = 84;
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  ImGui::SetNextItemWidth(-value_width);
+  const std::string id = std::string("##") + name;
+  const bool moved = ImGui::SliderInt(id.c_str(), &stop, 0, last, "", ImGuiSliderFlags_NoInput);
+  record(ui, name, used);
+  ImGui::EndDisabled();
+  hint(hint_text);
+  ImGui::SameLine();
+  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(value.c_str()).x, ImGui::GetCursorScreenPos().y});
+  ImGui::AlignTextToFramePadding();
+  ImGui::BeginDisabled(!used);
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::EndDisabled();
+  return moved;
+}
+
 void reach_slider(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   const scene::Condition& condition = scene::find_command("reach_longer")->enabled;
   const bool used = condition(ui.workspace);
   const auto reaches = scene::usual_reaches();
   const double reach = used ? document.scheme.weighting.reach : scene::whole_cage;
-  ImGui::BeginDisabled(!used);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Reach");
-  ImGui::SameLine(label_width);
-  constexpr float value_width = 84;
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  ImGui::SetNextItemWidth(-value_width);
   int stop = static_cast<int>(scene::nearest_reach(reach));
-  const bool moved = ImGui::SliderInt("##reach", &stop, 0, static_cast<int>(reaches.size()) - 1, "",
-                                      ImGuiSliderFlags_NoInput);
+  const bool moved = stops(
+      ui, "reach", "Reach", stop, static_cast<int>(reaches.size()) - 1, used,
+      reach < scene::whole_cage ? scene::text_of_reach(reach) + " x nearest" : "whole cage",
+      used ? "How far each face of the cage reaches. At 3, a part of the model follows the faces that are "
+             "at most 3 times as far away as the nearest ones, and no others: edits stay where they are "
+             "made. The whole cage: every face moves all of the model, if only a little."
+           : std::string(condition.otherwise));
   if (moved) scene::set_reach(document, reaches[static_cast<std::size_t>(stop)]);
-  record(ui, "reach", used);
-  ImGui::EndDisabled();
-  hint(used ? "How far each face of the cage reaches. At 3, a part of the model follows the faces that are "
-              "at most 3 times as far away as the nearest ones, and no others: edits stay where they are "
-              "made. The whole cage: every face moves all of the model, if only a little."
-            : std::string(condition.otherwise));
-  ImGui::SameLine();
-  const bool all = !(reach < scene::whole_cage);
-  const std::string text = all ? "whole cage" : scene::text_of_reach(reach) + " x nearest";
-  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(text.c_str()).x, ImGui::GetCursorScreenPos().y});
-  ImGui::AlignTextToFramePadding();
-  ImGui::BeginDisabled(!used);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::EndDisabled();
+}
+
+bool amount_slider(const Context& ui, const char* name, const char* label, double& amount, bool used,
+                   const std::string& what) {
+  constexpr double step = 0.05;
+  const double shown = used ? amount : 1;
+  int stop = static_cast<int>(std::lround(shown / step));
+  const std::string percent = std::to_string(std::lround(100 * shown)) + " %";
+  if (!stops(ui, name, label, stop, static_cast<int>(std::lround(scene::largest_amount / step)), used,
+             percent, used ? what : "Points of the cage only move: they do not turn or stretch."))
+    return false;
+  amount = std::lround(100 * step * stop) / 100.0;
+  return true;
+}
+
+void amount_sliders(const Context& ui) {
+  scene::Document& document = ui.workspace.document;
+  const bool used = entry(document.scheme.weighting.elements).affine;
+  scene::Amounts amounts = document.scheme.amounts;
+  const bool turned = amount_slider(
+      ui, "turn", "Turn", amounts.turn, used,
+      "How much of the cage's rotations acts, in log space. 0 %: the model follows without turning. "
+      "200 %: it turns twice as far.");
+  const bool stretched = amount_slider(
+      ui, "stretch", "Stretch", amounts.stretch, used,
+      "How much of the cage's stretches acts, in log space. 0 %: the model turns and moves, and keeps "
+      "its thickness. 200 %: it stretches by the square.");
+  if (turned || stretched) scene::set_amounts(document, amounts);
 }
 
 }  // namespace
@@ -103,6 +139,7 @@ void blending(const Context& ui) {
   chooser(ui, "weights", "Weights", scene::all_weights(), scheme.weighting.weights);
   chooser(ui, "blend", "Blend", scene::all_blends(), scheme.blend);
   reach_slider(ui);
+  amount_sliders(ui);
 }
 
 }  // namespace viete::ui

@@ -102,7 +102,8 @@ TEST_CASE("vertices_are_positions_and_normals_as_floats_about_the_origin") {
 TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponential") {
   for (const Scheme& scheme : all_schemes()) {
     CAPTURE(text(scheme));
-    const auto& [weighting, blend] = scheme;
+    const Weighting& weighting = scheme.weighting;
+    const Blend blend = scheme.blend;
     Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2), weighting, 2, blend);
     const auto tiled = std::make_shared<const Binding>(
         bind(staged.model, *staged.cage, weighting, EngineKind::fused, nullptr, staged.pool));

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
+#include "deform/exact.h"
 #include "deform/map_rows.h"
 
 using namespace viete;
@@ -136,5 +137,40 @@ TEST_CASE("a_drag_gives_what_a_whole_frame_gives") {
       b.fused.deform(pose, sym3::Method::fast);
     }
     CHECK(largest_distance(b.fused.positions(), b.staged.deform(pose)) < 2e-5 * b.staged.cage->diagonal);
+  }
+}
+
+TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_moves_by_centres_alone") {
+  const auto turned = similarity({1, -2, 3}, 70 * degree, 1.3, {1, 2, 3});
+  const auto half_and_twice = similarity({1, -2, 3}, 35 * degree, 1.3 * 1.3, {0, 0, 0});
+  for (Scheme scheme : all_schemes()) {
+    if (!entry(scheme.weighting.elements).affine) continue;
+    CAPTURE(text(scheme));
+    Both b(model(), cage_of_a_part(), scheme);
+    const Pose pose = b.staged.pose(turned);
+    const auto whole = b.staged.deform(pose);
+    const auto with = [&](double turn, double stretch) {
+      for (Deformer* d : {&b.staged.deformer, &b.fused}) d->set_amounts({turn, stretch});
+      CHECK(b.difference(pose) < 2e-6);
+      return b.staged.deform(pose);
+    };
+    CHECK(largest_distance(with(1, 1), whole) == 0);
+    const auto other = with(0.5, 2);
+    scheme.amounts = {0.5, 2};
+    const auto exported = deform_exactly(b.staged.model.positions, b.staged.cage, scheme, pose,
+                                         sym3::Method::fast, b.staged.pool);
+    CHECK(largest_distance(exported.positions, other) < 1e-12 * b.staged.cage->diagonal);
+    CHECK(b.staged.report().turns == exported.report.turns);  // the pose's own, whatever acts
+    CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));
+    if (!entry(scheme.blend).about_center) continue;
+    // About the blended centre each vertex turns by half and is stretched by the square.
+    Scheme none = scheme;
+    none.amounts = {0, 0};
+    const auto centers = with(0, 0);  // c' + o
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      const Vec3 o = b.staged.binding->offsets[i];
+      const Vec3 expected = centers[i] + (half_and_twice(o) - o);
+      CHECK(norm(other[i] - expected) < 1e-11);
+    }
   }
 }

@@ -70,7 +70,7 @@ TEST_CASE("settings_made_before_anything_is_open_are_kept_for_what_is_opened") {
   d.open_dragon();
   CHECK(d.document().scheme.weighting.weights == deform::Weights::mean_value);
   CHECK(d.document().scheme.weighting.reach == 3);
-  CHECK(d.viewer().deformer()->state().logs().empty());  // as mean value coordinates have none
+  CHECK(d.viewer().deformer()->state().rows().form == deform::RowForm::positions);
 }
 
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
@@ -344,6 +344,33 @@ TEST_CASE("the_reach_is_chosen_by_a_slider_and_mean_value_coordinates_have_none"
   scene::set_reach(d.document(), deform::whole_cage);
   d.settle();
   CHECK(followers(d) == whole);
+}
+
+TEST_CASE("turn_and_stretch_slide_and_the_model_follows_and_points_have_neither") {
+  Driver d;
+  d.open_dragon();
+  d.document().pose.positions[20][1] += 0.3 * diagonal(d);
+  ++d.document().revisions.pose;
+  d.settle();
+  const auto whole = positions(d);
+  const auto low_end = [&](const char* slider) {
+    const auto place = d.place_of(slider);
+    d.click(glm::vec2(place.x - 40, place.y));
+  };
+  low_end("stretch");
+  d.settle();
+  const double stretch = d.document().scheme.amounts.stretch;
+  CHECK(stretch < 1);
+  CHECK(d.document().scheme.amounts.turn == 1);
+  CHECK(largest_distance(positions(d), whole) > 1e-4 * diagonal(d));
+  scene::undo(d.document());
+  d.settle();
+  CHECK(d.document().scheme.amounts.whole());
+  CHECK(largest_distance(positions(d), whole) == 0);
+  d.choose("weights", "weights_mean_value");
+  d.settle();
+  d.place_of("turn");
+  CHECK_FALSE(d.viewer().recorder().find("turn")->enabled);
 }
 
 TEST_CASE("the_camera_answers_wheel_middle_drag_and_keys") {

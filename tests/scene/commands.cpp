@@ -86,6 +86,22 @@ TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
   CHECK(w.document.scheme.blend == deform::Blend::linear);
 }
 
+TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
+  Workspace w = test::cube_workspace();
+  for (const double turn : {0.9, 0.5, 0.25}) set_amounts(w.document, {turn, 1});
+  set_amounts(w.document, {0.25, 1});  // no change
+  CHECK(test::edit_count(w.document.history) == 1);
+  set_reach(w.document, 3);
+  set_amounts(w.document, {0.25, 2});
+  CHECK(test::edit_count(w.document.history) == 3);
+  CHECK(test::run_command(w, "blend_log3"));
+  CHECK(w.document.scheme.amounts == deform::Amounts{0.25, 2});
+  for (int n = 0; n < 4; ++n) CHECK(test::run_command(w, "undo"));
+  CHECK(w.document.scheme.amounts.whole());
+  CHECK(test::run_command(w, "redo"));
+  CHECK(w.document.scheme.amounts == deform::Amounts{0.25, 1});
+}
+
 TEST_CASE("reaches_are_stepped_through_as_one_edit_where_weights_have_one") {
   Workspace w = test::cube_workspace();
   auto& reach = w.document.scheme.weighting.reach;

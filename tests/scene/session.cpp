@@ -34,6 +34,7 @@ Workspace worked(const test::CubeFiles& files) {
   w.document.method = sym3::Method::sd;
   w.document.scheme = *deform::scheme_of_shorthand("mvc");
   w.document.scheme.weighting.reach = 2.7;
+  w.document.scheme.amounts = {0.29, 1.75};
   w.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f});
   w.view = {.dark = false,
             .model = false,
@@ -158,6 +159,8 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
       {"method", "7", "a.viete: method: found a number where a text belongs; fast instead"},
       {"coordinates", "\"x\"", "a.viete: coordinates: \"x\" is not known; face instead"},
       {"reach", "1.4", "a.viete: reach: a reach must be 1.5 or more; the whole cage instead"},
+      {"turn", "201", "a.viete: turn: an amount must be 0 to 200 percent; 100 percent instead"},
+      {"stretch", "-1", "a.viete: stretch: an amount must be 0 to 200 percent; 100 percent instead"},
       {"reach", "-1e999", "a.viete: reach"},
       {"reach", "\"far\"", "a.viete: reach: found a text where a number belongs"},
       {"camera", "[]",

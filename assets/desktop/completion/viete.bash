@@ -18,11 +18,12 @@ _viete_value() {
       esac
       ;;
     --method) words='fast diag sd improved_sd' ;;
-    --elements) words='face patch point' ;;
+    --elements) words='face patch edge vertex vertex-face vertex-patch point' ;;
     --weights) words='inverse integrated mean-value' ;;
-    --blend) words='srl slrl sql log3 linear' ;;
+    --blend) words='srl sse slrl sql log3 log4 linear' ;;
     --coordinates) words='face mvc' ;;
     --reach) words='all 1.5 2 3 5' ;;
+    --turn | --stretch) words='0 50 100 200' ;;
     --look) words='home front back left right top bottom' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
     --scale | --frames | --tolerance | --count | --faces | --rounds) ;;
@@ -35,14 +36,14 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --method --elements --weights --blend --coordinates --reach --binding --scale --frames'
+      options+=' --pose --method --elements --weights --blend --coordinates --reach --turn --stretch --binding --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --binding --look --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --turn --stretch --binding --look --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach' ;;
+    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --turn --stretch' ;;
     bind) options+=' --output --force --elements --weights --coordinates --reach --tolerance' ;;
     info) options+=' --cage' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;

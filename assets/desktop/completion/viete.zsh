@@ -9,11 +9,12 @@ local -a force=('--force[replace other files too]')
 local -a output=($force '(-o --output)'{-o+,--output=}'[file to write]:file:_files')
 local -a pose=("--pose=[posed cage]:pose:$mesh")
 local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_sd)')
-local -a weighting=('--elements=[which maps the cage carries]:elements:(face patch point)'
+local -a weighting=('--elements=[which maps the cage carries]:elements:(face patch edge vertex vertex-face vertex-patch point)'
   '--weights=[how much of each map a vertex takes]:weights:(inverse integrated mean-value)')
-local -a blend=('--blend=[what of the maps is summed]:blend:(srl slrl sql log3 linear)')
+local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql log3 log4 linear)')
 local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
 local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 5)')
+local -a amounts=('--turn=[how much of rotations acts, percent]:percent:(0 50 100 200)' '--stretch=[how much of stretches acts, percent]:percent:(0 50 100 200)')
 local -a tolerance=('--tolerance=[of compressed weights]:tolerance:')
 local -a binding=('--binding=[what viete bind has saved]:binding:_files')
 local -a scale=('--scale=[device pixels per logical pixel]:scale:')
@@ -28,13 +29,13 @@ local command=$words[2]
 [[ $command == bench ]] && command="bench $words[3]"
 case $command in
   render)
-    specs+=($files $output $pose $method $weighting $blend $coordinates $reach $binding $scale
+    specs+=($files $output $pose $method $weighting $blend $coordinates $reach $amounts $binding $scale
       '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
       '--look=[from where]:view:(home front back left right top bottom)'
       '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
       '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
     ;;
-  deform) specs+=($files $output $pose $method $weighting $blend $coordinates $reach) ;;
+  deform) specs+=($files $output $pose $method $weighting $blend $coordinates $reach $amounts) ;;
   bind) specs+=($files $output $weighting $coordinates $reach $tolerance) ;;
   info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
   'bench exp') specs+=($count $json $plot $float) ;;
@@ -46,7 +47,7 @@ case $command in
   'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $reach $rounds) ;;
   'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind modes)') ;;
   *) # view, which may be left out
-    specs+=($files $pose $method $weighting $blend $coordinates $reach $binding $scale '--frames=[close after so many frames]:frames:')
+    specs+=($files $pose $method $weighting $blend $coordinates $reach $amounts $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
     ;;
 esac
