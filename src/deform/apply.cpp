@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "deform/map_rows.h"
 #include "deform/matrix_log.h"
 #include "deform/translation_log.h"
 
@@ -118,6 +119,26 @@ void exponentiate(RowForm form, Sums sums, sym3::Method method, std::size_t begi
     logs[i] = {x[0], x[1], x[2], x[3], x[4], x[5]};
   }
   sym3::exp<double>(logs.subspan(begin, end - begin), stretches.subspan(begin, end - begin), method);
+}
+
+void place_sums(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
+                sym3::Method method, std::span<mesh::Point> positions) {
+  const std::size_t n = positions.size();
+  BlendedLogs logs;
+  logs.resize(n);
+  std::vector<sym3::Sym3<double>> stretches(n);
+  if (form != RowForm::logs) {
+    if (has_stretch_logs(form)) exponentiate(form, sums, method, 0, n, logs.stretch, stretches);
+    return apply(binding, form, sums, stretches, origin, 0, n, positions);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Sums s = sums.subspan(i * log_shape.columns, log_shape.columns);
+    logs.stretch[i] = {s[0], s[1], s[2], s[3], s[4], s[5]};
+    logs.rotation[i] = three(s, 6);
+    logs.center[i] = three(s, 9);
+  }
+  sym3::exp<double>(logs.stretch, stretches, method);
+  apply(binding, logs, stretches, origin, 0, n, positions);
 }
 
 }  // namespace viete::deform

@@ -21,5 +21,8 @@ void apply(const Binding& binding, RowForm form, std::span<const double> sums,
 void exponentiate(RowForm form, std::span<const double> sums, sym3::Method method, std::size_t begin,
                   std::size_t end, std::span<sym3::Sym3<double>> logs,
                   std::span<sym3::Sym3<double>> stretches);
+/// Links 4 and 5 of any form: all vertices of the binding, whose rest, rest_origin and offsets count.
+void place_sums(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
+                sym3::Method method, std::span<mesh::Point> positions);
 
 }  // namespace viete::deform

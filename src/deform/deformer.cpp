@@ -8,18 +8,25 @@
 namespace viete::deform {
 
 Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding,
-                   const Scheme& scheme, base::WorkerPool& pool)
+                   const Scheme& scheme, base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching)
     : binding_(std::move(binding)),
       scheme_(scheme),
       state_(cage, scheme.weighting.elements, scheme.blend),
       weigher_(state_.cage(), binding_->weighting) {
   state_.set_amounts(scheme.amounts);
   const RowForm form = state_.rows().form;
-  if (binding_->tiles) fused_ = std::make_unique<FusedEngine>(binding_->tiles, form, pool);
   if (!binding_->weights.empty()) staged_ = std::make_unique<StagedEngine>(binding_, form, pool);
+  if (scheme.stitched() && stitching && binding_->tiles) {
+    stitched_ = std::make_unique<StitchedEngine>(binding_->tiles, std::move(stitching), form,
+                                                 scheme.iterations, pool);
+  } else if (binding_->tiles) {
+    fused_ = std::make_unique<FusedEngine>(binding_->tiles, form, pool);
+  }
 }
 
 std::optional<EngineKind> Deformer::engine(sym3::Method method) const {
+  if (stitched_) return EngineKind::stitched;
+  if (scheme_.stitched()) return std::nullopt;
   if (fused_ && (!scheme_.exponential() || method == sym3::Method::fast)) return EngineKind::fused;
   if (staged_) return EngineKind::staged;
   return std::nullopt;
@@ -30,17 +37,21 @@ void Deformer::set_amounts(const Amounts& amounts) {
   state_.set_amounts(amounts);
 }
 
-void Deformer::deform(const Pose& pose, sym3::Method method) {
-  const auto kind = engine(method);
-  assert(kind);
-  state_.set_pose(pose);
-  Engine& chosen = *kind == EngineKind::fused ? static_cast<Engine&>(*fused_) : *staged_;
-  chosen.run(state_, method);
-  ran_ = kind;
+Engine& Deformer::of(EngineKind kind) const {
+  switch (kind) {
+    case EngineKind::staged: return *staged_;
+    case EngineKind::fused: return *fused_;
+    case EngineKind::stitched: return *stitched_;
+  }
+  return *fused_;
 }
 
-const Engine& Deformer::last() const {
-  return ran_ == EngineKind::fused ? static_cast<const Engine&>(*fused_) : *staged_;
+void Deformer::deform(const Pose& pose, sym3::Method method) {
+  const EngineKind kind = engine(method).value_or(EngineKind::fused);
+  assert(kind != EngineKind::fused || fused_);
+  state_.set_pose(pose);
+  of(kind).run(state_, method);
+  ran_ = kind;
 }
 
 std::span<const FrameVertex> Deformer::vertices() const {
@@ -58,6 +69,10 @@ LinkTimes Deformer::times() const {
 std::vector<mesh::Point> Deformer::positions() const {
   if (ran_ == EngineKind::staged) return {staged_->positions().begin(), staged_->positions().end()};
   std::vector<mesh::Point> all;
+  if (ran_ == EngineKind::stitched) {
+    for (const Vec3& p : stitched_->positions()) all.push_back(origin() + p);
+    return all;
+  }
   for (const FrameVertex& v : vertices())
     all.push_back(origin() + Vec3{v.position[0], v.position[1], v.position[2]});
   return all;

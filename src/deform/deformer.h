@@ -11,31 +11,35 @@
 #include "deform/cage_state.h"
 #include "deform/fused_engine.h"
 #include "deform/staged_engine.h"
+#include "deform/stitched_engine.h"
 #include "deform/weigher.h"
 
 namespace viete::deform {
 
 /// One bound model, and the engines that its binding and the method allow: method `fast`, and schemes without
-/// an exponential, take the fused one where the binding has tiles. Cage and binding are shared and constant,
-/// so that a new binding can be made elsewhere while this one is in use. Not thread-safe.
+/// an exponential, take the fused one where the binding has tiles; stitched schemes take the stitched one
+/// with any method. Cage and binding are shared and constant, so that a new binding can be made elsewhere
+/// while this one is in use. Not thread-safe.
 class Deformer {
 public:
   /// cage and binding must not be null and belong together, the binding's weights being those of the scheme.
+  /// stitching, of the scheme's elements, is for stitched schemes: null where there is none (yet).
   Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, const Scheme& scheme,
-           base::WorkerPool& pool);
+           base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching = nullptr);
 
   const Scheme& scheme() const { return scheme_; }
   /// Of the next frames; all else of the scheme stays.
   void set_amounts(const Amounts& amounts);
   const Binding& binding() const { return *binding_; }
-  /// The engine that runs the method; nothing if the binding is not for it.
+  /// The engine that runs the method; nothing if the binding is not for it, or the scheme is stitched and
+  /// there is no stitching.
   std::optional<EngineKind> engine(sym3::Method method) const;
   /// From now on poses differ from the last one in these vertices of the cage alone: frames of the fused
   /// engine then cost what moves.
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
-  /// One frame. Throws base::Error if pose.positions is not one per cage vertex. engine(method) must not be
-  /// nothing.
+  /// One frame. Throws base::Error if pose.positions is not one per cage vertex. Where engine(method) is
+  /// nothing, the fused engine's, which must be there: what it blends stands in for what is asked for.
   void deform(const Pose& pose, sym3::Method method);
 
   /// Of the last frame, in the file's order, relative to origin(); empty before the first one.
@@ -46,18 +50,19 @@ public:
   std::optional<EngineKind> ran() const { return ran_; }
   LinkTimes times() const;
 
-  /// Copies of all positions and normals of the last frame: of the staged engine in double, of the fused one
-  /// as it left them.
+  /// Copies of all positions and normals of the last frame: of the staged engine in double, positions of the
+  /// stitched one too, of the fused one as it left them.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
   /// The matrices that the last frame exponentiated, of at most `limit` vertices spread evenly over the
   /// model, formed anew from exact weights; empty if it took no exponentials. A microsecond or two each.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
-  /// See deform::sampled_error(); 0 after a staged frame.
+  /// See deform::sampled_error(); 0 after a staged frame, and after a stitched one, which no sample tells.
   double sampled_error() const;
 
 private:
-  const Engine& last() const;
+  Engine& of(EngineKind kind) const;
+  const Engine& last() const { return of(*ran_); }
 
   std::shared_ptr<const Binding> binding_;
   Scheme scheme_;
@@ -65,6 +70,7 @@ private:
   Weigher weigher_;
   std::unique_ptr<FusedEngine> fused_;
   std::unique_ptr<StagedEngine> staged_;
+  std::unique_ptr<StitchedEngine> stitched_;
   std::optional<EngineKind> ran_;
 };
 

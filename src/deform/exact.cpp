@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
 
 #include "base/error.h"
 #include "deform/apply.h"
 #include "deform/blend.h"
 #include "deform/map_rows.h"
+#include "deform/stitching.h"
 #include "deform/vertex_sample.h"
 #include "deform/weigher.h"
 
@@ -77,35 +79,58 @@ double place_vertices(const Binding& binding, const Rows& rows, sym3::Method met
                                     : place_others(binding, rows, method, positions);
 }
 
-ExactModel deform_exactly(std::span<const mesh::Point> rest, std::shared_ptr<const Cage> cage,
-                          const Scheme& scheme, const Pose& pose, sym3::Method method, base::WorkerPool& pool,
+namespace {
+
+// What stitching takes of a pose: sums of rows at every vertex. Positions become those that are stitched.
+void stitch_positions(const Stitching& stitching, const Rows& rows, std::span<const double> sums,
+                      const Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
+                      std::span<mesh::Point> positions) {
+  std::vector<Vec3> held;
+  for (const auto& hold : stitching.holds) held.push_back(positions[hold.vertex] - rows.origin);
+  Stitcher stitcher(stitching, rows.form, pool);
+  stitcher.run(rows, sums, held, method, scheme.iterations);
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rows.origin + stitcher.positions()[v];
+}
+
+}  // namespace
+
+ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
+                          const Pose& pose, sym3::Method method, base::WorkerPool& pool,
                           base::Progress* progress) {
+  const std::span<const mesh::Point> rest = model.positions;
   if (rest.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   CageState state(cage, scheme.weighting.elements, scheme.blend);
   state.set_amounts(scheme.amounts);
   state.set_pose(pose);
   const Rows rows = state.rows();
+  std::optional<Stitching> stitching;
+  if (scheme.stitched()) stitching = stitch(model, *cage, scheme.weighting.elements, pool);
   const Weigher weigher(*cage, scheme.weighting);
-  ExactModel model;
-  model.report = state.report();
-  model.positions.resize(rest.size());
+  ExactModel exact;
+  exact.report = state.report();
+  exact.positions.resize(rest.size());
+  std::vector<double> sums(stitching ? rest.size() * rows.columns() : 0);
   std::size_t done = 0, failed = 0;
   std::mutex mutex;  // of these, and of exp_error
   const auto take = [&](std::size_t count, std::size_t lost, double error) {
     const std::lock_guard lock(mutex);
     done += count;
     failed += lost;
-    model.exp_error = std::max(model.exp_error, error);
+    exact.exp_error = std::max(exact.exp_error, error);
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(rest.size()));
   };
   pool.for_blocks(rest.size(), weighed_at_once(weigher.handles()), [&](std::size_t begin, std::size_t end) {
     const std::size_t count = end - begin;
     const BoundPart part = bind_part(weigher, rest.subspan(begin, count));
-    const auto positions = std::span(model.positions).subspan(begin, count);
+    const auto positions = std::span(exact.positions).subspan(begin, count);
     take(count, part.failed, place_vertices(part.binding, rows, method, positions));
+    const std::size_t columns = rows.columns();
+    if (stitching)
+      blend(part.binding, rows, 0, count, std::span(sums).subspan(begin * columns, count * columns));
   });
-  model.warnings = weight_warnings(*cage, scheme.weighting.weights, failed, rest.size());
-  return model;
+  if (stitching) stitch_positions(*stitching, rows, sums, scheme, method, pool, exact.positions);
+  exact.warnings = weight_warnings(*cage, scheme.weighting.weights, failed, rest.size());
+  return exact;
 }
 
 }  // namespace viete::deform

@@ -34,8 +34,8 @@ struct ExactModel {
 /// for each thread, more for cages of more than 10,000 elements. Throws base::Error when the pose has not one
 /// position per cage vertex or the model no vertices, and base::Cancelled. progress may be null.
 /// cage must not be null.
-ExactModel deform_exactly(std::span<const mesh::Point> rest, std::shared_ptr<const Cage> cage,
-                          const Scheme& scheme, const Pose& pose, sym3::Method method, base::WorkerPool& pool,
+ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
+                          const Pose& pose, sym3::Method method, base::WorkerPool& pool,
                           base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

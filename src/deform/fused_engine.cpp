@@ -46,17 +46,60 @@ std::size_t FusedEngine::bytes() const {
 }
 
 void FusedEngine::run(const CageState& state, sym3::Method) {
+  base::Stopwatch watch;
+  prepare(state);
+  place_vertices();
+  times_[Link::fused] = watch.lap_ms() - times_[Link::skeleton];
+  compute_normals();
+  times_[Link::normals] = watch.lap_ms();
+}
+
+// All that comes before the leaves.
+void FusedEngine::prepare(const CageState& state) {
   times_ = {};
   base::Stopwatch watch;
   if (!std::ranges::equal(state.moving(), drag_.moving)) drag_ = {};
   fill_table(state.rows());
   follow_drag(state);
-  if (binding_->compressed() && !dragging_) {
-    blend_skeleton(table_.data());
-    times_[Link::skeleton] = watch.lap_ms();
-  }
-  place_vertices();
-  times_[Link::fused] = watch.lap_ms();
+  if (!binding_->compressed() || dragging_) return;
+  blend_skeleton(table_.data());
+  times_[Link::skeleton] = watch.lap_ms();
+}
+
+void FusedEngine::blend(const CageState& state, std::span<double> sums) {
+  base::Stopwatch watch;
+  prepare(state);
+  const RowShape& rows = shape(form_);
+  for_leaves([&](std::size_t leaf) {
+    const std::size_t begin = binding_->leaves.begin(leaf), end = binding_->leaves.end(leaf);
+    base::AlignedVector<float> leaf_sums((end - begin) * columns_);
+    tiles_.blend(frame_run(leaf), leaf_sums.data());
+    for (std::size_t slot = begin; slot < std::min(end, binding_->leaves.vertices); ++slot) {
+      const std::size_t s = slot - begin;
+      const float* from = leaf_sums.data() + s / lanes * lanes * columns_ + s % lanes;
+      double* to = sums.data() + binding_->leaves.order[slot] * columns_;
+      for (std::size_t c = 0; c < columns_; ++c) {
+        const double mean = c < rows.with_mean ? static_cast<double>(mean_[c]) : 0;
+        to[c] = (from[c * lanes] + mean) * (c < rows.first_length ? 1 : binding_->unit);
+      }
+    }
+  });
+  times_[Link::blend] = watch.lap_ms() - times_[Link::skeleton];
+}
+
+void FusedEngine::show(std::span<const Vec3> positions) {
+  base::Stopwatch watch;
+  const double scale = 1 / binding_->unit;
+  for_leaves([&](std::size_t leaf) {
+    leaf_moved_[leaf] = 1;
+    const std::size_t begin = binding_->leaves.begin(leaf);
+    float* to = positions_.data() + 4 * std::size_t(binding_->rings.position_starts[leaf]);
+    for (std::size_t slot = begin; slot < binding_->leaves.end(leaf); ++slot, to += 4) {
+      const Vec3& p = positions[binding_->leaves.order[slot]];
+      for (int i = 0; i < 4; ++i) to[i] = static_cast<float>(scale * p[i % 3]);
+    }
+  });
+  drag_.placed = false;
   compute_normals();
   times_[Link::normals] = watch.lap_ms();
 }
@@ -208,6 +251,20 @@ TileRun<float> FusedEngine::leaf_run(std::size_t leaf, const float* table) const
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
 }
 
+// Of this frame's rows: of those that move, added to the others' sums, if that is enough.
+TileRun<float> FusedEngine::frame_run(std::size_t leaf) const {
+  TileRun<float> run = leaf_run(leaf, table_.data());
+  if (!dragging_ || drag_.row_count(leaf) == 0) return run;
+  const std::size_t start = drag_.starts[leaf];
+  return {run.tiles,
+          drag_.row_count(leaf),
+          drag_.weights.data() + leaf_slots * start,
+          drag_.rows.data(),
+          drag_.sums.data() + binding_->leaves.begin(leaf) * columns_,
+          nullptr,
+          drag_.listed.data() + start};
+}
+
 void FusedEngine::place_vertices() {
   const TiledBinding& b = *binding_;
   const bool placed = dragging_ && std::exchange(drag_.placed, true);
@@ -215,17 +272,7 @@ void FusedEngine::place_vertices() {
     leaf_moved_[leaf] = !(placed && drag_.row_count(leaf) == 0);
     if (!leaf_moved_[leaf]) return;
     const std::size_t begin = b.leaves.begin(leaf);
-    TileRun<float> run = leaf_run(leaf, table_.data());
-    if (dragging_ && drag_.row_count(leaf) > 0) {
-      const std::size_t start = drag_.starts[leaf];
-      run = {run.tiles,
-             drag_.row_count(leaf),
-             drag_.weights.data() + leaf_slots * start,
-             drag_.rows.data(),
-             drag_.sums.data() + begin * columns_,
-             nullptr,
-             drag_.listed.data() + start};
-    }
+    TileRun<float> run = frame_run(leaf);
     run.mean = mean_.data();
     tiles_.place(run, b.rest.data() + begin * 3, b.offsets.data() + begin * 3,
                  positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]));

@@ -33,6 +33,11 @@ public:
   /// The method does not matter.
   void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
+  /// The first half of a frame: sums of the rows of every vertex, [vertex][column] in the file's order, with
+  /// lengths in the file's unit. Dragging as in run().
+  void blend(const CageState& state, std::span<double> sums);
+  /// The second half, of other positions: vertices() are there, relative to the rows' origin, with normals.
+  void show(std::span<const Vec3> positions);
   /// True if the last frame added the moved handles alone.
   bool dragging() const { return dragging_; }
   /// Bytes that the last frame read once: weights, or what stood for them.
@@ -41,6 +46,7 @@ public:
 private:
   using Handles = std::span<const std::uint32_t>;
 
+  void prepare(const CageState& state);
   void fill_table(const Rows& rows);
   void choose_mean();
   void follow_drag(const CageState& state);
@@ -50,6 +56,7 @@ private:
   void pack_weights(std::size_t leaf, float* scratch);
   void blend_skeleton(const float* table);
   TileRun<float> leaf_run(std::size_t leaf, const float* table) const;
+  TileRun<float> frame_run(std::size_t leaf) const;
   void place_vertices();
   void compute_normals();
   template <class Body>

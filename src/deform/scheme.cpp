@@ -216,6 +216,8 @@ std::optional<std::string_view> conflict(const Scheme& scheme) {
   for (const Rule& rule : rules) {
     if (breaks(rule, scheme)) return rule.reason;
   }
+  if (scheme.stitched() && !entry(scheme.weighting.elements).affine)
+    return "translations give triangles no maps to follow, so there is nothing to stitch";
   return std::nullopt;
 }
 
@@ -255,12 +257,14 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   Scheme scheme = *best;
   scheme.weighting.reach = preferred.weighting.reach;
   scheme.amounts = preferred.amounts;
+  scheme.iterations = preferred.iterations;
+  if (conflict(scheme)) scheme.iterations = 0;
   return scheme;
 }
 
 std::string text(const Scheme& s) {
   return std::string(entry(s.weighting.elements).name) + ", " + std::string(entry(s.weighting.weights).name) +
-         ", " + std::string(entry(s.blend).name);
+         ", " + std::string(entry(s.blend).name) + (s.stitched() ? ", stitched" : "");
 }
 
 std::string text_of_reach(double reach) {

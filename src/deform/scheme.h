@@ -28,8 +28,8 @@ enum class Handles { faces, edges, vertices };
 std::string_view name(Handles handles);
 
 /// Who forms the sums: the links of the chain one by one, in double, or in one pass over the weights, in
-/// float. Chosen by the program, see Deformer.
-enum class EngineKind { staged, fused };
+/// float; or who solves for positions with them. Chosen by the program, see Deformer.
+enum class EngineKind { staged, fused, stitched };
 
 /// What every table says of a choice.
 struct ChoiceEntry {
@@ -83,6 +83,9 @@ inline constexpr double whole_cage = std::numeric_limits<double>::infinity();
 /// model would show the cage's edges.
 inline constexpr double lowest_reach = 1.5;
 
+/// More change next to nothing.
+inline constexpr int most_iterations = 20;
+
 /// What decides the weights of a binding. Which blend they serve does not matter to them.
 struct Weighting {
   Elements elements = Elements::face;
@@ -114,19 +117,22 @@ struct Scheme {
   Weighting weighting;
   Blend blend = Blend::srl;
   Amounts amounts{};  ///< of maps that turn and stretch; others leave it unused
+  /// How often a stitched model is solved for, see Stitcher; 0: it is not stitched.
+  int iterations = 0;
 
+  bool stitched() const { return iterations > 0; }
   /// A frame takes an exponential a vertex.
   bool exponential() const { return entry(weighting.elements).affine && entry(blend).exponential; }
   friend bool operator==(const Scheme& a, const Scheme& b) {
     return a.weighting.elements == b.weighting.elements && a.weighting == b.weighting && a.blend == b.blend &&
-           a.amounts == b.amounts;
+           a.amounts == b.amounts && a.iterations == b.iterations;
   }
 };
 
 /// Why these do not go together, as a sentence; nothing if they do.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
-/// All that go together, those with a shorthand first; reach as in a default Weighting.
+/// All that go together, those with a shorthand first; reach as in a default Weighting, not stitched.
 const std::vector<Scheme>& all_schemes();
 
 /// The word of --coordinates that stands for elements, weights and blend of a scheme; empty: none does.
@@ -150,8 +156,8 @@ inline PartialChoice only(Weights weights) {
 inline PartialChoice only(Blend blend) {
   return {.blend = blend};
 }
-/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, its reach and its
-/// amounts.
+/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, its reach, its
+/// amounts, and its stitching where that goes with the rest.
 /// Throws base::Error if there is none, saying why.
 Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
 /// "face, inverse, srl": as the command line names them.

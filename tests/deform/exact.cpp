@@ -32,7 +32,7 @@ Vec3 bent_and_stretched(const Vec3& p) {
 
 ExactModel deform_exactly(const Bound& b, const Pose& pose, Method method = Method::fast, int threads = 2) {
   base::WorkerPool pool(threads);
-  return deform::deform_exactly(b.model.positions, b.cage, {b.binding->weighting, Blend::srl}, pose, method,
+  return deform::deform_exactly(b.model, b.cage, {b.binding->weighting, Blend::srl}, pose, method,
                                 pool);
 }
 
@@ -134,11 +134,11 @@ TEST_CASE("exact_positions_of_nothing_or_of_another_pose_are_refused_and_work_ca
   CHECK_THROWS_AS(deform::deform_exactly({}, b.cage, {faces}, pose, Method::fast, pool), base::Error);
   CHECK_THROWS_AS(deform_exactly(b, Pose{{{0, 0, 0}}, {}}), base::Error);
   base::Progress progress;
-  deform::deform_exactly(b.model.positions, b.cage, {faces}, pose, Method::fast, pool, &progress);
+  deform::deform_exactly(b.model, b.cage, {faces}, pose, Method::fast, pool, &progress);
   CHECK(progress.done() == 1);
   progress.cancel();
   CHECK_THROWS_AS(
-      deform::deform_exactly(b.model.positions, b.cage, {faces}, pose, Method::fast, pool, &progress),
+      deform::deform_exactly(b.model, b.cage, {faces}, pose, Method::fast, pool, &progress),
       base::Cancelled);
 }
 
@@ -154,6 +154,6 @@ TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once" * doctest::test_
     return;
   }
   base::WorkerPool pool(2);
-  deform::deform_exactly(model.positions, cage, {faces_reaching(3)}, rest_pose(*cage), Method::fast, pool);
+  deform::deform_exactly(model, cage, {faces_reaching(3)}, rest_pose(*cage), Method::fast, pool);
   CHECK(*memory("VmHWM") - *before < 0.5 * matrix);
 }

@@ -116,7 +116,7 @@ public:
   std::vector<mesh::Point> exact_positions() {
     base::WorkerPool pool;
     const scene::Document& d = document();
-    return deform::deform_exactly(d.model.surface->positions, d.cage, d.scheme, d.pose, d.method, pool)
+    return deform::deform_exactly(*d.model.surface, d.cage, d.scheme, d.pose, d.method, pool)
         .positions;
   }
 

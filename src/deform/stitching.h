@@ -1,0 +1,113 @@
+// Stitching: the model whose triangles follow blended maps as closely as one surface can.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/worker_pool.h"
+#include "deform/binding.h"
+#include "deform/cage_state.h"
+#include "deform/sparse_cholesky.h"
+#include "sym3/exp.h"
+
+namespace viete::deform {
+
+/// How firmly a stitched model is held. Weights are of one vertex, beside a stiffness of about 1 between
+/// neighbours, see stiffness_matrix().
+struct StitchingSettings {
+  double pin = 0.03;       ///< of each corner of the triangle nearest to a handle, to where its map takes it
+  double radius = 0;       ///< in diagonals of the cage: vertices so near to a handle are pinned too
+  double exponent = 2;     ///< by pin ((radius - distance) / radius)^exponent
+  double translation = 0;  ///< of every vertex, to its blended position
+};
+
+/// What of stitching does not change with the pose. With M_t = R_t S_t the blended map of triangle t,
+/// positions x' minimise
+///
+///     sum_t area_t |(grad x' - M_t) T_t|^2 + sum_pins w |x' - A_h x|^2 + sum_holds w |x' - blended x'|^2,
+///
+/// T_t projecting onto the triangle's plane. That is the published energy of tetrahedra with a fourth corner
+/// off the plane (S. Kaji, "ARAP" modes): this corner is of one tetrahedron only, so that at the minimum the
+/// map takes its direction exactly as M_t does, whatever the others do; what is left is the plane's share, in
+/// a third as many unknowns. Derivatives of it give K x' = sum_t M_t g_t, K the stiffness matrix and g_t, i =
+/// area grad of the hat function of corner i: one factorisation, and three right-hand sides a pose.
+///
+/// Lengths are relative to where things are, so that it does not matter how far from the origin or how large
+/// the scene is. Thin triangles count as in half_cotangents(). Every vertex has its place: parts without a
+/// pin are held by their blended positions, by 1e-4 a vertex, and vertices that only thin triangles or none
+/// have, by 1.
+struct Stitching {
+  struct Pin {
+    std::uint32_t vertex, handle;
+    double weight;
+  };
+  struct Hold {
+    std::uint32_t vertex;
+    double weight;
+  };
+
+  Elements elements;                      ///< whose handles the pins name
+  std::vector<mesh::Triangle> triangles;  ///< that count
+  std::vector<std::array<Vec3, 2>>
+      gradients;           ///< g of their first two corners; the third is what they lack to 0
+  mesh::Adjacency around;  ///< 3 t + corner, of each vertex
+  std::vector<Pin> pins;
+  Binding pinned;  ///< what apply() needs of the pins: rest, rest_origin, offsets from the handle's centre
+  std::vector<Hold> holds;
+  SparseCholesky factors;
+
+  std::size_t vertices() const { return factors.size(); }
+};
+
+/// Bytes that it takes, about, for a surface of so many vertices.
+std::size_t stitching_bytes(std::size_t vertices);
+
+/// Of affine elements. Throws base::Error when the model has no vertices, or is so large or so small
+/// (beyond 1e75 and 1e-75) that its system cannot be factored. The same for any number of threads.
+Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements, base::WorkerPool& pool,
+                 const StitchingSettings& settings = {});
+
+/// The buffers of stitched frames. Not thread-safe; the same bits for any number of threads.
+class Stitcher {
+public:
+  /// The form must be of maps or of what makes one, not positions. Both must outlive this.
+  Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
+
+  /// One pose. sums are the blended rows, [vertex][column]; held, of each hold, the vertex's blended position
+  /// relative to the rows' origin. A triangle's map is that of the mean of its corners' sums.
+  ///
+  /// iterations, 1 or more: how often positions are solved for. Before each time but the first, the rotations
+  /// R_t are replaced by those that fit the positions best, the stretches S_t staying as they are (O.
+  /// Sorkine, M. Alexa, As-rigid- as-possible surface modeling, 2007): the energy above never grows.
+  void run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held, sym3::Method method,
+           int iterations);
+
+  /// Relative to the rows' origin.
+  std::span<const Vec3> positions() const { return positions_; }
+  /// Of the last frame: maps and their loads, and solving, in milliseconds of wall time.
+  double loads_ms() const { return loads_ms_; }
+  double solve_ms() const { return solve_ms_; }
+
+private:
+  struct Maps;
+
+  void load_blended(std::span<const double> sums, sym3::Method method, bool keep_stretches);
+  void load_refitted();
+  void set_load(std::size_t triangle, const Vec3& a, const Vec3& b);
+  void place_pins(const Rows& rows, sym3::Method method);
+  void solve(std::span<const Vec3> held);
+
+  const Stitching& stitching_;
+  RowForm form_;
+  base::WorkerPool& pool_;
+  std::vector<std::array<Vec3, 3>> loads_;      // M g of each corner of each triangle
+  std::vector<std::array<Vec3, 2>> stretched_;  // S g, where rotations are refitted
+  std::vector<mesh::Point> pin_targets_;
+  std::vector<Vec3> right_, positions_;
+  SparseCholesky::Workspace work_;
+  double loads_ms_ = 0, solve_ms_ = 0;
+};
+
+}  // namespace viete::deform

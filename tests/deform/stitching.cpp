@@ -1,0 +1,316 @@
+#include "deform/stitching.h"
+
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+#include "deform/bound.h"
+#include "deform/exact.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+Scheme stitched(Elements elements = Elements::face, Blend blend = Blend::srl, int iterations = 1) {
+  return {{elements, Weights::inverse}, blend, iterations};
+}
+
+std::vector<Scheme> all_stitched(int iterations = 1) {
+  std::vector<Scheme> all;
+  for (Scheme scheme : all_schemes()) {
+    scheme.iterations = iterations;
+    if (!conflict(scheme)) all.push_back(scheme);
+  }
+  return all;
+}
+
+// A model in its cage.
+struct StitchScene {
+  explicit StitchScene(const mesh::Surface& model_, const mesh::Surface& cage_surface = tube(9, 7, 0.8, 4.4))
+      : model(model_), cage(std::make_shared<const Cage>(make_cage(cage_surface))) {}
+
+  std::vector<mesh::Point> deform(const Pose& pose, const Scheme& scheme = stitched(), int threads = 2,
+                                  sym3::Method method = sym3::Method::fast) const {
+    base::WorkerPool pool(threads);
+    return deform_exactly(model, cage, scheme, pose, method, pool).positions;
+  }
+  template <class Map>
+  Pose pose(const Map& map) const {
+    return {mapped(cage->surface.positions, map), {}};
+  }
+  template <class Map>
+  double error(const Map& map, const Scheme& scheme) const {
+    const Pose p = pose(map);
+    return largest_distance(deform(p, scheme), mapped(model.positions, map)) /
+           mesh::bounds(p.positions).diagonal();
+  }
+
+  mesh::Surface model;
+  std::shared_ptr<const Cage> cage;
+};
+
+mesh::Surface pipe() {
+  return tube(40, 16, 0.5, 4);
+}
+
+mesh::Surface rough_pipe() {
+  Random random(7);
+  mesh::Surface s = pipe();
+  for (auto& p : s.positions) p = p + random.vector(0.02);
+  return s;
+}
+
+const Twist pipe_twist{2, {0.1, 0, 0}, -2.2, 2.2, -60 * degree, 70 * degree};
+
+Vec3 bent_pipe(const Vec3& x) {
+  const double a = 0.4 * x[2], r = 2.5 - x[0];
+  return {2.5 - r * std::cos(a), 0.9 * x[1], 1.2 * r * std::sin(a)};
+}
+
+// The energy of positions, of the maps' linear parts in one sum over triangles: an evaluation of its own, by
+// gradients in the plane of each triangle, and by singular values where rotations are refitted.
+double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> posed,
+                      const sym3::Mat3<double>& map) {
+  double sum = 0;
+  for (const auto& t : rest.triangles) {
+    const Vec3 u = rest.positions[t[1]] - rest.positions[t[0]],
+               v = rest.positions[t[2]] - rest.positions[t[0]];
+    const Vec3 n = cross(u, v);
+    const double area2 = norm(n);
+    const Vec3 e1 = (1 / norm(u)) * u, e2 = (1 / (area2 * norm(u))) * cross(n, u);
+    const Vec3 pu = posed[t[1]] - posed[t[0]], pv = posed[t[2]] - posed[t[0]];
+    const Vec3 d1 = (1 / norm(u)) * pu;
+    const Vec3 d2 = (1 / dot(v, e2)) * (pv - dot(v, e1) * d1);
+    const auto times = [&](const Vec3& x) {
+      return Vec3{map[0] * x[0] + map[1] * x[1] + map[2] * x[2],
+                  map[3] * x[0] + map[4] * x[1] + map[5] * x[2],
+                  map[6] * x[0] + map[7] * x[1] + map[8] * x[2]};
+    };
+    sum += area2 / 2 * (squared_norm(d1 - times(e1)) + squared_norm(d2 - times(e2)));
+  }
+  return sum;
+}
+
+// x^T K x of the system that was solved. At its minimum over x the energy is c - x^T K x, and c does not
+// depend on the rotations.
+double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std::span<const Vec3> x) {
+  const SparseMatrix k = stiffness_matrix(rest.positions, rest.triangles);
+  double sum = 0;
+  for (std::size_t j = 0; j < k.size(); ++j) {
+    for (auto i = k.starts[j]; i < k.starts[j + 1]; ++i) sum += k.values[i] * dot(x[j], x[k.rows[i]]);
+  }
+  for (const auto& pin : stitching.pins) sum += pin.weight * squared_norm(x[pin.vertex]);
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("stitching_keeps_rest_and_follows_similarities_whatever_is_blended") {
+  const StitchScene s(pipe());
+  for (const int iterations : {1, 3}) {
+    for (const Scheme& scheme : all_stitched(iterations)) {
+      CAPTURE(text(scheme));
+      CHECK(s.error([](const Vec3& x) { return x; }, scheme) < 1e-12);
+      for (const double angle : {1e-9, 90.0, 180.0, 270.0}) {
+        for (const double scale : {1e-3, 1.0, 1e3})
+          CHECK(s.error(similarity({1, -2, 3}, angle * degree, scale, {20 * scale, scale, -scale}), scheme) <
+                1e-11);
+      }
+    }
+  }
+}
+
+TEST_CASE("stitching_follows_affine_poses_where_elements_do") {
+  const StitchScene s(pipe());
+  for (const int iterations : {1, 3}) {
+    for (const Scheme& scheme : all_stitched(iterations)) {
+      CAPTURE(text(scheme));
+      const bool exact = entry(scheme.weighting.elements).reproduces == "affine poses";
+      CHECK((s.error(shear(), scheme) < 1e-11) == exact);
+    }
+  }
+}
+
+TEST_CASE("stitching_does_not_depend_on_where_the_scene_is_or_how_large") {
+  const StitchScene here(rough_pipe());  // in an even one several triangles are nearest
+  const auto posed = here.deform(here.pose(pipe_twist));
+  for (const auto& [scale, way] :
+       {std::pair{1.0, Vec3{1000, -2000, 500}}, {1e-6, Vec3{0, 0, 0}}, {1e6, Vec3{3e6, 0, 0}}}) {
+    const auto moved = [&, scale = scale, way = way](const Vec3& x) { return scale * x + way; };
+    mesh::Surface model = here.model, cage = here.cage->surface;
+    model.positions = mapped(model.positions, moved), cage.positions = mapped(cage.positions, moved);
+    const StitchScene there(model, cage);
+    const Pose pose{mapped(here.pose(pipe_twist).positions, moved), {}};
+    CHECK(largest_distance(there.deform(pose), mapped(posed, moved)) < 1e-9 * scale);
+  }
+}
+
+TEST_CASE("a_stitched_model_is_the_minimum_of_the_energy_of_its_maps") {
+  // All triangles are to follow one map that the cage does not make: rows of the test's own.
+  const StitchScene s(pipe());
+  base::WorkerPool pool(2);
+  const Stitching stitching = stitch(s.model, *s.cage, Elements::face, pool, {.pin = 1e-3});
+  const sym3::Mat3<double> map = shear().linear;
+  std::vector<double> row(12, 0.0);
+  for (int i = 0; i < 9; ++i) row[i] = map[i] - (i % 4 == 0);
+  std::vector<double> sums, values;
+  for (std::size_t v = 0; v < s.model.positions.size(); ++v) sums.insert(sums.end(), row.begin(), row.end());
+  values.assign(s.cage->element_count() * 12, 0.0);  // pins stay at rest
+  Stitcher stitcher(stitching, RowForm::maps, pool);
+  stitcher.run({RowForm::maps, values}, sums, {}, sym3::Method::fast, 1);
+  const Vec3 origin = middle(s.cage->surface.positions);
+  const auto solved = mapped(stitcher.positions(), [&](const Vec3& x) { return x + origin; });
+  const auto energy = [&](std::span<const mesh::Point> positions) {
+    double sum = energy_of_maps(s.model, positions, map);
+    for (const auto& pin : stitching.pins)
+      sum += pin.weight * squared_norm(positions[pin.vertex] - s.model.positions[pin.vertex]);
+    return sum;
+  };
+  const double least = energy(solved);
+  CHECK(least > 1e-3);  // pins and maps contradict each other
+  Random random(5);
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Vec3> way;
+    for (std::size_t v = 0; v < solved.size(); ++v) way.push_back(random.vector(1));
+    const auto there = [&](double t) {
+      auto positions = solved;
+      for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = positions[v] + t * way[v];
+      return energy(positions);
+    };
+    const double slope = (there(1e-4) - there(-1e-4)) / 2e-4,
+                 curvature = (there(1e-4) + there(-1e-4) - 2 * least) / 1e-8;
+    CHECK(std::abs(slope) < 1e-7 * curvature);
+    CHECK(there(1e-2) > least);
+  }
+}
+
+TEST_CASE("refitting_rotations_lowers_the_energy_each_time") {
+  const StitchScene s(pipe());
+  base::WorkerPool pool(2);
+  for (const Scheme& scheme :
+       {stitched(), stitched(Elements::patch, Blend::linear), stitched(Elements::patch, Blend::log3)}) {
+    CageState state(s.cage, scheme.weighting.elements, scheme.blend);
+    state.set_pose(s.pose(bent_pipe));
+    const Rows rows = state.rows();
+    const Binding binding = bind(s.model, *s.cage, scheme.weighting, pool);
+    std::vector<double> sums(binding.vertices * rows.columns());
+    blend(binding, rows, 0, binding.vertices, std::span(sums));
+    const Stitching stitching = stitch(s.model, *s.cage, scheme.weighting.elements, pool);
+    Stitcher stitcher(stitching, rows.form, pool);
+    double before = 0;
+    for (int iterations = 1; iterations <= 8; ++iterations) {
+      stitcher.run(rows, sums, {}, sym3::Method::fast, iterations);
+      const double energy = -held_quadratic(s.model, stitching, stitcher.positions());
+      if (iterations > 1) CHECK(energy < before);
+      before = energy;
+    }
+  }
+}
+
+TEST_CASE("every_vertex_has_its_place_in_parts_holes_needles_and_without_triangles") {
+  mesh::Surface model = together(pipe(), tube(6, 5, 0.1, 0.5));  // the inner one is nearest to no handle
+  for (int i = 0; i < 3; ++i) model.triangles.erase(model.triangles.begin() + 5 * i);
+  const auto stray = std::uint32_t(model.positions.size());
+  model.positions.push_back({0.2, 0.1, 0.3});  // in no triangle
+  model.positions.push_back({0.3, 0.1, 0.3}), model.positions.push_back({0.4, 0.1, 0.3});
+  model.positions.push_back({0.5, 0.1, 0.3});
+  model.triangles.push_back({stray + 1, stray + 2, stray + 3});  // a line of its own
+  model.positions.push_back(model.positions[0]);
+  model.positions.push_back(0.5 * (model.positions[0] + model.positions[1]));
+  model.triangles.push_back({0, 1, stray + 4});  // two corners at one place
+  model.triangles.push_back({0, 1, stray + 5});  // three on a line
+  model.triangles.push_back({2, 2, 3});
+  model.positions.push_back(model.positions[7] + Vec3{1e-9, 0, 0});
+  model.triangles.push_back({7, 8, stray + 6});  // a needle
+  model = mesh::from_triangles(model.positions, model.triangles);
+  const StitchScene s(model);
+  for (const Scheme& scheme : all_stitched(2)) {
+    CAPTURE(text(scheme));
+    CHECK(s.error(similarity({1, -2, 3}, 80 * degree, 2, {3, 4, 5}), scheme) < 1e-9);
+    const auto posed = s.deform(s.pose(pipe_twist), scheme);
+    CHECK(all_finite(posed));
+    CHECK(largest_distance(posed, mapped(s.model.positions, pipe_twist)) < 1.5);
+  }
+  // Holds: the inner part by its blended place, what has no firm triangle alone.
+  base::WorkerPool pool(2);
+  const Stitching stitching = stitch(s.model, *s.cage, Elements::face, pool);
+  Scheme blended = stitched();
+  blended.iterations = 0;
+  const auto by_blend = s.deform(s.pose(pipe_twist), blended), by_stitching = s.deform(s.pose(pipe_twist));
+  CHECK(norm(by_blend[stray] - by_stitching[stray]) < 1e-14);
+  bool held = false;
+  for (const auto& hold : stitching.holds) held |= hold.vertex == 40 * 16 + 2;  // the first of the inner part
+  CHECK(held);
+}
+
+TEST_CASE("models_of_one_vertex_of_one_line_and_without_triangles_are_stitched_as_they_are_blended") {
+  for (const std::vector<mesh::Triangle>& triangles :
+       {std::vector<mesh::Triangle>{}, {{0, 1, 2}}, {{0, 0, 1}}, {{0, 1, 2}, {0, 2, 1}}}) {
+    const StitchScene s(mesh::from_triangles({{0, 0, 0.1}, {0, 0, 0.2}, {0, 0, 0.4}}, triangles));
+    CHECK(s.error(similarity({1, -2, 3}, 80 * degree, 2, {3, 4, 5}), stitched()) < 1e-10);
+    CHECK(all_finite(s.deform(s.pose(bent_pipe))));
+  }
+  base::WorkerPool pool(1);
+  const StitchScene s(pipe());
+  CHECK_THROWS_AS(stitch({}, *s.cage, Elements::face, pool), base::Error);
+}
+
+TEST_CASE("mirrored_and_collapsed_poses_give_finite_stitched_models") {
+  const StitchScene s(pipe());
+  const auto flat = [](const Vec3& x) { return Vec3{x[0], x[1], 0}; };
+  const auto line = [](const Vec3& x) { return Vec3{x[0], 0, 0}; };
+  const auto point = [](const Vec3&) { return Vec3{1, 2, 3}; };
+  const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
+  for (const Scheme& scheme : all_stitched(3)) {
+    CAPTURE(text(scheme));
+    CHECK(all_finite(s.deform(s.pose(flat), scheme)));
+    CHECK(all_finite(s.deform(s.pose(line), scheme)));
+    CHECK(all_finite(s.deform(s.pose(point), scheme)));
+    CHECK(all_finite(s.deform(s.pose(mirror), scheme)));
+  }
+}
+
+TEST_CASE("stitched_models_have_the_same_bits_on_any_number_of_threads") {
+  const StitchScene s(pipe());
+  for (const int iterations : {1, 3}) {
+    const auto one = s.deform(s.pose(pipe_twist), stitched(Elements::patch, Blend::srl, iterations), 1);
+    for (const int threads : {2, 3, 5})
+      CHECK(s.deform(s.pose(pipe_twist), stitched(Elements::patch, Blend::srl, iterations), threads) == one);
+  }
+}
+
+TEST_CASE("methods_agree_on_stitched_models") {
+  const StitchScene s(pipe());
+  const auto fast = s.deform(s.pose(bent_pipe));
+  CHECK(largest_distance(s.deform(s.pose(bent_pipe), stitched(), 2, sym3::Method::diag), fast) < 1e-12);
+}
+
+TEST_CASE("pins_within_a_radius_hold_more_firmly_and_translation_holds_everything") {
+  const StitchScene s(pipe());
+  base::WorkerPool pool(2);
+  const Stitching usual = stitch(s.model, *s.cage, Elements::face, pool);
+  CHECK(usual.pins.size() == 3 * s.cage->element_count());
+  CHECK(usual.holds.empty());
+  const Stitching wide = stitch(s.model, *s.cage, Elements::face, pool, {.radius = 0.2});
+  CHECK(wide.pins.size() > usual.pins.size());
+  for (const auto& pin : wide.pins) {
+    CHECK(pin.weight > 0);
+    CHECK(pin.weight <= StitchingSettings{}.pin);
+    CHECK((pin.weight == StitchingSettings{}.pin ||
+           norm(s.model.positions[pin.vertex] - s.cage->centers[pin.handle]) < 0.2 * s.cage->diagonal));
+  }
+  CHECK(stitch(s.model, *s.cage, Elements::face, pool, {.translation = 1}).holds.size() ==
+        s.model.positions.size());
+}
+
+TEST_CASE("elements_without_area_pin_nothing") {
+  mesh::Surface cage = tube(9, 7, 0.8, 4.4);
+  cage.positions.push_back(0.5 * (cage.positions[0] + cage.positions[1]));
+  const auto middle = std::uint32_t(cage.positions.size() - 1);
+  cage.triangles.push_back({0, middle, 1});
+  const StitchScene s(pipe(), mesh::from_triangles(cage.positions, cage.triangles));
+  REQUIRE(s.cage->degenerate.back() == 1);
+  base::WorkerPool pool(2);
+  for (const auto& pin : stitch(s.model, *s.cage, Elements::face, pool).pins)
+    CHECK(pin.handle + 1 < s.cage->element_count());
+}
