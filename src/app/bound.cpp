@@ -13,11 +13,11 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
   using deform::EngineKind;
   const deform::Weighting& weighting = scheme.weighting;
   base::WorkerPool pool;
-  const bool shared =
-      known.binding && known.model == model && known.cage == cage && known.binding->weighting == weighting;
-  Bound bound{model, cage, shared ? known.binding : nullptr};
+  const bool same = known.binding && known.model == model && known.cage == cage;
+  const bool shared = same && known.binding->weighting == weighting;
+  Bound bound{model, cage, shared ? known.binding : nullptr, same ? known.stitching : nullptr};
   auto& binding = bound.binding;
-  const bool staged = scheme.exponential() && method != sym3::Method::fast;
+  const bool staged = scheme.exponential() && !scheme.stitched() && method != sym3::Method::fast;
   if (!binding || !binding->tiles) {
     if (staged) progress.section(0, 0.5);
     FoundBinding found = find_binding(saved, *model, *cage, weighting, progress);
@@ -33,6 +33,10 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
     progress.section(progress.done(), 1);
     binding = std::make_shared<const deform::Binding>(
         deform::bind(*model, *cage, weighting, EngineKind::staged, binding.get(), pool, &progress));
+  }
+  if (scheme.stitched() && !bound.stitches(scheme)) {
+    bound.stitching =
+        std::make_shared<const deform::Stitching>(deform::stitch(*model, *cage, weighting.elements, pool));
   }
   return bound;
 }

@@ -29,7 +29,8 @@ struct Inputs {
 };
 
 /// MODEL, CAGE, --pose, --method, --elements, --weights, --blend, --reach or their shorthand --coordinates,
-/// --turn and --stretch: those that the use has. The target must outlive parsing.
+/// --turn and --stretch, --stitched and --iterations: those that the use has. The target must outlive
+/// parsing.
 void add_input_options(CLI::App& app, Inputs& inputs);
 
 /// After parsing. Throws CLI::ParseError where something is missing, or is named beside a session that names

@@ -17,7 +17,8 @@ bool LiveModel::follow(scene::Workspace& workspace) {
   if (new_surfaces || new_weights) follow_weights(document);
   // Other elements or another blend sum other rows over the same weights.
   if (deformer_ && deformer_->scheme().weighting == document.scheme.weighting) follow_blend(document.scheme);
-  // The staged engine's weights are made when a method asks for them; until then method `fast` serves.
+  // The staged engine's weights are made when a method asks for them, and a stitching when a scheme does;
+  // until then method `fast` serves, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(workspace, false);
   workspace.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
@@ -75,7 +76,8 @@ void LiveModel::install(scene::Workspace& workspace, Bound bound) {
 }
 
 void LiveModel::make_deformer(const deform::Scheme& scheme) {
-  deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool_);
+  deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool_,
+                                                 bound_.stitches(scheme) ? bound_.stitching : nullptr);
   derived_.reset();
   unprepared_ = true;
   dragging_ = false;
@@ -85,7 +87,9 @@ void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why
   binder_.cancel();
   scene::Document& document = workspace.document;
   if (deformer_) {
-    scene::give_up_scheme(document, deformer_->scheme());
+    deform::Scheme served = deformer_->scheme();
+    if (!bound_.stitches(served)) served.iterations = 0;
+    scene::give_up_scheme(document, served);
     weights_ = document.revisions.weights;  // they are those that are bound
     if (!deformer_->engine(document.method)) scene::set_method(document, sym3::Method::fast);
   }

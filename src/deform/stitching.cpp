@@ -104,7 +104,8 @@ public:
     hold_the_rest();
     SparseMatrix matrix = stiffness_matrix(model_.positions, model_.triangles);
     add_diagonal(matrix);
-    Stitching s{elements_, {}, {}, {}, std::move(pins_), {}, std::move(holds_), SparseCholesky(matrix)};
+    Stitching s{entry(elements_).handles, {}, {}, {}, std::move(pins_), {}, std::move(holds_),
+                SparseCholesky(matrix)};
     fill_triangles(s);
     fill_pinned(s);
     return s;

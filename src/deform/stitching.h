@@ -48,7 +48,7 @@ struct Stitching {
     double weight;
   };
 
-  Elements elements;                      ///< whose handles the pins name
+  Handles handles;                        ///< of the cage, which the pins name
   std::vector<mesh::Triangle> triangles;  ///< that count
   std::vector<std::array<Vec3, 2>>
       gradients;           ///< g of their first two corners; the third is what they lack to 0

@@ -19,6 +19,9 @@ constexpr Condition uses_method{
 constexpr Condition has_reach{
     [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has_reach; },
     "These weights have no reach: all of the cage moves all of the model."};
+constexpr Condition has_maps{
+    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.elements).affine; },
+    "These elements only move: there are no maps that triangles could follow."};
 constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
                               "Open a model first."};
 constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); }, "Open a cage first."};
@@ -217,6 +220,9 @@ const std::vector<Command>& table() {
       choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::mean_value>(),
       choice_command<B::srl>(), choice_command<B::slrl>(), choice_command<B::sql>(), choice_command<B::log3>(),
       choice_command<B::sse>(), choice_command<B::log4>(), choice_command<B::linear>(),
+      {"toggle_stitched", "Stitched",
+       "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are solved for. Details keep their shape; a frame takes longer.",
+       "Blend", {}, {}, has_maps, [](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); }},
       {"reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", "Blend", {key('K')}, {}, has_reach,
        [](Workspace& w) { step_reach(w.document, -1); }},
       {"reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.", "Blend", {key('K'), false, true}, {},

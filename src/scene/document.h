@@ -21,7 +21,8 @@ namespace viete::scene {
 
 using deform::all_blends, deform::all_elements, deform::all_weights, deform::complete, deform::entry,
     deform::only;
-using deform::Amounts, deform::largest_amount, deform::Scheme, deform::text_of_reach, deform::whole_cage;
+using deform::Amounts, deform::largest_amount, deform::most_iterations, deform::Scheme, deform::text_of_reach,
+    deform::whole_cage;
 using mesh::Summary;
 
 /// A surface that was opened, and what was found in it.

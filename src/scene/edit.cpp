@@ -14,6 +14,7 @@ namespace {
 constexpr const char* change_blending = "change blending";
 constexpr const char* change_reach = "change reach";
 constexpr const char* change_amounts = "change how much turns and stretches";
+constexpr const char* change_iterations = "change stitching";
 
 void restore(Document& document, Snapshot&& snapshot) {
   document.pose = std::move(snapshot.pose);
@@ -38,7 +39,7 @@ void put_scheme(Document& document, const deform::Scheme& scheme) {
   const deform::Scheme old = std::exchange(document.scheme, scheme);
   if (old.weighting != scheme.weighting) ++document.revisions.weights;
   if (old.blend != scheme.blend || old.weighting.elements != scheme.weighting.elements ||
-      old.amounts != scheme.amounts)
+      old.amounts != scheme.amounts || old.iterations != scheme.iterations)
     ++document.revisions.method;
 }
 
@@ -101,6 +102,12 @@ void set_amounts(Document& document, const deform::Amounts& amounts) {
   if (document.scheme.amounts != amounts) slide_scheme(document, scheme, change_amounts);
 }
 
+void set_iterations(Document& document, int iterations) {
+  deform::Scheme scheme = document.scheme;
+  scheme.iterations = iterations;
+  if (document.scheme.iterations != iterations) slide_scheme(document, scheme, change_iterations);
+}
+
 void step_reach(Document& document, int step) {
   const auto all = usual_reaches();
   const double now = document.scheme.weighting.reach;
@@ -111,7 +118,8 @@ void step_reach(Document& document, int step) {
 
 void give_up_scheme(Document& document, const deform::Scheme& instead) {
   History& history = document.history;
-  const bool chosen_last = history.undo_label() == change_reach || history.undo_label() == change_blending;
+  const auto label = history.undo_label();
+  const bool chosen_last = label == change_reach || label == change_blending || label == change_iterations;
   if (chosen_last && !history.can_redo()) {
     history.drop_last();
   } else {

@@ -221,6 +221,15 @@ double amount_of(const JsonReader& json) {
   return *amount;
 }
 
+int iterations_of(const JsonReader& json, deform::Scheme scheme) {
+  const std::uint32_t number = json.index();
+  if (number < 1 || number > deform::most_iterations)
+    json.fail("iterations must be 1 to " + std::to_string(deform::most_iterations));
+  scheme.iterations = static_cast<int>(number);
+  if (const auto reason = deform::conflict(scheme)) json.fail(std::string(*reason));
+  return scheme.iterations;
+}
+
 glm::ivec2 window_of(const JsonReader& json) {
   const auto [width, height] = json.numbers<2>();
   if (!is_window(width, height)) json.fail("no window has this size");
@@ -272,7 +281,8 @@ double percent(double amount) {
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
   const std::string_view shorthand = deform::shorthand(session.scheme);
-  const std::uint32_t version = shorthand.empty() || !session.scheme.amounts.whole() ? 2 : 1;
+  const bool plain = session.scheme.amounts.whole() && !session.scheme.stitched();
+  const std::uint32_t version = shorthand.empty() || !plain ? 2 : 1;
   ordered_json json = {{"format", format_name}, {"version", version}};
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
@@ -293,6 +303,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   const deform::Amounts& amounts = session.scheme.amounts;
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
   if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
+  if (session.scheme.stitched()) json["stitched"] = session.scheme.iterations;
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -358,6 +369,9 @@ void read_scheme(const JsonReader& json, Session& s) {
   take_part(json, "reach", s.scheme.weighting.reach, reach_of, "the whole cage instead", s.warnings);
   take_part(json, "turn", s.scheme.amounts.turn, amount_of, "100 percent instead", s.warnings);
   take_part(json, "stretch", s.scheme.amounts.stretch, amount_of, "100 percent instead", s.warnings);
+  take_part(
+      json, "stitched", s.scheme.iterations, [&](const auto& v) { return iterations_of(v, s.scheme); },
+      "not stitched instead", s.warnings);
 }
 
 void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {

@@ -1,5 +1,7 @@
 #include "scene/settings.h"
 
+#include <string>
+
 #include "base/error.h"
 #include "scene/edit.h"
 
@@ -21,6 +23,9 @@ void put_settings(Document& document, const AskedSettings& asked) {
   }
   scheme.amounts.turn = asked.turn.value_or(scheme.amounts.turn);
   scheme.amounts.stretch = asked.stretch.value_or(scheme.amounts.stretch);
+  if (asked.iterations) scheme.iterations = *asked.iterations;
+  if (const auto reason = deform::conflict(scheme))
+    throw base::Error("--stitched", std::string(*reason), "leave it out, or choose other elements");
   if (asked.method) document.method = *asked.method;
   put_scheme(document, scheme);
 }

@@ -13,14 +13,17 @@ struct AskedSettings {
   deform::PartialChoice choice{};
   std::optional<double> reach{};
   std::optional<double> turn{}, stretch{};  ///< of deform::Amounts
+  std::optional<int> iterations{};          ///< of stitching
 
   bool any() const {
-    return method || reach || turn || stretch || choice.elements || choice.weights || choice.blend;
+    return method || reach || turn || stretch || iterations || choice.elements || choice.weights ||
+           choice.blend;
   }
 };
 
 /// To a document that was just opened: no edit. Throws base::Error and changes nothing if the choices do not
-/// go together, or a reach is asked for where weights have none, or amounts where maps only move.
+/// go together, or a reach is asked for where weights have none, or amounts or stitching where maps only
+/// move.
 void put_settings(Document& document, const AskedSettings& asked);
 
 }  // namespace viete::scene

@@ -131,6 +131,32 @@ void amount_sliders(const Context& ui) {
   if (turned || stretched) scene::set_amounts(document, amounts);
 }
 
+void stitching(const Context& ui) {
+  scene::Document& document = ui.workspace.document;
+  const scene::Condition& condition = scene::find_command("toggle_stitched")->enabled;
+  const bool possible = condition(ui.workspace), stitched = document.scheme.stitched();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Shape");
+  ImGui::SameLine(label_width);
+  ImGui::BeginDisabled(!possible);
+  command_toggle(ui, "toggle_stitched", stitched);
+  ImGui::EndDisabled();
+  if (!possible) return hint(std::string(condition.otherwise));
+  if (!stitched) return;
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  int iterations = document.scheme.iterations;
+  const bool moved = ImGui::SliderInt("##iterations", &iterations, 1, scene::most_iterations,
+                                      iterations == 1 ? "%d iteration" : "%d iterations",
+                                      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+  if (moved) scene::set_iterations(document, iterations);
+  record(ui, "iterations");
+  hint(
+      "How often the model is solved for in each frame. From the second time on, rotations of its triangles "
+      "are "
+      "fitted to what was solved before: bends spread out more evenly.");
+}
+
 }  // namespace
 
 void blending(const Context& ui) {
@@ -140,6 +166,7 @@ void blending(const Context& ui) {
   chooser(ui, "blend", "Blend", scene::all_blends(), scheme.blend);
   reach_slider(ui);
   amount_sliders(ui);
+  stitching(ui);
 }
 
 }  // namespace viete::ui

@@ -70,6 +70,18 @@ TEST_CASE("every_method_that_has_a_name_is_taken_and_none_is_asked_for_by_itself
   }
 }
 
+TEST_CASE("stitching_takes_a_number_of_iterations_or_one") {
+  CHECK_FALSE(parsed(Use::picture, "a.obj").settings.iterations);
+  CHECK(parsed(Use::picture, "a.obj --stitched").settings.iterations == 1);
+  CHECK(parsed(Use::picture, "a.obj --stitched --iterations 20").settings.iterations == 20);
+  CHECK(parsed(Use::picture, "a.obj --iterations 4 --stitched").settings.iterations == 4);
+  CHECK(mentions(refusal(Use::picture, "a.obj --iterations 4"), "--stitched"));
+  for (const char* bad : {"0", "21", "-1", "1.5", "many"})
+    CHECK(mentions(refusal(Use::picture, std::string("a.obj --stitched --iterations ") + bad), "1 to 20"));
+  CHECK_FALSE(refusal(Use::binding, "a.obj c.obj --stitched").empty());
+  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --stitched --elements point"), base::Error);
+}
+
 TEST_CASE("settings_that_do_not_go_together_are_told_before_anything_is_opened") {
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --elements face --weights mean-value"), base::Error);
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --coordinates mvc --reach 3"), base::Error);

@@ -129,3 +129,18 @@ TEST_CASE("a_reach_is_written_as_it_is_read") {
     CHECK_FALSE(reach_from_text(text).has_value());
   }
 }
+
+TEST_CASE("stitching_stays_with_what_it_goes_with_and_makes_another_scheme") {
+  Scheme stitched;
+  stitched.iterations = 2;
+  CHECK(stitched != Scheme());
+  CHECK(stitched.stitched());
+  CHECK_FALSE(conflict(stitched));
+  CHECK(text(stitched) == "face, inverse, srl, stitched");
+  CHECK(complete(only(Elements::patch), stitched).iterations == 2);
+  CHECK(complete(only(Elements::point), stitched).iterations == 0);
+  Scheme points = *scheme_of_shorthand("mvc");
+  points.iterations = 1;
+  CHECK(conflict(points));
+  for (const Scheme& scheme : all_schemes()) CHECK_FALSE(scheme.stitched());
+}

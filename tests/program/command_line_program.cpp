@@ -209,6 +209,11 @@ TEST_CASE("elements_weights_and_blend_are_chosen_apart_or_by_one_word") {
   CHECK(linear != mean_values);
   CHECK(deformed(" --blend linear --method diag") == linear);  // which takes no exponential
 
+  const auto stitched = deformed(" --stitched");
+  CHECK(stitched != usual);
+  CHECK(deformed(" --stitched --iterations 1") == stitched);
+  CHECK(deformed(" --stitched --iterations 2") != stitched);
+
   const std::string scene = "deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
                             " -o " + quoted(scratch.path() / "x.ply");
   const auto apart = run(scene + " --elements face --weights mean-value");

@@ -127,6 +127,39 @@ TEST_CASE("reaches_are_stepped_through_as_one_edit_where_weights_have_one") {
   CHECK(test::edit_count(w.document.history) == 4);
 }
 
+TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a_row_are_one") {
+  Workspace w = test::cube_workspace();
+  const Revisions before = w.document.revisions;
+  CHECK(test::run_command(w, "toggle_stitched"));
+  CHECK(w.document.scheme.iterations == 1);
+  CHECK(w.document.revisions.method > before.method);
+  CHECK(w.document.revisions.weights == before.weights);  // the same sums of the same weights
+  for (const int iterations : {3, 4, 7}) set_iterations(w.document, iterations);
+  CHECK(w.document.scheme.iterations == 7);
+  CHECK(test::edit_count(w.document.history) == 1);
+  CHECK(test::run_command(w, "undo"));
+  CHECK_FALSE(w.document.scheme.stitched());
+  CHECK(test::run_command(w, "redo"));
+  CHECK(w.document.scheme.iterations == 7);
+  CHECK(test::run_command(w, "elements_patch"));  // stays stitched
+  CHECK(w.document.scheme.iterations == 7);
+  CHECK(test::run_command(w, "elements_point"));  // which have nothing to stitch
+  CHECK_FALSE(w.document.scheme.stitched());
+  CHECK_FALSE(test::run_command(w, "toggle_stitched"));
+  CHECK(test::run_command(w, "undo"));
+  CHECK(w.document.scheme.iterations == 7);
+  CHECK(test::run_command(w, "toggle_stitched"));
+  CHECK_FALSE(w.document.scheme.stitched());
+}
+
+TEST_CASE("a_stitching_that_is_not_to_be_had_leaves_no_trace_in_the_history") {
+  Workspace w = test::cube_workspace();
+  test::run_command(w, "toggle_stitched");
+  give_up_scheme(w.document, deform::Scheme());
+  CHECK(w.document.scheme == deform::Scheme());
+  CHECK_FALSE(w.document.history.can_undo());
+}
+
 TEST_CASE("a_way_of_blending_that_is_not_to_be_had_leaves_no_trace_in_the_history") {
   Workspace w = test::cube_workspace();
   test::run_command(w, "reset_pose");

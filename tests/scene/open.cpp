@@ -256,6 +256,16 @@ TEST_CASE(
   CHECK(other_blend.document.scheme.blend == deform::Blend::linear);
   CHECK(other_blend.document.scheme.weighting.reach == 3);
   CHECK(has_unsaved_edits(other_blend));
+
+  asked = {};
+  asked.iterations = 2;
+  Workspace stitched;
+  REQUIRE(open_now(stitched, {What::model, {files / "a.viete"}, asked}));
+  CHECK(stitched.document.scheme.iterations == 2);
+  CHECK(has_unsaved_edits(stitched));
+  asked.choice.elements = deform::Elements::point;
+  Workspace refused;
+  CHECK_FALSE(open_now(refused, {What::model, {files / "a.viete"}, asked}));
 }
 
 TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {

@@ -161,6 +161,9 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
       {"reach", "1.4", "a.viete: reach: a reach must be 1.5 or more; the whole cage instead"},
       {"turn", "201", "a.viete: turn: an amount must be 0 to 200 percent; 100 percent instead"},
       {"stretch", "-1", "a.viete: stretch: an amount must be 0 to 200 percent; 100 percent instead"},
+      {"stitched", "0", "a.viete: stitched: iterations must be 1 to 20; not stitched instead"},
+      {"stitched", "21", "a.viete: stitched: iterations must be 1 to 20"},
+      {"stitched", "true", "a.viete: stitched: found"},
       {"reach", "-1e999", "a.viete: reach"},
       {"reach", "\"far\"", "a.viete: reach: found a text where a number belongs"},
       {"camera", "[]",
@@ -198,6 +201,7 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
     CHECK_MESSAGE(mentions(w.messages.all()[0].text, c.said), w.messages.all()[0].text);
     CHECK(w.document.method == sym3::Method::fast);
     CHECK(w.document.scheme.weighting.reach == deform::whole_cage);
+    CHECK_FALSE(w.document.scheme.stitched());
     CHECK(w.document.selection.empty());
     CHECK(std::isfinite(w.camera.pose().target.y));
     CHECK(w.view == ViewOptions{});
@@ -295,11 +299,33 @@ TEST_CASE("elements_weights_and_blend_are_kept_and_older_programs_read_what_they
     CHECK(json["blend"] == std::string(deform::entry(scheme.blend).name));
     CHECK(json["version"] == (shorthand(scheme).empty() ? 2 : 1));
     CHECK(json.value("coordinates", "") == std::string(shorthand(scheme)));
+    CHECK_FALSE(json.contains("stitched"));
     Workspace back;
     REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
     CHECK(back.document.scheme == w.document.scheme);
     CHECK(back.document.scheme.weighting.reach == 3);
   }
+}
+
+TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
+  const test::CubeFiles files;
+  for (const int iterations : {1, 3, deform::most_iterations}) {
+    Workspace w;
+    REQUIRE(test::load_model(w, files.model, files.cage));
+    w.document.scheme.iterations = iterations;
+    REQUIRE(save_session(w, files / "a.viete"));
+    const auto json = read_json(files / "a.viete");
+    CHECK(json["stitched"] == iterations);
+    CHECK(json["version"] == 2);  // programs that do not know it would show another model
+    Workspace back;
+    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    CHECK(back.document.scheme.iterations == iterations);
+  }
+  test::put_file(files / "a.viete", with("coordinates\": \"mvc\", \"stitched", "1"));
+  const Session session = read_session(files / "a.viete");
+  CHECK_FALSE(session.scheme.stitched());
+  REQUIRE(session.warnings.size() == 1);
+  CHECK(mentions(session.warnings[0], "a.viete: stitched: translations give triangles no maps"));
 }
 
 TEST_CASE("a_session_may_name_any_part_of_a_scheme") {

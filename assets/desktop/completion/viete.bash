@@ -26,7 +26,7 @@ _viete_value() {
     --turn | --stretch) words='0 50 100 200' ;;
     --look) words='home front back left right top bottom' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
-    --scale | --frames | --tolerance | --count | --faces | --rounds) ;;
+    --scale | --frames | --iterations | --tolerance | --count | --faces | --rounds) ;;
     *) return 1 ;;
   esac
   [[ -z $words ]] || COMPREPLY=($(compgen -W "$words" -- "$cur"))
@@ -36,14 +36,14 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --method --elements --weights --blend --coordinates --reach --turn --stretch --binding --scale --frames'
+      options+=' --pose --method --elements --weights --blend --coordinates --reach --turn --stretch --stitched --iterations --binding --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --turn --stretch --binding --look --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --turn --stretch --stitched --iterations --binding --look --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --turn --stretch' ;;
+    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --turn --stretch --stitched --iterations' ;;
     bind) options+=' --output --force --elements --weights --coordinates --reach --tolerance' ;;
     info) options+=' --cage' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;

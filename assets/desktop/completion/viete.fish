@@ -41,6 +41,8 @@ $c -n '__viete_in view render deform' -l turn -x -a '0 50 100 200' -d 'How much 
 $c -n '__viete_in view render deform' -l stretch -x -a '0 50 100 200' -d 'How much of stretches acts, percent'
 $c -n '__viete_in view render deform bind' -l coordinates -x -a 'face mvc' -d 'How the cage moves the mesh'
 $c -n '__viete_in view render deform bind; or __viete_bench frame modes' -l reach -x -a 'all 1.5 2 3 5' -d 'How far a triangle moves the mesh'
+$c -n '__viete_in view render deform' -l stitched -d 'As rigid as possible'
+$c -n '__viete_in view render deform' -l iterations -x -a '1 2 3 5' -d 'How often a stitched mesh is solved for'
 $c -n '__viete_in bind; or __viete_bench frame' -l tolerance -x -d 'Of compressed weights'
 $c -n '__viete_in view render' -l scale -x -d 'Device pixels per logical pixel'
 $c -n '__viete_in view' -l frames -x -d 'Close after so many frames'

@@ -15,6 +15,7 @@ local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql lo
 local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
 local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 5)')
 local -a amounts=('--turn=[how much of rotations acts, percent]:percent:(0 50 100 200)' '--stretch=[how much of stretches acts, percent]:percent:(0 50 100 200)')
+local -a stitched=('--stitched[as rigid as possible]' '--iterations=[how often a stitched mesh is solved for]:iterations:(1 2 3 5)')
 local -a tolerance=('--tolerance=[of compressed weights]:tolerance:')
 local -a binding=('--binding=[what viete bind has saved]:binding:_files')
 local -a scale=('--scale=[device pixels per logical pixel]:scale:')
@@ -29,13 +30,13 @@ local command=$words[2]
 [[ $command == bench ]] && command="bench $words[3]"
 case $command in
   render)
-    specs+=($files $output $pose $method $weighting $blend $coordinates $reach $amounts $binding $scale
+    specs+=($files $output $pose $method $weighting $blend $coordinates $reach $amounts $stitched $binding $scale
       '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
       '--look=[from where]:view:(home front back left right top bottom)'
       '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
       '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
     ;;
-  deform) specs+=($files $output $pose $method $weighting $blend $coordinates $reach $amounts) ;;
+  deform) specs+=($files $output $pose $method $weighting $blend $coordinates $reach $amounts $stitched) ;;
   bind) specs+=($files $output $weighting $coordinates $reach $tolerance) ;;
   info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
   'bench exp') specs+=($count $json $plot $float) ;;
@@ -47,7 +48,7 @@ case $command in
   'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $reach $rounds) ;;
   'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind modes)') ;;
   *) # view, which may be left out
-    specs+=($files $pose $method $weighting $blend $coordinates $reach $amounts $binding $scale '--frames=[close after so many frames]:frames:')
+    specs+=($files $pose $method $weighting $blend $coordinates $reach $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
     ;;
 esac
