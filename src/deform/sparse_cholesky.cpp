@@ -21,6 +21,13 @@ constexpr double least_pivot = 1e-14;
                     "hold the part of the model that it belongs to");
 }
 
+// a - w b.
+SparseCholesky::Row less(const SparseCholesky::Row& a, double w, const SparseCholesky::Row& b) {
+  SparseCholesky::Row row;
+  for (int c = 0; c < 4; ++c) row.x[c] = a.x[c] - w * b.x[c];
+  return row;
+}
+
 }  // namespace
 
 SparseCholesky::SparseCholesky(const SparseMatrix& matrix) {
@@ -65,27 +72,24 @@ void SparseCholesky::solve_lower(Row* rows) const {
     const Row known = rows[j];
     for (std::uint32_t i = starts_[j]; i < starts_[j + 1]; ++i) {
       Row& row = rows[below_[i]];
-      for (int c = 0; c < 4; ++c) row.x[c] -= values_[i] * known.x[c];
+      row = less(row, values_[i], known);
     }
   }
 }
 
-// Every other entry goes into a sum of its own, so that one does not wait for the other.
+// From the last entry to the first, so that memory is read in one direction and fetched ahead; every other
+// one goes into a sum of its own, so that one does not wait for the other.
 void SparseCholesky::solve_upper(Row* rows) const {
+  std::uint32_t i = starts_.back();
   for (std::size_t j = size(); j-- > 0;) {
     Row sum = rows[j], other{};
-    for (int c = 0; c < 4; ++c) sum.x[c] *= inverse_pivots_[j];
-    std::uint32_t i = starts_[j];
-    for (; i + 1 < starts_[j + 1]; i += 2) {
-      const Row &first = rows[below_[i]], &second = rows[below_[i + 1]];
-      for (int c = 0; c < 4; ++c) sum.x[c] -= values_[i] * first.x[c];
-      for (int c = 0; c < 4; ++c) other.x[c] -= values_[i + 1] * second.x[c];
+    for (double& x : sum.x) x *= inverse_pivots_[j];
+    for (; i > starts_[j] + 1; i -= 2) {
+      sum = less(sum, values_[i - 1], rows[below_[i - 1]]);
+      other = less(other, values_[i - 2], rows[below_[i - 2]]);
     }
-    if (i < starts_[j + 1]) {
-      const Row& last = rows[below_[i]];
-      for (int c = 0; c < 4; ++c) sum.x[c] -= values_[i] * last.x[c];
-    }
-    for (int c = 0; c < 4; ++c) rows[j].x[c] = sum.x[c] + other.x[c];
+    if (i > starts_[j]) --i, sum = less(sum, values_[i], rows[below_[i]]);
+    rows[j] = less(sum, -1, other);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "deform/apply.h"
 #include "deform/face_maps.h"
 #include "deform/inverse_distance.h"
+#include "deform/leaves.h"
 #include "deform/matrix_log.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
@@ -104,7 +105,7 @@ public:
     hold_the_rest();
     SparseMatrix matrix = stiffness_matrix(model_.positions, model_.triangles);
     add_diagonal(matrix);
-    Stitching s{entry(elements_).handles, {}, {}, {}, std::move(pins_), {}, std::move(holds_),
+    Stitching s{entry(elements_).handles, {}, {}, {}, {}, std::move(pins_), {}, std::move(holds_),
                 SparseCholesky(matrix)};
     fill_triangles(s);
     fill_pinned(s);
@@ -181,16 +182,32 @@ private:
 
   void fill_triangles(Stitching& s) const {
     const auto& p = model_.positions;
+    const std::vector<std::uint32_t> places = order_vertices(s);
     for (const mesh::Triangle& t : model_.triangles) {
-      if (mesh::repeats_corner(t)) continue;
-      s.triangles.push_back(t);
-      s.gradients.push_back(area_gradients(p[t[0]], p[t[1]], p[t[2]]));
+      if (!mesh::repeats_corner(t)) s.triangles.push_back(t);
     }
+    const auto first_place = [&](const mesh::Triangle& t) {
+      return std::min({places[t[0]], places[t[1]], places[t[2]]});
+    };
+    std::ranges::stable_sort(s.triangles, {}, first_place);
+    for (const mesh::Triangle& t : s.triangles)
+      s.gradients.push_back(area_gradients(p[t[0]], p[t[1]], p[t[2]]));
     s.around = mesh::make_adjacency(p.size(), [&](const auto& add) {
       for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-        for (std::uint32_t k = 0; k < 3; ++k) add(s.triangles[t][k], 3 * t + k);
+        for (std::uint32_t k = 0; k < 3; ++k) add(places[s.triangles[t][k]], 3 * t + k);
       }
     });
+  }
+
+  // Fills the order; returns each vertex's place in it.
+  std::vector<std::uint32_t> order_vertices(Stitching& s) const {
+    const std::size_t n = model_.positions.size();
+    Leaves leaves = make_leaves(model_.positions, std::vector<std::uint32_t>(n, 0));
+    leaves.order.resize(n);  // without padding
+    s.order = std::move(leaves.order);
+    std::vector<std::uint32_t> places(n);
+    for (std::uint32_t i = 0; i < n; ++i) places[s.order[i]] = i;
+    return places;
   }
 
   void fill_pinned(Stitching& s) const {
@@ -247,7 +264,7 @@ struct Stitcher::Maps {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const double *a = of.data() + triangles[i][0] * columns, *b = of.data() + triangles[i][1] * columns,
                    *c = of.data() + triangles[i][2] * columns;
-      for (std::size_t k = 0; k < columns; ++k) sums[i][k] = (a[k] + b[k] + c[k]) / 3;
+      for (std::size_t k = 0; k < columns; ++k) sums[i][k] = (1.0 / 3) * (a[k] + b[k] + c[k]);
     }
   }
 
@@ -324,7 +341,7 @@ Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& p
     : stitching_(stitching),
       form_(form),
       pool_(pool),
-      loads_(stitching_.triangles.size()),
+      loads_(3 * stitching_.triangles.size()),
       pin_targets_(stitching_.pins.size()),
       right_(stitching_.vertices()),
       positions_(stitching_.vertices()) {
@@ -359,8 +376,8 @@ void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
 }
 
 void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, bool keep_stretches) {
-  if (keep_stretches) stretched_.resize(loads_.size());
-  pool_.for_blocks(loads_.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+  if (keep_stretches) stretched_.resize(stitching_.triangles.size());
+  pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     const auto triangles = std::span(stitching_.triangles).subspan(begin, end - begin);
     Maps maps;
     maps.average(sums, shape(form_).columns, triangles);
@@ -377,7 +394,7 @@ void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, b
 // R = the rotation nearest to sum_i x'_i (S g_i)^T maximises tr R^T sum_i x'_i (S g_i)^T, which is how the
 // energy of the triangle depends on R.
 void Stitcher::load_refitted() {
-  pool_.for_blocks(loads_.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+  pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     std::array<Mat, triangles_per_block> rotations;
     for (std::size_t t = begin; t < end; ++t) {
       const auto& [a, b, c] = stitching_.triangles[t];
@@ -396,16 +413,16 @@ void Stitcher::load_refitted() {
 }
 
 void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
-  loads_[t] = {a, b, Vec3{0, 0, 0} - (a + b)};
+  loads_[3 * t] = a, loads_[3 * t + 1] = b, loads_[3 * t + 2] = Vec3{0, 0, 0} - (a + b);
 }
 
 void Stitcher::solve(std::span<const Vec3> held) {
   const Stitching& s = stitching_;
   pool_.for_blocks(right_.size(), gathered_per_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
+    for (std::size_t place = begin; place < end; ++place) {
       Vec3 sum{0, 0, 0};
-      for (const auto i : s.around.of(v)) sum = sum + loads_[i / 3][i % 3];
-      right_[v] = sum;
+      for (const auto i : s.around.of(place)) sum = sum + loads_[i];
+      right_[s.order[place]] = sum;
     }
   });
   for (std::size_t i = 0; i < s.pins.size(); ++i) {

@@ -49,10 +49,11 @@ struct Stitching {
   };
 
   Handles handles;                        ///< of the cage, which the pins name
-  std::vector<mesh::Triangle> triangles;  ///< that count
-  std::vector<std::array<Vec3, 2>>
-      gradients;           ///< g of their first two corners; the third is what they lack to 0
-  mesh::Adjacency around;  ///< 3 t + corner, of each vertex
+  std::vector<std::uint32_t> order;       ///< all vertices, neighbours near each other
+  std::vector<mesh::Triangle> triangles;  ///< that count, in the order of their vertices
+  /// g of their first two corners; the third is what these lack to 0.
+  std::vector<std::array<Vec3, 2>> gradients;
+  mesh::Adjacency around;  ///< 3 t + corner, of each vertex in the order
   std::vector<Pin> pins;
   Binding pinned;  ///< what apply() needs of the pins: rest, rest_origin, offsets from the handle's centre
   std::vector<Hold> holds;
@@ -102,7 +103,7 @@ private:
   const Stitching& stitching_;
   RowForm form_;
   base::WorkerPool& pool_;
-  std::vector<std::array<Vec3, 3>> loads_;      // M g of each corner of each triangle
+  std::vector<Vec3> loads_;                     // M g of each corner of each triangle
   std::vector<std::array<Vec3, 2>> stretched_;  // S g, where rotations are refitted
   std::vector<mesh::Point> pin_targets_;
   std::vector<Vec3> right_, positions_;
