@@ -94,6 +94,9 @@ void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
 }
 
 void Pointer::move(Workspace& workspace, const PointerInput& input) {
+  // What was pressed on has its number among elements of that kind: a key has chosen another one since.
+  if (gesture_ == Gesture::pressed && workspace.document.selection.kind() != selection_before_.kind())
+    gesture_ = Gesture::ignored;
   const glm::vec2 delta = input.position - last_.position;
   if (glm::distance(input.position, press_) >= drag_threshold) {
     if (gesture_ == Gesture::pressed) begin_left_drag(workspace, input);

@@ -313,3 +313,22 @@ TEST_CASE("another_document_in_the_middle_of_a_gesture_ends_it") {
   CHECK_FALSE(differs_from_rest(m.w.document));
   CHECK(m.selected().empty());
 }
+
+TEST_CASE("another_kind_of_element_chosen_between_press_and_drag_ends_it") {
+  Mouse m;
+  m.w.document.selection = Selection(ElementKind::edge);
+  const auto before = m.w.document.pose.positions;
+  for (const bool dragged : {true, false}) {
+    const auto last = std::uint32_t(m.w.document.cage->edges.size() - 1);
+    const auto [a, b] = m.w.document.cage->edges[last];
+    m.move(0.5f * (m.vertex(a) + m.vertex(b)));
+    REQUIRE(m.w.interaction.hovered);
+    m.press();
+    select_kind(m.w.document, ElementKind::vertex);
+    if (dragged) m.move(m.input.position + glm::vec2(40, 0));
+    m.release();
+    CHECK(m.selected().empty());
+    CHECK(m.w.document.pose.positions == before);
+    select_kind(m.w.document, ElementKind::edge);
+  }
+}
