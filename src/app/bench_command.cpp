@@ -1,5 +1,5 @@
-// viete bench exp|eigen|frame|bind|modes|accuracy|sym3: the paper's figures, and its future work, on this
-// machine.
+// viete bench exp|eigen|frame|bind|modes|stitched|accuracy|sym3: the paper's figures, and its future work, on
+// this machine.
 #include <cstdio>
 #include <memory>
 
@@ -16,6 +16,7 @@
 #include "bench/exp.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
+#include "bench/stitched.h"
 #include "bench/sym3.h"
 #include "sym3/kernel.h"
 
@@ -66,6 +67,17 @@ int run_modes(bench::ModesOptions& options, const BenchFiles& files) {
   }
   options.json = files.json;
   bench::bench_modes(options);
+  return exit_ok;
+}
+
+int run_stitched(bench::StitchedOptions& options, const BenchFiles& files) {
+  files.check({options.model, options.cage, options.pose});
+  if (options.model.empty()) {
+    const BundledModel bundled = bundled_model();
+    options.model = bundled.model, options.cage = bundled.cage, options.pose = bundled.poses.front();
+  }
+  options.json = files.json;
+  bench::bench_stitched(options);
   return exit_ok;
 }
 
@@ -160,6 +172,22 @@ void add_modes_bench(CLI::App& bench, Action& action) {
   });
 }
 
+void add_stitched_bench(CLI::App& bench, Action& action) {
+  auto* command = bench.add_subcommand("stitched", "A frame of a stitched model, against a plain one");
+  auto options = std::make_shared<bench::StitchedOptions>();
+  auto files = std::make_shared<BenchFiles>();
+  add_model_and_cage(*command, *options, "that of the dragon");
+  add_file_option(*command, "POSE", options->pose, "Posed cage, same vertices in the same order")
+      ->default_str("one of the dragon");
+  add_rounds_option(*command, options->rounds, "11");
+  add_bench_files(*command, *files);
+  command->callback([options, files, &action] {
+    if (!options->model.empty() && options->pose.empty())
+      throw CLI::RequiredError(options->cage.empty() ? "CAGE" : "POSE");
+    action = [options, files] { return run_stitched(*options, *files); };
+  });
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
@@ -200,6 +228,7 @@ void add_bench_command(CLI::App& app, Action& action) {
   add_frame_bench(*command, action);
   add_bind_bench(*command, action);
   add_modes_bench(*command, action);
+  add_stitched_bench(*command, action);
 }
 
 }  // namespace viete::app

@@ -53,6 +53,7 @@ _viete_options() {
     'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
     'bench bind') options+=' --force --count --faces --rounds --json' ;;
     'bench modes') options+=' --force --method --reach --rounds --json' ;;
+    'bench stitched') options+=' --force --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))
 }
@@ -61,7 +62,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform bind info bench help' benches='exp eigen accuracy sym3 frame bind modes'
+  local commands='view render deform bind info bench help' benches='exp eigen accuracy sym3 frame bind modes stitched'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -71,7 +72,7 @@ _viete() {
   case $cur:$command in
     -*) _viete_options "$command" ;;
     *:bench) COMPREPLY=($(compgen -W "$benches" -- "$cur")) ;;
-    *:bench\ frame | *:bench\ bind | *:bench\ modes) _filedir "$_viete_meshes" ;;
+    *:bench\ frame | *:bench\ bind | *:bench\ modes | *:bench\ stitched) _filedir "$_viete_meshes" ;;
     *:bench\ *) ;;
     *:info) _filedir "$_viete_meshes" ;;
     *)

@@ -46,7 +46,8 @@ case $command in
   'bench frame') specs+=($meshes $count $json $faces $rounds $tolerance $reach) ;;
   'bench bind') specs+=($meshes $count $json $faces $rounds) ;;
   'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $reach $rounds) ;;
-  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind modes)') ;;
+  'bench stitched') specs+=($meshes "*:pose:$mesh" $json $rounds) ;;
+  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind modes stitched)') ;;
   *) # view, which may be left out
     specs+=($files $pose $method $weighting $blend $coordinates $reach $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
@@ -65,7 +66,7 @@ fi
 # The words of the command are no files.
 local -i skip=0
 [[ $command == (view|render|deform|bind|info|bench\ *) ]] && skip=1
-[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|modes) ]] && ((CURRENT > 3)) && skip=2
+[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|modes|stitched) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))
 _arguments -s $specs
