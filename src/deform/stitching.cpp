@@ -25,7 +25,7 @@ namespace {
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
 constexpr double indistinguishable = 1e-9;  // distances, in diagonals
-constexpr std::size_t triangles_per_block = 256;
+constexpr std::size_t triangles_per_block = 128;
 constexpr std::size_t gathered_per_block = 1024;  // vertices
 
 using Mat = sym3::Mat3<double>;
@@ -34,11 +34,6 @@ using Stretch = sym3::Sym3<double>;
 Vec3 image(const Mat& m, const Vec3& x) {
   return {m[0] * x[0] + m[1] * x[1] + m[2] * x[2], m[3] * x[0] + m[4] * x[1] + m[5] * x[2],
           m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
-}
-
-Vec3 image(const Stretch& s, const Vec3& x) {
-  return {s.xx * x[0] + s.xy * x[1] + s.xz * x[2], s.xy * x[0] + s.yy * x[1] + s.yz * x[2],
-          s.xz * x[0] + s.yz * x[1] + s.zz * x[2]};
 }
 
 // Area times the gradients of the hat functions of the first two corners: rows of the triangle's stiffness
@@ -253,63 +248,66 @@ Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements
   }
 }
 
-// The maps of a block of triangles, as M = rotation stretch where the form has them apart, else as M = M I.
+// The maps of a block of triangles, as M = rotation stretch where the form has them apart, else as M = M I;
+// number by number, [entry][triangle], so that vector code goes along the triangles.
 struct Stitcher::Maps {
-  std::array<std::array<double, most_columns>, triangles_per_block> sums;
-  std::array<Stretch, triangles_per_block> logs, stretches;
-  std::array<Vec3, triangles_per_block> turns;
-  std::array<Mat, triangles_per_block> rotations;
+  static constexpr std::size_t stride = sym3::padded_stride<double>(triangles_per_block);
+  static constexpr std::size_t most_used = 10;  // columns that make a map's linear part
+  using Plane = double[stride];
 
-  void average(std::span<const double> of, std::size_t columns, std::span<const mesh::Triangle> triangles) {
+  alignas(64) Plane sums[most_used], stretches[6], rotations[9];
+
+  void average(std::span<const double> of, RowForm form, std::span<const mesh::Triangle> triangles) {
+    const std::size_t columns = shape(form).columns, used = form == RowForm::quaternions ? 10 : 9;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const double *a = of.data() + triangles[i][0] * columns, *b = of.data() + triangles[i][1] * columns,
                    *c = of.data() + triangles[i][2] * columns;
-      for (std::size_t k = 0; k < columns; ++k) sums[i][k] = (1.0 / 3) * (a[k] + b[k] + c[k]);
+      for (std::size_t k = 0; k < used; ++k) sums[k][i] = (1.0 / 3) * (a[k] + b[k] + c[k]);
     }
   }
 
   void rotate(std::size_t first, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i)
-      turns[i] = {sums[i][first], sums[i][first + 1], sums[i][first + 2]};
-    sym3::exp_rotation({sym3::Layout::packed, turns[0].data()}, {sym3::Layout::packed, rotations[0].data()},
-                       count);
+    sym3::exp_rotation(sym3::VecView<const double>(sums[first], stride),
+                       sym3::MatView<double>(rotations[0], stride), count);
   }
   void stretch_by_sums(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& s = sums[i];
-      stretches[i] = {1 + s[0], s[1], s[2], 1 + s[3], s[4], 1 + s[5]};
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double one = k == 0 || k == 3 || k == 5;
+      for (std::size_t i = 0; i < count; ++i) stretches[k][i] = one + sums[k][i];
     }
   }
   void stretch_by_logs(std::size_t count, sym3::Method method) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& s = sums[i];
-      logs[i] = {s[0], s[1], s[2], s[3], s[4], s[5]};
+    if (method == sym3::Method::fast) {
+      return sym3::exp(sym3::SymView<const double>(sums[0], stride),
+                       sym3::SymView<double>(stretches[0], stride), count);
     }
-    sym3::exp<double>(std::span(logs).first(count), std::span(stretches).first(count), method);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Stretch s =
+          sym3::exp<double>({sums[0][i], sums[1][i], sums[2][i], sums[3][i], sums[4][i], sums[5][i]}, method);
+      put(stretches, i, std::array{s.xx, s.xy, s.xz, s.yy, s.yz, s.zz});
+    }
   }
   void rotate_by_quaternions(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& s = sums[i];
-      rotations[i] = rotation_of({1 + s[6], s[7], s[8], s[9]});
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      put(rotations, i, rotation_of({1 + sums[6][i], sums[7][i], sums[8][i], sums[9][i]}));
   }
   void take_whole(std::size_t count, bool by_log) {
     for (std::size_t i = 0; i < count; ++i) {
       Mat m;
-      std::copy_n(sums[i].begin(), 9, m.begin());
+      for (std::size_t k = 0; k < 9; ++k) m[k] = sums[k][i];
       if (by_log) {
         m = matrix_exp(m);
       } else {
         m[0] += 1, m[4] += 1, m[8] += 1;
       }
-      rotations[i] = m;
-      stretches[i] = sym3::identity<double>();
+      put(rotations, i, m);
+      put(stretches, i, std::array<double, 6>{1, 0, 0, 1, 0, 1});
     }
   }
   // Into factors, where those are needed.
   void split(std::size_t count) {
-    sym3::polar({sym3::Layout::packed, rotations[0].data()}, {sym3::Layout::packed, rotations[0].data()},
-                sym3::packed(stretches.data()), count);
+    const sym3::MatView<double> maps(rotations[0], stride);
+    sym3::polar(maps, maps, sym3::SymView<double>(stretches[0], stride), count);
   }
 
   void make(RowForm form, std::size_t count, sym3::Method method, bool apart) {
@@ -324,6 +322,31 @@ struct Stitcher::Maps {
       case RowForm::positions: assert(false);  // refused by conflict()
     }
     if (apart) split(count);
+  }
+
+  // out = stretch in, and the same of rotations: of all triangles, out and in being x y z.
+  void stretch(const Plane* in, Plane* out, std::size_t count) const {
+    const Plane* s = stretches;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = in[0][i], y = in[1][i], z = in[2][i];
+      out[0][i] = s[0][i] * x + s[1][i] * y + s[2][i] * z;
+      out[1][i] = s[1][i] * x + s[3][i] * y + s[4][i] * z;
+      out[2][i] = s[2][i] * x + s[4][i] * y + s[5][i] * z;
+    }
+  }
+  void rotate(const Plane* in, Plane* out, std::size_t count) const {
+    const Plane* r = rotations;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = in[0][i], y = in[1][i], z = in[2][i];
+      out[0][i] = r[0][i] * x + r[1][i] * y + r[2][i] * z;
+      out[1][i] = r[3][i] * x + r[4][i] * y + r[5][i] * z;
+      out[2][i] = r[6][i] * x + r[7][i] * y + r[8][i] * z;
+    }
+  }
+
+  template <std::size_t N>
+  static void put(Plane* planes, std::size_t i, const std::array<double, N>& entries) {
+    for (std::size_t k = 0; k < N; ++k) planes[k][i] = entries[k];
   }
 
   static Mat rotation_of(const std::array<double, 4>& q) {
@@ -375,19 +398,34 @@ void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   place_sums(stitching_.pinned, rows.form, sums, {0, 0, 0}, method, pin_targets_);
 }
 
+// The loads of a triangle's corners sum to 0.
+inline void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
+  loads_[3 * t] = a, loads_[3 * t + 1] = b, loads_[3 * t + 2] = Vec3{0, 0, 0} - (a + b);
+}
+
 void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, bool keep_stretches) {
   if (keep_stretches) stretched_.resize(stitching_.triangles.size());
   pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     const auto triangles = std::span(stitching_.triangles).subspan(begin, end - begin);
+    const std::size_t count = triangles.size();
     Maps maps;
-    maps.average(sums, shape(form_).columns, triangles);
-    maps.make(form_, triangles.size(), method, keep_stretches);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const auto& g = stitching_.gradients[begin + i];
-      const Vec3 a = image(maps.stretches[i], g[0]), b = image(maps.stretches[i], g[1]);
-      if (keep_stretches) stretched_[begin + i] = {a, b};
-      set_load(begin + i, image(maps.rotations[i], a), image(maps.rotations[i], b));
+    maps.average(sums, form_, triangles);
+    maps.make(form_, count, method, keep_stretches);
+    alignas(64) Maps::Plane gradients[6], stretched[6], loads[6];
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [a, b] = stitching_.gradients[begin + i];
+      Maps::put(gradients, i, std::array{a[0], a[1], a[2], b[0], b[1], b[2]});
     }
+    for (const std::size_t corner : {0, 3}) {
+      maps.stretch(gradients + corner, stretched + corner, count);
+      maps.rotate(stretched + corner, loads + corner, count);
+    }
+    const auto of = [](const Maps::Plane* planes, std::size_t i) {
+      return Vec3{planes[0][i], planes[1][i], planes[2][i]};
+    };
+    for (std::size_t i = 0; i < count; ++i) set_load(begin + i, of(loads, i), of(loads + 3, i));
+    if (!keep_stretches) return;
+    for (std::size_t i = 0; i < count; ++i) stretched_[begin + i] = {of(stretched, i), of(stretched + 3, i)};
   });
 }
 
@@ -410,10 +448,6 @@ void Stitcher::load_refitted() {
       set_load(t, image(rotations[t - begin], stretched_[t][0]),
                image(rotations[t - begin], stretched_[t][1]));
   });
-}
-
-void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
-  loads_[3 * t] = a, loads_[3 * t + 1] = b, loads_[3 * t + 2] = Vec3{0, 0, 0} - (a + b);
 }
 
 void Stitcher::solve(std::span<const Vec3> held) {
