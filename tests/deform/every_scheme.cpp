@@ -157,8 +157,8 @@ TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_
     CHECK(largest_distance(with(1, 1), whole) == 0);
     const auto other = with(0.5, 2);
     scheme.amounts = {0.5, 2};
-    const auto exported = deform_exactly(b.staged.model.positions, b.staged.cage, scheme, pose,
-                                         sym3::Method::fast, b.staged.pool);
+    const auto exported =
+        deform_exactly(b.staged.model, b.staged.cage, scheme, pose, sym3::Method::fast, b.staged.pool);
     CHECK(largest_distance(exported.positions, other) < 1e-12 * b.staged.cage->diagonal);
     CHECK(b.staged.report().turns == exported.report.turns);  // the pose's own, whatever acts
     CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));

@@ -54,7 +54,7 @@ struct StitchedFrame {
 };
 
 Scheme stitched_srl(int iterations = 1) {
-  return {{Elements::face, Weights::inverse}, Blend::srl, iterations};
+  return {.weighting = {Elements::face, Weights::inverse}, .iterations = iterations};
 }
 
 }  // namespace

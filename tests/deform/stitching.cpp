@@ -12,7 +12,7 @@ using namespace viete::test;
 namespace {
 
 Scheme stitched(Elements elements = Elements::face, Blend blend = Blend::srl, int iterations = 1) {
-  return {{elements, Weights::inverse}, blend, iterations};
+  return {.weighting = {elements, Weights::inverse}, .blend = blend, .iterations = iterations};
 }
 
 std::vector<Scheme> all_stitched(int iterations = 1) {
