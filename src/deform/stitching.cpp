@@ -252,6 +252,7 @@ Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements
 // number by number, [entry][triangle], so that vector code goes along the triangles.
 struct Stitcher::Maps {
   static constexpr std::size_t stride = sym3::padded_stride<double>(triangles_per_block);
+  static constexpr std::size_t ahead = 12;      // triangles, whose rows are asked for before they are needed
   static constexpr std::size_t most_used = 10;  // columns that make a map's linear part
   using Plane = double[stride];
 
@@ -260,6 +261,11 @@ struct Stitcher::Maps {
   void average(std::span<const double> of, RowForm form, std::span<const mesh::Triangle> triangles) {
     const std::size_t columns = shape(form).columns, used = form == RowForm::quaternions ? 10 : 9;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
+      // Rows of vertices lie in the file's order, which no processor guesses.
+      for (const auto v : triangles[std::min(i + ahead, triangles.size() - 1)]) {
+        __builtin_prefetch(of.data() + v * columns);
+        __builtin_prefetch(of.data() + v * columns + 8);
+      }
       const double *a = of.data() + triangles[i][0] * columns, *b = of.data() + triangles[i][1] * columns,
                    *c = of.data() + triangles[i][2] * columns;
       for (std::size_t k = 0; k < used; ++k) sums[k][i] = (1.0 / 3) * (a[k] + b[k] + c[k]);
