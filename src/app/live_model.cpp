@@ -52,7 +52,7 @@ void LiveModel::follow_weights(const scene::Document& document) {
 }
 
 void LiveModel::start_binding(const scene::Document& document) {
-  binding_text_ = scene::text(scene::binding_plan(document, document.scheme.weighting.elements));
+  binding_text_ = scene::text(scene::binding_plan(document, document.scheme.weighting));
   binder_.start([model = document.model.surface, cage = document.cage, scheme = document.scheme,
                  method = document.method, known = bound_,
                  saved = files_.take_saved()](base::Progress& progress) {

@@ -23,7 +23,9 @@ namespace viete::bench {
 namespace {
 
 constexpr deform::Weighting faces{}, integrals{deform::Elements::face, deform::Weights::integrated},
-    mean_values{deform::Elements::point, deform::Weights::mean_value};
+    mean_values{deform::Elements::point, deform::Weights::mean_value},
+    harmonics{deform::Elements::face, deform::Weights::harmonic},
+    biharmonics{deform::Elements::face, deform::Weights::biharmonic};
 
 /// One model in one cage, and every way to bind them.
 class BindRuns {
@@ -57,6 +59,8 @@ public:
     add("bound, compressed", [this] { compressed_ = bind(faces, deform::usual_tolerance); });
     add("integrated, vectors", [this] { weigh(integrals); });
     add("integrated, bound, compressed", [this] { bind(integrals, deform::usual_tolerance); });
+    add("harmonic, bound, compressed", [this] { bind(harmonics, deform::usual_tolerance); });
+    add("biharmonic, bound, compressed", [this] { bind(biharmonics, deform::usual_tolerance); });
     if (plain_)
       add("mean values, one at a time",
           [this] { weigh_one_by_one(deform::mean_value_weights, cage_.surface.positions.size()); });

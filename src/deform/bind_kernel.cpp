@@ -9,6 +9,7 @@
 #include "deform/bind_kernel-inl.h"
 #include "deform/integrated_kernel-inl.h"
 #include "deform/mean_value_kernel-inl.h"
+#include "deform/solve_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
@@ -16,7 +17,8 @@ namespace viete::deform::HWY_NAMESPACE {
 static const BindKernel bind = {inverse_distance, inverse_distance_rows,
                                 integrated,       integrated_rows,
                                 mean_value,       to_rows,
-                                take_out,         solve};
+                                take_out,         solve,
+                                solve_columns};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

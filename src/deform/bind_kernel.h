@@ -70,6 +70,17 @@ struct LeafRows {
   std::size_t tiles, columns;
 };
 
+inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides at once
+
+/// L and D of a matrix L D L^T. L has ones on its diagonal, which are not kept.
+struct TriangularFactor {
+  const std::uint32_t* starts;  ///< of the columns of L, and the end of the last one
+  const std::uint32_t* rows;
+  const double* values;
+  const double* inverse_diagonal;  ///< of D
+  std::size_t size;
+};
+
 struct BindKernel {
   /// weights [triangle][8 lanes]: inverse_distance_weights().
   void (*inverse_distance)(const WeightJob<double>& job, double* weights);
@@ -90,6 +101,8 @@ struct BindKernel {
   void (*take_out)(const LeafRows& leaf, const float* unit_row, float* coefficients, float* squared_norms);
   /// Coefficients [tile][t][lane] become factors of the pivots' rows, in place: lower is [s][t], rank x rank.
   void (*solve)(float* coefficients, std::size_t tiles, std::size_t rank, const float* lower);
+  /// block [row][solved_columns], aligned, in place: right-hand sides become solutions.
+  void (*solve_columns)(const TriangularFactor& factor, double* block);
 };
 
 /// That of the same instruction set.

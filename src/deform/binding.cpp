@@ -9,6 +9,7 @@
 #include "deform/integrated_distance.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
+#include "deform/surface_weights.h"
 #include "deform/tiled_binding.h"
 #include "mesh/normals.h"
 
@@ -19,7 +20,8 @@ namespace {
 constexpr std::size_t rows_per_block = 64;
 
 void allocate(Binding& binding) {
-  const auto bytes = static_cast<double>(binding_bytes(binding.vertices, binding.handles));
+  const auto bytes = static_cast<double>(
+      binding_bytes(binding.vertices, binding.handles, EngineKind::staged, binding.weighting));
   const auto need = binding_memory(bytes, binding.vertices, binding.handles);
   base::require_memory(need);
   try {
@@ -45,10 +47,23 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
         break;
       case Weights::integrated: integrated_weights(cage, b.rest[i], row); break;
       case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
+      case Weights::harmonic:
+      case Weights::biharmonic: normalise(row); break;  // solved for before
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }
   return failed;
+}
+
+void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding& b, base::WorkerPool& pool,
+                           base::Progress* progress) {
+  constexpr double factored = 0.3;  // of the time
+  const SurfaceSystem system(model, cage, b.weighting, pool, progress, factored);
+  const auto store = [&](const SurfaceSystem::Solved& solved) {
+    for (std::size_t v = 0; v < b.vertices; ++v)
+      std::copy_n(solved.of(v), solved.count, b.weights.data() + v * b.handles + solved.first);
+  };
+  system.solve(store, pool, progress, factored);
 }
 
 std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, base::Progress* progress) {
@@ -66,17 +81,20 @@ std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, bas
 
 }  // namespace
 
-std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine, Elements elements) {
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine,
+                          const Weighting& weighting) {
   const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
   const double slots = n + slot_block - 1;
-  const bool compressed = entry(elements).affine && compressible(vertices, handles);
+  const bool compressed = entry(weighting.elements).affine && compressible(vertices, handles);
   // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and the lists around
   // vertices
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
   // weights; rest, offset, position, vertex, neighbours; rest in double
   const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
-  return static_cast<std::size_t>(
-      std::min(0x1p63, engine == EngineKind::staged ? n * staged : slots * fused));
+  double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
+  if (entry(weighting.weights).on_surface)
+    bytes += surface_system_bytes(vertices) + (engine == EngineKind::fused ? 4 * n * k : 0);
+  return static_cast<std::size_t>(std::min(0x1p63, bytes));
 }
 
 base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t handles) {
@@ -123,7 +141,9 @@ Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weig
     binding.rest_origin = middle(cage.surface.positions);
     binding.triangles = model.triangles;
     binding.around = mesh::vertex_triangles(binding.vertices, model.triangles);
-    failed = fill(cage, binding, pool, progress);
+    const bool on_surface = entry(weighting.weights).on_surface;
+    if (on_surface) solve_surface_weights(model, cage, binding, pool, progress);
+    failed = fill(cage, binding, pool, on_surface ? nullptr : progress);
   } else {
     if (!binding.tiles) {
       binding.tiles = std::make_shared<const TiledBinding>(

@@ -74,6 +74,7 @@ std::uint64_t checksum(const TiledBinding& b, const std::vector<std::uint32_t>& 
   sum.add(ranks.data(), ranks.size() * sizeof ranks[0]);
   sum.add(b.listed.data(), b.listed.size() * sizeof b.listed[0]);
   for (const auto part : floats(b)) sum.add(part.data(), part.size_bytes());
+  sum.add(b.sample.data(), b.sample.size() * sizeof b.sample[0]);
   return sum.value();
 }
 
@@ -184,7 +185,10 @@ void make_room(const Reader& reader, TiledBinding& b) {
                               : b.has_lists() ? b.listed_weights()
                                               : b.leaves.slot_count() * b.handles;
   const auto [factors, skeleton] = b.lay_out_factors();
-  reader.expect(sizeof(float) * (b.offsets.size() + weights + factors + skeleton));
+  if (entry(b.weighting.weights).on_surface)
+    b.sample.resize(spread_vertices(b.leaves.vertices, error_sample).size() * b.handles);
+  reader.expect(sizeof(float) * (b.offsets.size() + weights + factors + skeleton) +
+                sizeof(double) * b.sample.size());
   base::require_memory(binding_memory(static_cast<double>(reader.left()), b.leaves.vertices, b.handles));
   b.weights.resize(weights);
   b.factors.resize(factors);
@@ -225,6 +229,7 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
                                          bytes(ranks.data(), ranks.size() * sizeof ranks[0])};
   parts.push_back(bytes(b.listed.data(), b.listed.size() * sizeof b.listed[0]));
   for (const auto part : floats(b)) parts.push_back(bytes(part.data(), part.size_bytes()));
+  parts.push_back(bytes(b.sample.data(), b.sample.size() * sizeof b.sample[0]));
   base::replace_file(file, parts, durability);
 }
 
@@ -247,6 +252,7 @@ TiledBinding read_binding(const fs::path& file, const mesh::Surface& model, cons
   if (storage == Storage::lists) read_lists(reader, ranks, b);
   make_room(reader, b);
   for (const auto part : floats(b)) reader.read(part.data(), part.size_bytes());
+  reader.read(b.sample.data(), b.sample.size() * sizeof b.sample[0]);
   if (h.content != checksum(b, ranks)) reader.fail("is damaged");
   b.failed = h.failed;
   b.tolerance = h.tolerance;

@@ -29,6 +29,7 @@ std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, const We
 ///   ranks     32 bits a leaf: compressed bindings, 0: dense; with lists, their lengths
 ///   listed    32 bits a handle, leaf by leaf (with lists only)
 ///   floats    offsets, weights, factors, skeleton, as in TiledBinding
+///   doubles   sample (weights along the surface only)
 /// binding must be of this model and cage. Atomic. Throws base::Error.
 void write_binding(const std::filesystem::path& file, const TiledBinding& binding, const mesh::Surface& model,
                    const Cage& cage, base::Durability durability = base::Durability::power_cut);

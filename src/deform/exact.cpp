@@ -71,6 +71,23 @@ double place_others(const Binding& binding, const Rows& rows, sym3::Method metho
   return method == sym3::Method::fast ? 0 : worst_difference(stretches, logs);
 }
 
+// Of the vertices [begin, end), without their triangles.
+Binding part_of(const Binding& whole, std::size_t begin, std::size_t end) {
+  const auto rows = [&](const auto& values, std::size_t length) {
+    const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i * length); };
+    return std::remove_cvref_t<decltype(values)>(at(begin), at(end));
+  };
+  Binding part;
+  part.weighting = whole.weighting;
+  part.vertices = end - begin;
+  part.handles = whole.handles;
+  part.rest_origin = whole.rest_origin;
+  part.rest = rows(whole.rest, 1);
+  part.weights = rows(whole.weights, whole.handles);
+  part.offsets = rows(whole.offsets, 1);
+  return part;
+}
+
 }  // namespace
 
 double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
@@ -106,6 +123,9 @@ ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage
   std::optional<Stitching> stitching;
   if (scheme.stitched()) stitching = stitch(model, *cage, scheme.weighting.elements, pool);
   const Weigher weigher(*cage, scheme.weighting);
+  Binding whole;
+  const bool on_surface = entry(scheme.weighting.weights).on_surface;
+  if (on_surface) whole = bind(model, *cage, scheme.weighting, pool, progress);
   ExactModel exact;
   exact.report = state.report();
   exact.positions.resize(rest.size());
@@ -121,7 +141,8 @@ ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage
   };
   pool.for_blocks(rest.size(), weighed_at_once(weigher.handles()), [&](std::size_t begin, std::size_t end) {
     const std::size_t count = end - begin;
-    const BoundPart part = bind_part(weigher, rest.subspan(begin, count));
+    const BoundPart part =
+        on_surface ? BoundPart{part_of(whole, begin, end)} : bind_part(weigher, rest.subspan(begin, count));
     const auto positions = std::span(exact.positions).subspan(begin, count);
     take(count, part.failed, place_vertices(part.binding, rows, method, positions));
     const std::size_t columns = rows.columns();

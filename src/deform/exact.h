@@ -31,7 +31,8 @@ struct ExactModel {
 
 /// Agrees with the staged engine to 1e-12 of the cage's diagonal (its weights come from vector
 /// code, see Weigher); the same bits for any number of threads. Memory: the positions, and a megabyte or so
-/// for each thread, more for cages of more than 10,000 elements. Throws base::Error when the pose has not one
+/// for each thread, more for cages of more than 10,000 elements; with
+/// weights along the surface those of all vertices. Throws base::Error when the pose has not one
 /// position per cage vertex or the model no vertices, and base::Cancelled. progress may be null.
 /// cage must not be null.
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,

@@ -45,28 +45,56 @@ Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Poi
   return {scale * dot(s[1], s[2]), scale * dot(s[2], s[0]), scale * dot(s[0], s[1])};
 }
 
+SparseMatrix sparse_matrix(std::size_t n, std::span<const MatrixEntry> entries) {
+  std::vector<Eigen::Triplet<double>> triplets;
+  triplets.reserve(entries.size());
+  for (const auto& e : entries)
+    triplets.emplace_back(static_cast<int>(e.row), static_cast<int>(e.column), e.value);
+  const auto size = static_cast<int>(n);
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  const int* starts = matrix.outerIndexPtr();
+  const auto count = matrix.nonZeros();
+  return {{starts, starts + size + 1},
+          {matrix.innerIndexPtr(), matrix.innerIndexPtr() + count},
+          {matrix.valuePtr(), matrix.valuePtr() + count}};
+}
+
+mesh::UnionFind connected(const SparseMatrix& matrix) {
+  mesh::UnionFind parts(matrix.size());
+  for (std::uint32_t v = 0; v < matrix.size(); ++v)
+    for_column(matrix, v, [&](std::uint32_t row, double) { parts.join(row, v); });
+  return parts;
+}
+
+SparseMatrix grounded(const SparseMatrix& matrix, const std::vector<bool>& free) {
+  std::vector<MatrixEntry> lower;
+  for (std::uint32_t v = 0; v < free.size(); ++v) {
+    if (!free[v]) lower.push_back({v, v, 1});
+    if (!free[v]) continue;
+    for_column(matrix, v, [&](std::uint32_t row, double value) {
+      if (row >= v && free[row]) lower.push_back({row, v, value});
+    });
+  }
+  return sparse_matrix(free.size(), lower);
+}
+
 SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
                               std::span<const mesh::Triangle> triangles) {
-  const auto n = static_cast<int>(positions.size());
-  std::vector<Eigen::Triplet<double>> entries;
+  const auto n = static_cast<std::uint32_t>(positions.size());
+  std::vector<MatrixEntry> entries;
   entries.reserve(positions.size() + 12 * triangles.size());
-  for (int v = 0; v < n; ++v) entries.emplace_back(v, v, 0.0);
+  for (std::uint32_t v = 0; v < n; ++v) entries.push_back({v, v, 0.0});
   for (const mesh::Triangle& t : triangles) {
     if (mesh::repeats_corner(t)) continue;
     const Vec3 half = half_cotangents(positions[t[0]], positions[t[1]], positions[t[2]]);
     for (int k = 0; k < 3; ++k) {
-      const auto i = static_cast<int>(t[(k + 1) % 3]), j = static_cast<int>(t[(k + 2) % 3]);
-      entries.emplace_back(i, i, half[k]), entries.emplace_back(j, j, half[k]);
-      entries.emplace_back(i, j, -half[k]), entries.emplace_back(j, i, -half[k]);
+      const auto i = t[(k + 1) % 3], j = t[(k + 2) % 3];
+      entries.push_back({i, i, half[k]}), entries.push_back({j, j, half[k]});
+      entries.push_back({i, j, -half[k]}), entries.push_back({j, i, -half[k]});
     }
   }
-  Eigen::SparseMatrix<double> matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const int* starts = matrix.outerIndexPtr();
-  const auto count = matrix.nonZeros();
-  return {{starts, starts + n + 1},
-          {matrix.innerIndexPtr(), matrix.innerIndexPtr() + count},
-          {matrix.valuePtr(), matrix.valuePtr() + count}};
+  return sparse_matrix(positions.size(), entries);
 }
 
 std::vector<double> lumped_mass(std::span<const mesh::Point> positions,

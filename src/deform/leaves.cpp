@@ -32,6 +32,12 @@ void sort_run(std::span<const mesh::Point> positions, Run run) {
 
 }  // namespace
 
+std::vector<std::uint32_t> slots_of(const Leaves& leaves) {
+  std::vector<std::uint32_t> slots(leaves.vertices);
+  for (std::uint32_t s = 0; s < leaves.vertices; ++s) slots[leaves.order[s]] = s;
+  return slots;
+}
+
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around) {
   Leaves leaves;
   leaves.vertices = positions.size();

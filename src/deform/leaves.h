@@ -27,6 +27,9 @@ struct Leaves {
   std::size_t end(std::size_t leaf) const { return std::min(order.size(), (leaf + 1) * leaf_slots); }
 };
 
+/// The slot of each vertex.
+std::vector<std::uint32_t> slots_of(const Leaves& leaves);
+
 /// A kd tree: halves along the longest side of the box. triangles_around: how many each vertex has. O(n log
 /// n). positions must not be empty.
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around);

@@ -59,12 +59,24 @@ constexpr std::array weights_table = {
     WeightsEntry{
         {"integrated", "Integrated", "1/r^4 integrated over the face, however the cage is cut into faces"},
         Weights::integrated,
+        "constants"},
+    WeightsEntry{
+        {"harmonic", "Harmonic",
+         "1 at the model's vertex nearest to the element, and from there on harmonic along the surface"},
+        Weights::harmonic,
         "constants",
-        false},
+        false,
+        true},
+    WeightsEntry{
+        {"biharmonic", "Biharmonic",
+         "as harmonic ones, but a thin plate on springs: smoother, and outside [0, 1] here and there"},
+        Weights::biharmonic,
+        "constants",
+        false,
+        true},
     WeightsEntry{{"mean-value", "Mean value", "mean value coordinates of the cage's vertices"},
                  Weights::mean_value,
-                 "linear functions, in closed cages",
-                 false},
+                 "linear functions, in closed cages"},
 };
 
 constexpr std::array blend_table = {
@@ -118,7 +130,7 @@ constexpr std::array rules = {
          },
          "integrals over faces are weights of faces, and these elements are edges or vertices of the cage"},
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
-           return w.value == Weights::inverse && !e.affine;
+           return !e.affine && (w.value == Weights::inverse || w.on_surface);
          },
          "translations need weights that reproduce linear functions, as mean values do"},
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry& b) {

@@ -18,7 +18,9 @@ namespace viete::deform {
 enum class Elements { face, point, patch, vertex_patch, edge, vertex, vertex_face };
 
 /// How much of each handle a vertex takes.
-enum class Weights { inverse, mean_value, integrated };
+/// (Smooth weights with bounds, as bounded biharmonic ones, take a solver of quadratic programs with bounds
+/// of 10^5 and more unknowns; Debian 12 packages none that fits, so there are none.)
+enum class Weights { inverse, mean_value, integrated, harmonic, biharmonic };
 
 /// What of the maps is summed, and how the sums become a position.
 enum class Blend { srl, linear, slrl, sql, log3, sse, log4 };
@@ -48,7 +50,8 @@ struct ElementsEntry : ChoiceEntry {
 struct WeightsEntry : ChoiceEntry {
   Weights value;
   std::string_view reproduces;  ///< which functions of space sums of weights give back exactly
-  bool has_reach;               ///< the reach of a Weighting counts
+  bool has_reach = false;       ///< the reach of a Weighting counts
+  bool on_surface = false;      ///< of vertices of the model, along its surface; else of points in space
 };
 
 struct BlendEntry : ChoiceEntry {

@@ -7,6 +7,7 @@
 #include "deform/cage_state.h"
 #include "deform/factoring.h"
 #include "deform/frame_kernel.h"
+#include "deform/surface_weights.h"
 #include "deform/weigher.h"
 
 namespace viete::deform {
@@ -63,6 +64,7 @@ public:
         b_(lay_out(model, cage, weighting)) {}
 
   TiledBinding bind(double tolerance, std::optional<Storage> wanted) {
+    if (entry(b_.weighting.weights).on_surface) solve_surface_weights();
     const bool local = b_.weighting.local(), sample = worth_sampling(tolerance) || local;
     require(local ? 0 : sample ? 0.25 : 1);  // what lists take, only the sample tells
     const Shares shares = sample ? sampled_shares(tolerance) : Shares();
@@ -103,18 +105,63 @@ private:
     pool_.for_blocks(b_.leaves.count(), 1, [&](std::size_t leaf, std::size_t) {
       body(leaf);
       const auto count = static_cast<double>(++done);
-      if (progress_) progress_->report(count / static_cast<double>(b_.leaves.count()));
+      if (progress_)
+        progress_->report(solved_ + (1 - solved_) * count / static_cast<double>(b_.leaves.count()));
     });
+  }
+
+  // Of all vertices: [sixteen handles][vertex][of these].
+  void solve_surface_weights() {
+    constexpr double factored = 0.3, share = 0.7;  // of the time
+    const std::size_t n = b_.leaves.vertices, k = b_.handles;
+    base::require_memory(binding_memory(
+        surface_system_bytes(n) + 4.0 * static_cast<double>(n) * static_cast<double>(k), n, k));
+    const auto sampled = spread_vertices(n, error_sample);
+    b_.sample.resize(sampled.size() * k);
+    surface_weights_.resize((k + solved_columns - 1) / solved_columns * solved_columns * n);
+    const SurfaceSystem system(model_, weigher_.cage(), b_.weighting, pool_, progress_, factored);
+    const auto store = [&](const SurfaceSystem::Solved& solved) {
+      float* to = surface_weights_.data() + solved.first * n;
+      for (std::size_t v = 0; v < n; ++v) to = std::copy_n(solved.of(v), solved_columns, to);
+      for (std::size_t s = 0; s < sampled.size(); ++s)
+        std::copy_n(solved.of(sampled[s]), solved.count, b_.sample.data() + s * k + solved.first);
+    };
+    system.solve(store, pool_, progress_, factored, share);
+    for (std::size_t s = 0; s < sampled.size(); ++s) normalise(std::span(b_.sample).subspan(s * k, k));
+    solved_ = share;
+  }
+
+  // As Weigher::weigh_tiles(), of the vertices of a leaf.
+  void gather(std::size_t leaf, float* rows, std::span<Vec3> sums) const {
+    const auto& kernel = bind_kernel(sym3::kernel());
+    const auto handles = weigher_.handle_positions();
+    const std::size_t n = b_.leaves.vertices, begin = b_.leaves.begin(leaf);
+    std::vector<double> weights(b_.handles * bind_lanes);
+    for (std::size_t s = 0; s < slots(leaf); s += bind_lanes) {
+      for (std::size_t l = 0; l < bind_lanes; ++l) {
+        const float* from = surface_weights_.data() + b_.leaves.order[begin + s + l] * solved_columns;
+        for (std::size_t j = 0; j < b_.handles; ++j)
+          weights[j * bind_lanes + l] = from[j / solved_columns * solved_columns * n + j % solved_columns];
+      }
+      double sum[3][lanes];
+      kernel.to_rows(weights.data(), {reinterpret_cast<const double(*)[3]>(handles.data()), b_.handles,
+                                      rows + s / lanes * lanes * b_.handles + s % lanes, sum[0]});
+      for (std::size_t l = 0; l < bind_lanes; ++l) sums[s + l] = {sum[0][l], sum[1][l], sum[2][l]};
+    }
   }
 
   // Weights of a leaf as floats; rows has room for them. Returns how many vertices have no mean value
   // coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, std::vector<Vec3>& sums) const {
+    sums.resize(slots(leaf));
+    if (!surface_weights_.empty()) {
+      gather(leaf, rows, sums);
+      return 0;
+    }
     std::vector<mesh::Point> points;
     for (std::size_t s = b_.leaves.begin(leaf); s < b_.leaves.end(leaf); ++s) {
       points.push_back(model_.positions[b_.leaves.order[s]]);
     }
-    sums.resize(points.size());
     const auto failed = weigher_.weigh_tiles(points, rows, sums);
     const auto end = failed.begin() + static_cast<std::ptrdiff_t>(vertices(leaf));
     return static_cast<std::size_t>(std::count(failed.begin(), end, true));
@@ -277,12 +324,47 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   TiledBinding b_;
+  base::AlignedVector<float> surface_weights_;  // of all vertices, where weights live on the surface
+  double solved_ = 0;                           // the share of the work that they took
 };
 
 }  // namespace
 
 bool compressible(std::size_t vertices, std::size_t handles) {
   return vertices >= leaf_slots && handles >= fewest_handles;
+}
+
+void TiledBinding::kept_row(std::size_t slot, std::span<double> row) const {
+  const std::size_t leaf = slot / leaf_slots, in_leaf = slot - leaves.begin(leaf);
+  // Of [tile][place][lane] from `first` on.
+  const auto at = [](const base::AlignedVector<float>& values, std::size_t first, std::size_t places,
+                     std::size_t s, std::size_t place) -> double {
+    return values[first + (s / lanes * places + place) * lanes + s % lanes];
+  };
+  std::fill(row.begin(), row.end(), 0.0);
+  if (has_lists()) {
+    const auto listed_here = list(leaf);
+    for (std::size_t r = 0; r < listed_here.size(); ++r)
+      row[listed_here[r]] = at(weights, first_weight(leaf), listed_here.size(), in_leaf, r);
+  } else if (!compressed() || factored[leaf].dense) {
+    const auto& [values, first] =
+        compressed()
+            ? std::pair<const base::AlignedVector<float>&, std::size_t>(factors, factored[leaf].first)
+            : std::pair<const base::AlignedVector<float>&, std::size_t>(weights, first_weight(leaf));
+    for (std::size_t j = 0; j < handles; ++j) row[j] = at(values, first, handles, in_leaf, j);
+  } else {
+    const LeafFactors& f = factored[leaf];
+    for (std::size_t t = 0; t < f.rank; ++t) {
+      const double factor = at(factors, f.first, f.rank, in_leaf, t);
+      for (std::size_t j = 0; j < handles; ++j) row[j] += factor * at(skeleton, 0, handles, f.pivots + t, j);
+    }
+  }
+}
+
+std::vector<std::size_t> spread_vertices(std::size_t vertices, std::size_t limit) {
+  std::vector<std::size_t> some(std::min(vertices, limit));
+  for (std::size_t s = 0; s < some.size(); ++s) some[s] = s * vertices / some.size();
+  return some;
 }
 
 std::size_t TiledBinding::bytes() const {

@@ -19,6 +19,11 @@ namespace viete::deform {
 /// sum of squares. Positions then move by a tenth to a half as many diagonals.
 inline constexpr double usual_tolerance = 3e-5;
 
+/// Vertices of which exact weights are compared with what stands for them.
+inline constexpr std::size_t error_sample = 512;
+/// At most `limit` of so many, spread evenly.
+std::vector<std::size_t> spread_vertices(std::size_t vertices, std::size_t limit);
+
 /// How weights are kept.
 enum class Storage {
   dense,    ///< of every handle at every vertex
@@ -46,6 +51,10 @@ struct TiledBinding {
   std::size_t failed = 0;  ///< vertices that have no mean value coordinates
   double unit = 1;         ///< a power of two near the cage's diagonal: lengths are stored as multiples of it
   double tolerance = 0;    ///< of the compression; 0: none
+  /// Weights along the surface only: those of error_sample vertices in double, see spread_vertices(), rows
+  /// that sum to
+  /// 1. (Others are made anew of any point.)
+  std::vector<double> sample;
   base::AlignedVector<float> rest;     ///< [tile][3][lane], relative to the middle of the rest cage, in units
   base::AlignedVector<float> offsets;  ///< [tile][3][lane], as Binding::offsets, in units
   /// [tile][handle][lane], with lists [tile][place in the list][lane]; empty if compressed
@@ -75,6 +84,9 @@ struct TiledBinding {
   /// Handles that a vertex blends on average: handles, or the length of its leaf's list.
   double mean_rows() const;
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
+  /// The weights of the vertex in a slot as they are kept, with what compression changes. row.size() ==
+  /// handles.
+  void kept_row(std::size_t slot, std::span<double> row) const;
   std::size_t bytes() const;        ///< of weights and what stands for them: read once a frame
   std::size_t dense_bytes() const;  ///< what they would take without compression
   struct Sizes {

@@ -8,17 +8,8 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t error_sample = 512;  // vertices
-
-}  // namespace
-
-std::vector<std::size_t> spread_vertices(const Binding& binding, std::size_t limit) {
-  std::vector<std::size_t> vertices(std::min(binding.vertices, limit));
-  for (std::size_t s = 0; s < vertices.size(); ++s) vertices[s] = s * binding.vertices / vertices.size();
-  return vertices;
-}
-
-BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points) {
+// All but weights and offsets.
+BoundPart unweighed_part(const Weigher& weigher, std::span<const mesh::Point> points) {
   BoundPart part;
   Binding& b = part.binding;
   b.weighting = weigher.weighting();
@@ -28,20 +19,42 @@ BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points)
   b.rest_origin = weigher.origin();
   b.weights.reserve(b.vertices * b.handles);
   b.offsets.reserve(b.vertices);
+  return part;
+}
+
+void add_row(const Weigher& weigher, const mesh::Point& point, std::span<const double> weights, Binding& b) {
+  b.weights.insert(b.weights.end(), weights.begin(), weights.end());
+  b.offsets.push_back(
+      rest_offset(weigher.cage(), weigher.handle_positions(), point - weigher.origin(), weights));
+}
+
+}  // namespace
+
+BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points) {
+  BoundPart part = unweighed_part(weigher, points);
   part.failed = visit_weights(weigher, points, [&](std::size_t i, const std::vector<double>& weights) {
-    b.weights.insert(b.weights.end(), weights.begin(), weights.end());
-    b.offsets.push_back(
-        rest_offset(weigher.cage(), weigher.handle_positions(), points[i] - weigher.origin(), weights));
+    add_row(weigher, points[i], weights, part.binding);
   });
+  return part;
+}
+
+BoundPart sampled_part(const Weigher& weigher, const TiledBinding& tiles,
+                       std::span<const mesh::Point> points) {
+  BoundPart part = unweighed_part(weigher, points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    add_row(weigher, points[i], std::span(tiles.sample).subspan(i * tiles.handles, tiles.handles),
+            part.binding);
   return part;
 }
 
 double sampled_error(const Weigher& weigher, const Binding& binding, const Rows& rows,
                      std::span<const FrameVertex> frame) {
-  const auto vertices = spread_vertices(binding, error_sample);
+  const auto vertices = spread_vertices(binding.vertices, error_sample);
   std::vector<mesh::Point> exact;
   for (const auto v : vertices) exact.push_back(binding.rest[v]);
-  const BoundPart part = bind_part(weigher, exact);
+  const BoundPart part = entry(binding.weighting.weights).on_surface
+                             ? sampled_part(weigher, *binding.tiles, exact)
+                             : bind_part(weigher, exact);
   place_vertices(part.binding, rows, sym3::Method::fast, exact);
   double worst = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -58,9 +71,10 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
   std::vector<sym3::Sym3<double>> sample;
   if (!has_stretch_logs(rows.form)) return sample;
   std::vector<mesh::Point> points;
-  for (const auto v : spread_vertices(binding, limit)) points.push_back(binding.rest[v]);
+  const auto vertices = spread_vertices(binding.vertices, limit);
+  for (const auto v : vertices) points.push_back(binding.rest[v]);
   sample.reserve(points.size());
-  visit_weights(weigher, points, [&](std::size_t, const std::vector<double>& weights) {
+  const auto visit = [&](std::size_t, const std::vector<double>& weights) {
     if (progress && sample.size() % portion == 0) {
       progress->report(static_cast<double>(sample.size()) / static_cast<double>(points.size()));
     }
@@ -72,7 +86,12 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
            m.yy + w * x[3], m.yz + w * x[4], m.zz + w * x[5]};
     }
     sample.push_back(m);
-  });
+  };
+  if (entry(binding.weighting.weights).on_surface) {
+    visit_kept_weights(binding, vertices, visit);
+  } else {
+    visit_weights(weigher, points, visit);
+  }
   return sample;
 }
 

@@ -10,13 +10,11 @@
 #include "deform/binding.h"
 #include "deform/cage_state.h"
 #include "deform/frame_vertex.h"
+#include "deform/tiled_binding.h"
 #include "deform/weigher.h"
 #include "sym3/sym3.h"
 
 namespace viete::deform {
-
-/// At most `limit` vertices, spread evenly over the model.
-std::vector<std::size_t> spread_vertices(const Binding& binding, std::size_t limit);
 
 /// visit(i, row of weights) for each of the points in turn. visit may throw. Returns how many have no mean
 /// value coordinates.
@@ -39,15 +37,36 @@ std::size_t visit_weights(const Weigher& weigher, std::span<const mesh::Point> p
   return failed;
 }
 
+/// The same where weights live on the model's surface, of some of its vertices: the weights of the staged
+/// engine, or else those of the tiles, as they are kept.
+template <class Visit>
+void visit_kept_weights(const Binding& binding, std::span<const std::size_t> vertices, const Visit& visit) {
+  std::vector<double> row(binding.handles);
+  const auto slots = binding.weights.empty() ? slots_of(binding.tiles->leaves) : std::vector<std::uint32_t>();
+  for (std::size_t s = 0; s < vertices.size(); ++s) {
+    if (slots.empty()) {
+      const auto from = binding.weights.begin() + static_cast<std::ptrdiff_t>(vertices[s] * binding.handles);
+      std::copy_n(from, binding.handles, row.begin());
+    } else {
+      binding.tiles->kept_row(slots[vertices[s]], row);
+    }
+    visit(s, row);
+  }
+}
+
 /// Vertices at these points, with weights and offsets as the staged frame has them.
 struct BoundPart {
   Binding binding;
   std::size_t failed = 0;  ///< have no mean value coordinates
 };
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
+/// With weights along the surface: of the error_sample vertices of tiles.sample.
+BoundPart sampled_part(const Weigher& weigher, const TiledBinding& tiles,
+                       std::span<const mesh::Point> points);
 
 /// How far a frame of these rows is from double precision and exact weights: the largest distance of a sample
-/// of vertices, in diagonals of the cage. Takes about a millisecond.
+/// of vertices, in diagonals of the cage. Takes about a millisecond. Weights along the surface must be those
+/// of tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Rows& rows,
                      std::span<const FrameVertex> frame);
 

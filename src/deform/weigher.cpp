@@ -46,6 +46,7 @@ Weigher::Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kerne
   const auto centers = handle_centers(cage, weighting.elements);
   handles_ = relative_to(origin_, {centers.begin(), centers.end()});
   for (const Vec3& p : cage.surface.positions) corners_.push_back(scaled(p));
+  if (entry(weighting.weights).on_surface) return;
   weighting.weights == Weights::mean_value ? add_views() : add_triangles();
 }
 
@@ -115,6 +116,8 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
     case Weights::inverse: kernel_.inverse_distance(job(squared_contact(), at), scratch.data()); return 0;
     case Weights::integrated: kernel_.integrated(job(squared_softening(), at), scratch.data()); return 0;
     case Weights::mean_value: return weigh_mean_values(points, at, scratch);
+    case Weights::harmonic:
+    case Weights::biharmonic: break;  // of vertices, not of points
   }
   return 0;
 }

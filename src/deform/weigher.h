@@ -13,7 +13,8 @@
 
 namespace viete::deform {
 
-/// The weights of Binding for any points: inverse_distance_weights(), integrated_weights() and
+/// The weights of Binding for any points, but those that live on the model's surface (of these it has only
+/// what does not depend on the model): inverse_distance_weights(), integrated_weights() and
 /// mean_value_weights() to 1e-13, less
 /// where those themselves are less certain. Keeps a reference to the cage. Thread-safe.
 class Weigher {

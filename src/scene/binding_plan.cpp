@@ -5,12 +5,12 @@
 
 namespace viete::scene {
 
-BindingPlan binding_plan(const Document& document, deform::Elements elements) {
+BindingPlan binding_plan(const Document& document, const deform::Weighting& weighting) {
   BindingPlan plan;
   plan.vertices = document.model.surface->positions.size();
-  plan.handles = deform::handle_count(*document.cage, elements);
-  plan.bytes = deform::binding_bytes(plan.vertices, plan.handles, deform::EngineKind::fused, elements);
-  plan.elements = elements;
+  plan.handles = deform::handle_count(*document.cage, weighting.elements);
+  plan.bytes = deform::binding_bytes(plan.vertices, plan.handles, deform::EngineKind::fused, weighting);
+  plan.elements = weighting.elements;
   return plan;
 }
 

@@ -16,7 +16,7 @@ struct BindingPlan {
 };
 
 /// Of an open model and cage. Requires both.
-BindingPlan binding_plan(const Document& document, deform::Elements elements);
+BindingPlan binding_plan(const Document& document, const deform::Weighting& weighting);
 
 /// "Binding 50,000 vertices to 148 faces, 72 MB".
 std::string text(const BindingPlan& plan);

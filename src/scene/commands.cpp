@@ -217,7 +217,8 @@ const std::vector<Command>& table() {
 
       choice_command<E::face>(), choice_command<E::patch>(), choice_command<E::edge>(), choice_command<E::vertex>(),
       choice_command<E::vertex_face>(), choice_command<E::vertex_patch>(), choice_command<E::point>(),
-      choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::mean_value>(),
+      choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::harmonic>(), choice_command<W::biharmonic>(),
+      choice_command<W::mean_value>(),
       choice_command<B::srl>(), choice_command<B::slrl>(), choice_command<B::sql>(), choice_command<B::log3>(),
       choice_command<B::sse>(), choice_command<B::log4>(), choice_command<B::linear>(),
       {"toggle_stitched", "Stitched",

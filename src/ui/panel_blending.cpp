@@ -27,8 +27,8 @@ std::string consequences(const scene::Workspace& w, const scene::Scheme& next, s
   say("Weights", entry(now.weighting.weights).label, entry(next.weighting.weights).label);
   say("Blend", entry(now.blend).label, entry(next.blend).label);
   if (w.document.has_cage() && now.weighting != next.weighting)
-    text += (text.empty() ? "" : "\n") +
-            scene::text(scene::binding_plan(w.document, next.weighting.elements)) + " of memory.";
+    text += (text.empty() ? "" : "\n") + scene::text(scene::binding_plan(w.document, next.weighting)) +
+            " of memory.";
   return text;
 }
 

@@ -56,13 +56,13 @@ std::string refusal(const Saved& s) {
 
 TEST_CASE("a_saved_binding_comes_back_to_the_last_bit_and_gives_the_same_frames") {
   const TemporaryFolder folder;
-  for (const Weighting& weighting : {faces, faces_reaching(2), mean_values}) {
+  for (const Weighting& weighting : {faces, faces_reaching(2), mean_values, harmonics}) {
     for (const double tolerance : {0.0, usual_tolerance}) {
       const Saved s = save(folder, weighting, tolerance);
       const TiledBinding back = read(s);
       const TiledBinding& b = *s.binding;
       if (tolerance == 0) CHECK(b.has_lists() == weighting.local());
-      if (!weighting.local()) CHECK(b.compressed() == (weighting == faces && tolerance > 0));
+      if (!weighting.local()) CHECK(b.compressed() == (!(weighting == mean_values) && tolerance > 0));
       CHECK(back.weighting == weighting);
       CHECK(back.storage() == b.storage());
       CHECK(back.list_starts == b.list_starts);
@@ -73,6 +73,8 @@ TEST_CASE("a_saved_binding_comes_back_to_the_last_bit_and_gives_the_same_frames"
       CHECK(back.tolerance == b.tolerance);
       CHECK(back.leaves.order == b.leaves.order);
       CHECK(same_bits(back.offsets, b.offsets));
+      CHECK(b.sample.empty() != (weighting == harmonics));
+      CHECK(same_bits(back.sample, b.sample));
       CHECK(same_bits(back.weights, b.weights));
       CHECK(same_bits(back.factors, b.factors));
       CHECK(same_bits(back.skeleton, b.skeleton));
@@ -285,8 +287,8 @@ TEST_CASE("what_a_binding_is_expected_to_take_is_at_least_its_file") {
   for (const Weighting weighting : {faces, mean_values}) {
     const TemporaryFolder folder;
     const Saved s = save(folder, weighting, viete::deform::usual_tolerance);
-    const std::size_t expected = viete::deform::binding_bytes(
-        s.model.positions.size(), s.binding->handles, viete::deform::EngineKind::fused, weighting.elements);
+    const std::size_t expected = viete::deform::binding_bytes(s.model.positions.size(), s.binding->handles,
+                                                              viete::deform::EngineKind::fused, weighting);
     CHECK(expected >= fs::file_size(s.file));
     CHECK(expected <= 3 * fs::file_size(s.file));
   }

@@ -9,7 +9,8 @@
 namespace viete::test {
 
 inline constexpr Weighting faces{}, mean_values{Elements::point, Weights::mean_value},
-    face_integrals{Elements::face, Weights::integrated};
+    face_integrals{Elements::face, Weights::integrated}, harmonics{Elements::face, Weights::harmonic},
+    biharmonics{Elements::face, Weights::biharmonic};
 inline Weighting faces_reaching(double reach) {
   return {Elements::face, Weights::inverse, reach};
 }

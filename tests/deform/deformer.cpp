@@ -124,9 +124,11 @@ TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponen
     CHECK(staged.deformer.sampled_error() == 0);
     const auto matrices = fused.sample_matrices(100), same = staged.deformer.sample_matrices(100);
     CHECK(matrices.size() == (exponential ? 100 : 0));
+    // Along the surface weights are not made anew.
+    const double exact = entry(weighting.weights).on_surface ? 1e-5 : 1e-13;
     for (std::size_t i = 0; i < matrices.size(); ++i) {
       const auto &a = matrices[i], &b = same[i];
-      CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < 1e-13);
+      CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < exact);
     }
     const auto both = std::make_shared<const Binding>(
         bind(staged.model, *staged.cage, weighting, EngineKind::staged, tiled.get(), staged.pool));

@@ -32,8 +32,7 @@ Vec3 bent_and_stretched(const Vec3& p) {
 
 ExactModel deform_exactly(const Bound& b, const Pose& pose, Method method = Method::fast, int threads = 2) {
   base::WorkerPool pool(threads);
-  return deform::deform_exactly(b.model, b.cage, {b.binding->weighting, Blend::srl}, pose, method,
-                                pool);
+  return deform::deform_exactly(b.model, b.cage, {b.binding->weighting, Blend::srl}, pose, method, pool);
 }
 
 double diagonals_from_staged(Bound& b, const Pose& pose, Method method) {
@@ -137,9 +136,8 @@ TEST_CASE("exact_positions_of_nothing_or_of_another_pose_are_refused_and_work_ca
   deform::deform_exactly(b.model, b.cage, {faces}, pose, Method::fast, pool, &progress);
   CHECK(progress.done() == 1);
   progress.cancel();
-  CHECK_THROWS_AS(
-      deform::deform_exactly(b.model, b.cage, {faces}, pose, Method::fast, pool, &progress),
-      base::Cancelled);
+  CHECK_THROWS_AS(deform::deform_exactly(b.model, b.cage, {faces}, pose, Method::fast, pool, &progress),
+                  base::Cancelled);
 }
 
 TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once" * doctest::test_suite(if_present)) {

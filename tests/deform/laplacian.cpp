@@ -164,3 +164,21 @@ TEST_CASE("lumped_mass_shares_the_area_among_the_vertices_of_triangles") {
   const std::vector<mesh::Point> corner = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
   CHECK(lumped_mass(corner, std::vector<mesh::Triangle>{{0, 1, 2}}) == std::vector<double>{2, 2, 2});
 }
+
+TEST_CASE("grounded_unknowns_are_what_their_right_hand_sides_say") {
+  const std::vector<MatrixEntry> entries = {{0, 0, 4}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1},
+                                            {1, 1, 2}, {2, 1, 7}, {1, 2, 7}, {2, 2, 9}};
+  const SparseMatrix matrix = sparse_matrix(4, entries);
+  CHECK(matrix.size() == 4);
+  CHECK(matrix.values == std::vector<double>{4, 1, 1, 3, 7, 7, 9});  // added, by columns
+  const SparseMatrix lower = grounded(matrix, {true, true, false, false});
+  std::vector<std::array<double, 3>> found;
+  for (std::uint32_t j = 0; j < 4; ++j)
+    for_column(lower, j, [&](std::uint32_t i, double value) {
+      found.push_back({double(i), double(j), value});
+    });
+  CHECK(found == std::vector<std::array<double, 3>>{{0, 0, 4}, {1, 0, 1}, {1, 1, 3}, {2, 2, 1}, {3, 3, 1}});
+  mesh::UnionFind sets = connected(matrix);
+  CHECK(sets.find(0) == sets.find(2));
+  CHECK(sets.find(3) != sets.find(0));
+}

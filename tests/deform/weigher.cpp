@@ -36,7 +36,9 @@ void weights_of_one(const Cage& cage, const Weighting& weighting, const viete::m
     case Weights::inverse:
       return inverse_distance_weights(cage, p, weights, weighting.reach, entry(weighting.elements).handles);
     case Weights::integrated: return integrated_weights(cage, p, weights);
-    case Weights::mean_value: mean_value_weights(cage, p, weights);
+    case Weights::mean_value: mean_value_weights(cage, p, weights); return;
+    case Weights::harmonic:
+    case Weights::biharmonic: FAIL("these are not of points");
   }
 }
 

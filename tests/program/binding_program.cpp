@@ -237,9 +237,9 @@ TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it
 TEST_CASE("what_a_binding_takes_is_known_before") {
   Driver d(small_window());
   open_posed_dragon(d);
-  const auto plan = scene::binding_plan(d.document(), deform::Elements::point);
+  const auto plan = scene::binding_plan(d.document(), {deform::Elements::point});
   CHECK(plan.handles == d.document().pose.positions.size());
   CHECK(plan.bytes ==
-        deform::binding_bytes(50000, plan.handles, deform::EngineKind::fused, deform::Elements::point));
+        deform::binding_bytes(50000, plan.handles, deform::EngineKind::fused, {deform::Elements::point}));
   CHECK(scene::text(plan).rfind("Binding 50,000 vertices to 76 vertices, ", 0) == 0);
 }

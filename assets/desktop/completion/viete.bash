@@ -19,7 +19,7 @@ _viete_value() {
       ;;
     --method) words='fast diag sd improved_sd' ;;
     --elements) words='face patch edge vertex vertex-face vertex-patch point' ;;
-    --weights) words='inverse integrated mean-value' ;;
+    --weights) words='inverse integrated harmonic biharmonic mean-value' ;;
     --blend) words='srl sse slrl sql log3 log4 linear' ;;
     --coordinates) words='face mvc' ;;
     --reach) words='all 1.5 2 3 5' ;;

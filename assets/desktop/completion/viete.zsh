@@ -10,7 +10,7 @@ local -a output=($force '(-o --output)'{-o+,--output=}'[file to write]:file:_fil
 local -a pose=("--pose=[posed cage]:pose:$mesh")
 local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_sd)')
 local -a weighting=('--elements=[which maps the cage carries]:elements:(face patch edge vertex vertex-face vertex-patch point)'
-  '--weights=[how much of each map a vertex takes]:weights:(inverse integrated mean-value)')
+  '--weights=[how much of each map a vertex takes]:weights:(inverse integrated harmonic biharmonic mean-value)')
 local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql log3 log4 linear)')
 local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
 local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 5)')

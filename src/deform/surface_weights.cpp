@@ -1,0 +1,159 @@
+#include "deform/surface_weights.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "deform/cage_state.h"
+#include "deform/inverse_distance.h"
+#include "mesh/point_tree.h"
+#include "mesh/triangle.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr double spring_per_handle = 1;
+
+std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
+  std::vector<bool> is_used(surface.positions.size(), false);
+  for (const auto& t : surface.triangles) {
+    if (mesh::repeats_corner(t)) continue;
+    for (const auto v : t) is_used[v] = true;
+  }
+  std::vector<std::uint32_t> used;
+  for (std::uint32_t v = 0; v < is_used.size(); ++v) {
+    if (is_used[v]) used.push_back(v);
+  }
+  return used;
+}
+
+// Whose weights a vertex has: its own where it is held.
+std::vector<std::uint32_t> sources(const mesh::Surface& model, const SparseMatrix& stiffness,
+                                   const HeldParts& held) {
+  const auto n = static_cast<std::uint32_t>(stiffness.size());
+  std::vector<std::uint32_t> source(n), some;
+  std::iota(source.begin(), source.end(), 0u);
+  std::copy_if(source.begin(), source.end(), std::back_inserter(some),
+               [&](std::uint32_t v) { return held.holds(v); });
+  if (some.size() == n) return source;
+  mesh::UnionFind parts = connected(stiffness);
+  std::vector<Vec3> sums(n, Vec3{0, 0, 0});
+  std::vector<std::size_t> counts(n, 0);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    if (held.holds(v)) continue;
+    const auto part = parts.find(v);
+    sums[part] = sums[part] + model.positions[v];
+    ++counts[part];
+  }
+  const mesh::PointTree tree(model.positions, std::move(some));
+  for (std::uint32_t v = 0; v < n; ++v) {
+    if (counts[v] > 0) source[v] = tree.nearest((1 / static_cast<double>(counts[v])) * sums[v]);
+  }
+  for (std::uint32_t v = 0; v < n; ++v) {
+    if (!held.holds(v)) source[v] = source[parts.find(v)];
+  }
+  return source;
+}
+
+}  // namespace
+
+OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
+                             base::WorkerPool& pool) {
+  auto used = used_vertices(model);
+  if (used.empty()) {
+    throw base::Error("", "the model has no triangles, along which these weights could spread",
+                      "choose weights inverse, or another model");
+  }
+  const mesh::PointTree tree(model.positions, std::move(used));
+  const Handles kind = entry(elements).handles;
+  const auto& x = cage.surface.positions;
+  OwnedVertices owned{std::vector<std::uint32_t>(handle_count(cage, elements), OwnedVertices::none),
+                      std::vector<std::uint32_t>(model.positions.size(), 0)};
+  pool.for_blocks(owned.of_handle.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t h = begin; h < end; ++h) {
+      const auto [t, weighs] = handle_shape(cage, kind, h);
+      if (weighs) owned.of_handle[h] = tree.nearest(x[t[0]], x[t[1]], x[t[2]]);
+    }
+  });
+  for (const auto v : owned.of_handle) {
+    if (v != OwnedVertices::none) ++owned.owners[v];
+  }
+  return owned;
+}
+
+SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
+                             base::WorkerPool& pool, base::Progress* progress, double done)
+    : owned_(owned_vertices(model, cage, weighting.elements, pool)), laplacian_(intrinsic_laplacian(model)) {
+  if (progress) progress->report(0);
+  std::vector<bool> is_owned(owned_.owners.size());
+  for (std::size_t v = 0; v < is_owned.size(); ++v) is_owned[v] = owned_.owners[v] > 0;
+  const HeldParts held = held_parts(laplacian_.stiffness, is_owned);
+  if (weighting.weights == Weights::biharmonic) {
+    const double spring = spring_per_handle * static_cast<double>(handles());
+    plate_.emplace(laplacian_, held, is_owned, spring, loads(), pool, progress, done);
+  } else {
+    std::vector<bool> free(is_owned.size());
+    for (std::uint32_t v = 0; v < free.size(); ++v) free[v] = held.holds(v) && !is_owned[v];
+    solver_.emplace(grounded(laplacian_.stiffness, free));
+  }
+  for (const auto v : sources(model, laplacian_.stiffness, held)) offsets_.push_back(solver().place(v));
+  if (progress) progress->report(done);
+}
+
+const BlockSolver& SurfaceSystem::solver() const {
+  return plate_ ? plate_->solver() : *solver_;
+}
+
+std::vector<ThinPlate::Load> SurfaceSystem::loads() const {
+  std::vector<ThinPlate::Load> loads;
+  for (const auto v : owned_.of_handle) {
+    const bool owns = v != OwnedVertices::none;
+    loads.push_back({owns ? v : HeldParts::none, owns ? 1.0 / owned_.owners[v] : 0});
+  }
+  return loads;
+}
+
+void SurfaceSystem::set_right_hand_side(std::size_t handle, std::size_t column,
+                                        std::span<double> block) const {
+  const auto v = owned_.of_handle[handle];
+  if (v == OwnedVertices::none) return;
+  const double value = 1.0 / owned_.owners[v];
+  block[solver_->place(v) + column] = value;
+  for_column(laplacian_.stiffness, v, [&](std::uint32_t other, double entry) {
+    if (owned_.owners[other] == 0) block[solver_->place(other) + column] -= entry * value;
+  });
+}
+
+void SurfaceSystem::solve_block(std::size_t begin, std::size_t end, std::span<double> block) const {
+  if (plate_) return plate_->solve(begin, end, block);
+  for (std::size_t h = begin; h < end; ++h) set_right_hand_side(h, h - begin, block);
+  solver_->solve(block, bind_kernel(sym3::kernel()));
+}
+
+void SurfaceSystem::solve(const std::function<void(const Solved&)>& store, base::WorkerPool& pool,
+                          base::Progress* progress, double from, double to) const {
+  std::atomic<std::size_t> solved{0};
+  pool.for_blocks(handles(), solved_columns, [&](std::size_t begin, std::size_t end) {
+    base::AlignedVector<double> block(solver().unknowns() * solved_columns, 0.0);
+    solve_block(begin, end, block);
+    store({begin, end - begin, block, offsets_});
+    const auto count = static_cast<double>(solved += end - begin);
+    if (progress) progress->report(std::lerp(from, to, count / static_cast<double>(handles())));
+  });
+}
+
+double surface_system_bytes(std::size_t vertices) {
+  return 2100 * static_cast<double>(vertices);  // measured: 900 to 2100, the more the larger the model
+}
+
+void normalise(std::span<double> weights) {
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& w : weights) w /= sum;
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,161 @@
+#include "deform/thin_plate.h"
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <atomic>
+#include <string>
+
+#include "base/error.h"
+#include "base/memory.h"
+
+namespace viete::deform {
+
+namespace {
+
+using Columns = std::array<double, solved_columns>;
+
+// All that are held but the grounds.
+std::vector<bool> free_vertices(const HeldParts& parts) {
+  std::vector<bool> free(parts.of_vertex.size());
+  for (std::uint32_t v = 0; v < free.size(); ++v) free[v] = parts.holds(v);
+  for (const auto v : parts.grounds) free[v] = false;
+  return free;
+}
+
+std::vector<double> masses_of_parts(const HeldParts& parts, const std::vector<double>& masses) {
+  std::vector<double> sums(parts.grounds.size(), 0);
+  for (std::uint32_t v = 0; v < masses.size(); ++v) {
+    if (parts.holds(v)) sums[parts.of_vertex[v]] += masses[v];
+  }
+  return sums;
+}
+
+}  // namespace
+
+HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has_spring) {
+  const auto n = static_cast<std::uint32_t>(stiffness.size());
+  mesh::UnionFind sets = connected(stiffness);
+  HeldParts parts;
+  std::vector<std::uint32_t> part_of_set(n, HeldParts::none);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    auto& part = part_of_set[sets.find(v)];
+    if (!has_spring[v] || part != HeldParts::none) continue;
+    part = static_cast<std::uint32_t>(parts.grounds.size());
+    parts.grounds.push_back(v);
+  }
+  for (std::uint32_t v = 0; v < n; ++v) parts.of_vertex.push_back(part_of_set[sets.find(v)]);
+  return parts;
+}
+
+ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts,
+                     const std::vector<bool>& has_spring, double spring, std::vector<Load> loads,
+                     base::WorkerPool& pool, base::Progress* progress, double done)
+    : masses_(laplacian.masses),
+      parts_(parts),
+      part_masses_(masses_of_parts(parts, masses_)),
+      spring_(spring),
+      loads_(std::move(loads)),
+      solver_(grounded(laplacian.stiffness, free_vertices(parts))) {
+  for (std::uint32_t v = 0; v < has_spring.size(); ++v) {
+    if (has_spring[v] && parts_.grounds[parts_.of_vertex[v]] != v) springs_.push_back(v);
+  }
+  const auto count = static_cast<double>(springs_.size());
+  base::require_memory({sizeof(double) * count * (3 * count + 2 * static_cast<double>(loads_.size())),
+                        "biharmonic weights of " + std::to_string(loads_.size()) + " cage elements take",
+                        "use a coarser cage, or other weights", ""});
+  find_forces(stiffness_of_springs(pool, progress, done));
+}
+
+// Forces whose sum over each part, with that at its ground, is 0 become what they bend the plate to, 0 at the
+// grounds.
+void ThinPlate::bend(std::span<double> block) const {
+  const auto& kernel = bind_kernel(sym3::kernel());
+  solver_.solve(block, kernel);
+  std::vector<Columns> means(parts_.grounds.size(), Columns{});
+  for (std::uint32_t v = 0; v < masses_.size(); ++v) {
+    if (!parts_.holds(v)) continue;
+    const auto part = parts_.of_vertex[v];
+    const double share = masses_[v] / part_masses_[part], *y = block.data() + solver_.place(v);
+    for (std::size_t c = 0; c < solved_columns; ++c) means[part][c] += share * y[c];
+  }
+  for (std::uint32_t v = 0; v < masses_.size(); ++v) {
+    if (!parts_.holds(v)) continue;
+    const Columns& mean = means[parts_.of_vertex[v]];
+    double* y = block.data() + solver_.place(v);
+    for (std::size_t c = 0; c < solved_columns; ++c) y[c] = masses_[v] * (y[c] - mean[c]);
+  }
+  for (const auto v : parts_.grounds) std::fill_n(block.data() + solver_.place(v), solved_columns, 0.0);
+  solver_.solve(block, kernel);
+}
+
+// K, by columns.
+std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress,
+                                                    double done) const {
+  const std::size_t count = springs_.size();
+  std::vector<double> stiffness(count * count);
+  std::atomic<std::size_t> solved{0};
+  pool.for_blocks(count, solved_columns, [&](std::size_t begin, std::size_t end) {
+    base::AlignedVector<double> block(solver_.unknowns() * solved_columns, 0.0);
+    for (std::size_t i = begin; i < end; ++i) block[solver_.place(springs_[i]) + i - begin] = 1;
+    bend(block);
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t j = 0; j < count; ++j)
+        stiffness[i * count + j] = block[solver_.place(springs_[j]) + i - begin];
+    }
+    solved += end - begin;
+    if (progress) progress->report(done * static_cast<double>(solved) / static_cast<double>(count));
+  });
+  return stiffness;
+}
+
+void ThinPlate::find_forces(std::vector<double> stiffness) {
+  const std::size_t count = springs_.size();
+  const auto part = [&](std::size_t i) { return parts_.of_vertex[springs_[i]]; };
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      if (part(i) == part(j)) stiffness[i * count + j] += (i == j ? 2 : 1) / spring_;
+    }
+  }
+  forces_.resize(loads_.size() * count);
+  for (std::size_t l = 0; l < loads_.size(); ++l) {
+    const auto [vertex, value] = loads_[l];
+    if (vertex == HeldParts::none) continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool at_ground = parts_.grounds[part(i)] == vertex;
+      forces_[l * count + i] = at_ground ? -value : springs_[i] == vertex ? value : 0;
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(count);
+  const Eigen::LLT<Eigen::MatrixXd> factored(Eigen::Map<const Eigen::MatrixXd>(stiffness.data(), n, n));
+  if (factored.info() != Eigen::Success) refuse_system();
+  Eigen::Map<Eigen::MatrixXd> forces(forces_.data(), n, static_cast<Eigen::Index>(loads_.size()));
+  factored.solveInPlace(forces);
+}
+
+void ThinPlate::solve(std::size_t begin, std::size_t end, std::span<double> block) const {
+  std::vector<Columns> at_ground(parts_.grounds.size(), Columns{});
+  for (std::size_t l = begin; l < end; ++l) {
+    for (std::size_t i = 0; i < springs_.size(); ++i) {
+      const double force = forces_[l * springs_.size() + i];
+      block[solver_.place(springs_[i]) + l - begin] = force;
+      at_ground[parts_.of_vertex[springs_[i]]][l - begin] -= force;
+    }
+  }
+  bend(block);
+  for (auto& column : at_ground) {
+    for (double& force : column) force /= -spring_;
+  }
+  for (std::size_t l = begin; l < end; ++l) {
+    const auto [vertex, value] = loads_[l];
+    if (vertex == HeldParts::none) continue;
+    const auto part = parts_.of_vertex[vertex];
+    if (parts_.grounds[part] == vertex) at_ground[part][l - begin] += value;
+  }
+  for (std::uint32_t v = 0; v < masses_.size(); ++v) {
+    if (!parts_.holds(v)) continue;
+    double* w = block.data() + solver_.place(v);
+    for (std::size_t c = 0; c < solved_columns; ++c) w[c] += at_ground[parts_.of_vertex[v]][c];
+  }
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,76 @@
+// A surface as a thin plate on springs: the shapes that its springs pull it to.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/worker_pool.h"
+#include "deform/block_solver.h"
+#include "deform/intrinsic_laplacian.h"
+
+namespace viete::deform {
+
+/// The parts of a surface that have springs.
+struct HeldParts {
+  static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> of_vertex;  ///< or none
+  std::vector<std::uint32_t> grounds;    ///< of each its lowest vertex with a spring
+
+  bool holds(std::uint32_t vertex) const { return of_vertex[vertex] != none; }
+};
+
+/// What hangs together by entries of the stiffness.
+HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has_spring);
+
+/// For each of many loads t, values at the vertices with springs, the w that minimises
+///
+///     w^T L M^-1 L w + s sum over springs v of (w_v - t_v)^2
+///
+/// Its matrix L M^-1 L + s E E^T is not factored: that would have four times the entries of a factor of L,
+/// and take ten times as long. Instead the springs' forces f = s (t - w) are solved for, as many as there are
+/// springs, and then L y = E f, L w = M y, by a factor of L in which one vertex of each part, its ground, is
+/// held at 0. The forces of a part sum to 0, so that they are sums of pairs, force at a spring and the
+/// opposite at the ground, phi of them: with w = w' + b, w' being 0 at the ground, the difference of the
+/// minimum's equations f = s (t - w) of spring and ground is
+///
+///     (K + D / s) phi = t - t_ground,     K_uv = w'_u of the pair v,     D = 1 + identity within a part
+///
+/// which is symmetric and positive definite; b = t - f / s at the ground. Constant; thread-safe.
+class ThinPlate {
+public:
+  struct Load {
+    std::uint32_t vertex;  ///< one with a spring, or HeldParts::none: no load
+    double value;          ///< t there; 0 at all others
+  };
+  /// Reports up to `done`. Throws base::Cancelled; base::Error when there is not the memory, or no solution
+  /// in double precision. Memory also for springs x springs and springs x loads numbers.
+  ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts, const std::vector<bool>& has_spring,
+            double spring, std::vector<Load> loads, base::WorkerPool& pool,
+            base::Progress* progress = nullptr, double done = 1);
+
+  const BlockSolver& solver() const { return solver_; }
+  /// The shapes of loads [begin, end), at most solved_columns, into a block of the solver that is all 0.
+  /// Vertices of other parts get 0.
+  void solve(std::size_t begin, std::size_t end, std::span<double> block) const;
+
+private:
+  void bend(std::span<double> block) const;
+  std::vector<double> stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress,
+                                           double done) const;
+  void find_forces(std::vector<double> stiffness);
+
+  const std::vector<double> masses_;
+  HeldParts parts_;
+  std::vector<double> part_masses_;
+  double spring_;
+  std::vector<Load> loads_;
+  BlockSolver solver_;
+  std::vector<std::uint32_t> springs_;  // but the grounds
+  std::vector<double> forces_;          // [load][spring]: phi
+};
+
+}  // namespace viete::deform

@@ -1,0 +1,90 @@
+#include "mesh/point_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/triangle.h"
+
+namespace viete::mesh {
+
+namespace {
+
+constexpr std::size_t points_per_leaf = 8;
+constexpr double rounding = 1e-12;  // of a ball, relative: more than what its radius and a distance lose
+
+std::size_t middle_of(std::size_t begin, std::size_t end) {
+  return begin + (end - begin) / 2;
+}
+
+int longest_side(const Bounds& box) {
+  const Point size = box.high - box.low;
+  return static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
+}
+
+}  // namespace
+
+struct PointTree::Search {
+  Point a, b, c;
+  double squared_distance = std::numeric_limits<double>::infinity();
+  std::uint32_t best = std::numeric_limits<std::uint32_t>::max();
+
+  double squared_distance_to(const Point& p) const {
+    return closest_on_triangle(p, a, b, c).squared_distance;
+  }
+  // Less than the distance of any point in the ball.
+  double bound(const Ball& ball) const {
+    const double distance = std::sqrt(squared_distance_to(ball.center));
+    return std::max(0.0, distance * (1 - rounding) - ball.radius * (1 + rounding));
+  }
+  void visit(std::uint32_t i, const Point& p) {
+    const double d = squared_distance_to(p);
+    if (d > squared_distance || (d == squared_distance && i > best)) return;
+    squared_distance = d;
+    best = i;
+  }
+};
+
+PointTree::PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some)
+    : positions_(positions), points_(std::move(some)) {
+  build(0, 0, points_.size());
+}
+
+void PointTree::build(std::size_t node, std::size_t begin, std::size_t end) {
+  const auto run = std::span(points_).subspan(begin, end - begin);
+  const Bounds box = bounds(positions_, run);
+  if (balls_.size() <= node) balls_.resize(node + 1);
+  balls_[node] = {box.center(), 0.5 * box.diagonal()};
+  if (run.size() <= points_per_leaf) return;
+  const std::size_t middle = middle_of(begin, end);
+  const int side = longest_side(box);
+  std::nth_element(
+      run.begin(), run.begin() + static_cast<std::ptrdiff_t>(middle - begin), run.end(),
+      [&](std::uint32_t i, std::uint32_t j) { return positions_[i][side] < positions_[j][side]; });
+  build(2 * node + 1, begin, middle);
+  build(2 * node + 2, middle, end);
+}
+
+void PointTree::search(std::size_t node, std::size_t begin, std::size_t end, Search& s) const {
+  if (end - begin <= points_per_leaf) {
+    for (std::size_t n = begin; n < end; ++n) s.visit(points_[n], positions_[points_[n]]);
+    return;
+  }
+  const std::size_t middle = middle_of(begin, end), left = 2 * node + 1, right = left + 1;
+  const double to_left = s.bound(balls_[left]), to_right = s.bound(balls_[right]);
+  const auto go = [&](std::size_t child, double bound) {
+    if (bound * bound > s.squared_distance) return;
+    child == left ? search(left, begin, middle, s) : search(right, middle, end, s);
+  };
+  const bool left_first = to_left <= to_right;
+  go(left_first ? left : right, left_first ? to_left : to_right);
+  go(left_first ? right : left, left_first ? to_right : to_left);
+}
+
+std::uint32_t PointTree::nearest(const Point& a, const Point& b, const Point& c) const {
+  Search s{a, b, c};
+  search(0, 0, points_.size(), s);
+  return s.best;
+}
+
+}  // namespace viete::mesh
