@@ -163,9 +163,12 @@ void add_modes_bench(CLI::App& bench, Action& action) {
       ->default_str("those of the dragon");
   add_method_option(*command, [options](sym3::Method method) { options->settings.method = method; });
   add_reach_option(*command, [options](double reach) { options->settings.reach = reach; });
+  auto iterations = std::make_shared<std::optional<int>>();
+  add_stitching_options(*command, *iterations);
   add_rounds_option(*command, options->settings.rounds, "11");
   add_bench_files(*command, *files);
-  command->callback([options, files, &action] {
+  command->callback([options, files, iterations, &action] {
+    options->settings.iterations = iterations->value_or(0);
     if (!options->model.empty() && options->poses.empty())
       throw CLI::RequiredError(options->cage.empty() ? "CAGE" : "POSE");
     action = [options, files] { return run_modes(*options, *files); };

@@ -51,17 +51,6 @@ void add_amount_option(CLI::App& app, const std::string& name, const std::string
       ->default_str("100");
 }
 
-// The second option counts, where it is given.
-void add_stitching_options(CLI::App& app, std::optional<int>& iterations) {
-  auto* stitched = app.add_flag_function(
-      "--stitched", [&iterations](std::int64_t) { iterations = 1; },
-      "As rigid as possible: triangles follow the blended maps, and the mesh's vertices are solved for");
-  auto* number = app.add_option_function<int>(
-      "--iterations", [&iterations](int n) { iterations = n; },
-      "Of --stitched: how often they are solved for, rotations being fitted anew in between");
-  whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
-}
-
 void add_scheme_options(CLI::App& app, Inputs& inputs) {
   deform::PartialChoice& choice = inputs.settings.choice;
   add_choice(app, "--elements", deform::all_elements(), choice.elements, "Which maps the cage carries");

@@ -108,6 +108,17 @@ CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& 
       ->default_str("all");
 }
 
+// The second option counts, where it is given.
+void add_stitching_options(CLI::App& app, std::optional<int>& iterations) {
+  auto* stitched = app.add_flag_function(
+      "--stitched", [&iterations](std::int64_t) { iterations = 1; },
+      "As rigid as possible: triangles follow the blended maps, and the mesh's vertices are solved for");
+  auto* number = app.add_option_function<int>(
+      "--iterations", [&iterations](int n) { iterations = n; },
+      "Of --stitched: how often they are solved for, rotations being fitted anew in between");
+  whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
+}
+
 void add_binding_option(CLI::App& app, std::filesystem::path& file) {
   add_file_option(app, "--binding", file,
                   "What viete bind has saved of this model and cage, instead of binding them");

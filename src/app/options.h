@@ -35,6 +35,9 @@ void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 
 /// --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
+/// --stitched, and --iterations NUMBER of it.
+void add_stitching_options(CLI::App& app, std::optional<int>& iterations);
+
 /// --reach NUMBER|all.
 CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take);
 /// --binding FILE, written by `viete bind`.

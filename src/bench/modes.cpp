@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -39,12 +41,21 @@ public:
   // In double, link by link. One binding at a time: those of all vertices are large.
   void measure_shapes(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
+    if (mode.scheme.stitched()) {
+      deform::Deformer deformer(cage_, fused(weighting).binding, mode.scheme, all_,
+                                stitching(weighting.elements));
+      return measure_shapes(mode, deformer);
+    }
     if (!staged_ || !(staged_->weighting == weighting)) {
       staged_.reset();
       staged_ = std::make_shared<const deform::Binding>(deform::bind(surface_, *cage_, weighting, all_));
       note(staged_->warnings);
     }
     deform::Deformer deformer(cage_, staged_, mode.scheme, all_);
+    measure_shapes(mode, deformer);
+  }
+
+  void measure_shapes(Mode& mode, deform::Deformer& deformer) {
     const Deform deform = [&](const deform::Pose& pose) {
       deformer.deform(pose, method_);
       return deformer.positions();
@@ -63,20 +74,11 @@ public:
   // What the program would bind, timed, and a frame of it.
   void add_frame(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
-    const auto known =
-        std::ranges::find_if(bound_, [&](const auto& b) { return b.binding->weighting == weighting; });
-    Bound bound;
-    if (known != bound_.end()) {
-      bound = *known;
-    } else {
-      const double start = base::thread_seconds();
-      bound.binding = std::make_shared<const deform::Binding>(
-          deform::bind(surface_, *cage_, weighting, deform::EngineKind::fused, nullptr, one_));
-      bound.ms = 1e3 * (base::thread_seconds() - start);
-      bound_.push_back(bound);
-    }
+    const Bound& bound = fused(weighting);
     mode.bind_ms = bound.ms;
-    auto frame = std::make_unique<deform::Deformer>(cage_, bound.binding, mode.scheme, one_);
+    auto frame =
+        std::make_unique<deform::Deformer>(cage_, bound.binding, mode.scheme, one_,
+                                           mode.scheme.stitched() ? stitching(weighting.elements) : nullptr);
     if (!frame->engine(method_)) {
       const auto both = std::make_shared<const deform::Binding>(
           deform::bind(surface_, *cage_, weighting, deform::EngineKind::staged, bound.binding.get(), all_));
@@ -111,6 +113,24 @@ private:
     std::unique_ptr<deform::Deformer> deformer;
   };
 
+  const Bound& fused(const deform::Weighting& weighting) {
+    const auto known =
+        std::ranges::find_if(bound_, [&](const auto& b) { return b.binding->weighting == weighting; });
+    if (known != bound_.end()) return *known;
+    const double start = base::thread_seconds();
+    auto binding = std::make_shared<const deform::Binding>(
+        deform::bind(surface_, *cage_, weighting, deform::EngineKind::fused, nullptr, one_));
+    bound_.push_back({std::move(binding), 1e3 * (base::thread_seconds() - start)});
+    return bound_.back();
+  }
+
+  std::shared_ptr<const deform::Stitching> stitching(deform::Elements elements) {
+    auto& made = stitchings_[elements];
+    if (!made)
+      made = std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, elements, all_));
+    return made;
+  }
+
   void note(const std::vector<std::string>& warnings) {
     for (const auto& w : warnings) {
       if (std::ranges::find(warnings_, w) == warnings_.end()) warnings_.push_back(w);
@@ -138,16 +158,19 @@ private:
   base::WorkerPool one_{1}, all_{0};
   std::vector<CagePoint> nearest_;
   std::shared_ptr<const deform::Binding> staged_;
-  std::vector<Bound> bound_;
+  std::deque<Bound> bound_;  // what is made stays where it is
+  std::map<deform::Elements, std::shared_ptr<const deform::Stitching>> stitchings_;
   std::vector<Frame> frames_;
   std::vector<std::string> warnings_;
 };
 
 // Those of the same weights one after the other, so that these are made once.
-std::vector<Mode> modes_by_weights(double reach) {
+std::vector<Mode> modes_by_weights(const ModeSettings& settings) {
   std::vector<Mode> modes;
   for (deform::Scheme scheme : deform::all_schemes()) {
-    scheme.weighting.reach = reach;
+    scheme.weighting.reach = settings.reach;
+    scheme.iterations = settings.iterations;
+    if (conflict(scheme)) scheme.iterations = 0;
     const auto alike = std::find_if(modes.rbegin(), modes.rend(),
                                     [&](const Mode& m) { return m.scheme.weighting == scheme.weighting; });
     Mode mode;
@@ -199,7 +222,7 @@ std::string name_of_pose(const std::filesystem::path& file) {
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings) {
   ModeRuns runs(model, std::move(cage), poses, settings.method);
-  std::vector<Mode> modes = modes_by_weights(settings.reach);
+  std::vector<Mode> modes = modes_by_weights(settings);
   for (Mode& mode : modes) attempt(mode, [&](Mode& m) { runs.measure_shapes(m); });
   runs.forget_shapes();
   for (Mode& mode : modes) attempt(mode, [&](Mode& m) { runs.add_frame(m); });

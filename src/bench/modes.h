@@ -56,6 +56,7 @@ struct ModeSettings {
   std::size_t rounds = 11;
   double reach = deform::whole_cage;
   sym3::Method method = sym3::Method::fast;
+  int iterations = 0;  ///< of stitching, where a way of blending can be stitched
 };
 
 struct ModesOptions {
@@ -65,8 +66,9 @@ struct ModesOptions {
   std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
 };
 
-/// deform::all_schemes(), measured in double, link by link; frames as the program would run them, one after
-/// the other, in interleaved rounds, of the first pose. poses must not be empty. Throws base::Error.
+/// deform::all_schemes(), measured in double, link by link, stitched ones as they run; frames as the program
+/// would run them, one after the other, in interleaved rounds, of the first pose. poses must not be empty.
+/// Throws base::Error.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings);
 

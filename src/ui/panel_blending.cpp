@@ -112,7 +112,7 @@ bool amount_slider(const Context& ui, const char* name, const char* label, doubl
   if (!stops(ui, name, label, stop, static_cast<int>(std::lround(scene::largest_amount / step)), used,
              percent, used ? what : "Points of the cage only move: they do not turn or stretch."))
     return false;
-  amount = std::lround(100 * step * stop) / 100.0;
+  amount = std::round(100 * step * stop) / 100;
   return true;
 }
 

@@ -83,6 +83,22 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   });
   CHECK(double(mean_values["poses"][0]["volume"]) == doctest::Approx(2));
   CHECK(double(mean_values["poses"][0]["worst_shear"]) == doctest::Approx(2).epsilon(0.05));
+
+  const auto stitched = run("bench modes --rounds 1 --stitched --iterations 2 " + files);
+  REQUIRE_MESSAGE(stitched.code == 0, stitched.text);
+  for (deform::Scheme scheme : deform::all_schemes()) {
+    scheme.iterations = deform::entry(scheme.weighting.elements).affine ? 2 : 0;
+    CHECK(mentions(stitched, deform::text(scheme)));
+  }
+}
+
+TEST_CASE("a_stitched_frame_is_measured_against_a_plain_one") {
+  const TemporaryFolder scratch;
+  const fs::path json = scratch / "stitched.json";
+  const auto outcome = run("bench stitched --rounds 1 --json " + quoted(json));
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+  std::ifstream in(json);
+  CHECK_FALSE(nlohmann::json::parse(in)["results"].empty());
 }
 
 TEST_CASE("what_is_missing_or_does_not_fit_is_said_before_modes_are_compared") {

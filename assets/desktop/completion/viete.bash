@@ -52,7 +52,7 @@ _viete_options() {
     'bench sym3') options+=' --force --count --json' ;;
     'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
     'bench bind') options+=' --force --count --faces --rounds --json' ;;
-    'bench modes') options+=' --force --method --reach --rounds --json' ;;
+    'bench modes') options+=' --force --method --reach --stitched --iterations --rounds --json' ;;
     'bench stitched') options+=' --force --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))
