@@ -94,21 +94,33 @@ static HWY_INLINE V exp_of_mean(D d, V x) {
                                 r.shifted);
 }
 
+// How often a matrix is halved until its norm, here squared, is 1 or less, and what that makes of it.
+template <class V>
+struct Halvings {
+  V scale, count;
+};
+
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE Halvings<V> halvings(D d, V square) {
+  const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), quarter = hn::Set(d, 0.25f);
+  Halvings<V> h{one, hn::Zero(d)};
+  for (int j = 0; j < most_squarings; ++j) {
+    const auto large = hn::Gt(square, one);
+    if (hn::AllFalse(d, large)) break;
+    square = hn::IfThenElse(large, hn::Mul(square, quarter), square);
+    h.scale = hn::IfThenElse(large, hn::Mul(h.scale, half), h.scale);
+    h.count = hn::Add(h.count, hn::IfThenElseZero(large, one));
+  }
+  return h;
+}
+
 /// exp(L) u. Each lane takes the squarings that it needs, whatever the lanes beside it.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE lanes::Three<V> exp_times(D d, const lanes::Nine<V>& log, const lanes::Three<V>& u) {
   const V mean = hn::Mul(hn::Set(d, 1.0f / 3), hn::Add(log.xx, hn::Add(log.yy, log.zz)));
   lanes::Nine<V> m = log;
   m.xx = hn::Sub(m.xx, mean), m.yy = hn::Sub(m.yy, mean), m.zz = hn::Sub(m.zz, mean);
-  const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), quarter = hn::Set(d, 0.25f);
-  V square = sum_of_squares(m), scale = one, squarings = hn::Zero(d);
-  for (int j = 0; j < most_squarings; ++j) {
-    const auto large = hn::Gt(square, one);
-    if (hn::AllFalse(d, large)) break;
-    square = hn::IfThenElse(large, hn::Mul(square, quarter), square);
-    scale = hn::IfThenElse(large, hn::Mul(scale, half), scale);
-    squarings = hn::Add(squarings, hn::IfThenElseZero(large, one));
-  }
+  const auto [scale, squarings] = halvings(d, sum_of_squares(m));
   const V scale2 = hn::Mul(scale, scale);
   const V j2 = hn::Mul(scale2, trace_of_square_halved(d, m));
   const V j3 = hn::Mul(hn::Mul(scale2, scale), determinant(m));
@@ -153,15 +165,7 @@ static HWY_INLINE InPowers<V> shifted(const InPowers<V>& p, V mean, V j2, V j3) 
 /// mean stays in L; and phi(2 A) = phi(A) + A phi(A)^2 / 2.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE lanes::Three<V> phi_times(D d, const lanes::Nine<V>& log, const lanes::Three<V>& u) {
-  const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), quarter = hn::Set(d, 0.25f);
-  V square = sum_of_squares(log), scale = one, doublings = hn::Zero(d);
-  for (int j = 0; j < most_squarings; ++j) {
-    const auto large = hn::Gt(square, one);
-    if (hn::AllFalse(d, large)) break;
-    square = hn::IfThenElse(large, hn::Mul(square, quarter), square);
-    scale = hn::IfThenElse(large, hn::Mul(scale, half), scale);
-    doublings = hn::Add(doublings, hn::IfThenElseZero(large, one));
-  }
+  const auto [scale, doublings] = halvings(d, sum_of_squares(log));
   const V unscaled = hn::Mul(hn::Set(d, 1.0f / 3), hn::Add(log.xx, hn::Add(log.yy, log.zz)));
   lanes::Nine<V> m = log;
   m.xx = hn::Sub(m.xx, unscaled), m.yy = hn::Sub(m.yy, unscaled), m.zz = hn::Sub(m.zz, unscaled);
@@ -175,7 +179,7 @@ static HWY_INLINE lanes::Three<V> phi_times(D d, const lanes::Nine<V>& log, cons
     p = shifted(p, mean, j2, j3);
     p.a = hn::Add(p.a, hn::Set(d, inverse_factorials[n]));
   }
-  V factor = half;  // of A in units of the scaled one, and a half
+  V factor = hn::Set(d, 0.5f);  // of A in units of the scaled one, and a half
   for (int j = 0; j < most_squarings; ++j) {
     const auto more = hn::Gt(doublings, hn::Set(d, static_cast<float>(j)));
     if (hn::AllFalse(d, more)) break;
