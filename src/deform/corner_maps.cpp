@@ -254,6 +254,13 @@ struct VertexShape : Shape {
   }
 };
 
+// The vectors of a map; alone: without what its element shares, across its own two.
+Span map_span(const Shape& shape, std::uint32_t m, bool alone, Positions at) {
+  Span s = shape.own(shape.table.corners[m], at);
+  s.n = alone ? side_along(s.n) : shape.shared(shape.table.owners[m], at);
+  return s;
+}
+
 class CornerMaps : public ElementMaps {
 public:
   /// Without sharing, and where what is shared lies in the plane of the map's own vectors, the third vector
@@ -287,14 +294,6 @@ private:
 
   Span span_of(std::uint32_t m, Positions at) const { return map_span(*shape_, m, alone_[m], at); }
 
-public:
-  static Span map_span(const Shape& shape, std::uint32_t m, bool alone, Positions at) {
-    Span s = shape.own(shape.table.corners[m], at);
-    s.n = alone ? side_along(s.n) : shape.shared(shape.table.owners[m], at);
-    return s;
-  }
-
-private:
   std::unique_ptr<const Shape> shape_;
   std::vector<std::uint8_t> alone_;
   std::vector<RestBasis> bases_;
@@ -325,8 +324,8 @@ std::unique_ptr<const ElementMaps> corner_maps(std::unique_ptr<const Shape> shap
   const auto& rest = cage.surface.positions;
   std::vector<std::uint8_t> alone, skipped;
   for (std::uint32_t m = 0; m < table.corners.size(); ++m) {
-    alone.push_back(!sharing || flat(CornerMaps::map_span(*shape, m, false, rest)));
-    skipped.push_back(alone.back() && flat(CornerMaps::map_span(*shape, m, true, rest)));
+    alone.push_back(!sharing || flat(map_span(*shape, m, false, rest)));
+    skipped.push_back(alone.back() && flat(map_span(*shape, m, true, rest)));
   }
   MapGraph graph = map_graph(
       cage, neighbours(cage, corners, table, kind), std::move(skipped),
