@@ -120,12 +120,12 @@ void Analysis::follow_error_map(scene::Workspace& workspace, const LiveModel& mo
   if (!error_map_is_due(workspace, model)) return;
   mapped_ = model.frames();
   const deform::Rows rows = model.deformer()->state().rows();
-  error_map_.start([bound = model.bound(), form = rows.form, origin = rows.origin,
+  error_map_.start([bound = model.bound(), mask = model.deformer()->mask(), form = rows.form, origin = rows.origin,
                     values = std::vector(rows.values.begin(), rows.values.end()),
                     method = workspace.document.method](base::Progress& progress) {
     const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
     const auto matrices =
-        deform::sample_stretches(weigher, *bound.binding, {form, values, origin}, bound.binding->vertices, &progress);
+        deform::sample_stretches(weigher, *bound.binding, mask, {form, values, origin}, bound.binding->vertices, &progress);
     return error_map(matrices, method, &progress);
   });
 }

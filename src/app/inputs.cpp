@@ -66,7 +66,7 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
   for (const char* other : {"--elements", "--weights", "--blend"}) {
     if (auto* given = app.get_option_no_throw(other)) option->excludes(given);
   }
-  add_reach_option(app, [&inputs](double reach) { inputs.settings.reach = reach; });
+  add_weighting_options(app, inputs.settings.weighting);
   if (inputs.use == Use::binding) return;
   add_amount_option(app, "--turn", "rotation", inputs.settings.turn);
   add_amount_option(app, "--stretch", "stretch", inputs.settings.stretch);

@@ -21,9 +21,16 @@ bool LiveModel::follow(scene::Workspace& workspace) {
   // until then method `fast` serves, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(workspace, false);
+  follow_mask(document);
   workspace.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
                        binder_.seconds()};
   return new_surfaces;
+}
+
+void LiveModel::follow_mask(const scene::Document& document) {
+  if (!deformer_ || deformer_->mask() == document.mask) return;
+  deformer_->set_mask(document.mask);
+  derived_.reset();
 }
 
 void LiveModel::follow_blend(const deform::Scheme& scheme) {
@@ -73,6 +80,7 @@ void LiveModel::install(scene::Workspace& workspace, Bound bound) {
   files_.keep_binding(bound);
   bound_ = std::move(bound);
   make_deformer(workspace.document.scheme);
+  follow_mask(workspace.document);
 }
 
 void LiveModel::make_deformer(const deform::Scheme& scheme) {
@@ -107,7 +115,7 @@ bool LiveModel::deforms(const scene::Document& document) const {
 
 bool LiveModel::is_due(const scene::Document& document) const {
   return surfaces_ != document.revisions.surfaces || weights_ != document.revisions.weights ||
-         deforms(document);
+         deforms(document) || (deformer_ && deformer_->mask() != document.mask);
 }
 
 bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {

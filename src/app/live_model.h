@@ -58,6 +58,7 @@ private:
   void start_binding(const scene::Document& document);
   void take_binding(scene::Workspace& workspace, bool wait);
   void install(scene::Workspace& workspace, Bound bound);
+  void follow_mask(const scene::Document& document);
   void follow_blend(const deform::Scheme& scheme);
   void make_deformer(const deform::Scheme& scheme);
   bool deforms(const scene::Document& document) const;

@@ -108,6 +108,24 @@ CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& 
       ->default_str("all");
 }
 
+void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked) {
+  add_reach_option(app, [&asked](double reach) { asked.reach = reach; });
+  auto* radius = app.add_option_function<double>(
+      "--radius", [&asked](double percent) { asked.radius = deform::radius_from_percent(percent); },
+      "Of cut-off weights: where they end, in percent of the cage's diagonal");
+  in_range(radius, 100 * deform::least_radius, 100 * deform::largest_radius)
+      ->option_text("PERCENT")
+      ->default_str("25");
+  auto* exponent = app.add_option_function<int>(
+      "--exponent", [&asked](int e) { asked.exponent = e; },
+      "Of inverse distances and cut-off weights: the higher, the more local");
+  whole_in_range(exponent, 1, deform::most_exponent)->default_str("2");
+  app.add_flag("--clamp", asked.clamp, "Of biharmonic weights: those below 0 become 0");
+  app.add_flag(
+      "--normalise", asked.normalise,
+      "Of cut-off weights: they always sum to 1, also where few elements reach; what none reaches stays");
+}
+
 // The second option counts, where it is given.
 void add_stitching_options(CLI::App& app, std::optional<int>& iterations) {
   auto* stitched = app.add_flag_function(

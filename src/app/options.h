@@ -38,6 +38,9 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
 /// --stitched, and --iterations NUMBER of it.
 void add_stitching_options(CLI::App& app, std::optional<int>& iterations);
 
+/// --reach, --radius, --exponent, --clamp and --normalise.
+void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked);
+
 /// --reach NUMBER|all.
 CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take);
 /// --binding FILE, written by `viete bind`.

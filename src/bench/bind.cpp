@@ -86,9 +86,10 @@ private:
   void weigh(const deform::Weighting& weighting) {
     const deform::Weigher weigher(cage_, weighting);
     std::vector<deform::Vec3> sums(deform::leaf_slots);
+    std::vector<float> shares(deform::leaf_slots);
     for (std::size_t begin = 0; begin < leaf_points_.size(); begin += deform::leaf_slots) {
       const std::size_t count = std::min(deform::leaf_slots, leaf_points_.size() - begin);
-      weigher.weigh_tiles(std::span(leaf_points_).subspan(begin, count), leaf_rows_.data(), sums);
+      weigher.weigh_tiles(std::span(leaf_points_).subspan(begin, count), leaf_rows_.data(), sums, shares);
     }
   }
 

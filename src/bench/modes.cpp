@@ -168,7 +168,7 @@ private:
 std::vector<Mode> modes_by_weights(const ModeSettings& settings) {
   std::vector<Mode> modes;
   for (deform::Scheme scheme : deform::all_schemes()) {
-    scheme.weighting.reach = settings.reach;
+    scheme.weighting = with(scheme.weighting, settings.weighting);
     scheme.iterations = settings.iterations;
     if (conflict(scheme)) scheme.iterations = 0;
     const auto alike = std::find_if(modes.rbegin(), modes.rend(),
@@ -239,11 +239,14 @@ void bench_modes(const ModesOptions& options) {
   std::vector<std::string> warnings = opened.cage->warnings;
   for (const auto& file : options.poses)
     poses.push_back({name_of_pose(file), deform::read_pose(file, *opened.cage, warnings)});
-  std::printf("modes: %s vertices, %zu cage triangles, method %s, reach %s, kernel %s, %s\n%s",
-              base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
-              std::string(sym3::name(options.settings.method)).c_str(),
-              deform::text_of_reach(options.settings.reach).c_str(), std::string(sym3::kernel_name()).c_str(),
-              processor_name().c_str(), modes_legend);
+  const deform::Weighting weighting = with({}, options.settings.weighting);
+  std::printf(
+      "modes: %s vertices, %zu cage triangles, method %s, reach %s, radius %s, exponent %d, kernel %s, "
+      "%s\n%s",
+      base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
+      std::string(sym3::name(options.settings.method)).c_str(),
+      deform::text_of_reach(weighting.reach).c_str(), deform::text_of_percent(weighting.radius).c_str(),
+      weighting.exponent, std::string(sym3::kernel_name()).c_str(), processor_name().c_str(), modes_legend);
   for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
   const ModeComparison compared = measure_modes(model, opened.cage, poses, options.settings);
   print(compared, poses);

@@ -54,7 +54,7 @@ struct ModeComparison {
 
 struct ModeSettings {
   std::size_t rounds = 11;
-  double reach = deform::whole_cage;
+  deform::AskedWeighting weighting{};
   sym3::Method method = sym3::Method::fast;
   int iterations = 0;  ///< of stitching, where a way of blending can be stitched
 };

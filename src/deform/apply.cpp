@@ -22,10 +22,46 @@ Vec3 times(const sym3::Mat3<double>& m, const Vec3& x) {
 
 }  // namespace
 
-void apply(const Binding& binding, const BlendedLogs& sums, std::span<const sym3::Sym3<double>> stretches,
-           const Vec3& origin, std::size_t begin, std::size_t end, std::span<mesh::Point> positions) {
+namespace {
+
+Vec3 offset_of(const Binding& binding, const Shares& shares, std::size_t i) {
+  return shares.empty() ? binding.offsets[i] : shares[i] * binding.offsets[i];
+}
+
+// Where a vertex is at rest, as far as it stays there.
+Vec3 staying(const Binding& binding, double share, std::size_t i) {
+  return (1 - share) * (binding.rest[i] - binding.rest_origin);
+}
+
+}  // namespace
+
+void share_sums(const Binding& binding, const Shares& shares, std::size_t begin, std::size_t end,
+                BlendedLogs& sums) {
+  for (std::size_t i = begin; i < (shares.empty() ? begin : end); ++i) {
+    const double s = shares[i];
+    auto& x = sums.stretch[i];
+    x = {s * x.xx, s * x.xy, s * x.xz, s * x.yy, s * x.yz, s * x.zz};
+    sums.rotation[i] = s * sums.rotation[i];
+    sums.center[i] = s * sums.center[i] + staying(binding, s, i);
+  }
+}
+
+void share_sums(const Binding& binding, const Shares& shares, RowForm form, std::size_t begin,
+                std::size_t end, std::span<double> sums) {
+  const std::size_t columns = shape(form).columns, center = shape(form).center;
+  for (std::size_t i = begin; i < (shares.empty() ? begin : end); ++i) {
+    const auto of = sums.subspan(i * columns, columns);
+    for (double& sum : of) sum *= shares[i];
+    const Vec3 rest = staying(binding, shares[i], i);
+    for (std::size_t c = center; c < columns; ++c) of[c] += rest[c - center];
+  }
+}
+
+void apply(const Binding& binding, const Shares& shares, const BlendedLogs& sums,
+           std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
+           std::size_t end, std::span<mesh::Point> positions) {
   for (std::size_t i = begin; i < end; ++i) {
-    const Vec3 stretched = times(stretches[i], binding.offsets[i]);
+    const Vec3 stretched = times(stretches[i], offset_of(binding, shares, i));
     positions[i] = origin + (times(sym3::exp_rotation(sums.rotation[i]), stretched) + sums.center[i]);
   }
 }
@@ -101,11 +137,12 @@ Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o, const Vec3& stret
 
 }  // namespace
 
-void apply(const Binding& binding, RowForm form, Sums sums, std::span<const sym3::Sym3<double>> stretches,
-           const Vec3& origin, std::size_t begin, std::size_t end, std::span<mesh::Point> positions) {
+void apply(const Binding& binding, const Shares& shares, RowForm form, Sums sums,
+           std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
+           std::size_t end, std::span<mesh::Point> positions) {
   const std::size_t columns = shape(form).columns;
   for (std::size_t i = begin; i < end; ++i) {
-    const Vec3 x = binding.rest[i] - binding.rest_origin, &o = binding.offsets[i];
+    const Vec3 x = binding.rest[i] - binding.rest_origin, o = offset_of(binding, shares, i);
     const Vec3 stretched_offset = form == RowForm::screws ? times(stretches[i], o) : o;
     positions[i] = origin + moved(form, sums.subspan(i * columns, columns), x, o, stretched_offset);
   }
@@ -129,7 +166,7 @@ void place_sums(const Binding& binding, RowForm form, std::span<const double> su
   std::vector<sym3::Sym3<double>> stretches(n);
   if (form != RowForm::logs) {
     if (has_stretch_logs(form)) exponentiate(form, sums, method, 0, n, logs.stretch, stretches);
-    return apply(binding, form, sums, stretches, origin, 0, n, positions);
+    return apply(binding, binding.shares, form, sums, stretches, origin, 0, n, positions);
   }
   for (std::size_t i = 0; i < n; ++i) {
     const Sums s = sums.subspan(i * log_shape.columns, log_shape.columns);
@@ -138,7 +175,7 @@ void place_sums(const Binding& binding, RowForm form, std::span<const double> su
     logs.center[i] = three(s, 9);
   }
   sym3::exp<double>(logs.stretch, stretches, method);
-  apply(binding, logs, stretches, origin, 0, n, positions);
+  apply(binding, binding.shares, logs, stretches, origin, 0, n, positions);
 }
 
 }  // namespace viete::deform

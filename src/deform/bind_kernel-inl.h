@@ -70,10 +70,42 @@ static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const Dis
   return hn::MulAdd(z, z, hn::IfThenElseZero(outside, edges));
 }
 
-// Ratios [handle][stride], least squared distance over squared distance, become tapered weights: see
-// inverse_distance.h. Returns their sum.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V power(D d, V x, int exponent) {
+  V product = hn::Set(d, 1);
+  for (; exponent > 0; --exponent) product = hn::Mul(product, x);
+  return product;
+}
+
+// A power of the distance from one of its square.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V half_power(D d, V square, int exponent) {
+  const V whole = power(d, square, exponent / 2);
+  return exponent % 2 ? hn::Mul(whole, hn::Sqrt(square)) : whole;
+}
+
+// Ratios [handle][stride], least squared distance over squared distance, become powers of themselves.
+// Returns their sum.
 template <class D, class T = hn::TFromD<D>>
-static HWY_INLINE hn::Vec<D> taper(D d, T cut, std::size_t count, T* ratios, std::size_t stride) {
+static HWY_INLINE hn::Vec<D> raise(D d, int exponent, std::size_t count, T* ratios, std::size_t stride) {
+  using V = hn::Vec<D>;
+  V sum = hn::Zero(d);
+  for (std::size_t block = 0; block < count; block += summed_at_once) {
+    V part = hn::Zero(d);
+    for (std::size_t i = block; i < std::min(block + summed_at_once, count); ++i) {
+      const V w = half_power(d, hn::LoadU(d, ratios + i * stride), exponent);
+      part = hn::Add(part, w);
+      hn::StoreU(w, d, ratios + i * stride);
+    }
+    sum = hn::Add(sum, part);
+  }
+  return sum;
+}
+
+// The same ratios become tapered weights: see inverse_distance.h. Returns their sum.
+template <class D, class T = hn::TFromD<D>>
+static HWY_INLINE hn::Vec<D> taper(D d, T cut, int exponent, std::size_t count, T* ratios,
+                                   std::size_t stride) {
   using V = hn::Vec<D>;
   V third = hn::Zero(d), fourth = third;
   for (std::size_t block = 0; block < count; block += summed_at_once) {
@@ -94,7 +126,11 @@ static HWY_INLINE hn::Vec<D> taper(D d, T cut, std::size_t count, T* ratios, std
       const V r = hn::LoadU(d, ratios + i * stride), left = hn::Sub(r, end);
       const auto reached = hn::Gt(r, end);
       V w = hn::Zero(d);
-      if (!hn::AllFalse(d, reached)) w = hn::IfThenElseZero(reached, hn::Div(hn::Mul(left, left), r));
+      if (!hn::AllFalse(d, reached)) {
+        const V share = exponent == 2 ? hn::Div(hn::Mul(left, left), r)
+                                      : hn::Mul(power(d, hn::Div(left, r), 2), half_power(d, r, exponent));
+        w = hn::IfThenElseZero(reached, share);
+      }
       part = hn::Add(part, w);
       hn::StoreU(w, d, ratios + i * stride);
     }
@@ -120,8 +156,58 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
       sum = hn::Add(sum, ratio);
       hn::StoreU(ratio, d, w);
     }
-    if (job.cut > 0) sum = taper(d, job.cut, job.count, weights + l, bind_lanes);
+    if (job.cut > 0) {
+      sum = taper(d, job.cut, job.exponent, job.count, weights + l, bind_lanes);
+    } else if (job.exponent != 2) {
+      sum = raise(d, job.exponent, job.count, weights + l, bind_lanes);
+    }
     const PointV share = hn::Div(hn::Set(d, 1.0), sum);
+    for (std::size_t i = 0; i < job.count; ++i) {
+      double* w = weights + i * bind_lanes + l;
+      hn::StoreU(hn::Mul(share, hn::LoadU(d, w)), d, w);
+    }
+  }
+}
+
+template <class V>
+struct CutOffSum {
+  V weights, near;  // where near is not 0 a distance is not known well enough in floats
+};
+
+// (1 - d cut)^exponent to weights [triangle][stride], 0 beyond.
+template <class D, class T = hn::TFromD<D>>
+static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& job, const Points<D>& p,
+                                                      T* weights, std::size_t stride) {
+  using V = hn::Vec<D>;
+  CutOffSum<V> sum{hn::Zero(d), hn::Zero(d)};
+  for (std::size_t i = 0; i < job.count; ++i) {
+    const auto& t = job.triangles[i];
+    V w = hn::Zero(d);
+    if (!t.degenerate) {
+      const V square = squared_distance(d, p, t, job.shifts[i]);
+      const V left = hn::NegMulAdd(hn::Sqrt(square), hn::Set(d, job.cut), hn::Set(d, 1));
+      w = power(d, hn::Max(hn::Zero(d), left), job.exponent);
+      sum.near = hn::Max(sum.near, hn::IfThenElseZero(hn::Lt(square, hn::Set(d, t.near)), hn::Set(d, 1)));
+    }
+    sum.weights = hn::Add(sum.weights, w);
+    hn::StoreU(w, d, weights + i * stride);
+  }
+  return sum;
+}
+
+// What makes sums 1; 0 where there is nothing.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V share_of_sum(D d, V sum) {
+  return hn::IfThenElseZero(hn::Gt(sum, hn::Zero(d)), hn::Div(hn::Set(d, 1), sum));
+}
+
+static void cut_off(const WeightJob<double>& job, double* weights, double* totals) {
+  const PointTag d;
+  for (std::size_t l = 0; l < bind_lanes; l += hn::Lanes(d)) {
+    const auto p = load_points(d, job.points + l, bind_lanes);
+    const PointV sum = cut_off_lanes(d, job, p, weights + l, bind_lanes).weights;
+    hn::StoreU(sum, d, totals + l);
+    const PointV share = share_of_sum(d, sum);
     for (std::size_t i = 0; i < job.count; ++i) {
       double* w = weights + i * bind_lanes + l;
       hn::StoreU(hn::Mul(share, hn::LoadU(d, w)), d, w);
@@ -206,8 +292,28 @@ static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out
       }
       sum = hn::Add(sum, part);
     }
-    if (job.cut > 0) sum = taper(d, job.cut, job.count, out.rows + l, row_lanes);
+    if (job.cut > 0) {
+      sum = taper(d, job.cut, job.exponent, job.count, out.rows + l, row_lanes);
+    } else if (job.exponent != 2) {
+      sum = raise(d, job.exponent, job.count, out.rows + l, row_lanes);
+    }
     hn::StoreU(hn::Div(hn::Set(d, 1.0f), sum), d, shares + l);
+  }
+  normalise_rows(shares, out);
+  return true;
+}
+
+static bool cut_off_rows(const WeightJob<float>& job, const RowJob& out) {
+  constexpr float least_total = 1e-30f;  // its inverse has digits
+  const RowTag d;
+  HWY_ALIGN float shares[row_lanes];
+  for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(d)) {
+    const auto p = load_points(d, job.points + l, row_lanes);
+    const auto [sum, near] = cut_off_lanes(d, job, p, out.rows + l, row_lanes);
+    const auto tiny = hn::And(hn::Gt(sum, hn::Zero(d)), hn::Lt(sum, hn::Set(d, least_total)));
+    if (!hn::AllFalse(d, hn::Or(tiny, hn::Gt(near, hn::Zero(d))))) return false;
+    hn::StoreU(sum, d, out.totals + l);
+    hn::StoreU(share_of_sum(d, sum), d, shares + l);
   }
   normalise_rows(shares, out);
   return true;

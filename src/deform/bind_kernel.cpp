@@ -15,6 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
 static const BindKernel bind = {inverse_distance, inverse_distance_rows,
+                                cut_off,          cut_off_rows,
                                 integrated,       integrated_rows,
                                 mean_value,       to_rows,
                                 take_out,         solve,

@@ -19,7 +19,7 @@ struct DistanceTriangle {
   /// Along its second and third edge a point is at along . (x, y, 1), and left of it by inward . (x, y, 1).
   T along[2][3], inward[2][3];
   T outside;  ///< 0; infinity where there is no area: nothing is inside
-  T near;     ///< squared, a sixteenth of the longest edge, or a little: nearer distances lose digits in float
+  T near;  ///< squared, a sixteenth of the longest edge, or a little: nearer distances lose digits in float
   T twice_area;
   T opposite;       ///< dot product of the two edges at the corner opposite to the longest one
   bool degenerate;  ///< without influence
@@ -31,7 +31,8 @@ struct WeightJob {
   const T (*shifts)[3];
   std::size_t count;
   T least_square;   ///< of a distance: the squared contact, or the squared softening
-  T cut;            ///< 1 / reach^2; 0: no end
+  T cut;            ///< of inverse distances 1 / reach^2, of cut-off ones 1 / radius; 0: no end
+  int exponent;     ///< of distances
   const T* points;  ///< [3][lane]
 };
 
@@ -60,8 +61,9 @@ struct MeanValueJob {
 struct RowJob {
   const double (*handles)[3];  ///< positions
   std::size_t count;
-  float* rows;   ///< [handle][16 lanes]
-  double* sums;  ///< [3][16 lanes]: sum of weight times position, of the weights as floats
+  float* rows;              ///< [handle][16 lanes]
+  double* sums;             ///< [3][16 lanes]: sum of weight times position, of the weights as floats
+  float* totals = nullptr;  ///< [16 lanes], of cut-off weights: their sums before they are made 1
 };
 
 /// A leaf that is being compressed.
@@ -87,6 +89,10 @@ struct BindKernel {
   /// The same of 16 lanes in floats, and their sums. Returns false, rows being of no use, where a point is so
   /// near to a triangle that its distance is not known well enough.
   bool (*inverse_distance_rows)(const WeightJob<float>& job, const RowJob& rows);
+  /// weights [triangle][8 lanes]: cut_off_weights(); totals [8 lanes]: what that returns.
+  void (*cut_off)(const WeightJob<double>& job, double* weights, double* totals);
+  /// As inverse_distance_rows, of these.
+  bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);
   /// weights [triangle][8 lanes]: integrated_weights().
   void (*integrated)(const WeightJob<double>& job, double* weights);
   /// As inverse_distance_rows, of these; also false where a point is too far away for floats.

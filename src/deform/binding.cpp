@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "deform/cut_off.h"
 #include "deform/face_maps.h"
 #include "deform/integrated_distance.h"
 #include "deform/inverse_distance.h"
@@ -27,6 +28,7 @@ void allocate(Binding& binding) {
   try {
     binding.weights.resize(binding.vertices * binding.handles);
     binding.offsets.resize(binding.vertices);
+    if (binding.weighting.partial()) binding.shares.resize(binding.vertices);
   } catch (const std::bad_alloc&) {
     base::refuse_memory(need);
   } catch (const std::length_error&) {
@@ -42,13 +44,16 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
     const std::span<double> row(b.weights.data() + i * b.handles, b.handles);
     switch (b.weighting.weights) {
       case Weights::inverse:
-        inverse_distance_weights(cage, b.rest[i], row, b.weighting.reach,
-                                 entry(b.weighting.elements).handles);
+        inverse_distance_weights(cage, b.rest[i], row, b.weighting.reach, entry(b.weighting.elements).handles,
+                                 b.weighting.exponent);
+        break;
+      case Weights::cut_off:
+        b.shares[i] = share_of_motion(b.weighting, cut_off_weights(cage, b.rest[i], b.weighting, row));
         break;
       case Weights::integrated: integrated_weights(cage, b.rest[i], row); break;
       case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
       case Weights::harmonic:
-      case Weights::biharmonic: normalise(row); break;  // solved for before
+      case Weights::biharmonic: normalise(row, b.weighting.used_clamp()); break;  // solved for before
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }
@@ -80,6 +85,13 @@ std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, bas
 }
 
 }  // namespace
+
+Shares product(Shares shares, const Mask& mask) {
+  if (!mask) return shares;
+  if (shares.empty()) return {mask->begin(), mask->end()};
+  for (std::size_t i = 0; i < shares.size(); ++i) shares[i] *= static_cast<double>((*mask)[i]);
+  return shares;
+}
 
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine,
                           const Weighting& weighting) {
@@ -151,6 +163,7 @@ Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weig
     }
     failed = binding.tiles->failed;
   }
+  drop_whole(binding.shares);
   binding.warnings = weight_warnings(cage, weighting.weights, failed, binding.vertices);
   return binding;
 }

@@ -1,6 +1,7 @@
 // The model bound to the cage: weights, the model at rest, and what follows from these. Of no blend.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -17,6 +18,16 @@ namespace viete::deform {
 
 struct TiledBinding;
 
+/// How much of its motion each vertex makes, 0 to 1: its share. Sums of rows count so many times, and what
+/// they miss is the vertex as it is at rest, so that its maps are completed by the identity about itself:
+/// with a share s its offset is o = s (x - sum w c), and its centre s sum w c' + (1 - s) x. Where vertices
+/// have shares poses are relative to the middle of the rest cage. In the order of the model; empty: all of
+/// it.
+using Shares = std::vector<double>;
+
+/// A share of every vertex, painted; null: all of it. It is not of a binding: those serve any.
+using Mask = std::shared_ptr<const std::vector<float>>;
+
 /// n vertices, k handles.
 struct Binding {
   Weighting weighting;
@@ -27,12 +38,22 @@ struct Binding {
 
   // The rest is for the staged engine, and empty where it is not for that.
   Vec3 rest_origin{0, 0, 0};    ///< the middle of the rest cage
-  std::vector<double> weights;  ///< n rows of k, each summing to 1
+  std::vector<double> weights;  ///< n rows of k, each summing to 1, or to 0 where the share is 0
+  Shares shares;                ///< empty unless weights are partial (see Weighting)
   std::vector<mesh::Point>
       offsets;  ///< x - sum w c, c the handles' rest centres: what weights do not reproduce
   std::vector<mesh::Triangle> triangles;  ///< of the model
   mesh::Adjacency around;
 };
+
+/// Empties shares that are all 1.
+template <class Vector>
+void drop_whole(Vector& shares) {
+  if (std::ranges::all_of(shares, [](auto s) { return s == 1; })) shares.clear();
+}
+
+/// Both together.
+Shares product(Shares shares, const Mask& mask);
 
 /// What a person should know of the weights: of mean values where the cage is not closed, and of so many
 /// vertices that have none.

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::array<char, 16> format = {"viete binding\n"};
 // Another one whenever the same model and cage give other weights, or other files.
-constexpr std::uint32_t current_version = 2;
+constexpr std::uint32_t current_version = 3;
 constexpr std::uint32_t byte_order = 0x01020304;
 
 struct Header {
@@ -32,14 +32,25 @@ struct Header {
   std::uint16_t elements = 0, weights = 0;
   std::uint32_t storage = 0;
   std::uint64_t failed = 0;
-  double reach = 0, tolerance = 0;
+  double reach = 0, radius = 0, tolerance = 0;
+  std::uint16_t exponent = 0, clamp = 0, normalise = 0, shared = 0;
   std::uint64_t content = 0, itself = 0;  // checksums of what follows, and of what stands before
 };
-static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 96);
+static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 112);
 
 template <class Choice>
 std::uint16_t number(Choice choice) {
   return static_cast<std::uint16_t>(choice);
+}
+
+void put_numbers(const Weighting& weighting, Header& header) {
+  header.elements = number(weighed_as(weighting.elements));
+  header.weights = number(weighting.weights);
+  header.reach = weighting.used_reach();
+  header.radius = weighting.used_radius();
+  header.exponent = static_cast<std::uint16_t>(weighting.used_exponent());
+  header.clamp = weighting.used_clamp();
+  header.normalise = weighting.used_normalise();
 }
 
 template <class T>
@@ -58,7 +69,8 @@ std::uint64_t checksum(const Header& header) {
 // In the order of the file.
 template <class Binding>
 auto floats(Binding& b) {
-  return std::array{std::span(b.offsets), std::span(b.weights), std::span(b.factors), std::span(b.skeleton)};
+  return std::array{std::span(b.offsets), std::span(b.shares), std::span(b.weights), std::span(b.factors),
+                    std::span(b.skeleton)};
 }
 
 std::vector<std::uint32_t> ranks_of(const TiledBinding& b) {
@@ -151,6 +163,21 @@ void require_same(const Reader& reader, const Header& h, const mesh::Surface& mo
     reader.stale("it is for reach " + text_of_reach(h.reach) + ", not " +
                  text_of_reach(weighting.used_reach()));
   }
+  Header wanted = h;
+  put_numbers(weighting, wanted);
+  if (h.radius != wanted.radius) {
+    reader.stale("it is for radius " + text_of_percent(h.radius) + ", not " +
+                 text_of_percent(weighting.radius));
+  }
+  if (h.exponent != wanted.exponent) {
+    reader.stale("it is for exponent " + std::to_string(h.exponent) + ", not " +
+                 std::to_string(weighting.exponent));
+  }
+  const auto with = [](bool yes, const char* what) {
+    return std::string("its weights are ") + (yes ? "" : "not ") + what;
+  };
+  if (h.clamp != wanted.clamp) reader.stale(with(h.clamp, "clamped"));
+  if (h.normalise != wanted.normalise) reader.stale(with(h.normalise, "normalised"));
 }
 
 void set_ranks(const Reader& reader, const std::vector<std::uint32_t>& ranks, TiledBinding& b) {
@@ -187,7 +214,7 @@ void make_room(const Reader& reader, TiledBinding& b) {
   const auto [factors, skeleton] = b.lay_out_factors();
   if (entry(b.weighting.weights).on_surface)
     b.sample.resize(spread_vertices(b.leaves.vertices, error_sample).size() * b.handles);
-  reader.expect(sizeof(float) * (b.offsets.size() + weights + factors + skeleton) +
+  reader.expect(sizeof(float) * (b.offsets.size() + b.shares.size() + weights + factors + skeleton) +
                 sizeof(double) * b.sample.size());
   base::require_memory(binding_memory(static_cast<double>(reader.left()), b.leaves.vertices, b.handles));
   b.weights.resize(weights);
@@ -199,12 +226,9 @@ void make_room(const Reader& reader, TiledBinding& b) {
 
 std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                           double tolerance) {
-  const Header key{.model = mesh::content_key(model),
-                   .cage = mesh::content_key(cage.surface),
-                   .elements = number(weighed_as(weighting.elements)),
-                   .weights = number(weighting.weights),
-                   .reach = weighting.used_reach(),
-                   .tolerance = tolerance};
+  Header key{
+      .model = mesh::content_key(model), .cage = mesh::content_key(cage.surface), .tolerance = tolerance};
+  put_numbers(weighting, key);
   return checksum(key);
 }
 
@@ -214,13 +238,12 @@ void write_binding(const fs::path& file, const TiledBinding& b, const mesh::Surf
   Header h{.model = mesh::content_key(model),
            .cage = mesh::content_key(cage.surface),
            .order = checksum(b.leaves.order),
-           .elements = number(weighed_as(b.weighting.elements)),
-           .weights = number(b.weighting.weights),
            .storage = static_cast<std::uint32_t>(b.storage()),
            .failed = b.failed,
-           .reach = b.weighting.used_reach(),
            .tolerance = b.tolerance,
            .content = checksum(b, ranks)};
+  put_numbers(b.weighting, h);
+  h.shared = !b.shares.empty();
   h.itself = checksum(h);
   const auto bytes = [](const void* data, std::size_t size) {
     return std::string_view(static_cast<const char*>(data), size);
@@ -250,6 +273,7 @@ TiledBinding read_binding(const fs::path& file, const mesh::Surface& model, cons
   reader.read(ranks.data(), ranks.size() * sizeof ranks[0]);
   if (storage == Storage::factors) set_ranks(reader, ranks, b);
   if (storage == Storage::lists) read_lists(reader, ranks, b);
+  if (!h.shared) b.shares.clear();
   make_room(reader, b);
   for (const auto part : floats(b)) reader.read(part.data(), part.size_bytes());
   reader.read(b.sample.data(), b.sample.size() * sizeof b.sample[0]);

@@ -129,6 +129,10 @@ void CageState::set_amounts(const Amounts& amounts) {
   posed_ = false;
 }
 
+void CageState::keep_origin(bool keep) {
+  if (std::exchange(keeps_origin_, keep) != keep) posed_ = false;
+}
+
 bool CageState::takes_logs() const {
   return has_logs(form_) || (elements_ && !amounts_.whole());
 }
@@ -163,7 +167,8 @@ void CageState::set_pose(const Pose& pose) {
   check_pose(*cage_, pose);
   times_ = {};
   const bool few = posed_ && !moving_.empty();
-  if (!few) origin_ = pose_origin(*cage_, pose.positions);
+  const auto& rest = cage_->surface.positions;
+  if (!few) origin_ = keeps_origin_ ? middle(rest) : pose_origin(*cage_, pose.positions);
   if (elements_ ? set_maps(pose, few) : set_positions(pose, few)) ++resting_revision_;
   posed_ = true;
 }

@@ -54,6 +54,8 @@ public:
   void end_drag();
   /// Of the next poses, whole ones first.
   void set_amounts(const Amounts& amounts);
+  /// Whether the origin of the next poses is the middle of the rest cage, wherever they are.
+  void keep_origin(bool keep);
 
   const Cage& cage() const { return *cage_; }
   Rows rows() const;
@@ -79,6 +81,7 @@ private:
   Handles handles_;
   RowForm form_;
   Amounts amounts_;
+  bool keeps_origin_ = false;
   std::unique_ptr<const ElementMaps> elements_;  // null where rows are positions
   std::vector<std::uint32_t> all_, moving_;      // handles
   std::vector<std::uint32_t> all_maps_, moving_maps_;

@@ -22,6 +22,7 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
   } else if (binding_->tiles) {
     fused_ = std::make_unique<FusedEngine>(binding_->tiles, form, pool);
   }
+  set_mask(nullptr);
 }
 
 std::optional<EngineKind> Deformer::engine(sym3::Method method) const {
@@ -35,6 +36,15 @@ std::optional<EngineKind> Deformer::engine(sym3::Method method) const {
 void Deformer::set_amounts(const Amounts& amounts) {
   scheme_.amounts = amounts;
   state_.set_amounts(amounts);
+}
+
+void Deformer::set_mask(Mask mask) {
+  mask_ = std::move(mask);
+  const bool partial = !binding_->shares.empty() || (binding_->tiles && !binding_->tiles->shares.empty());
+  state_.keep_origin(mask_ || partial);
+  if (staged_) staged_->set_mask(mask_);
+  if (fused_) fused_->set_mask(mask_);
+  if (stitched_) stitched_->set_mask(mask_);
 }
 
 Engine& Deformer::of(EngineKind kind) const {
@@ -86,13 +96,13 @@ std::vector<mesh::Point> Deformer::normals() const {
 }
 
 std::vector<sym3::Sym3<double>> Deformer::sample_matrices(std::size_t limit) const {
-  return ran_ ? sample_stretches(weigher_, *binding_, state_.rows(), limit)
+  return ran_ ? sample_stretches(weigher_, *binding_, mask_, state_.rows(), limit)
               : std::vector<sym3::Sym3<double>>();
 }
 
 double Deformer::sampled_error() const {
   if (ran_ != EngineKind::fused) return 0;
-  return deform::sampled_error(weigher_, *binding_, state_.rows(), vertices());
+  return deform::sampled_error(weigher_, *binding_, mask_, state_.rows(), vertices());
 }
 
 }  // namespace viete::deform

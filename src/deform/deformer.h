@@ -30,6 +30,9 @@ public:
   const Scheme& scheme() const { return scheme_; }
   /// Of the next frames; all else of the scheme stays.
   void set_amounts(const Amounts& amounts);
+  /// Of the next frames; null: every vertex follows. One share a vertex, 0 to 1.
+  void set_mask(Mask mask);
+  const Mask& mask() const { return mask_; }
   const Binding& binding() const { return *binding_; }
   /// The engine that runs the method; nothing if the binding is not for it, or the scheme is stitched and
   /// there is no stitching.
@@ -66,6 +69,7 @@ private:
 
   std::shared_ptr<const Binding> binding_;
   Scheme scheme_;
+  Mask mask_;
   CageState state_;
   Weigher weigher_;
   std::unique_ptr<FusedEngine> fused_;

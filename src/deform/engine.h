@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "deform/binding.h"
 #include "deform/cage_state.h"
 #include "deform/frame_vertex.h"
 #include "deform/links.h"
@@ -20,6 +21,8 @@ public:
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
+  /// Of the next frames. The state must keep its origin if there is one, or weights are partial.
+  virtual void set_mask(const Mask& mask) = 0;
   /// One frame. The state must be of the cage, the elements and the blend that the engine was made for.
   virtual void run(const CageState& state, sym3::Method method) = 0;
   /// Of the last frame, in the file's order, positions relative to its rows' origin; before the first one

@@ -51,9 +51,10 @@ double place_logs(const Binding& binding, const Rows& rows, sym3::Method method,
   BlendedLogs sums;
   sums.resize(n);
   blend(binding, rows, 0, n, sums);
+  share_sums(binding, binding.shares, 0, n, sums);
   std::vector<Stretch> stretches(n);
   sym3::exp<double>(sums.stretch, stretches, method);
-  apply(binding, sums, stretches, rows.origin, 0, n, positions);
+  apply(binding, binding.shares, sums, stretches, rows.origin, 0, n, positions);
   return method == sym3::Method::fast ? 0 : worst_difference(stretches, sums.stretch);
 }
 
@@ -62,12 +63,13 @@ double place_others(const Binding& binding, const Rows& rows, sym3::Method metho
   const std::size_t n = positions.size();
   std::vector<double> sums(n * rows.columns());
   blend(binding, rows, 0, n, std::span(sums));
+  share_sums(binding, binding.shares, rows.form, 0, n, sums);
   std::vector<Stretch> logs, stretches;
   if (has_stretch_logs(rows.form)) {
     logs.resize(n), stretches.resize(n);
     exponentiate(rows.form, sums, method, 0, n, logs, stretches);
   }
-  apply(binding, rows.form, sums, stretches, rows.origin, 0, n, positions);
+  apply(binding, binding.shares, rows.form, sums, stretches, rows.origin, 0, n, positions);
   return method == sym3::Method::fast ? 0 : worst_difference(stretches, logs);
 }
 
@@ -88,6 +90,13 @@ Binding part_of(const Binding& whole, std::size_t begin, std::size_t end) {
   return part;
 }
 
+Mask part_of(const Mask& whole, std::size_t begin, std::size_t end) {
+  if (!whole) return nullptr;
+  const auto first = whole->begin();
+  return std::make_shared<const std::vector<float>>(first + std::ptrdiff_t(begin),
+                                                    first + std::ptrdiff_t(end));
+}
+
 }  // namespace
 
 double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
@@ -100,11 +109,12 @@ namespace {
 
 // What stitching takes of a pose: sums of rows at every vertex. Positions become those that are stitched.
 void stitch_positions(const Stitching& stitching, const Rows& rows, std::span<const double> sums,
-                      const Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
+                      const Shares& shares, const Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
                       std::span<mesh::Point> positions) {
   std::vector<Vec3> held;
   for (const auto& hold : stitching.holds) held.push_back(positions[hold.vertex] - rows.origin);
   Stitcher stitcher(stitching, rows.form, pool);
+  stitcher.set_shares(shares);
   stitcher.run(rows, sums, held, method, scheme.iterations);
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rows.origin + stitcher.positions()[v];
 }
@@ -113,11 +123,12 @@ void stitch_positions(const Stitching& stitching, const Rows& rows, std::span<co
 
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
-                          base::Progress* progress) {
+                          base::Progress* progress, const Mask& mask) {
   const std::span<const mesh::Point> rest = model.positions;
   if (rest.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   CageState state(cage, scheme.weighting.elements, scheme.blend);
   state.set_amounts(scheme.amounts);
+  state.keep_origin(mask || scheme.weighting.partial());
   state.set_pose(pose);
   const Rows rows = state.rows();
   std::optional<Stitching> stitching;
@@ -130,6 +141,7 @@ ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage
   exact.report = state.report();
   exact.positions.resize(rest.size());
   std::vector<double> sums(stitching ? rest.size() * rows.columns() : 0);
+  Shares shares(stitching && (mask || scheme.weighting.partial()) ? rest.size() : 0);
   std::size_t done = 0, failed = 0;
   std::mutex mutex;  // of these, and of exp_error
   const auto take = [&](std::size_t count, std::size_t lost, double error) {
@@ -141,15 +153,19 @@ ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage
   };
   pool.for_blocks(rest.size(), weighed_at_once(weigher.handles()), [&](std::size_t begin, std::size_t end) {
     const std::size_t count = end - begin;
-    const BoundPart part =
+    BoundPart part =
         on_surface ? BoundPart{part_of(whole, begin, end)} : bind_part(weigher, rest.subspan(begin, count));
+    part.binding.shares = product(std::move(part.binding.shares), part_of(mask, begin, end));
+    if (!shares.empty()) std::ranges::copy(part.binding.shares, shares.begin() + std::ptrdiff_t(begin));
     const auto positions = std::span(exact.positions).subspan(begin, count);
     take(count, part.failed, place_vertices(part.binding, rows, method, positions));
     const std::size_t columns = rows.columns();
-    if (stitching)
-      blend(part.binding, rows, 0, count, std::span(sums).subspan(begin * columns, count * columns));
+    if (!stitching) return;
+    const auto part_sums = std::span(sums).subspan(begin * columns, count * columns);
+    blend(part.binding, rows, 0, count, part_sums);
+    share_sums(part.binding, part.binding.shares, rows.form, 0, count, part_sums);
   });
-  if (stitching) stitch_positions(*stitching, rows, sums, scheme, method, pool, exact.positions);
+  if (stitching) stitch_positions(*stitching, rows, sums, shares, scheme, method, pool, exact.positions);
   exact.warnings = weight_warnings(*cage, scheme.weighting.weights, failed, rest.size());
   return exact;
 }

@@ -33,10 +33,10 @@ struct ExactModel {
 /// code, see Weigher); the same bits for any number of threads. Memory: the positions, and a megabyte or so
 /// for each thread, more for cages of more than 10,000 elements; with
 /// weights along the surface those of all vertices. Throws base::Error when the pose has not one
-/// position per cage vertex or the model no vertices, and base::Cancelled. progress may be null.
-/// cage must not be null.
+/// position per cage vertex or the model no vertices, and base::Cancelled. progress may be null; a mask has
+/// one share a vertex. cage must not be null.
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
-                          base::Progress* progress = nullptr);
+                          base::Progress* progress = nullptr, const Mask& mask = nullptr);
 
 }  // namespace viete::deform

@@ -178,6 +178,31 @@ static HWY_INLINE void add_mean(const TileRun<T>& run, Sums<T, Columns>& s) {
   }
 }
 
+template <std::size_t Center, class T, std::size_t Columns>
+static HWY_INLINE void share_sums(const TileRun<T>& run, const T* rest, std::size_t group,
+                                  Sums<T, Columns>& s) {
+  const Tag<T> d;
+#pragma GCC unroll 2
+  for (int v = 0; v < vectors_at_once; ++v) {
+    const auto share = hn::Load(d, run.shares + index_of<T>(group + v, 1));
+    const auto kept = hn::Sub(hn::Set(d, 1), share);
+    const T* x = rest + index_of<T>(group + v, 3);
+#pragma GCC unroll 24
+    for (std::size_t c = 0; c < Columns; ++c) {
+      s[v][c] = hn::Mul(s[v][c], share);
+      if (c >= Center) s[v][c] = hn::MulAdd(kept, hn::Load(d, x + (c - Center) * tile_lanes<T>), s[v][c]);
+    }
+  }
+}
+
+template <class T>
+static HWY_INLINE Vector3<T> load_offset(const TileRun<T>& run, const T* offsets, std::size_t group) {
+  const Vector3<T> o = load_rest(offsets, group);
+  if (!run.shares) return o;
+  const auto share = hn::Load(Tag<T>(), run.shares + index_of<T>(group, 1));
+  return {hn::Mul(o.x, share), hn::Mul(o.y, share), hn::Mul(o.z, share)};
+}
+
 // What is blended at once goes through the same steps in turn: that hides the latency of each.
 #if HWY_TARGET <= HWY_AVX3
 template <class T>
@@ -190,6 +215,11 @@ static HWY_INLINE Batch<T> column(const Sums<T, Columns>& s, std::size_t c) {
 template <class T>
 static HWY_INLINE lanes::Three<Batch<T>> load_rests(const T* rest, std::size_t group) {
   return lanes::together(load_rest(rest, group), load_rest(rest, group + 1));
+}
+template <class T>
+static HWY_INLINE lanes::Three<Batch<T>> load_offsets(const TileRun<T>& run, const T* offsets,
+                                                      std::size_t group) {
+  return lanes::together(load_offset(run, offsets, group), load_offset(run, offsets, group + 1));
 }
 template <class T>
 static HWY_INLINE void store_positions(const lanes::Three<Batch<T>>& p, std::size_t group, T* out) {
@@ -206,6 +236,10 @@ static HWY_INLINE Batch<T> column(const Sums<T, Columns>& s, std::size_t c) {
 template <class T>
 static HWY_INLINE Vector3<T> load_rests(const T* rest, std::size_t group) {
   return load_rest(rest, group);
+}
+template <class T>
+static HWY_INLINE Vector3<T> load_offsets(const TileRun<T>& run, const T* offsets, std::size_t group) {
+  return load_offset(run, offsets, group);
 }
 template <class T>
 static HWY_INLINE void store_positions(const Vector3<T>& p, std::size_t group, T* out) {
@@ -400,9 +434,10 @@ static void place_tiles(const TileRun<T>& run, const T* rest, const T* offsets, 
     Sums<T, shape.columns> s;
     blend_group<T, shape.columns>(run, g, s);
     add_mean<shape.with_mean, T, shape.columns>(run, s);
+    if (run.shares) share_sums<shape.center, T, shape.columns>(run, rest, g, s);
     const auto sum = [&](std::size_t c) HWY_ATTR { return column<T, shape.columns>(s, c); };
     const auto at_rest = [&]() HWY_ATTR { return load_rests(rest, g); };
-    const auto offset = [&]() HWY_ATTR { return load_rests(offsets, g); };
+    const auto offset = [&]() HWY_ATTR { return load_offsets(run, offsets, g); };
     store_positions<T>(Move()(d, sum, at_rest, offset), g, out);
   }
 }

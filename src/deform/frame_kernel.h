@@ -26,6 +26,7 @@ struct TileRun {
   const T* table = nullptr;    ///< [row][column]
   const T* base = nullptr;     ///< sums to start from, [tile][column][lane]; null: zero
   const T* mean = nullptr;     ///< [RowShape::with_mean], what `place` adds to the sums; null: zero
+  const T* shares = nullptr;  ///< [tile][lane], what `place` makes of sums and offsets: see Shares; null: all
   const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: in order
 };
 

@@ -30,7 +30,8 @@ FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm fo
       kernel_(frame_kernel(kernel)),
       tiles_(kernel_.forms[static_cast<std::size_t>(form)]),
       form_(form),
-      columns_(shape(form).columns) {
+      columns_(shape(form).columns),
+      shares_(binding_->shares) {
   entries_.resize(binding_->handles * columns_);
   table_.resize(binding_->handles * columns_);
   skeleton_sums_.resize(binding_->skeleton_slots() * columns_);
@@ -38,6 +39,15 @@ FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm fo
   positions_.resize(binding_->rings.position_count() * 4);
   vertices_.assign(binding_->leaves.vertices, FrameVertex{});
   leaf_moved_.assign(binding_->leaves.count(), 1);
+}
+
+void FusedEngine::set_mask(const Mask& mask) {
+  shares_ = binding_->shares;
+  drag_.placed = false;
+  if (!mask) return;
+  const auto& order = binding_->leaves.order;
+  if (shares_.empty()) shares_.assign(order.size(), 1.0f);
+  for (std::size_t slot = 0; slot < shares_.size(); ++slot) shares_[slot] *= (*mask)[order[slot]];
 }
 
 std::size_t FusedEngine::bytes() const {
@@ -82,9 +92,22 @@ void FusedEngine::blend(const CageState& state, std::span<double> sums) {
         const double mean = c < rows.with_mean ? static_cast<double>(mean_[c]) : 0;
         to[c] = (from[c * lanes] + mean) * (c < rows.first_length ? 1 : binding_->unit);
       }
+      if (!shares_.empty()) share(slot, to);
     }
   });
   times_[Link::blend] = watch.lap_ms() - times_[Link::skeleton];
+}
+
+// As share_sums().
+void FusedEngine::share(std::size_t slot, double* sums) const {
+  const double share = shares_[slot];
+  const std::size_t center = shape(form_).center;
+  const float* rest = binding_->rest.data() + slot / lanes * lanes * 3 + slot % lanes;
+  for (std::size_t c = 0; c < columns_; ++c) {
+    sums[c] *= share;
+    if (c >= center)
+      sums[c] += (1 - share) * binding_->unit * static_cast<double>(rest[(c - center) * lanes]);
+  }
 }
 
 void FusedEngine::show(std::span<const Vec3> positions) {
@@ -244,7 +267,11 @@ TileRun<float> FusedEngine::leaf_run(std::size_t leaf, const float* table) const
   if (!b.compressed()) {
     const float* weights = b.weights.data() + b.first_weight(leaf);
     if (!b.has_lists()) return {tiles, b.handles, weights, table};
-    return {tiles, b.list(leaf).size(), weights, table, nullptr, nullptr, b.list(leaf).data()};
+    return {.tiles = tiles,
+            .rows = b.list(leaf).size(),
+            .weights = weights,
+            .table = table,
+            .listed = b.list(leaf).data()};
   }
   const LeafFactors& f = b.factored[leaf];
   const float* rows = f.dense ? table : skeleton_table_.data() + f.pivots * columns_;
@@ -256,13 +283,12 @@ TileRun<float> FusedEngine::frame_run(std::size_t leaf) const {
   TileRun<float> run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;
   const std::size_t start = drag_.starts[leaf];
-  return {run.tiles,
-          drag_.row_count(leaf),
-          drag_.weights.data() + leaf_slots * start,
-          drag_.rows.data(),
-          drag_.sums.data() + binding_->leaves.begin(leaf) * columns_,
-          nullptr,
-          drag_.listed.data() + start};
+  return {.tiles = run.tiles,
+          .rows = drag_.row_count(leaf),
+          .weights = drag_.weights.data() + leaf_slots * start,
+          .table = drag_.rows.data(),
+          .base = drag_.sums.data() + binding_->leaves.begin(leaf) * columns_,
+          .listed = drag_.listed.data() + start};
 }
 
 void FusedEngine::place_vertices() {
@@ -274,6 +300,7 @@ void FusedEngine::place_vertices() {
     const std::size_t begin = b.leaves.begin(leaf);
     TileRun<float> run = frame_run(leaf);
     run.mean = mean_.data();
+    if (!shares_.empty()) run.shares = shares_.data() + begin;
     tiles_.place(run, b.rest.data() + begin * 3, b.offsets.data() + begin * 3,
                  positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]));
   });

@@ -30,11 +30,12 @@ public:
   FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm form, base::WorkerPool& pool,
               const sym3::Kernel& kernel = sym3::kernel());
 
+  void set_mask(const Mask& mask) override;
   /// The method does not matter.
   void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
-  /// The first half of a frame: sums of the rows of every vertex, [vertex][column] in the file's order, with
-  /// lengths in the file's unit. Dragging as in run().
+  /// The first half of a frame: sums of the rows of every vertex, shared already, [vertex][column] in the
+  /// file's order, with lengths in the file's unit. Dragging as in run().
   void blend(const CageState& state, std::span<double> sums);
   /// The second half, of other positions: vertices() are there, relative to the rows' origin, with normals.
   void show(std::span<const Vec3> positions);
@@ -57,6 +58,7 @@ private:
   void blend_skeleton(const float* table);
   TileRun<float> leaf_run(std::size_t leaf, const float* table) const;
   TileRun<float> frame_run(std::size_t leaf) const;
+  void share(std::size_t slot, double* sums) const;
   void place_vertices();
   void compute_normals();
   template <class Body>
@@ -79,6 +81,7 @@ private:
   base::AlignedVector<float> skeleton_table_;  // [pivot][column]
   base::AlignedVector<float> positions_;       // of slots and ghosts (see Rings), x y z x in units
   base::AlignedVector<FrameVertex> vertices_;
+  base::AlignedVector<float> shares_;     // [slot]; empty: all 1
   std::vector<std::uint8_t> leaf_moved_;  // [leaf] its slots, in this frame
   bool dragging_ = false;
 

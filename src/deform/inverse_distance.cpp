@@ -1,5 +1,7 @@
 #include "deform/inverse_distance.h"
 
+#include <cmath>
+
 #include "mesh/triangle.h"
 
 namespace viete::deform {
@@ -7,20 +9,21 @@ namespace viete::deform {
 namespace {
 
 // From d^-2 in units of the least: where d = R that is the least squared distance over R^2.
-void taper(double reach, std::span<double> ratios) {
+void taper(double reach, int exponent, std::span<double> ratios) {
   double third = 0, fourth = 0;
   for (const double r : ratios) {
     third += r * r * r;
     fourth += r * r * (r * r);
   }
   const double end = fourth / third / (reach * reach);
-  for (double& r : ratios) r = r > end ? (r - end) * (r - end) / r : 0;
+  for (double& r : ratios)
+    r = r > end ? (r - end) * (r - end) / r * (exponent == 2 ? 1 : std::pow(r, 0.5 * exponent - 1)) : 0;
 }
 
 }  // namespace
 
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights, double reach,
-                              Handles handles) {
+                              Handles handles, int exponent) {
   const auto& x = cage.surface.positions;
   const double contact2 = cage.contact * cage.contact;
   double nearest2 = std::numeric_limits<double>::infinity();
@@ -32,7 +35,11 @@ void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<
     nearest2 = std::min(nearest2, weights[e]);
   }
   for (double& w : weights) w = nearest2 / w;
-  if (reach < whole_cage) taper(reach, weights);
+  if (reach < whole_cage) {
+    taper(reach, exponent, weights);
+  } else if (exponent != 2) {
+    for (double& w : weights) w = std::pow(w, 0.5 * exponent);
+  }
   double sum = 0;
   for (const double w : weights) sum += w;
   for (double& w : weights) w /= sum;

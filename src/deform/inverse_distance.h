@@ -22,12 +22,14 @@ namespace viete::deform {
 /// second order only. Weights are continuous and have continuous derivatives wherever distances do, also
 /// where d = R; as the reach grows they become d^-2.
 ///
+/// With another exponent e, d^-2 becomes d^-e; D and the taper stay what they are.
+///
 /// Formed from ratios of distances, so that nothing overflows at any length scale; distances below
 /// cage.contact count as that, so that a point on elements has the limit: equal shares of the elements
 /// touched, the rest next to nothing, or nothing. weights.size(): one a handle of that kind; those without
-/// extent (see HandleShape) get 0. reach >= lowest_reach.
+/// extent (see HandleShape) get 0. reach >= lowest_reach, exponent 1 to most_exponent.
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
-                              double reach = whole_cage, Handles handles = Handles::faces);
+                              double reach = whole_cage, Handles handles = Handles::faces, int exponent = 2);
 
 /// Where a handle lies, for distances.
 struct HandleShape {

@@ -28,16 +28,19 @@ struct RowShape {
   /// Weights sum to one up to what compression leaves out, so what all rows share is best not weighted at
   /// all: of so many columns, the first ones, the mean is left out of the sums and added to them.
   std::size_t with_mean;
+  /// Of the three columns that hold where the handles' centres are; `columns` where none do. See Shares in
+  /// binding.h.
+  std::size_t center;
 };
 
-inline constexpr RowShape log_shape{12, 9, 9};  // what the centres miss, the offsets hold
-inline constexpr RowShape map_shape{12, 9, 12};
-inline constexpr RowShape position_shape{3, 0, 0};
-inline constexpr RowShape stretch_shape{12, 9, 9};
-inline constexpr RowShape quaternion_shape{13, 10, 10};
-inline constexpr RowShape matrix_log_shape{12, 9, 9};
-inline constexpr RowShape screw_shape{21, 15, 15};
-inline constexpr RowShape affine_log_shape{24, 18, 18};
+inline constexpr RowShape log_shape{12, 9, 9, 9};  // what the centres miss, the offsets hold
+inline constexpr RowShape map_shape{12, 9, 12, 12};
+inline constexpr RowShape position_shape{3, 0, 0, 0};
+inline constexpr RowShape stretch_shape{12, 9, 9, 9};
+inline constexpr RowShape quaternion_shape{13, 10, 10, 10};
+inline constexpr RowShape matrix_log_shape{12, 9, 9, 9};
+inline constexpr RowShape screw_shape{21, 15, 15, 18};
+inline constexpr RowShape affine_log_shape{24, 18, 18, 21};
 inline constexpr std::size_t most_columns = 24;
 inline constexpr std::size_t row_forms = 8;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "base/error.h"
 
@@ -55,24 +56,28 @@ constexpr std::array weights_table = {
         {"inverse", "Inverse distance", "1/d^2, d the distance to the element, as far as it reaches"},
         Weights::inverse,
         "constants",
-        true},
+        {.reach = true, .exponent = true}},
     WeightsEntry{
         {"integrated", "Integrated", "1/r^4 integrated over the face, however the cage is cut into faces"},
         Weights::integrated,
         "constants"},
+    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2, and none beyond: what no element reaches stays"},
+                 Weights::cut_off,
+                 "constants",
+                 {.radius = true, .exponent = true, .normalise = true}},
     WeightsEntry{
         {"harmonic", "Harmonic",
          "1 at the model's vertex nearest to the element, and from there on harmonic along the surface"},
         Weights::harmonic,
         "constants",
-        false,
+        {},
         true},
     WeightsEntry{
         {"biharmonic", "Biharmonic",
          "as harmonic ones, but a thin plate on springs: smoother, and outside [0, 1] here and there"},
         Weights::biharmonic,
         "constants",
-        false,
+        {.clamp = true},
         true},
     WeightsEntry{{"mean-value", "Mean value", "mean value coordinates of the cage's vertices"},
                  Weights::mean_value,
@@ -130,7 +135,7 @@ constexpr std::array rules = {
          },
          "integrals over faces are weights of faces, and these elements are edges or vertices of the cage"},
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
-           return !e.affine && (w.value == Weights::inverse || w.on_surface);
+           return !e.affine && (w.value == Weights::inverse || w.value == Weights::cut_off || w.on_surface);
          },
          "translations need weights that reproduce linear functions, as mean values do"},
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry& b) {
@@ -217,6 +222,40 @@ Elements weighed_as(Elements elements) {
                               [&](const auto& o) { return o.handles == e.handles && o.affine == e.affine; })
       ->value;
 }
+Weighting with(Weighting w, const AskedWeighting& asked) {
+  w.reach = asked.reach.value_or(w.reach);
+  w.radius = asked.radius.value_or(w.radius);
+  w.exponent = asked.exponent.value_or(w.exponent);
+  w.clamp = w.clamp || asked.clamp;
+  w.normalise = w.normalise || asked.normalise;
+  return w;
+}
+
+std::optional<UnusedSetting> unused_setting(Weights weights, const AskedWeighting& asked) {
+  const WeightSettings& has = entry(weights).has;
+  if (asked.reach && !has.reach)
+    return UnusedSetting{"--reach", "these weights have no reach: all of the cage moves all of the model",
+                         "leave it out, or choose --weights inverse"};
+  if (asked.radius && !has.radius)
+    return UnusedSetting{"--radius", "these weights have no radius",
+                         "leave it out, or choose --weights cutoff"};
+  if (asked.exponent && !has.exponent)
+    return UnusedSetting{"--exponent", "these weights are no powers of distances",
+                         "leave it out, or choose --weights inverse"};
+  if (asked.clamp && !has.clamp)
+    return UnusedSetting{"--clamp",
+                         "these weights are never below 0, or would not be what they are without that",
+                         "leave it out, or choose --weights biharmonic"};
+  if (asked.normalise && !has.normalise)
+    return UnusedSetting{"--normalise", "these weights always sum to 1", "leave it out"};
+  return std::nullopt;
+}
+
+bool Weighting::same_numbers(const Weighting& o) const {
+  return used_reach() == o.used_reach() && used_radius() == o.used_radius() &&
+         used_exponent() == o.used_exponent() && used_clamp() == o.used_clamp() &&
+         used_normalise() == o.used_normalise();
+}
 const WeightsEntry& entry(Weights weights) {
   return find(weights_table, weights);
 }
@@ -267,7 +306,9 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
                       "leave one of them out, and it is chosen to fit");
   }
   Scheme scheme = *best;
-  scheme.weighting.reach = preferred.weighting.reach;
+  scheme.weighting = preferred.weighting;
+  scheme.weighting.elements = best->weighting.elements;
+  scheme.weighting.weights = best->weighting.weights;
   scheme.amounts = preferred.amounts;
   scheme.iterations = preferred.iterations;
   if (conflict(scheme)) scheme.iterations = 0;
@@ -279,6 +320,12 @@ std::string text(const Scheme& s) {
          ", " + std::string(entry(s.blend).name) + (s.stitched() ? ", stitched" : "");
 }
 
+std::string text_of_percent(double fraction) {
+  char text[32];
+  const double percent = std::round(1e8 * fraction) / 1e6;  // as it was typed
+  return std::string(text, std::to_chars(text, text + sizeof text, percent).ptr) + " %";
+}
+
 std::string text_of_reach(double reach) {
   if (!(reach < whole_cage)) return "all";
   char text[32];
@@ -287,6 +334,11 @@ std::string text_of_reach(double reach) {
 
 std::optional<double> amount_from_percent(double percent) {
   if (!(percent >= 0 && percent <= 100 * largest_amount)) return std::nullopt;
+  return percent / 100;
+}
+
+std::optional<double> radius_from_percent(double percent) {
+  if (!(percent >= 100 * least_radius && percent <= 100 * largest_radius)) return std::nullopt;
   return percent / 100;
 }
 

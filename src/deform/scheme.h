@@ -20,7 +20,7 @@ enum class Elements { face, point, patch, vertex_patch, edge, vertex, vertex_fac
 /// How much of each handle a vertex takes.
 /// (Smooth weights with bounds, as bounded biharmonic ones, take a solver of quadratic programs with bounds
 /// of 10^5 and more unknowns; Debian 12 packages none that fits, so there are none.)
-enum class Weights { inverse, mean_value, integrated, harmonic, biharmonic };
+enum class Weights { inverse, mean_value, integrated, harmonic, biharmonic, cut_off };
 
 /// What of the maps is summed, and how the sums become a position.
 enum class Blend { srl, linear, slrl, sql, log3, sse, log4 };
@@ -47,11 +47,16 @@ struct ElementsEntry : ChoiceEntry {
   std::string_view reproduces;  ///< which poses of the whole cage each map follows exactly
 };
 
+/// Which settings of a Weighting count.
+struct WeightSettings {
+  bool reach = false, radius = false, exponent = false, clamp = false, normalise = false;
+};
+
 struct WeightsEntry : ChoiceEntry {
   Weights value;
   std::string_view reproduces;  ///< which functions of space sums of weights give back exactly
-  bool has_reach = false;       ///< the reach of a Weighting counts
-  bool on_surface = false;      ///< of vertices of the model, along its surface; else of points in space
+  WeightSettings has{};
+  bool on_surface = false;  ///< of vertices of the model, along its surface; else of points in space
 };
 
 struct BlendEntry : ChoiceEntry {
@@ -86,6 +91,10 @@ inline constexpr double whole_cage = std::numeric_limits<double>::infinity();
 /// model would show the cage's edges.
 inline constexpr double lowest_reach = 1.5;
 
+/// Of the cage's diagonal.
+inline constexpr double least_radius = 0.001, largest_radius = 10;
+inline constexpr int most_exponent = 8;
+
 /// More change next to nothing.
 inline constexpr int most_iterations = 20;
 
@@ -97,14 +106,46 @@ struct Weighting {
   /// lowest_reach or more. Weights that have no reach leave it unused.
   double reach = whole_cage;
 
-  double used_reach() const { return entry(weights).has_reach ? reach : whole_cage; }
-  bool local() const { return used_reach() < whole_cage; }
+  /// Where cut-off weights end, in diagonals of the cage: least_radius to largest_radius.
+  double radius = 0.25;
+  /// Of distances, 1 to most_exponent: the higher, the more local.
+  int exponent = 2;
+  /// Weights below 0 become 0, and the others less, so that they sum to 1 again.
+  bool clamp = false;
+  /// Weights always sum to 1, also where few elements reach: see cut_off_weights().
+  bool normalise = false;
+
+  double used_reach() const { return entry(weights).has.reach ? reach : whole_cage; }
+  double used_radius() const { return entry(weights).has.radius ? radius : 0; }
+  int used_exponent() const { return entry(weights).has.exponent ? exponent : 0; }
+  bool used_clamp() const { return entry(weights).has.clamp && clamp; }
+  bool used_normalise() const { return entry(weights).has.normalise && normalise; }
+  /// Elements that are far away have no weight at all.
+  bool local() const { return used_reach() < whole_cage || entry(weights).has.radius; }
+  /// Weights of a vertex may sum to less than 1: what is missing stays at rest, see Shares in binding.h.
+  bool partial() const { return entry(weights).has.radius; }
   /// True if both give the same weights, whatever maps they are for.
   friend bool operator==(const Weighting& a, const Weighting& b) {
-    return weighed_as(a.elements) == weighed_as(b.elements) && a.weights == b.weights &&
-           a.used_reach() == b.used_reach();
+    return weighed_as(a.elements) == weighed_as(b.elements) && a.weights == b.weights && a.same_numbers(b);
   }
+  bool same_numbers(const Weighting& other) const;
 };
+
+/// Those settings of weights that someone has asked for.
+struct AskedWeighting {
+  std::optional<double> reach{}, radius{};
+  std::optional<int> exponent{};
+  bool clamp = false, normalise = false;
+
+  bool any() const { return reach || radius || exponent || clamp || normalise; }
+};
+/// With these settings, whether its weights have them or not.
+Weighting with(Weighting weighting, const AskedWeighting& asked);
+/// The option of the first of these that weights do not have, and why; nothing if they have all.
+struct UnusedSetting {
+  std::string_view option, reason, advice;
+};
+std::optional<UnusedSetting> unused_setting(Weights weights, const AskedWeighting& asked);
 
 /// How much of each map's rotation and of its stretch acts, both in log space: 0 none, 1 as it is, 2 twice
 /// as much. Centres follow the cage as they are.
@@ -159,17 +200,21 @@ inline PartialChoice only(Weights weights) {
 inline PartialChoice only(Blend blend) {
   return {.blend = blend};
 }
-/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, its reach, its
-/// amounts, and its stitching where that goes with the rest.
+/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, the numbers of its
+/// weights, its amounts, and its stitching where that goes with the rest.
 /// Throws base::Error if there is none, saying why.
 Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
 /// "face, inverse, srl": as the command line names them.
 std::string text(const Scheme& scheme);
 
+/// "25 %", of a fraction.
+std::string text_of_percent(double fraction);
 /// "3" or "all", as the command line has it.
 std::string text_of_reach(double reach);
 /// Percent, 0 to 200, as a fraction.
 std::optional<double> amount_from_percent(double percent);
+/// Percent of the cage's diagonal, as a fraction; nothing if it is no radius.
+std::optional<double> radius_from_percent(double percent);
 /// A number from lowest_reach on, or "all".
 std::optional<double> reach_from_text(std::string_view text);
 

@@ -17,6 +17,7 @@ constexpr std::size_t vertices_per_block = 256;
 StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool)
     : binding_(std::move(binding)),
       pool_(pool),
+      shares_(binding_->shares),
       positions_(binding_->vertices),
       normals_(binding_->vertices),
       vertices_(binding_->vertices) {
@@ -43,7 +44,10 @@ void StagedEngine::run(const CageState& state, sym3::Method method) {
 
 void StagedEngine::blend_logs(const Rows& rows, sym3::Method method) {
   base::Stopwatch watch;
-  for_vertices([&](std::size_t begin, std::size_t end) { blend(*binding_, rows, begin, end, logs_); });
+  for_vertices([&](std::size_t begin, std::size_t end) {
+    blend(*binding_, rows, begin, end, logs_);
+    share_sums(*binding_, shares_, begin, end, logs_);
+  });
   times_[Link::blend] = watch.lap_ms();
   for_vertices([&](std::size_t begin, std::size_t end) {
     const std::size_t count = end - begin;
@@ -52,15 +56,17 @@ void StagedEngine::blend_logs(const Rows& rows, sym3::Method method) {
   });
   times_[Link::exp] = watch.lap_ms();
   for_vertices([&](std::size_t begin, std::size_t end) {
-    apply(*binding_, logs_, stretches_, rows.origin, begin, end, positions_);
+    apply(*binding_, shares_, logs_, stretches_, rows.origin, begin, end, positions_);
   });
   times_[Link::apply] = watch.lap_ms();
 }
 
 void StagedEngine::blend_others(const Rows& rows, sym3::Method method) {
   base::Stopwatch watch;
-  for_vertices(
-      [&](std::size_t begin, std::size_t end) { blend(*binding_, rows, begin, end, std::span(sums_)); });
+  for_vertices([&](std::size_t begin, std::size_t end) {
+    blend(*binding_, rows, begin, end, std::span(sums_));
+    share_sums(*binding_, shares_, rows.form, begin, end, sums_);
+  });
   times_[Link::blend] = watch.lap_ms();
   if (has_stretch_logs(rows.form)) {
     for_vertices([&](std::size_t begin, std::size_t end) {
@@ -69,7 +75,7 @@ void StagedEngine::blend_others(const Rows& rows, sym3::Method method) {
     times_[Link::exp] = watch.lap_ms();
   }
   for_vertices([&](std::size_t begin, std::size_t end) {
-    apply(*binding_, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
+    apply(*binding_, shares_, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
   });
   times_[Link::apply] = watch.lap_ms();
 }

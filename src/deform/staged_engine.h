@@ -16,6 +16,7 @@ public:
   /// binding must have the weights of the staged frame.
   StagedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool);
 
+  void set_mask(const Mask& mask) override { shares_ = product(binding_->shares, mask); }
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
   /// Of the last frame, in double.
@@ -33,6 +34,7 @@ private:
 
   std::shared_ptr<const Binding> binding_;
   base::WorkerPool& pool_;
+  Shares shares_;
   BlendedLogs logs_;
   std::vector<double> sums_;  // of other forms
   std::vector<sym3::Sym3<double>> stretches_;

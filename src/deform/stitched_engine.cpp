@@ -32,15 +32,27 @@ Binding held_vertices(const Stitching& stitching, const TiledBinding& tiles) {
 StitchedEngine::StitchedEngine(std::shared_ptr<const TiledBinding> binding,
                                std::shared_ptr<const Stitching> stitching, RowForm form, int iterations,
                                base::WorkerPool& pool)
-    : stitching_(std::move(stitching)),
+    : binding_(std::move(binding)),
+      stitching_(std::move(stitching)),
       form_(form),
       iterations_(iterations),
-      blender_(binding, form, pool),
+      blender_(binding_, form, pool),
       stitcher_(*stitching_, form, pool),
-      held_(held_vertices(*stitching_, *binding)),
+      held_(held_vertices(*stitching_, *binding_)),
       sums_(stitching_->vertices() * shape(form).columns),
       held_sums_(held_.vertices * shape(form).columns),
-      held_positions_(held_.vertices) {}
+      held_positions_(held_.vertices) {
+  set_mask(nullptr);
+}
+
+void StitchedEngine::set_mask(const Mask& mask) {
+  blender_.set_mask(mask);
+  const Shares shares = product(shares_of(*binding_), mask);
+  stitcher_.set_shares(shares);
+  held_.shares.clear();
+  for (std::size_t i = 0; i < (shares.empty() ? 0 : held_.vertices); ++i)
+    held_.shares.push_back(shares[stitching_->holds[i].vertex]);
+}
 
 void StitchedEngine::run(const CageState& state, sym3::Method method) {
   blender_.blend(state, sums_);

@@ -22,6 +22,7 @@ public:
   StitchedEngine(std::shared_ptr<const TiledBinding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 
+  void set_mask(const Mask& mask) override;
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return blender_.vertices(); }
   /// Of the last frame, in double, relative to its rows' origin.
@@ -30,6 +31,7 @@ public:
 private:
   void place_held(std::span<const double> sums, sym3::Method method);
 
+  std::shared_ptr<const TiledBinding> binding_;
   std::shared_ptr<const Stitching> stitching_;
   RowForm form_;
   int iterations_;

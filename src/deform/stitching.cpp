@@ -371,10 +371,17 @@ Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& p
       form_(form),
       pool_(pool),
       loads_(3 * stitching_.triangles.size()),
+      pinned_(stitching_.pinned),
       pin_targets_(stitching_.pins.size()),
       right_(stitching_.vertices()),
       positions_(stitching_.vertices()) {
   assert(form != RowForm::positions);
+}
+
+void Stitcher::set_shares(const Shares& shares) {
+  pinned_.shares.clear();
+  for (std::size_t i = 0; i < (shares.empty() ? 0 : stitching_.pins.size()); ++i)
+    pinned_.shares.push_back(shares[stitching_.pins[i].vertex]);
 }
 
 void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held,
@@ -401,7 +408,8 @@ void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   for (std::size_t i = 0; i < n; ++i)
     std::copy_n(rows.values.begin() + std::ptrdiff_t(stitching_.pins[i].handle * columns), columns,
                 sums.begin() + std::ptrdiff_t(i * columns));
-  place_sums(stitching_.pinned, rows.form, sums, {0, 0, 0}, method, pin_targets_);
+  share_sums(pinned_, pinned_.shares, rows.form, 0, n, sums);
+  place_sums(pinned_, rows.form, sums, {0, 0, 0}, method, pin_targets_);
 }
 
 // The loads of a triangle's corners sum to 0.

@@ -76,8 +76,11 @@ public:
   /// The form must be of maps or of what makes one, not positions. Both must outlive this.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
-  /// One pose. sums are the blended rows, [vertex][column]; held, of each hold, the vertex's blended position
-  /// relative to the rows' origin. A triangle's map is that of the mean of its corners' sums.
+  /// Of the next poses, one a vertex; empty: all 1. Pins take part in what their vertices make of them.
+  void set_shares(const Shares& shares);
+  /// One pose. sums, shared already, are the blended rows, [vertex][column]; held, of each hold, the vertex's
+  /// blended position relative to the rows' origin. A triangle's map is that of the mean of its corners'
+  /// sums.
   ///
   /// iterations, 1 or more: how often positions are solved for. Before each time but the first, the rotations
   /// R_t are replaced by those that fit the positions best, the stretches S_t staying as they are (O.
@@ -105,6 +108,7 @@ private:
   base::WorkerPool& pool_;
   std::vector<Vec3> loads_;                     // M g of each corner of each triangle
   std::vector<std::array<Vec3, 2>> stretched_;  // S g, where rotations are refitted
+  Binding pinned_;                              // with the shares of the pins' vertices
   std::vector<mesh::Point> pin_targets_;
   std::vector<Vec3> right_, positions_;
   SparseCholesky::Workspace work_;

@@ -151,7 +151,10 @@ double surface_system_bytes(std::size_t vertices) {
   return 2100 * static_cast<double>(vertices);  // measured: 900 to 2100, the more the larger the model
 }
 
-void normalise(std::span<double> weights) {
+void normalise(std::span<double> weights, bool clamp) {
+  if (clamp) {
+    for (double& w : weights) w = std::max(w, 0.0);
+  }
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& w : weights) w /= sum;
 }

@@ -92,7 +92,7 @@ private:
 /// Bytes that a SurfaceSystem and a block for each thread take at most, roughly.
 double surface_system_bytes(std::size_t vertices);
 
-/// Scales weights so that they sum to 1.
-void normalise(std::span<double> weights);
+/// Scales weights so that they sum to 1; with clamp those below 0 become 0 first.
+void normalise(std::span<double> weights, bool clamp = false);
 
 }  // namespace viete::deform

@@ -35,6 +35,7 @@ void set_slot(base::AlignedVector<float>& array, std::size_t slot, const Vec3& v
 struct LeafWeights {
   base::AlignedVector<float> rows;  // [tile][handle][lane]
   std::vector<Vec3> sums;           // of weight times handle position, a slot
+  std::vector<float> shares;        // a slot
 };
 
 struct LeafResult {
@@ -49,7 +50,7 @@ struct LeafList {
 };
 
 /// Multiply-adds of a frame over those of a dense one.
-struct Shares {
+struct Costs {
   double factors = 1, lists = 1;
 };
 
@@ -67,7 +68,7 @@ public:
     if (entry(b_.weighting.weights).on_surface) solve_surface_weights();
     const bool local = b_.weighting.local(), sample = worth_sampling(tolerance) || local;
     require(local ? 0 : sample ? 0.25 : 1);  // what lists take, only the sample tells
-    const Shares shares = sample ? sampled_shares(tolerance) : Shares();
+    const Costs shares = sample ? sampled_shares(tolerance) : Costs();
     const double lossless = std::min(shares.lists, 1.0);
     const bool compress = shares.factors < worth_factoring * lossless;
     switch (wanted.value_or(compress           ? Storage::factors
@@ -84,6 +85,7 @@ public:
         break;
       case Storage::dense: require(1); bind_dense();
     }
+    drop_whole(b_.shares);
     return std::move(b_);
   }
 
@@ -127,7 +129,8 @@ private:
         std::copy_n(solved.of(sampled[s]), solved.count, b_.sample.data() + s * k + solved.first);
     };
     system.solve(store, pool_, progress_, factored, share);
-    for (std::size_t s = 0; s < sampled.size(); ++s) normalise(std::span(b_.sample).subspan(s * k, k));
+    for (std::size_t s = 0; s < sampled.size(); ++s)
+      normalise(std::span(b_.sample).subspan(s * k, k), b_.weighting.used_clamp());
     solved_ = share;
   }
 
@@ -136,12 +139,14 @@ private:
     const auto& kernel = bind_kernel(sym3::kernel());
     const auto handles = weigher_.handle_positions();
     const std::size_t n = b_.leaves.vertices, begin = b_.leaves.begin(leaf);
-    std::vector<double> weights(b_.handles * bind_lanes);
+    std::vector<double> weights(b_.handles * bind_lanes), row(b_.handles);
     for (std::size_t s = 0; s < slots(leaf); s += bind_lanes) {
       for (std::size_t l = 0; l < bind_lanes; ++l) {
         const float* from = surface_weights_.data() + b_.leaves.order[begin + s + l] * solved_columns;
         for (std::size_t j = 0; j < b_.handles; ++j)
-          weights[j * bind_lanes + l] = from[j / solved_columns * solved_columns * n + j % solved_columns];
+          row[j] = from[j / solved_columns * solved_columns * n + j % solved_columns];
+        if (b_.weighting.used_clamp()) normalise(row, true);
+        for (std::size_t j = 0; j < b_.handles; ++j) weights[j * bind_lanes + l] = row[j];
       }
       double sum[3][lanes];
       kernel.to_rows(weights.data(), {reinterpret_cast<const double(*)[3]>(handles.data()), b_.handles,
@@ -150,19 +155,19 @@ private:
     }
   }
 
-  // Weights of a leaf as floats; rows has room for them. Returns how many vertices have no mean value
-  // coordinates.
-  std::size_t weigh(std::size_t leaf, float* rows, std::vector<Vec3>& sums) const {
-    sums.resize(slots(leaf));
+  // Weights of a leaf as floats; rows has room for them, w takes sums and shares. Returns how many vertices
+  // have no mean value coordinates.
+  std::size_t weigh(std::size_t leaf, float* rows, LeafWeights& w) const {
+    w.sums.resize(slots(leaf)), w.shares.resize(slots(leaf));
     if (!surface_weights_.empty()) {
-      gather(leaf, rows, sums);
+      gather(leaf, rows, w.sums);
       return 0;
     }
     std::vector<mesh::Point> points;
     for (std::size_t s = b_.leaves.begin(leaf); s < b_.leaves.end(leaf); ++s) {
       points.push_back(model_.positions[b_.leaves.order[s]]);
     }
-    const auto failed = weigher_.weigh_tiles(points, rows, sums);
+    const auto failed = weigher_.weigh_tiles(points, rows, w.sums, w.shares);
     const auto end = failed.begin() + static_cast<std::ptrdiff_t>(vertices(leaf));
     return static_cast<std::size_t>(std::count(failed.begin(), end, true));
   }
@@ -171,14 +176,20 @@ private:
     set_slot(b_.offsets, slot, (model_.positions[b_.leaves.order[slot]] - weigher_.origin()) - sum, b_.unit);
   }
 
+  void keep_shares(std::size_t leaf, const LeafWeights& w) {
+    if (!b_.shares.empty())
+      std::ranges::copy(w.shares, b_.shares.begin() + std::ptrdiff_t(b_.leaves.begin(leaf)));
+  }
+
   void bind_dense() {
     b_.weights.resize(b_.leaves.slot_count() * b_.handles);
     std::atomic<std::size_t> failed{0};
     for_leaves([&](std::size_t leaf) {
       const std::size_t begin = b_.leaves.begin(leaf);
-      std::vector<Vec3> sums;
-      failed += weigh(leaf, b_.weights.data() + begin * b_.handles, sums);
-      for (std::size_t s = 0; s < slots(leaf); ++s) set_offset(begin + s, sums[s]);
+      LeafWeights w;
+      failed += weigh(leaf, b_.weights.data() + begin * b_.handles, w);
+      for (std::size_t s = 0; s < slots(leaf); ++s) set_offset(begin + s, w.sums[s]);
+      keep_shares(leaf, w);
     });
     b_.failed = failed;
   }
@@ -192,7 +203,7 @@ private:
   LeafResult factor(std::size_t leaf, double tolerance, LeafWeights& w) const {
     const auto& kernel = bind_kernel(sym3::kernel());
     w.rows.resize(slots(leaf) * b_.handles);
-    weigh(leaf, w.rows.data(), w.sums);
+    weigh(leaf, w.rows.data(), w);
     base::AlignedVector<float> left = w.rows;
     LeafResult result;
     const std::size_t most = std::min(b_.handles, slots(leaf)) / 2;
@@ -206,7 +217,7 @@ private:
   }
 
   // From up to eight leaves.
-  Shares sampled_shares(double tolerance) const {
+  Costs sampled_shares(double tolerance) const {
     const std::size_t count = std::min<std::size_t>(8, b_.leaves.count());
     std::atomic<std::size_t> factors{0}, lists{0}, dense{0};
     pool_.for_blocks(count, 1, [&](std::size_t n, std::size_t) {
@@ -217,7 +228,7 @@ private:
         rank = factor(leaf, tolerance, w).factors.pivots.size();
       } else {
         w.rows.resize(slots(leaf) * b_.handles);
-        weigh(leaf, w.rows.data(), w.sums);
+        weigh(leaf, w.rows.data(), w);
       }
       factors += rank ? rank * (slots(leaf) + b_.handles) : slots(leaf) * b_.handles;
       lists += slots(leaf) * handles_in(leaf, w.rows).size();
@@ -243,7 +254,7 @@ private:
 
   LeafList list_leaf(std::size_t leaf, LeafWeights& w) const {
     w.rows.resize(slots(leaf) * b_.handles);
-    weigh(leaf, w.rows.data(), w.sums);
+    weigh(leaf, w.rows.data(), w);
     LeafList list{handles_in(leaf, w.rows), {}};
     const std::size_t count = list.handles.size();
     list.rows.resize(slots(leaf) * count);
@@ -262,6 +273,7 @@ private:
       LeafWeights w;
       lists[leaf] = list_leaf(leaf, w);
       for (std::size_t s = 0; s < slots(leaf); ++s) set_offset(b_.leaves.begin(leaf) + s, w.sums[s]);
+      keep_shares(leaf, w);
     });
     b_.list_starts = {0};
     for (const auto& list : lists) b_.list_starts.push_back(b_.list_starts.back() + list.handles.size());
@@ -285,6 +297,7 @@ private:
       f.rank = static_cast<std::uint32_t>(f.dense ? b_.handles : results[leaf].factors.pivots.size());
       if (f.dense) results[leaf].factors.factors = w.rows;
       set_factored_offsets(leaf, results[leaf], w);
+      keep_shares(leaf, w);
     });
     const auto sizes = b_.lay_out_factors();
     b_.factors.resize(sizes.factors);
@@ -400,6 +413,13 @@ TiledBinding::Sizes TiledBinding::lay_out_factors() {
   return {size, (pivots + slot_block - 1) / slot_block * slot_block * handles};
 }
 
+Shares shares_of(const TiledBinding& b) {
+  Shares shares(b.shares.empty() ? 0 : b.leaves.vertices);
+  for (std::size_t slot = 0; slot < shares.size(); ++slot)
+    shares[b.leaves.order[slot]] = static_cast<double>(b.shares[slot]);
+  return shares;
+}
+
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   TiledBinding b;
@@ -410,6 +430,7 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighti
   b.unit = std::exp2(std::round(std::log2(cage.diagonal)));
   b.offsets.resize(b.leaves.slot_count() * 3);
   b.rest.resize(b.offsets.size());
+  if (weighting.partial()) b.shares.resize(b.leaves.slot_count());
   const Vec3 origin = middle(cage.surface.positions);
   for (std::size_t slot = 0; slot < b.leaves.slot_count(); ++slot)
     set_slot(b.rest, slot, model.positions[b.leaves.order[slot]] - origin, b.unit);

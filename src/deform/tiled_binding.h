@@ -57,6 +57,7 @@ struct TiledBinding {
   std::vector<double> sample;
   base::AlignedVector<float> rest;     ///< [tile][3][lane], relative to the middle of the rest cage, in units
   base::AlignedVector<float> offsets;  ///< [tile][3][lane], as Binding::offsets, in units
+  base::AlignedVector<float> shares;   ///< [slot]; empty unless weights are partial (see Weighting)
   /// [tile][handle][lane], with lists [tile][place in the list][lane]; empty if compressed
   base::AlignedVector<float> weights;
   std::vector<std::size_t> list_starts;  ///< in `listed`, one more than leaves; empty without lists
@@ -95,6 +96,9 @@ struct TiledBinding {
   /// From rank and dense of every leaf: where its factors and pivots begin. Returns what sizes that asks for.
   Sizes lay_out_factors();
 };
+
+/// In the order of the model; empty where weights are not partial.
+Shares shares_of(const TiledBinding& binding);
 
 /// All of a binding that does not take its weights: leaves, rings, unit, rest, and room for offsets. Throws
 /// base::Error when the model has no vertices.

@@ -32,9 +32,11 @@ void add_row(const Weigher& weigher, const mesh::Point& point, std::span<const d
 
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points) {
   BoundPart part = unweighed_part(weigher, points);
-  part.failed = visit_weights(weigher, points, [&](std::size_t i, const std::vector<double>& weights) {
+  const auto add = [&](std::size_t i, const std::vector<double>& weights, double share) {
     add_row(weigher, points[i], weights, part.binding);
-  });
+    if (weigher.weighting().partial()) part.binding.shares.push_back(share);
+  };
+  part.failed = visit_weights(weigher, points, add);
   return part;
 }
 
@@ -47,14 +49,25 @@ BoundPart sampled_part(const Weigher& weigher, const TiledBinding& tiles,
   return part;
 }
 
-double sampled_error(const Weigher& weigher, const Binding& binding, const Rows& rows,
+namespace {
+
+Mask at_vertices(const Mask& mask, std::span<const std::size_t> vertices) {
+  if (!mask) return nullptr;
+  std::vector<float> some;
+  for (const auto v : vertices) some.push_back((*mask)[v]);
+  return std::make_shared<const std::vector<float>>(std::move(some));
+}
+
+}  // namespace
+
+double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::span<const FrameVertex> frame) {
   const auto vertices = spread_vertices(binding.vertices, error_sample);
   std::vector<mesh::Point> exact;
   for (const auto v : vertices) exact.push_back(binding.rest[v]);
-  const BoundPart part = entry(binding.weighting.weights).on_surface
-                             ? sampled_part(weigher, *binding.tiles, exact)
-                             : bind_part(weigher, exact);
+  BoundPart part = entry(binding.weighting.weights).on_surface ? sampled_part(weigher, *binding.tiles, exact)
+                                                               : bind_part(weigher, exact);
+  part.binding.shares = product(std::move(part.binding.shares), at_vertices(mask, vertices));
   place_vertices(part.binding, rows, sym3::Method::fast, exact);
   double worst = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -65,7 +78,7 @@ double sampled_error(const Weigher& weigher, const Binding& binding, const Rows&
 }
 
 std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,
-                                                 const Rows& rows, std::size_t limit,
+                                                 const Mask& mask, const Rows& rows, std::size_t limit,
                                                  base::Progress* progress) {
   constexpr std::size_t portion = 1024;
   std::vector<sym3::Sym3<double>> sample;
@@ -74,13 +87,14 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
   const auto vertices = spread_vertices(binding.vertices, limit);
   for (const auto v : vertices) points.push_back(binding.rest[v]);
   sample.reserve(points.size());
-  const auto visit = [&](std::size_t, const std::vector<double>& weights) {
+  const auto visit = [&](std::size_t s, const std::vector<double>& weights, double of_weights) {
+    const double share = of_weights * (mask ? static_cast<double>((*mask)[vertices[s]]) : 1);
     if (progress && sample.size() % portion == 0) {
       progress->report(static_cast<double>(sample.size()) / static_cast<double>(points.size()));
     }
     sym3::Sym3<double> m{};
     for (std::size_t j = 0; j < weights.size(); ++j) {
-      const double w = weights[j];
+      const double w = share * weights[j];
       const double* x = rows.values.data() + j * rows.columns();
       m = {m.xx + w * x[0], m.xy + w * x[1], m.xz + w * x[2],
            m.yy + w * x[3], m.yz + w * x[4], m.zz + w * x[5]};
@@ -88,7 +102,8 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
     sample.push_back(m);
   };
   if (entry(binding.weighting.weights).on_surface) {
-    visit_kept_weights(binding, vertices, visit);
+    visit_kept_weights(binding, vertices,
+                       [&](std::size_t s, const std::vector<double>& weights) { visit(s, weights, 1); });
   } else {
     visit_weights(weigher, points, visit);
   }

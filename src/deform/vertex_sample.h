@@ -16,8 +16,8 @@
 
 namespace viete::deform {
 
-/// visit(i, row of weights) for each of the points in turn. visit may throw. Returns how many have no mean
-/// value coordinates.
+/// visit(i, row of weights, share) for each of the points in turn. visit may throw. Returns how many have no
+/// mean value coordinates.
 template <class Visit>
 std::size_t visit_weights(const Weigher& weigher, std::span<const mesh::Point> points, const Visit& visit) {
   const std::size_t handles = weigher.handles();
@@ -27,18 +27,19 @@ std::size_t visit_weights(const Weigher& weigher, std::span<const mesh::Point> p
     const std::size_t count = std::min(bind_lanes, points.size() - s);
     std::array<mesh::Point, bind_lanes> lanes;
     for (std::size_t l = 0; l < bind_lanes; ++l) lanes[l] = points[s + std::min(l, count - 1)];
-    const unsigned lost = weigher.weigh(lanes, weights);
+    Weigher::LaneShares shares;
+    const unsigned lost = weigher.weigh(lanes, weights, shares);
     for (std::size_t l = 0; l < count; ++l) {
       for (std::size_t j = 0; j < handles; ++j) row[j] = weights[j * bind_lanes + l];
       failed += lost >> l & 1;
-      visit(s + l, row);
+      visit(s + l, row, shares[l]);
     }
   }
   return failed;
 }
 
-/// The same where weights live on the model's surface, of some of its vertices: the weights of the staged
-/// engine, or else those of the tiles, as they are kept.
+/// visit(s, row) where weights live on the model's surface, of some of its vertices: the weights of the
+/// staged engine, or else those of the tiles, as they are kept.
 template <class Visit>
 void visit_kept_weights(const Binding& binding, std::span<const std::size_t> vertices, const Visit& visit) {
   std::vector<double> row(binding.handles);
@@ -67,13 +68,13 @@ BoundPart sampled_part(const Weigher& weigher, const TiledBinding& tiles,
 /// How far a frame of these rows is from double precision and exact weights: the largest distance of a sample
 /// of vertices, in diagonals of the cage. Takes about a millisecond. Weights along the surface must be those
 /// of tiles.
-double sampled_error(const Weigher& weigher, const Binding& binding, const Rows& rows,
+double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::span<const FrameVertex> frame);
 
 /// The symmetric logs that at most `limit` vertices, spread evenly over the model, blend: what their
 /// exponential is taken of. Empty if rows hold none. Throws base::Cancelled.
 std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,
-                                                 const Rows& rows, std::size_t limit,
+                                                 const Mask& mask, const Rows& rows, std::size_t limit,
                                                  base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

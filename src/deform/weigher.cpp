@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "deform/cage_state.h"
+#include "deform/cut_off.h"
 #include "deform/distance_triangle.h"
 #include "deform/face_maps.h"
 #include "deform/frame_kernel.h"
@@ -105,7 +106,9 @@ std::size_t Weigher::scratch_size() const {
   return bind_lanes * handles() + MeanValueJob::scratch_size(corners_.size(), edges_.size());
 }
 
-unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch) const {
+unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch,
+                        LaneShares& shares) const {
+  shares.fill(1);
   double at[3 * bind_lanes];
   for (std::size_t l = 0; l < bind_lanes; ++l) {
     Vec3 p = scaled(points[l]);
@@ -115,6 +118,10 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
   switch (weighting_.weights) {
     case Weights::inverse: kernel_.inverse_distance(job(squared_contact(), at), scratch.data()); return 0;
     case Weights::integrated: kernel_.integrated(job(squared_softening(), at), scratch.data()); return 0;
+    case Weights::cut_off:
+      kernel_.cut_off(job(0, at), scratch.data(), shares.data());
+      for (double& share : shares) share = share_of_motion(weighting_, share);
+      return 0;
     case Weights::mean_value: return weigh_mean_values(points, at, scratch);
     case Weights::harmonic:
     case Weights::biharmonic: break;  // of vertices, not of points
@@ -123,7 +130,13 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
 }
 
 WeightJob<double> Weigher::job(double least_square, const double* at) const {
-  return {triangles_.data(), numbers(shifts_), triangles_.size(), least_square, cut(), at};
+  return {triangles_.data(),
+          numbers(shifts_),
+          triangles_.size(),
+          least_square,
+          cut(),
+          weighting_.used_exponent(),
+          at};
 }
 
 unsigned Weigher::weigh_mean_values(std::span<const mesh::Point, bind_lanes> points, const double* at,
@@ -153,14 +166,16 @@ double Weigher::squared_softening() const {
 }
 
 double Weigher::cut() const {
+  if (weighting_.weights == Weights::cut_off) return 1 / (scale_ * cage_.diagonal * weighting_.radius);
   return 1 / weighting_.reach / weighting_.reach;
 }
 
-std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows,
-                                       std::span<Vec3> sums) const {
+std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
+                                       std::span<float> shares) const {
   std::vector<bool> failed(points.size());
   std::vector<double> scratch(scratch_size());
-  const bool in_float = weighting_.weights != Weights::mean_value;
+  // Whether an element reaches a point at all is for doubles to say.
+  const bool in_float = weighting_.weights != Weights::mean_value && !weighting_.used_normalise();
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(in_float ? handles() : 0);
   for (std::size_t e = 0; e < shifts.size(); ++e) {
@@ -169,16 +184,22 @@ std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, floa
   }
   for (std::size_t s = 0; s < points.size(); s += lanes) {
     double tile_sums[3 * lanes];
-    const RowJob out{numbers(handles_), handles(), rows + s * handles(), tile_sums};
+    float totals[lanes];
+    std::fill_n(totals, lanes, 1.0f);
+    const RowJob out{numbers(handles_), handles(), rows + s * handles(), tile_sums, totals};
     if (!in_float || !weigh_in_float(points.subspan(s).first<lanes>(), middle, shifts, out)) {
       for (std::size_t half = 0; half < lanes; half += bind_lanes) {
-        const unsigned lost = weigh(points.subspan(s + half).first<bind_lanes>(), scratch);
+        LaneShares exact;
+        const unsigned lost = weigh(points.subspan(s + half).first<bind_lanes>(), scratch, exact);
+        std::ranges::copy(exact, totals + half);
         kernel_.to_rows(scratch.data(), {out.handles, out.count, out.rows + half, out.sums + half});
         for (std::size_t l = 0; l < bind_lanes; ++l) failed[s + half + l] = lost >> l & 1;
       }
     }
-    for (std::size_t l = 0; l < lanes; ++l)
+    for (std::size_t l = 0; l < lanes; ++l) {
       sums[s + l] = {tile_sums[l], tile_sums[lanes + l], tile_sums[2 * lanes + l]};
+      shares[s + l] = std::min(totals[l], 1.0f);
+    }
   }
   return failed;
 }
@@ -192,9 +213,14 @@ bool Weigher::weigh_in_float(std::span<const mesh::Point, lanes> points, const V
   }
   const bool integrated = weighting_.weights == Weights::integrated;
   const double least_square = integrated ? squared_softening() : squared_contact();
-  const WeightJob<float> job{float_triangles_.data(),   numbers(shifts),
-                             float_triangles_.size(),   static_cast<float>(least_square),
-                             static_cast<float>(cut()), at};
+  const WeightJob<float> job{float_triangles_.data(),
+                             numbers(shifts),
+                             float_triangles_.size(),
+                             static_cast<float>(least_square),
+                             static_cast<float>(cut()),
+                             weighting_.used_exponent(),
+                             at};
+  if (weighting_.weights == Weights::cut_off) return kernel_.cut_off_rows(job, out);
   return (integrated ? kernel_.integrated_rows : kernel_.inverse_distance_rows)(job, out);
 }
 

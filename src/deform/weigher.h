@@ -26,13 +26,17 @@ public:
   std::size_t handles() const { return handles_.size(); }
   /// How many numbers weigh() needs.
   std::size_t scratch_size() const;
-  /// The weights [handle][8] of eight points, each lane summing to 1, at the beginning of the scratch.
+  using LaneShares = std::array<double, bind_lanes>;
+  /// The weights [handle][8] of eight points, each lane summing to 1 (to 0 where no element reaches), at the
+  /// beginning of the scratch; the share of its motion that each makes, see Binding::shares.
   /// Returns a bit for each that has no mean value coordinates.
-  unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch) const;
+  unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch,
+                 LaneShares& shares) const;
   /// As floats, off by 2e-6 at most: rows [tile][handle][16] of points that lie near each other, a multiple
-  /// of 16 of them; sums of these very weights times handle position, a point. Returns which have no mean
-  /// value coordinates.
-  std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums) const;
+  /// of 16 of them; sums of these very weights times handle position, a point, and shares, a point. Returns
+  /// which have no mean value coordinates.
+  std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
+                                std::span<float> shares) const;
   /// Rest positions of the handles relative to origin().
   std::span<const Vec3> handle_positions() const { return handles_; }
   const Vec3& origin() const { return origin_; }

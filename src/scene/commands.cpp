@@ -17,8 +17,14 @@ constexpr Condition uses_method{
     [](const Workspace& w) { return w.document.scheme.exponential(); },
     "This way of blending takes no exponential; choose the blend Log space first."};
 constexpr Condition has_reach{
-    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has_reach; },
+    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.reach; },
     "These weights have no reach: all of the cage moves all of the model."};
+constexpr Condition has_clamp{
+    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.clamp; },
+    "These weights are not clamped: they are never below 0, or are what they are by that."};
+constexpr Condition has_normalise{
+    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.normalise; },
+    "These weights always sum to 1."};
 constexpr Condition has_maps{
     [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.elements).affine; },
     "These elements only move: there are no maps that triangles could follow."};
@@ -54,6 +60,13 @@ constexpr Condition is_posed{
     "The cage is at rest."};
 constexpr Condition has_posed_selection{[](const Workspace& w) { return has_selection(w) && is_posed(w); },
                                         "Nothing that is selected has moved."};
+
+template <bool deform::Weighting::*Setting>
+void toggle_weighting(Workspace& w) {
+  Scheme scheme = w.document.scheme;
+  scheme.weighting.*Setting = !(scheme.weighting.*Setting);
+  set_scheme(w.document, scheme);
+}
 
 template <bool ViewOptions::*Option>
 void toggle(Workspace& w) {
@@ -217,13 +230,18 @@ const std::vector<Command>& table() {
 
       choice_command<E::face>(), choice_command<E::patch>(), choice_command<E::edge>(), choice_command<E::vertex>(),
       choice_command<E::vertex_face>(), choice_command<E::vertex_patch>(), choice_command<E::point>(),
-      choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::harmonic>(), choice_command<W::biharmonic>(),
+      choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::cut_off>(), choice_command<W::harmonic>(), choice_command<W::biharmonic>(),
       choice_command<W::mean_value>(),
       choice_command<B::srl>(), choice_command<B::slrl>(), choice_command<B::sql>(), choice_command<B::log3>(),
       choice_command<B::sse>(), choice_command<B::log4>(), choice_command<B::linear>(),
       {"toggle_stitched", "Stitched",
        "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are solved for. Details keep their shape; a frame takes longer.",
        "Blend", {}, {}, has_maps, [](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); }},
+      {"toggle_clamp", "clamped", "Weights below 0 become 0, and what they took from the others with them.", "Blend", {}, {},
+       has_clamp, toggle_weighting<&deform::Weighting::clamp>},
+      {"toggle_normalise", "normalised",
+       "Every vertex that an element reaches at all follows in full: the motion ends with a jump. Else it fades out.", "Blend",
+       {}, {}, has_normalise, toggle_weighting<&deform::Weighting::normalise>},
       {"reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", "Blend", {key('K')}, {}, has_reach,
        [](Workspace& w) { step_reach(w.document, -1); }},
       {"reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.", "Blend", {key('K'), false, true}, {},

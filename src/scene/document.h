@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/scheme.h"
 #include "mesh/summary.h"
@@ -21,8 +22,8 @@ namespace viete::scene {
 
 using deform::all_blends, deform::all_elements, deform::all_weights, deform::complete, deform::entry,
     deform::only;
-using deform::Amounts, deform::largest_amount, deform::most_iterations, deform::Scheme, deform::text_of_reach,
-    deform::whole_cage;
+using deform::Amounts, deform::largest_amount, deform::most_exponent, deform::most_iterations, deform::Scheme,
+    deform::text_of_percent, deform::text_of_reach, deform::Weighting, deform::whole_cage;
 using mesh::Summary;
 
 /// A surface that was opened, and what was found in it.
@@ -52,6 +53,7 @@ struct Document {
   OpenedSurface cage_file;                   ///< surface is null when there is no cage
   std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
   deform::Pose pose;
+  deform::Mask mask;  ///< painted, of the model's vertices; null: every one follows the cage
   Selection selection;
   History history;
   sym3::Method method = sym3::Method::fast;

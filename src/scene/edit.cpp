@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* change_blending = "change blending";
 constexpr const char* change_reach = "change reach";
+constexpr const char* change_radius = "change radius";
+constexpr const char* change_exponent = "change exponent";
 constexpr const char* change_amounts = "change how much turns and stretches";
 constexpr const char* change_iterations = "change stitching";
 
@@ -20,6 +22,7 @@ void restore(Document& document, Snapshot&& snapshot) {
   document.pose = std::move(snapshot.pose);
   document.selection = std::move(snapshot.selection);
   ++document.revisions.pose;
+  document.mask = std::move(snapshot.mask);
   put_scheme(document, snapshot.scheme);
 }
 
@@ -96,6 +99,18 @@ void set_reach(Document& document, double reach) {
   if (document.scheme.weighting.reach != reach) slide_scheme(document, scheme, change_reach);
 }
 
+void set_radius(Document& document, double radius) {
+  deform::Scheme scheme = document.scheme;
+  scheme.weighting.radius = radius;
+  if (document.scheme.weighting.radius != radius) slide_scheme(document, scheme, change_radius);
+}
+
+void set_exponent(Document& document, int exponent) {
+  deform::Scheme scheme = document.scheme;
+  scheme.weighting.exponent = exponent;
+  if (document.scheme.weighting.exponent != exponent) slide_scheme(document, scheme, change_exponent);
+}
+
 void set_amounts(Document& document, const deform::Amounts& amounts) {
   deform::Scheme scheme = document.scheme;
   scheme.amounts = amounts;
@@ -119,7 +134,10 @@ void step_reach(Document& document, int step) {
 void give_up_scheme(Document& document, const deform::Scheme& instead) {
   History& history = document.history;
   const auto label = history.undo_label();
-  const bool chosen_last = label == change_reach || label == change_blending || label == change_iterations;
+  static constexpr std::array asks_for_a_binding = {change_reach, change_radius, change_exponent,
+                                                    change_blending, change_iterations};
+  const bool chosen_last =
+      std::ranges::any_of(asks_for_a_binding, [&](const char* asking) { return label == asking; });
   if (chosen_last && !history.can_redo()) {
     history.drop_last();
   } else {

@@ -30,6 +30,9 @@ void set_method(Document& document, sym3::Method method);
 void set_scheme(Document& document, const deform::Scheme& scheme);
 /// deform::lowest_reach or more. Of weights that have none it is kept for others.
 void set_reach(Document& document, double reach);
+/// deform::least_radius to largest_radius, and 1 to most_exponent; the same.
+void set_radius(Document& document, double radius);
+void set_exponent(Document& document, int exponent);
 /// Each 0 to deform::largest_amount.
 void set_amounts(Document& document, const deform::Amounts& amounts);
 /// The next shorter or longer one of those that people choose from.

@@ -12,7 +12,9 @@
 namespace viete::scene {
 
 Export export_of(const Document& document, const std::filesystem::path& file) {
-  return {file, document.model.surface, document.cage, document.pose, document.scheme, document.method};
+  return {file,          document.model.surface, document.cage,
+          document.pose, document.scheme,        document.method,
+          document.mask};
 }
 
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
@@ -20,8 +22,8 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
   base::check_replaceable(what.file);
   base::WorkerPool pool;
   if (progress) progress->section(0, 0.5);
-  const deform::ExactModel deformed =
-      deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose, what.method, pool, progress);
+  const deform::ExactModel deformed = deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose,
+                                                             what.method, pool, progress, what.mask);
   if (progress) progress->section(0.5, 1);
   mesh::write(what.file, *what.model, deformed.positions, {}, progress);
   std::vector<std::string> notes = deformed.warnings;

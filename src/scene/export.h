@@ -20,6 +20,7 @@ struct Export {
   deform::Pose pose;
   deform::Scheme scheme;
   sym3::Method method;
+  deform::Mask mask;
 };
 
 /// Requires a cage.

@@ -12,8 +12,9 @@ constexpr std::size_t memory_limit = 256u << 20;
 }  // namespace
 
 void History::record(std::string label, Snapshot before) {
-  const std::size_t bytes =
-      128 + before.pose.positions.size() * (sizeof(mesh::Point) + sizeof(std::uint32_t));
+  const std::size_t bytes = 128 +
+                            before.pose.positions.size() * (sizeof(mesh::Point) + sizeof(std::uint32_t)) +
+                            (before.mask ? before.mask->size() * sizeof(float) : 0);
   const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);
   ++revision_;
   redo_.clear();

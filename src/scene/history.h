@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/scheme.h"
 #include "scene/selection.h"
@@ -15,6 +16,7 @@ struct Snapshot {
   deform::Pose pose;
   Selection selection;
   deform::Scheme scheme;
+  deform::Mask mask;  ///< shared, not copied
 };
 
 /// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest

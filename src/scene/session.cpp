@@ -215,6 +215,19 @@ double reach_of(const JsonReader& json) {
   return reach;
 }
 
+double radius_of(const JsonReader& json) {
+  const auto radius = deform::radius_from_percent(json.number());
+  if (!radius) json.fail("a radius must be 0.1 to 1000 percent of the cage's diagonal");
+  return *radius;
+}
+
+int exponent_of(const JsonReader& json) {
+  const std::uint32_t number = json.index();
+  if (number < 1 || number > deform::most_exponent)
+    json.fail("an exponent must be 1 to " + std::to_string(deform::most_exponent));
+  return static_cast<int>(number);
+}
+
 double amount_of(const JsonReader& json) {
   const auto amount = deform::amount_from_percent(json.number());
   if (!amount) json.fail("an amount must be 0 to 200 percent");
@@ -281,7 +294,11 @@ double percent(double amount) {
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
   const std::string_view shorthand = deform::shorthand(session.scheme);
-  const bool plain = session.scheme.amounts.whole() && !session.scheme.stitched();
+  const deform::Weighting& weighting = session.scheme.weighting;
+  deform::Weighting usual{
+      .elements = weighting.elements, .weights = weighting.weights, .reach = weighting.reach};
+  const bool plain =
+      session.scheme.amounts.whole() && !session.scheme.stitched() && weighting.same_numbers(usual);
   const std::uint32_t version = shorthand.empty() || !plain ? 2 : 1;
   ordered_json json = {{"format", format_name}, {"version", version}};
   json["model"] = stored(session.model, file, portable);
@@ -298,8 +315,11 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   json["weights"] = deform::entry(session.scheme.weighting.weights).name;
   json["blend"] = deform::entry(session.scheme.blend).name;
   if (!shorthand.empty()) json["coordinates"] = shorthand;
-  const double reach = session.scheme.weighting.reach;
-  if (reach < deform::whole_cage) json["reach"] = reach;
+  if (weighting.reach < deform::whole_cage) json["reach"] = weighting.reach;
+  if (weighting.radius != usual.radius) json["radius"] = percent(weighting.radius);
+  if (weighting.exponent != usual.exponent) json["exponent"] = weighting.exponent;
+  if (weighting.clamp) json["clamp"] = true;
+  if (weighting.normalise) json["normalise"] = true;
   const deform::Amounts& amounts = session.scheme.amounts;
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
   if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
@@ -367,6 +387,12 @@ void read_scheme(const JsonReader& json, Session& s) {
   }
   if (scheme) s.scheme = *scheme;
   take_part(json, "reach", s.scheme.weighting.reach, reach_of, "the whole cage instead", s.warnings);
+  deform::Weighting& weighting = s.scheme.weighting;
+  const auto flag_of = [](const auto& v) { return v.boolean(); };
+  take_part(json, "radius", weighting.radius, radius_of, "25 percent instead", s.warnings);
+  take_part(json, "exponent", weighting.exponent, exponent_of, "2 instead", s.warnings);
+  take_part(json, "clamp", weighting.clamp, flag_of, "not clamped instead", s.warnings);
+  take_part(json, "normalise", weighting.normalise, flag_of, "not normalised instead", s.warnings);
   take_part(json, "turn", s.scheme.amounts.turn, amount_of, "100 percent instead", s.warnings);
   take_part(json, "stretch", s.scheme.amounts.stretch, amount_of, "100 percent instead", s.warnings);
   take_part(

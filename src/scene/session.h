@@ -23,6 +23,9 @@ namespace viete::scene {
 ///   "coordinates"         "face" or "mvc", short for three that go together; those count where both stand
 ///   "turn", "stretch"     how much of maps' rotations and stretches acts, percent, 0 to 200; missing: 100
 ///   "reach"               of weights that have one, 1.5 or more; missing: the whole cage
+///   "radius", "exponent"  of weights that have them, percent of the cage's diagonal (missing: 25) and 1 to 8
+///                         (missing: 2)
+///   "clamp", "normalise"  of weights that have them, true or false; missing: false
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
 ///                         "pitch" in radians, "orthographic"
 ///   "view"                flags, see ViewOptions

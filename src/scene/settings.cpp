@@ -11,11 +11,9 @@ void put_settings(Document& document, const AskedSettings& asked) {
   deform::Scheme scheme = document.scheme;
   const deform::PartialChoice& choice = asked.choice;
   if (choice.elements || choice.weights || choice.blend) scheme = deform::complete(choice, scheme);
-  if (asked.reach) scheme.weighting.reach = *asked.reach;
-  if (asked.reach && !deform::entry(scheme.weighting.weights).has_reach) {
-    throw base::Error("--reach", "these weights have no reach: all of the cage moves all of the model",
-                      "leave it out, or choose --weights inverse");
-  }
+  scheme.weighting = deform::with(scheme.weighting, asked.weighting);
+  if (const auto unused = deform::unused_setting(scheme.weighting.weights, asked.weighting))
+    throw base::Error(std::string(unused->option), std::string(unused->reason), std::string(unused->advice));
   if ((asked.turn || asked.stretch) && !deform::entry(scheme.weighting.elements).affine) {
     throw base::Error(asked.turn ? "--turn" : "--stretch",
                       "points of the cage only move: they do not turn or stretch",

@@ -11,18 +11,18 @@ namespace viete::scene {
 struct AskedSettings {
   std::optional<sym3::Method> method{};
   deform::PartialChoice choice{};
-  std::optional<double> reach{};
+  deform::AskedWeighting weighting{};
   std::optional<double> turn{}, stretch{};  ///< of deform::Amounts
   std::optional<int> iterations{};          ///< of stitching
 
   bool any() const {
-    return method || reach || turn || stretch || iterations || choice.elements || choice.weights ||
+    return method || weighting.any() || turn || stretch || iterations || choice.elements || choice.weights ||
            choice.blend;
   }
 };
 
 /// To a document that was just opened: no edit. Throws base::Error and changes nothing if the choices do not
-/// go together, or a reach is asked for where weights have none, or amounts or stitching where maps only
+/// go together, or a setting is asked for that weights do not have, or amounts or stitching where maps only
 /// move.
 void put_settings(Document& document, const AskedSettings& asked);
 

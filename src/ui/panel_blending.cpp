@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -103,6 +105,52 @@ void reach_slider(const Context& ui) {
   if (moved) scene::set_reach(document, reaches[static_cast<std::size_t>(stop)]);
 }
 
+constexpr std::array shown_radii = {0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};
+
+void radius_slider(const Context& ui) {
+  scene::Document& document = ui.workspace.document;
+  const double radius = document.scheme.weighting.radius;
+  const auto above = std::ranges::lower_bound(shown_radii, radius);
+  int stop = static_cast<int>(std::min(above, shown_radii.end() - 1) - shown_radii.begin());
+  const bool moved =
+      stops(ui, "radius", "Radius", stop, static_cast<int>(shown_radii.size()) - 1, true,
+            scene::text_of_percent(radius),
+            "Where weights end, in percent of the cage's diagonal. What no element of the cage "
+            "reaches stays at rest.");
+  if (moved) scene::set_radius(document, shown_radii[static_cast<std::size_t>(stop)]);
+}
+
+// With what else weights can be set by.
+void falloff_slider(const Context& ui) {
+  scene::Document& document = ui.workspace.document;
+  const bool used = entry(document.scheme.weighting.weights).has.exponent;
+  const int exponent = used ? document.scheme.weighting.exponent : 2;
+  int stop = exponent - 1;
+  const bool moved =
+      stops(ui, "exponent", "Falloff", stop, scene::most_exponent - 1, used,
+            used ? "power " + std::to_string(exponent) : "-",
+            used ? "The power of distances in these weights: the higher, the more each part of the model "
+                   "follows what is nearest."
+                 : "These weights are no powers of distances.");
+  if (moved) scene::set_exponent(document, stop + 1);
+}
+
+void weight_limits(const Context& ui) {
+  const scene::Weighting& weighting = ui.workspace.document.scheme.weighting;
+  const bool sums = entry(weighting.weights).has.normalise;
+  const char* name = sums ? "toggle_normalise" : "toggle_clamp";
+  const scene::Condition& condition = scene::find_command(name)->enabled;
+  const bool possible = condition(ui.workspace);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Limits");
+  ImGui::SameLine(label_width);
+  ImGui::BeginDisabled(!possible);
+  command_toggle(ui, name, sums ? weighting.used_normalise() : weighting.used_clamp());
+  record(ui, name, possible);
+  ImGui::EndDisabled();
+  if (!possible) hint(std::string(condition.otherwise));
+}
+
 bool amount_slider(const Context& ui, const char* name, const char* label, double& amount, bool used,
                    const std::string& what) {
   constexpr double step = 0.05;
@@ -164,7 +212,9 @@ void blending(const Context& ui) {
   chooser(ui, "elements", "Elements", scene::all_elements(), scheme.weighting.elements);
   chooser(ui, "weights", "Weights", scene::all_weights(), scheme.weighting.weights);
   chooser(ui, "blend", "Blend", scene::all_blends(), scheme.blend);
-  reach_slider(ui);
+  entry(scheme.weighting.weights).has.radius ? radius_slider(ui) : reach_slider(ui);
+  falloff_slider(ui);
+  weight_limits(ui);
   amount_sliders(ui);
   stitching(ui);
 }

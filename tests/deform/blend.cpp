@@ -94,7 +94,7 @@ TEST_CASE("blended_positions_are_origin_offset_and_weighted_sum") {
   std::vector<viete::mesh::Point> out(6);
   std::vector<double> sums(18);
   blend(b, rows_of(posed), 0, 6, std::span(sums));
-  apply(b, RowForm::positions, sums, {}, {10, 20, 30}, 0, 6, out);
+  apply(b, {}, RowForm::positions, sums, {}, {10, 20, 30}, 0, 6, out);
   for (std::size_t i = 0; i < 6; ++i) {
     Vec3 sum = Vec3{10, 20, 30} + b.offsets[i];
     for (std::size_t j = 0; j < 5; ++j) sum = sum + b.weights[i * 5 + j] * posed[j];

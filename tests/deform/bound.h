@@ -15,6 +15,16 @@ inline Weighting faces_reaching(double reach) {
   return {Elements::face, Weights::inverse, reach};
 }
 
+inline Weighting cut_off(double radius, int exponent = 2) {
+  return {Elements::face, Weights::cut_off, whole_cage, radius, exponent};
+}
+/// All schemes, every vertex following the cage: of cut-off weights those that reach everywhere.
+inline std::vector<Scheme> whole_schemes() {
+  auto schemes = all_schemes();
+  for (Scheme& s : schemes) s.weighting.radius = largest_radius;
+  return schemes;
+}
+
 struct Bound {
   Bound(const mesh::Surface& model_, const mesh::Surface& cage_surface, const Weighting& weighting = faces,
         int threads = 2, Blend blend = Blend::srl)

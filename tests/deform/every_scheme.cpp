@@ -41,7 +41,7 @@ struct Both {
 }  // namespace
 
 TEST_CASE("every_scheme_keeps_rest_and_follows_similarities") {
-  for (const Scheme& scheme : all_schemes()) {
+  for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     const bool logs_of_motions = scheme.blend == Blend::sse || scheme.blend == Blend::log4;
     Both b(model(), cage_of_a_part(), scheme);
@@ -60,7 +60,7 @@ TEST_CASE("every_scheme_keeps_rest_and_follows_similarities") {
 
 TEST_CASE("affine_poses_are_exact_where_elements_or_weights_promise_it") {
   std::size_t exact = 0;
-  for (const Scheme& scheme : all_schemes()) {
+  for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     const bool promised =
         entry(scheme.weighting.elements).reproduces == "affine poses" ||
@@ -77,7 +77,7 @@ TEST_CASE("affine_poses_are_exact_where_elements_or_weights_promise_it") {
 TEST_CASE("moving_the_posed_cage_moves_the_model_as_it_is") {
   const Twist twist{2, {0.1, 0, 0}, -1.1, 1.1, -60 * degree, 70 * degree};
   const Vec3 way{100, -50, 25};
-  for (const Scheme& scheme : all_schemes()) {
+  for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     Both b(model(), cage_of_a_part(), scheme);
     const auto here = b.staged.deform(b.staged.pose(twist));
@@ -92,7 +92,7 @@ TEST_CASE("both_engines_agree_on_twists_beyond_180_degrees_and_on_mirrored_and_c
   const auto flat = [](const Vec3& x) { return Vec3{x[0], x[1], 0}; };
   const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
   const auto dot = [](const Vec3&) { return Vec3{1, 2, 3}; };
-  for (const Scheme& scheme : all_schemes()) {
+  for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     Both b(model(), cage_of_a_part(), scheme);
     CHECK(b.difference(b.staged.pose(twist)) < 2e-5);
@@ -103,7 +103,7 @@ TEST_CASE("both_engines_agree_on_twists_beyond_180_degrees_and_on_mirrored_and_c
 }
 
 TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
-  for (const Scheme& scheme : all_schemes()) {
+  for (const Scheme& scheme : whole_schemes()) {
     if (!has_logs(row_form(scheme.weighting.elements, scheme.blend))) continue;
     CAPTURE(text(scheme));
     Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), scheme.weighting, 2, scheme.blend);
@@ -129,7 +129,7 @@ TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
 }
 
 TEST_CASE("a_drag_gives_what_a_whole_frame_gives") {
-  for (const Scheme& scheme : all_schemes()) {
+  for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     Both b(model(), tube(20, 12, 0.6, 3), scheme);
     Pose pose = b.staged.pose(Twist{2, {0, 0, 0}, -1.5, 1.5, -20 * degree, 40 * degree});
@@ -147,7 +147,7 @@ TEST_CASE("a_drag_gives_what_a_whole_frame_gives") {
 TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_moves_by_centres_alone") {
   const auto turned = similarity({1, -2, 3}, 70 * degree, 1.3, {1, 2, 3});
   const auto half_and_twice = similarity({1, -2, 3}, 35 * degree, 1.3 * 1.3, {0, 0, 0});
-  for (Scheme scheme : all_schemes()) {
+  for (Scheme scheme : whole_schemes()) {
     if (!entry(scheme.weighting.elements).affine) continue;
     CAPTURE(text(scheme));
     Both b(model(), cage_of_a_part(), scheme);
@@ -164,7 +164,7 @@ TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_
     const auto exported =
         deform_exactly(b.staged.model, b.staged.cage, scheme, pose, sym3::Method::fast, b.staged.pool);
     CHECK(largest_distance(exported.positions, other) < 1e-12 * b.staged.cage->diagonal);
-    CHECK(b.staged.report().turns == exported.report.turns);  // the pose's own, whatever acts
+    CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);  // the pose's own
     CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));
     if (!entry(scheme.blend).about_center) continue;
     // About the blended centre each vertex turns by half and is stretched by the square.

@@ -33,7 +33,7 @@ TEST_CASE("matrices_made_anew_are_those_of_the_staged_frame") {
   const auto staged = engine.matrices();
   REQUIRE(staged.size() == b.model.positions.size());
   const Weigher weigher(*b.cage, faces);
-  const auto all = sample_stretches(weigher, *b.binding, b.deformer.state().rows(), staged.size());
+  const auto all = sample_stretches(weigher, *b.binding, nullptr, b.deformer.state().rows(), staged.size());
   REQUIRE(all.size() == staged.size());
   double largest = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -42,7 +42,7 @@ TEST_CASE("matrices_made_anew_are_those_of_the_staged_frame") {
   }
   CHECK(largest > 0.1);
 
-  const auto few = sample_stretches(weigher, *b.binding, b.deformer.state().rows(), 10);
+  const auto few = sample_stretches(weigher, *b.binding, nullptr, b.deformer.state().rows(), 10);
   REQUIRE(few.size() == 10);
   for (std::size_t s = 0; s < few.size(); ++s) {
     CHECK(largest_entry(minus(few[s], all[s * all.size() / 10])) == 0);
@@ -53,9 +53,9 @@ TEST_CASE("without_logs_there_are_no_matrices_and_making_them_can_be_cancelled")
   Bound b(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   b.deform(b.pose(bent), sym3::Method::diag);
   const Weigher weigher(*b.cage, faces);
-  CHECK(sample_stretches(weigher, *b.binding, {}, 10).empty());
+  CHECK(sample_stretches(weigher, *b.binding, nullptr, {}, 10).empty());
   base::Progress progress;
   progress.cancel();
-  CHECK_THROWS_AS(sample_stretches(weigher, *b.binding, b.deformer.state().rows(), 10, &progress),
+  CHECK_THROWS_AS(sample_stretches(weigher, *b.binding, nullptr, b.deformer.state().rows(), 10, &progress),
                   base::Cancelled);
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
+#include "deform/cut_off.h"
 #include "deform/integrated_distance.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
@@ -34,7 +35,9 @@ void weights_of_one(const Cage& cage, const Weighting& weighting, const viete::m
                     std::span<double> weights) {
   switch (weighting.weights) {
     case Weights::inverse:
-      return inverse_distance_weights(cage, p, weights, weighting.reach, entry(weighting.elements).handles);
+      return inverse_distance_weights(cage, p, weights, weighting.reach, entry(weighting.elements).handles,
+                                      weighting.exponent);
+    case Weights::cut_off: cut_off_weights(cage, p, weighting, weights); return;
     case Weights::integrated: return integrated_weights(cage, p, weights);
     case Weights::mean_value: mean_value_weights(cage, p, weights); return;
     case Weights::harmonic:
@@ -49,7 +52,13 @@ const Weighting weightings[] = {faces,
                                 face_integrals,
                                 {Elements::edge, Weights::inverse},
                                 {Elements::vertex, Weights::inverse},
-                                {Elements::vertex_patch, Weights::inverse, 3}};
+                                {Elements::vertex_patch, Weights::inverse, 3},
+                                {.exponent = 1},
+                                {.exponent = 4},
+                                {.reach = 3, .exponent = 5},
+                                {Elements::face, Weights::cut_off},
+                                {Elements::edge, Weights::cut_off, whole_cage, 0.6, 1},
+                                {Elements::vertex, Weights::cut_off, whole_cage, 0.1, 3, false, true}};
 
 }  // namespace
 
@@ -70,9 +79,14 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
       for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
         std::array<viete::mesh::Point, bind_lanes> eight;
         std::copy_n(points.begin() + std::ptrdiff_t(i), bind_lanes, eight.begin());
-        weigher.weigh(eight, many);
+        Weigher::LaneShares shares;
+        weigher.weigh(eight, many, shares);
         for (std::size_t l = 0; l < bind_lanes; ++l) {
           weights_of_one(cage, weighting, eight[l], one);
+          if (weighting.partial()) {
+            const double total = cut_off_weights(cage, eight[l], weighting, one);
+            CHECK(shares[l] == doctest::Approx(share_of_motion(weighting, total)).epsilon(1e-12));
+          }
           for (std::size_t j = 0; j < one.size(); ++j)
             worst = std::max(worst, std::abs(many[j * bind_lanes + l] - one[j]));
         }
@@ -94,7 +108,8 @@ TEST_CASE("mean_values_of_eight_points_are_those_of_one_and_reproduce_the_points
       double worst = 0, missed = 0;
       for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
         const auto eight = std::span(points).subspan(i).first<bind_lanes>();
-        CHECK(weigher.weigh(eight, scratch) == 0);
+        Weigher::LaneShares shares;
+        CHECK(weigher.weigh(eight, scratch, shares) == 0);
         for (std::size_t l = 0; l < bind_lanes; ++l) {
           mean_value_weights(cage, eight[l], one);
           Vec3 blended{0, 0, 0};
@@ -119,7 +134,8 @@ TEST_CASE("mean_values_where_there_are_none_are_told_lane_by_lane") {
   for (const auto& kernel : viete::sym3::kernels()) {
     const Weigher weigher(cage, mean_values, kernel);
     std::vector<double> scratch(weigher.scratch_size());
-    CHECK(weigher.weigh(points, scratch) == (1u << 3 | 1u << 6));
+    Weigher::LaneShares shares;
+    CHECK(weigher.weigh(points, scratch, shares) == (1u << 3 | 1u << 6));
     CHECK(scratch[0 * bind_lanes + 3] == doctest::Approx(0.75));
     CHECK(scratch[1 * bind_lanes + 6] == doctest::Approx(0.25));
   }
@@ -147,18 +163,23 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
         const Weigher weigher(cage, weighting, kernel);
         std::vector<float> rows(points.size() * weigher.handles());
         std::vector<Vec3> sums(points.size());
-        const auto failed = weigher.weigh_tiles(points, rows.data(), sums);
+        std::vector<float> shares(points.size());
+        const auto failed = weigher.weigh_tiles(points, rows.data(), sums, shares);
         std::vector<double> scratch(weigher.scratch_size());
         double worst = 0, off = 0;
         for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
-          const unsigned lost = weigher.weigh(std::span(points).subspan(i).first<bind_lanes>(), scratch);
+          Weigher::LaneShares exact;
+          const unsigned lost =
+              weigher.weigh(std::span(points).subspan(i).first<bind_lanes>(), scratch, exact);
           for (std::size_t l = 0; l < bind_lanes; ++l) {
             const std::size_t s = i + l;
             CHECK(failed[s] == bool(lost >> l & 1));
+            CHECK(std::abs(shares[s] - exact[l]) < 1e-5);
             Vec3 sum{0, 0, 0};
             for (std::size_t j = 0; j < weigher.handles(); ++j) {
+              const double share = weighting.partial() ? exact[l] : 1;  // near 0 weights lose digits
               const double w = rows[s / 16 * 16 * weigher.handles() + j * 16 + s % 16];
-              worst = std::max(worst, std::abs(w - scratch[j * bind_lanes + l]));
+              worst = std::max(worst, share * std::abs(w - scratch[j * bind_lanes + l]));
               sum = sum + w * weigher.handle_positions()[j];
             }
             off = std::max(off, norm(sum - sums[s]));
@@ -192,12 +213,14 @@ TEST_CASE("integrals_of_points_that_are_near_each_other_are_their_definition_in_
       std::vector<double> eight(weigher.scratch_size()), one(weigher.handles());
       std::vector<float> rows(16 * weigher.handles());
       std::vector<Vec3> sums(16);
+      std::vector<float> shares(16);
+      Weigher::LaneShares exact;
       double worst = 0, worst_in_float = 0;
       for (std::size_t tile = 0; tile < points.size(); tile += 16) {
-        weigher.weigh_tiles(std::span(points).subspan(tile, 16), rows.data(), sums);
+        weigher.weigh_tiles(std::span(points).subspan(tile, 16), rows.data(), sums, shares);
         for (std::size_t s = 0; s < 16; ++s) {
           if (s % bind_lanes == 0)
-            weigher.weigh(std::span(points).subspan(tile + s).first<bind_lanes>(), eight);
+            weigher.weigh(std::span(points).subspan(tile + s).first<bind_lanes>(), eight, exact);
           integrated_weights(cage, points[tile + s], one);
           for (std::size_t j = 0; j < one.size(); ++j) {
             worst = std::max(worst, std::abs(eight[j * bind_lanes + s % bind_lanes] - one[j]));

@@ -346,6 +346,41 @@ TEST_CASE("the_reach_is_chosen_by_a_slider_and_mean_value_coordinates_have_none"
   CHECK(followers(d) == whole);
 }
 
+TEST_CASE("cut_off_weights_have_a_radius_a_falloff_and_limits_and_others_what_they_have") {
+  Driver d;
+  d.open_dragon();
+  d.choose("weights", "weights_cutoff");
+  d.settle();
+  CHECK_FALSE(d.viewer().recorder().find("reach").has_value());  // its place is the radius's
+  d.click("radius");                                             // in its middle
+  d.settle();
+  const deform::Weighting& weighting = d.document().scheme.weighting;
+  CHECK(weighting.radius > 0.05);
+  CHECK(weighting.radius < 0.25);
+  const auto partly = followers(d);
+  scene::set_radius(d.document(), 0.03);
+  d.settle();
+  CHECK(followers(d) < partly);
+  d.click("exponent");
+  CHECK(weighting.exponent > 2);
+  d.click("toggle_normalise");
+  CHECK(weighting.normalise);
+  d.settle();
+  CHECK(d.viewer().deformer()->scheme().weighting == weighting);
+  d.choose("weights", "weights_biharmonic");
+  d.settle();
+  CHECK_FALSE(d.viewer().recorder().find("exponent")->enabled);
+  d.click("toggle_clamp");
+  d.settle();
+  CHECK(weighting.clamp);
+  CHECK(d.viewer().deformer()->scheme().weighting.used_clamp());
+  const std::size_t edits = test::edit_count(d.document().history);
+  d.choose("weights", "weights_integrated");
+  d.settle();
+  CHECK_FALSE(d.viewer().recorder().find("toggle_clamp")->enabled);
+  CHECK(test::edit_count(d.document().history) == edits + 1);
+}
+
 TEST_CASE("turn_and_stretch_slide_and_the_model_follows_and_points_have_neither") {
   Driver d;
   d.open_dragon();

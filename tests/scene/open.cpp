@@ -293,7 +293,7 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
   CHECK(w.document.method == sym3::Method::sd);
   CHECK(w.document.scheme.weighting.reach == 3);
   AskedSettings asked;
-  asked.reach = 4;
+  asked.weighting.reach = 4;
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK(w.document.method == sym3::Method::sd);
   CHECK(w.document.scheme.weighting.reach == 4);

@@ -328,6 +328,47 @@ TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
   CHECK(mentions(session.warnings[0], "a.viete: stitched: translations give triangles no maps"));
 }
 
+TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
+  const test::CubeFiles files;
+  for (const deform::Weighting& weighting :
+       {deform::Weighting{deform::Elements::face, deform::Weights::cut_off, 3, 0.29, 5, false, true},
+        deform::Weighting{deform::Elements::edge, deform::Weights::biharmonic, 3, 0.29, 5, true, false}}) {
+    Workspace w;
+    REQUIRE(test::load_model(w, files.model, files.cage));
+    w.document.scheme.weighting = weighting;
+    REQUIRE(save_session(w, files / "a.viete"));
+    const auto json = read_json(files / "a.viete");
+    CHECK(json["version"] == 2);
+    CHECK(json["radius"] == 29);
+    CHECK(json.contains("clamp") == weighting.clamp);
+    Workspace back;
+    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    const deform::Weighting& kept = back.document.scheme.weighting;
+    CHECK(kept == weighting);
+    CHECK(kept.radius == 0.29);  // also those that these weights do not use
+    CHECK(kept.exponent == 5);
+    CHECK(kept.clamp == weighting.clamp);
+    CHECK(kept.normalise == weighting.normalise);
+  }
+  const struct {
+    const char *key, *value, *warning;
+  } wrong[] = {{"radius", "0",
+                "radius: a radius must be 0.1 to 1000 percent of the cage's diagonal; 25 percent instead"},
+               {"radius", "1001", "radius: a radius must be 0.1"},
+               {"exponent", "0", "exponent: an exponent must be 1 to 8; 2 instead"},
+               {"exponent", "9", "exponent: an exponent must be 1 to 8"},
+               {"exponent", "2.5", "exponent: "},
+               {"clamp", "1", "clamp: found a number where true or false belongs"},
+               {"normalise", "\"yes\"", "normalise: found a text where true or false belongs"}};
+  for (const auto& w : wrong) {
+    test::put_file(files / "a.viete", with(w.key, w.value));
+    const Session session = read_session(files / "a.viete");
+    REQUIRE(session.warnings.size() == 1);
+    CHECK_MESSAGE(mentions(session.warnings[0], w.warning), session.warnings[0]);
+    CHECK(session.scheme == deform::Scheme{});
+  }
+}
+
 TEST_CASE("a_session_may_name_any_part_of_a_scheme") {
   const test::CubeFiles files;
   const auto scheme = [&](const std::string& keys) {

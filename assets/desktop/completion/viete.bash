@@ -19,10 +19,12 @@ _viete_value() {
       ;;
     --method) words='fast diag sd improved_sd' ;;
     --elements) words='face patch edge vertex vertex-face vertex-patch point' ;;
-    --weights) words='inverse integrated harmonic biharmonic mean-value' ;;
+    --weights) words='inverse integrated cutoff harmonic biharmonic mean-value' ;;
     --blend) words='srl sse slrl sql log3 log4 linear' ;;
     --coordinates) words='face mvc' ;;
     --reach) words='all 1.5 2 3 5' ;;
+    --radius) words='5 10 25 50' ;;
+    --exponent) words='1 2 3 4' ;;
     --turn | --stretch) words='0 50 100 200' ;;
     --look) words='home front back left right top bottom' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
@@ -36,15 +38,15 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --method --elements --weights --blend --coordinates --reach --turn --stretch --stitched --iterations --binding --scale --frames'
+      options+=' --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --normalise --turn --stretch --stitched --iterations --binding --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --turn --stretch --stitched --iterations --binding --look --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --normalise --turn --stretch --stitched --iterations --binding --look --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --turn --stretch --stitched --iterations' ;;
-    bind) options+=' --output --force --elements --weights --coordinates --reach --tolerance' ;;
+    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --normalise --turn --stretch --stitched --iterations' ;;
+    bind) options+=' --output --force --elements --weights --coordinates --reach --radius --exponent --clamp --normalise --tolerance' ;;
     info) options+=' --cage' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;
     'bench eigen') options+=' --force --count --json --plot' ;;
@@ -52,7 +54,7 @@ _viete_options() {
     'bench sym3') options+=' --force --count --json' ;;
     'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
     'bench bind') options+=' --force --count --faces --rounds --json' ;;
-    'bench modes') options+=' --force --method --reach --stitched --iterations --rounds --json' ;;
+    'bench modes') options+=' --force --method --reach --radius --exponent --clamp --normalise --stitched --iterations --rounds --json' ;;
     'bench stitched') options+=' --force --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))

@@ -10,10 +10,12 @@ local -a output=($force '(-o --output)'{-o+,--output=}'[file to write]:file:_fil
 local -a pose=("--pose=[posed cage]:pose:$mesh")
 local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_sd)')
 local -a weighting=('--elements=[which maps the cage carries]:elements:(face patch edge vertex vertex-face vertex-patch point)'
-  '--weights=[how much of each map a vertex takes]:weights:(inverse integrated harmonic biharmonic mean-value)')
+  '--weights=[how much of each map a vertex takes]:weights:(inverse integrated cutoff harmonic biharmonic mean-value)')
 local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql log3 log4 linear)')
 local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
 local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 5)')
+local -a limits=('--radius=[where cut-off weights end, percent]:percent:(5 10 25 50)' '--exponent=[of distances]:exponent:(1 2 3 4)'
+  '--clamp[weights are not below 0]' '--normalise[weights always sum to 1]')
 local -a amounts=('--turn=[how much of rotations acts, percent]:percent:(0 50 100 200)' '--stretch=[how much of stretches acts, percent]:percent:(0 50 100 200)')
 local -a stitched=('--stitched[as rigid as possible]' '--iterations=[how often a stitched mesh is solved for]:iterations:(1 2 3 5)')
 local -a tolerance=('--tolerance=[of compressed weights]:tolerance:')
@@ -30,14 +32,14 @@ local command=$words[2]
 [[ $command == bench ]] && command="bench $words[3]"
 case $command in
   render)
-    specs+=($files $output $pose $method $weighting $blend $coordinates $reach $amounts $stitched $binding $scale
+    specs+=($files $output $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $binding $scale
       '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
       '--look=[from where]:view:(home front back left right top bottom)'
       '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
       '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
     ;;
-  deform) specs+=($files $output $pose $method $weighting $blend $coordinates $reach $amounts $stitched) ;;
-  bind) specs+=($files $output $weighting $coordinates $reach $tolerance) ;;
+  deform) specs+=($files $output $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched) ;;
+  bind) specs+=($files $output $weighting $coordinates $reach $limits $tolerance) ;;
   info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
   'bench exp') specs+=($count $json $plot $float) ;;
   'bench eigen') specs+=($count $json $plot) ;;
@@ -45,11 +47,11 @@ case $command in
   'bench sym3') specs+=($count $json) ;;
   'bench frame') specs+=($meshes $count $json $faces $rounds $tolerance $reach) ;;
   'bench bind') specs+=($meshes $count $json $faces $rounds) ;;
-  'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $reach $stitched $rounds) ;;
+  'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $reach $limits $stitched $rounds) ;;
   'bench stitched') specs+=($meshes "*:pose:$mesh" $json $rounds) ;;
   'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind modes stitched)') ;;
   *) # view, which may be left out
-    specs+=($files $pose $method $weighting $blend $coordinates $reach $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
+    specs+=($files $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
     ;;
 esac
