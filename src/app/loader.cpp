@@ -15,6 +15,7 @@ scene::Document without_history(const scene::Document& document) {
   copy.model = document.model;
   copy.cage_file = document.cage_file;
   copy.cage = document.cage;
+  copy.mask = document.mask;
   copy.method = document.method;
   copy.scheme = document.scheme;
   return copy;

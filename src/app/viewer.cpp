@@ -188,6 +188,9 @@ void Viewer::frame_finding() {
 
 void Viewer::deform(scene::FrameTimes& times) {
   deformed_ = model_.deform(workspace_, times);
+  workspace_.posed = {};
+  if (const auto* deformer = model_.deformer(); deformer && deformer->ran())
+    workspace_.posed = {deformer->vertices(), deformer->origin()};
 }
 
 void Viewer::upload(scene::FrameTimes& times) {
@@ -203,6 +206,7 @@ void Viewer::upload(scene::FrameTimes& times) {
     cage_drawn_ = document.revisions.pose;
   }
   if (deformed_) renderer_.set_model(model_.deformer()->vertices(), model_.deformer()->origin());
+  renderer_.set_mask(workspace_);
   if (const auto errors = analysis_.take_errors()) renderer_.set_errors(*errors);
   times.upload = watch.lap_ms();
 }

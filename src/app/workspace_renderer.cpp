@@ -44,10 +44,31 @@ WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
   model_.set_palette(render::surface_palette());
 }
 
+void WorkspaceRenderer::set_errors(std::span<const float> errors) {
+  errors_.assign(errors.begin(), errors.end());
+  colored_.reset();
+}
+
+void WorkspaceRenderer::set_mask(const scene::Workspace& w) {
+  const bool by_mask = scene::shows_mask(w);
+  const Colored wanted{by_mask, w.view.dark, by_mask ? w.document.mask : nullptr};
+  if (colored_ == wanted || model_vertices_ == 0) return;
+  colored_ = wanted;
+  if (!by_mask) {
+    model_.set_palette(render::surface_palette());
+    return model_.set_scalars(errors_);
+  }
+  const render::Theme theme = theme_of(w);
+  model_.set_palette(render::blend_palette({theme.held, theme.model}, 64));
+  model_.set_scalars(wanted.mask ? *wanted.mask : std::vector<float>(model_vertices_, 1.0f));
+}
+
 void WorkspaceRenderer::set_document(const scene::Document& document, const ModelShading& shading) {
   const mesh::Surface& model = *document.model.surface;
   model_.set_triangles(model.triangles, model.positions.size());
-  has_errors_ = false;
+  errors_.clear();
+  colored_.reset();
+  model_vertices_ = model.positions.size();
   model_.set_occlusion(shading.occlusion);
   model_.set_positions(model.positions, shading.normals);
   ground_ = document.model.bounds.low[1];
@@ -106,9 +127,10 @@ void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float s
   const auto& summary = document.model.summary;
   style.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
-  style.scalars = has_errors_ && scene::shows_error_map(w);
-  style.scalar_low = static_cast<float>(scene::error_map_low);
-  style.scalar_high = static_cast<float>(scene::error_map_high);
+  const bool by_mask = scene::shows_mask(w);
+  style.scalars = by_mask || (!errors_.empty() && scene::shows_error_map(w));
+  style.scalar_low = by_mask ? 0 : static_cast<float>(scene::error_map_low);
+  style.scalar_high = by_mask ? 1 : static_cast<float>(scene::error_map_high);
   if (w.view.model) model_.draw(view, theme, style);
   if (w.view.grid) {
     const double diagonal = document.space.diagonal();

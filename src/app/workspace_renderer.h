@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "app/cage_marks.h"
 #include "app/finding_marks.h"
@@ -26,10 +28,9 @@ public:
   /// The deformed model, relative to origin in the file's coordinates.
   void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
   /// log10 of the error per vertex, for the error map; empty: none.
-  void set_errors(std::span<const float> errors) {
-    has_errors_ = !errors.empty();
-    model_.set_scalars(errors);
-  }
+  void set_errors(std::span<const float> errors);
+  /// What of the model follows the cage, where that is shown: before draw().
+  void set_mask(const scene::Workspace& workspace);
   /// The posed cage and how its vertices look now.
   void set_cage(const scene::Workspace& workspace);
   void set_hand(const scene::Workspace& workspace);
@@ -54,7 +55,15 @@ private:
   render::DiscLayer cage_vertices_;
   CageMarks marks_;
   FindingMarks findings_;
-  bool has_errors_ = false;
+  std::vector<float> errors_;
+  // What the model is coloured by; nothing: it is to be uploaded anew.
+  struct Colored {
+    bool by_mask = false, dark = false;
+    deform::Mask mask;
+    friend bool operator==(const Colored&, const Colored&) = default;
+  };
+  std::optional<Colored> colored_;
+  std::size_t model_vertices_ = 0;
   double ground_ = 0;  ///< height of the lowest point of the model at rest
 };
 

@@ -23,6 +23,7 @@ Theme dark_theme() {
   theme.background_bottom = rgb(0x15181d);
   theme.grid = rgb(0x8a97a8);
   theme.model = rgb(0xd2bfa8);
+  theme.held = rgb(0x4a6d9e);
   theme.wire = rgb(0x2a2622);
   theme.cage = rgb(0x3fb8af);
   theme.selection = rgb(0xffb224);
@@ -39,6 +40,7 @@ Theme light_theme() {
   theme.background_bottom = rgb(0xdfe3e8);
   theme.grid = rgb(0x7b8796);
   theme.model = rgb(0xb9a48c);
+  theme.held = rgb(0x5b7fb5);
   theme.wire = rgb(0x2a2622);
   theme.cage = rgb(0x12857d);
   theme.selection = rgb(0xf59a00);

@@ -56,6 +56,7 @@ struct Theme {
   glm::vec3 background_top, background_bottom;
   glm::vec3 grid;       ///< ground lines
   glm::vec3 model;      ///< the surface in full light
+  glm::vec3 held;       ///< the surface where it stays at rest
   glm::vec3 wire;       ///< triangle edges on the surface
   glm::vec3 cage;       ///< cage lines and vertices at rest
   glm::vec3 selection;  ///< what is selected

@@ -31,6 +31,8 @@ constexpr Condition has_maps{
 constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
                               "Open a model first."};
 constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); }, "Open a cage first."};
+constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
+                             "Nothing is painted: all of the model follows the cage."};
 constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
                                   "Nothing is selected."};
 constexpr Condition has_selection_or_hover{
@@ -224,6 +226,13 @@ const std::vector<Command>& table() {
        use_tool<Tool::rotate>},
       {"tool_scale", "Scale", "Scale the selection about its centre.", "Tool", {key('R')}, {}, always,
        use_tool<Tool::scale>},
+
+      {"tool_paint", "Paint", "Paint on the model what stays as it is at rest, however the cage is posed; with Ctrl what follows again.",
+       "Tool", {key('D')}, {}, has_cage, use_tool<Tool::paint>},
+      {"mask_clear", "Clear paint", "All of the model follows the cage again.", "Tool", {}, {}, has_mask,
+       [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); }},
+      {"mask_invert", "Invert paint", "What follows the cage stays, and the reverse.", "Tool", {}, {}, has_cage,
+       [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); }},
 
       method_command<M::diag>("method_diag", '1'), method_command<M::sd>("method_sd", '2'),
       method_command<M::improved_sd>("method_improved_sd", '3'), method_command<M::fast>("method_fast", '4'),

@@ -132,7 +132,7 @@ std::optional<Constraint> pick_plane(const Gizmo& gizmo, const glm::vec2& cursor
 std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const Camera& camera,
                                 const Viewport& viewport) {
   const Layout layout{center, camera, viewport};
-  if (tool == Tool::select || !layout.projection.in_front()) return std::nullopt;
+  if (tool == Tool::select || tool == Tool::paint || !layout.projection.in_front()) return std::nullopt;
   Gizmo gizmo;
   gizmo.tool = tool;
   gizmo.center = glm::vec2(layout.projection.at());

@@ -83,6 +83,7 @@ Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) 
 Opened open_cage(OpenedSurface cage, const Document& current) {
   Opened opened;
   opened.document = document_of(current.model);
+  opened.document->mask = current.mask;
   set_cage(*opened.document, std::move(cage));
   take_cage_warnings(opened);
   return opened;
@@ -134,6 +135,8 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   Document document = document_of_session(session, file, progress);
   document.method = session.method;
   document.scheme = session.scheme;
+  fit_to_model(session, *document.model.surface, file);
+  document.mask = session.mask;
   if (document.has_cage()) {
     fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
     if (session.pose) document.pose = std::move(*session.pose);

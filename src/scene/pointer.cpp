@@ -1,5 +1,8 @@
 #include "scene/pointer.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace viete::scene {
 
 namespace {
@@ -16,6 +19,10 @@ std::optional<Pick> element_under(const Workspace& w, const glm::vec2& cursor) {
 std::optional<Constraint> handle_under(const Workspace& w, const glm::vec2& cursor) {
   const auto gizmo = gizmo_of(w);
   return gizmo ? pick_handle(*gizmo, cursor) : std::nullopt;
+}
+
+std::optional<mesh::Point> brush_under(const Workspace& w, const glm::vec2& cursor) {
+  return pick_model(w.document, w.posed, w.camera.ray(cursor, w.viewport));
 }
 
 bool over_axes(const Workspace& w, const glm::vec2& cursor) {
@@ -57,6 +64,12 @@ void Pointer::frame(Workspace& workspace, const PointerInput& input) {
   if (active() && !input.down[button_]) release(workspace, input);
   if (!active()) hover(workspace, input);
   if (!active() && input.over_view && input.wheel != 0) {
+    if (shows_mask(workspace) && input.shift) {
+      const float radius = workspace.brush.radius * std::pow(1.1f, input.wheel);
+      workspace.brush.radius = std::clamp(radius, Brush::least_radius, Brush::largest_radius);
+      last_ = input;
+      return;
+    }
     workspace.camera.zoom(input.wheel, input.position, workspace.viewport);
   }
   last_ = input;
@@ -67,6 +80,12 @@ void Pointer::hover(Workspace& workspace, const PointerInput& input) const {
   Interaction& interaction = workspace.interaction;
   interaction.over_axes = input.over_view && over_axes(workspace, input.position);
   const bool free = input.over_view && !interaction.over_axes;
+  interaction.brush.reset();
+  if (free && shows_mask(workspace)) {
+    interaction.handle.reset(), interaction.hovered.reset();
+    interaction.brush = brush_under(workspace, input.position);
+    return;
+  }
   interaction.handle = free ? handle_under(workspace, input.position) : std::nullopt;
   const auto pick = free && !interaction.handle ? element_under(workspace, input.position) : std::nullopt;
   interaction.hovered = pick ? std::optional(pick->index) : std::nullopt;
@@ -87,6 +106,11 @@ void Pointer::press(Workspace& workspace, const PointerInput& input) {
 
 void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
   gesture_ = over_axes(workspace, press_) ? Gesture::on_axes : Gesture::pressed;
+  if (gesture_ == Gesture::pressed && shows_mask(workspace)) {
+    gesture_ = Gesture::painting;
+    workspace.interaction.stroke.emplace(workspace.document);
+    return paint(workspace, input);
+  }
   mode_ = mode_of(input);
   handle_ = handle_under(workspace, press_);
   grabbed_ = element_under(workspace, press_);
@@ -104,6 +128,9 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
   }
   switch (gesture_) {
     case Gesture::moving: transform(workspace, input); break;
+    case Gesture::painting:
+      if (delta != glm::vec2(0)) paint(workspace, input);
+      break;
     case Gesture::boxing: workspace.interaction.box->opposite = input.position; break;
     case Gesture::orbiting:
       if (delta != glm::vec2(0)) workspace.camera.orbit(delta);
@@ -166,11 +193,31 @@ void Pointer::transform(Workspace& workspace, const PointerInput& input) {
   finish(workspace, Gesture::ignored);
 }
 
+// From where the brush was, in steps of a quarter of its radius: a fast hand leaves no gaps.
+void Pointer::paint(Workspace& workspace, const PointerInput& input) {
+  const Brush& brush = workspace.brush;
+  const float way = glm::distance(last_.position, input.position);
+  const int steps = std::max(1, static_cast<int>(std::ceil(4 * way / brush.radius)));
+  for (int step = 1; step <= steps; ++step) {
+    const float t = static_cast<float>(step) / static_cast<float>(steps);
+    const auto center = brush_under(workspace, glm::mix(last_.position, input.position, t));
+    workspace.interaction.brush = center;
+    if (!center) continue;
+    const float depth = workspace.camera.depth(workspace.document.space.to_view(*center));
+    const double radius =
+        brush.radius * workspace.camera.per_pixel(depth, workspace.viewport) / workspace.document.space.scale;
+    workspace.interaction.stroke->dab(workspace.document, workspace.posed, *center, radius,
+                                      input.ctrl ? 1 : brush.share);
+  }
+}
+
 void Pointer::release(Workspace& workspace, const PointerInput& input) {
   Document& document = workspace.document;
   if (gesture_ == Gesture::moving) {
     workspace.interaction.drag->commit(document);
     workspace.view.hints = false;
+  } else if (gesture_ == Gesture::painting) {
+    workspace.interaction.stroke->commit(document);
   } else if (gesture_ == Gesture::boxing) {
     const auto inside =
         pick_elements_in_box(document, workspace.camera, workspace.viewport, press_, input.position);
@@ -198,12 +245,17 @@ void Pointer::click(Workspace& workspace) {
 void Pointer::finish(Workspace& workspace, Gesture next) {
   workspace.interaction.drag.reset();
   workspace.interaction.box.reset();
+  workspace.interaction.stroke.reset();
   gesture_ = next;
 }
 
 // The button stays "used up" until it is released, so that the rest of the movement does nothing.
 void Pointer::cancel(Workspace& workspace) {
   if (workspace.interaction.drag) workspace.interaction.drag->cancel(workspace.document);
+  if (workspace.interaction.stroke) {
+    workspace.interaction.stroke->cancel(workspace.document);
+    return finish(workspace, Gesture::ignored);
+  }
   workspace.document.selection = selection_before_;
   finish(workspace, Gesture::ignored);
 }

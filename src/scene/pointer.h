@@ -43,15 +43,27 @@ public:
   /// Called once a frame. Left click selects (Shift adds, Ctrl removes); left drag on a handle of the gizmo
   /// uses it, on an element moves the selection (a face must be selected already), elsewhere draws a box;
   /// middle, right or Alt+left drag orbits, with Shift pans, with Ctrl zooms; wheel zooms to the cursor.
-  /// While something is being moved characters constrain it and set the amount, Ctrl snaps, Shift slows,
-  /// Enter keeps it, and Esc or the right button puts everything back as it was.
+  /// With Tool::paint left drag paints on the model, with Ctrl what follows in full, and Shift and wheel
+  /// change the brush. While something is being moved characters constrain it and set the amount, Ctrl snaps,
+  /// Shift slows, Enter keeps it, and Esc or the right button puts everything back as it was.
   void frame(Workspace& workspace, const PointerInput& input);
 
   /// True while a button is held in a gesture that began in the view.
   bool active() const { return gesture_ != Gesture::none; }
 
 private:
-  enum class Gesture { none, pressed, on_axes, moving, boxing, orbiting, panning, zooming, ignored };
+  enum class Gesture {
+    none,
+    pressed,
+    on_axes,
+    moving,
+    boxing,
+    painting,
+    orbiting,
+    panning,
+    zooming,
+    ignored
+  };
 
   void hover(Workspace& workspace, const PointerInput& input) const;
   void press(Workspace& workspace, const PointerInput& input);
@@ -59,6 +71,7 @@ private:
   void move(Workspace& workspace, const PointerInput& input);
   void begin_left_drag(Workspace& workspace, const PointerInput& input);
   void begin_transform(Workspace& workspace);
+  void paint(Workspace& workspace, const PointerInput& input);
   void transform(Workspace& workspace, const PointerInput& input);
   void release(Workspace& workspace, const PointerInput& input);
   void click(Workspace& workspace);

@@ -54,6 +54,10 @@ bool same_pose(const deform::Pose& a, const deform::Pose& b) {
   return true;
 }
 
+bool same_mask(const deform::Mask& a, const deform::Mask& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 }  // namespace
 
 bool save_session(Workspace& workspace, const fs::path& path) {
@@ -90,11 +94,13 @@ std::optional<std::uint64_t> content_of(const fs::path& file) {
 
 bool has_unsaved_edits(const Workspace& w) {
   return w.document.has_cage() &&
-         (w.document.scheme != w.saved.scheme || !same_pose(w.document.pose, w.saved.pose));
+         (w.document.scheme != w.saved.scheme || !same_mask(w.document.mask, w.saved.mask) ||
+          !same_pose(w.document.pose, w.saved.pose));
 }
 
 void mark_saved(Workspace& workspace) {
   workspace.saved.scheme = workspace.document.scheme;
+  workspace.saved.mask = workspace.document.mask;
   mark_pose_saved(workspace);
 }
 

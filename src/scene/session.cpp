@@ -215,6 +215,19 @@ double reach_of(const JsonReader& json) {
   return reach;
 }
 
+deform::Mask mask_of(const JsonReader& json) {
+  constexpr std::size_t most = std::size_t(1) << 31;  // vertices
+  std::vector<float> mask;
+  for (std::size_t run = 0; run + 1 < json.size(); run += 2) {
+    const std::uint32_t steps = json.item(run).index(), count = json.item(run + 1).index();
+    if (steps > mask_steps) json.item(run).fail("a share must be 0 to " + std::to_string(mask_steps));
+    if (count == 0 || mask.size() + count > most) json.item(run + 1).fail("no model has so many vertices");
+    mask.insert(mask.end(), count, static_cast<float>(steps) / mask_steps);
+  }
+  if (json.size() % 2) json.fail("a share without the number of its vertices");
+  return std::make_shared<const std::vector<float>>(std::move(mask));
+}
+
 double radius_of(const JsonReader& json) {
   const auto radius = deform::radius_from_percent(json.number());
   if (!radius) json.fail("a radius must be 0.1 to 1000 percent of the cage's diagonal");
@@ -274,6 +287,7 @@ Session session_of(const Workspace& w) {
   session.origin_content = w.saved.content;
   session.method = w.document.method;
   session.scheme = w.document.scheme;
+  session.mask = w.document.mask;
   session.camera = w.camera.destination();
   session.view = w.view;
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
@@ -284,6 +298,17 @@ Session session_of(const Workspace& w) {
 }
 
 namespace {
+
+// Runs of vertices with the same share.
+ordered_json mask_json(const std::vector<float>& mask) {
+  ordered_json runs = ordered_json::array();
+  for (std::size_t begin = 0, end = 0; begin < mask.size(); begin = end) {
+    while (end < mask.size() && mask[end] == mask[begin]) ++end;
+    runs.push_back(std::lround(mask[begin] * mask_steps));
+    runs.push_back(end - begin);
+  }
+  return runs;
+}
 
 // As it was typed: 29 and not 28.999999999999996.
 double percent(double amount) {
@@ -297,8 +322,8 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   const deform::Weighting& weighting = session.scheme.weighting;
   deform::Weighting usual{
       .elements = weighting.elements, .weights = weighting.weights, .reach = weighting.reach};
-  const bool plain =
-      session.scheme.amounts.whole() && !session.scheme.stitched() && weighting.same_numbers(usual);
+  const bool plain = session.scheme.amounts.whole() && !session.scheme.stitched() &&
+                     weighting.same_numbers(usual) && !session.mask;
   const std::uint32_t version = shorthand.empty() || !plain ? 2 : 1;
   ordered_json json = {{"format", format_name}, {"version", version}};
   json["model"] = stored(session.model, file, portable);
@@ -324,6 +349,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
   if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
   if (session.scheme.stitched()) json["stitched"] = session.scheme.iterations;
+  if (session.mask) json["mask"] = mask_json(*session.mask);
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -415,6 +441,7 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
       "method", s.method, [](const auto& v) { return word_of(v, sym3::method_from_name); },
       "fast instead, of diag, sd, improved_sd and fast");
   read_scheme(json, s);
+  take("mask", s.mask, mask_of, "every vertex follows the cage instead");
   take("camera", s.camera, camera_of, "the whole model is shown instead");
   take(
       "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");
@@ -504,6 +531,15 @@ void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& fil
   for (std::size_t v = 0; v < rest.size(); ++v) {
     if (std::isnan(positions[v][0])) positions[v] = rest[v];
   }
+}
+
+void fit_to_model(Session& session, const mesh::Surface& model, const fs::path& file) {
+  if (!session.mask || session.mask->size() == model.positions.size()) return;
+  session.warnings.push_back(file.string() + ": mask: it is of " +
+                             counted(ElementKind::vertex, session.mask->size()) + ", the model has " +
+                             std::to_string(model.positions.size()) +
+                             "; every vertex follows the cage instead");
+  session.mask = nullptr;
 }
 
 bool is_session(const fs::path& file) {

@@ -26,6 +26,8 @@ namespace viete::scene {
 ///   "radius", "exponent"  of weights that have them, percent of the cage's diagonal (missing: 25) and 1 to 8
 ///                         (missing: 2)
 ///   "clamp", "normalise"  of weights that have them, true or false; missing: false
+///   "mask"                painted shares of the model's vertices in their order, in 255ths: [share, for how
+///                         many vertices, share, ...]; missing: every vertex follows the cage
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
 ///                         "pitch" in radians, "orthographic"
 ///   "view"                flags, see ViewOptions
@@ -45,6 +47,7 @@ struct Session {
   std::uint64_t model_content = 0, cage_content = 0;  ///< 0: not known
   sym3::Method method = sym3::Method::fast;
   deform::Scheme scheme;
+  deform::Mask mask;                 ///< null: missing
   std::optional<CameraPose> camera;  ///< missing: the model is framed
   ViewOptions view;
   std::optional<glm::ivec2> window;
@@ -71,6 +74,9 @@ void tell_what_changed(Session& session, const Document& document, const std::fi
 /// dropped, both with a warning. Throws base::Error naming `file` and the key if the pose cannot be of this
 /// cage.
 void fit_to_cage(Session& session, const deform::Cage& cage, const std::filesystem::path& file);
+
+/// A mask that has not one share for each vertex is dropped, with a warning.
+void fit_to_model(Session& session, const mesh::Surface& model, const std::filesystem::path& file);
 
 inline constexpr const char* session_extension = ".viete";
 /// By its extension.

@@ -19,6 +19,10 @@ struct Space {
             static_cast<float>((p[2] - center[2]) * scale)};
   }
 
+  mesh::Point to_file(const glm::dvec3& p) const {
+    return {center[0] + p.x / scale, center[1] + p.y / scale, center[2] + p.z / scale};
+  }
+
   /// The diagonal of the box that the space was chosen for.
   double diagonal() const { return 2 / scale; }
 };

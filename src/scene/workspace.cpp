@@ -40,7 +40,7 @@ std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::
 }  // namespace
 
 bool shows_error_map(const Workspace& w) {
-  return w.view.error_map && w.document.has_cage() && w.document.scheme.exponential();
+  return !shows_mask(w) && w.view.error_map && w.document.has_cage() && w.document.scheme.exponential();
 }
 
 bool open_now(Workspace& workspace, const OpenRequest& request) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scene/benchmark.h"
+#include "scene/brush.h"
 #include "scene/camera.h"
 #include "scene/check_view.h"
 #include "scene/document.h"
@@ -49,6 +50,8 @@ struct Interaction {
   std::optional<Constraint> handle;      ///< of the gizmo, under the cursor
   bool over_axes = false;                ///< the cursor is over the axis widget
   std::optional<TransformDrag> drag;     ///< the selection is being moved, rotated or scaled
+  std::optional<mesh::Point> brush;      ///< where it meets the model, with Tool::paint
+  std::optional<MaskStroke> stroke;      ///< the mask is being painted
   struct Box {
     glm::vec2 corner, opposite;  ///< logical pixels
     SelectMode mode;
@@ -107,6 +110,7 @@ struct Saved {
       content;                 ///< checksum of that file as it was read or written here; nothing: not known
   deform::Pose pose;           ///< that was opened or saved last; empty for recovered work
   deform::Scheme scheme;       ///< likewise
+  deform::Mask mask;           ///< likewise
   unsigned long revision = 0;  ///< grows with each change
 };
 
@@ -126,6 +130,8 @@ struct Workspace {
   Messages messages;
   Interaction interaction;
   Tool tool = Tool::move;
+  Brush brush;       ///< of Tool::paint
+  PosedModel posed;  ///< the model as it is drawn
   Requests requests;
   FrameStats stats;
   MethodStats methods;
@@ -151,6 +157,11 @@ struct Workspace {
   std::map<std::string, TypedText> typed;  ///< by the name of the field
   About about;
 };
+
+/// True if the mesh is coloured by its mask.
+inline bool shows_mask(const Workspace& workspace) {
+  return workspace.tool == Tool::paint && workspace.document.has_cage();
+}
 
 /// True if the mesh is coloured by errors: asked for, and the coordinates use an exponential.
 bool shows_error_map(const Workspace& workspace);

@@ -1,5 +1,6 @@
 // In the Cage panel: what is selected, with which tool, and numbers to type.
 #include <algorithm>
+#include <cmath>
 
 #include "scene/elements.h"
 #include "ui/format.h"
@@ -59,14 +60,37 @@ void field(const Context& ui, const Fields& fields, int axis, float width) {
   if (number && enabled) apply(ui.workspace, axis, *number);
 }
 
+// As much room as the fields of the other tools take.
+void brush_fields(const Context& ui) {
+  scene::Brush& brush = ui.workspace.brush;
+  command_row(ui, {"mask_clear", "mask_invert"});
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - spacing) / 2;
+  constexpr auto flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+  ImGui::SetNextItemWidth(width);
+  ImGui::SliderFloat("##brush_radius", &brush.radius, scene::Brush::least_radius, 150, "%.0f px wide", flags);
+  record(ui, "brush_radius");
+  hint("How far the brush reaches in the picture. Shift and the wheel change it, too.");
+  ImGui::SameLine(0, spacing);
+  ImGui::SetNextItemWidth(width);
+  int percent = static_cast<int>(std::lround(100 * brush.share));
+  if (ImGui::SliderInt("##brush_share", &percent, 0, 100, "follows %d %%", flags))
+    brush.share = static_cast<float>(percent) / 100;
+  record(ui, "brush_share");
+  hint(
+      "How much of its motion the model keeps where it is painted: 0 % stays at rest. With Ctrl the brush "
+      "paints 100 %.");
+}
+
 }  // namespace
 
 void transform_fields(const Context& ui) {
   const auto& w = ui.workspace;
   const auto kind = static_cast<std::size_t>(w.document.selection.kind());
   command_choice(ui, {"select_vertices", "select_edges", "select_faces"}, kind);
-  command_choice(ui, {"tool_select", "tool_move", "tool_rotate", "tool_scale"},
+  command_choice(ui, {"tool_select", "tool_move", "tool_rotate", "tool_scale", "tool_paint"},
                  static_cast<std::size_t>(w.tool));
+  if (w.tool == scene::Tool::paint) return brush_fields(ui);
   const Fields shown = fields(w.document, w.tool);
   note(ui, shown.label);
   ImGui::BeginDisabled(w.document.selection.empty() || w.interaction.drag);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "scene/picking.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -14,6 +15,18 @@ void selection_box(const Context& ui, const scene::Interaction::Box& box) {
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   draw.AddRectFilled(a, b, faded(ui.colors.accent, 0.10f));
   draw.AddRect(a, b, faded(ui.colors.accent, 0.80f));
+}
+
+// About as large as it reaches at the model.
+void brush_ring(const Context& ui, const scene::Workspace& w) {
+  const scene::Projector project(w.document.space, w.camera, w.viewport);
+  const auto center = project(*w.interaction.brush);
+  if (!center) return;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const ImVec2 at{center->x, center->y};
+  draw.AddCircle(at, w.brush.radius, faded(ui.colors.halo, 1.0f), 0, 3);
+  draw.AddCircle(at, w.brush.radius, faded(ui.colors.text, 0.9f), 0, 1.25f);
+  draw.AddCircleFilled(at, 2, faded(ui.colors.text, 0.9f));
 }
 
 void centered(const Context& ui, float y, const char* text, ImU32 color) {
@@ -39,8 +52,9 @@ void hints(const Context& ui) {
 void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (w.interaction.box) selection_box(ui, *w.interaction.box);
-  if (w.binding.running || w.loading.running) return;  // their bar is there
-  const bool room = !scene::shows_error_map(w);        // the legend takes it
+  if (w.interaction.brush) brush_ring(ui, w);
+  if (w.binding.running || w.loading.running) return;                     // their bar is there
+  const bool room = !scene::shows_error_map(w) && !scene::shows_mask(w);  // the legend takes it, or paint
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }
 

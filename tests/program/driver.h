@@ -116,7 +116,7 @@ public:
   std::vector<mesh::Point> exact_positions() {
     base::WorkerPool pool;
     const scene::Document& d = document();
-    return deform::deform_exactly(*d.model.surface, d.cage, d.scheme, d.pose, d.method, pool).positions;
+    return deform::deform_exactly(*d.model.surface, d.cage, d.scheme, d.pose, d.method, pool, nullptr, d.mask).positions;
   }
 
   glm::vec2 vertex(std::uint32_t i) {

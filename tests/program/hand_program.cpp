@@ -6,6 +6,7 @@
 #include "scene/elements.h"
 #include "scene/pointer.h"
 #include "support/edits.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using scene::ElementKind;
@@ -463,4 +464,82 @@ TEST_CASE("a_number_that_leads_out_of_range_moves_nothing_and_says_so") {
   d.press_key(scene::Key::enter);
   d.frame(2);
   CHECK(d.last_message() == "Turned by 360,000 degrees, the most at once");
+}
+
+TEST_CASE("what_is_painted_stays_while_the_cage_moves_and_ctrl_and_undo_let_it_follow_again") {
+  Interaction d;
+  d.press_key(scene::Key::pad3);  // from the right, where the wings cover the body
+  d.settle();
+  const auto rest = d.document().model.surface->positions;
+  d.press_key('D');
+  CHECK(d.workspace().tool == scene::Tool::paint);
+  d.frame(2);
+  CHECK_FALSE(scene::gizmo_of(d.workspace()));
+  const glm::vec2 middle = d.workspace().viewport.origin + 0.5f * d.workspace().viewport.size;
+  const glm::vec2 to = middle + glm::vec2(60, 10);
+  d.move(middle);
+  d.frame(2);
+  REQUIRE(d.workspace().interaction.brush);
+  const auto plain = d.picture();
+  d.drag(middle, to);
+  d.settle();
+  const auto painted = d.document().mask;
+  REQUIRE(painted);
+  CHECK(d.document().selection.empty());  // nothing was selected, nothing moved
+  CHECK_FALSE(scene::differs_from_rest(d.document()));
+  const auto stays = std::ranges::count(*painted, 0.0f);
+  CHECK(stays > 20);
+  CHECK(test::difference(plain, d.picture(), 8) > 0.001);
+
+  d.press_key('W');
+  d.select_whole_cage();
+  deform::Pose pose = d.document().pose;
+  for (auto& p : pose.positions) p[1] += 1;
+  scene::set_pose(d.document(), pose);
+  d.settle();
+  auto moved = d.mesh();
+  for (std::size_t v = 0; v < rest.size(); ++v)
+    CHECK(std::abs(moved[v][1] - rest[v][1] - double((*painted)[v])) < 1e-12);
+  scene::undo(d.document());
+  d.settle();
+
+  d.press_key('D');
+  d.frame(2);
+  d.key(Driver::left_ctrl, true);
+  d.drag(middle, to);
+  d.key(Driver::left_ctrl, false);
+  d.settle();
+  const auto after = d.document().mask;
+  CHECK((!after || std::ranges::count(*after, 0.0f) < stays));
+  d.press_key('Z', true);
+  CHECK(d.document().mask == painted);
+  d.press_key('Z', true);
+  CHECK_FALSE(d.document().mask);
+  // Esc takes back what is being painted.
+  d.press_and_move(middle, to);
+  CHECK(d.document().mask);
+  d.press_key(scene::Key::escape);
+  CHECK_FALSE(d.document().mask);
+  d.button(0, false);
+  d.frame(2);
+  CHECK_FALSE(d.document().mask);
+}
+
+TEST_CASE("the_brush_is_set_in_the_panel_and_by_shift_and_wheel") {
+  Interaction d;
+  d.press_key('D');
+  d.frame(2);
+  const float radius = d.workspace().brush.radius;
+  d.move(d.workspace().viewport.origin + 0.5f * d.workspace().viewport.size);
+  d.key(Driver::left_shift, true);
+  d.wheel(3);
+  d.key(Driver::left_shift, false);
+  d.frame(2);
+  CHECK(d.workspace().brush.radius > 1.2f * radius);
+  d.click("brush_share");  // in its middle
+  CHECK(d.workspace().brush.share == doctest::Approx(0.5).epsilon(0.1));
+  d.click("mask_invert");
+  CHECK(d.document().mask);
+  d.click("mask_clear");
+  CHECK_FALSE(d.document().mask);
 }

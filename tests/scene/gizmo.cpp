@@ -4,6 +4,7 @@
 
 #include "scene/viewport.h"
 
+using namespace viete;
 using namespace viete::scene;
 using Kind = Constraint::Kind;
 

@@ -1,0 +1,169 @@
+#include "scene/brush.h"
+
+#include <doctest/doctest.h>
+
+#include "deform/affine_map.h"
+#include "scene/edit.h"
+#include "scene/files.h"
+#include "scene/saving.h"
+#include "scene/session.h"
+#include "scene/workspace.h"
+#include "support/commands.h"
+#include "support/edits.h"
+#include "support/open.h"
+#include "support/text.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+using mesh::operator-;
+
+namespace {
+
+struct Painted {
+  test::CubeFiles files;
+  Workspace w;
+
+  Painted() { REQUIRE(test::load_model(w, files.model, files.cage)); }
+
+  void paint(std::size_t vertex, double radius, float share) {
+    MaskStroke stroke(w.document);
+    stroke.dab(w.document, {}, w.document.model.surface->positions[vertex], radius, share);
+    stroke.commit(w.document);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a_stroke_paints_once_however_often_it_goes_over_a_vertex_and_is_one_edit") {
+  Painted p;
+  Document& d = p.w.document;
+  const auto& at = d.model.surface->positions;
+  const double radius = 0.6 * d.model.bounds.diagonal();
+  MaskStroke stroke(d);
+  for (int n = 0; n < 5; ++n) stroke.dab(d, {}, at[0], radius, 0);
+  REQUIRE(d.mask);
+  CHECK((*d.mask)[0] == 0);
+  std::size_t partly = 0;
+  for (std::size_t v = 0; v < at.size(); ++v) {
+    const double left = std::max(0.0, 1 - std::pow(deform::norm(at[v] - at[0]) / radius, 2));
+    CHECK(static_cast<double>((*d.mask)[v]) == doctest::Approx(1 - left * left).epsilon(0.01));
+    partly += left > 0 && left < 1;
+  }
+  CHECK(partly > 0);
+  CHECK(test::edit_count(d.history) == 0);
+  stroke.commit(d);
+  CHECK(test::edit_count(d.history) == 1);
+  CHECK(d.history.undo_label() == "paint");
+  const auto painted = d.mask;
+  undo(d);
+  CHECK_FALSE(d.mask);
+  redo(d);
+  CHECK(d.mask == painted);
+}
+
+TEST_CASE("a_stroke_that_is_taken_back_or_paints_nothing_is_no_edit") {
+  Painted p;
+  Document& d = p.w.document;
+  MaskStroke taken_back(d);
+  taken_back.dab(d, {}, d.model.surface->positions[0], 1, 0);
+  taken_back.cancel(d);
+  CHECK_FALSE(d.mask);
+  p.paint(0, 1e-9, 1);  // it follows already
+  CHECK_FALSE(d.mask);
+  CHECK(test::edit_count(d.history) == 0);
+  p.paint(0, 1e-9, 0);
+  p.paint(0, 1e-9, 1);  // and follows again: nothing is left of the mask
+  CHECK_FALSE(d.mask);
+  CHECK(test::edit_count(d.history) == 2);
+}
+
+TEST_CASE("masks_are_cleared_and_inverted_by_commands") {
+  Painted p;
+  Document& d = p.w.document;
+  CHECK_FALSE(test::run_command(p.w, "mask_clear"));
+  CHECK(test::run_command(p.w, "mask_invert"));
+  for (const float share : *d.mask) CHECK(share == 0);
+  p.paint(0, 1e-9, 0.25f);
+  const float painted = (*d.mask)[0];
+  CHECK(painted == doctest::Approx(0.25).epsilon(0.01));
+  CHECK(test::run_command(p.w, "mask_invert"));
+  CHECK((*d.mask)[0] == doctest::Approx(1 - double(painted)));
+  CHECK((*d.mask)[1] == 1);
+  CHECK(test::run_command(p.w, "mask_clear"));
+  CHECK_FALSE(d.mask);
+  CHECK(test::edit_count(d.history) == 4);
+}
+
+TEST_CASE("a_mask_is_unsaved_until_its_session_is_and_comes_back_to_the_last_bit") {
+  Painted p;
+  CHECK_FALSE(has_unsaved_edits(p.w));
+  p.paint(0, 0.6 * p.w.document.model.bounds.diagonal(), 0.3f);
+  CHECK(has_unsaved_edits(p.w));
+  REQUIRE(save_session(p.w, p.files / "a.viete"));
+  CHECK_FALSE(has_unsaved_edits(p.w));
+  CHECK(test::mentions(test::file_bytes(p.files / "a.viete"), "\"version\": 2"));
+  Workspace back;
+  REQUIRE(open_now(back, {OpenRequest::What::model, {p.files / "a.viete"}}));
+  REQUIRE(back.document.mask);
+  CHECK(*back.document.mask == *p.w.document.mask);
+  CHECK_FALSE(has_unsaved_edits(back));
+  // A cage that is opened over it leaves it as it is; another model has none.
+  REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
+  CHECK(back.document.mask);
+  REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
+  CHECK_FALSE(back.document.mask);
+}
+
+TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
+  Painted p;
+  const std::size_t n = p.w.document.model.surface->positions.size();
+  const struct {
+    std::string value;
+    const char* warning;
+  } cases[] = {{"[0, 1]", "mask: it is of a vertex, the model has 20; every vertex "},
+               {"[256, 8]", "mask[0]: a share must be 0 to 255; every vertex follows the cage instead"},
+               {"[255, 0]", "mask[1]: no model has so many vertices"},
+               {"[255, 4294967295]", "mask[1]: no model has so many vertices"},
+               {"[255]", "mask: a share without the number of its vertices"},
+               {"[-1, 8]", "mask[0]"},
+               {"\"all\"", "mask: found a text"}};
+  for (const auto& c : cases) {
+    test::put_file(
+        p.files / "a.viete",
+        R"({"format": "viete session", "version": 2, "model": "model.obj", "cage": "cage.obj", "mask": )" +
+            c.value + "}");
+    Workspace w;
+    REQUIRE(open_now(w, {OpenRequest::What::model, {p.files / "a.viete"}}));
+    CHECK_FALSE(w.document.mask);
+    CHECK_MESSAGE(test::mentions(w.messages.all().back().text, c.warning), w.messages.all().back().text);
+  }
+  test::put_file(
+      p.files / "a.viete",
+      R"({"format": "viete session", "version": 2, "model": "model.obj", "cage": "cage.obj", "mask": [0, )" +
+          std::to_string(n) + "]}");
+  Workspace w;
+  REQUIRE(open_now(w, {OpenRequest::What::model, {p.files / "a.viete"}}));
+  CHECK(w.document.mask);
+}
+
+TEST_CASE("a_ray_meets_the_posed_model_where_it_is_nearest") {
+  Painted p;
+  const Document& d = p.w.document;
+  const auto& box = d.model.bounds;
+  const mesh::Point c = box.center();
+  const auto view = [&](const mesh::Point& x) { return glm::dvec3(d.space.to_view(x)); };
+  const Ray ray{view({c[0] + 0.01, c[1] + 0.02, box.high[2] + 10}), {0, 0, -1}};
+  const auto hit = pick_model(d, {}, ray);
+  REQUIRE(hit);
+  CHECK((*hit)[2] == doctest::Approx(box.high[2]));
+  CHECK((*hit)[0] == doctest::Approx(c[0] + 0.01));
+  CHECK_FALSE(pick_model(d, {}, {ray.origin, {0, 0, 1}}));
+  // Posed 5 to the side it is no longer there, and there it is.
+  std::vector<deform::FrameVertex> posed;
+  for (const auto& x : d.model.surface->positions)
+    posed.push_back({{float(x[0] + 5), float(x[1]), float(x[2])}, 0, {0, 0, 1}, 0});
+  CHECK_FALSE(pick_model(d, {posed, {0, 0, 0}}, ray));
+  const Ray aside{view({c[0] + 5, c[1] + 0.02, box.high[2] + 10}), {0, 0, -1}};
+  CHECK(pick_model(d, {posed, {0, 0, 0}}, aside));
+}
