@@ -25,6 +25,12 @@ deform::Mask mask_of(const std::vector<float>& shares) {
   return whole ? nullptr : std::make_shared<const std::vector<float>>(shares);
 }
 
+// Full up to half of the radius, then smoothly down to none: d is in radii.
+float coverage(double d) {
+  const double t = std::clamp(2 * (1 - d), 0.0, 1.0);
+  return static_cast<float>(t * t * (3 - 2 * t));
+}
+
 bool same(const deform::Mask& a, const deform::Mask& b) {
   return a == b || (a && b && *a == *b);
 }
@@ -70,10 +76,8 @@ void MaskStroke::dab(Document& document, const PosedModel& posed, const mesh::Po
   bool painted = false;
   for (std::size_t v = 0; v < shares_.size(); ++v) {
     const mesh::Point p = posed.at(model, v);
-    const double square =
-        std::pow(p[0] - center[0], 2) + std::pow(p[1] - center[1], 2) + std::pow(p[2] - center[2], 2);
-    const double left = 1 - square / (radius * radius);
-    const auto cover = static_cast<float>(left > 0 ? left * left : 0);
+    const double distance = std::hypot(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
+    const float cover = coverage(distance / radius);
     if (!(cover > covered_[v])) continue;
     covered_[v] = cover;
     const float old = before_.mask ? (*before_.mask)[v] : 1.0f;

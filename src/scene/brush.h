@@ -40,8 +40,8 @@ class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
 
-  /// Vertices nearer than radius to the center take this share, fading out towards the radius. The document
-  /// shows it at once.
+  /// Vertices nearer than half of the radius to the center take this share, those up to the radius the less
+  /// of it the farther they are. The document shows it at once.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
   /// One undoable edit; none if nothing was painted.

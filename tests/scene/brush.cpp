@@ -46,9 +46,9 @@ TEST_CASE("a_stroke_paints_once_however_often_it_goes_over_a_vertex_and_is_one_e
   CHECK((*d.mask)[0] == 0);
   std::size_t partly = 0;
   for (std::size_t v = 0; v < at.size(); ++v) {
-    const double left = std::max(0.0, 1 - std::pow(deform::norm(at[v] - at[0]) / radius, 2));
-    CHECK(static_cast<double>((*d.mask)[v]) == doctest::Approx(1 - left * left).epsilon(0.01));
-    partly += left > 0 && left < 1;
+    const double t = std::clamp(2 - 2 * deform::norm(at[v] - at[0]) / radius, 0.0, 1.0);
+    CHECK(std::abs(double((*d.mask)[v]) - (1 - t * t * (3 - 2 * t))) < 0.5 / mask_steps + 1e-6);
+    partly += t > 0 && t < 1;
   }
   CHECK(partly > 0);
   CHECK(test::edit_count(d.history) == 0);
