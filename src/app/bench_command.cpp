@@ -162,6 +162,7 @@ void add_modes_bench(CLI::App& bench, Action& action) {
   command->add_option("POSE", options->poses, "Posed cages, same vertices in the same order")
       ->default_str("those of the dragon");
   add_method_option(*command, [options](sym3::Method method) { options->settings.method = method; });
+  add_choice_options(*command, options->settings.choice, true);
   add_weighting_options(*command, options->settings.weighting);
   auto iterations = std::make_shared<std::optional<int>>();
   add_stitching_options(*command, *iterations);

@@ -23,20 +23,6 @@ void add_files(CLI::App& app, Inputs& inputs) {
   add_file_option(app, "--pose", inputs.pose, "Posed version of the cage, same vertices in the same order");
 }
 
-// Takes a name of the table.
-template <class Entry, class Choice>
-void add_choice(CLI::App& app, const std::string& name, std::span<const Entry> table,
-                std::optional<Choice>& choice, std::string text) {
-  std::vector<std::string> words;
-  for (const Entry& e : table) {
-    text += (words.empty() ? ": " : ", ") + std::string(e.name) + " (" + std::string(e.sentence) + ")";
-    words.emplace_back(e.name);
-  }
-  auto* option = app.add_option_function<std::string>(
-      name, [&choice, table](const std::string& word) { choice = deform::find_by_name(table, word); }, text);
-  one_of(option, words);
-}
-
 // Percent.
 void add_amount_option(CLI::App& app, const std::string& name, const std::string& what,
                        std::optional<double>& amount) {
@@ -53,10 +39,7 @@ void add_amount_option(CLI::App& app, const std::string& name, const std::string
 
 void add_scheme_options(CLI::App& app, Inputs& inputs) {
   deform::PartialChoice& choice = inputs.settings.choice;
-  add_choice(app, "--elements", deform::all_elements(), choice.elements, "Which maps the cage carries");
-  add_choice(app, "--weights", deform::all_weights(), choice.weights, "How much of each a vertex takes");
-  if (inputs.use != Use::binding)
-    add_choice(app, "--blend", deform::all_blends(), choice.blend, "What of the maps is summed");
+  add_choice_options(app, choice, inputs.use != Use::binding);
   auto* option = app.add_option_function<std::string>(
       "--coordinates",
       [&choice](const std::string& word) { choice = choices(*deform::scheme_of_shorthand(word)); },

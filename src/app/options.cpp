@@ -90,6 +90,31 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
   one_of(option, words)->default_str("fast");
 }
 
+namespace {
+
+// Takes a name of the table.
+template <class Entry, class Choice>
+void add_choice(CLI::App& app, const std::string& name, std::span<const Entry> table,
+                std::optional<Choice>& choice, std::string text) {
+  std::vector<std::string> words;
+  for (const Entry& e : table) {
+    text += (words.empty() ? ": " : ", ") + std::string(e.name) + " (" + std::string(e.sentence) + ")";
+    words.emplace_back(e.name);
+  }
+  auto* option = app.add_option_function<std::string>(
+      name, [&choice, table](const std::string& word) { choice = deform::find_by_name(table, word); }, text);
+  one_of(option, words);
+}
+
+}  // namespace
+
+void add_choice_options(CLI::App& app, deform::PartialChoice& choice, bool with_blend) {
+  add_choice(app, "--elements", deform::all_elements(), choice.elements, "Which maps the cage carries");
+  add_choice(app, "--weights", deform::all_weights(), choice.weights, "How much of each a vertex takes");
+  if (with_blend)
+    add_choice(app, "--blend", deform::all_blends(), choice.blend, "What of the maps is summed");
+}
+
 CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take) {
   const std::string lowest = deform::text_of_reach(deform::lowest_reach);
   return app

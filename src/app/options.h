@@ -38,6 +38,9 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
 /// --stitched, and --iterations NUMBER of it.
 void add_stitching_options(CLI::App& app, std::optional<int>& iterations);
 
+/// --elements, --weights and, if wanted, --blend, by the names of the tables.
+void add_choice_options(CLI::App& app, deform::PartialChoice& choice, bool with_blend);
+
 /// --reach, --radius, --exponent, --clamp and --normalise.
 void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked);
 

@@ -168,6 +168,7 @@ private:
 std::vector<Mode> modes_by_weights(const ModeSettings& settings) {
   std::vector<Mode> modes;
   for (deform::Scheme scheme : deform::all_schemes()) {
+    if (shorthand(scheme) != "mvc" && !fits(settings.choice, scheme)) continue;
     scheme.weighting = with(scheme.weighting, settings.weighting);
     scheme.iterations = settings.iterations;
     if (conflict(scheme)) scheme.iterations = 0;

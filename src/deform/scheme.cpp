@@ -172,12 +172,6 @@ std::vector<Scheme> sensible_schemes() {
   return all;
 }
 
-bool fits(const PartialChoice& choice, const Scheme& s) {
-  return choice.elements.value_or(s.weighting.elements) == s.weighting.elements &&
-         choice.weights.value_or(s.weighting.weights) == s.weighting.weights &&
-         choice.blend.value_or(s.blend) == s.blend;
-}
-
 int in_common(const Scheme& a, const Scheme& b) {
   return (a.weighting.elements == b.weighting.elements) + (a.weighting.weights == b.weighting.weights) +
          (a.blend == b.blend);
@@ -289,6 +283,12 @@ std::optional<Scheme> scheme_of_shorthand(std::string_view word) {
     if (s.word == word) return Scheme{{s.elements, s.weights}, s.blend};
   }
   return std::nullopt;
+}
+
+bool fits(const PartialChoice& choice, const Scheme& s) {
+  return choice.elements.value_or(s.weighting.elements) == s.weighting.elements &&
+         choice.weights.value_or(s.weighting.weights) == s.weighting.weights &&
+         choice.blend.value_or(s.blend) == s.blend;
 }
 
 PartialChoice choices(const Scheme& s) {

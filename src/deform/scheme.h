@@ -200,6 +200,8 @@ inline PartialChoice only(Weights weights) {
 inline PartialChoice only(Blend blend) {
   return {.blend = blend};
 }
+/// True if the scheme has all that is chosen.
+bool fits(const PartialChoice& choice, const Scheme& scheme);
 /// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, the numbers of its
 /// weights, its amounts, and its stitching where that goes with the rest.
 /// Throws base::Error if there is none, saying why.

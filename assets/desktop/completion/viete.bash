@@ -54,7 +54,7 @@ _viete_options() {
     'bench sym3') options+=' --force --count --json' ;;
     'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
     'bench bind') options+=' --force --count --faces --rounds --json' ;;
-    'bench modes') options+=' --force --method --reach --radius --exponent --clamp --normalise --stitched --iterations --rounds --json' ;;
+    'bench modes') options+=' --force --method --elements --weights --blend --reach --radius --exponent --clamp --normalise --stitched --iterations --rounds --json' ;;
     'bench stitched') options+=' --force --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))

@@ -47,7 +47,7 @@ case $command in
   'bench sym3') specs+=($count $json) ;;
   'bench frame') specs+=($meshes $count $json $faces $rounds $tolerance $reach) ;;
   'bench bind') specs+=($meshes $count $json $faces $rounds) ;;
-  'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $reach $limits $stitched $rounds) ;;
+  'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $weighting $blend $reach $limits $stitched $rounds) ;;
   'bench stitched') specs+=($meshes "*:pose:$mesh" $json $rounds) ;;
   'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind modes stitched)') ;;
   *) # view, which may be left out
