@@ -35,8 +35,9 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
         deform::bind(*model, *cage, weighting, EngineKind::staged, binding.get(), pool, &progress));
   }
   if (scheme.stitched() && !bound.stitches(scheme)) {
-    bound.stitching =
-        std::make_shared<const deform::Stitching>(deform::stitch(*model, *cage, weighting.elements, pool));
+    progress.section(progress.done(), 1);
+    bound.stitching = std::make_shared<const deform::Stitching>(
+        deform::stitch(*model, *cage, weighting.elements, pool, {}, &progress));
   }
   return bound;
 }

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 
 #include "deform/bind_kernel-inl.h"
+#include "deform/front_kernel-inl.h"
 #include "deform/integrated_kernel-inl.h"
 #include "deform/mean_value_kernel-inl.h"
 #include "deform/solve_kernel-inl.h"
@@ -19,7 +20,8 @@ static const BindKernel bind = {inverse_distance, inverse_distance_rows,
                                 integrated,       integrated_rows,
                                 mean_value,       to_rows,
                                 take_out,         solve,
-                                solve_columns};
+                                solve_columns,    solve_four,
+                                eliminate,        subtract_product};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -22,6 +22,7 @@ namespace viete::deform {
 
 namespace {
 
+constexpr double found_pins = 0.5;  // of the time
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
 constexpr double indistinguishable = 1e-9;  // distances, in diagonals
@@ -91,8 +92,13 @@ private:
 class StitchMaker {
 public:
   StitchMaker(const mesh::Surface& model, const Cage& cage, Elements elements,
-              const StitchingSettings& settings, base::WorkerPool& pool)
-      : model_(model), cage_(cage), elements_(elements), settings_(settings), pool_(pool) {}
+              const StitchingSettings& settings, base::WorkerPool& pool, base::Progress* progress)
+      : model_(model),
+        cage_(cage),
+        elements_(elements),
+        settings_(settings),
+        pool_(pool),
+        progress_(progress) {}
 
   Stitching make() {
     find_thin();
@@ -100,8 +106,15 @@ public:
     hold_the_rest();
     SparseMatrix matrix = stiffness_matrix(model_.positions, model_.triangles);
     add_diagonal(matrix);
-    Stitching s{entry(elements_).handles, {}, {}, {}, {}, std::move(pins_), {}, std::move(holds_),
-                SparseCholesky(matrix)};
+    Stitching s{entry(elements_).handles,
+                {},
+                {},
+                {},
+                {},
+                std::move(pins_),
+                {},
+                std::move(holds_),
+                SparseCholesky(matrix, pool_, told(progress_, found_pins, 1))};
     fill_triangles(s);
     fill_pinned(s);
     return s;
@@ -121,6 +134,8 @@ private:
     const auto centers = handle_centers(cage_, elements_);
     std::vector<std::vector<Stitching::Pin>> found(centers.size());
     pool_.for_blocks(centers.size(), 1, [&](std::size_t h, std::size_t) {
+      if (progress_)
+        progress_->report(found_pins * static_cast<double>(h) / static_cast<double>(centers.size()));
       if (handle_shape(cage_, entry(elements_).handles, h).weighs)
         found[h] = pins_of(static_cast<std::uint32_t>(h), centers[h]);
     });
@@ -221,6 +236,7 @@ private:
   Elements elements_;
   StitchingSettings settings_;
   base::WorkerPool& pool_;
+  base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
   std::vector<Stitching::Pin> pins_;
   std::vector<Stitching::Hold> holds_;
@@ -235,14 +251,14 @@ std::size_t stitching_bytes(std::size_t vertices) {
 }
 
 Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements, base::WorkerPool& pool,
-                 const StitchingSettings& settings) {
+                 const StitchingSettings& settings, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   const base::MemoryNeed need{static_cast<double>(stitching_bytes(model.positions.size())),
                               "stitching " + std::to_string(model.positions.size()) + " vertices takes",
                               "use a coarser model, or leave stitching off", ""};
   base::require_memory(need);
   try {
-    return StitchMaker(model, cage, elements, settings, pool).make();
+    return StitchMaker(model, cage, elements, settings, pool, progress).make();
   } catch (const std::bad_alloc&) {
     base::refuse_memory(need);
   }

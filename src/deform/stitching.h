@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/binding.h"
 #include "deform/cage_state.h"
@@ -66,9 +67,10 @@ struct Stitching {
 std::size_t stitching_bytes(std::size_t vertices);
 
 /// Of affine elements. Throws base::Error when the model has no vertices, or is so large or so small
-/// (beyond 1e75 and 1e-75) that its system cannot be factored. The same for any number of threads.
+/// (beyond 1e75 and 1e-75) that its system cannot be factored; base::Cancelled. The same for any number of
+/// threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements, base::WorkerPool& pool,
-                 const StitchingSettings& settings = {});
+                 const StitchingSettings& settings = {}, base::Progress* progress = nullptr);
 
 /// The buffers of stitched frames. Not thread-safe; the same bits for any number of threads.
 class Stitcher {

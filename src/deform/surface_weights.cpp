@@ -99,7 +99,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const Cage& cage, const
   } else {
     std::vector<bool> free(is_owned.size());
     for (std::uint32_t v = 0; v < free.size(); ++v) free[v] = held.holds(v) && !is_owned[v];
-    solver_.emplace(grounded(laplacian_.stiffness, free));
+    solver_.emplace(grounded(laplacian_.stiffness, free), pool, told(progress, 0, done));
   }
   for (const auto v : sources(model, laplacian_.stiffness, held)) offsets_.push_back(solver().place(v));
   if (progress) progress->report(done);

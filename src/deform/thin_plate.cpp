@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <string>
 
 #include "base/error.h"
@@ -11,6 +12,8 @@
 namespace viete::deform {
 
 namespace {
+
+constexpr double factored = 0.4;  // of the time until the springs' forces are known
 
 using Columns = std::array<double, solved_columns>;
 
@@ -55,7 +58,7 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
       part_masses_(masses_of_parts(parts, masses_)),
       spring_(spring),
       loads_(std::move(loads)),
-      solver_(grounded(laplacian.stiffness, free_vertices(parts))) {
+      solver_(grounded(laplacian.stiffness, free_vertices(parts)), pool, told(progress, 0, factored * done)) {
   for (std::uint32_t v = 0; v < has_spring.size(); ++v) {
     if (has_spring[v] && parts_.grounds[parts_.of_vertex[v]] != v) springs_.push_back(v);
   }
@@ -63,7 +66,7 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
   base::require_memory({sizeof(double) * count * (3 * count + 2 * static_cast<double>(loads_.size())),
                         "biharmonic weights of " + std::to_string(loads_.size()) + " cage elements take",
                         "use a coarser cage, or other weights", ""});
-  find_forces(stiffness_of_springs(pool, progress, done));
+  find_forces(stiffness_of_springs(pool, progress, factored * done, done));
 }
 
 // Forces whose sum over each part, with that at its ground, is 0 become what they bend the plate to, 0 at the
@@ -90,7 +93,7 @@ void ThinPlate::bend(std::span<double> block) const {
 
 // K, by columns.
 std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress,
-                                                    double done) const {
+                                                    double from, double to) const {
   const std::size_t count = springs_.size();
   std::vector<double> stiffness(count * count);
   std::atomic<std::size_t> solved{0};
@@ -103,7 +106,8 @@ std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base
         stiffness[i * count + j] = block[solver_.place(springs_[j]) + i - begin];
     }
     solved += end - begin;
-    if (progress) progress->report(done * static_cast<double>(solved) / static_cast<double>(count));
+    if (progress)
+      progress->report(std::lerp(from, to, static_cast<double>(solved) / static_cast<double>(count)));
   });
   return stiffness;
 }

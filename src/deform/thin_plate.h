@@ -59,8 +59,8 @@ public:
 
 private:
   void bend(std::span<double> block) const;
-  std::vector<double> stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress,
-                                           double done) const;
+  std::vector<double> stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress, double from,
+                                           double to) const;
   void find_forces(std::vector<double> stiffness);
 
   const std::vector<double> masses_;

@@ -26,10 +26,11 @@ std::vector<MatrixEntry> random_entries(std::uint32_t n, Random& random) {
 }  // namespace
 
 TEST_CASE("sixteen_systems_are_solved_at_once_on_every_instruction_set") {
+  base::WorkerPool pool(1);
   Random random(3);
   for (const std::uint32_t n : {1u, 2u, 3u, 50u, 400u}) {
     const auto entries = random_entries(n, random);
-    const BlockSolver solver(sparse_matrix(n, entries));
+    const BlockSolver solver(sparse_matrix(n, entries), pool);
     CHECK(solver.unknowns() == n);
     for (const auto& kernel : sym3::kernels()) {
       base::AlignedVector<double> x(n * solved_columns), block(n * solved_columns, 0.0);
@@ -50,8 +51,9 @@ TEST_CASE("sixteen_systems_are_solved_at_once_on_every_instruction_set") {
 }
 
 TEST_CASE("only_the_lower_triangle_of_a_system_is_read") {
+  base::WorkerPool pool(1);
   const BlockSolver solver(
-      sparse_matrix(2, std::vector<MatrixEntry>{{0, 0, 2}, {1, 0, 1}, {1, 1, 3}, {0, 1, 77}}));
+      sparse_matrix(2, std::vector<MatrixEntry>{{0, 0, 2}, {1, 0, 1}, {1, 1, 3}, {0, 1, 77}}), pool);
   base::AlignedVector<double> block(2 * solved_columns, 0.0);
   block[solver.place(0)] = 5, block[solver.place(1)] = 10;  // (1, 3)
   solver.solve(block, bind_kernel(sym3::kernel()));
@@ -60,9 +62,10 @@ TEST_CASE("only_the_lower_triangle_of_a_system_is_read") {
 }
 
 TEST_CASE("systems_that_are_not_positive_definite_are_refused") {
+  base::WorkerPool pool(1);
   using Entries = std::vector<MatrixEntry>;
   for (const Entries& entries : {Entries{{0, 0, 1}, {1, 1, 0}}, Entries{{0, 0, 1}, {1, 1, -1}},
                                  Entries{{0, 0, 1}, {1, 0, 2}, {1, 1, 1}}, Entries{{0, 0, NAN}, {1, 1, 1}}}) {
-    CHECK_THROWS_AS(BlockSolver(sparse_matrix(2, entries)), base::Error);
+    CHECK_THROWS_AS(BlockSolver(sparse_matrix(2, entries), pool), base::Error);
   }
 }

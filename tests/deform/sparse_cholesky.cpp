@@ -46,9 +46,10 @@ Columns as_eigen_columns(std::span<const Vec3> rows) {
 }  // namespace
 
 TEST_CASE("three_columns_at_once_are_eigens_one_by_one") {
+  base::WorkerPool pool(1);
   for (const double firmness : {1.0, 1e-3}) {
     const SparseMatrix k = firm_stiffness(test::tube(40, 31, 0.7, 5), firmness, 7);
-    const SparseCholesky factors(k);
+    const SparseCholesky factors(k, pool);
     const auto b = random_columns(k.size());
     std::vector<Vec3> x(k.size());
     SparseCholesky::Workspace work;
@@ -68,11 +69,12 @@ TEST_CASE("three_columns_at_once_are_eigens_one_by_one") {
 }
 
 TEST_CASE("systems_of_no_row_of_one_and_of_parts_are_solved") {
+  base::WorkerPool pool(1);
   SparseCholesky::Workspace work;
-  SparseCholesky(SparseMatrix{}).solve({}, {}, work);
+  SparseCholesky(SparseMatrix{}, pool).solve({}, {}, work);
   const SparseMatrix one{{0, 1}, {0}, {4}};
   std::vector<Vec3> x = {{8, -4, 2}};
-  SparseCholesky(one).solve(x, x, work);
+  SparseCholesky(one, pool).solve(x, x, work);
   CHECK(x[0] == Vec3{2, -1, 0.5});
   // Two bodies, and a vertex of none.
   mesh::Surface parts = test::together(test::box(), test::box({1, 1, 1}, {5, 0, 0}));
@@ -80,22 +82,23 @@ TEST_CASE("systems_of_no_row_of_one_and_of_parts_are_solved") {
   const SparseMatrix k = firm_stiffness(parts, 0.25);
   const std::vector<Vec3> b(k.size(), Vec3{1, 2, 3});
   std::vector<Vec3> all(k.size());
-  SparseCholesky(k).solve(b, all, work);
+  SparseCholesky(k, pool).solve(b, all, work);
   for (const Vec3& row : all) CHECK(norm(row - Vec3{4, 8, 12}) < 1e-13);  // K 1 = 0
 }
 
 TEST_CASE("a_matrix_that_is_not_positive_definite_is_refused_by_the_row_that_is_not_determined") {
+  base::WorkerPool pool(1);
   mesh::Surface parts = test::together(test::box(), test::box({1, 1, 1}, {5, 0, 0}));
   SparseMatrix k = stiffness_matrix(parts.positions, parts.triangles);
   k.values[0] += 1;  // the first part is held, the second is not
   REQUIRE(k.rows[0] == 0);
-  CHECK_THROWS_AS(SparseCholesky{k}, base::Error);
-  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {0}}), base::Error);
-  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {-1}}), base::Error);
-  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {NAN}}), base::Error);
-  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 2, 4}, {0, 1, 0, 1}, {1, 2, 2, 1}}), base::Error);
+  CHECK_THROWS_AS(SparseCholesky(k, pool), base::Error);
+  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {0}}, pool), base::Error);
+  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {-1}}, pool), base::Error);
+  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {NAN}}, pool), base::Error);
+  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 2, 4}, {0, 1, 0, 1}, {1, 2, 2, 1}}, pool), base::Error);
   try {
-    SparseCholesky{k};
+    SparseCholesky(k, pool);
     FAIL("must be refused");
   } catch (const base::Error& error) {
     const std::string place = error.place();

@@ -1,0 +1,516 @@
+#include "deform/sparse_factor.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace viete::deform {
+
+namespace {
+
+constexpr std::uint32_t no_parent = 0xffffffff;
+constexpr std::size_t eliminated_at_once = 32, longest_product = 256;
+constexpr double step = 4e6;    // multiplications between two reports, about
+constexpr double small = 2e7;   // multiplications that are not shared among threads
+constexpr double tasks = 64;    // subtrees have at most one part in so many of the work
+constexpr double before = 0.3;  // what comes before the numbers, of the time
+
+std::size_t padded(std::size_t rows) {
+  return (rows + front_lanes - 1) / front_lanes * front_lanes;
+}
+
+std::size_t groups(std::size_t columns) {
+  return (columns + column_group - 1) / column_group;
+}
+
+// Multiplications, and what else a node takes, as if it were some.
+double work_of(const Supernode& node) {
+  const double b = node.below, m = node.columns + b;
+  return (m * m * m - b * b * b) / 6 + b * b / 2 + 1e3;
+}
+
+/// Which columns have entries in which rows: parents in the elimination tree, a column's first row below.
+class Structure {
+public:
+  Structure(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order, const FactorReport& report)
+      : neighbours_(neighbours), report_(report), order_(std::move(order)), place_(inverted(order_)) {
+    find_parents();
+    renumber(postorder());
+    count_rows();
+  }
+
+  std::size_t size() const { return order_.size(); }
+  const std::vector<std::uint32_t>& order() const { return order_; }
+  std::uint32_t place(std::uint32_t unknown) const { return place_[unknown]; }
+  std::uint32_t parent(std::size_t column) const { return parents_[column]; }
+  /// Of a column, below its diagonal.
+  std::uint32_t count(std::size_t column) const { return counts_[column]; }
+
+  /// visit(place) of the neighbours of what is in this place.
+  template <class Visit>
+  void for_neighbours(std::uint32_t at, const Visit& visit) const {
+    for (const auto u : neighbours_.of(order_[at])) visit(place_[u]);
+  }
+
+private:
+  void tell(std::uint32_t at) const {
+    if (report_ && at % 1024 == 0) report_(0);
+  }
+
+  // With shortcuts to ancestors.
+  void find_parents() {
+    parents_.assign(size(), no_parent);
+    std::vector<std::uint32_t> ancestors(size(), no_parent);
+    for (std::uint32_t row = 0; row < size(); ++row) {
+      tell(row);
+      for_neighbours(row, [&](std::uint32_t at) {
+        while (at < row && at != no_parent) {
+          const auto next = std::exchange(ancestors[at], row);
+          if (next == no_parent) parents_[at] = row;
+          at = next;
+        }
+      });
+    }
+  }
+
+  std::vector<std::uint32_t> postorder() const {
+    std::vector<std::uint32_t> child(size(), no_parent), sibling(size(), no_parent), result, path;
+    result.reserve(size());
+    for (auto v = static_cast<std::uint32_t>(size()); v-- > 0;) {
+      if (parents_[v] != no_parent) sibling[v] = std::exchange(child[parents_[v]], v);
+    }
+    for (std::uint32_t root = 0; root < size(); ++root) {
+      if (parents_[root] != no_parent) continue;
+      path.push_back(root);
+      while (!path.empty()) {
+        const auto next = std::exchange(child[path.back()], no_parent);
+        if (next != no_parent) {
+          path.push_back(next);
+          child[path[path.size() - 2]] = sibling[next];
+        } else {
+          result.push_back(path.back()), path.pop_back();
+        }
+      }
+    }
+    return result;
+  }
+
+  void renumber(const std::vector<std::uint32_t>& sequence) {
+    const auto number = inverted(sequence);
+    std::vector<std::uint32_t> order, parents;
+    for (const auto v : sequence) {
+      order.push_back(order_[v]);
+      parents.push_back(parents_[v] == no_parent ? no_parent : number[parents_[v]]);
+    }
+    order_ = std::move(order), parents_ = std::move(parents);
+    place_ = inverted(order_);
+  }
+
+  // A row has entries in what is between its neighbours and itself in the tree.
+  void count_rows() {
+    counts_.assign(size(), 0);
+    std::vector<std::uint32_t> seen(size(), no_parent);
+    for (std::uint32_t row = 0; row < size(); ++row) {
+      tell(row);
+      seen[row] = row;
+      for_neighbours(row, [&](std::uint32_t at) {
+        for (; at < row && seen[at] != row; at = parents_[at]) seen[at] = row, ++counts_[at];
+      });
+    }
+  }
+
+  const mesh::Adjacency& neighbours_;
+  const FactorReport& report_;
+  std::vector<std::uint32_t> order_, place_, parents_, counts_;
+};
+
+// Columns one after the other that are worth a dense block together: the zeros that this adds are few.
+class SupernodeFinder {
+public:
+  explicit SupernodeFinder(const Structure& structure) : structure_(structure) {}
+
+  std::vector<Supernode> find() {
+    for (std::uint32_t c = 0; c < structure_.size(); ++c) {
+      found_.push_back({{c, 1, structure_.count(c), 0, 0}, 1.0 * structure_.count(c)});
+      while (found_.size() > 1 && joined()) {
+      }
+    }
+    std::vector<Supernode> supernodes;
+    for (const auto& [node, entries] : found_) supernodes.push_back(node);
+    return supernodes;
+  }
+
+private:
+  struct Found {
+    Supernode node;
+    double entries;  // that are not 0
+  };
+
+  bool joined() {
+    Found& upper = found_.back();
+    Found& lower = found_[found_.size() - 2];
+    const auto parent = structure_.parent(upper.node.first - 1);
+    if (parent == no_parent || parent >= upper.node.first + upper.node.columns) return false;
+    const Supernode both{lower.node.first, lower.node.columns + upper.node.columns, upper.node.below, 0, 0};
+    const double entries = lower.entries + upper.entries, all = static_cast<double>(both.entries());
+    if (all - entries > share_of_zeros(both.columns) * all) return false;
+    lower = {both, entries};
+    found_.pop_back();
+    return true;
+  }
+
+  static double share_of_zeros(std::uint32_t columns) {
+    return columns <= 8 ? 0.25 : columns <= 32 ? 0.12 : 0.04;
+  }
+
+  const Structure& structure_;
+  std::vector<Found> found_;
+};
+
+/// The supernodes' tree, and where everything lies.
+class Plan {
+public:
+  Plan(const Structure& structure, SparseFactor& factor, const FactorReport& report)
+      : structure_(structure), factor_(factor), report_(report) {
+    factor.supernodes = SupernodeFinder(structure).find();
+    const auto count = static_cast<std::uint32_t>(factor.supernodes.size());
+    of_column_.resize(structure.size());
+    for (std::uint32_t s = 0; s < count; ++s)
+      std::fill_n(of_column_.begin() + factor.supernodes[s].first, factor.supernodes[s].columns, s);
+    for (std::uint32_t s = 0; s < count; ++s) {
+      const Supernode& node = factor.supernodes[s];
+      const auto parent = structure.parent(node.first + node.columns - 1);
+      parents_.push_back(parent == no_parent ? no_parent : of_column_[parent]);
+    }
+    children_ = mesh::make_adjacency(count, [&](const auto& add) {
+      for (std::uint32_t s = 0; s < count; ++s) {
+        if (parents_[s] != no_parent) add(parents_[s], s);
+      }
+    });
+    place_values();
+    find_rows();
+  }
+
+  std::span<const std::uint32_t> children(std::size_t node) const { return children_.of(node); }
+  std::uint32_t parent(std::size_t node) const { return parents_[node]; }
+
+private:
+  void place_values() {
+    std::size_t rows = 0, values = 0;
+    for (Supernode& node : factor_.supernodes) {
+      node.rows = rows, node.values = values;
+      rows += node.below, values += node.entries();
+    }
+    factor_.rows.resize(rows);
+    factor_.values.resize(values);
+  }
+
+  void find_rows() {
+    std::vector<std::uint32_t> seen(structure_.size(), no_parent), rows;
+    for (std::uint32_t s = 0; s < factor_.supernodes.size(); ++s) {
+      if (report_ && s % 256 == 0) report_(0);
+      const Supernode& node = factor_.supernodes[s];
+      const auto end = node.first + node.columns;
+      rows.clear();
+      const auto add = [&](std::uint32_t row) {
+        if (row >= end && std::exchange(seen[row], s) != s) rows.push_back(row);
+      };
+      for (auto c = node.first; c < end; ++c) structure_.for_neighbours(c, add);
+      for (const auto child : children(s)) {
+        const Supernode& below = factor_.supernodes[child];
+        std::for_each_n(factor_.rows.begin() + std::ptrdiff_t(below.rows), below.below, add);
+      }
+      std::ranges::sort(rows);
+      std::ranges::copy(rows, factor_.rows.begin() + std::ptrdiff_t(node.rows));
+    }
+  }
+
+  const Structure& structure_;
+  SparseFactor& factor_;
+  const FactorReport& report_;
+  std::vector<std::uint32_t> of_column_, parents_;
+  mesh::Adjacency children_;
+};
+
+/// The lower triangle in the order of the factor.
+SparseMatrix permuted(const SparseMatrix& matrix, const Structure& structure) {
+  const auto n = static_cast<std::uint32_t>(matrix.size());
+  SparseMatrix result;
+  result.starts.assign(n + 1, 0);
+  const auto for_lower = [&](const auto& visit) {
+    for (std::uint32_t v = 0; v < n; ++v) {
+      const auto at = structure.place(v);
+      for_column(matrix, v, [&](std::uint32_t row, double value) {
+        if (row >= v) visit(std::minmax(at, structure.place(row)), value);
+      });
+    }
+  };
+  for_lower([&](const auto& places, double) { ++result.starts[places.first + 1]; });
+  std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
+  result.rows.resize(static_cast<std::size_t>(result.starts.back()));
+  result.values.resize(result.rows.size());
+  std::vector<std::int32_t> next(result.starts.begin(), result.starts.end() - 1);
+  for_lower([&](const auto& places, double value) {
+    const auto i = static_cast<std::size_t>(next[places.first]++);
+    result.rows[i] = static_cast<std::int32_t>(places.second), result.values[i] = value;
+  });
+  return result;
+}
+
+/// What a supernode's front takes from those below it it leaves behind for its parent: the lower triangle of
+/// its rows.
+struct Update {
+  base::AlignedVector<double> values;
+
+  void begin(std::size_t rows) { values.assign(padded(rows) * padded(rows), 0.0); }
+  Front front(std::size_t rows) { return {values.data(), padded(rows)}; }
+};
+
+/// What one thread needs for one front at a time.
+struct Bench {
+  explicit Bench(std::size_t n) : position(n) {}
+
+  std::vector<std::uint32_t> position;  // of the rows of a front, in it
+  std::vector<std::uint32_t> rows;      // of a child
+  base::AlignedVector<double> panel, right;
+  double work = 0;  // that was not told yet
+};
+
+class Elimination {
+public:
+  Elimination(const SparseMatrix& matrix, const Plan& plan, SparseFactor& factor, base::WorkerPool& pool,
+              const FactorReport& report, const BindKernel& kernel)
+      : matrix_(matrix),
+        plan_(plan),
+        factor_(factor),
+        pool_(pool),
+        report_(report),
+        kernel_(kernel),
+        updates_(factor.supernodes.size()),
+        work_(factor.supernodes.size()) {
+    factor.pivots.resize(factor.size());
+    factor.inverse.resize(factor.size());
+    for (std::size_t s = 0; s < work_.size(); ++s) {
+      const double work = work_of(factor.supernodes[s]);
+      work_[s] += work, total_ += work;
+      if (plan.parent(s) != no_parent) work_[plan.parent(s)] += work_[s];
+    }
+  }
+
+  void run() {
+    const auto roots = task_roots();
+    std::atomic<std::size_t> next{0};
+    const auto threads = static_cast<std::size_t>(pool_.threads());
+    pool_.for_blocks(threads, 1, [&](std::size_t, std::size_t) {
+      Bench bench(factor_.size());
+      for (std::size_t i; (i = next++) < roots.size();) eliminate_subtree(roots[i], bench);
+    });
+    shared_ = threads > 1;
+    Bench bench(factor_.size());
+    for (std::uint32_t s = 0; s < work_.size(); ++s) {
+      if (work_[s] > largest_task()) eliminate(s, bench);
+    }
+  }
+
+private:
+  double largest_task() const { return total_ / tasks; }
+
+  // The largest first.
+  std::vector<std::uint32_t> task_roots() const {
+    std::vector<std::uint32_t> roots;
+    for (std::uint32_t s = 0; s < work_.size(); ++s) {
+      const auto parent = plan_.parent(s);
+      if (work_[s] <= largest_task() && (parent == no_parent || work_[parent] > largest_task()))
+        roots.push_back(s);
+    }
+    std::ranges::stable_sort(roots, std::greater(), [&](auto s) { return work_[s]; });
+    return roots;
+  }
+
+  // Parents come after their children, and nothing in between.
+  void eliminate_subtree(std::uint32_t root, Bench& bench) {
+    auto first = root;
+    while (!plan_.children(first).empty()) first = plan_.children(first).front();
+    for (auto s = first; s <= root; ++s) eliminate(s, bench);
+  }
+
+  void tell(double work, Bench& bench) {
+    bench.work += work;
+    if (bench.work < step) return;
+    const double done = (done_ += std::exchange(bench.work, 0)) / total_;
+    if (report_) report_(std::min(1.0, done));
+  }
+
+  void eliminate(std::uint32_t s, Bench& bench) {
+    const Supernode& node = factor_.supernodes[s];
+    const Front panel = assemble(s, bench);
+    eliminate_columns(node, panel, bench);
+    Front update = updates_[s].front(node.below);
+    Front left{panel.values + padded(node.columns), panel.stride};
+    subtract(left, node.below, node.columns, factor_.pivots.data() + node.first, update, bench);
+    keep(node, panel);
+    tell(1e3, bench);
+  }
+
+  Front assemble(std::uint32_t s, Bench& bench) {
+    const Supernode& node = factor_.supernodes[s];
+    const std::size_t top = padded(node.columns), stride = top + padded(node.below);
+    bench.panel.assign(stride * top, 0.0);
+    updates_[s].begin(node.below);
+    const std::uint32_t* rows = factor_.rows.data() + node.rows;
+    for (std::uint32_t i = 0; i < node.columns; ++i) bench.position[node.first + i] = i;
+    for (std::uint32_t i = 0; i < node.below; ++i)
+      bench.position[rows[i]] = static_cast<std::uint32_t>(top + i);
+    for (std::uint32_t c = 0; c < node.columns; ++c) {
+      for_column(matrix_, node.first + c, [&](std::uint32_t row, double value) {
+        bench.panel[c * stride + bench.position[row]] += value;
+      });
+    }
+    const Front panel{bench.panel.data(), stride};
+    for (const auto child : plan_.children(s)) {
+      add_child(child, panel, updates_[s].front(node.below), top, bench);
+      updates_[child] = {};
+    }
+    return panel;
+  }
+
+  void add_child(std::uint32_t s, const Front& panel, const Front& update, std::size_t top, Bench& bench) {
+    const Supernode& child = factor_.supernodes[s];
+    const Front from = updates_[s].front(child.below);
+    bench.rows.resize(child.below);
+    for (std::uint32_t i = 0; i < child.below; ++i)
+      bench.rows[i] = bench.position[factor_.rows[child.rows + i]];
+    for (std::size_t j = 0; j < child.below; ++j) {
+      const std::size_t at = bench.rows[j];
+      double* into =
+          at < top ? panel.values + at * panel.stride : update.values + (at - top) * update.stride - top;
+      const double* column = from.values + j * from.stride;
+      for (std::size_t i = j; i < child.below; ++i) into[bench.rows[i]] += column[i];
+    }
+    tell(0.5 * child.below * child.below, bench);
+  }
+
+  void eliminate_columns(const Supernode& node, const Front& panel, Bench& bench) {
+    double* pivots = factor_.pivots.data() + node.first;
+    for (std::size_t begin = 0; begin < node.columns; begin += eliminated_at_once) {
+      const std::size_t end = std::min<std::size_t>(begin + eliminated_at_once, node.columns);
+      kernel_.eliminate(panel, begin, end, pivots);
+      const std::size_t rows = panel.stride - begin, columns = end - begin;
+      tell(static_cast<double>(columns * columns * rows) / 2, bench);
+      const Front left{panel.values + begin * panel.stride + end, panel.stride};
+      const Front into{panel.values + end * panel.stride + end, panel.stride};
+      if (end < node.columns)
+        subtract_part(left, panel.stride - end, node.columns - end, columns, pivots + begin, into, bench);
+    }
+  }
+
+  // into -= left D left^T, of rows x rows.
+  void subtract(Front left, std::size_t rows, std::size_t depth, const double* pivots, const Front& into,
+                Bench& bench) {
+    for (std::size_t p = 0; p < depth; p += longest_product) {
+      const Front part{left.values + p * left.stride, left.stride};
+      subtract_part(part, padded(rows), rows, std::min(longest_product, depth - p), pivots + p, into, bench);
+    }
+  }
+
+  void subtract_part(const Front& left, std::size_t rows, std::size_t columns, std::size_t depth,
+                     const double* pivots, const Front& into, Bench& bench) {
+    const std::size_t count = groups(columns);
+    bench.right.assign(count * column_group * depth, 0.0);
+    for (std::size_t p = 0; p < depth; ++p) {
+      const double* column = left.values + p * left.stride;
+      for (std::size_t j = 0; j < columns; ++j)
+        bench.right[(j / column_group * depth + p) * column_group + j % column_group] = pivots[p] * column[j];
+    }
+    const ProductJob job{into, left, rows, bench.right.data(), depth};
+    const auto work = [&](std::size_t begin, std::size_t end) {
+      return static_cast<double>(column_group * depth * (end - begin)) *
+             (static_cast<double>(rows) - 2 * static_cast<double>(begin + end));
+    };
+    const auto at_once = static_cast<std::size_t>(std::max(1.0, step / work(0, 1)));
+    const auto subtract_from = [&](std::size_t g, Bench& teller) {
+      const std::size_t end = std::min(g + at_once, count);
+      kernel_.subtract_product(job, g, end);
+      tell(work(g, end), teller);
+    };
+    if (!shared_ || work(0, count) < small) {
+      for (std::size_t g = 0; g < count; g += at_once) subtract_from(g, bench);
+      return;
+    }
+    std::atomic<std::size_t> next{0};
+    pool_.for_blocks(static_cast<std::size_t>(pool_.threads()), 1, [&](std::size_t, std::size_t) {
+      Bench teller(0);
+      for (std::size_t g; (g = next.fetch_add(at_once)) < count;) subtract_from(g, teller);
+    });
+  }
+
+  void keep(const Supernode& node, const Front& panel) {
+    double* value = factor_.values.data() + node.values;
+    const std::size_t top = padded(node.columns);
+    for (std::size_t begin = 0; begin < node.columns; begin += column_group) {
+      const std::size_t end = std::min<std::size_t>(begin + column_group, node.columns);
+      const auto take = [&](std::size_t row, std::size_t until) {
+        for (std::size_t c = begin; c < until; ++c) *value++ = panel.values[c * panel.stride + row];
+      };
+      for (std::size_t r = begin + 1; r < node.columns; ++r) take(r, std::min(r, end));
+      for (std::size_t r = top; r < top + node.below; ++r) take(r, end);
+    }
+    for (auto c = node.first; c < node.first + node.columns; ++c) factor_.inverse[c] = 1 / factor_.pivots[c];
+  }
+
+  const SparseMatrix& matrix_;  // permuted
+  const Plan& plan_;
+  SparseFactor& factor_;
+  base::WorkerPool& pool_;
+  const FactorReport& report_;
+  const BindKernel& kernel_;
+  std::vector<Update> updates_;
+  std::vector<double> work_;  // of what is below each node, itself included
+  double total_ = 0;
+  std::atomic<double> done_{0};
+  bool shared_ = false;
+};
+
+FactorReport part_of(const FactorReport& report, double from, double to) {
+  if (!report) return {};
+  return [&report, from, to](double done) { report(std::lerp(from, to, done)); };
+}
+
+}  // namespace
+
+FactorReport told(base::Progress* progress, double from, double to) {
+  if (!progress) return {};
+  return [=](double done) { progress->report(std::lerp(from, to, done)); };
+}
+
+std::vector<std::uint32_t> inverted(const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  return place;
+}
+
+SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report) {
+  const mesh::Adjacency neighbours = neighbours_of_unknowns(matrix);
+  auto order = elimination_order(neighbours, pool, part_of(report, 0, before));
+  return factor(matrix, neighbours, std::move(order), pool, part_of(report, before, 1));
+}
+
+SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbours,
+                    std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report,
+                    const BindKernel& kernel) {
+  SparseFactor result;
+  const Structure structure(neighbours, std::move(order), report);
+  const Plan plan(structure, result, report);
+  result.order = structure.order();
+  if (report) report(0);
+  const SparseMatrix lower = permuted(matrix, structure);
+  if (report) report(0);
+  Elimination(lower, plan, result, pool, report, kernel).run();
+  return result;
+}
+
+}  // namespace viete::deform
