@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::uint32_t no_parent = 0xffffffff;
 constexpr std::size_t eliminated_at_once = 32, longest_product = 256;
-constexpr double step = 4e6;    // multiplications between two reports, about
-constexpr double small = 2e7;   // multiplications that are not shared among threads
-constexpr double tasks = 64;    // subtrees have at most one part in so many of the work
-constexpr double before = 0.3;  // what comes before the numbers, of the time
+constexpr double step = 4e6;     // multiplications between two reports, about
+constexpr double small = 2e7;    // multiplications that are not shared among threads
+constexpr double tasks = 64;     // subtrees have at most one part in so many of the work
+constexpr double before = 0.45;  // what comes before the numbers, of the time
 
 std::size_t padded(std::size_t rows) {
   return (rows + front_lanes - 1) / front_lanes * front_lanes;
@@ -271,8 +271,8 @@ struct Update {
 };
 
 /// What one thread needs for one front at a time.
-struct Bench {
-  explicit Bench(std::size_t n) : position(n) {}
+struct Scratch {
+  explicit Scratch(std::size_t n) : position(n) {}
 
   std::vector<std::uint32_t> position;  // of the rows of a front, in it
   std::vector<std::uint32_t> rows;      // of a child
@@ -306,13 +306,13 @@ public:
     std::atomic<std::size_t> next{0};
     const auto threads = static_cast<std::size_t>(pool_.threads());
     pool_.for_blocks(threads, 1, [&](std::size_t, std::size_t) {
-      Bench bench(factor_.size());
-      for (std::size_t i; (i = next++) < roots.size();) eliminate_subtree(roots[i], bench);
+      Scratch scratch(factor_.size());
+      for (std::size_t i; (i = next++) < roots.size();) eliminate_subtree(roots[i], scratch);
     });
     shared_ = threads > 1;
-    Bench bench(factor_.size());
+    Scratch scratch(factor_.size());
     for (std::uint32_t s = 0; s < work_.size(); ++s) {
-      if (work_[s] > largest_task()) eliminate(s, bench);
+      if (work_[s] > largest_task()) eliminate(s, scratch);
     }
   }
 
@@ -332,119 +332,122 @@ private:
   }
 
   // Parents come after their children, and nothing in between.
-  void eliminate_subtree(std::uint32_t root, Bench& bench) {
+  void eliminate_subtree(std::uint32_t root, Scratch& scratch) {
     auto first = root;
     while (!plan_.children(first).empty()) first = plan_.children(first).front();
-    for (auto s = first; s <= root; ++s) eliminate(s, bench);
+    for (auto s = first; s <= root; ++s) eliminate(s, scratch);
   }
 
-  void tell(double work, Bench& bench) {
-    bench.work += work;
-    if (bench.work < step) return;
-    const double done = (done_ += std::exchange(bench.work, 0)) / total_;
+  void tell(double work, Scratch& scratch) {
+    scratch.work += work;
+    if (scratch.work < step) return;
+    const double done = (done_ += std::exchange(scratch.work, 0)) / total_;
     if (report_) report_(std::min(1.0, done));
   }
 
-  void eliminate(std::uint32_t s, Bench& bench) {
+  void eliminate(std::uint32_t s, Scratch& scratch) {
     const Supernode& node = factor_.supernodes[s];
-    const Front panel = assemble(s, bench);
-    eliminate_columns(node, panel, bench);
+    const Front panel = assemble(s, scratch);
+    eliminate_columns(node, panel, scratch);
     Front update = updates_[s].front(node.below);
     Front left{panel.values + padded(node.columns), panel.stride};
-    subtract(left, node.below, node.columns, factor_.pivots.data() + node.first, update, bench);
+    subtract(left, node.below, node.columns, factor_.pivots.data() + node.first, update, scratch);
     keep(node, panel);
-    tell(1e3, bench);
+    tell(1e3, scratch);
   }
 
-  Front assemble(std::uint32_t s, Bench& bench) {
+  Front assemble(std::uint32_t s, Scratch& scratch) {
     const Supernode& node = factor_.supernodes[s];
     const std::size_t top = padded(node.columns), stride = top + padded(node.below);
-    bench.panel.assign(stride * top, 0.0);
+    scratch.panel.assign(stride * top, 0.0);
     updates_[s].begin(node.below);
     const std::uint32_t* rows = factor_.rows.data() + node.rows;
-    for (std::uint32_t i = 0; i < node.columns; ++i) bench.position[node.first + i] = i;
+    for (std::uint32_t i = 0; i < node.columns; ++i) scratch.position[node.first + i] = i;
     for (std::uint32_t i = 0; i < node.below; ++i)
-      bench.position[rows[i]] = static_cast<std::uint32_t>(top + i);
+      scratch.position[rows[i]] = static_cast<std::uint32_t>(top + i);
     for (std::uint32_t c = 0; c < node.columns; ++c) {
       for_column(matrix_, node.first + c, [&](std::uint32_t row, double value) {
-        bench.panel[c * stride + bench.position[row]] += value;
+        scratch.panel[c * stride + scratch.position[row]] += value;
       });
     }
-    const Front panel{bench.panel.data(), stride};
+    const Front panel{scratch.panel.data(), stride};
     for (const auto child : plan_.children(s)) {
-      add_child(child, panel, updates_[s].front(node.below), top, bench);
+      add_child(child, panel, updates_[s].front(node.below), top, scratch);
       updates_[child] = {};
     }
     return panel;
   }
 
-  void add_child(std::uint32_t s, const Front& panel, const Front& update, std::size_t top, Bench& bench) {
+  void add_child(std::uint32_t s, const Front& panel, const Front& update, std::size_t top,
+                 Scratch& scratch) {
     const Supernode& child = factor_.supernodes[s];
     const Front from = updates_[s].front(child.below);
-    bench.rows.resize(child.below);
+    scratch.rows.resize(child.below);
     for (std::uint32_t i = 0; i < child.below; ++i)
-      bench.rows[i] = bench.position[factor_.rows[child.rows + i]];
+      scratch.rows[i] = scratch.position[factor_.rows[child.rows + i]];
     for (std::size_t j = 0; j < child.below; ++j) {
-      const std::size_t at = bench.rows[j];
+      const std::size_t at = scratch.rows[j];
       double* into =
           at < top ? panel.values + at * panel.stride : update.values + (at - top) * update.stride - top;
       const double* column = from.values + j * from.stride;
-      for (std::size_t i = j; i < child.below; ++i) into[bench.rows[i]] += column[i];
+      for (std::size_t i = j; i < child.below; ++i) into[scratch.rows[i]] += column[i];
     }
-    tell(0.5 * child.below * child.below, bench);
+    tell(0.5 * child.below * child.below, scratch);
   }
 
-  void eliminate_columns(const Supernode& node, const Front& panel, Bench& bench) {
+  void eliminate_columns(const Supernode& node, const Front& panel, Scratch& scratch) {
     double* pivots = factor_.pivots.data() + node.first;
     for (std::size_t begin = 0; begin < node.columns; begin += eliminated_at_once) {
       const std::size_t end = std::min<std::size_t>(begin + eliminated_at_once, node.columns);
       kernel_.eliminate(panel, begin, end, pivots);
       const std::size_t rows = panel.stride - begin, columns = end - begin;
-      tell(static_cast<double>(columns * columns * rows) / 2, bench);
+      tell(static_cast<double>(columns * columns * rows) / 2, scratch);
       const Front left{panel.values + begin * panel.stride + end, panel.stride};
       const Front into{panel.values + end * panel.stride + end, panel.stride};
       if (end < node.columns)
-        subtract_part(left, panel.stride - end, node.columns - end, columns, pivots + begin, into, bench);
+        subtract_part(left, panel.stride - end, node.columns - end, columns, pivots + begin, into, scratch);
     }
   }
 
   // into -= left D left^T, of rows x rows.
   void subtract(Front left, std::size_t rows, std::size_t depth, const double* pivots, const Front& into,
-                Bench& bench) {
+                Scratch& scratch) {
     for (std::size_t p = 0; p < depth; p += longest_product) {
       const Front part{left.values + p * left.stride, left.stride};
-      subtract_part(part, padded(rows), rows, std::min(longest_product, depth - p), pivots + p, into, bench);
+      subtract_part(part, padded(rows), rows, std::min(longest_product, depth - p), pivots + p, into,
+                    scratch);
     }
   }
 
   void subtract_part(const Front& left, std::size_t rows, std::size_t columns, std::size_t depth,
-                     const double* pivots, const Front& into, Bench& bench) {
+                     const double* pivots, const Front& into, Scratch& scratch) {
     const std::size_t count = groups(columns);
-    bench.right.assign(count * column_group * depth, 0.0);
+    scratch.right.assign(count * column_group * depth, 0.0);
     for (std::size_t p = 0; p < depth; ++p) {
       const double* column = left.values + p * left.stride;
       for (std::size_t j = 0; j < columns; ++j)
-        bench.right[(j / column_group * depth + p) * column_group + j % column_group] = pivots[p] * column[j];
+        scratch.right[(j / column_group * depth + p) * column_group + j % column_group] =
+            pivots[p] * column[j];
     }
-    const ProductJob job{into, left, rows, bench.right.data(), depth};
+    const ProductJob job{into, left, rows, scratch.right.data(), depth};
     const auto work = [&](std::size_t begin, std::size_t end) {
       return static_cast<double>(column_group * depth * (end - begin)) *
              (static_cast<double>(rows) - 2 * static_cast<double>(begin + end));
     };
     const auto at_once = static_cast<std::size_t>(std::max(1.0, step / work(0, 1)));
-    const auto subtract_from = [&](std::size_t g, Bench& teller) {
+    const auto subtract_from = [&](std::size_t g, Scratch& used) {
       const std::size_t end = std::min(g + at_once, count);
       kernel_.subtract_product(job, g, end);
-      tell(work(g, end), teller);
+      tell(work(g, end), used);
     };
     if (!shared_ || work(0, count) < small) {
-      for (std::size_t g = 0; g < count; g += at_once) subtract_from(g, bench);
+      for (std::size_t g = 0; g < count; g += at_once) subtract_from(g, scratch);
       return;
     }
     std::atomic<std::size_t> next{0};
     pool_.for_blocks(static_cast<std::size_t>(pool_.threads()), 1, [&](std::size_t, std::size_t) {
-      Bench teller(0);
-      for (std::size_t g; (g = next.fetch_add(at_once)) < count;) subtract_from(g, teller);
+      Scratch other(0);
+      for (std::size_t g; (g = next.fetch_add(at_once)) < count;) subtract_from(g, other);
     });
   }
 

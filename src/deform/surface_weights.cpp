@@ -148,7 +148,7 @@ void SurfaceSystem::solve(const std::function<void(const Solved&)>& store, base:
 }
 
 double surface_system_bytes(std::size_t vertices) {
-  return 2100 * static_cast<double>(vertices);  // measured: 900 to 2100, the more the larger the model
+  return 1600 * static_cast<double>(vertices);  // measured: 800 to 1500, the more the larger the model
 }
 
 void normalise(std::span<double> weights, bool clamp) {

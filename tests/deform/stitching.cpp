@@ -255,6 +255,14 @@ TEST_CASE("models_of_one_vertex_of_one_line_and_without_triangles_are_stitched_a
   CHECK_THROWS_AS(stitch({}, *s.cage, Elements::face, pool), base::Error);
 }
 
+TEST_CASE("stitching_is_cancelled") {
+  const StitchScene s(pipe());
+  base::WorkerPool pool(2);
+  base::Progress progress;
+  progress.cancel();
+  CHECK_THROWS_AS(stitch(s.model, *s.cage, Elements::face, pool, {}, &progress), base::Cancelled);
+}
+
 TEST_CASE("mirrored_and_collapsed_poses_give_finite_stitched_models") {
   const StitchScene s(pipe());
   const auto flat = [](const Vec3& x) { return Vec3{x[0], x[1], 0}; };
