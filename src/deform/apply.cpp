@@ -129,9 +129,12 @@ Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o, const Vec3& stret
     case RowForm::matrix_logs: return times(matrix_exp(nine(s)), o) + three(s, 9);
     case RowForm::screws: return moved_by_screw(s, x, o, stretched_offset);
     case RowForm::affine_logs: return moved_by_affine_log(s, x, o);
-    case RowForm::logs: break;
+    case RowForm::logs:
+    case RowForm::affine_moments:
+    case RowForm::similar_moments:
+    case RowForm::rigid_moments: break;
   }
-  assert(false);  // logs go the way of exp
+  assert(false);  // logs go the way of exp, moments that of place_by_moments()
   return x;
 }
 

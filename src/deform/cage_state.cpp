@@ -9,6 +9,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "deform/map_rows.h"
+#include "deform/moments.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
 
@@ -66,7 +67,7 @@ void check_pose(const Cage& cage, const Pose& pose) {
 }
 
 RowForm row_form(Elements elements, Blend blend) {
-  if (!entry(elements).affine) return RowForm::positions;
+  if (!entry(elements).affine && !entry(blend).of_points) return RowForm::positions;
   switch (blend) {
     case Blend::srl: return RowForm::logs;
     case Blend::linear: return RowForm::maps;
@@ -75,6 +76,9 @@ RowForm row_form(Elements elements, Blend blend) {
     case Blend::log3: return RowForm::matrix_logs;
     case Blend::sse: return RowForm::screws;
     case Blend::log4: return RowForm::affine_logs;
+    case Blend::mls_affine: return RowForm::affine_moments;
+    case Blend::mls_similarity: return RowForm::similar_moments;
+    case Blend::mls_rigid: return RowForm::rigid_moments;
   }
   return RowForm::maps;
 }
@@ -88,9 +92,12 @@ const RowShape& shape(RowForm form) {
     case RowForm::quaternions: return quaternion_shape;
     case RowForm::matrix_logs: return matrix_log_shape;
     case RowForm::screws: return screw_shape;
-    case RowForm::affine_logs: break;
+    case RowForm::affine_logs: return affine_log_shape;
+    case RowForm::affine_moments:
+    case RowForm::similar_moments:
+    case RowForm::rigid_moments: break;
   }
-  return affine_log_shape;
+  return moment_shape;
 }
 
 std::size_t handle_count(const Cage& cage, Elements elements) {
@@ -107,13 +114,16 @@ std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements)
 }
 
 CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend)
-    : cage_(std::move(cage)), handles_(entry(elements).handles), form_(row_form(elements, blend)) {
+    : cage_(std::move(cage)),
+      handles_(entry(elements).handles),
+      form_(row_form(elements, blend)),
+      moment_length_(deform::moment_length(*cage_)) {
   const std::size_t handles = handle_count(*cage_, elements);
   all_ = first_numbers(handles);
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});
   values_.resize(handles * shape(form_).columns);
   if (form_ == RowForm::positions) return;
-  elements_ = element_maps(*cage_, elements);
+  elements_ = element_maps(*cage_, has_moments(form_) ? Elements::vertex_patch : elements);
   all_maps_ = first_numbers(elements_->count());
   maps_.resize(elements_->count());
   rest_centers_.resize(handles);
@@ -134,11 +144,11 @@ void CageState::keep_origin(bool keep) {
 }
 
 bool CageState::takes_logs() const {
-  return has_logs(form_) || (elements_ && !amounts_.whole());
+  return has_logs(form_) || (elements_ && !has_moments(form_) && !amounts_.whole());
 }
 
 Rows CageState::rows() const {
-  return {form_, values_, origin_};
+  return {form_, values_, origin_, moment_length_};
 }
 
 void CageState::begin_drag(std::span<const std::uint32_t> vertices) {
@@ -223,6 +233,7 @@ void CageState::write_rows(std::span<const std::uint32_t> maps) {
 
 void CageState::write_row_of(std::uint32_t m, std::span<double> row) const {
   const Vec3& rest_center = rest_centers_[elements_->owners()[m]];
+  if (has_moments(form_)) return write_moment_row(maps_[m], rest_center, moment_length_, row);
   if (!takes_logs()) return write_row(form_, maps_[m], {}, rest_center, row);
   if (amounts_.whole()) return write_row(form_, maps_[m], logs_[m], rest_center, row);
   const MapLog log = scaled(logs_[m], amounts_);

@@ -32,6 +32,7 @@ struct Rows {
   RowForm form = RowForm::positions;
   std::span<const double> values;  ///< [handle][column]
   Vec3 origin{0, 0, 0};
+  double moment_length = 1;  ///< of moments: l of moments.h
 
   std::size_t columns() const { return shape(form).columns; }
   std::size_t count() const { return values.size() / columns(); }
@@ -80,6 +81,7 @@ private:
   std::shared_ptr<const Cage> cage_;
   Handles handles_;
   RowForm form_;
+  double moment_length_;
   Amounts amounts_;
   bool keeps_origin_ = false;
   std::unique_ptr<const ElementMaps> elements_;  // null where rows are positions

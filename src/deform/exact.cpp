@@ -10,6 +10,7 @@
 #include "deform/apply.h"
 #include "deform/blend.h"
 #include "deform/map_rows.h"
+#include "deform/moments.h"
 #include "deform/stitching.h"
 #include "deform/vertex_sample.h"
 #include "deform/weigher.h"
@@ -61,6 +62,10 @@ double place_logs(const Binding& binding, const Rows& rows, sym3::Method method,
 double place_others(const Binding& binding, const Rows& rows, sym3::Method method,
                     std::span<mesh::Point> positions) {
   const std::size_t n = positions.size();
+  if (has_moments(rows.form)) {
+    place_by_moments(binding, binding.shares, rows, 0, n, positions);
+    return 0;
+  }
   std::vector<double> sums(n * rows.columns());
   blend(binding, rows, 0, n, std::span(sums));
   share_sums(binding, binding.shares, rows.form, 0, n, sums);

@@ -444,7 +444,7 @@ static void place_tiles(const TileRun<T>& run, const T* rest, const T* offsets, 
 
 template <class Move>
 static constexpr TileKernel tile_kernel() {
-  return {blend_tiles<float, Move::shape.columns>, place_tiles<float, Move>};
+  return {Move::shape.columns, blend_tiles<float, Move::shape.columns>, place_tiles<float, Move>};
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

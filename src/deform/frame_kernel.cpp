@@ -9,6 +9,7 @@
 #include <hwy/cache_control.h>
 
 #include "deform/frame_kernel-inl.h"
+#include "deform/moments_kernel-inl.h"
 #include "deform/ring_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,7 +18,8 @@ namespace viete::deform::HWY_NAMESPACE {
 static const FrameKernel frame = {
     {tile_kernel<ByLogs>(), tile_kernel<ByMaps>(), tile_kernel<ByPositions>(), tile_kernel<ByStretches>(),
      tile_kernel<ByQuaternions>(), tile_kernel<ByMatrixLogs>(), tile_kernel<ByScrews>(),
-     tile_kernel<ByAffineLogs>()},
+     tile_kernel<ByAffineLogs>(), moment_kernel<AffineFit>(), moment_kernel<SimilarFit>(),
+     moment_kernel<RigidFit>()},
     ring_vertices,
     ring_high_valence};
 

@@ -24,11 +24,14 @@ struct TileRun {
   std::size_t rows = 0;        ///< of weights
   const T* weights = nullptr;  ///< [tile][row][lane]
   const T* table = nullptr;    ///< [row][column]
-  const T* base = nullptr;     ///< sums to start from, [tile][column][lane]; null: zero
+  const T* base = nullptr;     ///< sums to start from, [tile][sum][lane]; null: zero
   const T* mean = nullptr;     ///< [RowShape::with_mean], what `place` adds to the sums; null: zero
   const T* shares = nullptr;  ///< [tile][lane], what `place` makes of sums and offsets: see Shares; null: all
   const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: in order
+  const T* rest_moments = nullptr;  ///< of forms with moments: [tile][rest_moment_lines][lane], else not read
 };
+/// n, s, dual, scale of RestMoment, lengths in l.
+inline constexpr std::size_t rest_moment_lines = 10;
 
 /// The positions of one leaf, x y z x each: its slots, then its ghosts, which are copied from other leaves'
 /// slots first.
@@ -46,7 +49,8 @@ struct RingRun {
 
 /// From weights to sums or positions, of rows of one form.
 struct TileKernel {
-  /// sums [tile][column][lane].
+  std::size_t sums;  ///< how many a vertex has: columns of the rows, but for moments
+  /// sums [tile][sum][lane].
   void (*blend)(const TileRun<float>& run, float* sums);
   /// rest, offsets [tile][3][lane]: x and o of RowForm; out [slot] as x y z x.
   void (*place)(const TileRun<float>& run, const float* rest, const float* offsets, float* out);

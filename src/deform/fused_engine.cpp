@@ -1,10 +1,13 @@
 #include "deform/fused_engine.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
 #include "base/clock.h"
+#include "deform/map_rows.h"
+#include "deform/moments.h"
 
 namespace viete::deform {
 
@@ -21,6 +24,39 @@ void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* t
   }
 }
 
+// An array [tile][line][lane] of floats, by slot.
+template <class T>
+struct TileLines {
+  T* data;
+  std::size_t lines;
+
+  T& at(std::size_t slot, std::size_t line) const {
+    return data[(slot / lanes * lines + line) * lanes + slot % lanes];
+  }
+  Vec3 three(std::size_t slot, std::size_t first) const {
+    return {at(slot, first), at(slot, first + 1), at(slot, first + 2)};
+  }
+  void set(std::size_t slot, std::size_t first, const Vec3& v) const {
+    for (std::size_t i = 0; i < 3; ++i) at(slot, first + i) = static_cast<float>(v[i]);
+  }
+};
+
+// Rows of moments with which the first three sums are sum v (p - near), the fourth sum v.
+void write_offset_rows(std::span<float> table) {
+  for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
+    std::fill_n(table.begin() + std::ptrdiff_t(j + 3), 12, 0.0f);
+    table[j + 6] = table[j + 12] = 1;
+  }
+}
+
+// Those with which the first nine are sum v ((p - middle)(p - near)^T + I).
+void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span<float> table) {
+  for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
+    for (std::size_t i = 0; i < 9; ++i) table[j + 3 + i] = i % 4 == 0;
+    for (std::size_t i = 0; i < 3; ++i) table[j + 12 + i] = static_cast<float>(rows[j + i] - middle[i]);
+  }
+}
+
 }  // namespace
 
 FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm form, base::WorkerPool& pool,
@@ -31,11 +67,14 @@ FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm fo
       tiles_(kernel_.forms[static_cast<std::size_t>(form)]),
       form_(form),
       columns_(shape(form).columns),
+      sums_(tiles_.sums),
       shares_(binding_->shares) {
+  assert(!(has_moments(form) && binding_->compressed()));
   entries_.resize(binding_->handles * columns_);
   table_.resize(binding_->handles * columns_);
   skeleton_sums_.resize(binding_->skeleton_slots() * columns_);
   skeleton_table_.resize(binding_->skeleton_slots() * columns_);
+  if (has_moments(form)) rest_moments_.resize(binding_->leaves.slot_count() * rest_moment_lines);
   positions_.resize(binding_->rings.position_count() * 4);
   vertices_.assign(binding_->leaves.vertices, FrameVertex{});
   leaf_moved_.assign(binding_->leaves.count(), 1);
@@ -51,8 +90,9 @@ void FusedEngine::set_mask(const Mask& mask) {
 }
 
 std::size_t FusedEngine::bytes() const {
-  if (!dragging_) return binding_->bytes();
-  return sizeof(float) * (drag_.sums.size() + drag_.weights.size() + binding_->offsets.size());
+  const std::size_t at_rest = sizeof(float) * rest_moments_.size();
+  if (!dragging_) return at_rest + binding_->bytes();
+  return at_rest + sizeof(float) * (drag_.sums.size() + drag_.weights.size() + binding_->offsets.size());
 }
 
 void FusedEngine::run(const CageState& state, sym3::Method) {
@@ -70,6 +110,7 @@ void FusedEngine::prepare(const CageState& state) {
   base::Stopwatch watch;
   if (!std::ranges::equal(state.moving(), drag_.moving)) drag_ = {};
   fill_table(state.rows());
+  if (has_moments(form_) && !knows_rest_) fill_rest_moments(state.rows());
   follow_drag(state);
   if (!binding_->compressed() || dragging_) return;
   blend_skeleton(table_.data());
@@ -141,6 +182,45 @@ void FusedEngine::fill_table(const Rows& rows) {
   }
 }
 
+void FusedEngine::fill_rest_moments(const Rows& rows) {
+  const TiledBinding& b = *binding_;
+  for_leaves([&](std::size_t leaf) { fill_rest_moments(leaf, b.unit / rows.moment_length); });
+  knows_rest_ = true;
+}
+
+// By the kernel itself: first how far the points' mean is from what offsets tell, which is exact where no
+// weight is below 0, then what is left of that, then moments about a point of the leaf.
+void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
+  const TiledBinding& b = *binding_;
+  const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
+  base::AlignedVector<float> own(slots * sums_), table = table_;
+  const TileLines<float> moments{rest_moments_.data() + begin * rest_moment_lines, rest_moment_lines};
+  const TileLines<const float> sums{own.data(), sums_}, rest{b.rest.data() + begin * 3, 3},
+      offsets{b.offsets.data() + begin * 3, 3};
+  for (std::size_t s = 0; s < slots; ++s) moments.set(s, 0, unit * (rest.three(s, 0) - offsets.three(s, 0)));
+  write_offset_rows(table);
+  const auto sum = [&] { tiles_.blend(leaf_run(leaf, table.data()), own.data()); };
+  sum();
+  for (std::size_t s = 0; s < slots; ++s)
+    if (sums.at(s, 3) > 0) moments.set(s, 0, moments.three(s, 0) + (1 / sums.at(s, 3)) * sums.three(s, 0));
+  sum();
+  std::vector<Vec3> off(slots);
+  std::vector<double> weight(slots);
+  for (std::size_t s = 0; s < slots; ++s) off[s] = sums.three(s, 0), weight[s] = sums.at(s, 3);
+  const Vec3 middle = moments.three(slots / 2, 0);
+  write_rest_rows(middle, entries_, table);
+  sum();
+  for (std::size_t s = 0; s < slots; ++s) {
+    sym3::Mat3<double> m;
+    for (std::size_t i = 0; i < 9; ++i) m[i] = sums.at(s, i);
+    const Vec3 near = moments.three(s, 0);
+    const RestMoment r = rest_moment(m, off[s], weight[s], near - middle, unit * offsets.three(s, 0), unit);
+    moments.set(s, 3, off[s]);
+    moments.set(s, 6, r.dual);
+    moments.at(s, 9) = static_cast<float>(r.scale);
+  }
+}
+
 // See RowShape::with_mean: a turn of the whole cage is as exact as float, whatever the tolerance. During a
 // drag the mean stays with the sums. Where nothing is left out something near it does, which an edit leaves
 // as it is, and with it the bits of all that the edit does not reach.
@@ -174,7 +254,7 @@ void FusedEngine::follow_drag(const CageState& state) {
 void FusedEngine::begin_drag(Handles moving) {
   const std::size_t slots = binding_->leaves.slot_count();
   drag_.moving.assign(moving.begin(), moving.end());
-  drag_.sums.resize(slots * columns_);
+  drag_.sums.resize(slots * sums_);
   drag_.weights.resize(list_moving());
   drag_.rows.assign(drag_.row_count() * columns_, 0.0f);
   base::AlignedVector<float> others = table_;
@@ -182,7 +262,7 @@ void FusedEngine::begin_drag(Handles moving) {
   blend_skeleton(others.data());
   for_leaves([&](std::size_t leaf) {
     if (drag_.row_count(leaf) == 0) return;
-    tiles_.blend(leaf_run(leaf, others.data()), drag_.sums.data() + binding_->leaves.begin(leaf) * columns_);
+    tiles_.blend(leaf_run(leaf, others.data()), drag_.sums.data() + binding_->leaves.begin(leaf) * sums_);
     base::AlignedVector<float> scratch(leaf_slots * columns_);
     pack_weights(leaf, scratch.data());
   });
@@ -204,15 +284,16 @@ std::size_t FusedEngine::list_moving() {
   return weights;
 }
 
-void FusedEngine::pack_listed(std::size_t leaf) {
+void FusedEngine::pack_whole(std::size_t leaf) {
   const TiledBinding& b = *binding_;
-  const auto list = b.list(leaf);
-  const std::size_t count = drag_.row_count(leaf), rows = list.size();
+  const auto list = b.has_lists() ? b.list(leaf) : std::span<const std::uint32_t>();
+  const std::size_t count = drag_.row_count(leaf), rows = b.has_lists() ? list.size() : b.handles;
   const float* from = b.weights.data() + b.first_weight(leaf);
   float* out = drag_.weights.data() + leaf_slots * drag_.starts[leaf];
   for (std::size_t m = 0; m < count; ++m) {
     const auto handle = drag_.moving[drag_.listed[drag_.starts[leaf] + m]];
-    const auto row = static_cast<std::size_t>(std::ranges::lower_bound(list, handle) - list.begin());
+    const auto row = b.has_lists() ? std::size_t(std::ranges::lower_bound(list, handle) - list.begin())
+                                   : std::size_t(handle);
     for (std::size_t t = 0; t < (b.leaves.end(leaf) - b.leaves.begin(leaf)) / lanes; ++t) {
       std::copy_n(from + (t * rows + row) * lanes, lanes, out + (t * count + m) * lanes);
     }
@@ -222,16 +303,16 @@ void FusedEngine::pack_listed(std::size_t leaf) {
 // The columns W_m of a leaf's n x k weights W that belong to the moving handles m. W is stored whole or as
 // W = F P, F its n x r factors and P the r x k weights of its pivots, so that W_m = F P_m, and with W whole,
 // F = W and P = I. That is the product which blends a pose, P_m standing for the table of rows: the same
-// kernel forms it, as many handles at once as it takes columns, the last ones filled up with 0. (Lists have
-// the weights of a handle side by side: those are copied.)
+// kernel forms it, as many handles at once as it takes columns, the last ones filled up with 0. (Weights that
+// are not compressed are copied.)
 void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;
-  if (b.has_lists()) return pack_listed(leaf);
+  if (!b.compressed()) return pack_whole(leaf);
   const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
   const std::size_t count = drag_.row_count();
   TileRun<float> run = leaf_run(leaf, nullptr);
   base::AlignedVector<float> pivots(run.rows * columns_);
-  const bool factored = b.compressed() && !b.factored[leaf].dense;
+  const bool factored = !b.factored[leaf].dense;
   const auto pivot_weight = [&](std::size_t row, std::size_t handle) -> float {
     if (!factored) return row == handle;
     const std::size_t slot = b.factored[leaf].pivots + row;
@@ -266,12 +347,13 @@ TileRun<float> FusedEngine::leaf_run(std::size_t leaf, const float* table) const
   const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
   if (!b.compressed()) {
     const float* weights = b.weights.data() + b.first_weight(leaf);
-    if (!b.has_lists()) return {tiles, b.handles, weights, table};
+    const float* moments = rest_moments_.empty() ? nullptr : rest_moments_.data() + begin * rest_moment_lines;
     return {.tiles = tiles,
-            .rows = b.list(leaf).size(),
+            .rows = b.has_lists() ? b.list(leaf).size() : b.handles,
             .weights = weights,
             .table = table,
-            .listed = b.list(leaf).data()};
+            .listed = b.has_lists() ? b.list(leaf).data() : nullptr,
+            .rest_moments = moments};
   }
   const LeafFactors& f = b.factored[leaf];
   const float* rows = f.dense ? table : skeleton_table_.data() + f.pivots * columns_;
@@ -287,8 +369,9 @@ TileRun<float> FusedEngine::frame_run(std::size_t leaf) const {
           .rows = drag_.row_count(leaf),
           .weights = drag_.weights.data() + leaf_slots * start,
           .table = drag_.rows.data(),
-          .base = drag_.sums.data() + binding_->leaves.begin(leaf) * columns_,
-          .listed = drag_.listed.data() + start};
+          .base = drag_.sums.data() + binding_->leaves.begin(leaf) * sums_,
+          .listed = drag_.listed.data() + start,
+          .rest_moments = run.rest_moments};
 }
 
 void FusedEngine::place_vertices() {

@@ -24,6 +24,9 @@ namespace viete::deform {
 /// of its rows too.
 ///
 /// Results depend on the rows alone but for the rounding of float during a drag.
+///
+/// Maps that are fitted to points (see moments.h) take weights that are not compressed, and the first frame
+/// three times as long as others: it makes what does not depend on the pose.
 class FusedEngine : public Engine {
 public:
   /// binding must not be null.
@@ -49,11 +52,13 @@ private:
 
   void prepare(const CageState& state);
   void fill_table(const Rows& rows);
+  void fill_rest_moments(const Rows& rows);
+  void fill_rest_moments(std::size_t leaf, double unit);
   void choose_mean();
   void follow_drag(const CageState& state);
   void begin_drag(Handles moving);
   std::size_t list_moving();
-  void pack_listed(std::size_t leaf);
+  void pack_whole(std::size_t leaf);
   void pack_weights(std::size_t leaf, float* scratch);
   void blend_skeleton(const float* table);
   TileRun<float> leaf_run(std::size_t leaf, const float* table) const;
@@ -73,10 +78,12 @@ private:
   const FrameKernel& kernel_;
   const TileKernel& tiles_;  // of the rows' form
   RowForm form_;
-  std::size_t columns_;
+  std::size_t columns_, sums_;                 // of rows, and that a vertex has of them
   std::vector<double> entries_;                // [handle][column], lengths in units
   base::AlignedVector<float> table_;           // [handle][column], less the mean of its column
   std::array<float, most_columns> mean_{};     // [column]
+  base::AlignedVector<float> rest_moments_;    // of forms with moments, see TileRun
+  bool knows_rest_ = false;                    // these, from the first frame on
   base::AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
   base::AlignedVector<float> skeleton_table_;  // [pivot][column]
   base::AlignedVector<float> positions_;       // of slots and ghosts (see Rings), x y z x in units
@@ -91,8 +98,7 @@ private:
     unsigned long resting = 0;          // revision of the others
     std::vector<std::size_t> starts;    // in `listed`, one more than leaves
     std::vector<std::uint32_t> listed;  // which of those that move have weight in a leaf, leaf by leaf
-    base::AlignedVector<float>
-        sums;  // [tile][column][lane], of handles that do not move; of leaves others move
+    base::AlignedVector<float> sums;  // [tile][sum][lane], of handles that do not move; of leaves others move
     base::AlignedVector<float> weights;  // [tile][row][lane], of those that do, in the order of `listed`
     base::AlignedVector<float> rows;     // their part of the table
     bool placed = false;  // a frame was computed from these: leaves without rows stay as they are

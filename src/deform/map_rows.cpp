@@ -81,16 +81,24 @@ void write_affine_log(const AffineMap& map, const MapLog& log, const Vec3& rest_
 }  // namespace
 
 bool has_logs(RowForm form) {
-  return form != RowForm::positions && form != RowForm::maps;
+  return form != RowForm::positions && form != RowForm::maps && !has_moments(form);
 }
 
 bool has_stretch_logs(RowForm form) {
   return form == RowForm::logs || form == RowForm::screws;
 }
 
+bool has_moments(RowForm form) {
+  return form == RowForm::affine_moments || form == RowForm::similar_moments ||
+         form == RowForm::rigid_moments;
+}
+
 void write_row(RowForm form, const AffineMap& map, const MapLog& log, const Vec3& rest_center, Row row) {
   switch (form) {
-    case RowForm::positions: return;
+    case RowForm::positions:
+    case RowForm::affine_moments:
+    case RowForm::similar_moments:
+    case RowForm::rigid_moments: return;
     case RowForm::maps: return write_displacement(map, rest_center, row);
     case RowForm::logs:
       write(log.stretch, row);

@@ -44,7 +44,7 @@ constexpr std::array elements_table = {
         Handles::vertices,
         true,
         "similarities"},
-    ElementsEntry{{"point", "Points", "a translation per cage vertex"},
+    ElementsEntry{{"point", "Points", "a point per cage vertex, which only moves"},
                   Elements::point,
                   Handles::vertices,
                   false,
@@ -101,6 +101,23 @@ constexpr std::array blend_table = {
         {"log3", "Matrix logs", "logs of the whole maps, turn and stretch in one"}, Blend::log3, false, true},
     BlendEntry{
         {"log4", "Affine logs", "logs of the whole maps with their translations"}, Blend::log4, false, false},
+    BlendEntry{
+        {"mls-affine", "Least squares", "the affine map that moves points as they do, by least squares"},
+        Blend::mls_affine,
+        false,
+        true,
+        true},
+    BlendEntry{{"mls-similarity", "Least squares, similar",
+                "the rotation and scale that move points most nearly as they do"},
+               Blend::mls_similarity,
+               false,
+               true,
+               true},
+    BlendEntry{{"mls-rigid", "Least squares, rigid", "the rotation that moves points most nearly as they do"},
+               Blend::mls_rigid,
+               false,
+               true,
+               true},
     BlendEntry{{"linear", "Linear", "the maps themselves are averaged"}, Blend::linear, false, false},
 };
 
@@ -134,16 +151,21 @@ constexpr std::array rules = {
            return w.value == Weights::integrated && e.handles != Handles::faces;
          },
          "integrals over faces are weights of faces, and these elements are edges or vertices of the cage"},
-    Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
-           return !e.affine && (w.value == Weights::inverse || w.value == Weights::cut_off || w.on_surface);
+    Rule{[](const ElementsEntry& e, const WeightsEntry&, const BlendEntry& b) {
+           return e.affine && b.of_points;
+         },
+         "least squares fit maps to points, and these elements have maps already"},
+    Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry& b) {
+           return !e.affine && !b.of_points &&
+                  (w.value == Weights::inverse || w.value == Weights::cut_off || w.on_surface);
          },
          "translations need weights that reproduce linear functions, as mean values do"},
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry& b) {
-           return w.value == Weights::mean_value && e.affine && b.about_center;
+           return w.value == Weights::mean_value && b.about_center && (e.affine || b.of_points);
          },
          "about the mean value of its centres a vertex has nothing left to turn: it would move as by points"},
     Rule{[](const ElementsEntry& e, const WeightsEntry&, const BlendEntry& b) {
-           return !e.affine && b.value != Blend::linear;
+           return !e.affine && !b.of_points && b.value != Blend::linear;
          },
          "translations have no logarithms, and are blended linearly"},
 };
@@ -175,6 +197,13 @@ std::vector<Scheme> sensible_schemes() {
 int in_common(const Scheme& a, const Scheme& b) {
   return (a.weighting.elements == b.weighting.elements) + (a.weighting.weights == b.weighting.weights) +
          (a.blend == b.blend);
+}
+
+// How well a scheme serves who prefers the other one. `point` alone stays what it was before maps were fitted
+// to points.
+int likeness(const Scheme& s, const Scheme& preferred) {
+  const bool unasked = entry(s.blend).of_points && !entry(preferred.blend).of_points;
+  return in_common(s, preferred) - (unasked ? 3 : 0);
 }
 
 // Why no scheme has all that is chosen: the rule that is broken whatever the rest is.
@@ -262,7 +291,7 @@ std::optional<std::string_view> conflict(const Scheme& scheme) {
     if (breaks(rule, scheme)) return rule.reason;
   }
   if (scheme.stitched() && !entry(scheme.weighting.elements).affine)
-    return "translations give triangles no maps to follow, so there is nothing to stitch";
+    return "points give triangles no maps to follow, so there is nothing to stitch";
   return std::nullopt;
 }
 
@@ -298,7 +327,7 @@ PartialChoice choices(const Scheme& s) {
 Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   const Scheme* best = nullptr;
   for (const Scheme& s : all_schemes()) {
-    if (fits(choice, s) && (!best || in_common(s, preferred) > in_common(*best, preferred))) best = &s;
+    if (fits(choice, s) && (!best || likeness(s, preferred) > likeness(*best, preferred))) best = &s;
   }
   if (!best) {
     throw base::Error("",

@@ -23,7 +23,7 @@ enum class Elements { face, point, patch, vertex_patch, edge, vertex, vertex_fac
 enum class Weights { inverse, mean_value, integrated, harmonic, biharmonic, cut_off };
 
 /// What of the maps is summed, and how the sums become a position.
-enum class Blend { srl, linear, slrl, sql, log3, sse, log4 };
+enum class Blend { srl, linear, slrl, sql, log3, sse, log4, mls_affine, mls_similarity, mls_rigid };
 
 /// What of the cage handles are.
 enum class Handles { faces, edges, vertices };
@@ -61,8 +61,9 @@ struct WeightsEntry : ChoiceEntry {
 
 struct BlendEntry : ChoiceEntry {
   Blend value;
-  bool exponential;   ///< a symmetric exponential a vertex and frame; else methods are all the same
-  bool about_center;  ///< what is blended turns and stretches a vertex about the blended centre alone
+  bool exponential;        ///< a symmetric exponential a vertex and frame; else methods are all the same
+  bool about_center;       ///< what is blended turns and stretches a vertex about the blended centre alone
+  bool of_points = false;  ///< fits maps to points; else it blends those that elements have
 };
 
 std::span<const ElementsEntry> all_elements();
@@ -203,7 +204,8 @@ inline PartialChoice only(Blend blend) {
 /// True if the scheme has all that is chosen.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 /// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, the numbers of its
-/// weights, its amounts, and its stitching where that goes with the rest.
+/// weights, its amounts, and its stitching where that goes with the rest. Maps are fitted to points (see
+/// BlendEntry) only where that is asked for or preferred.
 /// Throws base::Error if there is none, saying why.
 Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
 /// "face, inverse, srl": as the command line names them.

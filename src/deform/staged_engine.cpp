@@ -4,6 +4,7 @@
 
 #include "base/clock.h"
 #include "deform/map_rows.h"
+#include "deform/moments.h"
 #include "mesh/normals.h"
 
 namespace viete::deform {
@@ -24,7 +25,7 @@ StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form,
   const std::size_t n = binding_->vertices;
   if (form == RowForm::logs) {
     logs_.resize(n), stretches_.resize(n);
-  } else {
+  } else if (!has_moments(form)) {
     sums_.resize(n * shape(form).columns);
     if (has_stretch_logs(form)) logs_.stretch.resize(n), stretches_.resize(n);
   }
@@ -38,7 +39,11 @@ void StagedEngine::for_vertices(const Body& body) {
 void StagedEngine::run(const CageState& state, sym3::Method method) {
   const Rows rows = state.rows();
   times_ = {};
-  rows.form == RowForm::logs ? blend_logs(rows, method) : blend_others(rows, method);
+  if (has_moments(rows.form)) {
+    fit(rows);
+  } else {
+    rows.form == RowForm::logs ? blend_logs(rows, method) : blend_others(rows, method);
+  }
   finish(rows.origin);
 }
 
@@ -78,6 +83,15 @@ void StagedEngine::blend_others(const Rows& rows, sym3::Method method) {
     apply(*binding_, shares_, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
   });
   times_[Link::apply] = watch.lap_ms();
+}
+
+// Sums and maps of a vertex are made together: what is summed depends on other sums.
+void StagedEngine::fit(const Rows& rows) {
+  base::Stopwatch watch;
+  for_vertices([&](std::size_t begin, std::size_t end) {
+    place_by_moments(*binding_, shares_, rows, begin, end, positions_);
+  });
+  times_[Link::blend] = watch.lap_ms();
 }
 
 void StagedEngine::finish(const Vec3& origin) {

@@ -30,13 +30,14 @@ private:
   void for_vertices(const Body& body);
   void blend_logs(const Rows& rows, sym3::Method method);
   void blend_others(const Rows& rows, sym3::Method method);
+  void fit(const Rows& rows);
   void finish(const Vec3& origin);
 
   std::shared_ptr<const Binding> binding_;
   base::WorkerPool& pool_;
   Shares shares_;
   BlendedLogs logs_;
-  std::vector<double> sums_;  // of other forms
+  std::vector<double> sums_;  // of other forms, but moments
   std::vector<sym3::Sym3<double>> stretches_;
   std::vector<mesh::Point> positions_, normals_;
   std::vector<FrameVertex> vertices_;

@@ -13,6 +13,7 @@
 #include "deform/face_maps.h"
 #include "deform/inverse_distance.h"
 #include "deform/leaves.h"
+#include "deform/map_rows.h"
 #include "deform/matrix_log.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
@@ -341,7 +342,10 @@ struct Stitcher::Maps {
       case RowForm::matrix_logs:
       case RowForm::affine_logs: take_whole(count, true); break;
       case RowForm::maps: take_whole(count, false); break;
-      case RowForm::positions: assert(false);  // refused by conflict()
+      case RowForm::positions:
+      case RowForm::affine_moments:
+      case RowForm::similar_moments:
+      case RowForm::rigid_moments: assert(false);  // refused by conflict()
     }
     if (apart) split(count);
   }
@@ -391,7 +395,7 @@ Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& p
       pin_targets_(stitching_.pins.size()),
       right_(stitching_.vertices()),
       positions_(stitching_.vertices()) {
-  assert(form != RowForm::positions);
+  assert(form != RowForm::positions && !has_moments(form));
 }
 
 void Stitcher::set_shares(const Shares& shares) {

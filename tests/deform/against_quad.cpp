@@ -2,8 +2,11 @@
 // them.
 #include <doctest/doctest.h>
 
+#include <numeric>
+
 #include "deform/bound.h"
 #include "deform/independent.h"
+#include "deform/moments.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -49,6 +52,7 @@ struct Case {
   double staged_bound;  // in diagonals of the posed cage; three times the worst of these poses or more
 };
 constexpr double end_of_reach = 3;
+const Weighting points{Elements::point}, points_near{Elements::point, Weights::inverse, end_of_reach};
 const Case cases[] = {{faces, Blend::srl, IndependentScheme::faces_srl, 1e-14},
                       {faces_reaching(end_of_reach), Blend::srl, IndependentScheme::faces_srl, 1e-14},
                       {faces, Blend::slrl, IndependentScheme::faces_slrl, 1e-14},
@@ -58,7 +62,23 @@ const Case cases[] = {{faces, Blend::srl, IndependentScheme::faces_srl, 1e-14},
                       {faces, Blend::log4, IndependentScheme::faces_log4, 1e-12},
                       {faces, Blend::linear, IndependentScheme::faces_linear, 1e-14},
                       {face_integrals, Blend::srl, IndependentScheme::face_integrals_srl, 5e-14},
-                      {mean_values, Blend::linear, IndependentScheme::points_mean_value, 1e-13}};
+                      {mean_values, Blend::linear, IndependentScheme::points_mean_value, 1e-13},
+                      {points, Blend::mls_affine, IndependentScheme::points_affine, 1e-14},
+                      {points, Blend::mls_similarity, IndependentScheme::points_similar, 1e-14},
+                      {points, Blend::mls_rigid, IndependentScheme::points_rigid, 1e-14},
+                      {points_near, Blend::mls_affine, IndependentScheme::points_affine, 1e-14},
+                      {points_near, Blend::mls_rigid, IndependentScheme::points_rigid, 1e-14}};
+
+IndependentClouds clouds(const Cage& cage, const Pose& pose) {
+  const auto elements = element_maps(cage, Elements::vertex_patch);
+  std::vector<std::uint32_t> all(elements->count());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<AffineMap> maps(elements->count());
+  elements->compute(pose.positions, {0, 0, 0}, all, maps);
+  IndependentClouds clouds{moment_length(cage), {}};
+  for (const AffineMap& m : maps) clouds.maps.push_back(m.linear);
+  return clouds;
+}
 
 // In diagonals of the posed cage.
 Errors errors(const Case& c, const mesh::Surface& cage, const mesh::Surface& points, const Pose& pose) {
@@ -67,7 +87,8 @@ Errors errors(const Case& c, const mesh::Surface& cage, const mesh::Surface& poi
       bind(points, *staged.cage, c.weighting, EngineKind::fused, nullptr, staged.pool));
   Deformer fused(staged.cage, tiled, {c.weighting, c.blend}, staged.pool);
   fused.deform(pose, sym3::Method::fast);
-  const IndependentPose same{pose.positions, pose.turns.empty() ? Vec3{0, 0, 0} : pose.turns[0]};
+  const IndependentPose same{pose.positions, pose.turns.empty() ? Vec3{0, 0, 0} : pose.turns[0],
+                             clouds(*staged.cage, pose)};
   const auto exact = deform_independently(points.positions, cage, same, c.scheme, c.weighting.used_reach());
   CHECK(exact.largest_step < 90 * degree);
   const double diagonal = mesh::bounds(pose.positions).diagonal();

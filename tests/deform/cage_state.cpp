@@ -45,6 +45,7 @@ TEST_CASE("rows_at_rest_say_that_nothing_moves") {
     CHECK(rows.count() == handle_count(*cage, elements));
     CHECK(rows.columns() == shape(rows.form).columns);
     const auto centers = handle_centers(*cage, elements);
+    if (has_moments(rows.form)) continue;  // they hold points, of which nothing is 0
     for (std::size_t h = 0; h < rows.count(); ++h) {
       const auto row = rows.values.subspan(h * rows.columns(), rows.columns());
       for (std::size_t c = 0; c < rows.columns(); ++c) {

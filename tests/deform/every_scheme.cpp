@@ -50,6 +50,7 @@ TEST_CASE("every_scheme_keeps_rest_and_follows_similarities") {
           1e-14 * b.staged.cage->diagonal);
     for (const double angle : {0.0, 1e-9, 90.0, 179.999, 180.0, 270.0}) {
       for (const double scale : {1e-3, 1.0, 1e3}) {
+        if (scheme.blend == Blend::mls_rigid && scale != 1) continue;
         const auto map = similarity({1, -2, 3}, angle * degree, scale, {20 * scale, scale, -scale});
         CHECK(b.staged.error(map) < (logs_of_motions ? 2e-11 : 5e-12));
         CHECK(b.difference(b.staged.pose(map)) < (scheme.blend == Blend::log4 && scale > 1 ? 5e-5 : 1e-6));
@@ -64,7 +65,8 @@ TEST_CASE("affine_poses_are_exact_where_elements_or_weights_promise_it") {
     CAPTURE(text(scheme));
     const bool promised =
         entry(scheme.weighting.elements).reproduces == "affine poses" ||
-        (scheme.weighting.elements == Elements::point && scheme.weighting.weights == Weights::mean_value);
+        (scheme.weighting.elements == Elements::point && scheme.weighting.weights == Weights::mean_value) ||
+        scheme.blend == Blend::mls_affine;
     Both b(model(), cage_of_a_part(), scheme);
     const double error = b.staged.error(shear());
     CHECK((error < 1e-12) == promised);
@@ -97,7 +99,9 @@ TEST_CASE("both_engines_agree_on_twists_beyond_180_degrees_and_on_mirrored_and_c
     Both b(model(), cage_of_a_part(), scheme);
     CHECK(b.difference(b.staged.pose(twist)) < 2e-5);
     CHECK(b.difference(b.staged.pose(flat)) < 2e-5);
-    CHECK(b.difference(b.staged.pose(mirror)) < 2e-5);
+    // The rotation nearest to a mirrored map is one of many where it mirrors in any direction alike.
+    if (scheme.blend != Blend::mls_similarity && scheme.blend != Blend::mls_rigid)
+      CHECK(b.difference(b.staged.pose(mirror)) < 2e-5);
     CHECK(all_finite(b.staged.deform(b.staged.pose(dot))));
   }
 }

@@ -198,14 +198,10 @@ void divide_by_sum(std::vector<Quad>& weights) {
   for (Quad& w : weights) w /= sum;
 }
 
-std::vector<Quad> inverse_distance(const Vector& p, const mesh::Surface& cage, double reach) {
-  std::vector<Quad> squares, weights;
+std::vector<Quad> inverse_distance(const std::vector<Quad>& squares, double reach) {
+  std::vector<Quad> weights;
   Quad sixth = 0, eighth = 0;
-  for (const auto& t : cage.triangles) {
-    const Quad s = squared_distance(p, corners(t, cage.positions));
-    squares.push_back(s);
-    sixth += 1 / (s * s * s), eighth += 1 / (s * s * s * s);
-  }
+  for (const Quad s : squares) sixth += 1 / (s * s * s), eighth += 1 / (s * s * s * s);
   const Quad end = std::isfinite(reach) ? Quad(reach) * reach * sixth / eighth : HUGE_VALQ;
   for (const Quad s : squares) {
     const Quad taper = s < end ? 1 - s / end : 0;
@@ -213,6 +209,18 @@ std::vector<Quad> inverse_distance(const Vector& p, const mesh::Surface& cage, d
   }
   divide_by_sum(weights);
   return weights;
+}
+
+std::vector<Quad> inverse_distance(const Vector& p, const mesh::Surface& cage, double reach) {
+  std::vector<Quad> squares;
+  for (const auto& t : cage.triangles) squares.push_back(squared_distance(p, corners(t, cage.positions)));
+  return inverse_distance(squares, reach);
+}
+
+std::vector<Quad> inverse_distance_of_vertices(const Vector& p, const mesh::Surface& cage, double reach) {
+  std::vector<Quad> squares;
+  for (const auto& v : cage.positions) squares.push_back(inner(minus(p, quad(v)), minus(p, quad(v))));
+  return inverse_distance(squares, reach);
 }
 
 // In closed form, with as many digits more as cancel.
@@ -446,6 +454,29 @@ Vector by_positions(const std::vector<mesh::Point>& posed, const std::vector<Qua
   return sum;
 }
 
+// By the normal equations: sum w (p' - m')(p - m)^T = M sum w (p - m)(p - m)^T, each point with a cloud about
+// it. Rotations of maps that do not mirror: B (B^T B)^-1/2.
+Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
+                        const std::vector<Quad>& weights, IndependentScheme scheme) {
+  const Vector from = by_positions(cage.positions, weights), to = by_positions(pose.positions, weights);
+  const Quad square = Quad(pose.clouds.radius) * pose.clouds.radius;
+  Matrix b{}, k{};
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    const Vector p = minus(quad(cage.positions[j]), from), q = minus(quad(pose.positions[j]), to);
+    for (int i = 0; i < 9; ++i) {
+      b[i] += weights[j] * (q[i / 3] * p[i % 3] + square * pose.clouds.maps[j][i]);
+      k[i] += weights[j] * (p[i / 3] * p[i % 3] + square * identity[i]);
+    }
+  }
+  const Vector offset = minus(x, from);
+  if (scheme == IndependentScheme::points_affine) return plus(to, times(product(b, inverse(k)), offset));
+  const QuadSym squared = squared_stretch(b);
+  const Vector turned = times(product(b, full(quad_inv_sqrt(squared))), offset);
+  if (scheme == IndependentScheme::points_rigid) return plus(to, turned);
+  const QuadSym s = quad_function(squared, [](Quad y) { return sqrtq(y); });
+  return plus(to, turned, (s.xx + s.yy + s.zz) / (k[0] + k[4] + k[8]));
+}
+
 double largest_step(const std::vector<Element>& elements,
                     const std::vector<std::vector<std::size_t>>& around) {
   Quad least = 3;  // trace of A^T B, 1 + 2 cos of the angle between them
@@ -463,6 +494,8 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
                 const std::vector<Element>& elements, IndependentScheme scheme, double reach) {
   using enum IndependentScheme;
   if (scheme == points_mean_value) return by_positions(pose.positions, mean_value(x, cage));
+  if (scheme == points_affine || scheme == points_similar || scheme == points_rigid)
+    return by_least_squares(x, cage, pose, inverse_distance_of_vertices(x, cage, reach), scheme);
   const auto w = scheme == face_integrals_srl ? integrated(x, cage) : inverse_distance(x, cage, reach);
   switch (scheme) {
     case face_integrals_srl:

@@ -49,6 +49,15 @@ TEST_CASE("a_scheme_is_completed_from_any_part_of_it") {
   CHECK(text(complete({.blend = Blend::linear})) == "face, inverse, linear");
 }
 
+TEST_CASE("maps_are_fitted_to_points_where_that_is_asked_for_and_from_then_on") {
+  CHECK(text(complete({.blend = Blend::mls_rigid})) == "point, inverse, mls-rigid");
+  CHECK(text(complete({.elements = Elements::point, .weights = Weights::harmonic})) ==
+        "point, harmonic, mls-affine");
+  const Scheme rigid = complete({.blend = Blend::mls_rigid});
+  CHECK(text(complete(only(Weights::biharmonic), rigid)) == "point, biharmonic, mls-rigid");
+  CHECK(text(complete(only(Elements::face), rigid)) == "face, inverse, srl");
+}
+
 TEST_CASE("one_choice_changes_no_more_of_the_others_than_it_must") {
   for (const Scheme& now : all_schemes()) {
     for (const Scheme& other : all_schemes()) {
@@ -77,7 +86,10 @@ TEST_CASE("choices_that_do_not_go_together_are_refused_with_the_reason") {
     const char* reason;
   } cases[] = {
       {{.elements = Elements::face, .weights = Weights::mean_value}, "mean values belong to vertices"},
-      {{.elements = Elements::point, .weights = Weights::inverse}, "reproduce linear functions"},
+      {{.elements = Elements::point, .weights = Weights::inverse, .blend = Blend::linear},
+       "reproduce linear functions"},
+      {{.elements = Elements::face, .blend = Blend::mls_rigid}, "have maps already"},
+      {{.weights = Weights::mean_value, .blend = Blend::mls_affine}, "nothing left to turn"},
       {{.elements = Elements::point, .blend = Blend::srl}, "translations have no logarithms"}};
   for (const auto& c : cases) {
     try {

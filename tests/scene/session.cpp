@@ -325,7 +325,7 @@ TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
   const Session session = read_session(files / "a.viete");
   CHECK_FALSE(session.scheme.stitched());
   REQUIRE(session.warnings.size() == 1);
-  CHECK(mentions(session.warnings[0], "a.viete: stitched: translations give triangles no maps"));
+  CHECK(mentions(session.warnings[0], "a.viete: stitched: points give triangles no maps"));
 }
 
 TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
@@ -384,6 +384,7 @@ TEST_CASE("a_session_may_name_any_part_of_a_scheme") {
   CHECK(word(scheme(R"("blend": "linear")")) == "face, inverse, linear");
   CHECK(word(scheme(R"("blend": "linear", "coordinates": "mvc")")) == "face, inverse, linear");
   CHECK(scheme(R"("blend": "linear")").warnings.empty());
+  CHECK(word(scheme(R"("blend": "mls-rigid", "weights": "biharmonic")")) == "point, biharmonic, mls-rigid");
   const Session apart = scheme(R"("elements": "face", "weights": "mean-value")");
   CHECK(word(apart) == "face, inverse, srl");
   REQUIRE(apart.warnings.size() == 1);

@@ -20,7 +20,7 @@ _viete_value() {
     --method) words='fast diag sd improved_sd' ;;
     --elements) words='face patch edge vertex vertex-face vertex-patch point' ;;
     --weights) words='inverse integrated cutoff harmonic biharmonic mean-value' ;;
-    --blend) words='srl sse slrl sql log3 log4 linear' ;;
+    --blend) words='srl sse slrl sql log3 log4 mls-affine mls-similarity mls-rigid linear' ;;
     --coordinates) words='face mvc' ;;
     --reach) words='all 1.5 2 3 5' ;;
     --radius) words='5 10 25 50' ;;

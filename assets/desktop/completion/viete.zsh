@@ -11,7 +11,7 @@ local -a pose=("--pose=[posed cage]:pose:$mesh")
 local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_sd)')
 local -a weighting=('--elements=[which maps the cage carries]:elements:(face patch edge vertex vertex-face vertex-patch point)'
   '--weights=[how much of each map a vertex takes]:weights:(inverse integrated cutoff harmonic biharmonic mean-value)')
-local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql log3 log4 linear)')
+local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql log3 log4 mls-affine mls-similarity mls-rigid linear)')
 local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
 local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 5)')
 local -a limits=('--radius=[where cut-off weights end, percent]:percent:(5 10 25 50)' '--exponent=[of distances]:exponent:(1 2 3 4)'

@@ -1,0 +1,132 @@
+#include "deform/moments.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "sym3/polar.h"
+
+namespace viete::deform {
+
+namespace {
+
+using MomentMatrix = sym3::Mat3<double>;
+
+constexpr double cloud_radius = 0.1;  // of the cage's edges
+
+Vec3 vector_at(const double* numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Vec3 turned_by(const MomentMatrix& m, const Vec3& x) {
+  return {m[0] * x[0] + m[1] * x[1] + m[2] * x[2], m[3] * x[0] + m[4] * x[1] + m[5] * x[2],
+          m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
+}
+
+// K^-1 x.
+Vec3 solve(const MomentMatrix& k, const Vec3& x) {
+  const Eigen::Matrix3d matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(k.data());
+  const Eigen::Vector3d y = matrix.partialPivLu().solve(Eigen::Vector3d(x[0], x[1], x[2]));
+  return {y[0], y[1], y[2]};
+}
+
+void add_moment(double v, const Vec3& a, const Vec3& b, MomentMatrix& m) {
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) m[3 * r + c] += v * a[r] * b[c];
+  }
+}
+
+// Of one vertex; rest lengths in l.
+struct Means {
+  double weight = 0;                   // sum of v
+  Vec3 rest{0, 0, 0}, posed{0, 0, 0};  // m, m'
+  Vec3 center{0, 0, 0};                // sum w p'
+};
+
+Means means(std::span<const double> weights, const double* table) {
+  Means m;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    const double* row = table + j * moment_shape.columns;
+    const double v = std::max(weights[j], 0.0);
+    m.weight += v;
+    m.rest = m.rest + v * vector_at(row);
+    m.posed = m.posed + v * vector_at(row + 12);
+    m.center = m.center + weights[j] * vector_at(row + 12);
+  }
+  m.rest = (1 / m.weight) * m.rest;
+  m.posed = (1 / m.weight) * m.posed;
+  return m;
+}
+
+// B / l and K / l^2.
+struct Moments {
+  MomentMatrix posed{}, rest{};
+};
+
+Moments moments(std::span<const double> weights, const double* table, const Means& means) {
+  Moments sum;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    const double* row = table + j * moment_shape.columns;
+    const double v = std::max(weights[j], 0.0);
+    const Vec3 p = vector_at(row) - means.rest;
+    add_moment(v, vector_at(row + 12) - means.posed, p, sum.posed);
+    add_moment(v, p, p, sum.rest);
+    for (int i = 0; i < 9; ++i) sum.posed[i] += v * row[3 + i];
+  }
+  for (const int i : {0, 4, 8}) sum.rest[i] += means.weight;
+  return sum;
+}
+
+double trace(const MomentMatrix& m) {
+  return m[0] + m[4] + m[8];
+}
+
+// M o.
+Vec3 fitted(RowForm form, const Moments& moments, const Vec3& o, double length) {
+  if (form == RowForm::affine_moments) return turned_by(moments.posed, solve(moments.rest, (1 / length) * o));
+  const auto [rotation, stretch] = sym3::polar(moments.posed);
+  const Vec3 turned = turned_by(rotation, o);
+  if (form == RowForm::rigid_moments) return turned;
+  return (stretch.xx + stretch.yy + stretch.zz) / (length * trace(moments.rest)) * turned;
+}
+
+}  // namespace
+
+double moment_length(const Cage& cage) {
+  const auto& p = cage.surface.positions;
+  double sum = 0;
+  for (const auto& [a, b] : cage.edges) sum += squared_norm(p[b] - p[a]);
+  return cloud_radius * std::sqrt(sum / static_cast<double>(cage.edges.size()));
+}
+
+void write_moment_row(const AffineMap& map, const Vec3& rest_center, double length, std::span<double> row) {
+  for (int i = 0; i < 3; ++i) row[i] = rest_center[i] / length;
+  for (int i = 0; i < 9; ++i) row[3 + i] = length * map.linear[i];
+  std::ranges::copy(map.center, row.begin() + 12);
+}
+
+void place_by_moments(const Binding& binding, const Shares& shares, const Rows& rows, std::size_t begin,
+                      std::size_t end, std::span<mesh::Point> positions) {
+  for (std::size_t i = begin; i < end; ++i) {
+    positions[i] = binding.rest[i];
+    const double share = shares.empty() ? 1 : shares[i];
+    if (share == 0) continue;
+    const auto weights = std::span(binding.weights).subspan(i * binding.handles, binding.handles);
+    const Means mean = means(weights, rows.values.data());
+    const Moments sums = moments(weights, rows.values.data(), mean);
+    const Vec3 moved = fitted(rows.form, sums, binding.offsets[i], rows.moment_length) + mean.center;
+    const Vec3 rest = binding.rest[i] - binding.rest_origin;
+    positions[i] = rows.origin + (share == 1 ? moved : rest + share * (moved - rest));
+  }
+}
+
+RestMoment rest_moment(const MomentMatrix& moments, const Vec3& sum, double weight, const Vec3& shift,
+                       const Vec3& offset, double unit) {
+  if (!(weight > 0)) return {{0, 0, 0}, 0};
+  MomentMatrix k = moments;
+  const Vec3 off = shift + (1 / weight) * sum;  // m - p0
+  add_moment(-1, off, sum, k);
+  return {solve(k, offset), unit / trace(k)};
+}
+
+}  // namespace viete::deform
