@@ -51,7 +51,8 @@ TEST_CASE("every_way_of_blending_is_measured_and_none_distorts_a_cage_at_rest") 
     CHECK(rest.volume == doctest::Approx(1));
     CHECK(rest.gap == doctest::Approx(compared.rest_gap));
     CHECK(std::isnan(rest.energy_ratio));  // of nothing over nothing
-    CHECK(posed.distortion.energy > 1e-3);
+    // Rotations alone hardly distort.
+    CHECK(posed.distortion.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);
     if (deform::shorthand(scheme) == "mvc") {
