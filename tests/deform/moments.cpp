@@ -11,7 +11,7 @@ using namespace viete::test;
 
 namespace {
 
-constexpr Blend fits[] = {Blend::mls_affine, Blend::mls_similarity, Blend::mls_rigid};
+constexpr Blend fitted_blends[] = {Blend::mls_affine, Blend::mls_similarity, Blend::mls_rigid};
 constexpr Weights kinds[] = {Weights::inverse, Weights::harmonic, Weights::biharmonic};
 
 mesh::Surface limb() {
@@ -62,7 +62,7 @@ struct Engines {
 template <class Body>
 void for_schemes(const Body& body) {
   for (const Weights kind : kinds) {
-    for (const Blend fit : fits) {
+    for (const Blend fit : fitted_blends) {
       const Scheme scheme{{Elements::point, kind}, fit};
       CAPTURE(text(scheme));
       body(scheme);
@@ -202,7 +202,7 @@ TEST_CASE("fitted_maps_are_exported_as_they_are_shown_and_take_no_amounts") {
 }
 
 TEST_CASE("fitted_maps_have_the_same_bits_on_every_instruction_set_and_however_weights_are_kept") {
-  for (const Blend fit : fits) {
+  for (const Blend fit : fitted_blends) {
     const Scheme scheme{{Elements::point, Weights::inverse, 2.5}, fit};
     CAPTURE(text(scheme));
     Bound b(limb(), limb_cage(), scheme.weighting, 2, fit);
