@@ -227,7 +227,7 @@ const std::vector<Command>& table() {
       {"tool_scale", "Scale", "Scale the selection about its centre.", "Tool", {key('R')}, {}, always,
        use_tool<Tool::scale>},
 
-      {"tool_paint", "Paint", "Paint on the model what stays as it is at rest, however the cage is posed; with Ctrl what follows again.",
+      {"tool_paint", "Paint", "Paint what of the model stays at rest; with Ctrl what follows.",
        "Tool", {key('D')}, {}, has_cage, use_tool<Tool::paint>},
       {"mask_clear", "Clear paint", "All of the model follows the cage again.", "Tool", {}, {}, has_mask,
        [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); }},
