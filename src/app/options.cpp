@@ -145,7 +145,9 @@ void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked) {
       "--exponent", [&asked](int e) { asked.exponent = e; },
       "Of inverse distances and cut-off weights: the higher, the more local");
   whole_in_range(exponent, 1, deform::most_exponent)->default_str("2");
-  app.add_flag("--clamp", asked.clamp, "Of biharmonic weights: those below 0 become 0");
+  app.add_flag_function(
+      "--clamp,!--no-clamp", [&asked](std::int64_t count) { asked.clamp = count > 0; },
+      "Of biharmonic weights: those below 0 become 0 (the default), or stay");
   app.add_flag(
       "--normalise", asked.normalise,
       "Of cut-off weights: they always sum to 1, also where few elements reach; what none reaches stays");

@@ -249,7 +249,7 @@ Weighting with(Weighting w, const AskedWeighting& asked) {
   w.reach = asked.reach.value_or(w.reach);
   w.radius = asked.radius.value_or(w.radius);
   w.exponent = asked.exponent.value_or(w.exponent);
-  w.clamp = w.clamp || asked.clamp;
+  w.clamp = asked.clamp.value_or(w.clamp);
   w.normalise = w.normalise || asked.normalise;
   return w;
 }
@@ -284,6 +284,10 @@ const WeightsEntry& entry(Weights weights) {
 }
 const BlendEntry& entry(Blend blend) {
   return find(blend_table, blend);
+}
+
+Scheme default_scheme(bool has_triangles) {
+  return {{Elements::face, has_triangles ? Weights::biharmonic : Weights::inverse}, Blend::srl};
 }
 
 std::optional<std::string_view> conflict(const Scheme& scheme) {

@@ -112,7 +112,7 @@ struct Weighting {
   /// Of distances, 1 to most_exponent: the higher, the more local.
   int exponent = 2;
   /// Weights below 0 become 0, and the others less, so that they sum to 1 again.
-  bool clamp = false;
+  bool clamp = true;
   /// Weights always sum to 1, also where few elements reach: see cut_off_weights().
   bool normalise = false;
 
@@ -136,7 +136,8 @@ struct Weighting {
 struct AskedWeighting {
   std::optional<double> reach{}, radius{};
   std::optional<int> exponent{};
-  bool clamp = false, normalise = false;
+  std::optional<bool> clamp{};
+  bool normalise = false;
 
   bool any() const { return reach || radius || exponent || clamp || normalise; }
 };
@@ -158,6 +159,7 @@ struct Amounts {
 };
 inline constexpr double largest_amount = 2;
 
+/// The default of members is the published way; that of the program is default_scheme().
 struct Scheme {
   Weighting weighting;
   Blend blend = Blend::srl;
@@ -173,6 +175,11 @@ struct Scheme {
            a.amounts == b.amounts && a.iterations == b.iterations;
   }
 };
+
+/// What a model is moved by where nobody chose: of all ways of blending the one whose energy is the lowest
+/// over the poses of many models without being high in any (README.md has the table). Weights that do not
+/// need a surface where there is none.
+Scheme default_scheme(bool has_triangles = true);
 
 /// Why these do not go together, as a sentence; nothing if they do.
 std::optional<std::string_view> conflict(const Scheme& scheme);

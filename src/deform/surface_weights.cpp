@@ -11,6 +11,7 @@
 #include "deform/cage_state.h"
 #include "deform/inverse_distance.h"
 #include "mesh/point_tree.h"
+#include "mesh/repair.h"
 #include "mesh/triangle.h"
 
 namespace viete::deform {
@@ -88,7 +89,13 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
 
 SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                              base::WorkerPool& pool, base::Progress* progress, double done)
-    : owned_(owned_vertices(model, cage, weighting.elements, pool)), laplacian_(intrinsic_laplacian(model)) {
+    : SurfaceSystem(model, mesh::welded(model), cage, weighting, pool, progress, done) {}
+
+SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& joined, const Cage& cage,
+                             const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress,
+                             double done)
+    : owned_(owned_vertices(joined, cage, weighting.elements, pool)),
+      laplacian_(intrinsic_laplacian(joined)) {
   if (progress) progress->report(0);
   std::vector<bool> is_owned(owned_.owners.size());
   for (std::size_t v = 0; v < is_owned.size(); ++v) is_owned[v] = owned_.owners[v] > 0;
@@ -101,7 +108,8 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const Cage& cage, const
     for (std::uint32_t v = 0; v < free.size(); ++v) free[v] = held.holds(v) && !is_owned[v];
     solver_.emplace(grounded(laplacian_.stiffness, free), pool, told(progress, 0, done));
   }
-  for (const auto v : sources(model, laplacian_.stiffness, held)) offsets_.push_back(solver().place(v));
+  const auto source = sources(joined, laplacian_.stiffness, held);
+  for (const auto v : mesh::lowest_in_place(model.positions)) offsets_.push_back(solver().place(source[v]));
   if (progress) progress->report(done);
 }
 

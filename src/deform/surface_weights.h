@@ -50,6 +50,9 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
 /// there is no M in them, so that they depend on how the model is cut into triangles, nor that the springs'
 /// strength is also the value.
 ///
+/// Vertices at the same place are one: seams of textures and sharp edges do not tear, nor do triangles that
+/// share no vertices.
+///
 /// A part of the model without an owned vertex, and a vertex of no triangle, take over the weights of the
 /// vertex nearest to their middle that has a part with one: all of such a part moves as one.
 ///
@@ -77,6 +80,8 @@ public:
              base::Progress* progress, double from = 0, double to = 1) const;
 
 private:
+  SurfaceSystem(const mesh::Surface& model, const mesh::Surface& joined, const Cage& cage,
+                const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress, double done);
   const BlockSolver& solver() const;
   std::vector<ThinPlate::Load> loads() const;
   void set_right_hand_side(std::size_t handle, std::size_t column, std::span<double> block) const;

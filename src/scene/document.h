@@ -57,7 +57,7 @@ struct Document {
   Selection selection;
   History history;
   sym3::Method method = sym3::Method::fast;
-  deform::Scheme scheme;
+  deform::Scheme scheme = deform::default_scheme();
   Space space;
   Revisions revisions;
 

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "deform/pose_io.h"
 #include "mesh/winding_number.h"
+#include "scene/edit.h"
 #include "scene/saving.h"
 
 namespace viete::scene {
@@ -285,7 +286,11 @@ Opened open_files(const OpenRequest& request, const Document& current, base::Pro
     document.method = current.method;
     document.scheme = current.scheme;
   }
-  put_settings(document, request.settings);
+  put_settings(document, request.settings, opened.has_settings);
+  const bool surfaceless = document.model.surface->triangles.empty() && !opened.has_settings;
+  if (surfaceless && deform::entry(document.scheme.weighting.weights).on_surface &&
+      !request.settings.choice.weights)
+    put_scheme(document, deform::complete(only(deform::default_scheme(false).weighting.weights), document.scheme));
   opened.has_settings |= request.settings.any();
   return opened;
 }

@@ -343,7 +343,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (weighting.reach < deform::whole_cage) json["reach"] = weighting.reach;
   if (weighting.radius != usual.radius) json["radius"] = percent(weighting.radius);
   if (weighting.exponent != usual.exponent) json["exponent"] = weighting.exponent;
-  if (weighting.clamp) json["clamp"] = true;
+  if (!weighting.clamp) json["clamp"] = false;
   if (weighting.normalise) json["normalise"] = true;
   const deform::Amounts& amounts = session.scheme.amounts;
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
@@ -417,7 +417,7 @@ void read_scheme(const JsonReader& json, Session& s) {
   const auto flag_of = [](const auto& v) { return v.boolean(); };
   take_part(json, "radius", weighting.radius, radius_of, "25 percent instead", s.warnings);
   take_part(json, "exponent", weighting.exponent, exponent_of, "2 instead", s.warnings);
-  take_part(json, "clamp", weighting.clamp, flag_of, "not clamped instead", s.warnings);
+  take_part(json, "clamp", weighting.clamp, flag_of, "clamped instead", s.warnings);
   take_part(json, "normalise", weighting.normalise, flag_of, "not normalised instead", s.warnings);
   take_part(json, "turn", s.scheme.amounts.turn, amount_of, "100 percent instead", s.warnings);
   take_part(json, "stretch", s.scheme.amounts.stretch, amount_of, "100 percent instead", s.warnings);

@@ -25,7 +25,7 @@ namespace viete::scene {
 ///   "reach"               of weights that have one, 1.5 or more; missing: the whole cage
 ///   "radius", "exponent"  of weights that have them, percent of the cage's diagonal (missing: 25) and 1 to 8
 ///                         (missing: 2)
-///   "clamp", "normalise"  of weights that have them, true or false; missing: false
+///   "clamp", "normalise"  of weights that have them, true or false; missing: true, false
 ///   "mask"                painted shares of the model's vertices in their order, in 255ths: [share, for how
 ///                         many vertices, share, ...]; missing: every vertex follows the cage
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and

@@ -7,9 +7,23 @@
 
 namespace viete::scene {
 
-void put_settings(Document& document, const AskedSettings& asked) {
+namespace {
+
+// The first ones that have all of these settings; nothing if none have.
+std::optional<deform::Weights> weights_with(const deform::AskedWeighting& asked) {
+  for (const auto& weights : deform::all_weights()) {
+    if (!deform::unused_setting(weights.value, asked)) return weights.value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void put_settings(Document& document, const AskedSettings& asked, bool chosen) {
   deform::Scheme scheme = document.scheme;
-  const deform::PartialChoice& choice = asked.choice;
+  deform::PartialChoice choice = asked.choice;
+  if (!chosen && !choice.weights && deform::unused_setting(scheme.weighting.weights, asked.weighting))
+    choice.weights = weights_with(asked.weighting);
   if (choice.elements || choice.weights || choice.blend) scheme = deform::complete(choice, scheme);
   scheme.weighting = deform::with(scheme.weighting, asked.weighting);
   if (const auto unused = deform::unused_setting(scheme.weighting.weights, asked.weighting))

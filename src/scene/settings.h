@@ -24,6 +24,9 @@ struct AskedSettings {
 /// To a document that was just opened: no edit. Throws base::Error and changes nothing if the choices do not
 /// go together, or a setting is asked for that weights do not have, or amounts or stitching where maps only
 /// move.
-void put_settings(Document& document, const AskedSettings& asked);
+///
+/// A setting that the document's weights do not have chooses others that do, unless someone has chosen these:
+/// by name here, or before (`chosen`), as in a session.
+void put_settings(Document& document, const AskedSettings& asked, bool chosen = false);
 
 }  // namespace viete::scene

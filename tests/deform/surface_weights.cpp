@@ -333,3 +333,52 @@ TEST_CASE("on_real_models_harmonic_weights_have_their_bounds_and_rows_sum_to_1" 
     CHECK(off_one(biharmonic) < 1e-8);
   }
 }
+
+TEST_CASE("seams_and_soups_of_triangles_have_the_weights_of_the_surface_that_they_make") {
+  auto whole = tube(30, 12, 0.5, 3);
+  Random random(3);
+  for (auto& p : whole.positions) p = p + random.vector(0.01);  // no two are equally near to a handle
+  const Cage cage = make_cage(tube(7, 6, 0.8, 4));
+  // Every triangle with vertices of its own.
+  std::vector<mesh::Point> positions;
+  std::vector<mesh::Triangle> triangles;
+  for (const auto& t : whole.triangles) {
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    for (const auto v : t) positions.push_back(whole.positions[v]);
+    triangles.push_back({first, first + 1, first + 2});
+  }
+  const auto soup = mesh::from_triangles(positions, triangles);
+  base::WorkerPool pool(2);
+  for (const auto& weighting : {harmonics, biharmonics}) {
+    const Binding of_whole = bind(whole, cage, weighting, pool), of_soup = bind(soup, cage, weighting, pool);
+    const std::size_t k = of_whole.handles;
+    double worst = 0;
+    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
+      for (int corner = 0; corner < 3; ++corner) {
+        const double* a = of_whole.weights.data() + whole.triangles[t][corner] * k;
+        const double* b = of_soup.weights.data() + triangles[t][corner] * k;
+        for (std::size_t j = 0; j < k; ++j) worst = std::max(worst, std::abs(a[j] - b[j]));
+      }
+    }
+    CHECK(worst < 1e-9);
+  }
+}
+
+TEST_CASE("clamped_weights_are_not_below_0_and_sum_to_1_and_others_leave_0_here_and_there") {
+  const auto model = tube(40, 16, 0.5, 3);
+  const Cage cage = make_cage(tube(7, 6, 0.8, 4));
+  base::WorkerPool pool(2);
+  for (const bool clamp : {true, false}) {
+    Weighting weighting = biharmonics;
+    weighting.clamp = clamp;
+    const Binding b = bind(model, cage, weighting, pool);
+    const auto [low, high] = std::ranges::minmax(b.weights);
+    CHECK((low < 0) == !clamp);
+    CHECK(high <= 1.2);
+    for (std::size_t v = 0; v < b.vertices; ++v) {
+      double sum = 0;
+      for (std::size_t j = 0; j < b.handles; ++j) sum += b.weights[v * b.handles + j];
+      CHECK(sum == doctest::Approx(1).epsilon(1e-13));
+    }
+  }
+}

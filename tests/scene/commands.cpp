@@ -64,6 +64,7 @@ TEST_CASE("methods_switch_without_touching_history_pose_or_weights") {
 
 TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
   Workspace w = test::cube_workspace();
+  w.document.scheme = {};
   const Revisions before = w.document.revisions;
   CHECK(test::run_command(w, "blend_linear"));
   CHECK(w.document.scheme.blend == deform::Blend::linear);
@@ -104,6 +105,7 @@ TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
 
 TEST_CASE("reaches_are_stepped_through_as_one_edit_where_weights_have_one") {
   Workspace w = test::cube_workspace();
+  w.document.scheme = {};
   auto& reach = w.document.scheme.weighting.reach;
   CHECK(test::run_command(w, "reach_longer"));
   CHECK(reach == deform::whole_cage);

@@ -340,7 +340,7 @@ TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
     const auto json = read_json(files / "a.viete");
     CHECK(json["version"] == 2);
     CHECK(json["radius"] == 29);
-    CHECK(json.contains("clamp") == weighting.clamp);
+    CHECK(json.contains("clamp") == !weighting.clamp);
     Workspace back;
     REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
     const deform::Weighting& kept = back.document.scheme.weighting;
