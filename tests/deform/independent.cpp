@@ -65,12 +65,12 @@ Corners frame(const Corners& t) {
 
 // [u' v' n'] [u v n]^-1, the rows of the inverse being cross products over the determinant.
 Matrix affine_map(const Corners& rest, const Corners& posed) {
-  const auto [u, v, n] = frame(rest);
-  const Corners to = frame(posed), from = {outer(v, n), outer(n, u), outer(u, v)};
+  const auto& [u, v, n] = rest;
+  const Corners from = {outer(v, n), outer(n, u), outer(u, v)};
   const Quad determinant = inner(u, outer(v, n));
   Matrix m{};
   for (int i = 0; i < 9; ++i) {
-    for (int k = 0; k < 3; ++k) m[i] += to[k][i / 3] * from[k][i % 3] / determinant;
+    for (int k = 0; k < 3; ++k) m[i] += posed[k][i / 3] * from[k][i % 3] / determinant;
   }
   return m;
 }
@@ -106,39 +106,265 @@ Vector nearest(const Vector& v, const Vector& other) {
   return plus(v, v, turns * whole_turn / angle);
 }
 
+constexpr Matrix identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+// A map, the handle that it is of, and how much of that.
 struct Element {
-  Vector rest_center, center, turn;  // turn: the log of the rotation
-  Matrix map, rotation;
-  QuadSym stretch;  // the log
-  Matrix log{};     // of the whole map, where that is asked for
+  Vector rest_center, center, turn{};  // turn: the log of the rotation
+  Matrix map = identity, rotation = identity;
+  QuadSym stretch{1, 0, 0, 1, 0, 1}, log_of_stretch{};
+  Matrix log{};                   // of the whole map, where that is asked for
+  Matrix inverse_phi = identity;  // of the log of its motion, where that is
+  std::size_t handle = 0;
+  Quad share = 1;
 };
 
-Element element(const Corners& rest, const Corners& posed) {
-  const Matrix m = affine_map(rest, posed);
+Element element(const Matrix& m, const Vector& rest_center, const Vector& center, std::size_t handle) {
   const QuadSym squared = squared_stretch(m);
-  Element e{centroid(rest), centroid(posed), {}, m, product(m, full(quad_inv_sqrt(squared))), {}};
+  Element e{rest_center, center};
+  e.map = m;
+  e.rotation = product(m, full(quad_inv_sqrt(squared)));
   e.turn = log_of_rotation(e.rotation);
-  e.stretch = quad_function(squared, [](Quad x) { return logq(x) / 2; });
+  e.stretch = quad_function(squared, [](Quad x) { return sqrtq(x); });
+  e.log_of_stretch = quad_function(squared, [](Quad x) { return logq(x) / 2; });
+  e.handle = handle;
   return e;
 }
 
-std::vector<std::vector<std::size_t>> neighbours(const mesh::Surface& cage) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> across;
-  for (std::size_t j = 0; j < cage.triangles.size(); ++j) {
-    const auto& t = cage.triangles[j];
-    for (int i = 0; i < 3; ++i) across[{t[i], t[(i + 1) % 3]}] = j;
-  }
-  std::vector<std::vector<std::size_t>> result(cage.triangles.size());
-  for (const auto& [edge, j] : across) {
-    const auto other = across.find({edge.second, edge.first});
-    if (other != across.end()) result[j].push_back(other->second);
+using Lists = std::vector<std::vector<std::size_t>>;
+
+// Of each member of groups those that it shares one with.
+Lists beside(const Lists& groups, std::size_t members) {
+  Lists result(members);
+  for (const auto& group : groups) {
+    for (const auto a : group) {
+      for (const auto b : group) {
+        if (a != b) result[a].push_back(b);
+      }
+    }
   }
   return result;
 }
 
+using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>>;
+
+// Of each edge: side 3 t + i runs from corner i of triangle t to the next.
+Edges sides_of_edges(const mesh::Surface& cage) {
+  Edges edges;
+  for (std::size_t side = 0; side < 3 * cage.triangles.size(); ++side) {
+    const auto& t = cage.triangles[side / 3];
+    const auto a = t[side % 3], b = t[(side + 1) % 3];
+    edges[{std::min(a, b), std::max(a, b)}].push_back(side);
+  }
+  return edges;
+}
+
+Lists triangles_by_edge(const mesh::Surface& cage) {
+  Lists groups;
+  for (const auto& [edge, sides] : sides_of_edges(cage)) {
+    groups.emplace_back();
+    for (const auto side : sides) groups.back().push_back(side / 3);
+  }
+  return groups;
+}
+
+Lists vertices_by_triangle(const mesh::Surface& cage) {
+  Lists groups;
+  for (const auto& t : cage.triangles) groups.push_back({t[0], t[1], t[2]});
+  return groups;
+}
+
+// All maps of a kind, and which are neighbours.
+struct Maps {
+  std::vector<Element> elements;
+  Lists around;
+};
+
+using Points = std::span<const mesh::Point>;
+
+Maps face_maps(const mesh::Surface& cage, Points posed) {
+  Maps maps{{}, beside(triangles_by_edge(cage), cage.triangles.size())};
+  for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
+    const Corners rest = corners(cage.triangles[t], cage.positions), to = corners(cage.triangles[t], posed);
+    maps.elements.push_back(element(affine_map(frame(rest), frame(to)), centroid(rest), centroid(to), t));
+  }
+  return maps;
+}
+
+Quad diagonal_of(Points points) {
+  Vector low = quad(points[0]), high = low;
+  for (const auto& p : points) {
+    for (int i = 0; i < 3; ++i)
+      low[i] = std::min(low[i], Quad(p[i])), high[i] = std::max(high[i], Quad(p[i]));
+  }
+  return length(minus(high, low));
+}
+
+// Of a patch: what it begins with, where it grows, and its vertices so far.
+struct Patch {
+  Vector center;
+  std::vector<bool> grown, taken;  // seeds, vertices
+  std::vector<std::size_t> vertices;
+};
+
+// sum w (p - c)(p - c)^T
+QuadSym spread(const Patch& patch, Points rest, Quad width) {
+  QuadSym k{};
+  for (const auto v : patch.vertices) {
+    const Vector x = minus(quad(rest[v]), patch.center);
+    const Quad w = 1 / (width * width + inner(x, x));
+    k.xx += w * x[0] * x[0], k.xy += w * x[0] * x[1], k.xz += w * x[0] * x[2];
+    k.yy += w * x[1] * x[1], k.yz += w * x[1] * x[2], k.zz += w * x[2] * x[2];
+  }
+  return k;
+}
+
+bool spreads_evenly(const QuadSym& k) {
+  const auto values = quad_eigen(k).values;
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  return *least >= *largest / 100;
+}
+
+// Ring by ring, one at least, until it spreads as far in all directions. seeds: the vertices of each.
+void grow(Patch& patch, std::size_t seed, const Lists& seeds, const Lists& around, Points rest, Quad width) {
+  const auto take = [&](std::size_t s) {
+    patch.grown[s] = true;
+    for (const auto v : seeds[s]) {
+      if (!patch.taken[v]) patch.vertices.push_back(v);
+      patch.taken[v] = true;
+    }
+  };
+  std::vector<std::size_t> ring{seed};
+  take(seed);
+  do {
+    std::vector<std::size_t> next;
+    for (const auto s : ring) {
+      for (const auto n : around[s]) {
+        if (!patch.grown[n]) next.push_back(n), patch.grown[n] = true;
+      }
+    }
+    for (const auto s : next) take(s);
+    ring = next;
+  } while (!ring.empty() && !spreads_evenly(spread(patch, rest, width)));
+}
+
+Vector mean_of(const std::vector<std::size_t>& vertices, Points at) {
+  Vector sum{};
+  for (const auto v : vertices) sum = plus(sum, quad(at[v]));
+  return plus({}, sum, 1 / Quad(vertices.size()));
+}
+
+// The least-squares fit of each patch about the mean of its seed's vertices.
+Maps patch_maps(const mesh::Surface& cage, Points posed, const Lists& seeds, const Lists& groups) {
+  const Points rest = cage.positions;
+  const Quad width = Quad(0.03) * diagonal_of(rest);
+  Maps maps{{}, beside(groups, seeds.size())};
+  for (std::size_t s = 0; s < seeds.size(); ++s) {
+    Patch patch{mean_of(seeds[s], rest), std::vector<bool>(seeds.size()), std::vector<bool>(rest.size()), {}};
+    grow(patch, s, seeds, maps.around, rest, width);
+    const Vector center = mean_of(seeds[s], posed);
+    const Matrix inverse_spread =
+        full(quad_function(spread(patch, rest, width), [](Quad x) { return 1 / x; }));
+    Matrix m{};
+    for (const auto v : patch.vertices) {
+      const Vector x = minus(quad(rest[v]), patch.center), to = minus(quad(posed[v]), center);
+      const Vector dual = plus({}, times(inverse_spread, x), 1 / (width * width + inner(x, x)));
+      for (int i = 0; i < 9; ++i) m[i] += to[i / 3] * dual[i % 3];
+    }
+    maps.elements.push_back(element(m, patch.center, center, s));
+  }
+  return maps;
+}
+
+Maps vertex_patch_maps(const mesh::Surface& cage, Points posed) {
+  Lists vertices;
+  for (std::size_t v = 0; v < cage.positions.size(); ++v) vertices.push_back({v});
+  return patch_maps(cage, posed, vertices, vertices_by_triangle(cage));
+}
+
+// A side of a triangle, from the corner that it begins at, and all sides that belong to the same handle.
+struct Side {
+  Corners triangle;  // from that corner on
+  std::vector<Corners> same;
+};
+
+Vector area(const Corners& t) {
+  return outer(minus(t[1], t[0]), minus(t[2], t[0]));
+}
+
+Vector unit(const Vector& v) {
+  return plus({}, v, 1 / length(v));
+}
+
+// The two vectors of a side's map, and the third one, which those of a handle share.
+Corners span_of(const Side& side, deform::Elements kind) {
+  if (kind == deform::Elements::vertex_face) return frame(side.triangle);
+  Vector normals{};
+  Quad areas = 0;
+  for (const Corners& t : side.same) normals = plus(normals, unit(area(t))), areas += length(area(t)) / 2;
+  const auto& [at, next, previous] = side.triangle;
+  const Vector along = minus(next, at), middle = plus(at, along, 0.5);
+  if (kind == deform::Elements::edge)
+    return {along, minus(centroid(side.triangle), middle), plus({}, unit(normals), length(along))};
+  return {along, minus(previous, at), plus({}, unit(normals), sqrtq(areas))};
+}
+
+Corners side_at(const mesh::Surface& cage, std::size_t side, Points at) {
+  const auto& t = cage.triangles[side / 3];
+  return {quad(at[t[side % 3]]), quad(at[t[(side + 1) % 3]]), quad(at[t[(side + 2) % 3]])};
+}
+
+// The sides of each handle: of edges those along it, of vertices those that begin there.
+Lists sides_of_handles(const mesh::Surface& cage, deform::Elements kind) {
+  Lists lists(kind == deform::Elements::edge ? 0 : cage.positions.size());
+  if (kind == deform::Elements::edge) {
+    for (const auto& [edge, sides] : sides_of_edges(cage)) lists.push_back(sides);
+    return lists;
+  }
+  for (std::size_t side = 0; side < 3 * cage.triangles.size(); ++side)
+    lists[cage.triangles[side / 3][side % 3]].push_back(side);
+  return lists;
+}
+
+Maps corner_maps(const mesh::Surface& cage, Points posed, deform::Elements kind) {
+  Maps maps;
+  Lists groups(cage.triangles.size());
+  for (const auto& sides : sides_of_handles(cage, kind)) {
+    const std::size_t handle = groups.size() - cage.triangles.size();
+    groups.emplace_back();
+    for (const auto side : sides) {
+      const auto at = [&](Points points) {
+        Side s{side_at(cage, side, points), {}};
+        for (const auto other : sides) s.same.push_back(side_at(cage, other, points));
+        return s;
+      };
+      const Side rest = at(cage.positions), to = at(posed);
+      const auto center = [&](const Corners& t) {
+        return kind == deform::Elements::edge ? plus(plus({}, t[0], 0.5), t[1], 0.5) : t[0];
+      };
+      groups[side / 3].push_back(maps.elements.size()), groups.back().push_back(maps.elements.size());
+      maps.elements.push_back(element(affine_map(span_of(rest, kind), span_of(to, kind)),
+                                      center(rest.triangle), center(to.triangle), handle));
+      maps.elements.back().share = 1 / Quad(sides.size());
+    }
+  }
+  maps.around = beside(groups, maps.elements.size());
+  return maps;
+}
+
+Maps maps_of(const mesh::Surface& cage, Points posed, deform::Elements kind) {
+  switch (kind) {
+    case deform::Elements::face: return face_maps(cage, posed);
+    case deform::Elements::patch:
+      return patch_maps(cage, posed, vertices_by_triangle(cage), triangles_by_edge(cage));
+    case deform::Elements::point:
+    case deform::Elements::vertex_patch: return vertex_patch_maps(cage, posed);
+    default: return corner_maps(cage, posed, kind);
+  }
+}
+
 // Breadth first from the first element, whose log is given; and how far all are from `reference`, squared.
-std::pair<std::vector<Vector>, Quad> follow(const std::vector<Element>& elements,
-                                            const std::vector<std::vector<std::size_t>>& around,
+std::pair<std::vector<Vector>, Quad> follow(const std::vector<Element>& elements, const Lists& around,
                                             const Vector& first, const Vector& reference) {
   std::vector<Vector> turns(elements.size());
   std::vector<std::size_t> order = {0};
@@ -159,8 +385,7 @@ std::pair<std::vector<Vector>, Quad> follow(const std::vector<Element>& elements
   return {turns, distance};
 }
 
-void choose_turns(std::vector<Element>& elements, const std::vector<std::vector<std::size_t>>& around,
-                  const Vector& reference) {
+void choose_turns(std::vector<Element>& elements, const Lists& around, const Vector& reference) {
   const Vector first = elements[0].turn;
   std::vector<Vector> best;
   Quad least = HUGE_VALQ;
@@ -192,35 +417,56 @@ Quad squared_distance(const Vector& p, const Corners& t) {
   return inside ? height * height / inner(n, n) : edges;
 }
 
-void divide_by_sum(std::vector<Quad>& weights) {
+Quad sum_of(const std::vector<Quad>& numbers) {
   Quad sum = 0;
-  for (const Quad w : weights) sum += w;
+  for (const Quad x : numbers) sum += x;
+  return sum;
+}
+
+void divide_by_sum(std::vector<Quad>& weights) {
+  const Quad sum = sum_of(weights);
   for (Quad& w : weights) w /= sum;
 }
 
-std::vector<Quad> inverse_distance(const std::vector<Quad>& squares, double reach) {
+// Of all handles.
+std::vector<Quad> squared_distances(const Vector& p, const mesh::Surface& cage, deform::Handles handles) {
+  std::vector<Quad> squares;
+  const auto& x = cage.positions;
+  if (handles == deform::Handles::vertices) {
+    for (const auto& v : x) squares.push_back(inner(minus(p, quad(v)), minus(p, quad(v))));
+  } else if (handles == deform::Handles::edges) {
+    for (const auto& [edge, sides] : sides_of_edges(cage))
+      squares.push_back(squared_distance_to_segment(p, quad(x[edge.first]), quad(x[edge.second])));
+  } else {
+    for (const auto& t : cage.triangles) squares.push_back(squared_distance(p, corners(t, x)));
+  }
+  return squares;
+}
+
+std::vector<Quad> inverse_distance(const std::vector<Quad>& squares, double reach, int exponent) {
   std::vector<Quad> weights;
   Quad sixth = 0, eighth = 0;
   for (const Quad s : squares) sixth += 1 / (s * s * s), eighth += 1 / (s * s * s * s);
   const Quad end = std::isfinite(reach) ? Quad(reach) * reach * sixth / eighth : HUGE_VALQ;
   for (const Quad s : squares) {
     const Quad taper = s < end ? 1 - s / end : 0;
-    weights.push_back(taper * taper / s);
+    weights.push_back(taper * taper / powq(s, Quad(exponent) / 2));
   }
   divide_by_sum(weights);
   return weights;
 }
 
-std::vector<Quad> inverse_distance(const Vector& p, const mesh::Surface& cage, double reach) {
-  std::vector<Quad> squares;
-  for (const auto& t : cage.triangles) squares.push_back(squared_distance(p, corners(t, cage.positions)));
-  return inverse_distance(squares, reach);
-}
-
-std::vector<Quad> inverse_distance_of_vertices(const Vector& p, const mesh::Surface& cage, double reach) {
-  std::vector<Quad> squares;
-  for (const auto& v : cage.positions) squares.push_back(inner(minus(p, quad(v)), minus(p, quad(v))));
-  return inverse_distance(squares, reach);
+// Their sum is 1 at most: the share of its motion that a point makes.
+std::vector<Quad> cut_off(const std::vector<Quad>& squares, Quad radius, int exponent, bool normalise) {
+  std::vector<Quad> weights;
+  Quad sum = 0;
+  for (const Quad s : squares) {
+    const Quad left = 1 - sqrtq(s) / radius;
+    weights.push_back(left > 0 ? powq(left, exponent) : 0);
+    sum += weights.back();
+  }
+  if (sum > 1 || (normalise && sum > 0)) divide_by_sum(weights);
+  return weights;
 }
 
 // In closed form, with as many digits more as cancel.
@@ -273,14 +519,17 @@ std::vector<Quad> mean_value(const Vector& p, const mesh::Surface& cage) {
   return weights;
 }
 
+std::array<Quad, 6> entries(const QuadSym& s) {
+  return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+}
+
 Vector by_logs(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights) {
   Vector offset = x, turn{}, center{};
   std::array<Quad, 6> sum{};
   for (std::size_t j = 0; j < elements.size(); ++j) {
     const Element& e = elements[j];
     const Quad w = weights[j];
-    const std::array<Quad, 6> log = {e.stretch.xx, e.stretch.xy, e.stretch.xz,
-                                     e.stretch.yy, e.stretch.yz, e.stretch.zz};
+    const std::array<Quad, 6> log = entries(e.log_of_stretch);
     for (int i = 0; i < 6; ++i) sum[i] += w * log[i];
     offset = plus(offset, e.rest_center, -w);
     turn = plus(turn, e.turn, w);
@@ -310,10 +559,7 @@ Vector about_center(const Vector& x, const std::vector<Element>& elements, const
 }
 
 Matrix mean_stretch(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
-  const auto s = weighted<6>(elements, weights, [](const Element& e) {
-    const QuadSym m = quad_exp(e.stretch);
-    return std::array<Quad, 6>{m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};
-  });
+  const auto s = weighted<6>(elements, weights, [](const Element& e) { return entries(e.stretch); });
   return full({s[0], s[1], s[2], s[3], s[4], s[5]});
 }
 
@@ -343,8 +589,6 @@ Matrix mean_quaternion_stretch(const std::vector<Element>& elements, const std::
   const Quad sine = length(v), angle = 2 * atan2q(sine, q[0]);
   return product(rotation_of(plus({}, v, sine > 0 ? angle / sine : 0)), mean_stretch(elements, weights));
 }
-
-constexpr Matrix identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 Matrix combined(const Matrix& a, const Matrix& b, Quad of_a, Quad of_b) {
   Matrix c{};
@@ -421,19 +665,16 @@ Vector by_motions(const Vector& x, const std::vector<Element>& elements, const s
                   bool rigid) {
   const Vector m = weighted<3>(elements, weights, [](const Element& e) { return e.rest_center; });
   const Vector center = weighted<3>(elements, weights, [](const Element& e) { return e.center; });
-  const auto log_of = [&](const Element& e) { return rigid ? cross_matrix(e.turn) : e.log; };
-  const Matrix log = weighted<9>(elements, weights, log_of);
+  const Matrix log =
+      weighted<9>(elements, weights, [&](const Element& e) { return rigid ? cross_matrix(e.turn) : e.log; });
   const Vector u = weighted<3>(elements, weights, [&](const Element& e) {
     const Vector way =
         minus(minus(e.center, center), times(rigid ? e.rotation : e.map, minus(e.rest_center, m)));
-    return times(inverse(phi(log_of(e))), way);
+    return times(e.inverse_phi, way);
   });
   Vector y = minus(x, m);
   if (rigid) {
-    const auto s = weighted<6>(elements, weights, [](const Element& e) {
-      return std::array<Quad, 6>{e.stretch.xx, e.stretch.xy, e.stretch.xz,
-                                 e.stretch.yy, e.stretch.yz, e.stretch.zz};
-    });
+    const auto s = weighted<6>(elements, weights, [](const Element& e) { return entries(e.log_of_stretch); });
     y = times(full(quad_exp({s[0], s[1], s[2], s[3], s[4], s[5]})), y);
   }
   return plus(center, plus(times(exp_of_matrix(log), y), times(phi(log), u)));
@@ -448,37 +689,42 @@ Vector by_maps(const Vector& x, const std::vector<Element>& elements, const std:
   return sum;
 }
 
-Vector by_positions(const std::vector<mesh::Point>& posed, const std::vector<Quad>& weights) {
+Vector mean(const std::vector<mesh::Point>& points, const std::vector<Quad>& weights) {
   Vector sum{};
-  for (std::size_t j = 0; j < posed.size(); ++j) sum = plus(sum, quad(posed[j]), weights[j]);
+  for (std::size_t j = 0; j < points.size(); ++j) sum = plus(sum, quad(points[j]), weights[j]);
   return sum;
 }
 
-// By the normal equations: sum w (p' - m')(p - m)^T = M sum w (p - m)(p - m)^T, each point with a cloud about
-// it. Rotations of maps that do not mirror: B (B^T B)^-1/2.
+// By the normal equations: sum v (p' - m')(p - m)^T = M sum v (p - m)(p - m)^T, each point with a cloud about
+// it, which its own map moves; v are the weights that are positive, m and m' their means. Rotations of maps
+// that do not mirror: B (B^T B)^-1/2.
 Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
-                        const std::vector<Quad>& weights, IndependentScheme scheme) {
-  const Vector from = by_positions(cage.positions, weights), to = by_positions(pose.positions, weights);
-  const Quad square = Quad(pose.clouds.radius) * pose.clouds.radius;
+                        const std::vector<Element>& elements, const std::vector<Quad>& weights,
+                        deform::Blend blend) {
+  const Vector from = mean(cage.positions, weights), to = mean(pose.positions, weights);
+  std::vector<Quad> positive;
+  for (const Quad w : weights) positive.push_back(w > 0 ? w : 0);
+  divide_by_sum(positive);
+  const Vector m = mean(cage.positions, positive), posed_m = mean(pose.positions, positive);
+  const Quad square = Quad(pose.moment_length) * pose.moment_length;
   Matrix b{}, k{};
   for (std::size_t j = 0; j < weights.size(); ++j) {
-    const Vector p = minus(quad(cage.positions[j]), from), q = minus(quad(pose.positions[j]), to);
+    const Vector p = minus(quad(cage.positions[j]), m), q = minus(quad(pose.positions[j]), posed_m);
     for (int i = 0; i < 9; ++i) {
-      b[i] += weights[j] * (q[i / 3] * p[i % 3] + square * pose.clouds.maps[j][i]);
-      k[i] += weights[j] * (p[i / 3] * p[i % 3] + square * identity[i]);
+      b[i] += positive[j] * (q[i / 3] * p[i % 3] + square * elements[j].map[i]);
+      k[i] += positive[j] * (p[i / 3] * p[i % 3] + square * identity[i]);
     }
   }
   const Vector offset = minus(x, from);
-  if (scheme == IndependentScheme::points_affine) return plus(to, times(product(b, inverse(k)), offset));
+  if (blend == deform::Blend::mls_affine) return plus(to, times(product(b, inverse(k)), offset));
   const QuadSym squared = squared_stretch(b);
   const Vector turned = times(product(b, full(quad_inv_sqrt(squared))), offset);
-  if (scheme == IndependentScheme::points_rigid) return plus(to, turned);
+  if (blend == deform::Blend::mls_rigid) return plus(to, turned);
   const QuadSym s = quad_function(squared, [](Quad y) { return sqrtq(y); });
   return plus(to, turned, (s.xx + s.yy + s.zz) / (k[0] + k[4] + k[8]));
 }
 
-double largest_step(const std::vector<Element>& elements,
-                    const std::vector<std::vector<std::size_t>>& around) {
+double largest_step(const std::vector<Element>& elements, const Lists& around) {
   Quad least = 3;  // trace of A^T B, 1 + 2 cos of the angle between them
   for (std::size_t j = 0; j < elements.size(); ++j) {
     for (const auto n : around[j]) {
@@ -490,41 +736,86 @@ double largest_step(const std::vector<Element>& elements,
   return std::acos(static_cast<double>((least - 1) / 2));
 }
 
-Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
-                const std::vector<Element>& elements, IndependentScheme scheme, double reach) {
-  using enum IndependentScheme;
-  if (scheme == points_mean_value) return by_positions(pose.positions, mean_value(x, cage));
-  if (scheme == points_affine || scheme == points_similar || scheme == points_rigid)
-    return by_least_squares(x, cage, pose, inverse_distance_of_vertices(x, cage, reach), scheme);
-  const auto w = scheme == face_integrals_srl ? integrated(x, cage) : inverse_distance(x, cage, reach);
-  switch (scheme) {
-    case face_integrals_srl:
-    case faces_srl: return by_logs(x, elements, w);
-    case faces_slrl: return about_center(x, elements, w, turned_mean_stretch(elements, w));
-    case faces_sql: return about_center(x, elements, w, mean_quaternion_stretch(elements, w));
-    case faces_sse: return by_motions(x, elements, w, true);
-    case faces_log4: return by_motions(x, elements, w, false);
-    case faces_log3: return about_center(x, elements, w, mean_of_matrix_logs(elements, w));
+std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const deform::Weighting& weighting) {
+  switch (weighting.weights) {
+    case deform::Weights::mean_value: return mean_value(x, cage);
+    case deform::Weights::integrated: return integrated(x, cage);
+    default: break;
+  }
+  const auto squares = squared_distances(x, cage, deform::entry(weighting.elements).handles);
+  if (weighting.weights == deform::Weights::cut_off)
+    return cut_off(squares, weighting.radius * diagonal_of(cage.positions), weighting.exponent,
+                   weighting.normalise);
+  return inverse_distance(squares, weighting.reach, weighting.exponent);
+}
+
+Vector blended(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& w,
+               deform::Blend blend) {
+  using enum deform::Blend;
+  switch (blend) {
+    case srl: return by_logs(x, elements, w);
+    case slrl: return about_center(x, elements, w, turned_mean_stretch(elements, w));
+    case sql: return about_center(x, elements, w, mean_quaternion_stretch(elements, w));
+    case sse: return by_motions(x, elements, w, true);
+    case log4: return by_motions(x, elements, w, false);
+    case log3: return about_center(x, elements, w, mean_of_matrix_logs(elements, w));
     default: return by_maps(x, elements, w);
+  }
+}
+
+// Of each handle's weight its maps have their shares; what is missing to 1 the identity about x has.
+Vector by_elements(const Vector& x, std::vector<Element> elements, const std::vector<Quad>& of_handles,
+                   deform::Blend blend) {
+  std::vector<Quad> weights;
+  for (const Element& e : elements) weights.push_back(e.share * of_handles[e.handle]);
+  elements.push_back({x, x});
+  weights.push_back(1 - sum_of(of_handles));
+  return blended(x, elements, weights, blend);
+}
+
+Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
+                const std::vector<Element>& elements, const std::vector<Quad>& w,
+                const deform::Scheme& scheme) {
+  if (deform::entry(scheme.blend).of_points) {
+    const Quad share = sum_of(w);
+    if (!(share > 0)) return x;
+    auto whole = w;
+    divide_by_sum(whole);
+    return plus(x, minus(by_least_squares(x, cage, pose, elements, whole, scheme.blend), x), share);
+  }
+  if (scheme.weighting.elements == deform::Elements::point)
+    return plus(x, minus(mean(pose.positions, w), mean(cage.positions, w)));
+  return by_elements(x, elements, w, scheme.blend);
+}
+
+void find_logs(std::vector<Element>& elements, deform::Blend blend) {
+  using enum deform::Blend;
+  for (Element& e : elements) {
+    if (blend == log3 || blend == log4) e.log = log_of_matrix(e.map);
+    if (blend == log4 || blend == sse)
+      e.inverse_phi = inverse(phi(blend == sse ? cross_matrix(e.turn) : e.log));
   }
 }
 
 }  // namespace
 
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
-                                      const IndependentPose& pose, IndependentScheme scheme, double reach) {
-  std::vector<Element> elements;
-  for (const auto& t : cage.triangles)
-    elements.push_back(element(corners(t, cage.positions), corners(t, pose.positions)));
-  if (scheme == IndependentScheme::faces_log3 || scheme == IndependentScheme::faces_log4) {
-    for (Element& e : elements) e.log = log_of_matrix(e.map);
-  }
-  const auto around = neighbours(cage);
+                                      const IndependentPose& pose, const deform::Scheme& scheme) {
+  auto [elements, around] = maps_of(cage, pose.positions, scheme.weighting.elements);
   choose_turns(elements, around, quad(pose.turn));
+  find_logs(elements, scheme.blend);
   IndependentFrame frame{{}, largest_step(elements, around)};
-  for (const auto& point : points) {
-    const Vector x = quad(point);
-    const Vector moved = moved_by(x, cage, pose, elements, scheme, reach);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector x = quad(points[i]);
+    std::vector<Quad> weights;
+    if (deform::entry(scheme.weighting.weights).on_surface) {
+      const std::size_t handles = pose.weights.size() / points.size();
+      const auto row = pose.weights.subspan(i * handles, handles);
+      weights.assign(row.begin(), row.end());
+    } else {
+      weights = weights_at(x, cage, scheme.weighting);
+    }
+    const Vector moved = moved_by(x, cage, pose, elements, weights, scheme);
     frame.positions.push_back(
         {static_cast<double>(moved[0]), static_cast<double>(moved[1]), static_cast<double>(moved[2])});
   }

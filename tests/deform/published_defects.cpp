@@ -90,7 +90,7 @@ mesh::Surface stump_cage() {
   return tube(5, 5, 0.5, 1.8);
 }
 
-mesh::Surface shifted(mesh::Surface surface, const Vec3& way) {
+mesh::Surface scene_at(mesh::Surface surface, const Vec3& way) {
   for (auto& p : surface.positions) p = p + way;
   return surface;
 }
@@ -117,7 +117,7 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
   return largest;
 }
 
-double sum_of(std::span<const double> numbers) {
+double total_of(std::span<const double> numbers) {
   double sum = 0;
   for (const double x : numbers) sum += x;
   return sum;
@@ -190,7 +190,7 @@ Matrix3 karcher_mean(const std::vector<Matrix3>& rotations, std::span<const doub
   Eigen::Vector3d step = Eigen::Vector3d::Zero();
   for (std::size_t j = 0; j < rotations.size(); ++j) step += weights[j] * turn_of(rotations[j]);
   Matrix3 mean = rotation_by(step);
-  const double rest = 1 - sum_of(weights);
+  const double rest = 1 - total_of(weights);
   for (int i = 0; i < 200 && step.norm() > 1e-15; ++i) {
     step = rest * turn_of(mean.transpose());
     for (std::size_t j = 0; j < rotations.size(); ++j)
@@ -252,7 +252,7 @@ TEST_CASE("where_the_scene_stands_matters_to_no_scheme") {
   for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     Bound a(stump(), stump_cage(), scheme.weighting, 1, scheme.blend);
-    Bound b(shifted(stump(), way), shifted(stump_cage(), way), scheme.weighting, 1, scheme.blend);
+    Bound b(scene_at(stump(), way), scene_at(stump_cage(), way), scheme.weighting, 1, scheme.blend);
     CHECK(largest_difference(a.binding->weights, b.binding->weights) < 1e-9);
     const auto here = mapped(a.deform(a.pose(twist)), [&](const Vec3& x) { return x + way; });
     CHECK(largest_distance(b.deform(b.pose(there)), here) < 1e-9);
@@ -300,7 +300,7 @@ TEST_CASE("weights_are_on_both_sides_of_every_face_and_do_not_jump_across_its_pl
     for (std::size_t i = 0; i < b.vertices; i += 2) {
       const auto before = weights_of(b, i), behind = weights_of(b, i + 1);
       CHECK(largest_difference(before, behind) < 1e-4);
-      CHECK(sum_of(before) == doctest::Approx(1));
+      CHECK(total_of(before) == doctest::Approx(1));
     }
   }
 }
@@ -332,7 +332,7 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
     CAPTURE(text(scheme));
     Bound b(model, surface, scheme.weighting, 1, scheme.blend);
     for (std::size_t i = 0; i < p.size(); ++i)
-      CHECK(sum_of(weights_of(*b.binding, i)) == doctest::Approx(1).epsilon(1e-10));  // NaN is not
+      CHECK(total_of(weights_of(*b.binding, i)) == doctest::Approx(1).epsilon(1e-10));  // NaN is not
     CHECK(b.error(map) < 1e-10);
     CHECK(all_finite(b.deform(b.pose(shear()))));
   }
