@@ -33,8 +33,7 @@
 //    blended_turns_are_the_mean_of_rotations_to_third_order_also_of_partial_weights;
 //    about_one_axis_blended_turns_are_the_mean_of_rotations
 // 13 The exponential is slowest near rest, where an eigenvalue is near 0. No case, as it is a matter of time,
-// which
-//    the benchmarks tell: these exponentials do the same work for all matrices.
+//    which the benchmarks tell: the kernels of the frame do the same work for all matrices of their range.
 // 14 Limits of the log of equal eigenvalues are wrong.
 //    sym3: functions_of_a_batch_keep_their_bounds_at_every_condition_and_gap,
 //    log_of_a_batch_is_relatively_exact_near_the_identity
@@ -62,9 +61,8 @@
 // 20 Distances and weights are kept, 16 bytes a pair.
 //    a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights_in_double;
 //    weights_of_all_vertices_are_never_in_memory_at_once
-// 21 Headers that define functions, open namespaces and set macros: not a matter of tests. Every header is
-// included
-//    by several units here.
+// 21 Headers that define functions, open namespaces and set macros. No case: two units that include such a
+//    header do not link, and most headers here are included by several.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
