@@ -7,8 +7,7 @@
 //    where_the_scene_stands_matters_to_no_scheme;
 //    maps_fitted_to_points_keep_what_they_promise_far_from_the_origin
 //  3 Distances to triangles are multiplied by areas, so that units matter.
-//    weights_are_the_same_at_every_length_scale_and_finite_everywhere (and of cut-off, integrated, mean
-//    values)
+//    weights_are_the_same_at_every_length_scale_and_finite_everywhere (and of cut-off ones)
 //  4 Barycentric coordinates are taken about a wrong axis, so that distances depend on the place.
 //    where_the_scene_stands_matters_to_no_scheme; weights_are_inverse_squared_distances_normalised
 //  5 Distances are infinite on one side of a face.
@@ -17,8 +16,8 @@
 //  6 On a face, an edge or a vertex of the cage weights are not numbers.
 //    vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_scheme
 //  7 Moving least squares turn points about the origin instead of their mean, and weigh moments otherwise
-//  than
-//    means. maps_fitted_to_points_keep_what_they_promise_far_from_the_origin; against_quad.cpp
+//    than means.
+//    maps_fitted_to_points_keep_what_they_promise_far_from_the_origin; against_quad.cpp
 //  8 A log at a whole turn is scaled by an axis that is not a unit vector, and stays so.
 //    winding_with_turns_handed_on_counts_to_720_degrees_and_back_to_nothing;
 //    a_zero_rotation_near_a_full_turn_takes_the_axis_of_the_reference
@@ -44,15 +43,13 @@
 //    rest_is_the_cage_that_was_bound_whatever_frame_comes_first;
 //    a_binding_of_something_else_is_stale_and_says_of_what
 // 17 As-rigid-as-possible surfaces: lists that do not fit, threads that share, thresholds in units, vertices
-// without
-//    an equation, factorisations that fail unheard.
+//    without an equation, factorisations that fail unheard.
 //    every_vertex_has_its_place_in_parts_holes_needles_and_without_triangles,
 //    stitched_models_have_the_same_bits_on_any_number_of_threads,
 //    stitching_does_not_depend_on_where_the_scene_is_or_how_large,
 //    a_matrix_that_is_not_positive_definite_is_refused_by_the_row_that_is_not_determined
 // 18 Weights called harmonic are not, and leave [0, 1]; the strength of a constraint is its value too; one
-// that has
-//    no place is put on the first vertex.
+//    that has no place is put on the first vertex.
 //    harmonic_weights_are_between_0_and_1_whatever_the_triangles_are,
 //    plates_take_the_shape_of_least_bending_and_springs_part_by_part,
 //    handles_without_area_and_vertices_without_triangles_own_nothing_and_are_not_owned
