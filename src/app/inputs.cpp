@@ -43,9 +43,10 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
   auto* option = app.add_option_function<std::string>(
       "--coordinates",
       [&choice](const std::string& word) { choice = choices(*deform::scheme_of_shorthand(word)); },
-      "Short for elements, weights and blend: face (affine maps blended in log space) or mvc (mean value "
-      "coordinates)");
-  one_of(option, {"face", "mvc"})->default_str("face");
+      "Short for elements, weights and blend: face (affine maps blended in log space, as published) or mvc "
+      "(mean "
+      "value coordinates)");
+  one_of(option, {"face", "mvc"});
   for (const char* other : {"--elements", "--weights", "--blend"}) {
     if (auto* given = app.get_option_no_throw(other)) option->excludes(given);
   }

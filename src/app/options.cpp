@@ -145,9 +145,12 @@ void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked) {
       "--exponent", [&asked](int e) { asked.exponent = e; },
       "Of inverse distances and cut-off weights: the higher, the more local");
   whole_in_range(exponent, 1, deform::most_exponent)->default_str("2");
-  app.add_flag_function(
-      "--clamp,!--no-clamp", [&asked](std::int64_t count) { asked.clamp = count > 0; },
-      "Of biharmonic weights: those below 0 become 0 (the default), or stay");
+  auto* clamp = app.add_flag_callback(
+      "--clamp", [&asked] { asked.clamp = true; },
+      "Of biharmonic weights: those below 0 become 0 (the default)");
+  app.add_flag_callback(
+         "--no-clamp", [&asked] { asked.clamp = false; }, "Of biharmonic weights: those below 0 stay")
+      ->excludes(clamp);
   app.add_flag(
       "--normalise", asked.normalise,
       "Of cut-off weights: they always sum to 1, also where few elements reach; what none reaches stays");

@@ -206,8 +206,8 @@ void Viewer::upload(scene::FrameTimes& times) {
     cage_drawn_ = document.revisions.pose;
   }
   if (deformed_) renderer_.set_model(model_.deformer()->vertices(), model_.deformer()->origin());
-  renderer_.set_mask(workspace_);
   if (const auto errors = analysis_.take_errors()) renderer_.set_errors(*errors);
+  renderer_.set_mask(workspace_);
   times.upload = watch.lap_ms();
 }
 

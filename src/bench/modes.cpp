@@ -233,6 +233,19 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
           runs.warnings()};
 }
 
+namespace {
+
+// Of weights: reach, and what else was asked for.
+std::string settings_text(const deform::AskedWeighting& asked) {
+  const deform::Weighting weighting = with({}, asked);
+  std::string text = "reach " + deform::text_of_reach(weighting.reach);
+  if (asked.radius) text += ", radius " + deform::text_of_percent(weighting.radius);
+  if (asked.exponent) text += ", exponent " + std::to_string(weighting.exponent);
+  return text;
+}
+
+}  // namespace
+
 void bench_modes(const ModesOptions& options) {
   const scene::Document opened = open_model(options.model, options.cage);
   const mesh::Surface& model = *opened.model.surface;
@@ -240,14 +253,11 @@ void bench_modes(const ModesOptions& options) {
   std::vector<std::string> warnings = opened.cage->warnings;
   for (const auto& file : options.poses)
     poses.push_back({name_of_pose(file), deform::read_pose(file, *opened.cage, warnings)});
-  const deform::Weighting weighting = with({}, options.settings.weighting);
-  std::printf(
-      "modes: %s vertices, %zu cage triangles, method %s, reach %s, radius %s, exponent %d, kernel %s, "
-      "%s\n%s",
-      base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
-      std::string(sym3::name(options.settings.method)).c_str(),
-      deform::text_of_reach(weighting.reach).c_str(), deform::text_of_percent(weighting.radius).c_str(),
-      weighting.exponent, std::string(sym3::kernel_name()).c_str(), processor_name().c_str(), modes_legend);
+  std::printf("modes: %s vertices, %zu cage triangles, method %s, %s, kernel %s, %s\n%s",
+              base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
+              std::string(sym3::name(options.settings.method)).c_str(),
+              settings_text(options.settings.weighting).c_str(), std::string(sym3::kernel_name()).c_str(),
+              processor_name().c_str(), modes_legend);
   for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
   const ModeComparison compared = measure_modes(model, opened.cage, poses, options.settings);
   print(compared, poses);

@@ -63,7 +63,8 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   for (auto& p : cube.positions) p[2] *= 2;
   mesh::write(tall, cube);
   const std::string files = quoted(ball) + " " + quoted(box) + " " + quoted(tall) + " " + quoted(box);
-  const auto outcome = run("bench modes --rounds 1 --reach 4 " + files + " --json " + quoted(json));
+  const auto outcome =
+      run("bench modes --rounds 1 --reach 4 --radius 1000 " + files + " --json " + quoted(json));
   REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
   CHECK(mentions(outcome, "66 vertices, 12 cage triangles, method fast, reach 4"));
   for (const char* title : {"\ntall ", "\nbox ", "\nall 2 poses "}) CHECK(mentions(outcome, title));

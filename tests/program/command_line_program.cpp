@@ -198,8 +198,12 @@ TEST_CASE("elements_weights_and_blend_are_chosen_apart_or_by_one_word") {
     return file_bytes(out);
   };
   const auto usual = deformed("");
-  CHECK(deformed(" --elements face --weights inverse --blend srl") == usual);
-  CHECK(deformed(" --coordinates face") == usual);
+  CHECK(deformed(" --elements face --weights biharmonic --clamp --blend srl") == usual);
+  CHECK(deformed(" --no-clamp") != usual);
+  const auto published = deformed(" --coordinates face");
+  CHECK(published != usual);
+  CHECK(deformed(" --elements face --weights inverse --blend srl") == published);
+  CHECK(deformed(" --reach all") == published);  // a setting that only these weights have
   const auto mean_values = deformed(" --coordinates mvc");
   CHECK(mean_values != usual);
   CHECK(deformed(" --weights mean-value") == mean_values);
@@ -234,9 +238,12 @@ TEST_CASE("a_binding_of_another_reach_is_stale") {
   const std::string render =
       "render " + scene + " --size 320x200 -o " + quoted(out) + " --binding " + quoted(file);
   CHECK(run(render + " --reach 3").text == "");
-  const auto stale = run(render);
+  const auto stale = run(render + " --weights inverse");
   CHECK(stale.code == 1);
   CHECK_MESSAGE(mentions(stale, "is stale: it is for reach 3, not all"), stale.text);
+  const auto other = run(render);
+  CHECK(other.code == 1);
+  CHECK_MESSAGE(mentions(other, "is stale: it is not for elements face with weights biharmonic"), other.text);
 }
 
 TEST_CASE("bind_needs_a_cage_and_a_tolerance_that_makes_sense") {

@@ -123,6 +123,7 @@ const ViewPicture views[] = {
     {"ghost", "pose_alert", {"toggle_ghost", "toggle_model"}},
     {"posed_patches", "pose_alert", {"elements_patch", "toggle_cage"}},
     {"posed_linear", "pose_alert", {"blend_linear", "toggle_cage"}},
+    {"posed_biharmonic", "pose_alert", {"weights_biharmonic", "toggle_cage"}},
     {"posed_mean_value", "pose_alert", {"weights_mean_value", "toggle_cage"}},
     {"vertices_light", "", {"select_vertices", "tool_select", "select_all", "toggle_theme"}},
     {"edges", "", {"select_edges", "tool_select", "select_all"}},
@@ -185,6 +186,14 @@ void begin_a_box(Driver& d) {
   d.press_and_move({20, 20}, {180, 140});
 }
 
+void paint_a_stroke(Driver& d) {
+  d.open_dragon();
+  d.press_key('D');
+  d.workspace().brush.radius = 20;
+  d.drag({140, 100}, {180, 115});
+  d.settle();
+}
+
 void open_model_alone(Driver& d) {
   REQUIRE(d.open({test::dragon}));
   d.settle();
@@ -192,6 +201,7 @@ void open_model_alone(Driver& d) {
 
 const Picture gestures[] = {{"hovered_vertex", {320, 220}, hover_a_vertex},
                             {"box_begun", {320, 220}, begin_a_box},
+                            {"painted", {320, 220}, paint_a_stroke},
                             {"model_without_cage", {320, 220}, open_model_alone}};
 
 }  // namespace

@@ -34,6 +34,7 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
   auto options = Driver::default_options();
   options.size = {1440, 900};
   Driver d(options);
+  d.document().scheme = deform::default_scheme();  // as the window that is compared with it
   d.open_dragon();
   d.frame();
   scene::frame_all(d.workspace(), false);
@@ -76,6 +77,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
   auto options = Driver::default_options();
   options.size = {1440, 900};
   Driver d(options);
+  d.document().scheme = deform::default_scheme();  // as the window that is compared with it
   d.open_dragon();
   d.frame();
   scene::frame_all(d.workspace(), false);
@@ -141,6 +143,7 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
   auto options = Driver::default_options();
   options.size = {1440, 900};
   Driver d(options);
+  d.document().scheme = deform::default_scheme();  // as the window that is compared with it
   d.open_dragon();
   d.frame();
   const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);

@@ -38,15 +38,15 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --normalise --turn --stretch --stitched --iterations --binding --scale --frames'
+      options+=' --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --binding --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --normalise --turn --stretch --stitched --iterations --binding --look --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --binding --look --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --normalise --turn --stretch --stitched --iterations' ;;
-    bind) options+=' --output --force --elements --weights --coordinates --reach --radius --exponent --clamp --normalise --tolerance' ;;
+    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations' ;;
+    bind) options+=' --output --force --elements --weights --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
     info) options+=' --cage' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;
     'bench eigen') options+=' --force --count --json --plot' ;;
@@ -54,7 +54,7 @@ _viete_options() {
     'bench sym3') options+=' --force --count --json' ;;
     'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
     'bench bind') options+=' --force --count --faces --rounds --json' ;;
-    'bench modes') options+=' --force --method --elements --weights --blend --reach --radius --exponent --clamp --normalise --stitched --iterations --rounds --json' ;;
+    'bench modes') options+=' --force --method --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --stitched --iterations --rounds --json' ;;
     'bench stitched') options+=' --force --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))

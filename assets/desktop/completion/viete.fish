@@ -44,6 +44,7 @@ $c -n '__viete_in view render deform bind; or __viete_bench frame modes' -l reac
 $c -n '__viete_in view render deform bind; or __viete_bench modes' -l radius -x -a '5 10 25 50' -d 'Where cut-off weights end, percent'
 $c -n '__viete_in view render deform bind; or __viete_bench modes' -l exponent -x -a '1 2 3 4' -d 'Of distances in weights'
 $c -n '__viete_in view render deform bind; or __viete_bench modes' -l clamp -d 'Weights are not below 0'
+$c -n '__viete_in view render deform bind; or __viete_bench modes' -l no-clamp -d 'Weights may be below 0'
 $c -n '__viete_in view render deform bind; or __viete_bench modes' -l normalise -d 'Weights always sum to 1'
 $c -n '__viete_in view render deform; or __viete_bench modes' -l stitched -d 'As rigid as possible'
 $c -n '__viete_in view render deform; or __viete_bench modes' -l iterations -x -a '1 2 3 5' -d 'How often a stitched mesh is solved for'

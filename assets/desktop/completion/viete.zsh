@@ -15,7 +15,7 @@ local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql lo
 local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
 local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 5)')
 local -a limits=('--radius=[where cut-off weights end, percent]:percent:(5 10 25 50)' '--exponent=[of distances]:exponent:(1 2 3 4)'
-  '--clamp[weights are not below 0]' '--normalise[weights always sum to 1]')
+  '--clamp[weights are not below 0]' '--no-clamp[weights may be below 0]' '--normalise[weights always sum to 1]')
 local -a amounts=('--turn=[how much of rotations acts, percent]:percent:(0 50 100 200)' '--stretch=[how much of stretches acts, percent]:percent:(0 50 100 200)')
 local -a stitched=('--stitched[as rigid as possible]' '--iterations=[how often a stitched mesh is solved for]:iterations:(1 2 3 5)')
 local -a tolerance=('--tolerance=[of compressed weights]:tolerance:')

@@ -1,0 +1,17 @@
+#!/bin/sh
+# Makes the row of pictures in the README: one pose of the dragon, moved in three ways. ways.sh [VIETE]
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+viete=${1:-$here/../../build/viete}
+dragon=$here/../dragon
+
+picture() {  # NAME OPTION...
+  name=$1
+  shift
+  "$viete" render "$dragon/dragon.ply" "$dragon/cage.obj" --pose "$dragon/pose_flight.obj" "$@" \
+    --look front --size 420x400 --no-cage --no-grid --force -o "$here/way_$name.png" 2>/dev/null
+}
+
+picture mean_value --coordinates mvc
+picture published --coordinates face
+picture default
