@@ -68,7 +68,7 @@ void brush_fields(const Context& ui) {
   const float width = (ImGui::GetContentRegionAvail().x - spacing) / 2;
   constexpr auto flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
   ImGui::SetNextItemWidth(width);
-  ImGui::SliderFloat("##brush_radius", &brush.radius, scene::Brush::least_radius, 150, "%.0f px wide", flags);
+  ImGui::SliderFloat("##brush_radius", &brush.radius, scene::Brush::least_radius, 150, "%.0f px", flags);
   record(ui, "brush_radius");
   hint("How far the brush reaches in the picture. Shift and the wheel change it, too.");
   ImGui::SameLine(0, spacing);
