@@ -31,10 +31,6 @@ float coverage(double d) {
   return static_cast<float>(t * t * (3 - 2 * t));
 }
 
-bool same(const deform::Mask& a, const deform::Mask& b) {
-  return a == b || (a && b && *a == *b);
-}
-
 }  // namespace
 
 mesh::Point PosedModel::at(const mesh::Surface& model, std::size_t vertex) const {
@@ -88,7 +84,7 @@ void MaskStroke::dab(Document& document, const PosedModel& posed, const mesh::Po
 }
 
 void MaskStroke::commit(Document& document) {
-  if (same(document.mask, before_.mask)) return cancel(document);
+  if (same_mask(document.mask, before_.mask)) return cancel(document);
   document.history.record("paint", std::move(before_));
 }
 
@@ -96,9 +92,13 @@ void MaskStroke::cancel(Document& document) const {
   document.mask = before_.mask;
 }
 
+bool same_mask(const deform::Mask& a, const deform::Mask& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 void set_mask(Document& document, deform::Mask mask, const char* label) {
   if (mask) mask = mask_of(*mask);
-  if (same(mask, document.mask)) return;
+  if (same_mask(mask, document.mask)) return;
   document.history.record(label, snapshot_of(document));
   document.mask = std::move(mask);
 }

@@ -54,6 +54,7 @@ private:
   std::vector<float> shares_, covered_;
 };
 
+bool same_mask(const deform::Mask& a, const deform::Mask& b);
 /// A mask as an edit; null where all of it is 1. Requires a share for each vertex of the model, or none.
 void set_mask(Document& document, deform::Mask mask, const char* label);
 /// What followed stays, and the reverse.

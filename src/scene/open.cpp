@@ -136,8 +136,7 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   Document document = document_of_session(session, file, progress);
   document.method = session.method;
   document.scheme = session.scheme;
-  fit_to_model(session, *document.model.surface, file);
-  document.mask = session.mask;
+  document.mask = fit_to_model(session, *document.model.surface, file);
   if (document.has_cage()) {
     fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
     if (session.pose) document.pose = std::move(*session.pose);
@@ -322,6 +321,7 @@ void take(Workspace& w, Opened&& opened) {
   } else {
     mark_saved(w);
     if (opened.session) w.saved.scheme = opened.session->scheme;  // another one was asked for: unsaved
+    if (!opened.session) w.saved.mask = nullptr;                  // painted for another cage: in no file
     w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
                                              : RecentFile{w.saved.session, {}});
   }

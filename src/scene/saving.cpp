@@ -9,6 +9,7 @@
 #include "base/checksum.h"
 #include "deform/pose_io.h"
 #include "mesh/source.h"
+#include "scene/brush.h"
 #include "scene/session.h"
 
 namespace viete::scene {
@@ -52,10 +53,6 @@ bool same_pose(const deform::Pose& a, const deform::Pose& b) {
     if (!same_turns(turn(a, part), turn(b, part))) return false;
   }
   return true;
-}
-
-bool same_mask(const deform::Mask& a, const deform::Mask& b) {
-  return a == b || (a && b && *a == *b);
 }
 
 }  // namespace

@@ -215,17 +215,15 @@ double reach_of(const JsonReader& json) {
   return reach;
 }
 
-deform::Mask mask_of(const JsonReader& json) {
-  constexpr std::size_t most = std::size_t(1) << 31;  // vertices
-  std::vector<float> mask;
+std::vector<MaskRun> mask_of(const JsonReader& json) {
+  std::vector<MaskRun> mask;
   for (std::size_t run = 0; run + 1 < json.size(); run += 2) {
-    const std::uint32_t steps = json.item(run).index(), count = json.item(run + 1).index();
-    if (steps > mask_steps) json.item(run).fail("a share must be 0 to " + std::to_string(mask_steps));
-    if (count == 0 || mask.size() + count > most) json.item(run + 1).fail("no model has so many vertices");
-    mask.insert(mask.end(), count, static_cast<float>(steps) / mask_steps);
+    const MaskRun read{json.item(run).index(), json.item(run + 1).index()};
+    if (read.share > mask_steps) json.item(run).fail("a share must be 0 to " + std::to_string(mask_steps));
+    mask.push_back(read);
   }
   if (json.size() % 2) json.fail("a share without the number of its vertices");
-  return std::make_shared<const std::vector<float>>(std::move(mask));
+  return mask;
 }
 
 double radius_of(const JsonReader& json) {
@@ -277,6 +275,21 @@ void check_version(const JsonReader& json, const fs::path& file) {
 
 }  // namespace
 
+namespace {
+
+std::vector<MaskRun> runs_of(const deform::Mask& mask) {
+  std::vector<MaskRun> runs;
+  if (!mask) return runs;
+  for (const float s : *mask) {
+    const auto share = static_cast<std::uint32_t>(std::lround(s * mask_steps));
+    if (runs.empty() || runs.back().share != share) runs.push_back({share, 0});
+    ++runs.back().vertices;
+  }
+  return runs;
+}
+
+}  // namespace
+
 Session session_of(const Workspace& w) {
   Session session;
   session.model = w.document.model.path;
@@ -287,7 +300,7 @@ Session session_of(const Workspace& w) {
   session.origin_content = w.saved.content;
   session.method = w.document.method;
   session.scheme = w.document.scheme;
-  session.mask = w.document.mask;
+  session.mask = runs_of(w.document.mask);
   session.camera = w.camera.destination();
   session.view = w.view;
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
@@ -299,13 +312,11 @@ Session session_of(const Workspace& w) {
 
 namespace {
 
-// Runs of vertices with the same share.
-ordered_json mask_json(const std::vector<float>& mask) {
+ordered_json mask_json(const std::vector<MaskRun>& mask) {
   ordered_json runs = ordered_json::array();
-  for (std::size_t begin = 0, end = 0; begin < mask.size(); begin = end) {
-    while (end < mask.size() && mask[end] == mask[begin]) ++end;
-    runs.push_back(std::lround(mask[begin] * mask_steps));
-    runs.push_back(end - begin);
+  for (const auto& [share, vertices] : mask) {
+    runs.push_back(share);
+    runs.push_back(vertices);
   }
   return runs;
 }
@@ -323,7 +334,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   deform::Weighting usual{
       .elements = weighting.elements, .weights = weighting.weights, .reach = weighting.reach};
   const bool plain = session.scheme.amounts.whole() && !session.scheme.stitched() &&
-                     weighting.same_numbers(usual) && !session.mask;
+                     weighting.same_numbers(usual) && session.mask.empty();
   const std::uint32_t version = shorthand.empty() || !plain ? 2 : 1;
   ordered_json json = {{"format", format_name}, {"version", version}};
   json["model"] = stored(session.model, file, portable);
@@ -349,7 +360,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
   if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
   if (session.scheme.stitched()) json["stitched"] = session.scheme.iterations;
-  if (session.mask) json["mask"] = mask_json(*session.mask);
+  if (!session.mask.empty()) json["mask"] = mask_json(session.mask);
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -533,13 +544,21 @@ void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& fil
   }
 }
 
-void fit_to_model(Session& session, const mesh::Surface& model, const fs::path& file) {
-  if (!session.mask || session.mask->size() == model.positions.size()) return;
-  session.warnings.push_back(file.string() + ": mask: it is of " +
-                             counted(ElementKind::vertex, session.mask->size()) + ", the model has " +
-                             std::to_string(model.positions.size()) +
-                             "; every vertex follows the cage instead");
-  session.mask = nullptr;
+deform::Mask fit_to_model(Session& session, const mesh::Surface& model, const fs::path& file) {
+  if (session.mask.empty()) return nullptr;
+  std::uint64_t shares = 0;
+  for (const MaskRun& run : session.mask) shares += run.vertices;
+  if (shares != model.positions.size()) {
+    session.warnings.push_back(file.string() + ": mask: it is of " + counted(ElementKind::vertex, shares) +
+                               ", the model has " + std::to_string(model.positions.size()) +
+                               "; every vertex follows the cage instead");
+    return nullptr;
+  }
+  std::vector<float> mask;
+  mask.reserve(model.positions.size());
+  for (const MaskRun& run : session.mask)
+    mask.insert(mask.end(), run.vertices, static_cast<float>(run.share) / mask_steps);
+  return std::make_shared<const std::vector<float>>(std::move(mask));
 }
 
 bool is_session(const fs::path& file) {

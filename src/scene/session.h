@@ -11,6 +11,13 @@
 
 namespace viete::scene {
 
+/// Vertices one after the other with the same share, in 255ths.
+struct MaskRun {
+  std::uint32_t share, vertices;
+
+  friend bool operator==(const MaskRun&, const MaskRun&) = default;
+};
+
 /// What a session file holds. JSON, version 1 or 2:
 ///   "format": "viete session", "version": 1 or 2,
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
@@ -47,7 +54,7 @@ struct Session {
   std::uint64_t model_content = 0, cage_content = 0;  ///< 0: not known
   sym3::Method method = sym3::Method::fast;
   deform::Scheme scheme;
-  deform::Mask mask;                 ///< null: missing
+  std::vector<MaskRun> mask;         ///< empty: missing
   std::optional<CameraPose> camera;  ///< missing: the model is framed
   ViewOptions view;
   std::optional<glm::ivec2> window;
@@ -75,8 +82,8 @@ void tell_what_changed(Session& session, const Document& document, const std::fi
 /// cage.
 void fit_to_cage(Session& session, const deform::Cage& cage, const std::filesystem::path& file);
 
-/// A mask that has not one share for each vertex is dropped, with a warning.
-void fit_to_model(Session& session, const mesh::Surface& model, const std::filesystem::path& file);
+/// The mask of the model. One that has not a share for each vertex is dropped, with a warning.
+deform::Mask fit_to_model(Session& session, const mesh::Surface& model, const std::filesystem::path& file);
 
 inline constexpr const char* session_extension = ".viete";
 /// By its extension.

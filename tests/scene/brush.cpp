@@ -111,8 +111,10 @@ TEST_CASE("a_mask_is_unsaved_until_its_session_is_and_comes_back_to_the_last_bit
   // A cage that is opened over it leaves it as it is; another model has none.
   REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
   CHECK(back.document.mask);
+  CHECK(has_unsaved_edits(back));  // no file holds it together with this cage
   REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
   CHECK_FALSE(back.document.mask);
+  CHECK_FALSE(has_unsaved_edits(back));
 }
 
 TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
@@ -123,8 +125,9 @@ TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
     const char* warning;
   } cases[] = {{"[0, 1]", "mask: it is of a vertex, the model has 20; every vertex "},
                {"[256, 8]", "mask[0]: a share must be 0 to 255; every vertex follows the cage instead"},
-               {"[255, 0]", "mask[1]: no model has so many vertices"},
-               {"[255, 4294967295]", "mask[1]: no model has so many vertices"},
+               {"[255, 0]", "mask: it is of 0 vertices, the model has 20"},
+               {"[255, 4294967295]", "mask: it is of 4294967295 vertices, the model has 20"},
+               {"[0, 4294967295, 1, 4294967295]", "mask: it is of 8589934590 vertices"},
                {"[255]", "mask: a share without the number of its vertices"},
                {"[-1, 8]", "mask[0]"},
                {"\"all\"", "mask: found a text"}};
