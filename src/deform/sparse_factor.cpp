@@ -12,7 +12,6 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::uint32_t no_parent = 0xffffffff;
 constexpr std::size_t eliminated_at_once = 32, longest_product = 256;
 constexpr double step = 4e6;     // multiplications between two reports, about
 constexpr double small = 2e7;    // multiplications that are not shared among threads
@@ -33,219 +32,17 @@ double work_of(const Supernode& node) {
   return (m * m * m - b * b * b) / 6 + b * b / 2 + 1e3;
 }
 
-/// Which columns have entries in which rows: parents in the elimination tree, a column's first row below.
-class Structure {
-public:
-  Structure(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order, const FactorReport& report)
-      : neighbours_(neighbours), report_(report), order_(std::move(order)), place_(inverted(order_)) {
-    find_parents();
-    renumber(postorder());
-    count_rows();
-  }
-
-  std::size_t size() const { return order_.size(); }
-  const std::vector<std::uint32_t>& order() const { return order_; }
-  std::uint32_t place(std::uint32_t unknown) const { return place_[unknown]; }
-  std::uint32_t parent(std::size_t column) const { return parents_[column]; }
-  /// Of a column, below its diagonal.
-  std::uint32_t count(std::size_t column) const { return counts_[column]; }
-
-  /// visit(place) of the neighbours of what is in this place.
-  template <class Visit>
-  void for_neighbours(std::uint32_t at, const Visit& visit) const {
-    for (const auto u : neighbours_.of(order_[at])) visit(place_[u]);
-  }
-
-private:
-  void tell(std::uint32_t at) const {
-    if (report_ && at % 1024 == 0) report_(0);
-  }
-
-  // With shortcuts to ancestors.
-  void find_parents() {
-    parents_.assign(size(), no_parent);
-    std::vector<std::uint32_t> ancestors(size(), no_parent);
-    for (std::uint32_t row = 0; row < size(); ++row) {
-      tell(row);
-      for_neighbours(row, [&](std::uint32_t at) {
-        while (at < row && at != no_parent) {
-          const auto next = std::exchange(ancestors[at], row);
-          if (next == no_parent) parents_[at] = row;
-          at = next;
-        }
-      });
-    }
-  }
-
-  std::vector<std::uint32_t> postorder() const {
-    std::vector<std::uint32_t> child(size(), no_parent), sibling(size(), no_parent), result, path;
-    result.reserve(size());
-    for (auto v = static_cast<std::uint32_t>(size()); v-- > 0;) {
-      if (parents_[v] != no_parent) sibling[v] = std::exchange(child[parents_[v]], v);
-    }
-    for (std::uint32_t root = 0; root < size(); ++root) {
-      if (parents_[root] != no_parent) continue;
-      path.push_back(root);
-      while (!path.empty()) {
-        const auto next = std::exchange(child[path.back()], no_parent);
-        if (next != no_parent) {
-          path.push_back(next);
-          child[path[path.size() - 2]] = sibling[next];
-        } else {
-          result.push_back(path.back()), path.pop_back();
-        }
-      }
-    }
-    return result;
-  }
-
-  void renumber(const std::vector<std::uint32_t>& sequence) {
-    const auto number = inverted(sequence);
-    std::vector<std::uint32_t> order, parents;
-    for (const auto v : sequence) {
-      order.push_back(order_[v]);
-      parents.push_back(parents_[v] == no_parent ? no_parent : number[parents_[v]]);
-    }
-    order_ = std::move(order), parents_ = std::move(parents);
-    place_ = inverted(order_);
-  }
-
-  // A row has entries in what is between its neighbours and itself in the tree.
-  void count_rows() {
-    counts_.assign(size(), 0);
-    std::vector<std::uint32_t> seen(size(), no_parent);
-    for (std::uint32_t row = 0; row < size(); ++row) {
-      tell(row);
-      seen[row] = row;
-      for_neighbours(row, [&](std::uint32_t at) {
-        for (; at < row && seen[at] != row; at = parents_[at]) seen[at] = row, ++counts_[at];
-      });
-    }
-  }
-
-  const mesh::Adjacency& neighbours_;
-  const FactorReport& report_;
-  std::vector<std::uint32_t> order_, place_, parents_, counts_;
-};
-
-// Columns one after the other that are worth a dense block together: the zeros that this adds are few.
-class SupernodeFinder {
-public:
-  explicit SupernodeFinder(const Structure& structure) : structure_(structure) {}
-
-  std::vector<Supernode> find() {
-    for (std::uint32_t c = 0; c < structure_.size(); ++c) {
-      found_.push_back({{c, 1, structure_.count(c), 0, 0}, 1.0 * structure_.count(c)});
-      while (found_.size() > 1 && joined()) {
-      }
-    }
-    std::vector<Supernode> supernodes;
-    for (const auto& [node, entries] : found_) supernodes.push_back(node);
-    return supernodes;
-  }
-
-private:
-  struct Found {
-    Supernode node;
-    double entries;  // that are not 0
-  };
-
-  bool joined() {
-    Found& upper = found_.back();
-    Found& lower = found_[found_.size() - 2];
-    const auto parent = structure_.parent(upper.node.first - 1);
-    if (parent == no_parent || parent >= upper.node.first + upper.node.columns) return false;
-    const Supernode both{lower.node.first, lower.node.columns + upper.node.columns, upper.node.below, 0, 0};
-    const double entries = lower.entries + upper.entries, all = static_cast<double>(both.entries());
-    if (all - entries > share_of_zeros(both.columns) * all) return false;
-    lower = {both, entries};
-    found_.pop_back();
-    return true;
-  }
-
-  static double share_of_zeros(std::uint32_t columns) {
-    return columns <= 8 ? 0.25 : columns <= 32 ? 0.12 : 0.04;
-  }
-
-  const Structure& structure_;
-  std::vector<Found> found_;
-};
-
-/// The supernodes' tree, and where everything lies.
-class Plan {
-public:
-  Plan(const Structure& structure, SparseFactor& factor, const FactorReport& report)
-      : structure_(structure), factor_(factor), report_(report) {
-    factor.supernodes = SupernodeFinder(structure).find();
-    const auto count = static_cast<std::uint32_t>(factor.supernodes.size());
-    of_column_.resize(structure.size());
-    for (std::uint32_t s = 0; s < count; ++s)
-      std::fill_n(of_column_.begin() + factor.supernodes[s].first, factor.supernodes[s].columns, s);
-    for (std::uint32_t s = 0; s < count; ++s) {
-      const Supernode& node = factor.supernodes[s];
-      const auto parent = structure.parent(node.first + node.columns - 1);
-      parents_.push_back(parent == no_parent ? no_parent : of_column_[parent]);
-    }
-    children_ = mesh::make_adjacency(count, [&](const auto& add) {
-      for (std::uint32_t s = 0; s < count; ++s) {
-        if (parents_[s] != no_parent) add(parents_[s], s);
-      }
-    });
-    place_values();
-    find_rows();
-  }
-
-  std::span<const std::uint32_t> children(std::size_t node) const { return children_.of(node); }
-  std::uint32_t parent(std::size_t node) const { return parents_[node]; }
-
-private:
-  void place_values() {
-    std::size_t rows = 0, values = 0;
-    for (Supernode& node : factor_.supernodes) {
-      node.rows = rows, node.values = values;
-      rows += node.below, values += node.entries();
-    }
-    factor_.rows.resize(rows);
-    factor_.values.resize(values);
-  }
-
-  void find_rows() {
-    std::vector<std::uint32_t> seen(structure_.size(), no_parent), rows;
-    for (std::uint32_t s = 0; s < factor_.supernodes.size(); ++s) {
-      if (report_ && s % 256 == 0) report_(0);
-      const Supernode& node = factor_.supernodes[s];
-      const auto end = node.first + node.columns;
-      rows.clear();
-      const auto add = [&](std::uint32_t row) {
-        if (row >= end && std::exchange(seen[row], s) != s) rows.push_back(row);
-      };
-      for (auto c = node.first; c < end; ++c) structure_.for_neighbours(c, add);
-      for (const auto child : children(s)) {
-        const Supernode& below = factor_.supernodes[child];
-        std::for_each_n(factor_.rows.begin() + std::ptrdiff_t(below.rows), below.below, add);
-      }
-      std::ranges::sort(rows);
-      std::ranges::copy(rows, factor_.rows.begin() + std::ptrdiff_t(node.rows));
-    }
-  }
-
-  const Structure& structure_;
-  SparseFactor& factor_;
-  const FactorReport& report_;
-  std::vector<std::uint32_t> of_column_, parents_;
-  mesh::Adjacency children_;
-};
-
 /// The lower triangle in the order of the factor.
-SparseMatrix permuted(const SparseMatrix& matrix, const Structure& structure) {
+SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& order) {
+  const auto place = inverted(order);
   const auto n = static_cast<std::uint32_t>(matrix.size());
   SparseMatrix result;
   result.starts.assign(n + 1, 0);
   const auto for_lower = [&](const auto& visit) {
     for (std::uint32_t v = 0; v < n; ++v) {
-      const auto at = structure.place(v);
+      const auto at = place[v];
       for_column(matrix, v, [&](std::uint32_t row, double value) {
-        if (row >= v) visit(std::minmax(at, structure.place(row)), value);
+        if (row >= v) visit(std::minmax(at, place[row]), value);
       });
     }
   };
@@ -282,8 +79,8 @@ struct Scratch {
 
 class Elimination {
 public:
-  Elimination(const SparseMatrix& matrix, const Plan& plan, SparseFactor& factor, base::WorkerPool& pool,
-              const FactorReport& report, const BindKernel& kernel)
+  Elimination(const SparseMatrix& matrix, const SymbolicFactor& plan, SparseFactor& factor,
+              base::WorkerPool& pool, const FactorReport& report, const BindKernel& kernel)
       : matrix_(matrix),
         plan_(plan),
         factor_(factor),
@@ -297,7 +94,7 @@ public:
     for (std::size_t s = 0; s < work_.size(); ++s) {
       const double work = work_of(factor.supernodes[s]);
       work_[s] += work, total_ += work;
-      if (plan.parent(s) != no_parent) work_[plan.parent(s)] += work_[s];
+      if (plan.parents[s] != no_parent) work_[plan.parents[s]] += work_[s];
     }
   }
 
@@ -323,7 +120,7 @@ private:
   std::vector<std::uint32_t> task_roots() const {
     std::vector<std::uint32_t> roots;
     for (std::uint32_t s = 0; s < work_.size(); ++s) {
-      const auto parent = plan_.parent(s);
+      const auto parent = plan_.parents[s];
       if (work_[s] <= largest_task() && (parent == no_parent || work_[parent] > largest_task()))
         roots.push_back(s);
     }
@@ -334,7 +131,7 @@ private:
   // Parents come after their children, and nothing in between.
   void eliminate_subtree(std::uint32_t root, Scratch& scratch) {
     auto first = root;
-    while (!plan_.children(first).empty()) first = plan_.children(first).front();
+    while (!plan_.children.of(first).empty()) first = plan_.children.of(first).front();
     for (auto s = first; s <= root; ++s) eliminate(s, scratch);
   }
 
@@ -371,7 +168,7 @@ private:
       });
     }
     const Front panel{scratch.panel.data(), stride};
-    for (const auto child : plan_.children(s)) {
+    for (const auto child : plan_.children.of(s)) {
       add_child(child, panel, updates_[s].front(node.below), top, scratch);
       updates_[child] = {};
     }
@@ -466,7 +263,7 @@ private:
   }
 
   const SparseMatrix& matrix_;  // permuted
-  const Plan& plan_;
+  const SymbolicFactor& plan_;
   SparseFactor& factor_;
   base::WorkerPool& pool_;
   const FactorReport& report_;
@@ -490,12 +287,6 @@ FactorReport told(base::Progress* progress, double from, double to) {
   return [=](double done) { progress->report(std::lerp(from, to, done)); };
 }
 
-std::vector<std::uint32_t> inverted(const std::vector<std::uint32_t>& order) {
-  std::vector<std::uint32_t> place(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  return place;
-}
-
 SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report) {
   const mesh::Adjacency neighbours = neighbours_of_unknowns(matrix);
   auto order = elimination_order(neighbours, pool, part_of(report, 0, before));
@@ -505,13 +296,15 @@ SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const Fa
 SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbours,
                     std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report,
                     const BindKernel& kernel) {
+  SymbolicFactor plan = analyse(neighbours, std::move(order), report);
+  if (report) report(0);
+  const SparseMatrix lower = permuted(matrix, plan.order);
+  if (report) report(0);
   SparseFactor result;
-  const Structure structure(neighbours, std::move(order), report);
-  const Plan plan(structure, result, report);
-  result.order = structure.order();
-  if (report) report(0);
-  const SparseMatrix lower = permuted(matrix, structure);
-  if (report) report(0);
+  result.order = std::move(plan.order);
+  result.supernodes = std::move(plan.supernodes);
+  result.rows = std::move(plan.rows);
+  result.values.resize(plan.entries);
   Elimination(lower, plan, result, pool, report, kernel).run();
   return result;
 }

@@ -10,8 +10,8 @@
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/bind_kernel.h"
-#include "deform/elimination_order.h"
 #include "deform/laplacian.h"
+#include "deform/symbolic_factor.h"
 #include "sym3/kernel.h"
 
 namespace viete::deform {
@@ -36,12 +36,8 @@ struct SparseFactor {
 /// Tells `progress`, which may be null, what part of [from, to] is done.
 FactorReport told(base::Progress* progress, double from, double to);
 
-/// Where each unknown is in an order.
-std::vector<std::uint32_t> inverted(const std::vector<std::uint32_t>& order);
-
-/// The multifrontal method (I. S. Duff and J. K. Reid, ACM Trans. Math. Softw. 9, 1983) by supernodes (C.
-/// Ashcraft and R. Grimes, ACM Trans. Math. Softw. 15, 1989) of the elimination tree (J. W. H. Liu, SIAM J.
-/// Matrix Anal. Appl. 11, 1990), in the given order or that of elimination_order(). Nothing is pivoted, and
+/// The multifrontal method (I. S. Duff and J. K. Reid, ACM Trans. Math. Softw. 9, 1983) by the supernodes
+/// of analyse(), in the given order or that of elimination_order(). Nothing is pivoted, and
 /// nothing refused: where the matrix is not positive definite in double precision, a pivot is not above 0, or
 /// no number. Only the lower triangle is read. report is called at least once in some millions of operations.
 /// The same bits for any number of threads. Throws what report throws; std::bad_alloc.
