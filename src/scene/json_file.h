@@ -9,6 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "mesh/text_cursor.h"
 
 namespace viete::scene {
 
@@ -69,5 +73,24 @@ private:
   const nlohmann::json& value_;
   std::string file_, key_;
 };
+
+/// What is damaged costs its own part: that stays as if the key was missing, and a warning says so.
+template <class Part, class Read>
+void take_part(const JsonReader& json, const char* key, Part& part, Read read, const char* instead,
+               std::vector<std::string>& warnings) {
+  try {
+    if (const auto value = json.find(key)) part = read(*value);
+  } catch (const base::Error& error) {
+    warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
+  }
+}
+
+/// One of a list of words, which `parse` knows.
+template <class Parse>
+auto word_of(const JsonReader& json, Parse parse) {
+  const auto value = parse(json.text());
+  if (!value) json.fail(mesh::in_quotes(json.text()) + " is not known");
+  return *value;
+}
 
 }  // namespace viete::scene

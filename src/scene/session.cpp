@@ -14,6 +14,7 @@
 #include "scene/elements.h"
 #include "scene/json_file.h"
 #include "scene/range.h"
+#include "scene/scheme_json.h"
 
 namespace viete::scene {
 
@@ -86,17 +87,6 @@ ordered_json view_json(const ViewOptions& view) {
   ordered_json json;
   for (const auto& flag : view_flags) json[flag.key] = view.*flag.option;
   return json;
-}
-
-// What is damaged costs its own part: that stays as if the key was missing, and a warning says so.
-template <class Part, class Read>
-void take_part(const JsonReader& json, const char* key, Part& part, Read read, const char* instead,
-               std::vector<std::string>& warnings) {
-  try {
-    if (const auto value = json.find(key)) part = read(*value);
-  } catch (const base::Error& error) {
-    warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
-  }
 }
 
 float number_within(const JsonReader& json, double least, double most) {
@@ -200,21 +190,6 @@ std::optional<ElementKind> kind_from_name(std::string_view name) {
   return static_cast<ElementKind>(found - kind_names.begin());
 }
 
-template <class Parse>
-auto word_of(const JsonReader& json, Parse parse) {
-  const auto value = parse(json.text());
-  if (!value) json.fail(mesh::in_quotes(json.text()) + " is not known");
-  return *value;
-}
-
-double reach_of(const JsonReader& json) {
-  const double reach = json.number();
-  if (!(reach >= deform::lowest_reach)) {
-    json.fail("a reach must be " + deform::text_of_reach(deform::lowest_reach) + " or more");
-  }
-  return reach;
-}
-
 std::vector<MaskRun> mask_of(const JsonReader& json) {
   std::vector<MaskRun> mask;
   for (std::size_t run = 0; run + 1 < json.size(); run += 2) {
@@ -224,34 +199,6 @@ std::vector<MaskRun> mask_of(const JsonReader& json) {
   }
   if (json.size() % 2) json.fail("a share without the number of its vertices");
   return mask;
-}
-
-double radius_of(const JsonReader& json) {
-  const auto radius = deform::radius_from_percent(json.number());
-  if (!radius) json.fail("a radius must be 0.1 to 1000 percent of the cage's diagonal");
-  return *radius;
-}
-
-int exponent_of(const JsonReader& json) {
-  const std::uint32_t number = json.index();
-  if (number < 1 || number > deform::most_exponent)
-    json.fail("an exponent must be 1 to " + std::to_string(deform::most_exponent));
-  return static_cast<int>(number);
-}
-
-double amount_of(const JsonReader& json) {
-  const auto amount = deform::amount_from_percent(json.number());
-  if (!amount) json.fail("an amount must be 0 to 200 percent");
-  return *amount;
-}
-
-int iterations_of(const JsonReader& json, deform::Scheme scheme) {
-  const std::uint32_t number = json.index();
-  if (number < 1 || number > deform::most_iterations)
-    json.fail("iterations must be 1 to " + std::to_string(deform::most_iterations));
-  scheme.iterations = static_cast<int>(number);
-  if (const auto reason = deform::conflict(scheme)) json.fail(std::string(*reason));
-  return scheme.iterations;
 }
 
 glm::ivec2 window_of(const JsonReader& json) {
@@ -321,22 +268,11 @@ ordered_json mask_json(const std::vector<MaskRun>& mask) {
   return runs;
 }
 
-// As it was typed: 29 and not 28.999999999999996.
-double percent(double amount) {
-  return std::round(1e8 * amount) / 1e6;
-}
-
 }  // namespace
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
-  const std::string_view shorthand = deform::shorthand(session.scheme);
-  const deform::Weighting& weighting = session.scheme.weighting;
-  deform::Weighting usual{
-      .elements = weighting.elements, .weights = weighting.weights, .reach = weighting.reach};
-  const bool plain = session.scheme.amounts.whole() && !session.scheme.stitched() &&
-                     weighting.same_numbers(usual) && session.mask.empty();
-  const std::uint32_t version = shorthand.empty() || !plain ? 2 : 1;
-  ordered_json json = {{"format", format_name}, {"version", version}};
+  const bool plain = is_plain(session.scheme) && session.mask.empty();
+  ordered_json json = {{"format", format_name}, {"version", plain ? 1 : newest_version}};
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
   if (keys_are_common && session.model_content != 0)
@@ -347,19 +283,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
     if (session.origin_content) json["session_content"] = hexadecimal(*session.origin_content);
   }
   json["method"] = sym3::name(session.method);
-  json["elements"] = deform::entry(session.scheme.weighting.elements).name;
-  json["weights"] = deform::entry(session.scheme.weighting.weights).name;
-  json["blend"] = deform::entry(session.scheme.blend).name;
-  if (!shorthand.empty()) json["coordinates"] = shorthand;
-  if (weighting.reach < deform::whole_cage) json["reach"] = weighting.reach;
-  if (weighting.radius != usual.radius) json["radius"] = percent(weighting.radius);
-  if (weighting.exponent != usual.exponent) json["exponent"] = weighting.exponent;
-  if (!weighting.clamp) json["clamp"] = false;
-  if (weighting.normalise) json["normalise"] = true;
-  const deform::Amounts& amounts = session.scheme.amounts;
-  if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
-  if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
-  if (session.scheme.stitched()) json["stitched"] = session.scheme.iterations;
+  json.update(scheme_json(session.scheme));
   if (!session.mask.empty()) json["mask"] = mask_json(session.mask);
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
@@ -371,71 +295,6 @@ std::string session_text(const Session& session, const fs::path& file, bool port
 }
 
 namespace {
-
-// Names of a table as people list them.
-template <class Entry>
-std::string names(std::span<const Entry> table) {
-  std::string all;
-  for (const Entry& e : table) all += (all.empty() ? "" : ", ") + std::string(e.name);
-  return all;
-}
-
-// Elements, weights and blend by their own keys, or all by the one word that older programs know.
-void read_scheme(const JsonReader& json, Session& s) {
-  const auto take_choice = [&](const char* key, auto& choice, auto table) {
-    const std::string instead = "what fits the others instead, of " + names(table);
-    take_part(
-        json, key, choice,
-        [&](const auto& v) {
-          return word_of(v, [&](auto name) { return deform::find_by_name(table, name); });
-        },
-        instead.c_str(), s.warnings);
-  };
-  deform::PartialChoice choice;
-  take_choice("elements", choice.elements, deform::all_elements());
-  take_choice("weights", choice.weights, deform::all_weights());
-  take_choice("blend", choice.blend, deform::all_blends());
-  std::optional<deform::Scheme> scheme;
-  const char* key = choice.blend      ? "blend"
-                    : choice.weights  ? "weights"
-                    : choice.elements ? "elements"
-                                      : nullptr;
-  if (key) {
-    take_part(
-        json, key, scheme,
-        [&](const auto& v) {
-          try {
-            return deform::complete(choice);
-          } catch (const base::Error& error) {
-            v.fail(error.problem());
-          }
-        },
-        "coordinates count instead, or face", s.warnings);
-  }
-  if (!scheme) {
-    take_part(
-        json, "coordinates", scheme,
-        [](const auto& v) {
-          const auto found = deform::scheme_of_shorthand(v.text());
-          if (!found) v.fail(mesh::in_quotes(v.text()) + " is not known");
-          return *found;
-        },
-        "face instead, of face and mvc", s.warnings);
-  }
-  if (scheme) s.scheme = *scheme;
-  take_part(json, "reach", s.scheme.weighting.reach, reach_of, "the whole cage instead", s.warnings);
-  deform::Weighting& weighting = s.scheme.weighting;
-  const auto flag_of = [](const auto& v) { return v.boolean(); };
-  take_part(json, "radius", weighting.radius, radius_of, "25 percent instead", s.warnings);
-  take_part(json, "exponent", weighting.exponent, exponent_of, "2 instead", s.warnings);
-  take_part(json, "clamp", weighting.clamp, flag_of, "clamped instead", s.warnings);
-  take_part(json, "normalise", weighting.normalise, flag_of, "not normalised instead", s.warnings);
-  take_part(json, "turn", s.scheme.amounts.turn, amount_of, "100 percent instead", s.warnings);
-  take_part(json, "stretch", s.scheme.amounts.stretch, amount_of, "100 percent instead", s.warnings);
-  take_part(
-      json, "stitched", s.scheme.iterations, [&](const auto& v) { return iterations_of(v, s.scheme); },
-      "not stitched instead", s.warnings);
-}
 
 void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   const auto take = [&](const char* key, auto& part, auto read, const char* instead) {
@@ -451,7 +310,7 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take(
       "method", s.method, [](const auto& v) { return word_of(v, sym3::method_from_name); },
       "fast instead, of diag, sd, improved_sd and fast");
-  read_scheme(json, s);
+  s.scheme = scheme_of(json, s.warnings);
   take("mask", s.mask, mask_of, "every vertex follows the cage instead");
   take("camera", s.camera, camera_of, "the whole model is shown instead");
   take(
