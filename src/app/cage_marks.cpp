@@ -57,7 +57,9 @@ void CageMarks::set_edges(const scene::Workspace& workspace, const render::Theme
     for (std::size_t i = 0; i < sides; ++i)
       segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
   };
-  for (const auto i : document.selection.indices()) add(i);
+  if (kind != ElementKind::probe) {
+    for (const auto i : document.selection.indices()) add(i);
+  }
   const std::size_t selected = segments.size();
   const auto hovered = workspace.interaction.hovered;
   if (hovered && *hovered < scene::element_count(*document.cage, kind)) add(*hovered);

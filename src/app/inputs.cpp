@@ -43,9 +43,8 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
   auto* option = app.add_option_function<std::string>(
       "--coordinates",
       [&choice](const std::string& word) { choice = choices(*deform::scheme_of_shorthand(word)); },
-      "Short for elements, weights and blend: face (affine maps blended in log space, as published) or mvc "
-      "(mean "
-      "value coordinates)");
+      "Short for elements, weights and blend: face (affine maps blended in log space, as published) or "
+      "mvc (mean value coordinates)");
   one_of(option, {"face", "mvc"});
   for (const char* other : {"--elements", "--weights", "--blend"}) {
     if (auto* given = app.get_option_no_throw(other)) option->excludes(given);
@@ -82,8 +81,9 @@ void check_usage(const Inputs& inputs) {
 scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
   scene::Opened opened = scene::open_files(inputs.request(), {});
   check(opened);
-  const bool needs_cage = inputs.use == Use::file || inputs.use == Use::binding;
-  if (needs_cage && !opened.document->has_cage())
+  const scene::Document& document = *opened.document;
+  if ((inputs.use == Use::file && !document.is_movable()) ||
+      (inputs.use == Use::binding && !document.has_cage()))
     throw base::Error(inputs.model.string(), "the session has no cage", "open it and add one");
   return opened;
 }

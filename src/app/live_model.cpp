@@ -15,8 +15,12 @@ bool LiveModel::follow(scene::Workspace& workspace) {
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
   if (new_surfaces) follow_surfaces(workspace);
   if (new_surfaces || new_weights) follow_weights(document);
+  // The first probe of a model without a cage: until then nothing can move it.
+  if (!deformer_ && !binder_.running() && !given_up_ && !document.has_cage() && document.is_movable())
+    start_binding(document);
   // Other elements or another blend sum other rows over the same weights.
-  if (deformer_ && deformer_->scheme().weighting == document.scheme.weighting) follow_blend(document.scheme);
+  const deform::Scheme scheme = scheme_of(document);
+  if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
   // The staged engine's weights are made when a method asks for them, and a stitching when a scheme does;
   // until then method `fast` serves, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
@@ -25,6 +29,17 @@ bool LiveModel::follow(scene::Workspace& workspace) {
   workspace.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
                        binder_.seconds()};
   return new_surfaces;
+}
+
+// What stands for a cage and its scheme where there is none.
+std::shared_ptr<const deform::Cage> LiveModel::cage_of(const scene::Document& document) {
+  if (document.has_cage()) return document.cage;
+  if (!no_cage_) no_cage_ = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
+  return no_cage_;
+}
+
+deform::Scheme LiveModel::scheme_of(const scene::Document& document) {
+  return document.has_cage() ? document.scheme : deform::no_motion();
 }
 
 void LiveModel::follow_mask(const scene::Document& document) {
@@ -47,6 +62,8 @@ void LiveModel::follow_surfaces(scene::Workspace& workspace) {
   binder_.cancel();
   deformer_.reset();
   bound_ = {};
+  no_cage_.reset();
+  given_up_ = false;
   workspace.pose_notes.clear();
   if (Bound bound = files_.take_bound(); bound.binds(workspace.document))
     install(workspace, std::move(bound));
@@ -59,12 +76,14 @@ void LiveModel::follow_weights(const scene::Document& document) {
 }
 
 void LiveModel::start_binding(const scene::Document& document) {
-  binding_text_ = scene::text(scene::binding_plan(document, document.scheme.weighting));
-  binder_.start([model = document.model.surface, cage = document.cage, scheme = document.scheme,
-                 method = document.method, known = bound_,
-                 saved = files_.take_saved()](base::Progress& progress) {
-    return bind(model, cage, scheme, method, known, saved, progress);
-  });
+  binding_text_ = document.has_cage() ? scene::text(scene::binding_plan(document, document.scheme.weighting))
+                                      : "Preparing the model for probes";
+  binder_.start(
+      [model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
+       method = document.method, known = bound_,
+       saved = document.has_cage() ? files_.take_saved() : SavedBindings()](base::Progress& progress) {
+        return bind(model, cage, scheme, method, known, saved, progress);
+      });
 }
 
 void LiveModel::take_binding(scene::Workspace& workspace, bool wait) {
@@ -77,9 +96,9 @@ void LiveModel::take_binding(scene::Workspace& workspace, bool wait) {
 void LiveModel::install(scene::Workspace& workspace, Bound bound) {
   for (const auto& warning : bound.binding->warnings) workspace.messages.warn(warning);
   if (!bound.problem.empty()) workspace.messages.error(bound.problem);
-  files_.keep_binding(bound);
+  if (workspace.document.has_cage()) files_.keep_binding(bound);
   bound_ = std::move(bound);
-  make_deformer(workspace.document.scheme);
+  make_deformer(scheme_of(workspace.document));
   follow_mask(workspace.document);
 }
 
@@ -94,7 +113,8 @@ void LiveModel::make_deformer(const deform::Scheme& scheme) {
 void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity) {
   binder_.cancel();
   scene::Document& document = workspace.document;
-  if (deformer_) {
+  given_up_ = !deformer_;
+  if (deformer_ && document.has_cage()) {
     deform::Scheme served = deformer_->scheme();
     if (!bound_.stitches(served)) served.iterations = 0;
     scene::give_up_scheme(document, served);
@@ -129,9 +149,11 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   }
   const bool deformed = deforms(document);
   if (deformed) {
-    deformer_->deform(document.pose,
+    deformer_->set_probes(document.probes);
+    deformer_->deform(document.has_cage() ? document.pose : deform::rest_pose(*no_cage_),
                       deformer_->engine(document.method) ? document.method : sym3::Method::fast);
-    scene::take_report(workspace, deformer_->state().report());
+    take_carried(document);
+    if (document.has_cage()) scene::take_report(workspace, deformer_->state().report());
     times.links = deformer_->times();
     derived_ = {document.revisions.pose, document.revisions.method};
     ++frames_;
@@ -139,9 +161,14 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
     if (prepared_) derived_.reset();
   }
   // From the next frame on: only what was deformed whole can be followed in parts.
-  if (drag && !dragging_ && deformer_->ran()) deformer_->begin_drag(drag->vertices());
+  if (drag && !dragging_ && deformer_->ran() && !drag->vertices().empty())
+    deformer_->begin_drag(drag->vertices());
   dragging_ = drag.has_value();
   return deformed;
+}
+
+void LiveModel::take_carried(scene::Document& document) const {
+  document.carried = deformer_->probes().places();
 }
 
 mesh::Point LiveModel::vertex(const scene::Document& document, std::size_t index) const {

@@ -59,6 +59,9 @@ private:
   void take_binding(scene::Workspace& workspace, bool wait);
   void install(scene::Workspace& workspace, Bound bound);
   void follow_mask(const scene::Document& document);
+  std::shared_ptr<const deform::Cage> cage_of(const scene::Document& document);
+  static deform::Scheme scheme_of(const scene::Document& document);
+  void take_carried(scene::Document& document) const;
   void follow_blend(const deform::Scheme& scheme);
   void make_deformer(const deform::Scheme& scheme);
   bool deforms(const scene::Document& document) const;
@@ -67,6 +70,7 @@ private:
   base::WorkerPool pool_;
   base::BackgroundJob<Bound> binder_;
   std::string binding_text_;
+  std::shared_ptr<const deform::Cage> no_cage_;  // where there is none; null until it is asked for
   Bound bound_;  // what the deformer is made of; nothing while there is none
   std::unique_ptr<deform::Deformer> deformer_;
 
@@ -78,6 +82,7 @@ private:
   };
   std::optional<Derived> derived_;
   unsigned long frames_ = 0;
+  bool given_up_ = false;  // to prepare a model without a cage
   bool unprepared_ = false, prepared_ = false, dragging_ = false;
 };
 

@@ -2,25 +2,12 @@
 
 #include <cassert>
 
+#include "deform/linear_map.h"
 #include "deform/map_rows.h"
 #include "deform/matrix_log.h"
 #include "deform/translation_log.h"
 
 namespace viete::deform {
-
-namespace {
-
-Vec3 times(const sym3::Sym3<double>& s, const Vec3& x) {
-  return {s.xx * x[0] + s.xy * x[1] + s.xz * x[2], s.xy * x[0] + s.yy * x[1] + s.yz * x[2],
-          s.xz * x[0] + s.yz * x[1] + s.zz * x[2]};
-}
-
-Vec3 times(const sym3::Mat3<double>& m, const Vec3& x) {
-  return {m[0] * x[0] + m[1] * x[1] + m[2] * x[2], m[3] * x[0] + m[4] * x[1] + m[5] * x[2],
-          m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
-}
-
-}  // namespace
 
 namespace {
 

@@ -127,6 +127,15 @@ Cage make_cage(mesh::Surface surface) {
   return cage;
 }
 
+Cage no_cage(const mesh::Bounds& box) {
+  Cage cage;
+  cage.surface.positions = {box.low, box.high};
+  cage.unused = {1, 1};
+  cage.diagonal = box.diagonal();
+  if (!(cage.diagonal > 0)) cage.diagonal = 1;  // of one point
+  return cage;
+}
+
 Pose rest_pose(const Cage& cage) {
   return {cage.surface.positions, {}};
 }

@@ -52,6 +52,11 @@ struct Cage {
 /// (an edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.
 Cage make_cage(mesh::Surface surface);
 
+/// What stands for a cage where there is none: two vertices, corners of the box, and no elements. By
+/// no_motion() a model stays as it is at rest, and what is upon that moves it (ProbeLayer). The box must not
+/// be empty.
+Cage no_cage(const mesh::Bounds& box);
+
 /// Radians of one turn vector: a file with longer ones is not believed.
 inline constexpr double largest_turn = 1e6;
 

@@ -8,6 +8,7 @@
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "deform/linear_map.h"
 #include "deform/map_rows.h"
 #include "deform/moments.h"
 #include "sym3/exp.h"
@@ -45,14 +46,7 @@ MapLog scaled(const MapLog& log, const Amounts& amounts) {
 }
 
 AffineMap map_of(const MapLog& log) {
-  const auto r = sym3::exp_rotation(log.rotation);
-  const auto s = sym3::exp(log.stretch);
-  const sym3::Mat3<double> stretch{s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
-  AffineMap map{{}, log.center};
-  for (int i = 0; i < 9; ++i) {
-    for (int k = 0; k < 3; ++k) map.linear[i] += r[i / 3 * 3 + k] * stretch[3 * k + i % 3];
-  }
-  return map;
+  return {times(sym3::exp_rotation(log.rotation), full(sym3::exp(log.stretch))), log.center};
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
     : binding_(std::move(binding)),
       scheme_(scheme),
       state_(cage, scheme.weighting.elements, scheme.blend),
-      weigher_(state_.cage(), binding_->weighting) {
+      weigher_(state_.cage(), binding_->weighting),
+      layer_(binding_->rest, pool) {
   state_.set_amounts(scheme.amounts);
   const RowForm form = state_.rows().form;
   if (!binding_->weights.empty()) staged_ = std::make_unique<StagedEngine>(binding_, form, pool);
@@ -40,11 +41,16 @@ void Deformer::set_amounts(const Amounts& amounts) {
 
 void Deformer::set_mask(Mask mask) {
   mask_ = std::move(mask);
+  layer_.set(layer_.probes(), mask_);
   const bool partial = !binding_->shares.empty() || (binding_->tiles && !binding_->tiles->shares.empty());
   state_.keep_origin(mask_ || partial);
   if (staged_) staged_->set_mask(mask_);
   if (fused_) fused_->set_mask(mask_);
   if (stitched_) stitched_->set_mask(mask_);
+}
+
+void Deformer::set_probes(const Probes& probes) {
+  layer_.set(probes, mask_);
 }
 
 Engine& Deformer::of(EngineKind kind) const {
@@ -60,8 +66,20 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
   const EngineKind kind = engine(method).value_or(EngineKind::fused);
   assert(kind != EngineKind::fused || fused_);
   state_.set_pose(pose);
+  of(kind).set_layer(layer_.moves() ? &layer_ : nullptr);
   of(kind).run(state_, method);
   ran_ = kind;
+  if (!layer_.moves()) carry_probes();
+}
+
+// Of those that move nothing no engine has asked.
+void Deformer::carry_probes() {
+  std::vector<Vec3> anchors;
+  for (const auto v : layer_.anchors()) {
+    const auto& p = vertices()[v].position;
+    anchors.push_back({p[0], p[1], p[2]});
+  }
+  layer_.carry(anchors, origin());
 }
 
 std::span<const FrameVertex> Deformer::vertices() const {
@@ -79,7 +97,7 @@ LinkTimes Deformer::times() const {
 std::vector<mesh::Point> Deformer::positions() const {
   if (ran_ == EngineKind::staged) return {staged_->positions().begin(), staged_->positions().end()};
   std::vector<mesh::Point> all;
-  if (ran_ == EngineKind::stitched) {
+  if (ran_ == EngineKind::stitched && !layer_.moves()) {
     for (const Vec3& p : stitched_->positions()) all.push_back(origin() + p);
     return all;
   }
@@ -102,7 +120,7 @@ std::vector<sym3::Sym3<double>> Deformer::sample_matrices(std::size_t limit) con
 
 double Deformer::sampled_error() const {
   if (ran_ != EngineKind::fused) return 0;
-  return deform::sampled_error(weigher_, *binding_, mask_, state_.rows(), vertices());
+  return deform::sampled_error(weigher_, *binding_, mask_, state_.rows(), layer_, vertices());
 }
 
 }  // namespace viete::deform

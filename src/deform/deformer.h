@@ -33,6 +33,9 @@ public:
   /// Of the next frames; null: every vertex follows. One share a vertex, 0 to 1.
   void set_mask(Mask mask);
   const Mask& mask() const { return mask_; }
+  /// Of the next frames: a layer upon what the cage does.
+  void set_probes(const Probes& probes);
+  const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
   /// The engine that runs the method; nothing if the binding is not for it, or the scheme is stitched and
   /// there is no stitching.
@@ -54,7 +57,7 @@ public:
   LinkTimes times() const;
 
   /// Copies of all positions and normals of the last frame: of the staged engine in double, positions of the
-  /// stitched one too, of the fused one as it left them.
+  /// stitched one too where no probe moves them, of the fused one as it left them.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
   /// The matrices that the last frame exponentiated, of at most `limit` vertices spread evenly over the
@@ -66,12 +69,14 @@ public:
 private:
   Engine& of(EngineKind kind) const;
   const Engine& last() const { return of(*ran_); }
+  void carry_probes();
 
   std::shared_ptr<const Binding> binding_;
   Scheme scheme_;
   Mask mask_;
   CageState state_;
   Weigher weigher_;
+  ProbeLayer layer_;
   std::unique_ptr<FusedEngine> fused_;
   std::unique_ptr<StagedEngine> staged_;
   std::unique_ptr<StitchedEngine> stitched_;

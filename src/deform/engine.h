@@ -8,6 +8,7 @@
 #include "deform/cage_state.h"
 #include "deform/frame_vertex.h"
 #include "deform/links.h"
+#include "deform/probe_layer.h"
 #include "sym3/exp.h"
 
 namespace viete::deform {
@@ -23,6 +24,8 @@ public:
 
   /// Of the next frames. The state must keep its origin if there is one, or weights are partial.
   virtual void set_mask(const Mask& mask) = 0;
+  /// Of the next frames, upon what the rows do; null: none. Of the same model, and outlives its frames.
+  void set_layer(ProbeLayer* layer) { layer_ = layer; }
   /// One frame. The state must be of the cage, the elements and the blend that the engine was made for.
   virtual void run(const CageState& state, sym3::Method method) = 0;
   /// Of the last frame, in the file's order, positions relative to its rows' origin; before the first one
@@ -33,6 +36,7 @@ public:
 
 protected:
   LinkTimes times_;
+  ProbeLayer* layer_ = nullptr;
 };
 
 }  // namespace viete::deform

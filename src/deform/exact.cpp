@@ -11,6 +11,7 @@
 #include "deform/blend.h"
 #include "deform/map_rows.h"
 #include "deform/moments.h"
+#include "deform/probe_layer.h"
 #include "deform/stitching.h"
 #include "deform/vertex_sample.h"
 #include "deform/weigher.h"
@@ -24,7 +25,7 @@ using Stretch = sym3::Sym3<double>;
 // As many vertices as have a megabyte of weights, within limits.
 std::size_t weighed_at_once(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
-  return std::clamp(weights / handles / bind_lanes * bind_lanes, bind_lanes, most);
+  return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);
 }
 
 double squared_frobenius(const Stretch& m) {
@@ -128,7 +129,7 @@ void stitch_positions(const Stitching& stitching, const Rows& rows, std::span<co
 
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
-                          base::Progress* progress, const Mask& mask) {
+                          base::Progress* progress, const Mask& mask, const Probes& probes) {
   const std::span<const mesh::Point> rest = model.positions;
   if (rest.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   CageState state(cage, scheme.weighting.elements, scheme.blend);
@@ -171,6 +172,9 @@ ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage
     share_sums(part.binding, part.binding.shares, rows.form, 0, count, part_sums);
   });
   if (stitching) stitch_positions(*stitching, rows, sums, shares, scheme, method, pool, exact.positions);
+  ProbeLayer layer(rest, pool);
+  layer.set(probes, mask);
+  if (layer.moves()) layer.move_all(exact.positions, method);
   exact.warnings = weight_warnings(*cage, scheme.weighting.weights, failed, rest.size());
   return exact;
 }

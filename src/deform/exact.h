@@ -11,6 +11,7 @@
 #include "base/worker_pool.h"
 #include "deform/binding.h"
 #include "deform/cage_state.h"
+#include "deform/probe.h"
 #include "sym3/exp.h"
 
 namespace viete::deform {
@@ -34,9 +35,10 @@ struct ExactModel {
 /// for each thread, more for cages of more than 10,000 elements; with
 /// weights along the surface those of all vertices. Throws base::Error when the pose has not one
 /// position per cage vertex or the model no vertices, and base::Cancelled. progress may be null; a mask has
-/// one share a vertex. cage must not be null.
+/// one share a vertex. cage must not be null. Probes are a layer upon it, see ProbeLayer.
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
-                          base::Progress* progress = nullptr, const Mask& mask = nullptr);
+                          base::Progress* progress = nullptr, const Mask& mask = nullptr,
+                          const Probes& probes = {});
 
 }  // namespace viete::deform

@@ -100,6 +100,8 @@ void FusedEngine::run(const CageState& state, sym3::Method) {
   prepare(state);
   place_vertices();
   times_[Link::fused] = watch.lap_ms() - times_[Link::skeleton];
+  move_by_probes();
+  times_[Link::probes] = watch.lap_ms();
   compute_normals();
   times_[Link::normals] = watch.lap_ms();
 }
@@ -109,6 +111,7 @@ void FusedEngine::prepare(const CageState& state) {
   times_ = {};
   base::Stopwatch watch;
   if (!std::ranges::equal(state.moving(), drag_.moving)) drag_ = {};
+  origin_ = state.rows().origin;
   fill_table(state.rows());
   if (has_moments(form_) && !knows_rest_) fill_rest_moments(state.rows());
   follow_drag(state);
@@ -164,8 +167,11 @@ void FusedEngine::show(std::span<const Vec3> positions) {
     }
   });
   drag_.placed = false;
-  compute_normals();
   times_[Link::normals] = watch.lap_ms();
+  move_by_probes();
+  times_[Link::probes] = watch.lap_ms();
+  compute_normals();
+  times_[Link::normals] += watch.lap_ms();
 }
 
 void FusedEngine::fill_table(const Rows& rows) {
@@ -376,7 +382,8 @@ TileRun<float> FusedEngine::frame_run(std::size_t leaf) const {
 
 void FusedEngine::place_vertices() {
   const TiledBinding& b = *binding_;
-  const bool placed = dragging_ && std::exchange(drag_.placed, true);
+  // What the layer moves is not where the next frame may leave it.
+  const bool placed = dragging_ && std::exchange(drag_.placed, !layer_);
   for_leaves([&](std::size_t leaf) {
     leaf_moved_[leaf] = !(placed && drag_.row_count(leaf) == 0);
     if (!leaf_moved_[leaf]) return;
@@ -386,6 +393,32 @@ void FusedEngine::place_vertices() {
     if (!shares_.empty()) run.shares = shares_.data() + begin;
     tiles_.place(run, b.rest.data() + begin * 3, b.offsets.data() + begin * 3,
                  positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]));
+  });
+}
+
+void FusedEngine::move_by_probes() {
+  if (!layer_) return;
+  const TiledBinding& b = *binding_;
+  const auto at = [&](std::size_t slot) {
+    const std::size_t leaf = slot / leaf_slots;
+    return positions_.data() + 4 * (b.rings.position_starts[leaf] + slot - b.leaves.begin(leaf));
+  };
+  const auto position = [&](std::size_t slot) {
+    const float* p = at(slot);
+    return b.unit * Vec3{p[0], p[1], p[2]};
+  };
+  if (slots_.empty()) slots_ = slots_of(b.leaves);
+  std::vector<Vec3> anchors;
+  for (const auto v : layer_->anchors()) anchors.push_back(position(slots_[v]));
+  layer_->carry(anchors, origin_);
+  for_leaves([&](std::size_t leaf) {
+    const std::size_t begin = b.leaves.begin(leaf), count = b.leaves.end(leaf) - begin;
+    std::vector<Vec3> moved(count);
+    for (std::size_t s = 0; s < count; ++s) moved[s] = position(begin + s);
+    layer_->move(std::span(b.leaves.order).subspan(begin, count), moved, sym3::Method::fast);
+    for (std::size_t s = 0; s < count; ++s) {
+      for (std::size_t i = 0; i < 4; ++i) at(begin + s)[i] = static_cast<float>(moved[s][i % 3] / b.unit);
+    }
   });
 }
 

@@ -65,6 +65,7 @@ private:
   TileRun<float> frame_run(std::size_t leaf) const;
   void share(std::size_t slot, double* sums) const;
   void place_vertices();
+  void move_by_probes();
   void compute_normals();
   template <class Body>
   void for_leaves(const Body& body);
@@ -90,7 +91,9 @@ private:
   base::AlignedVector<FrameVertex> vertices_;
   base::AlignedVector<float> shares_;     // [slot]; empty: all 1
   std::vector<std::uint8_t> leaf_moved_;  // [leaf] its slots, in this frame
+  std::vector<std::uint32_t> slots_;      // of vertices, where probes are
   bool dragging_ = false;
+  Vec3 origin_{0, 0, 0};  // of the frame's rows
 
   /// While a few handles move: the sums of the others, and the weights of those.
   struct DragCache {

@@ -9,9 +9,9 @@ namespace viete::deform {
 
 /// `fused` stands for blend, exp and apply where they are one pass, `skeleton` for the blend of the vertices
 /// that compressed weights interpolate; `triangle_maps` and `solve` are what stitching adds, all iterations
-/// in one.
-enum class Link { maps, log_maps, blend, exp, apply, skeleton, fused, triangle_maps, solve, normals };
-inline constexpr std::size_t link_count = 10;
+/// in one; `probes` is their layer.
+enum class Link { maps, log_maps, blend, exp, apply, skeleton, fused, triangle_maps, solve, probes, normals };
+inline constexpr std::size_t link_count = 11;
 std::string_view name(Link link);
 
 /// Wall milliseconds of each link in one frame; links that the frame does not have stay 0.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deform/linear_map.h"
 #include "deform/matrix_log.h"
 #include "deform/translation_log.h"
 #include "sym3/exp.h"
@@ -46,11 +47,6 @@ void write_quaternion(const Vec3& turn, Row row) {
   const double angle = norm(turn), quarter = std::sin(angle / 4);
   row[0] = -2 * quarter * quarter;
   write((angle > 0 ? std::sin(angle / 2) / angle : 0.5) * turn, row.subspan(1, 3));
-}
-
-Vec3 times(const sym3::Mat3<double>& m, const Vec3& x) {
-  return {m[0] * x[0] + m[1] * x[1] + m[2] * x[2], m[3] * x[0] + m[4] * x[1] + m[5] * x[2],
-          m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
 }
 
 // X, Y, E - I, a of RowForm::screws. a in terms of E - I: at rest it is exactly 0.

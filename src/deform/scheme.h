@@ -181,6 +181,11 @@ struct Scheme {
 /// need a surface where there is none.
 Scheme default_scheme(bool has_triangles = true);
 
+/// What is the least work where a cage has no elements: see no_cage().
+inline Scheme no_motion() {
+  return {.weighting = {}, .blend = Blend::linear};
+}
+
 /// Why these do not go together, as a sentence; nothing if they do.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 

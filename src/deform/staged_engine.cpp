@@ -44,7 +44,14 @@ void StagedEngine::run(const CageState& state, sym3::Method method) {
   } else {
     rows.form == RowForm::logs ? blend_logs(rows, method) : blend_others(rows, method);
   }
+  if (layer_) move_by_probes(method);
   finish(rows.origin);
+}
+
+void StagedEngine::move_by_probes(sym3::Method method) {
+  base::Stopwatch watch;
+  layer_->move_all(positions_, method);
+  times_[Link::probes] = watch.lap_ms();
 }
 
 void StagedEngine::blend_logs(const Rows& rows, sym3::Method method) {

@@ -31,6 +31,7 @@ private:
   void blend_logs(const Rows& rows, sym3::Method method);
   void blend_others(const Rows& rows, sym3::Method method);
   void fit(const Rows& rows);
+  void move_by_probes(sym3::Method method);
   void finish(const Vec3& origin);
 
   std::shared_ptr<const Binding> binding_;

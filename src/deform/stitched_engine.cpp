@@ -60,6 +60,7 @@ void StitchedEngine::run(const CageState& state, sym3::Method method) {
   place_held(sums_, method);
   const double held_ms = watch.lap_ms();
   stitcher_.run(state.rows(), sums_, held_positions_, method, iterations_);
+  blender_.set_layer(layer_);
   blender_.show(stitcher_.positions());
   times_ = blender_.times();
   times_[Link::blend] += held_ms;

@@ -58,10 +58,18 @@ Mask at_vertices(const Mask& mask, std::span<const std::size_t> vertices) {
   return std::make_shared<const std::vector<float>>(std::move(some));
 }
 
+// By the places that the frame has carried the probes to.
+void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, const Vec3& origin,
+             std::span<mesh::Point> positions) {
+  for (mesh::Point& p : positions) p = p - origin;
+  layer.move(std::vector<std::uint32_t>(vertices.begin(), vertices.end()), positions, sym3::Method::fast);
+  for (mesh::Point& p : positions) p = origin + p;
+}
+
 }  // namespace
 
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
-                     std::span<const FrameVertex> frame) {
+                     const ProbeLayer& layer, std::span<const FrameVertex> frame) {
   const auto vertices = spread_vertices(binding.vertices, error_sample);
   std::vector<mesh::Point> exact;
   for (const auto v : vertices) exact.push_back(binding.rest[v]);
@@ -69,6 +77,7 @@ double sampled_error(const Weigher& weigher, const Binding& binding, const Mask&
                                                                : bind_part(weigher, exact);
   part.binding.shares = product(std::move(part.binding.shares), at_vertices(mask, vertices));
   place_vertices(part.binding, rows, sym3::Method::fast, exact);
+  if (layer.moves()) move_by(layer, vertices, rows.origin, exact);
   double worst = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto& p = frame[vertices[i]].position;

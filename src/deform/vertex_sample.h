@@ -10,6 +10,7 @@
 #include "deform/binding.h"
 #include "deform/cage_state.h"
 #include "deform/frame_vertex.h"
+#include "deform/probe_layer.h"
 #include "deform/tiled_binding.h"
 #include "deform/weigher.h"
 #include "sym3/sym3.h"
@@ -65,11 +66,11 @@ BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points)
 BoundPart sampled_part(const Weigher& weigher, const TiledBinding& tiles,
                        std::span<const mesh::Point> points);
 
-/// How far a frame of these rows is from double precision and exact weights: the largest distance of a sample
-/// of vertices, in diagonals of the cage. Takes about a millisecond. Weights along the surface must be those
-/// of tiles.
+/// How far a frame of these rows, and of the layer, is from double precision and exact weights: the largest
+/// distance of a sample of vertices, in diagonals of the cage. Takes about a millisecond. Weights along the
+/// surface must be those of tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
-                     std::span<const FrameVertex> frame);
+                     const ProbeLayer& layer, std::span<const FrameVertex> frame);
 
 /// The symmetric logs that at most `limit` vertices, spread evenly over the model, blend: what their
 /// exponential is taken of. Empty if rows hold none. Throws base::Cancelled.

@@ -7,6 +7,7 @@
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/file_commands.h"
+#include "scene/probes.h"
 
 namespace viete::scene {
 
@@ -31,13 +32,31 @@ constexpr Condition has_maps{
 constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
                               "Open a model first."};
 constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); }, "Open a cage first."};
+constexpr Condition is_movable{[](const Workspace& w) { return w.document.is_movable(); },
+                               "Open a cage or add a probe first."};
+constexpr Condition has_elements{
+    [](const Workspace& w) { return element_count(w.document, w.document.selection.kind()) > 0; },
+    "There is nothing of the kind to select: open a cage, or add a probe."};
+constexpr Condition has_probe_room{
+    [](const Workspace& w) {
+      return has_model(w) && w.document.probes.all.size() < most_probes && !w.interaction.drag;
+    },
+    "Open a model first; there can be 256 probes."};
+constexpr Condition has_probes_selected{
+    [](const Workspace& w) {
+      return w.document.selection.kind() == ElementKind::probe && !w.document.selection.empty() && !w.interaction.drag;
+    },
+    "Select a probe first."};
 constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
                              "Nothing is painted: all of the model follows the cage."};
 constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
                                   "Nothing is selected."};
 constexpr Condition has_selection_or_hover{
-    [](const Workspace& w) { return has_cage(w) && (has_selection(w) || w.interaction.hovered); },
-    "Select something first, or point at it."};
+    [](const Workspace& w) {
+      return has_cage(w) && w.document.selection.kind() != ElementKind::probe &&
+             (has_selection(w) || w.interaction.hovered);
+    },
+    "Select something of the cage first, or point at it."};
 constexpr Condition is_working{[](const Workspace& w) { return w.loading.running || w.binding.running; },
                                "Nothing is being read or bound."};
 constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
@@ -59,7 +78,7 @@ constexpr Condition can_redo{
     "No edit was taken back."};
 constexpr Condition is_posed{
     [](const Workspace& w) { return !w.interaction.drag && differs_from_rest(w.document); },
-    "The cage is at rest."};
+    "Cage and probes are at rest."};
 constexpr Condition has_posed_selection{[](const Workspace& w) { return has_selection(w) && is_posed(w); },
                                         "Nothing that is selected has moved."};
 
@@ -109,7 +128,7 @@ void look(Workspace& w) {
 }
 
 std::size_t selectable(const Workspace& w) {
-  return element_count(*w.document.cage, w.document.selection.kind());
+  return element_count(w.document, w.document.selection.kind());
 }
 
 void select_everything(Workspace& w) {
@@ -146,6 +165,28 @@ void select_by(Workspace& w) {
   w.interaction.hovered.reset();
 }
 
+// On the model under the cursor or, where none is there or a button was pressed, in the middle of the view.
+void add_probe_in_view(Workspace& w) {
+  const glm::vec2 middle = w.viewport.origin + 0.5f * w.viewport.size;
+  const auto on_model = [&](const glm::vec2& at) {
+    return pick_model(w.document, w.posed, w.camera.ray(at, w.viewport));
+  };
+  auto at = w.interaction.cursor ? on_model(*w.interaction.cursor) : std::nullopt;
+  if (!at) at = on_model(middle);
+  add_probe(w.document, w.posed,
+            at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
+  w.interaction.hovered.reset();
+}
+
+bool all_locked(const Workspace& w) {
+  const auto& selected = w.document.selection.indices();
+  return std::ranges::all_of(selected, [&](auto i) { return w.document.probes.all[i].locked; });
+}
+
+void toggle_locked(Workspace& w) {
+  set_locked(w.document, !all_locked(w));
+}
+
 template <Tool Use>
 void use_tool(Workspace& w) {
   w.tool = Use;
@@ -172,7 +213,7 @@ const std::vector<Command>& table() {
        has_model, browse_to_save_session},
       {"save_pose", "Save pose", "Write the posed cage to a mesh file.", "File", {key('P'), true, true}, {}, has_cage,
        browse_to_save_pose},
-      {"save_model", "Export", "Write the deformed mesh to a file.", "File", {key('E'), true}, {}, has_cage,
+      {"save_model", "Export", "Write the deformed mesh to a file.", "File", {key('E'), true}, {}, is_movable,
        browse_to_save_model},
       {"stop_work", "Cancel", "Stop reading or binding; everything stays as it is.", "File", {Key::escape}, {}, is_working,
        [](Workspace& w) { w.requests.stop_work = true; }},
@@ -197,7 +238,7 @@ const std::vector<Command>& table() {
        step_back},
       {"redo", "Redo", "Repeat the edit that was taken back.", "Edit", {key('Z'), true, true}, {key('Y'), true},
        can_redo, step_forth},
-      {"reset_pose", "Reset pose", "Put the whole cage back to rest.", "Edit", {key('R'), true}, {}, is_posed,
+      {"reset_pose", "Reset pose", "Put the whole cage and all probes back to rest.", "Edit", {key('R'), true}, {}, is_posed,
        [](Workspace& w) { reset_pose(w.document); }},
       {"reset_selected", "Reset selected", "Put what is selected back to rest.", "Edit", {Key::delete_key}, {},
        has_posed_selection,
@@ -209,11 +250,12 @@ const std::vector<Command>& table() {
        select_by<ElementKind::edge>},
       {"select_faces", "Faces", "Select faces of the cage.", "Select", {key('3')}, {}, always,
        select_by<ElementKind::face>},
-      {"select_all", "All", "Select the whole cage.", "Select", {key('A')}, {key('A'), true}, has_cage,
+      {"select_probes", "Probes", "Select probes.", "Select", {key('4')}, {}, always, select_by<ElementKind::probe>},
+      {"select_all", "All", "Select the whole cage, or all probes.", "Select", {key('A')}, {key('A'), true}, has_elements,
        select_everything},
       {"select_none", "None", "Select nothing.", "Select", {key('A'), false, true}, {}, has_selection,
        select_nothing},
-      {"invert_selection", "Invert", "Select what is not selected.", "Select", {key('I'), true}, {}, has_cage,
+      {"invert_selection", "Invert", "Select what is not selected.", "Select", {key('I'), true}, {}, has_elements,
        invert_selection},
       {"select_linked", "Linked", "Select what is connected with it or with what is under the cursor.", "Select",
        {key('L')}, {key('L'), true}, has_selection_or_hover, select_linked},
@@ -228,11 +270,22 @@ const std::vector<Command>& table() {
        use_tool<Tool::scale>},
 
       {"tool_paint", "Paint", "Paint what of the model stays at rest; with Ctrl what follows.",
-       "Tool", {key('D')}, {}, has_cage, use_tool<Tool::paint>},
+       "Tool", {key('D')}, {}, is_movable, use_tool<Tool::paint>},
       {"mask_clear", "Clear paint", "All of the model follows the cage again.", "Tool", {}, {}, has_mask,
        [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); }},
-      {"mask_invert", "Invert paint", "What follows the cage stays, and the reverse.", "Tool", {}, {}, has_cage,
+      {"mask_invert", "Invert paint", "What follows the cage stays, and the reverse.", "Tool", {}, {}, is_movable,
        [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); }},
+
+      {"add_probe", "Add", "Place a probe on the model, under the cursor: a frame that moves, turns and stretches what is near it.",
+       "Probes", {key('P')}, {}, has_probe_room, add_probe_in_view},
+      {"mirror_probe", "Mirror", "Place copies of the selected probes on the other side of the model's middle, across X.", "Probes",
+       {key('P'), false, true}, {}, has_probes_selected, [](Workspace& w) { mirror_probes(w.document, 0); }},
+      {"remove_probe", "Remove", "Take the selected probes away, but for locked ones.", "Probes", {Key::delete_key, false, true}, {},
+       has_probes_selected, [](Workspace& w) { remove_probes(w.document); }},
+      {"replace_probe", "Rest here", "Where the selected probes are now is their place at rest, from which they move the model.",
+       "Probes", {}, {}, has_probes_selected, [](Workspace& w) { replace_probes(w.document); }},
+      {"toggle_locked", "Locked", "No hand moves the selected probes; they hold what they hold.", "Probes", {}, {},
+       has_probes_selected, toggle_locked},
 
       method_command<M::diag>("method_diag", '1'), method_command<M::sd>("method_sd", '2'),
       method_command<M::improved_sd>("method_improved_sd", '3'), method_command<M::fast>("method_fast", '4'),

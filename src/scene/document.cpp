@@ -94,7 +94,7 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
 }
 
 Snapshot snapshot_of(const Document& document) {
-  return {document.pose, document.selection, document.scheme, document.mask};
+  return {document.pose, document.selection, document.scheme, document.mask, document.probes};
 }
 
 void set_pose(Document& document, deform::Pose pose) {

@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "deform/binding.h"
 #include "deform/cage.h"
+#include "deform/probe.h"
 #include "deform/scheme.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
@@ -22,6 +23,8 @@ namespace viete::scene {
 
 using deform::all_blends, deform::all_elements, deform::all_weights, deform::complete, deform::entry,
     deform::only;
+using deform::all_falloffs, deform::all_probe_mixes, deform::linear_part;
+using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using deform::Amounts, deform::largest_amount, deform::most_exponent, deform::most_iterations, deform::Scheme,
     deform::text_of_percent, deform::text_of_reach, deform::Weighting, deform::whole_cage;
 using mesh::Summary;
@@ -54,6 +57,10 @@ struct Document {
   std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
   deform::Pose pose;
   deform::Mask mask;  ///< painted, of the model's vertices; null: every one follows the cage
+  deform::Probes probes;
+  /// Where the cage has brought the probes' places in the last frame; shorter where that is not known: there
+  /// they are as at rest.
+  std::vector<mesh::Point> carried;
   Selection selection;
   History history;
   sym3::Method method = sym3::Method::fast;
@@ -62,6 +69,8 @@ struct Document {
   Revisions revisions;
 
   bool has_cage() const { return cage != nullptr; }
+  /// Something moves the model, or may.
+  bool is_movable() const { return has_cage() || !probes.empty(); }
 };
 
 /// Reads a surface and says what is in it. progress may be null. Throws base::Error and base::Cancelled.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/elements.h"
+#include "scene/probes.h"
 
 namespace viete::scene {
 
@@ -23,6 +24,8 @@ void restore(Document& document, Snapshot&& snapshot) {
   document.selection = std::move(snapshot.selection);
   ++document.revisions.pose;
   document.mask = std::move(snapshot.mask);
+  document.probes = std::move(snapshot.probes);
+  document.carried.clear();
   put_scheme(document, snapshot.scheme);
 }
 
@@ -47,6 +50,8 @@ void put_scheme(Document& document, const deform::Scheme& scheme) {
 }
 
 bool differs_from_rest(const Document& document) {
+  const auto acts = [](const deform::Probe& p) { return p.pose != deform::ProbePose{}; };
+  if (std::ranges::any_of(document.probes.all, acts)) return true;
   if (!document.has_cage()) return false;
   const auto turned = [](const deform::Vec3& t) { return t[0] * t[0] + t[1] * t[1] + t[2] * t[2] > 1; };
   const auto& turns = document.pose.turns;
@@ -56,11 +61,13 @@ bool differs_from_rest(const Document& document) {
 
 void reset_pose(Document& document) {
   document.history.record("reset pose", snapshot_of(document));
-  document.pose = deform::rest_pose(*document.cage);
+  if (document.has_cage()) document.pose = deform::rest_pose(*document.cage);
+  for (deform::Probe& probe : document.probes.all) probe.pose = {};
   ++document.revisions.pose;
 }
 
 void reset_selected(Document& document) {
+  if (document.selection.kind() == ElementKind::probe) return rest_probes(document);
   document.history.record("reset selected", snapshot_of(document));
   for (const auto v : selected_vertices(*document.cage, document.selection)) {
     document.pose.positions[v] = document.cage->surface.positions[v];
@@ -69,8 +76,9 @@ void reset_selected(Document& document) {
 }
 
 void select_kind(Document& document, ElementKind kind) {
+  const bool of_cage = kind != ElementKind::probe && document.selection.kind() != ElementKind::probe;
   document.selection =
-      document.has_cage() ? converted(*document.cage, document.selection, kind) : Selection(kind);
+      document.has_cage() && of_cage ? converted(*document.cage, document.selection, kind) : Selection(kind);
 }
 
 void undo(Document& document) {

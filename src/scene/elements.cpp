@@ -35,12 +35,19 @@ std::size_t element_count(const deform::Cage& cage, ElementKind kind) {
   switch (kind) {
     case ElementKind::vertex: return cage.surface.positions.size();
     case ElementKind::edge: return cage.edges.size();
+    case ElementKind::probe: return 0;
     case ElementKind::face: break;
   }
   return cage.surface.polygon_count();
 }
 
+std::size_t element_count(const Document& document, ElementKind kind) {
+  if (kind == ElementKind::probe) return document.probes.all.size();
+  return document.has_cage() ? element_count(*document.cage, kind) : 0;
+}
+
 std::vector<std::uint32_t> element_vertices(const deform::Cage& cage, ElementKind kind, std::uint32_t index) {
+  if (kind == ElementKind::probe) return {};
   if (kind == ElementKind::vertex) return {index};
   if (kind == ElementKind::edge) return {cage.edges[index].begin(), cage.edges[index].end()};
   const auto& corners = cage.surface.corners;
@@ -77,6 +84,7 @@ std::string element_name(ElementKind kind) {
   switch (kind) {
     case ElementKind::vertex: return "vertex";
     case ElementKind::edge: return "edge";
+    case ElementKind::probe: return "probe";
     case ElementKind::face: break;
   }
   return "face";

@@ -7,11 +7,15 @@
 #include <vector>
 
 #include "deform/cage.h"
+#include "scene/document.h"
 #include "scene/selection.h"
 
 namespace viete::scene {
 
+/// Of the cage: 0 for probes, which have no vertices either.
 std::size_t element_count(const deform::Cage& cage, ElementKind kind);
+/// Of the document, whether it has a cage or not.
+std::size_t element_count(const Document& document, ElementKind kind);
 
 /// In the order of the polygon; two for an edge, one for a vertex.
 std::vector<std::uint32_t> element_vertices(const deform::Cage& cage, ElementKind kind, std::uint32_t index);
@@ -25,7 +29,7 @@ Selection converted(const deform::Cage& cage, const Selection& selection, Elemen
 /// With everything that edges connect to it.
 Selection linked(const deform::Cage& cage, const Selection& selection);
 
-/// "vertex", "edge" or "face".
+/// "vertex", "edge", "face" or "probe".
 std::string element_name(ElementKind kind);
 /// "an edge", "3 faces".
 std::string counted(ElementKind kind, std::size_t count);

@@ -12,9 +12,14 @@
 namespace viete::scene {
 
 Export export_of(const Document& document, const std::filesystem::path& file) {
-  return {file,          document.model.surface, document.cage,
-          document.pose, document.scheme,        document.method,
-          document.mask};
+  Export all{file,          document.model.surface, document.cage,
+             document.pose, document.scheme,        document.method,
+             document.mask, document.probes};
+  if (document.has_cage()) return all;
+  all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
+  all.pose = deform::rest_pose(*all.cage);
+  all.scheme = deform::no_motion();
+  return all;
 }
 
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
@@ -22,8 +27,8 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
   base::check_replaceable(what.file);
   base::WorkerPool pool;
   if (progress) progress->section(0, 0.5);
-  const deform::ExactModel deformed = deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose,
-                                                             what.method, pool, progress, what.mask);
+  const deform::ExactModel deformed = deform::deform_exactly(
+      *what.model, what.cage, what.scheme, what.pose, what.method, pool, progress, what.mask, what.probes);
   if (progress) progress->section(0.5, 1);
   mesh::write(what.file, *what.model, deformed.positions, {}, progress);
   std::vector<std::string> notes = deformed.warnings;

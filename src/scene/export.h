@@ -16,14 +16,15 @@ namespace viete::scene {
 struct Export {
   std::filesystem::path file;
   std::shared_ptr<const mesh::Surface> model;
-  std::shared_ptr<const deform::Cage> cage;
+  std::shared_ptr<const deform::Cage> cage;  ///< or what stands for none, see Cage
   deform::Pose pose;
   deform::Scheme scheme;
   sym3::Method method;
   deform::Mask mask;
+  deform::Probes probes;
 };
 
-/// Requires a cage.
+/// Requires that something moves the model.
 Export export_of(const Document& document, const std::filesystem::path& file);
 
 /// Deforms the model in double and writes it; the extension chooses the format. Atomic: whatever goes wrong,

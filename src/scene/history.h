@@ -6,6 +6,7 @@
 
 #include "deform/binding.h"
 #include "deform/cage.h"
+#include "deform/probe.h"
 #include "deform/scheme.h"
 #include "scene/selection.h"
 
@@ -17,6 +18,7 @@ struct Snapshot {
   Selection selection;
   deform::Scheme scheme;
   deform::Mask mask;  ///< shared, not copied
+  deform::Probes probes;
 };
 
 /// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest

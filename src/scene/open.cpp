@@ -85,6 +85,7 @@ Opened open_cage(OpenedSurface cage, const Document& current) {
   Opened opened;
   opened.document = document_of(current.model);
   opened.document->mask = current.mask;
+  opened.document->probes = current.probes;
   set_cage(*opened.document, std::move(cage));
   take_cage_warnings(opened);
   return opened;
@@ -137,9 +138,13 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   document.method = session.method;
   document.scheme = session.scheme;
   document.mask = fit_to_model(session, *document.model.surface, file);
+  document.probes = session.probes;
   if (document.has_cage()) {
     fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
     if (session.pose) document.pose = std::move(*session.pose);
+  }
+  if (document.is_movable()) {
+    fit_selection(session, document, file);
     document.selection = Selection(session.selecting);
     document.selection.apply(session.selection, SelectMode::replace);
   }
@@ -289,7 +294,8 @@ Opened open_files(const OpenRequest& request, const Document& current, base::Pro
   const bool surfaceless = document.model.surface->triangles.empty() && !opened.has_settings;
   if (surfaceless && deform::entry(document.scheme.weighting.weights).on_surface &&
       !request.settings.choice.weights)
-    put_scheme(document, deform::complete(only(deform::default_scheme(false).weighting.weights), document.scheme));
+    put_scheme(document,
+               deform::complete(only(deform::default_scheme(false).weighting.weights), document.scheme));
   opened.has_settings |= request.settings.any();
   return opened;
 }
@@ -309,6 +315,7 @@ void take(Workspace& w, Opened&& opened) {
   w.saved.session.clear();
   w.saved.content.reset();
   w.saved.pose = {};
+  w.saved.probes = {};
   ++w.saved.revision;
   w.recovered_from.clear();
   if (opened.session) {
@@ -320,8 +327,8 @@ void take(Workspace& w, Opened&& opened) {
     w.recovered_from = opened.file;
   } else {
     mark_saved(w);
-    if (opened.session) w.saved.scheme = opened.session->scheme;  // another one was asked for: unsaved
-    if (!opened.session) w.saved.mask = nullptr;                  // painted for another cage: in no file
+    if (opened.session) w.saved.scheme = opened.session->scheme;       // another one was asked for: unsaved
+    if (!opened.session) w.saved.mask = nullptr, w.saved.probes = {};  // made for another cage: in no file
     w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
                                              : RecentFile{w.saved.session, {}});
   }

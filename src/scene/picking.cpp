@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "scene/elements.h"
+#include "scene/probes.h"
 
 namespace viete::scene {
 
@@ -135,8 +136,10 @@ std::optional<std::array<glm::vec3, 2>> Projector::segment(const mesh::Point& a,
 
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
                                  const glm::vec2& cursor) {
-  if (!document.has_cage()) return std::nullopt;
   const Projector project(document.space, camera, viewport);
+  if (document.selection.kind() == ElementKind::probe)
+    return pick_point(project, probe_centers(document), cursor);
+  if (!document.has_cage()) return std::nullopt;
   const auto& points = document.pose.positions;
   const auto kind = document.selection.kind();
   if (kind == ElementKind::vertex) return pick_point(project, points, cursor);
@@ -152,9 +155,11 @@ std::optional<Pick> pick_element(const Document& document, const Camera& camera,
 std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera,
                                                 const Viewport& viewport, const glm::vec2& corner,
                                                 const glm::vec2& opposite) {
+  const Projector project(document.space, camera, viewport);
+  if (document.selection.kind() == ElementKind::probe)
+    return pick_box(project, probe_centers(document), corner, opposite);
   if (!document.has_cage()) return {};
   Selection vertices;
-  const Projector project(document.space, camera, viewport);
   vertices.apply(pick_box(project, document.pose.positions, corner, opposite), SelectMode::replace);
   return converted(*document.cage, vertices, document.selection.kind()).indices();
 }

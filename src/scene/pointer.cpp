@@ -13,7 +13,7 @@ SelectMode mode_of(const PointerInput& input) {
 }
 
 std::optional<Pick> element_under(const Workspace& w, const glm::vec2& cursor) {
-  return w.view.cage ? pick_element(w.document, w.camera, w.viewport, cursor) : std::nullopt;
+  return shows_selectable(w) ? pick_element(w.document, w.camera, w.viewport, cursor) : std::nullopt;
 }
 
 std::optional<Constraint> handle_under(const Workspace& w, const glm::vec2& cursor) {
@@ -38,7 +38,7 @@ glm::dvec3 center_in_view(const Document& document) {
 }  // namespace
 
 std::optional<Gizmo> gizmo_of(const Workspace& w) {
-  if (!w.document.has_cage() || !w.view.cage || w.document.selection.empty()) return std::nullopt;
+  if (!shows_selectable(w) || w.document.selection.empty()) return std::nullopt;
   const Tool tool = w.interaction.drag ? w.interaction.drag->tool() : w.tool;
   return make_gizmo(tool, center_in_view(w.document), w.camera, w.viewport);
 }
@@ -81,6 +81,7 @@ void Pointer::hover(Workspace& workspace, const PointerInput& input) const {
   interaction.over_axes = input.over_view && over_axes(workspace, input.position);
   const bool free = input.over_view && !interaction.over_axes;
   interaction.brush.reset();
+  interaction.cursor = free ? std::optional(input.position) : std::nullopt;
   if (free && shows_mask(workspace)) {
     interaction.handle.reset(), interaction.hovered.reset();
     interaction.brush = brush_under(workspace, input.position);
@@ -156,7 +157,7 @@ bool Pointer::draws_box(const Workspace& workspace) const {
 
 void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
   if (!draws_box(workspace)) return begin_transform(workspace);
-  gesture_ = workspace.document.has_cage() && workspace.view.cage ? Gesture::boxing : Gesture::ignored;
+  gesture_ = shows_selectable(workspace) ? Gesture::boxing : Gesture::ignored;
   if (gesture_ == Gesture::boxing)
     workspace.interaction.box = Interaction::Box{press_, input.position, mode_};
 }

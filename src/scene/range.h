@@ -18,6 +18,14 @@ using mesh::largest_coordinate;
 /// where a camera looks. Floats still tell parts of the model from each other there.
 inline constexpr double farthest_place = 1e6;
 
+/// Entries of the log of a probe's stretch: a factor of e^16, nine million.
+inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
+  for (const double entry : {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz}) {
+    if (!(std::abs(entry) <= 16)) return false;
+  }
+  return true;
+}
+
 /// Sizes and places, in the file's units, that graphics cards can draw, which compute in float: it ends near
 /// 1e-38 and 1e38. What is larger or smaller is not opened.
 inline constexpr double least_drawn = 1e-32, most_drawn = 1e32;

@@ -90,7 +90,8 @@ std::optional<std::uint64_t> content_of(const fs::path& file) {
 }
 
 bool has_unsaved_edits(const Workspace& w) {
-  return w.document.has_cage() &&
+  if (w.document.probes != w.saved.probes) return true;
+  return w.document.is_movable() &&
          (w.document.scheme != w.saved.scheme || !same_mask(w.document.mask, w.saved.mask) ||
           !same_pose(w.document.pose, w.saved.pose));
 }
@@ -98,9 +99,11 @@ bool has_unsaved_edits(const Workspace& w) {
 void mark_saved(Workspace& workspace) {
   workspace.saved.scheme = workspace.document.scheme;
   workspace.saved.mask = workspace.document.mask;
+  workspace.saved.probes = workspace.document.probes;
   mark_pose_saved(workspace);
 }
 
+// In a session alone: the file of a pose has no probes.
 void mark_pose_saved(Workspace& workspace) {
   workspace.saved.pose = workspace.document.pose;
   ++workspace.saved.revision;

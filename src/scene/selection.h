@@ -9,8 +9,8 @@ namespace viete::scene {
 
 enum class SelectMode { replace, add, remove };
 
-/// Vertices and edges of the cage (Cage::edges), and its polygons.
-enum class ElementKind { vertex, edge, face };
+/// Vertices and edges of the cage (Cage::edges), its polygons, and probes.
+enum class ElementKind { vertex, edge, face, probe };
 
 /// Indices of elements of kind(), ascending, each once. Which vertices they are: selected_vertices() in
 /// scene/elements.h.

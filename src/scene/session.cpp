@@ -13,6 +13,7 @@
 #include "mesh/text_cursor.h"
 #include "scene/elements.h"
 #include "scene/json_file.h"
+#include "scene/probes_json.h"
 #include "scene/range.h"
 #include "scene/scheme_json.h"
 
@@ -24,7 +25,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr const char* format_name = "viete session";
-constexpr std::uint32_t newest_version = 2;
+constexpr std::uint32_t newest_version = 3;
 
 struct ViewFlag {
   const char* key;
@@ -182,7 +183,7 @@ std::vector<std::uint32_t> selection_of(const JsonReader& json) {
   return indices;
 }
 
-constexpr std::array kind_names = {"vertices", "edges", "faces"};
+constexpr std::array kind_names = {"vertices", "edges", "faces", "probes"};
 
 std::optional<ElementKind> kind_from_name(std::string_view name) {
   const auto found = std::find(kind_names.begin(), kind_names.end(), name);
@@ -248,6 +249,7 @@ Session session_of(const Workspace& w) {
   session.method = w.document.method;
   session.scheme = w.document.scheme;
   session.mask = runs_of(w.document.mask);
+  session.probes = w.document.probes;
   session.camera = w.camera.destination();
   session.view = w.view;
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
@@ -272,7 +274,8 @@ ordered_json mask_json(const std::vector<MaskRun>& mask) {
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
   const bool plain = is_plain(session.scheme) && session.mask.empty();
-  ordered_json json = {{"format", format_name}, {"version", plain ? 1 : newest_version}};
+  ordered_json json = {{"format", format_name},
+                       {"version", session.probes.empty() ? (plain ? 1 : 2) : newest_version}};
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
   if (keys_are_common && session.model_content != 0)
@@ -285,6 +288,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   json["method"] = sym3::name(session.method);
   json.update(scheme_json(session.scheme));
   if (!session.mask.empty()) json["mask"] = mask_json(session.mask);
+  if (!session.probes.empty()) json["probes"] = probes_json(session.probes);
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -312,6 +316,8 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
       "fast instead, of diag, sd, improved_sd and fast");
   s.scheme = scheme_of(json, s.warnings);
   take("mask", s.mask, mask_of, "every vertex follows the cage instead");
+  take(
+      "probes", s.probes, [&](const auto& v) { return probes_of(v, s.warnings); }, "there are none instead");
   take("camera", s.camera, camera_of, "the whole model is shown instead");
   take(
       "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");
@@ -344,23 +350,20 @@ Session read_session(const fs::path& file) {
   return session;
 }
 
-namespace {
-
 // Elements are listed in ascending order.
-void drop_selection_beyond(Session& session, const deform::Cage& cage, const fs::path& file) {
-  const std::size_t count = element_count(cage, session.selecting);
+void fit_selection(Session& session, const Document& document, const fs::path& file) {
+  const std::size_t count = element_count(document, session.selecting);
   if (session.selection.empty() || session.selection.back() < count) return;
   const std::string last = std::to_string(session.selection.back());
+  const std::string where =
+      session.selecting == ElementKind::probe ? "it has " : "the cage " + session.cage.string() + " has ";
   session.warnings.emplace_back(base::Error(file.string() + ": selection",
                                             element_name(session.selecting) + ' ' + last + " is selected, " +
-                                                "the cage " + session.cage.string() + " has " +
-                                                counted(session.selecting, count),
+                                                where + counted(session.selecting, count),
                                             "nothing is selected instead")
                                     .what());
   session.selection.clear();
 }
-
-}  // namespace
 
 void tell_what_changed(Session& session, const Document& document, const fs::path& file) {
   const auto tell = [&](const char* key, std::uint64_t then, const OpenedSurface& now, const char* advice) {
@@ -379,7 +382,6 @@ void tell_what_changed(Session& session, const Document& document, const fs::pat
 }
 
 void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& file) {
-  drop_selection_beyond(session, cage, file);
   if (!session.pose) return;
   const bool same = session.cage_content != 0 && session.cage_content == mesh::content_key(cage.surface);
   const std::string advice =

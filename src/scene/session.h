@@ -18,8 +18,8 @@ struct MaskRun {
   friend bool operator==(const MaskRun&, const MaskRun&) = default;
 };
 
-/// What a session file holds. JSON, version 1 or 2:
-///   "format": "viete session", "version": 1 or 2,
+/// What a session file holds. JSON, version 1 to 3:
+///   "format": "viete session", "version": 1 to 3,
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
 ///                         that are not UTF-8 as path_json() writes them
 ///   "model_content", "cage_content"   mesh::content_key() of what they were, 16 hexadecimal digits
@@ -35,18 +35,20 @@ struct MaskRun {
 ///   "clamp", "normalise"  of weights that have them, true or false; missing: true, false
 ///   "mask"                painted shares of the model's vertices in their order, in 255ths: [share, for how
 ///                         many vertices, share, ...]; missing: every vertex follows the cage
+///   "probes"              see probes_json.h; missing: there are none
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
 ///                         "pitch" in radians, "orthographic"
 ///   "view"                flags, see ViewOptions
 ///   "window"              [width, height] in logical pixels
-///   "selecting"           "vertices", "edges" or "faces" of the cage
+///   "selecting"           "vertices", "edges" or "faces" of the cage, or "probes"
 ///   "selection"           their indices, from 0
 ///   "pose"                "turns": rotation vectors in radians, one per part of the cage;
 ///                         "positions": [x, y, z] per cage vertex
 /// Version 1 has only such elements, weights and blends as "coordinates" has a word for: programs that know
-/// no others read it. Only format, version and model are required. Unknown keys are ignored, so that newer
-/// programs may add some. Ranges are those of scene/range.h. What is damaged beside model, cage and the list
-/// of positions costs its own part: it counts as missing, and a warning says so.
+/// no others read it; version 3 is what has probes. Only format, version and model are required. Unknown keys
+/// are ignored, so that newer programs may add some. Ranges are those of scene/range.h. What is damaged
+/// beside model, cage and the list of positions costs its own part: it counts as missing, and a warning says
+/// so.
 struct Session {
   std::filesystem::path model, cage;  ///< absolute; cage may be empty
   std::filesystem::path origin;       ///< "session"; absolute; may be empty
@@ -54,7 +56,8 @@ struct Session {
   std::uint64_t model_content = 0, cage_content = 0;  ///< 0: not known
   sym3::Method method = sym3::Method::fast;
   deform::Scheme scheme;
-  std::vector<MaskRun> mask;         ///< empty: missing
+  std::vector<MaskRun> mask;  ///< empty: missing
+  deform::Probes probes;
   std::optional<CameraPose> camera;  ///< missing: the model is framed
   ViewOptions view;
   std::optional<glm::ivec2> window;
@@ -73,13 +76,15 @@ std::string session_text(const Session& session, const std::filesystem::path& fi
 /// fit_to_cage.
 Session read_session(const std::filesystem::path& file);
 
+/// What is selected is dropped where there is no such element, with a warning.
+void fit_selection(Session& session, const Document& document, const std::filesystem::path& file);
+
 /// A warning if the content of model or cage is another than when the session was saved: then the pose may be
 /// that of another cage.
 void tell_what_changed(Session& session, const Document& document, const std::filesystem::path& file);
 
-/// Positions that could not be read become those at rest, and a selection of what the cage does not have is
-/// dropped, both with a warning. Throws base::Error naming `file` and the key if the pose cannot be of this
-/// cage.
+/// Positions that could not be read become those at rest, with a warning. Throws base::Error naming `file`
+/// and the key if the pose cannot be of this cage.
 void fit_to_cage(Session& session, const deform::Cage& cage, const std::filesystem::path& file);
 
 /// The mask of the model. One that has not a share for each vertex is dropped, with a warning.

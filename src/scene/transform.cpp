@@ -5,6 +5,7 @@
 
 #include "deform/cage_state.h"
 #include "scene/elements.h"
+#include "scene/probes.h"
 #include "scene/range.h"
 
 namespace viete::scene {
@@ -115,16 +116,33 @@ void apply(const Transform& transform, std::span<const mesh::Point> from,
   }
 }
 
+std::vector<std::uint32_t> moving_vertices(const Document& document) {
+  if (document.selection.kind() == ElementKind::probe) return {};
+  return selected_vertices(*document.cage, document.selection);
+}
+
+bool moved_since(const Document& document, const Snapshot& before) {
+  return document.pose.positions != before.pose.positions || document.probes != before.probes;
+}
+
 glm::dvec3 selection_center(const Document& document) {
-  const auto vertices = selected_vertices(*document.cage, document.selection);
+  std::vector<mesh::Point> points;
+  if (document.selection.kind() == ElementKind::probe) {
+    for (const auto i : document.selection.indices()) points.push_back(probe_center(document, i));
+  } else {
+    for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
+  }
   glm::dvec3 sum(0);
-  const auto n = static_cast<double>(vertices.size());
-  for (const auto v : vertices) sum += vector_of(document.pose.positions[v]) / n;
+  const auto n = static_cast<double>(points.size());
+  for (const auto& p : points) sum += vector_of(p) / n;
   return sum;
 }
 
-bool place(Document& document, const deform::Pose& before, std::span<const std::uint32_t> vertices,
+bool place(Document& document, const Snapshot& snapshot, std::span<const std::uint32_t> vertices,
            const Transform& transform, double degrees_seen) {
+  if (snapshot.selection.kind() == ElementKind::probe)
+    return place_probes(document, snapshot, transform);
+  const deform::Pose& before = snapshot.pose;
   Motion motion{document, before, vertices, transform};
   const double jump = transform.degrees - degrees_seen;
   if (std::abs(jump) > largest_step) {
@@ -143,9 +161,8 @@ bool transform_selection(Document& document, Tool tool, const Transform& transfo
   const Snapshot before = snapshot_of(document);
   Transform bounded = transform;
   bounded.degrees = std::clamp(transform.degrees, -most_degrees, most_degrees);
-  if (!place(document, before.pose, selected_vertices(*document.cage, document.selection), bounded, 0))
-    return false;
-  if (document.pose.positions != before.pose.positions || transform.degrees != 0)
+  if (!place(document, before, moving_vertices(document), bounded, 0)) return false;
+  if (moved_since(document, before) || transform.degrees != 0)
     document.history.record(edit_label(tool, document.selection), before);
   return true;
 }

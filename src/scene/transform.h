@@ -32,19 +32,24 @@ void apply(const Transform& transform, std::span<const mesh::Point> from,
 /// The largest turn that can be asked for at once: beyond a thousand turns angles lose digits.
 inline constexpr double most_degrees = 360000;
 
-/// The mean of the selected vertices, in the file's units. Requires a selection.
+/// The vertices of the cage that move with the selection; none of probes.
+std::vector<std::uint32_t> moving_vertices(const Document& document);
+/// True if a vertex or a probe is not where it was.
+bool moved_since(const Document& document, const Snapshot& before);
+
+/// The mean of the selected vertices or probes, in the file's units. Requires a selection.
 glm::dvec3 selection_center(const Document& document);
 
 /// Puts the vertices where the transform takes them from their place in `before`. If the turn differs from
 /// `degrees_seen`, the transform that the document shows, by more than a mouse can turn in a frame, it is
 /// followed in small steps, so that the pose's whole turns are what a slow turn would have made them.
 /// |degrees| is at most most_degrees. False, and the pose is as it was before, if a vertex or the turns would
-/// leave their range (scene/range.h).
-bool place(Document& document, const deform::Pose& before, std::span<const std::uint32_t> vertices,
+/// leave their range (scene/range.h). Selected probes go along instead where they are what is selected.
+bool place(Document& document, const Snapshot& before, std::span<const std::uint32_t> vertices,
            const Transform& transform, double degrees_seen);
 
-/// The whole edit at once, one entry of the history; nothing is recorded if nothing moves. Requires a cage
-/// and a selection. False if it would leave the range of a pose: then nothing moves.
+/// The whole edit at once, one entry of the history; nothing is recorded if nothing moves. Requires
+/// a selection. False if it would leave the range of a pose: then nothing moves.
 bool transform_selection(Document& document, Tool tool, const Transform& transform);
 
 /// "rotate 3 faces".

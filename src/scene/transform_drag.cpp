@@ -45,7 +45,7 @@ std::string length_text(double value, double cell) {
 TransformDrag::TransformDrag(const Document& document, Tool tool, Constraint constraint, double depth,
                              const glm::vec2& cursor, const Camera& camera)
     : before_(snapshot_of(document)),
-      vertices_(selected_vertices(*document.cage, document.selection)),
+      vertices_(moving_vertices(document)),
       space_(document.space),
       tool_(tool),
       constraint_(constraint),
@@ -66,7 +66,7 @@ void TransformDrag::update(Document& document, const DragInput& input, const Cam
   transform_ = value ? typed(*value) : by_mouse;
   const bool same_axis = transform_.axis == seen.axis;
   if (!same_axis) document.pose.turns = before_.pose.turns;
-  in_range_ = place(document, before_.pose, vertices_, transform_, same_axis && in_range_ ? seen.degrees : 0);
+  in_range_ = place(document, before_, vertices_, transform_, same_axis && in_range_ ? seen.degrees : 0);
 }
 
 bool TransformDrag::type(char c) {
@@ -192,12 +192,13 @@ Transform TransformDrag::typed(double value) const {
 }
 
 void TransformDrag::commit(Document& document) const {
-  if (!in_range_ || (document.pose.positions == before_.pose.positions && transform_.degrees == 0)) return;
+  if (!in_range_ || (!moved_since(document, before_) && transform_.degrees == 0)) return;
   document.history.record(edit_label(tool_, before_.selection), before_);
 }
 
 void TransformDrag::cancel(Document& document) const {
   document.pose = before_.pose;
+  document.probes = before_.probes;
   document.selection = before_.selection;
   ++document.revisions.pose;
 }

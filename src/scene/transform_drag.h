@@ -29,7 +29,7 @@ struct DragInput {
 class TransformDrag {
 public:
   /// The selection is what moves, about its centre; `depth` (view units) is that of the point which a free
-  /// move keeps under the cursor. Requires a cage and a selection.
+  /// move keeps under the cursor. Requires a selection.
   TransformDrag(const Document& document, Tool tool, Constraint constraint, double depth,
                 const glm::vec2& cursor, const Camera& camera);
 

@@ -2,6 +2,7 @@
 
 #include "scene/elements.h"
 #include "scene/open.h"
+#include "scene/probes.h"
 
 namespace viete::scene {
 
@@ -39,6 +40,26 @@ std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::
 
 }  // namespace
 
+namespace {
+
+// The corners of boxes around the selected ones that are a quarter of their radius wide.
+std::vector<mesh::Point> around_probes(const Document& document) {
+  std::vector<mesh::Point> points;
+  for (const auto i : document.selection.indices()) {
+    const deform::Probe& probe = document.probes.all[i];
+    const double half = 0.5 * std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
+    const mesh::Point center = probe_center(document, i);
+    for (int corner = 0; corner < 8; ++corner) {
+      mesh::Point p = center;
+      for (std::size_t k = 0; k < 3; ++k) p[k] += (corner >> k & 1) ? half : -half;
+      points.push_back(p);
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
 bool shows_error_map(const Workspace& w) {
   return !shows_mask(w) && w.view.error_map && w.document.has_cage() && w.document.scheme.exponential();
 }
@@ -68,8 +89,8 @@ void frame_selection(Workspace& workspace, bool eased) {
   const Document& document = workspace.document;
   if (document.selection.empty()) return frame_all(workspace, eased);
   std::vector<mesh::Point> points;
-  for (const auto v : selected_vertices(*document.cage, document.selection))
-    points.push_back(document.pose.positions[v]);
+  for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
+  if (document.selection.kind() == ElementKind::probe) points = around_probes(document);
   workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
 }
 

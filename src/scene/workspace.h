@@ -46,7 +46,8 @@ struct ViewOptions {
 
 /// What the pointer is over in the view, and the drag or box that it has begun.
 struct Interaction {
-  std::optional<std::uint32_t> hovered;  ///< cage element under the cursor, of the selection's kind
+  std::optional<std::uint32_t> hovered;  ///< element or probe under the cursor, of the selection's kind
+  std::optional<glm::vec2> cursor;       ///< over the view, logical pixels
   std::optional<Constraint> handle;      ///< of the gizmo, under the cursor
   bool over_axes = false;                ///< the cursor is over the axis widget
   std::optional<TransformDrag> drag;     ///< the selection is being moved, rotated or scaled
@@ -111,6 +112,7 @@ struct Saved {
   deform::Pose pose;           ///< that was opened or saved last; empty for recovered work
   deform::Scheme scheme;       ///< likewise
   deform::Mask mask;           ///< likewise
+  deform::Probes probes;       ///< likewise
   unsigned long revision = 0;  ///< grows with each change
 };
 
@@ -160,7 +162,13 @@ struct Workspace {
 
 /// True if the mesh is coloured by its mask.
 inline bool shows_mask(const Workspace& workspace) {
-  return workspace.tool == Tool::paint && workspace.document.has_cage();
+  return workspace.tool == Tool::paint && workspace.document.is_movable();
+}
+
+/// True if what can be selected is there to be seen: probes, or the cage.
+inline bool shows_selectable(const Workspace& w) {
+  const bool probes = w.document.selection.kind() == ElementKind::probe;
+  return w.view.cage && (probes ? !w.document.probes.empty() : w.document.has_cage());
 }
 
 /// True if the mesh is coloured by errors: asked for, and the coordinates use an exponential.

@@ -19,7 +19,7 @@ void panel_cage(const Context& ui) {
   hint(document.cage_file.path.string() + "  (" + document.cage_file.format + ")");
   const auto& summary = document.cage_file.summary;
   value_row(ui, "Vertices, triangles", count(summary.vertices) + "  " + count(summary.triangles));
-  const auto elements = scene::element_count(*document.cage, document.selection.kind());
+  const auto elements = scene::element_count(document, document.selection.kind());
   value_row(ui, "Selected", count(document.selection.size()) + " of " + count(elements));
   transform_fields(ui);
   command_row(ui, {"undo", "redo", "reset_pose"});

@@ -15,6 +15,7 @@ void column(const Context& ui) {
   panel_messages(ui);
   panel_model(ui);
   panel_cage(ui);
+  panel_probes(ui);
   panel_checks(ui);
   panel_method(ui);
   panel_timings(ui);
@@ -27,6 +28,7 @@ void column(const Context& ui) {
 }  // namespace
 
 void draw_panels(const Context& ui) {
+  probe_overlay(ui);
   gizmo_overlay(ui);
   axis_overlay(ui);
   view_overlay(ui);

@@ -10,6 +10,7 @@ void draw_panels(const Context& ui);
 
 void panel_model(const Context& ui);
 void panel_cage(const Context& ui);
+void panel_probes(const Context& ui);
 void panel_checks(const Context& ui);
 void panel_method(const Context& ui);
 void blending(const Context& ui);  ///< part of the method's section
@@ -24,7 +25,8 @@ void file_panel(const Context& ui);
 void question_panel(const Context& ui);    ///< what must be answered first, see scene/question.h
 void work_bar(const Context& ui);          ///< what is being read, bound or written, how far, and Cancel
 void notice_bar(const Context& ui);        ///< unsaved work that can be brought back
-void transform_fields(const Context& ui);  ///< a part of the cage's panel
+void transform_fields(const Context& ui);  ///< a part of the cage's panel, or of the probes'
+void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
 void error_legend(const Context& ui);  ///< of the colours on the mesh

@@ -13,7 +13,7 @@ using viete::sym3::Method;
 TEST_CASE("links_have_different_names") {
   std::set<std::string_view> names;
   for (const auto link : {Link::maps, Link::log_maps, Link::blend, Link::exp, Link::apply, Link::skeleton,
-                          Link::fused, Link::triangle_maps, Link::solve, Link::normals})
+                          Link::fused, Link::triangle_maps, Link::solve, Link::probes, Link::normals})
     names.insert(name(link));
   CHECK(names.size() == link_count);
 }

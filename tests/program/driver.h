@@ -13,6 +13,7 @@
 #include "base/worker_pool.h"
 #include "deform/exact.h"
 #include "scene/commands.h"
+#include "scene/export.h"
 #include "scene/picking.h"
 #include "support/data.h"
 #include "ui/imgui_bridge.h"
@@ -118,8 +119,10 @@ public:
   /// The deformed model in double, as it is written to files.
   std::vector<mesh::Point> exact_positions() {
     base::WorkerPool pool;
-    const scene::Document& d = document();
-    return deform::deform_exactly(*d.model.surface, d.cage, d.scheme, d.pose, d.method, pool, nullptr, d.mask).positions;
+    const scene::Export e = scene::export_of(document(), {});
+    return deform::deform_exactly(*e.model, e.cage, e.scheme, e.pose, e.method, pool, nullptr, e.mask,
+                                  e.probes)
+        .positions;
   }
 
   glm::vec2 vertex(std::uint32_t i) {

@@ -8,6 +8,7 @@
 #include "program/open_cage.h"
 #include "render/image.h"
 #include "scene/edit.h"
+#include "scene/probes.h"
 #include "support/commands.h"
 #include "support/folder.h"
 #include "support/pictures.h"
@@ -199,9 +200,23 @@ void open_model_alone(Driver& d) {
   d.settle();
 }
 
+// On the head, which it has turned.
+void turn_a_probe(Driver& d) {
+  d.open_dragon();
+  CHECK(test::run_command(d.workspace(), "view_right"));
+  d.settle();
+  scene::Document& document = d.document();
+  REQUIRE(scene::add_probe(document, {}, {0.75, 1.35, 0}));
+  document.probes.all[0].pose = {{0.3, 0, 0.8}, {}, {0.1, 0.1, 0}};
+  ++document.revisions.pose;
+  CHECK(test::run_command(d.workspace(), "tool_select"));
+  d.settle();
+}
+
 const Picture gestures[] = {{"hovered_vertex", {320, 220}, hover_a_vertex},
                             {"box_begun", {320, 220}, begin_a_box},
                             {"painted", {320, 220}, paint_a_stroke},
+                            {"probe", {320, 220}, turn_a_probe},
                             {"model_without_cage", {320, 220}, open_model_alone}};
 
 }  // namespace

@@ -7,7 +7,7 @@ using namespace viete::scene;
 namespace {
 
 Snapshot at(double x) {
-  return {{{{x, 0, 0}}, {}}, {}, {}, nullptr};
+  return {{{{x, 0, 0}}, {}}, {}, {}, nullptr, {}};
 }
 double x_of(const Snapshot& s) {
   return s.pose.positions[0][0];

@@ -8,6 +8,7 @@
 #include "scene/cube.h"
 #include "scene/edit.h"
 #include "scene/pointer.h"
+#include "scene/probes.h"
 #include "support/commands.h"
 #include "support/edits.h"
 
@@ -24,7 +25,8 @@ public:
   Workspace w = test::cube_workspace();
 
   void act() {
-    switch (below(10)) {
+    switch (below(11)) {
+      case 10: return edit_probes();
       case 0: return click();
       case 1: return run_any_command();
       case 2: return select_all_now_and_then();
@@ -121,6 +123,15 @@ private:
     test::run_command(w, tools[below(3)]);
     w.view.cage = true;
   }
+  void edit_probes() {
+    test::run_command(w, once_in(3) ? "add_probe" : "select_probes");
+    test::run_command(w, "select_all");
+    static const Part parts[] = {&Probe::turn, &Probe::stretch, &Probe::move};
+    static constexpr double radii[] = {0.1, 0.7, 2};
+    if (!w.interaction.drag && !w.document.selection.empty() &&
+        w.document.selection.kind() == ElementKind::probe)
+      set_influence(w.document, parts[below(3)], {Falloff::linear, radii[below(3)]});
+  }
   void run_any_command() {
     const auto all = commands();
     const Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
@@ -136,11 +147,12 @@ private:
 struct Everything {
   std::vector<mesh::Point> positions;
   std::vector<deform::Vec3> turns;
+  deform::Probes probes;
   bool operator==(const Everything&) const = default;
 };
 
 Everything of(const Document& document) {
-  return {document.pose.positions, document.pose.turns};
+  return {document.pose.positions, document.pose.turns, document.probes};
 }
 
 }  // namespace

@@ -193,7 +193,8 @@ TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
     Document at_once = test::cube_document(), slowly = test::cube_document();
     at_once.selection.apply(upper, SelectMode::replace);
     transform_selection(at_once, Tool::rotate, turn(degrees));
-    const deform::Pose before = slowly.pose;
+    slowly.selection.apply(upper, SelectMode::replace);
+    const Snapshot before = snapshot_of(slowly);
     for (double seen = 0; seen < degrees; seen += 10) {
       place(slowly, before, upper, turn(seen + 10), seen - 30);  // a jump of 40: followed
     }

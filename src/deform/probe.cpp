@@ -1,0 +1,147 @@
+#include "deform/probe.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "deform/branches.h"
+#include "deform/linear_map.h"
+#include "deform/polar.h"
+#include "sym3/exp.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr FalloffEntry falloffs[] = {
+    {{"smooth", "Smooth", "Full near the probe, and smoothly less to the end of the radius"},
+     Falloff::smooth},
+    {{"round", "Round", "Like a ball: much of it nearly up to the radius"}, Falloff::round},
+    {{"linear", "Linear", "Evenly less to the end of the radius"}, Falloff::linear},
+    {{"sharp", "Sharp", "A peak: most of it close to the probe"}, Falloff::sharp},
+    {{"even", "Even", "All of it, up to the radius, where it ends at once"}, Falloff::even},
+    {{"endless", "Endless", "A half at the radius, and less without end"}, Falloff::endless},
+    {{"none", "Off", "Nothing of it"}, Falloff::none},
+};
+
+constexpr ProbeMixEntry mixes[] = {
+    {{"partial", "As far as they reach",
+      "Where the weights of several probes sum to more than one they are divided by their sum; what is "
+      "missing to "
+      "one stays with what moves the model otherwise"},
+     ProbeMix::partial},
+    {{"whole", "Whole",
+      "Weights always sum to one where any probe reaches: what a probe that was not moved holds stays"},
+     ProbeMix::whole},
+    {{"softmax", "Nearest", "The softmax of the weights: the probe that is nearest has nearly all of it"},
+     ProbeMix::softmax},
+};
+
+constexpr std::array parts = {&ProbeWeights::turn, &ProbeWeights::stretch, &ProbeWeights::move};
+
+// Over their sum: always, or only where that is above 1.
+void share_out(std::span<ProbeWeights> weights, double ProbeWeights::*part, bool always) {
+  double sum = 0;
+  for (const auto& w : weights) sum += w.*part;
+  if (!(sum > (always ? 0 : 1))) return;
+  for (auto& w : weights) w.*part /= sum;
+}
+
+}  // namespace
+
+std::span<const FalloffEntry> all_falloffs() {
+  return falloffs;
+}
+std::span<const ProbeMixEntry> all_probe_mixes() {
+  return mixes;
+}
+const FalloffEntry& entry(Falloff falloff) {
+  return falloffs[static_cast<std::size_t>(falloff)];
+}
+const ProbeMixEntry& entry(ProbeMix mix) {
+  return mixes[static_cast<std::size_t>(mix)];
+}
+
+double weight_at(Falloff falloff, double t) {
+  const double left = std::max(0.0, 1 - t);
+  switch (falloff) {
+    case Falloff::smooth: return left * left * (1 + 2 * std::min(t, 1.0));
+    case Falloff::round: return std::sqrt(left * (1 + t));
+    case Falloff::linear: return left;
+    case Falloff::sharp: return left * left;
+    case Falloff::even: return left > 0 ? 1 : 0;
+    case Falloff::endless: return 1 / (1 + t * t);
+    case Falloff::none: break;
+  }
+  return 0;
+}
+
+bool operator==(const ProbePose& a, const ProbePose& b) {
+  const auto& x = a.stretch;
+  const auto& y = b.stretch;
+  return a.turn == b.turn && a.move == b.move && x.xx == y.xx && x.xy == y.xy && x.xz == y.xz &&
+         x.yy == y.yy && x.yz == y.yz && x.zz == y.zz;
+}
+
+sym3::Mat3<double> linear_part(const ProbePose& pose) {
+  return times(sym3::exp_rotation(pose.turn), full(sym3::exp(pose.stretch)));
+}
+
+// In steps: which branch of the log a long turn leads to, small ones say.
+ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians) {
+  constexpr double largest_step = 1.5;
+  ProbePose result = pose;
+  const auto from = sym3::exp_rotation(pose.turn);
+  const auto steps = static_cast<int>(std::ceil(std::abs(radians) / largest_step));
+  for (int i = 1; i <= steps; ++i) {
+    const auto now = times(sym3::exp_rotation((radians * i / steps) * axis), from);
+    result.turn = nearest_branch(sym3::log_rotation(now), result.turn);
+  }
+  return result;
+}
+
+ProbePose scaled(const ProbePose& pose, const Vec3& factors) {
+  sym3::Mat3<double> m = linear_part(pose);
+  for (std::size_t i = 0; i < 9; ++i) m[i] *= std::max(factors[i / 3], least_factor);
+  Polar split = polar(m);
+  for (double& s : split.stretches) s = std::clamp(s, 1e-6, 1e6);
+  ProbePose result = pose;
+  result.turn = nearest_branch(sym3::log_rotation(split.rotation), pose.turn);
+  result.stretch = log_stretch(split);
+  return result;
+}
+
+void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights) {
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const Probe& probe = probes.all[i];
+    const double distance = norm(point - probe.place);
+    const auto at = [&](const Influence& part) { return weight_at(part.falloff, distance / part.radius); };
+    weights[i] = {at(probe.turn), at(probe.stretch), at(probe.move), 0};
+  }
+  for (const auto part : parts) {
+    if (probes.mix == ProbeMix::softmax) {
+      for (auto& w : weights) w.*part = std::expm1(softmax_sharpness * w.*part);
+    }
+    share_out(weights, part, probes.mix != ProbeMix::partial);
+  }
+  for (auto& w : weights) w.pivot = std::max(w.turn, w.stretch);
+  share_out(weights, &ProbeWeights::pivot, true);
+}
+
+// The reflection F maps R to F R F: the axis of a turn is reflected and its sense changes.
+Probe mirrored(const Probe& probe, int axis, double at) {
+  const auto a = static_cast<std::size_t>(axis);
+  Probe result = probe;
+  result.place[a] = 2 * at - probe.place[a];
+  result.pose.move[a] = -probe.pose.move[a];
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i != a) result.pose.turn[i] = -probe.pose.turn[i];
+  }
+  auto& x = result.pose.stretch;
+  if (a != 2) x.xy = -x.xy;
+  if (a != 1) x.xz = -x.xz;
+  if (a != 0) x.yz = -x.yz;
+  return result;
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,139 @@
+#include "deform/probe_layer.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "deform/linear_map.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr std::size_t weighed_at_once = 1024;
+
+bool same_weights(const Probes& a, const Probes& b) {
+  return a.mix == b.mix && std::ranges::equal(a.all, b.all, [](const Probe& p, const Probe& q) {
+           return p.place == q.place && p.turn == q.turn && p.stretch == q.stretch && p.move == q.move;
+         });
+}
+
+/// Sums at the vertices that move, side by side for the exponential.
+struct ProbeSums {
+  std::vector<std::size_t> which;
+  std::vector<sym3::Sym3<double>> logs, stretches;
+  std::vector<Vec3> turns, moves, pivots;
+};
+
+void add(sym3::Sym3<double>& sum, double w, const sym3::Sym3<double>& x) {
+  sum = {sum.xx + w * x.xx, sum.xy + w * x.xy, sum.xz + w * x.xz,
+         sum.yy + w * x.yy, sum.yz + w * x.yz, sum.zz + w * x.zz};
+}
+
+}  // namespace
+
+void ProbeLayer::set(const Probes& probes, const Mask& mask) {
+  mask_ = mask;
+  const bool same = same_weights(probes_, probes);
+  probes_ = probes;
+  moves_ = std::ranges::any_of(probes_.all, [](const Probe& p) { return p.pose != ProbePose{}; });
+  if (same) return;
+  weigh();
+  find_anchors();
+}
+
+void ProbeLayer::weigh() {
+  blocks_.assign((rest_.size() + weighed_at_once - 1) / weighed_at_once, {});
+  pool_.for_blocks(rest_.size(), weighed_at_once, [&](std::size_t begin, std::size_t end) {
+    weigh(begin, end, blocks_[begin / weighed_at_once]);
+  });
+}
+
+void ProbeLayer::weigh(std::size_t begin, std::size_t end, Block& block) const {
+  std::vector<ProbeWeights> weights(probes_.all.size());
+  block.starts.push_back(0);
+  for (std::size_t v = begin; v < end; ++v) {
+    probe_weights(probes_, rest_[v], weights);
+    for (std::uint32_t i = 0; i < weights.size(); ++i) {
+      const ProbeWeights& w = weights[i];
+      if (w.turn > 0 || w.stretch > 0 || w.move > 0) block.shares.push_back({i, w});
+    }
+    block.starts.push_back(static_cast<std::uint32_t>(block.shares.size()));
+  }
+}
+
+void ProbeLayer::find_anchors() {
+  anchors_.clear(), from_anchors_.clear(), places_.clear();
+  origin_ = {0, 0, 0};
+  for (const Probe& probe : probes_.all) {
+    const auto nearest = std::ranges::min_element(
+        rest_, {}, [&](const mesh::Point& x) { return squared_norm(x - probe.place); });
+    anchors_.push_back(static_cast<std::uint32_t>(nearest - rest_.begin()));
+    from_anchors_.push_back(probe.place - *nearest);
+    places_.push_back(probe.place);
+  }
+}
+
+std::span<const ProbeLayer::Share> ProbeLayer::shares(std::uint32_t vertex) const {
+  const Block& block = blocks_[vertex / weighed_at_once];
+  const std::size_t at = vertex % weighed_at_once;
+  return std::span(block.shares).subspan(block.starts[at], block.starts[at + 1] - block.starts[at]);
+}
+
+void ProbeLayer::carry(std::span<const Vec3> anchors, const Vec3& origin) {
+  origin_ = origin;
+  for (std::size_t i = 0; i < anchors.size(); ++i) places_[i] = anchors[i] + from_anchors_[i];
+}
+
+std::vector<mesh::Point> ProbeLayer::places() const {
+  std::vector<mesh::Point> places;
+  for (const Vec3& place : places_) places.push_back(origin_ + place);
+  return places;
+}
+
+void ProbeLayer::move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions,
+                      sym3::Method method) const {
+  ProbeSums sums;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto of_vertex = shares(vertices[i]);
+    const double share = mask_ ? static_cast<double>((*mask_)[vertices[i]]) : 1;
+    if (of_vertex.empty() || share == 0) continue;
+    sym3::Sym3<double> log{};
+    Vec3 turn{0, 0, 0}, move{0, 0, 0}, pivot{0, 0, 0};
+    for (const auto& [p, w] : of_vertex) {
+      const ProbePose& pose = probes_.all[p].pose;
+      add(log, share * w.stretch, pose.stretch);
+      turn = turn + share * w.turn * pose.turn;
+      move = move + share * w.move * pose.move;
+      pivot = pivot + w.pivot * places_[p];
+    }
+    sums.which.push_back(i);
+    sums.logs.push_back(log), sums.turns.push_back(turn);
+    sums.moves.push_back(move), sums.pivots.push_back(pivot);
+  }
+  sums.stretches.resize(sums.logs.size());
+  sym3::exp<double>(sums.logs, sums.stretches, method);
+  const sym3::Sym3<double> none = sym3::exp(sym3::Sym3<double>{});
+  for (std::size_t n = 0; n < sums.which.size(); ++n) {
+    Vec3& x = positions[sums.which[n]];
+    const Vec3 from = x - sums.pivots[n];
+    auto more = sums.stretches[n];  // S - I: where nothing acts, nothing changes by a bit
+    more.xx -= none.xx, more.yy -= none.yy, more.zz -= none.zz;
+    const Vec3 stretch = times(more, from), stretched = from + stretch;
+    auto r = sym3::exp_rotation(sums.turns[n]);
+    for (const int i : {0, 4, 8}) r[i] -= 1;
+    x = x + (stretch + times(r, stretched) + sums.moves[n]);
+  }
+}
+
+void ProbeLayer::move_all(std::span<Vec3> positions, sym3::Method method) {
+  std::vector<Vec3> anchors;
+  for (const auto v : anchors_) anchors.push_back(positions[v]);
+  carry(anchors, {0, 0, 0});
+  pool_.for_blocks(positions.size(), weighed_at_once, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> vertices(end - begin);
+    for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = static_cast<std::uint32_t>(begin + i);
+    move(vertices, positions.subspan(begin, end - begin), method);
+  });
+}
+
+}  // namespace viete::deform

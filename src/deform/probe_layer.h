@@ -1,0 +1,75 @@
+// What probes do to a model after the cage has moved it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/worker_pool.h"
+#include "deform/binding.h"
+#include "deform/probe.h"
+#include "sym3/exp.h"
+
+namespace viete::deform {
+
+/// A layer upon whatever moves the model, or upon the model at rest. A vertex that this has brought to x goes
+/// to
+///
+///     x' = x + (exp(sum a Y) exp(sum b X) - I) (x - p) + sum c t,    p = sum u q,
+///
+/// with the probes' turns Y, stretches X and moves t, their weights a, b, c and u at the vertex at rest (see
+/// probe_weights()), and q where each probe's place has been brought to: as far as the vertex of the model
+/// that was nearest to it. Probes ride on the cage, and one that has done nothing changes no bit. A mask
+/// counts for a, b and c.
+///
+/// Results do not depend on the number of threads.
+class ProbeLayer {
+public:
+  /// rest must outlive it, and not be empty.
+  ProbeLayer(std::span<const mesh::Point> rest, base::WorkerPool& pool) : rest_(rest), pool_(pool) {}
+
+  /// Of the next frames. O(n) where weights are others than before, else O(1). A mask of one share a vertex,
+  /// or null.
+  void set(const Probes& probes, const Mask& mask);
+  const Probes& probes() const { return probes_; }
+  /// True if some probe is not at rest.
+  bool moves() const { return moves_; }
+  /// The vertex nearest to each probe at rest.
+  std::span<const std::uint32_t> anchors() const { return anchors_; }
+
+  /// Where these have been brought to, before any of them is moved by the layer. Positions are relative to
+  /// that origin until the next call.
+  void carry(std::span<const Vec3> anchors, const Vec3& origin);
+  /// Thread-safe. positions.size() == vertices.size().
+  void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
+  /// Both, of all vertices, over the pool; positions are relative to nothing.
+  void move_all(std::span<Vec3> positions, sym3::Method method);
+  /// Where the probes' places have been brought to, by the last carry(); relative to nothing.
+  std::vector<mesh::Point> places() const;
+
+private:
+  struct Share {
+    std::uint32_t probe;
+    ProbeWeights weights;
+  };
+  struct Block {  // of vertices
+    std::vector<std::uint32_t> starts;
+    std::vector<Share> shares;
+  };
+  void weigh();
+  void weigh(std::size_t begin, std::size_t end, Block& block) const;
+  void find_anchors();
+  std::span<const Share> shares(std::uint32_t vertex) const;
+
+  std::span<const mesh::Point> rest_;
+  base::WorkerPool& pool_;
+  Probes probes_;
+  Mask mask_;
+  bool moves_ = false;
+  std::vector<Block> blocks_;
+  std::vector<std::uint32_t> anchors_;
+  std::vector<Vec3> from_anchors_, places_;
+  Vec3 origin_{0, 0, 0};
+};
+
+}  // namespace viete::deform

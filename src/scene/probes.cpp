@@ -1,0 +1,181 @@
+#include "scene/probes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "scene/range.h"
+
+namespace viete::scene {
+
+using mesh::operator+, mesh::operator-, mesh::operator*;
+
+namespace {
+
+constexpr double usual_radius = 0.2;  // of the model's diagonal
+
+std::string label(const char* verb, const Document& document) {
+  const std::size_t n = document.selection.size();
+  return std::string(verb) + (n == 1 ? " a probe" : ' ' + std::to_string(n) + " probes");
+}
+
+// Begins an edit that changes them.
+deform::Probes& edit(Document& document, const std::string& name) {
+  document.history.record(name, snapshot_of(document));
+  ++document.revisions.pose;
+  return document.probes;
+}
+
+template <class Change>
+void change_selected(Document& document, const std::string& name, const Change& change) {
+  deform::Probes& probes = edit(document, name);
+  for (const auto i : document.selection.indices()) {
+    if (!probes.all[i].locked) change(probes.all[i], i);
+  }
+}
+
+void select(Document& document, std::size_t first, std::size_t end) {
+  std::vector<std::uint32_t> added;
+  for (std::size_t i = first; i < end; ++i) added.push_back(static_cast<std::uint32_t>(i));
+  document.selection = Selection(ElementKind::probe);
+  document.selection.apply(added, SelectMode::replace);
+}
+
+// What is drawn there, at rest: as far from the nearest vertex.
+mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
+  const mesh::Surface& model = *document.model.surface;
+  double nearest = std::numeric_limits<double>::infinity();
+  mesh::Point place = at;
+  for (std::size_t v = 0; v < model.positions.size(); ++v) {
+    const mesh::Point p = posed.at(model, v);
+    const double distance = mesh::squared_norm(at - p);
+    if (distance < nearest) nearest = distance, place = model.positions[v] + (at - p);
+  }
+  return place;
+}
+
+deform::Vec3 vector_of(const glm::dvec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+deform::ProbePose moved(const deform::ProbePose& pose, const mesh::Point& carried, const Transform& t) {
+  deform::ProbePose result = pose;
+  if (t.factors != glm::dvec3(1)) result = deform::scaled(result, vector_of(t.factors));
+  if (t.degrees != 0) result = deform::turned(result, vector_of(t.axis), t.degrees / 180 * std::acos(-1.0));
+  const mesh::Point from = carried + pose.move;
+  mesh::Point to;
+  apply(t, std::span(&from, 1), std::array{0u}, std::span(&to, 1));
+  result.move = pose.move + (to - from);
+  return result;
+}
+
+bool in_range(const Document& document, std::size_t i) {
+  const deform::ProbePose& pose = document.probes.all[i].pose;
+  return is_in_reach(document.space, probe_center(document, i)) && deform::norm(pose.turn) <= largest_turn &&
+         is_probe_stretch(pose.stretch);
+}
+
+}  // namespace
+
+mesh::Point probe_center(const Document& document, std::size_t i) {
+  const deform::Probe& probe = document.probes.all[i];
+  return (i < document.carried.size() ? document.carried[i] : probe.place) + probe.pose.move;
+}
+
+std::vector<mesh::Point> probe_centers(const Document& document) {
+  std::vector<mesh::Point> centers;
+  for (std::size_t i = 0; i < document.probes.all.size(); ++i) centers.push_back(probe_center(document, i));
+  return centers;
+}
+
+bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& at) {
+  if (document.probes.all.size() >= most_probes) return false;
+  deform::Probe probe;
+  probe.place = at_rest(document, posed, at);
+  probe.turn = probe.stretch =
+      probe.move = {deform::Falloff::smooth, usual_radius * document.model.bounds.diagonal()};
+  edit(document, "add a probe").all.push_back(probe);
+  document.carried.clear();
+  select(document, document.probes.all.size() - 1, document.probes.all.size());
+  return true;
+}
+
+void remove_probes(Document& document) {
+  auto& all = edit(document, label("remove", document)).all;
+  const auto& selected = document.selection.indices();
+  for (auto i = selected.rbegin(); i != selected.rend(); ++i) {
+    if (!all[*i].locked) all.erase(all.begin() + *i);
+  }
+  document.carried.clear();
+  document.selection.clear();
+}
+
+void rest_probes(Document& document) {
+  change_selected(document, label("reset", document), [](deform::Probe& p, auto) { p.pose = {}; });
+}
+
+void replace_probes(Document& document) {
+  change_selected(document, label("place", document), [](deform::Probe& p, auto) {
+    p.place = p.place + p.pose.move;
+    p.pose = {};
+  });
+  document.carried.clear();
+}
+
+bool mirror_probes(Document& document, int axis) {
+  const std::size_t before = document.probes.all.size();
+  if (before + document.selection.size() > most_probes) return false;
+  auto& all = edit(document, label("mirror", document)).all;
+  const double middle = document.model.bounds.center()[static_cast<std::size_t>(axis)];
+  for (const auto i : document.selection.indices()) all.push_back(deform::mirrored(all[i], axis, middle));
+  document.carried.clear();
+  select(document, before, all.size());
+  return true;
+}
+
+void set_locked(Document& document, bool locked) {
+  auto& all = edit(document, label(locked ? "lock" : "unlock", document)).all;
+  for (const auto i : document.selection.indices()) all[i].locked = locked;
+}
+
+void set_influence(Document& document, Part part, const deform::Influence& influence) {
+  const std::string name = part == &deform::Probe::turn      ? "change where probes turn"
+                           : part == &deform::Probe::stretch ? "change where probes stretch"
+                                                             : "change where probes move";
+  if (document.history.undo_label() == name && !document.history.can_redo()) {
+    document.history.go_on();
+  } else {
+    document.history.record(name, snapshot_of(document));
+  }
+  for (const auto i : document.selection.indices()) document.probes.all[i].*part = influence;
+  ++document.revisions.pose;
+}
+
+void set_mix(Document& document, deform::ProbeMix mix) {
+  if (document.probes.mix != mix) edit(document, "change how probes share").mix = mix;
+}
+
+double least_probe_radius(const Document& document) {
+  return 0.01 * document.model.bounds.diagonal();
+}
+double largest_probe_radius(const Document& document) {
+  return 2 * document.model.bounds.diagonal();
+}
+
+bool place_probes(Document& document, const Snapshot& before, const Transform& transform) {
+  bool fits = true;
+  for (const auto i : before.selection.indices()) {
+    deform::Probe& probe = document.probes.all[i];
+    if (probe.locked) continue;
+    const mesh::Point carried = i < document.carried.size() ? document.carried[i] : probe.place;
+    probe.pose = moved(before.probes.all[i].pose, carried, transform);
+    fits &= in_range(document, i);
+  }
+  ++document.revisions.pose;
+  if (!fits) document.probes = before.probes;
+  return fits;
+}
+
+}  // namespace viete::scene

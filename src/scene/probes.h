@@ -1,0 +1,51 @@
+// Probes of a document: placed, moved by hand, and taken away again. Each change is an edit that can be
+// undone.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/brush.h"
+#include "scene/document.h"
+#include "scene/transform.h"
+
+namespace viete::scene {
+
+/// More is slow, and nothing that a hand would place.
+inline constexpr std::size_t most_probes = 256;
+
+/// Where a probe is now: carried by the cage, then moved by hand.
+mesh::Point probe_center(const Document& document, std::size_t probe);
+std::vector<mesh::Point> probe_centers(const Document& document);
+
+/// With radii of a fifth of the model's diagonal; it is selected. `at` is where the model is drawn: the probe
+/// is placed where that is at rest. False if there are most_probes.
+bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& at);
+
+/// Of the selected probes, which the caller sees to; locked ones stay as they are but for set_locked().
+void remove_probes(Document& document);
+void rest_probes(Document& document);  ///< they have done nothing
+void replace_probes(
+    Document& document);  ///< where they are now is their place at rest, and they have done nothing
+/// Copies on the other side of the model's middle, across this axis of the file; these are selected. False if
+/// there would be more than most_probes.
+bool mirror_probes(Document& document, int axis);
+void set_locked(Document& document, bool locked);
+
+/// A part of a probe's motion, and what decides where it acts.
+using Part = deform::Influence deform::Probe::*;
+/// Of the selected probes. One after the other of the same part are one edit.
+void set_influence(Document& document, Part part, const deform::Influence& influence);
+void set_mix(Document& document, deform::ProbeMix mix);
+
+/// The range of radii that a person chooses from, in the file's unit.
+double least_probe_radius(const Document& document);
+double largest_probe_radius(const Document& document);
+
+/// Puts the probes that were selected in `before` where the transform takes them from where they were then.
+/// False, and they are as they were, if one would leave its range.
+bool place_probes(Document& document, const Snapshot& before, const Transform& transform);
+
+}  // namespace viete::scene

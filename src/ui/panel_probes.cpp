@@ -1,0 +1,110 @@
+// The Probes panel: placing them, and where each part of their motion acts.
+#include <algorithm>
+#include <cmath>
+
+#include "scene/probes.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr float label_width = 76;
+
+template <class Entry>
+std::optional<decltype(Entry::value)> choose(const Context& ui, const std::string& name,
+                                             std::span<const Entry> table, const Entry& chosen) {
+  std::optional<decltype(Entry::value)> choice;
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), chosen.label.data());
+  record(ui, name);
+  if (!open) {
+    hint(std::string(chosen.sentence));
+    return choice;
+  }
+  for (const Entry& e : table) {
+    if (ImGui::Selectable(e.label.data(), e.value == chosen.value)) choice = e.value;
+    record(ui, name + '_' + std::string(e.name));
+    hint(std::string(e.sentence));
+  }
+  ImGui::EndCombo();
+  return choice;
+}
+
+// Percent of the model's diagonal, on a scale where small ones have room too.
+bool radius_slider(const Context& ui, const std::string& name, double& radius, bool used) {
+  const scene::Document& document = ui.workspace.document;
+  const double unit = 0.01 * document.model.bounds.diagonal();
+  auto percent = static_cast<float>(radius / unit);
+  const auto least = static_cast<float>(scene::least_probe_radius(document) / unit);
+  const auto most = static_cast<float>(scene::largest_probe_radius(document) / unit);
+  ImGui::BeginDisabled(!used);
+  const bool moved = ImGui::SliderFloat(
+      ("##" + name).c_str(), &percent, least, most, "%.0f %%",
+      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
+  record(ui, name, used);
+  ImGui::EndDisabled();
+  hint("How far it reaches, in percent of the model's diagonal: the circle in the view.");
+  if (moved) radius = unit * static_cast<double>(std::round(percent));
+  return moved;
+}
+
+void influence(const Context& ui, const char* label, const char* name, scene::Part part) {
+  scene::Document& document = ui.workspace.document;
+  scene::Influence shown = document.probes.all[document.selection.indices().front()].*part;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(label_width);
+  const std::string prefix = std::string("probe_") + name;
+  const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+  ImGui::SetNextItemWidth(width);
+  const auto falloff = choose(ui, prefix, scene::all_falloffs(), scene::entry(shown.falloff));
+  if (falloff) shown.falloff = *falloff;
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  const bool moved =
+      radius_slider(ui, prefix + "_radius", shown.radius, shown.falloff != scene::Falloff::none);
+  if (falloff || moved) scene::set_influence(document, part, shown);
+}
+
+void mix(const Context& ui) {
+  scene::Document& document = ui.workspace.document;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Together");
+  ImGui::SameLine(label_width);
+  ImGui::SetNextItemWidth(-1);
+  const auto chosen = choose(ui, "probe_mix", scene::all_probe_mixes(), scene::entry(document.probes.mix));
+  if (chosen) scene::set_mix(document, *chosen);
+}
+
+}  // namespace
+
+void panel_probes(const Context& ui) {
+  const scene::Document& document = ui.workspace.document;
+  const std::size_t probes = document.probes.all.size();
+  const bool open = section(ui, "Probes", false);
+  if (probes > 0) section_note(ui, count(probes));
+  if (!open) return;
+  if (probes == 0)
+    note(ui, "A probe is a frame on the model that moves, turns and stretches what is near it.");
+  command_row(ui, {"add_probe", "mirror_probe", "remove_probe"});
+  if (probes == 0) return;
+  if (!document.has_cage()) transform_fields(ui);
+  const bool selected = document.selection.kind() == scene::ElementKind::probe && !document.selection.empty();
+  if (selected) {
+    influence(ui, "Turns", "turn", &scene::Probe::turn);
+    influence(ui, "Stretches", "stretch", &scene::Probe::stretch);
+    influence(ui, "Moves", "move", &scene::Probe::move);
+  } else {
+    note(ui, "Press 4 and click a probe to select it.");
+  }
+  mix(ui);
+  if (!selected) return;
+  command_row(ui, {"reset_selected", "replace_probe"});
+  const auto& indices = document.selection.indices();
+  const bool locked = std::ranges::all_of(indices, [&](auto i) { return document.probes.all[i].locked; });
+  command_toggle(ui, "toggle_locked", locked);
+}
+
+}  // namespace viete::ui

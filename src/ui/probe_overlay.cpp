@@ -1,0 +1,72 @@
+// Probes in the view: frames with three axes, and how far the selected ones reach.
+#include <algorithm>
+
+#include "scene/cursor_projection.h"
+#include "scene/probes.h"
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr float axis_length = 22, dot = 5;  // logical pixels
+
+struct Shown {
+  bool selected, hovered, locked;
+};
+
+// As the probe has turned and stretched them, each of a length on screen that suits the eye.
+void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProjection& at,
+          const glm::dvec3& center, const scene::ProbePose& pose, float opacity) {
+  const auto& w = ui.workspace;
+  const auto m = scene::linear_part(pose);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 along =
+        double(axis_length) * at.per_pixel() * glm::dvec3(m[axis], m[3 + axis], m[6 + axis]);
+    const scene::CursorProjection end(center + along, w.camera, w.viewport);
+    painter.line(glm::vec2(at.at()), glm::vec2(end.at()), ui.colors.axis[axis], 2.25f, opacity);
+  }
+}
+
+void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Shown& shown) {
+  const auto& w = ui.workspace;
+  const scene::Probe& probe = w.document.probes.all[i];
+  const glm::dvec3 center(w.document.space.to_view(scene::probe_center(w.document, i)));
+  if (!(w.camera.depth(glm::vec3(center)) > 0)) return;
+  const scene::CursorProjection at(center, w.camera, w.viewport);
+  const glm::vec2 middle(at.at());
+  const float opacity = shown.selected || shown.hovered ? 1.0f : 0.75f;
+  if (shown.selected) {
+    const double radius = std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
+    const auto pixels = static_cast<float>(radius * w.document.space.scale / at.per_pixel());
+    if (pixels < 4000) painter.circle(middle, pixels, ui.colors.accent, 1.25f, 0.55f);
+  }
+  axes(ui, painter, at, center, probe.pose, opacity);
+  const ImU32 color = shown.selected ? ui.colors.highlight : ui.colors.neutral;
+  if (shown.locked) {
+    const std::array corners = {middle + glm::vec2(-dot, -dot), middle + glm::vec2(dot, -dot),
+                                middle + glm::vec2(dot, dot), middle + glm::vec2(-dot, dot)};
+    painter.polygon(corners, color, opacity);
+  } else {
+    painter.disc(middle, dot, color, opacity);
+  }
+  if (shown.hovered) painter.circle(middle, dot + 4, ui.colors.highlight, 1.5f);
+}
+
+}  // namespace
+
+void probe_overlay(const Context& ui) {
+  const auto& w = ui.workspace;
+  if (!w.view.cage || w.document.probes.empty()) return;
+  OverlayPainter painter(ui);
+  const bool chosen = w.document.selection.kind() == scene::ElementKind::probe;
+  for (std::size_t i = 0; i < w.document.probes.all.size(); ++i) {
+    const auto index = static_cast<std::uint32_t>(i);
+    frame(ui, painter, i,
+          {chosen && w.document.selection.contains(index), chosen && w.interaction.hovered == index,
+           w.document.probes.all[i].locked});
+  }
+}
+
+}  // namespace viete::ui

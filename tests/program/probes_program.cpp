@@ -1,0 +1,187 @@
+// Probes by hand: placed by a key, moved and turned by the gizmo, set in the panel, saved and written; beside
+// a cage and without one.
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/read.h"
+#include "program/driver.h"
+#include "scene/edit.h"
+#include "scene/picking.h"
+#include "scene/pointer.h"
+#include "scene/probes.h"
+#include "scene/saving.h"
+#include "scene/session.h"
+#include "support/edits.h"
+#include "support/folder.h"
+#include "support/pictures.h"
+
+using namespace viete;
+using mesh::operator-;
+using test::Driver;
+
+namespace {
+
+struct Hand : Driver {
+  explicit Hand(bool cage) {
+    if (cage) {
+      open_dragon();
+    } else {
+      REQUIRE(open({test::dragon}));
+      settle();
+    }
+  }
+  // Under the cursor, on the head.
+  void place_probe() {
+    move(head());
+    press_key('P');
+    frame(2);
+    settle();
+    REQUIRE(document().probes.all.size() == 1);
+  }
+  glm::vec2 head() {
+    const scene::Projector project(document().space, workspace().camera, workspace().viewport);
+    return glm::floor(glm::vec2(*project({0.75, 1.35, 0})));
+  }
+  const scene::Probe& probe() { return document().probes.all.front(); }
+  scene::Gizmo gizmo() {
+    const auto gizmo = scene::gizmo_of(workspace());
+    REQUIRE(gizmo);
+    return *gizmo;
+  }
+  void check_shown() {
+    const auto exact = exact_positions(), shown = viewer().deformer()->positions();
+    double largest = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      largest = std::max(largest, mesh::norm(exact[i] - shown[i]));
+    CHECK(largest < 2e-5 * document().model.bounds.diagonal());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a_probe_is_placed_dragged_turned_and_taken_back_by_hand") {
+  for (const bool cage : {true, false}) {
+    INFO(cage);
+    Hand d(cage);
+    const auto rest = d.document().model.surface->positions;
+    d.place_probe();
+    // It lies on the model, where the cursor was.
+    const auto at = scene::probe_center(d.document(), 0);
+    double nearest = 1e9;
+    for (const auto& x : rest) nearest = std::min(nearest, mesh::norm(x - at));
+    CHECK(nearest < 0.05);
+    const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+    CHECK(glm::distance(glm::vec2(*project(at)), d.head()) < 1.5f);
+    CHECK_FALSE(scene::differs_from_rest(d.document()));
+    const auto before = d.picture();
+    const auto unmoved = d.exact_positions();
+    // Up, by the green arrow.
+    d.press_key('W');
+    d.frame(2);
+    const auto arm = d.gizmo().arms[1];
+    d.drag(glm::floor(arm.tip), glm::floor(arm.tip) + glm::vec2(0, -60));
+    d.settle();
+    const auto moved = d.probe().pose.move;
+    CHECK(moved[1] > 0.1);
+    CHECK(moved[0] == 0);
+    CHECK(moved[2] == 0);
+    CHECK(test::difference(before, d.picture(), 8) > 0.003);
+    d.check_shown();
+    // By typed numbers, while it turns.
+    d.press_key('E');
+    d.frame(2);
+    const auto ring = d.gizmo();
+    d.press_and_move(ring.center + glm::vec2(scene::gizmo_view_ring, 0),
+                     ring.center + glm::vec2(scene::gizmo_view_ring, 30));
+    d.type("y");
+    d.type("90");
+    d.press_key(scene::Key::enter);
+    d.button(0, false);
+    d.settle();
+    CHECK(d.probe().pose.turn[1] == doctest::Approx(std::acos(-1.0) / 2).epsilon(1e-12));
+    d.check_shown();
+    // Far from it nothing has moved by a bit.
+    const auto exact = d.exact_positions();
+    std::size_t still = 0;
+    for (std::size_t v = 0; v < rest.size(); ++v) still += exact[v] == rest[v];
+    if (!cage) CHECK(still > rest.size() / 4);
+    for (int i = 0; i < 2; ++i) d.press_key('Z', true);
+    d.settle();
+    CHECK(d.probe().pose == scene::ProbePose{});
+    CHECK(d.exact_positions() == unmoved);
+    d.check_shown();
+    d.press_key('Z', true);
+    CHECK(d.document().probes.empty());
+    CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+  }
+}
+
+TEST_CASE("probes_are_set_in_their_panel") {
+  Hand d(false);
+  d.place_probe();
+  d.click("section/Probes");
+  d.frame(2);
+  d.choose("probe_turn", "probe_turn_sharp");
+  CHECK(d.probe().turn.falloff == scene::Falloff::sharp);
+  const double radius = d.probe().move.radius;
+  d.click("probe_move_radius");  // in its middle
+  CHECK(d.probe().move.radius != radius);
+  CHECK(d.probe().turn.radius == radius);
+  d.choose("probe_mix", "probe_mix_softmax");
+  CHECK(d.document().probes.mix == deform::ProbeMix::softmax);
+  d.click("toggle_locked");
+  CHECK(d.probe().locked);
+  d.click("toggle_locked");
+  CHECK_FALSE(d.probe().locked);
+  d.click("mirror_probe");
+  CHECK(d.document().probes.all.size() == 2);
+  d.click("remove_probe");
+  CHECK(d.document().probes.all.size() == 1);
+  CHECK(d.document().selection.empty());
+  const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+  d.click(glm::vec2(*project(scene::probe_center(d.document(), 0))));
+  CHECK(d.document().selection.contains(0));
+  d.press_key(scene::Key::delete_key, false, true);
+  CHECK(d.document().probes.empty());
+}
+
+namespace {
+
+// What it shows then, in double.
+std::vector<mesh::Point> save_and_write(Hand& d, const std::filesystem::path& folder) {
+  d.place_probe();
+  d.press_key('W');
+  d.frame(2);
+  const auto arm = d.gizmo().arms[0];
+  d.drag(glm::floor(arm.tip), glm::floor(arm.tip) + glm::vec2(50, 10));
+  d.settle();
+  auto shown = d.exact_positions();
+  CHECK(shown != d.document().model.surface->positions);
+  d.workspace().requests.save_session = folder / "a.viete";
+  d.workspace().requests.save_model = folder / "out.obj";
+  d.frame(2);
+  d.viewer().finish_exports();
+  CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+  return shown;
+}
+
+}  // namespace
+
+TEST_CASE("a_model_without_a_cage_is_saved_written_and_opened_again_with_its_probes") {
+  const test::TemporaryFolder folder;
+  std::vector<mesh::Point> shown;
+  scene::Session saved;
+  {
+    Hand d(false);
+    shown = save_and_write(d, folder.path());
+    saved = scene::session_of(d.workspace());
+  }
+  const auto written = mesh::read(folder / "out.obj").surface.positions;
+  REQUIRE(written.size() == shown.size());
+  for (std::size_t v = 0; v < shown.size(); ++v) CHECK(mesh::norm(written[v] - shown[v]) < 1e-12);
+  Driver again;
+  REQUIRE(again.open({folder / "a.viete"}));
+  again.settle();
+  CHECK(again.document().probes == saved.probes);
+  CHECK(again.exact_positions() == shown);
+}

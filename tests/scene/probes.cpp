@@ -1,0 +1,282 @@
+#include "scene/probes.h"
+
+#include <doctest/doctest.h>
+
+#include "deform/affine_map.h"
+#include "scene/edit.h"
+#include "scene/files.h"
+#include "scene/picking.h"
+#include "scene/pointer.h"
+#include "scene/range.h"
+#include "scene/saving.h"
+#include "scene/session.h"
+#include "support/commands.h"
+#include "support/edits.h"
+#include "support/open.h"
+#include "support/text.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+using mesh::operator-, mesh::operator+;
+
+namespace {
+
+struct Probed {
+  test::CubeFiles files;
+  Workspace w;
+
+  explicit Probed(bool cage = true) {
+    REQUIRE(test::load_model(w, files.model, cage ? files.cage : std::filesystem::path()));
+  }
+  Document& document() { return w.document; }
+  Probe& probe(std::size_t i = 0) { return w.document.probes.all[i]; }
+  void add(const mesh::Point& at) { REQUIRE(add_probe(w.document, {}, at)); }
+  void select(std::vector<std::uint32_t> which) {
+    w.document.selection = Selection(ElementKind::probe);
+    w.document.selection.apply(which, SelectMode::replace);
+  }
+};
+
+Transform quarter(const glm::dvec3& pivot) {
+  Transform t;
+  t.pivot = pivot;
+  t.axis = {0, 0, 1};
+  t.degrees = 90;
+  return t;
+}
+
+}  // namespace
+
+TEST_CASE("a_probe_is_added_where_the_model_is_drawn_and_selected") {
+  Probed p;
+  const mesh::Point at{1, 0.5, 0.25};
+  p.add(at);
+  CHECK(p.probe().place == at);
+  CHECK(p.probe().pose == ProbePose{});
+  CHECK(p.document().selection.kind() == ElementKind::probe);
+  CHECK(p.document().selection.contains(0));
+  CHECK(test::edit_count(p.document().history) == 1);
+  // On a posed model: where that is at rest.
+  std::vector<deform::FrameVertex> posed;
+  for (const auto& x : p.document().model.surface->positions)
+    posed.push_back({{float(x[0]) + 7, float(x[1]), float(x[2])}, 0, {0, 0, 1}, 0});
+  REQUIRE(add_probe(p.document(), {posed, {0, 0, 0}}, at + mesh::Point{7, 0, 0}));
+  CHECK(deform::norm(p.probe(1).place - at) < 1e-6);
+  undo(p.document());
+  undo(p.document());
+  CHECK(p.document().probes.empty());
+  redo(p.document());
+  CHECK(p.document().probes.all.size() == 1);
+}
+
+TEST_CASE("there_is_a_largest_number_of_probes") {
+  Probed p;
+  for (std::size_t i = 0; i < most_probes; ++i) p.add({0, 0, 0});
+  CHECK_FALSE(add_probe(p.document(), {}, {0, 0, 0}));
+  CHECK_FALSE(mirror_probes(p.document(), 0));
+  CHECK_FALSE(test::run_command(p.w, "add_probe"));
+  CHECK(p.document().probes.all.size() == most_probes);
+}
+
+TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
+  Probed p;
+  p.add({1, 0, 0});
+  p.add({-1, 0, 0});
+  p.select({0, 1});
+  CHECK(selection_center(p.document()) == glm::dvec3(0, 0, 0));
+  REQUIRE(transform_selection(p.document(), Tool::rotate, quarter({0, 0, 0})));
+  CHECK(deform::norm(probe_center(p.document(), 0) - mesh::Point{0, 1, 0}) < 1e-15);
+  CHECK(deform::norm(p.probe().pose.turn - mesh::Point{0, 0, std::acos(-1.0) / 2}) < 1e-15);
+  CHECK(p.probe().place == mesh::Point{1, 0, 0});
+  Transform t;
+  t.shift = {0.5, 0, 0};
+  t.factors = {2, 1, 1};
+  REQUIRE(transform_selection(p.document(), Tool::move, t));
+  const auto m = linear_part(p.probe().pose);
+  CHECK(m[1] == doctest::Approx(-2).epsilon(1e-12));  // a quarter turn, then twice as wide
+  CHECK(m[3] == doctest::Approx(1).epsilon(1e-12));
+  CHECK(deform::norm(probe_center(p.document(), 0) - mesh::Point{0.5, 1, 0}) < 1e-15);
+  CHECK(p.document().history.undo_label() == "move 2 probes");
+  undo(p.document());
+  undo(p.document());
+  CHECK(p.probe().pose == ProbePose{});
+  CHECK_FALSE(differs_from_rest(p.document()));
+  // Nothing of the cage has moved.
+  CHECK(p.document().pose.positions == p.document().cage->surface.positions);
+  // Carried by the cage, it turns where it is then.
+  p.document().carried = {{1, 5, 0}, {-1, 5, 0}};
+  CHECK(selection_center(p.document()) == glm::dvec3(0, 5, 0));
+  REQUIRE(transform_selection(p.document(), Tool::rotate, quarter({0, 5, 0})));
+  CHECK(deform::norm(p.probe().pose.move - mesh::Point{-1, 1, 0}) < 1e-14);
+}
+
+TEST_CASE("whole_turns_of_a_probe_count_and_what_leaves_its_range_moves_nothing") {
+  Probed p;
+  p.add({0, 0, 0});
+  Transform t = quarter({0, 0, 0});
+  t.degrees = 540;
+  REQUIRE(transform_selection(p.document(), Tool::rotate, t));
+  CHECK(p.probe().pose.turn[2] == doctest::Approx(3 * std::acos(-1.0)).epsilon(1e-13));
+  const Probe before = p.probe();
+  Transform far;
+  far.shift = {1e30, 0, 0};
+  CHECK_FALSE(transform_selection(p.document(), Tool::move, far));
+  CHECK(p.probe() == before);
+  Transform grow;
+  grow.factors = {1e12, 1, 1};
+  CHECK(transform_selection(p.document(), Tool::scale, grow));  // bounded
+  CHECK(is_probe_stretch(p.probe().pose.stretch));
+}
+
+TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
+  Probed p;
+  p.add({1, 0, 0});
+  p.add({0, 1, 0});
+  p.select({0});
+  CHECK(test::run_command(p.w, "toggle_locked"));
+  CHECK(p.probe().locked);
+  p.select({0, 1});
+  const Probe locked = p.probe();
+  Transform t;
+  t.shift = {1, 0, 0};
+  transform_selection(p.document(), Tool::move, t);
+  CHECK(p.probe() == locked);
+  CHECK(p.probe(1).pose.move == mesh::Point{1, 0, 0});
+  CHECK(test::run_command(p.w, "replace_probe"));
+  CHECK(p.probe() == locked);
+  CHECK(p.probe(1).place == mesh::Point{1, 1, 0});
+  CHECK(p.probe(1).pose == ProbePose{});
+  CHECK(test::run_command(p.w, "remove_probe"));
+  REQUIRE(p.document().probes.all.size() == 1);
+  CHECK(p.probe() == locked);
+  CHECK_FALSE(test::run_command(p.w, "remove_probe"));  // nothing is selected
+}
+
+TEST_CASE("a_mirrored_probe_is_a_copy_on_the_other_side_of_the_models_middle") {
+  Probed p;
+  p.add({0.7, 0.2, 0.1});
+  p.probe().pose.turn = {0.1, 0.2, 0.3};
+  CHECK(test::run_command(p.w, "mirror_probe"));
+  REQUIRE(p.document().probes.all.size() == 2);
+  CHECK(deform::norm(p.probe(1).place - mesh::Point{-0.7, 0.2, 0.1}) < 1e-15);
+  CHECK(p.probe(1).pose.turn == mesh::Point{0.1, -0.2, -0.3});
+  CHECK(p.document().selection.indices() == std::vector<std::uint32_t>{1});
+}
+
+TEST_CASE("influences_are_set_for_all_that_are_selected_and_slide_as_one_edit") {
+  Probed p;
+  p.add({1, 0, 0});
+  p.add({0, 1, 0});
+  p.select({0, 1});
+  const auto edits = test::edit_count(p.document().history);
+  for (const double radius : {0.1, 0.2, 0.3})
+    set_influence(p.document(), &Probe::turn, {Falloff::sharp, radius});
+  CHECK(test::edit_count(p.document().history) == edits + 1);
+  CHECK(p.probe(0).turn == Influence{Falloff::sharp, 0.3});
+  CHECK(p.probe(1).turn == Influence{Falloff::sharp, 0.3});
+  set_influence(p.document(), &Probe::move, {Falloff::none, 0.3});
+  CHECK(test::edit_count(p.document().history) == edits + 2);
+  set_mix(p.document(), deform::ProbeMix::softmax);
+  set_mix(p.document(), deform::ProbeMix::softmax);
+  CHECK(test::edit_count(p.document().history) == edits + 3);
+  undo(p.document());
+  CHECK(p.document().probes.mix == deform::ProbeMix::partial);
+}
+
+TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
+  Probed p(false);
+  p.w.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
+  frame_all(p.w, false);
+  CHECK_FALSE(shows_selectable(p.w));
+  p.add({0.9, 0.9, 0.9});
+  p.add({-0.9, -0.9, 0.9});
+  CHECK(shows_selectable(p.w));
+  p.probe().pose.move = {0.2, 0, 0};
+  const Projector project(p.document().space, p.w.camera, p.w.viewport);
+  const glm::vec2 at(*project(probe_center(p.document(), 0)));
+  const auto pick = pick_element(p.document(), p.w.camera, p.w.viewport, at);
+  REQUIRE(pick);
+  CHECK(pick->index == 0);
+  CHECK_FALSE(pick_element(p.document(), p.w.camera, p.w.viewport, at + glm::vec2(30, 0)));
+  CHECK(pick_elements_in_box(p.document(), p.w.camera, p.w.viewport, {0, 0}, {1000, 800}) ==
+        std::vector<std::uint32_t>{0, 1});
+  CHECK(test::run_command(p.w, "select_all"));
+  CHECK(p.document().selection.size() == 2);
+  CHECK(test::run_command(p.w, "select_vertices"));
+  CHECK(p.document().selection.empty());
+  CHECK_FALSE(test::run_command(p.w, "select_all"));  // there is no cage
+}
+
+TEST_CASE("probes_come_back_from_a_session_to_the_last_bit") {
+  for (const bool cage : {true, false}) {
+    Probed p(cage);
+    p.add({0.3, 1.0 / 3, -0.7});
+    p.add({0, 0, 1});
+    CHECK(has_unsaved_edits(p.w));
+    p.probe().turn = {Falloff::sharp, 0.123};
+    p.probe().stretch = {Falloff::none, 1};
+    p.probe().pose = {{9, 1.0 / 7, -3}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, {1e-3, 2, 3}};
+    p.probe(1).locked = true;
+    p.document().probes.mix = deform::ProbeMix::softmax;
+    p.select({1});
+    REQUIRE(save_session(p.w, p.files / "a.viete"));
+    CHECK_FALSE(has_unsaved_edits(p.w));
+    CHECK(test::mentions(test::file_bytes(p.files / "a.viete"), "\"version\": 3"));
+    Workspace back;
+    REQUIRE(open_now(back, {OpenRequest::What::model, {p.files / "a.viete"}}));
+    CHECK(back.document.probes == p.document().probes);
+    CHECK(back.document.selection == p.document().selection);
+    CHECK_FALSE(has_unsaved_edits(back));
+    CHECK(back.messages.all().empty());
+    // Another cage leaves them, unsaved; another model has none.
+    REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
+    CHECK(back.document.probes == p.document().probes);
+    CHECK(has_unsaved_edits(back));
+    REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
+    CHECK(back.document.probes.empty());
+    CHECK_FALSE(has_unsaved_edits(back));
+  }
+}
+
+TEST_CASE("damaged_probes_cost_themselves_alone_and_say_so") {
+  const test::CubeFiles files;
+  const std::string part = R"({"falloff": "smooth", "radius": 1})",
+                    good = R"({"place": [0, 0, 1], "turn": )" + part + R"(, "stretch": )" + part +
+                           R"(, "move": )" + part + "}";
+  const auto with = [&](const std::string& key, const std::string& value) {
+    return good.substr(0, good.size() - 1) + ", \"" + key + "\": " + value + "}";
+  };
+  struct Case {
+    std::string probe, warning;
+  };
+  const Case cases[] = {
+      {R"({"place": [0, 0]})", "probes.all[1].place"},
+      {R"({"place": [0, 0, 0]})", "probes.all[1]: the key \"turn\" is missing"},
+      {with("locked", "3"), "probes.all[1].locked"},
+      {with("turned", "[1e9, 0, 0]"), "probes.all[1].turned: a number is too large"},
+      {with("stretched", "[1, 2, 3]"), "probes.all[1].stretched"},
+      {with("stretched", "[99, 0, 0, 0, 0, 0]"), "probes.all[1].stretched: a number is too large"},
+      {with("moved", "[1e40, 0, 0]"), "probes.all[1].moved: a number is too large"},
+      {R"({"place": [0, 0, 1], "turn": {"falloff": "magic", "radius": 1}})", "\"magic\" is not known"},
+      {R"({"place": [0, 0, 1], "turn": {"falloff": "smooth", "radius": 0}})", "a radius must be above 0"},
+      {"7", "probes.all[1]"}};
+  for (const auto& c : cases) {
+    INFO(c.probe);
+    test::put_file(files / "a.viete",
+                   R"({"format": "viete session", "version": 3, "model": "model.obj", "selecting": "probes",)"
+                   R"( "selection": [1], "probes": {"mix": "odd", "all": [)" +
+                       good + ", " + c.probe + "]}}");
+    Workspace w;
+    REQUIRE(open_now(w, {OpenRequest::What::model, {files / "a.viete"}}));
+    CHECK(w.document.probes.all.size() == 1);
+    CHECK(w.document.probes.mix == deform::ProbeMix::partial);
+    CHECK(w.document.selection.empty());
+    std::string all;
+    for (const auto& m : w.messages.all()) all += m.text + '\n';
+    CHECK_MESSAGE(test::mentions(all, c.warning), all);
+    CHECK_MESSAGE(test::mentions(all, "this probe is left out"), all);
+    CHECK_MESSAGE(test::mentions(all, "partial instead"), all);
+    CHECK_MESSAGE(test::mentions(all, "probe 1 is selected, it has a probe"), all);
+  }
+}
