@@ -6,6 +6,7 @@
 
 #include "scene/viewport.h"
 
+using namespace viete;
 using namespace viete::scene;
 
 namespace {

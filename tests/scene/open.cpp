@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "scene/edit.h"
 #include "scene/files.h"
 #include "scene/saving.h"
@@ -322,7 +323,8 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
   CHECK(by_reach.weighting.reach == 3);
   CHECK(text(opened({.weighting = {.radius = 0.2}}, files.model)) == "face, cutoff, srl");
   CHECK(text(opened({.weighting = {.clamp = false}}, files.model)) == "face, biharmonic, srl");
-  CHECK(text(opened({.choice = {.elements = deform::Elements::patch}}, files.model)) == "patch, biharmonic, srl");
+  CHECK(text(opened({.choice = {.elements = deform::Elements::patch}}, files.model)) ==
+        "patch, biharmonic, srl");
   CHECK_THROWS_AS(
       opened({.choice = {.weights = deform::Weights::mean_value}, .weighting = {.reach = 3}}, files.model),
       base::Error);
@@ -334,8 +336,9 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
   test::put_file(
       files / "b.viete",
       R"({"format": "viete session", "version": 2, "model": "model.obj", "cage": "cage.obj", "weights": "harmonic"})");
-  CHECK_THROWS_AS(open_files({OpenRequest::What::model, {files / "b.viete"}, {.weighting = {.reach = 3}}}, {}),
-                  base::Error);
+  CHECK_THROWS_AS(
+      open_files({OpenRequest::What::model, {files / "b.viete"}, {.weighting = {.reach = 3}}}, {}),
+      base::Error);
   // Points without triangles have no surface for weights to spread along.
   test::put_file(files / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
   try {
