@@ -1,0 +1,130 @@
+// The pictures of the choosers: there is one for each entry, they tell entries apart, and they say what is
+// so.
+#include "scene/choice_picture.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace viete;
+using deform::Blend, deform::Elements, deform::Weights;
+using scene::choice_picture, scene::ChoicePicture, scene::Ink;
+
+namespace {
+
+std::size_t count(const ChoicePicture& picture, Ink ink) {
+  return static_cast<std::size_t>(std::ranges::count(picture.shapes, ink, &scene::PictureShape::ink));
+}
+
+bool inside(const glm::vec2& p) {
+  return p.x >= 0 && p.y >= 0 && p.x <= scene::choice_picture_size.x && p.y <= scene::choice_picture_size.y;
+}
+
+void check_shape(const scene::PictureShape& shape) {
+  CHECK(shape.points.size() >= 2);
+  CHECK(std::ranges::all_of(shape.points, inside));  // which no NaN is
+  CHECK(std::ranges::all_of(shape.tones, [](float t) { return t >= 0 && t <= 1; }));
+  if (shape.ink == Ink::model) CHECK(shape.tones.size() == 1);
+  if (shape.ink == Ink::weight) CHECK(shape.tones.size() == shape.points.size());
+}
+
+// One for each entry, none like another.
+template <class Entry>
+void check_pictures(std::span<const Entry> table) {
+  std::vector<ChoicePicture> seen;
+  for (const Entry& e : table) {
+    CAPTURE(e.name);
+    const ChoicePicture picture = choice_picture(e.value);
+    CHECK_FALSE(picture.caption.empty());
+    CHECK(count(picture, Ink::model) + count(picture, Ink::weight) > 50);
+    CHECK(count(picture, Ink::cage) > 10);
+    for (const auto& shape : picture.shapes) check_shape(shape);
+    CHECK(picture == choice_picture(e.value));
+    CHECK(std::ranges::find(seen, picture) == seen.end());
+    seen.push_back(picture);
+  }
+}
+
+// The largest weight where a condition holds.
+template <class Where>
+float most(const ChoicePicture& picture, Where where) {
+  float result = 0;
+  for (const auto& shape : picture.shapes) {
+    if (shape.ink != Ink::weight) continue;
+    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+      if (where(shape.points[i])) result = std::max(result, shape.tones[i]);
+    }
+  }
+  return result;
+}
+
+float on_the_other_prong(Weights weights) {
+  return most(choice_picture(weights), [](const glm::vec2& p) {
+    return p.y > 0.55f * scene::choice_picture_size.y && p.x > 0.5f * scene::choice_picture_size.x;
+  });
+}
+
+// Square pixels of the model on screen.
+double covered(const ChoicePicture& picture) {
+  double sum = 0;
+  for (const auto& shape : picture.shapes) {
+    if (shape.ink != Ink::model) continue;
+    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+      const glm::vec2 a = shape.points[i], b = shape.points[(i + 1) % shape.points.size()];
+      sum += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("each_entry_of_a_chooser_has_a_picture_of_its_own_the_same_each_time") {
+  check_pictures(deform::all_elements());
+  check_pictures(deform::all_weights());
+  check_pictures(deform::all_blends());
+}
+
+TEST_CASE("pictures_of_elements_mark_what_an_element_is_made_of") {
+  CHECK(count(choice_picture(Elements::face), Ink::spot) == 1);
+  CHECK(count(choice_picture(Elements::edge), Ink::spot) == 2);
+  CHECK(count(choice_picture(Elements::patch), Ink::spot) == 3);  // and one that is not in front
+  CHECK(count(choice_picture(Elements::point), Ink::spot) == 0);
+  CHECK(count(choice_picture(Elements::face), Ink::map) == 6);
+  CHECK(count(choice_picture(Elements::edge), Ink::map) == 13);
+  CHECK(count(choice_picture(Elements::vertex), Ink::map) == 8);
+  for (const auto& e : deform::all_elements()) CHECK(count(choice_picture(e.value), Ink::marked) == 1);
+}
+
+TEST_CASE("squares_of_points_only_move") {
+  for (const auto& shape : choice_picture(Elements::point).shapes) {
+    if (shape.ink != Ink::map) continue;
+    CHECK(shape.points[0].x == doctest::Approx(shape.points[1].x));
+    CHECK(shape.points[1].y == doctest::Approx(shape.points[2].y));
+    CHECK(shape.points[2].x - shape.points[1].x == doctest::Approx(shape.points[0].y - shape.points[1].y));
+  }
+}
+
+TEST_CASE("pictures_of_weights_show_what_reaches_across_the_gap") {
+  const auto everywhere = [](const glm::vec2&) { return true; };
+  for (const auto& e : deform::all_weights()) CHECK(most(choice_picture(e.value), everywhere) > 0.8f);
+  CHECK(on_the_other_prong(Weights::inverse) > 0.15f);
+  CHECK(on_the_other_prong(Weights::cut_off) > 0.15f);
+  CHECK(on_the_other_prong(Weights::harmonic) < 0.02f);
+  CHECK(on_the_other_prong(Weights::biharmonic) < 0.02f);
+}
+
+TEST_CASE("pictures_of_blends_show_what_caves_in_and_what_does_not_grow") {
+  const double whole = covered(choice_picture(Blend::srl));
+  CHECK(covered(choice_picture(Blend::linear)) < 0.97 * whole);
+  CHECK(covered(choice_picture(Blend::mls_rigid)) < 0.9 * whole);
+}
+
+TEST_CASE("a_picture_is_kept_once_it_is_made") {
+  scene::ChoicePictures pictures;
+  const ChoicePicture& first = pictures.of(Elements::face);
+  CHECK(first == choice_picture(Elements::face));
+  CHECK(pictures.of(Blend::srl) == choice_picture(Blend::srl));
+  CHECK(&pictures.of(Elements::face) == &first);
+}
