@@ -15,6 +15,7 @@
 #include "scene/brush.h"
 #include "scene/camera.h"
 #include "scene/check_view.h"
+#include "scene/choice_picture.h"
 #include "scene/document.h"
 #include "scene/file_browser.h"
 #include "scene/frame_stats.h"
@@ -157,6 +158,7 @@ struct Workspace {
   std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
   FileBrowser browser;
   std::map<std::string, TypedText> typed;  ///< by the name of the field
+  ChoicePictures choice_pictures;
   About about;
 };
 

@@ -20,6 +20,7 @@ struct Fonts {
 /// Colours that ImGui's style has no place for.
 struct Palette {
   ImU32 text, faint, accent, good, warn, bad, card, card_hover, card_active, line;
+  ImU32 model;             ///< in small pictures
   ImU32 axis[3], on_axis;  ///< of x, y and z, and of letters on them
   ImU32 neutral, highlight,
       halo;  ///< of a gizmo: handles without an axis, the one under the cursor, the edge around lines

@@ -6,6 +6,7 @@
 #include "scene/binding_plan.h"
 #include "scene/commands.h"
 #include "scene/edit.h"
+#include "ui/choice_picture.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -44,8 +45,7 @@ void choice(const Context& ui, const Entry& choice, bool chosen) {
   if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
   const scene::Scheme next = scene::complete(scene::only(choice.value), w.document.scheme);
-  const std::string more = consequences(w, next, choice.label);
-  hint(std::string(command.hint) + (more.empty() ? "" : "\n\n" + more));
+  choice_hint(ui, choice.value, consequences(w, next, choice.label));
 }
 
 // One of a table: closed it shows what is chosen.
@@ -57,9 +57,9 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
   ImGui::SameLine(label_width);
   ImGui::SetNextItemWidth(-1);
   const std::string id = std::string("##") + name;
-  const bool open = ImGui::BeginCombo(id.c_str(), entry(chosen).label.data());
+  const bool open = ImGui::BeginCombo(id.c_str(), entry(chosen).label.data(), ImGuiComboFlags_HeightLarge);
   record(ui, name);
-  if (!open) return hint(std::string(entry(chosen).sentence));
+  if (!open) return choice_hint(ui, chosen);
   for (const Entry& e : table) choice(ui, e, e.value == chosen);
   ImGui::EndCombo();
 }

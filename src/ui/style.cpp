@@ -128,6 +128,7 @@ Palette palette(bool dark) {
   p.card_hover = rgb(t.hover);
   p.card_active = dark ? rgb(0x24423f) : rgb(0xd6efec);
   p.line = rgb(t.line);
+  p.model = rgb(dark ? 0xd2bfa8 : 0xc9b69f);
   p.axis[0] = rgb(dark ? 0xf2685f : 0xd23b36);
   p.axis[1] = rgb(dark ? 0x86cc55 : 0x3f8f1c);
   p.axis[2] = rgb(dark ? 0x64a3f7 : 0x2b6bd1);
@@ -141,7 +142,8 @@ Palette palette(bool dark) {
 // Okabe and Ito's palette, softened; told apart by colour-blind readers too.
 ImU32 part_color(std::size_t part) {
   static constexpr unsigned colors[] = {0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c, 0x3fb09a, 0x6fc3df,  // links
-                                        0xe07b54, 0x8f7fd1, 0xcf5f7a, 0xc58bb5, 0xb0a45a, 0x7f8a99, 0x5b6675, 0x3d4550};
+                                        0xe07b54, 0x8f7fd1, 0xcf5f7a, 0xc58bb5, 0xb0a45a, 0x7f8a99,
+                                        0x5b6675, 0x3d4550};
   return rgb(colors[part % std::size(colors)]);
 }
 

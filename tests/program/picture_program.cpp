@@ -299,6 +299,25 @@ void show_browser(Driver& d) {
   put_numbers(d);
 }
 
+void show_choice(Driver& d, const char* chooser, const char* entry) {
+  d.frame(3);
+  for (const char* title : {"Model", "Cage", "Timings"}) d.click(std::string("section/") + title);
+  put_numbers(d);
+  d.click(chooser);
+  d.frame(2);
+  d.move(d.place_of(entry));
+  d.frame(3);
+}
+void show_elements(Driver& d) {
+  show_choice(d, "elements", "elements_patch");
+}
+void show_weights(Driver& d) {
+  show_choice(d, "weights", "weights_cutoff");
+}
+void show_blend(Driver& d) {
+  show_choice(d, "blend", "blend_linear");
+}
+
 const Picture texts[] = {
     {"panels", {560, 1140}, show_panels},
     {"checks", {640, 640}, show_checks},
@@ -306,10 +325,13 @@ const Picture texts[] = {
     {"error_map", {860, 480}, show_error_map, of_errors},
     {"keys", {1400, 800}, show_keys, of_text},
     {"browser", {960, 520}, show_browser, of_text},
+    {"choice_elements", {640, 480}, show_elements},
+    {"choice_blend", {640, 520}, show_blend},
 };
 
 const Picture light_texts[] = {
     {"checks_light", {640, 640}, show_checks},
+    {"choice_weights_light", {640, 480}, show_weights},
     {"error_map_light", {860, 480}, show_error_map, of_errors},
 };
 
