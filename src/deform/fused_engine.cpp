@@ -399,26 +399,21 @@ void FusedEngine::place_vertices() {
 void FusedEngine::move_by_probes() {
   if (!layer_) return;
   const TiledBinding& b = *binding_;
-  const auto at = [&](std::size_t slot) {
-    const std::size_t leaf = slot / leaf_slots;
-    return positions_.data() + 4 * (b.rings.position_starts[leaf] + slot - b.leaves.begin(leaf));
-  };
-  const auto position = [&](std::size_t slot) {
-    const float* p = at(slot);
-    return b.unit * Vec3{p[0], p[1], p[2]};
+  const auto first = [&](std::size_t leaf) {
+    return positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]);
   };
   if (slots_.empty()) slots_ = slots_of(b.leaves);
   std::vector<Vec3> anchors;
-  for (const auto v : layer_->anchors()) anchors.push_back(position(slots_[v]));
+  for (const auto v : layer_->anchors()) {
+    const std::size_t slot = slots_[v], leaf = slot / leaf_slots;
+    const float* p = first(leaf) + 4 * (slot - b.leaves.begin(leaf));
+    anchors.push_back(b.unit * Vec3{p[0], p[1], p[2]});
+  }
   layer_->carry(anchors, origin_);
+  probes_.follow(*layer_, b.leaves, pool_);
+  const TileKernel& logs = kernel_.forms[static_cast<std::size_t>(RowForm::logs)];
   for_leaves([&](std::size_t leaf) {
-    const std::size_t begin = b.leaves.begin(leaf), count = b.leaves.end(leaf) - begin;
-    std::vector<Vec3> moved(count);
-    for (std::size_t s = 0; s < count; ++s) moved[s] = position(begin + s);
-    layer_->move(std::span(b.leaves.order).subspan(begin, count), moved, sym3::Method::fast);
-    for (std::size_t s = 0; s < count; ++s) {
-      for (std::size_t i = 0; i < 4; ++i) at(begin + s)[i] = static_cast<float>(moved[s][i % 3] / b.unit);
-    }
+    if (probes_.moves(*layer_, leaf)) probes_.move(*layer_, leaf, logs, b.unit, first(leaf));
   });
 }
 

@@ -7,6 +7,7 @@
 #include "base/worker_pool.h"
 #include "deform/engine.h"
 #include "deform/frame_kernel.h"
+#include "deform/probe_tiles.h"
 #include "deform/tiled_binding.h"
 
 namespace viete::deform {
@@ -92,6 +93,7 @@ private:
   base::AlignedVector<float> shares_;     // [slot]; empty: all 1
   std::vector<std::uint8_t> leaf_moved_;  // [leaf] its slots, in this frame
   std::vector<std::uint32_t> slots_;      // of vertices, where probes are
+  ProbeTiles probes_;  // of the layer
   bool dragging_ = false;
   Vec3 origin_{0, 0, 0};  // of the frame's rows
 

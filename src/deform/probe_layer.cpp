@@ -32,8 +32,9 @@ void add(sym3::Sym3<double>& sum, double w, const sym3::Sym3<double>& x) {
 }  // namespace
 
 void ProbeLayer::set(const Probes& probes, const Mask& mask) {
-  mask_ = mask;
   const bool same = same_weights(probes_, probes);
+  if (!same || mask_ != mask) ++revision_;
+  mask_ = mask;
   probes_ = probes;
   moves_ = std::ranges::any_of(probes_.all, [](const Probe& p) { return p.pose != ProbePose{}; });
   if (same) return;
@@ -95,7 +96,7 @@ void ProbeLayer::move(std::span<const std::uint32_t> vertices, std::span<Vec3> p
   ProbeSums sums;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto of_vertex = shares(vertices[i]);
-    const double share = mask_ ? static_cast<double>((*mask_)[vertices[i]]) : 1;
+    const double share = follows(vertices[i]);
     if (of_vertex.empty() || share == 0) continue;
     sym3::Sym3<double> log{};
     Vec3 turn{0, 0, 0}, move{0, 0, 0}, pivot{0, 0, 0};

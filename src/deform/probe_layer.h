@@ -34,6 +34,16 @@ public:
   const Probes& probes() const { return probes_; }
   /// True if some probe is not at rest.
   bool moves() const { return moves_; }
+  /// Grows when weights or the mask change.
+  unsigned long revision() const { return revision_; }
+  /// Of the probes that reach a vertex, in their order.
+  struct Share {
+    std::uint32_t probe;
+    ProbeWeights weights;
+  };
+  std::span<const Share> shares(std::uint32_t vertex) const;
+  /// What the mask leaves of turn, stretch and move at a vertex, 0 to 1.
+  double follows(std::uint32_t vertex) const { return mask_ ? static_cast<double>((*mask_)[vertex]) : 1; }
   /// The vertex nearest to each probe at rest.
   std::span<const std::uint32_t> anchors() const { return anchors_; }
 
@@ -46,12 +56,10 @@ public:
   void move_all(std::span<Vec3> positions, sym3::Method method);
   /// Where the probes' places have been brought to, by the last carry(); relative to nothing.
   std::vector<mesh::Point> places() const;
+  /// The same, relative to its origin.
+  std::span<const Vec3> carried() const { return places_; }
 
 private:
-  struct Share {
-    std::uint32_t probe;
-    ProbeWeights weights;
-  };
   struct Block {  // of vertices
     std::vector<std::uint32_t> starts;
     std::vector<Share> shares;
@@ -59,13 +67,13 @@ private:
   void weigh();
   void weigh(std::size_t begin, std::size_t end, Block& block) const;
   void find_anchors();
-  std::span<const Share> shares(std::uint32_t vertex) const;
 
   std::span<const mesh::Point> rest_;
   base::WorkerPool& pool_;
   Probes probes_;
   Mask mask_;
   bool moves_ = false;
+  unsigned long revision_ = 0;
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> anchors_;
   std::vector<Vec3> from_anchors_, places_;

@@ -278,8 +278,8 @@ const std::vector<Command>& table() {
 
       {"add_probe", "Add", "Place a probe on the model, under the cursor: a frame that moves, turns and stretches what is near it.",
        "Probes", {key('P')}, {}, has_probe_room, add_probe_in_view},
-      {"mirror_probe", "Mirror", "Place copies of the selected probes on the other side of the model's middle, across X.", "Probes",
-       {key('P'), false, true}, {}, has_probes_selected, [](Workspace& w) { mirror_probes(w.document, 0); }},
+      {"mirror_probe", "Mirror", "Place copies of the selected probes on the other side of the model, across the axis in which it is most symmetric.", "Probes",
+       {key('P'), false, true}, {}, has_probes_selected, [](Workspace& w) { mirror_probes(w.document, symmetry_axis(w.document)); }},
       {"remove_probe", "Remove", "Take the selected probes away, but for locked ones.", "Probes", {Key::delete_key, false, true}, {},
        has_probes_selected, [](Workspace& w) { remove_probes(w.document); }},
       {"replace_probe", "Rest here", "Where the selected probes are now is their place at rest, from which they move the model.",

@@ -1,11 +1,14 @@
 #include "scene/probes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
+#include "mesh/point_tree.h"
 #include "scene/range.h"
 
 namespace viete::scene {
@@ -15,6 +18,11 @@ using mesh::operator+, mesh::operator-, mesh::operator*;
 namespace {
 
 constexpr double usual_radius = 0.2;  // of the model's diagonal
+
+// Of a model that is one point, what it is drawn as.
+double size_of(const Document& document) {
+  return document.space.diagonal();
+}
 
 std::string label(const char* verb, const Document& document) {
   const std::size_t n = document.selection.size();
@@ -95,7 +103,7 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
   deform::Probe probe;
   probe.place = at_rest(document, posed, at);
   probe.turn = probe.stretch =
-      probe.move = {deform::Falloff::smooth, usual_radius * document.model.bounds.diagonal()};
+      probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
   edit(document, "add a probe").all.push_back(probe);
   document.carried.clear();
   select(document, document.probes.all.size() - 1, document.probes.all.size());
@@ -122,6 +130,25 @@ void replace_probes(Document& document) {
     p.pose = {};
   });
   document.carried.clear();
+}
+
+int symmetry_axis(const Document& document) {
+  constexpr std::size_t samples = 256;
+  const auto& points = document.model.surface->positions;
+  std::vector<std::uint32_t> all(points.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const mesh::PointTree tree(points, std::move(all));
+  const mesh::Point middle = document.model.bounds.center();
+  std::array<double, 3> off{};
+  for (std::size_t n = 0; n < samples; ++n) {
+    const mesh::Point& p = points[n * points.size() / samples];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      mesh::Point image = p;
+      image[axis] = 2 * middle[axis] - p[axis];
+      off[axis] += mesh::norm(points[tree.nearest(image)] - image);
+    }
+  }
+  return static_cast<int>(std::ranges::min_element(off) - off.begin());
 }
 
 bool mirror_probes(Document& document, int axis) {
@@ -158,10 +185,10 @@ void set_mix(Document& document, deform::ProbeMix mix) {
 }
 
 double least_probe_radius(const Document& document) {
-  return 0.01 * document.model.bounds.diagonal();
+  return 0.01 * size_of(document);
 }
 double largest_probe_radius(const Document& document) {
-  return 2 * document.model.bounds.diagonal();
+  return 2 * size_of(document);
 }
 
 bool place_probes(Document& document, const Snapshot& before, const Transform& transform) {

@@ -29,6 +29,8 @@ void remove_probes(Document& document);
 void rest_probes(Document& document);  ///< they have done nothing
 void replace_probes(
     Document& document);  ///< where they are now is their place at rest, and they have done nothing
+/// The axis of the file (0 x, 1 y, 2 z) across whose middle the model is most nearly its own mirror image.
+int symmetry_axis(const Document& document);
 /// Copies on the other side of the model's middle, across this axis of the file; these are selected. False if
 /// there would be more than most_probes.
 bool mirror_probes(Document& document, int axis);

@@ -17,7 +17,7 @@ struct MouseLine {
 };
 
 constexpr MouseLine mouse_lines[] = {
-    {"Left click", "select a vertex, edge or face (Shift adds, Ctrl removes)"},
+    {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
     {"Left drag on it", "move the selection (a face: once it is selected)"},
     {"Left drag elsewhere", "select with a box (Shift adds, Ctrl removes)"},
     {"Left drag on a handle", "move, rotate or scale along what it points at"},

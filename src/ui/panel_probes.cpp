@@ -32,20 +32,28 @@ std::optional<decltype(Entry::value)> choose(const Context& ui, const std::strin
   return choice;
 }
 
-// Percent of the model's diagonal, on a scale where small ones have room too.
+// Percent of the model's diagonal, on a scale where small ones have room too; the value stands beside it.
 bool radius_slider(const Context& ui, const std::string& name, double& radius, bool used) {
+  constexpr float value_width = 44;
   const scene::Document& document = ui.workspace.document;
-  const double unit = 0.01 * document.model.bounds.diagonal();
+  const double unit = 0.01 * document.space.diagonal();
   auto percent = static_cast<float>(radius / unit);
   const auto least = static_cast<float>(scene::least_probe_radius(document) / unit);
   const auto most = static_cast<float>(scene::largest_probe_radius(document) / unit);
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::BeginDisabled(!used);
+  ImGui::SetNextItemWidth(-value_width);
   const bool moved = ImGui::SliderFloat(
-      ("##" + name).c_str(), &percent, least, most, "%.0f %%",
+      ("##" + name).c_str(), &percent, least, most, "",
       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
   record(ui, name, used);
-  ImGui::EndDisabled();
   hint("How far it reaches, in percent of the model's diagonal: the circle in the view.");
+  ImGui::SameLine();
+  const std::string value = std::to_string(std::lround(percent)) + " %";
+  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(value.c_str()).x, ImGui::GetCursorScreenPos().y});
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::EndDisabled();
   if (moved) radius = unit * static_cast<double>(std::round(percent));
   return moved;
 }
@@ -57,12 +65,11 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
   ImGui::TextUnformatted(label);
   ImGui::SameLine(label_width);
   const std::string prefix = std::string("probe_") + name;
-  const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-  ImGui::SetNextItemWidth(width);
+  constexpr float falloff_width = 92;
+  ImGui::SetNextItemWidth(falloff_width);
   const auto falloff = choose(ui, prefix, scene::all_falloffs(), scene::entry(shown.falloff));
   if (falloff) shown.falloff = *falloff;
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(-1);
   const bool moved =
       radius_slider(ui, prefix + "_radius", shown.radius, shown.falloff != scene::Falloff::none);
   if (falloff || moved) scene::set_influence(document, part, shown);

@@ -30,6 +30,8 @@ std::string mouse_text(const scene::Workspace& w) {
     return scene::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
   if (w.interaction.hovered) return hovered_text(w.document.selection, *w.interaction.hovered);
+  if (w.document.selection.kind() == scene::ElementKind::probe && !w.document.probes.empty())
+    return "Drag a probe moves it,  on empty space selects;  middle or right drag orbits,  wheel zooms";
   if (w.document.has_cage())
     return "Drag a vertex, edge or selected face moves it,  on empty space selects;  middle or right drag "
            "orbits,  wheel zooms";

@@ -164,6 +164,23 @@ TEST_CASE("a_mirrored_probe_is_a_copy_on_the_other_side_of_the_models_middle") {
   CHECK(p.document().selection.indices() == std::vector<std::uint32_t>{1});
 }
 
+TEST_CASE("the_axis_of_symmetry_is_found") {
+  // A cube whose one side is pushed in is its own mirror image across the other two axes; a second push
+  // leaves one.
+  for (std::size_t kept = 0; kept < 3; ++kept) {
+    mesh::Surface surface = test::CubeFiles::subdivided_cube();
+    for (auto& p : surface.positions) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (axis != kept && p[axis] > 0) p[axis] *= 1 + 0.5 * std::abs(p[(axis + 1) % 3] + p[(axis + 2) % 3]);
+      }
+    }
+    Document document;
+    document.model.bounds = mesh::used_bounds(surface);
+    document.model.surface = std::make_shared<const mesh::Surface>(std::move(surface));
+    CHECK(symmetry_axis(document) == int(kept));
+  }
+}
+
 TEST_CASE("influences_are_set_for_all_that_are_selected_and_slide_as_one_edit") {
   Probed p;
   p.add({1, 0, 0});
