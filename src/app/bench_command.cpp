@@ -164,12 +164,13 @@ void add_modes_bench(CLI::App& bench, Action& action) {
   add_method_option(*command, [options](sym3::Method method) { options->settings.method = method; });
   add_choice_options(*command, options->settings.choice, true);
   add_weighting_options(*command, options->settings.weighting);
-  auto iterations = std::make_shared<std::optional<int>>();
-  add_stitching_options(*command, *iterations);
+  auto asked = std::make_shared<scene::AskedSettings>();
+  add_stitching_options(*command, *asked);
   add_rounds_option(*command, options->settings.rounds, "11");
   add_bench_files(*command, *files);
-  command->callback([options, files, iterations, &action] {
-    options->settings.iterations = iterations->value_or(0);
+  command->callback([options, files, asked, &action] {
+    options->settings.iterations = asked->iterations.value_or(0);
+    options->settings.holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
     if (!options->model.empty() && options->poses.empty())
       throw CLI::RequiredError(options->cage.empty() ? "CAGE" : "POSE");
     action = [options, files] { return run_modes(*options, *files); };

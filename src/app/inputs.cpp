@@ -53,7 +53,7 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
   if (inputs.use == Use::binding) return;
   add_amount_option(app, "--turn", "rotation", inputs.settings.turn);
   add_amount_option(app, "--stretch", "stretch", inputs.settings.stretch);
-  add_stitching_options(app, inputs.settings.iterations);
+  add_stitching_options(app, inputs.settings);
 }
 
 }  // namespace

@@ -156,8 +156,25 @@ void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked) {
       "Of cut-off weights: they always sum to 1, also where few elements reach; what none reaches stays");
 }
 
+namespace {
+
+void add_share_option(CLI::App& app, const char* name, std::optional<double>& share, const char* what) {
+  app.add_option_function<double>(
+         name,
+         [&share, name](double percent) {
+           share = deform::share_from_percent(percent);
+           if (!share) throw CLI::ValidationError(name, "needs a number from 0 to 100");
+         },
+         what)
+      ->option_text("PERCENT")
+      ->default_str("0");
+}
+
+}  // namespace
+
 // The second option counts, where it is given.
-void add_stitching_options(CLI::App& app, std::optional<int>& iterations) {
+void add_stitching_options(CLI::App& app, scene::AskedSettings& asked) {
+  auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
       "As rigid as possible: triangles follow the blended maps, and the mesh's vertices are solved for");
@@ -165,6 +182,13 @@ void add_stitching_options(CLI::App& app, std::optional<int>& iterations) {
       "--iterations", [&iterations](int n) { iterations = n; },
       "Of --stitched: how often they are solved for, rotations being fitted anew in between");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
+  add_share_option(
+      app, "--pins", asked.pins,
+      "Of a stitched mesh: vertices so near to an element of the cage follow it, the nearer the more, in "
+      "percent of the cage's diagonal");
+  add_share_option(
+      app, "--hold", asked.hold,
+      "Of a stitched mesh: how firmly every vertex is held where it would be if it was not stitched");
 }
 
 void add_binding_option(CLI::App& app, std::filesystem::path& file) {

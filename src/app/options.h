@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/output.h"
+#include "scene/settings.h"
 #include "sym3/exp.h"
 
 namespace viete::app {
@@ -35,8 +36,8 @@ void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 
 /// --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
-/// --stitched, and --iterations NUMBER of it.
-void add_stitching_options(CLI::App& app, std::optional<int>& iterations);
+/// --stitched, and --iterations NUMBER, --pins and --hold PERCENT of it.
+void add_stitching_options(CLI::App& app, scene::AskedSettings& asked);
 
 /// --elements, --weights and, if wanted, --blend, by the names of the tables.
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice, bool with_blend);

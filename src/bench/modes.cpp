@@ -42,8 +42,7 @@ public:
   void measure_shapes(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     if (mode.scheme.stitched()) {
-      deform::Deformer deformer(cage_, fused(weighting).binding, mode.scheme, all_,
-                                stitching(weighting.elements));
+      deform::Deformer deformer(cage_, fused(weighting).binding, mode.scheme, all_, stitching(mode.scheme));
       return measure_shapes(mode, deformer);
     }
     if (!staged_ || !(staged_->weighting == weighting)) {
@@ -76,9 +75,8 @@ public:
     const deform::Weighting& weighting = mode.scheme.weighting;
     const Bound& bound = fused(weighting);
     mode.bind_ms = bound.ms;
-    auto frame =
-        std::make_unique<deform::Deformer>(cage_, bound.binding, mode.scheme, one_,
-                                           mode.scheme.stitched() ? stitching(weighting.elements) : nullptr);
+    auto frame = std::make_unique<deform::Deformer>(
+        cage_, bound.binding, mode.scheme, one_, mode.scheme.stitched() ? stitching(mode.scheme) : nullptr);
     if (!frame->engine(method_)) {
       const auto both = std::make_shared<const deform::Binding>(
           deform::bind(surface_, *cage_, weighting, deform::EngineKind::staged, bound.binding.get(), all_));
@@ -124,10 +122,13 @@ private:
     return bound_.back();
   }
 
-  std::shared_ptr<const deform::Stitching> stitching(deform::Elements elements) {
+  // Held alike in all modes.
+  std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
+    const deform::Elements elements = scheme.weighting.elements;
     auto& made = stitchings_[elements];
     if (!made)
-      made = std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, elements, all_));
+      made = std::make_shared<const deform::Stitching>(
+          deform::stitch(surface_, *cage_, elements, all_, deform::settings_of(scheme.holding)));
     return made;
   }
 
@@ -171,6 +172,7 @@ std::vector<Mode> modes_by_weights(const ModeSettings& settings) {
     if (shorthand(scheme) != "mvc" && !fits(settings.choice, scheme)) continue;
     scheme.weighting = with(scheme.weighting, settings.weighting);
     scheme.iterations = settings.iterations;
+    scheme.holding = settings.holding;
     if (conflict(scheme)) scheme.iterations = 0;
     const auto alike = std::find_if(modes.rbegin(), modes.rend(),
                                     [&](const Mode& m) { return m.scheme.weighting == scheme.weighting; });

@@ -59,6 +59,7 @@ struct ModeSettings {
   deform::AskedWeighting weighting{};
   sym3::Method method = sym3::Method::fast;
   int iterations = 0;  ///< of stitching, where a way of blending can be stitched
+  deform::Holding holding{};
 };
 
 struct ModesOptions {

@@ -37,6 +37,19 @@ std::string listed(const std::vector<std::size_t>& elements) {
   return elements.size() > 5 ? text + ", ..." : text;
 }
 
+}  // namespace
+
+Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
+                    std::span<const mesh::Point> positions) {
+  const auto first = surface.polygon_starts[polygon], end = surface.polygon_starts[polygon + 1];
+  const Vec3& from = positions[surface.corners[first]];
+  Vec3 sum{0, 0, 0};
+  for (auto i = first; i < end; ++i) sum = sum + (positions[surface.corners[i]] - from);
+  return from + (1.0 / (end - first)) * sum;
+}
+
+namespace {
+
 void add_elements(Cage& cage) {
   std::vector<std::size_t> found;
   for (std::size_t e = 0; e < cage.surface.triangles.size(); ++e) {
@@ -46,6 +59,8 @@ void add_elements(Cage& cage) {
     cage.degenerate.push_back(!mesh::has_area(t.a, t.b, t.c));
     if (cage.degenerate.back()) found.push_back(e);
   }
+  for (const auto polygon : cage.surface.triangle_polygon)
+    cage.polygon_centers.push_back(polygon_center(cage.surface, polygon, cage.surface.positions));
   if (found.size() == cage.element_count()) {
     throw base::Error("", "the cage has no triangle with area", "choose a surface that encloses the model");
   }

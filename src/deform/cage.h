@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Cage {
   std::vector<mesh::Edge> edges;         ///< of its polygons, each once
   std::vector<Vec3> edge_centers;        ///< their middles at rest
   std::vector<Vec3> centers;             ///< rest centroid of each element
+  std::vector<Vec3> polygon_centers;     ///< of each element the mean of its polygon's corners at rest
   std::vector<RestBasis> bases;          ///< of each element; of use where it has area
   std::vector<std::uint8_t> degenerate;  ///< 1 where an element has no area at rest: identity map, no weight
   /// Pairs of elements that share an edge (vertices at the same place count as one); sorted. Elements without
@@ -47,6 +49,10 @@ struct Cage {
 
   std::size_t element_count() const { return centers.size(); }
 };
+
+/// The mean of its corners.
+Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
+                    std::span<const mesh::Point> positions);
 
 /// Throws base::Error if the surface has no triangle with area, is a closed one squashed flat, or has a fin
 /// (an edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.

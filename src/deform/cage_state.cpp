@@ -101,6 +101,7 @@ std::size_t handle_count(const Cage& cage, Elements elements) {
 std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements) {
   switch (entry(elements).handles) {
     case Handles::faces: return cage.centers;
+    case Handles::polygon_faces: return cage.polygon_centers;
     case Handles::edges: return cage.edge_centers;
     case Handles::vertices: break;
   }

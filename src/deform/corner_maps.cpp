@@ -63,9 +63,8 @@ Plane plane_of(const mesh::Surface& surface, std::uint32_t polygon, Positions at
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3 a = at[corners[i]] - first, b = at[corners[(i + 1) % corners.size()]] - first;
     plane.area = plane.area + cross(a, b);
-    plane.centroid = plane.centroid + a;
   }
-  plane.centroid = first + (1.0 / static_cast<double>(corners.size())) * plane.centroid;
+  plane.centroid = polygon_center(surface, polygon, at);
   return plane;
 }
 
@@ -254,6 +253,13 @@ struct VertexShape : Shape {
   }
 };
 
+struct PolygonShape : VertexShape {
+  using VertexShape::VertexShape;
+  Vec3 center(std::uint32_t element, Positions at, const Vec3& origin) const override {
+    return polygon_center(cage.surface, cage.surface.triangle_polygon[element], at) - origin;
+  }
+};
+
 // The vectors of a map; alone: without what its element shares, across its own two.
 Span map_span(const Shape& shape, std::uint32_t m, bool alone, Positions at) {
   Span s = shape.own(shape.table.corners[m], at);
@@ -318,7 +324,7 @@ mesh::Adjacency movers(const Shape& shape, Kind kind) {
 }
 
 std::unique_ptr<const ElementMaps> corner_maps(std::unique_ptr<const Shape> shape,
-                                               const std::vector<Corner>& corners, Kind kind, bool sharing) {
+                                               std::vector<mesh::Edge> neighbours, Kind kind, bool sharing) {
   const Cage& cage = shape->cage;
   const Table& table = shape->table;
   const auto& rest = cage.surface.positions;
@@ -328,7 +334,7 @@ std::unique_ptr<const ElementMaps> corner_maps(std::unique_ptr<const Shape> shap
     skipped.push_back(alone.back() && flat(map_span(*shape, m, true, rest)));
   }
   MapGraph graph = map_graph(
-      cage, neighbours(cage, corners, table, kind), std::move(skipped),
+      cage, std::move(neighbours), std::move(skipped),
       [&, parts = parts_of_polygons(cage)](std::uint32_t m) { return parts[table.corners[m].polygon]; });
   mesh::Adjacency vertices = movers(*shape, kind);
   return std::make_unique<CornerMaps>(std::move(shape), std::move(graph), std::move(vertices),
@@ -338,10 +344,71 @@ std::unique_ptr<const ElementMaps> corner_maps(std::unique_ptr<const Shape> shap
 std::unique_ptr<const ElementMaps> maps_of_vertices(const Cage& cage, bool sharing) {
   const auto corners = corners_of(cage.surface);
   Table table = make_table(corners, cage.surface.positions.size(), [](const Corner& c) { return c.at; });
-  return corner_maps(std::make_unique<VertexShape>(cage, std::move(table)), corners, Kind::vertices, sharing);
+  auto pairs = neighbours(cage, corners, table, Kind::vertices);
+  return corner_maps(std::make_unique<VertexShape>(cage, std::move(table)), std::move(pairs), Kind::vertices,
+                     sharing);
+}
+
+// Those of a polygon that have a map, of these corners of the whole surface.
+std::vector<Corner> corners_with_maps(const Cage& cage, std::span<const Corner> corners) {
+  const auto& rest = cage.surface.positions;
+  std::vector<Corner> some;
+  for (const Corner& c : corners) {
+    const Span s{rest[c.next] - rest[c.at], rest[c.previous] - rest[c.at], side_along(area_at(c, rest))};
+    if (!flat(s)) some.push_back(c);
+  }
+  if (some.empty()) some.push_back(corners.front());
+  if (corners.size() == 3) some.resize(1);  // its corners all have the same
+  return some;
+}
+
+// Of each triangle all of its polygon.
+Table table_of_polygons(const Cage& cage, const std::vector<Corner>& corners) {
+  const mesh::Surface& surface = cage.surface;
+  Table t;
+  t.starts.push_back(0);
+  for (std::uint32_t e = 0; e < cage.element_count(); ++e) {
+    const auto polygon = surface.triangle_polygon[e];
+    const auto first = surface.polygon_starts[polygon];
+    for (const Corner& c : corners_with_maps(
+             cage, std::span(corners).subspan(first, surface.polygon_starts[polygon + 1] - first))) {
+      t.corners.push_back(c);
+      t.owners.push_back(e);
+    }
+    t.starts.push_back(static_cast<std::uint32_t>(t.corners.size()));
+  }
+  return t;
+}
+
+// All maps of a polygon, in whatever triangle of it, and across edges its first ones.
+std::vector<mesh::Edge> neighbours_of_polygons(const Cage& cage, const std::vector<Corner>& corners,
+                                               const Table& table) {
+  std::vector<std::uint32_t> first(cage.surface.polygon_count(), not_one);
+  std::vector<mesh::Edge> pairs;
+  for (std::uint32_t m = 0; m < table.corners.size(); ++m) {
+    auto& of_polygon = first[table.corners[m].polygon];
+    if (of_polygon == not_one) {
+      of_polygon = m;
+    } else {
+      pairs.push_back({of_polygon, m});
+    }
+  }
+  for (const auto& side : sides_beside(cage, corners)) {
+    const auto a = first[corners[side.a].polygon], b = first[corners[side.b].polygon];
+    if (a != not_one && b != not_one && a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
+  }
+  return pairs;
 }
 
 }  // namespace
+
+std::unique_ptr<const ElementMaps> polygon_maps(const Cage& cage) {
+  const auto corners = corners_of(cage.surface);
+  Table table = table_of_polygons(cage, corners);
+  auto pairs = neighbours_of_polygons(cage, corners, table);
+  return corner_maps(std::make_unique<PolygonShape>(cage, std::move(table)), std::move(pairs), Kind::edges,
+                     false);
+}
 
 std::unique_ptr<const ElementMaps> edge_maps(const Cage& cage) {
   const auto corners = corners_of(cage.surface);
@@ -352,7 +419,9 @@ std::unique_ptr<const ElementMaps> edge_maps(const Cage& cage) {
                ? static_cast<std::uint32_t>(found - cage.edges.begin())
                : not_one;
   });
-  return corner_maps(std::make_unique<EdgeShape>(cage, std::move(table)), corners, Kind::edges, true);
+  auto pairs = neighbours(cage, corners, table, Kind::edges);
+  return corner_maps(std::make_unique<EdgeShape>(cage, std::move(table)), std::move(pairs), Kind::edges,
+                     true);
 }
 
 std::unique_ptr<const ElementMaps> vertex_maps(const Cage& cage) {

@@ -1,4 +1,4 @@
-// Maps of edges and of vertices, each the mean of those of its sides or corners.
+// Maps of edges, vertices and polygons, each the mean of those of its sides or corners.
 #pragma once
 
 #include <memory>
@@ -11,6 +11,10 @@ namespace viete::deform {
 /// posed. All reproduce similarities, take the corners of a polygon alike, however it is cut into triangles,
 /// and have offsets that grow with the cage. A map is the identity where its tetrahedron is flat at rest.
 
+/// Of each triangle, those of its polygon: of a triangle its own; of others one a corner, of the edges to the
+/// next and the previous corner and N / sqrt|N|, N their cross product. Corners that are flat at rest, as in
+/// the middle of a side, have none, unless all are. All triangles of a polygon share its map and its centre.
+std::unique_ptr<const ElementMaps> polygon_maps(const Cage& cage);
 /// Of each polygon edge, one map a polygon beside it: of the edge, the way from its middle to the polygon's
 /// centroid, and, shared, |edge| times the unit mean of the polygons' unit normals.
 std::unique_ptr<const ElementMaps> edge_maps(const Cage& cage);

@@ -57,6 +57,7 @@ std::unique_ptr<const ElementMaps> element_maps(const Cage& cage, Elements eleme
   switch (elements) {
     case Elements::face:
     case Elements::point: break;
+    case Elements::polygon: return polygon_maps(cage);
     case Elements::patch: return face_patch_maps(cage);
     case Elements::vertex_patch: return vertex_patch_maps(cage);
     case Elements::edge: return edge_maps(cage);

@@ -138,7 +138,8 @@ ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage
   state.set_pose(pose);
   const Rows rows = state.rows();
   std::optional<Stitching> stitching;
-  if (scheme.stitched()) stitching = stitch(model, *cage, scheme.weighting.elements, pool);
+  if (scheme.stitched())
+    stitching = stitch(model, *cage, scheme.weighting.elements, pool, settings_of(scheme.holding));
   const Weigher weigher(*cage, scheme.weighting);
   Binding whole;
   const bool on_surface = entry(scheme.weighting.weights).on_surface;

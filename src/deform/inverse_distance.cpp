@@ -48,7 +48,8 @@ void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<
 HandleShape handle_shape(const Cage& cage, Handles handles, std::size_t handle) {
   const auto h = static_cast<std::uint32_t>(handle);
   switch (handles) {
-    case Handles::faces: return {cage.surface.triangles[h], !cage.degenerate[h]};
+    case Handles::faces:
+    case Handles::polygon_faces: return {cage.surface.triangles[h], !cage.degenerate[h]};
     case Handles::edges: {
       const auto& [a, b] = cage.edges[h];
       return {{a, b, b}, cage.surface.positions[a] != cage.surface.positions[b]};

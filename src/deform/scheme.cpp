@@ -17,6 +17,13 @@ constexpr std::array elements_table = {
                   Handles::faces,
                   true,
                   "similarities"},
+    ElementsEntry{{"polygon", "Polygons",
+                   "an affine map per polygon of the cage, the mean of its corners': quads are taken alike "
+                   "however they are cut"},
+                  Elements::polygon,
+                  Handles::polygon_faces,
+                  true,
+                  "similarities"},
     ElementsEntry{{"patch", "Patches", "an affine map per cage triangle, fitted to it and its neighbours"},
                   Elements::patch,
                   Handles::faces,
@@ -148,7 +155,7 @@ constexpr std::array rules = {
          },
          "mean values belong to vertices of the cage, and these elements are its faces or edges"},
     Rule{[](const ElementsEntry& e, const WeightsEntry& w, const BlendEntry&) {
-           return w.value == Weights::integrated && e.handles != Handles::faces;
+           return w.value == Weights::integrated && !of_triangles(e.handles);
          },
          "integrals over faces are weights of faces, and these elements are edges or vertices of the cage"},
     Rule{[](const ElementsEntry& e, const WeightsEntry&, const BlendEntry& b) {
@@ -220,7 +227,8 @@ std::string_view reason(const PartialChoice& choice) {
 
 std::string_view name(Handles handles) {
   switch (handles) {
-    case Handles::faces: return "faces";
+    case Handles::faces:
+    case Handles::polygon_faces: return "faces";
     case Handles::edges: return "edges";
     case Handles::vertices: break;
   }
@@ -344,6 +352,7 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   scheme.weighting.weights = best->weighting.weights;
   scheme.amounts = preferred.amounts;
   scheme.iterations = preferred.iterations;
+  scheme.holding = preferred.holding;
   if (conflict(scheme)) scheme.iterations = 0;
   return scheme;
 }
@@ -372,6 +381,11 @@ std::optional<double> amount_from_percent(double percent) {
 
 std::optional<double> radius_from_percent(double percent) {
   if (!(percent >= 100 * least_radius && percent <= 100 * largest_radius)) return std::nullopt;
+  return percent / 100;
+}
+
+std::optional<double> share_from_percent(double percent) {
+  if (!(percent >= 0 && percent <= 100)) return std::nullopt;
   return percent / 100;
 }
 

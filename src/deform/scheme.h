@@ -15,7 +15,7 @@ namespace viete::deform {
 // Saved bindings hold numbers of these: new ones come last.
 
 /// Which map each handle of the cage carries, and what the handles are.
-enum class Elements { face, point, patch, vertex_patch, edge, vertex, vertex_face };
+enum class Elements { face, point, patch, vertex_patch, edge, vertex, vertex_face, polygon };
 
 /// How much of each handle a vertex takes.
 /// (Smooth weights with bounds, as bounded biharmonic ones, take a solver of quadratic programs with bounds
@@ -25,8 +25,13 @@ enum class Weights { inverse, mean_value, integrated, harmonic, biharmonic, cut_
 /// What of the maps is summed, and how the sums become a position.
 enum class Blend { srl, linear, slrl, sql, log3, sse, log4, mls_affine, mls_similarity, mls_rigid };
 
-/// What of the cage handles are.
-enum class Handles { faces, edges, vertices };
+/// What of the cage handles are: its triangles, each about its own centre or about that of its polygon, which
+/// all triangles of this share; edges; or vertices.
+enum class Handles { faces, polygon_faces, edges, vertices };
+/// True if they are triangles.
+constexpr bool of_triangles(Handles handles) {
+  return handles == Handles::faces || handles == Handles::polygon_faces;
+}
 std::string_view name(Handles handles);
 
 /// Who forms the sums: the links of the chain one by one, in double, or in one pass over the weights, in
@@ -159,6 +164,15 @@ struct Amounts {
 };
 inline constexpr double largest_amount = 2;
 
+/// What holds a stitched model beside the triangles nearest to the cage's handles: see StitchingSettings.
+struct Holding {
+  double radius = 0;  ///< in diagonals of the cage, 0 to largest_pin_radius
+  double weight = 0;  ///< of every vertex's blended place, 0 to 1
+
+  friend bool operator==(const Holding&, const Holding&) = default;
+};
+inline constexpr double largest_pin_radius = 1;
+
 /// The default of members is the published way; that of the program is default_scheme().
 struct Scheme {
   Weighting weighting;
@@ -166,13 +180,14 @@ struct Scheme {
   Amounts amounts{};  ///< of maps that turn and stretch; others leave it unused
   /// How often a stitched model is solved for, see Stitcher; 0: it is not stitched.
   int iterations = 0;
+  Holding holding{};  ///< of stitched models
 
   bool stitched() const { return iterations > 0; }
   /// A frame takes an exponential a vertex.
   bool exponential() const { return entry(weighting.elements).affine && entry(blend).exponential; }
   friend bool operator==(const Scheme& a, const Scheme& b) {
     return a.weighting.elements == b.weighting.elements && a.weighting == b.weighting && a.blend == b.blend &&
-           a.amounts == b.amounts && a.iterations == b.iterations;
+           a.amounts == b.amounts && a.iterations == b.iterations && a.holding == b.holding;
   }
 };
 
@@ -231,6 +246,8 @@ std::string text_of_reach(double reach);
 std::optional<double> amount_from_percent(double percent);
 /// Percent of the cage's diagonal, as a fraction; nothing if it is no radius.
 std::optional<double> radius_from_percent(double percent);
+/// Percent, 0 to 100, as a fraction: of the cage's diagonal, of a Holding, or of a whole.
+std::optional<double> share_from_percent(double percent);
 /// A number from lowest_reach on, or "all".
 std::optional<double> reach_from_text(std::string_view text);
 

@@ -108,6 +108,7 @@ public:
     SparseMatrix matrix = stiffness_matrix(model_.positions, model_.triangles);
     add_diagonal(matrix);
     Stitching s{entry(elements_).handles,
+                settings_,
                 {},
                 {},
                 {},
@@ -249,6 +250,10 @@ std::size_t stitching_bytes(std::size_t vertices) {
   // factors by n log n; gradients, loads and stretches of two triangles a vertex; lists; right sides
   const auto n = static_cast<double>(vertices);
   return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 48 + 72 + 48) + 28 + 80));
+}
+
+StitchingSettings settings_of(const Holding& holding) {
+  return {.radius = holding.radius, .translation = holding.weight};
 }
 
 Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements, base::WorkerPool& pool,

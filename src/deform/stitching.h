@@ -22,7 +22,10 @@ struct StitchingSettings {
   double radius = 0;       ///< in diagonals of the cage: vertices so near to a handle are pinned too
   double exponent = 2;     ///< by pin ((radius - distance) / radius)^exponent
   double translation = 0;  ///< of every vertex, to its blended position
+
+  friend bool operator==(const StitchingSettings&, const StitchingSettings&) = default;
 };
+StitchingSettings settings_of(const Holding& holding);
 
 /// What of stitching does not change with the pose. With M_t = R_t S_t the blended map of triangle t,
 /// positions x' minimise
@@ -49,7 +52,8 @@ struct Stitching {
     double weight;
   };
 
-  Handles handles;                        ///< of the cage, which the pins name
+  Handles handles;  ///< of the cage, which the pins name
+  StitchingSettings settings;
   std::vector<std::uint32_t> order;       ///< all vertices, neighbours near each other
   std::vector<mesh::Triangle> triangles;  ///< that count, in the order of their vertices
   /// g of their first two corners; the third is what these lack to 0.

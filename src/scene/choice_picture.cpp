@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 #include <set>
+#include <span>
 
 #include "deform/element_maps.h"
 #include "deform/exact.h"
@@ -51,11 +52,12 @@ void add(ChoicePicture& picture, Shapes shapes) {
 
 constexpr double bar_end = 3.2, bar_side = 0.9, bend = 100 * degree, widening = 1.5;
 
-Example bent_bar() {
+// In a cage of quads, or cut into triangles.
+Example bent_bar(bool cut) {
   const mesh::Surface cage = lattice_surface(
       {even(-bar_end, bar_end, 3), even(-bar_side, bar_side, 1), even(-bar_side, bar_side, 1)});
   Example e = example(lattice_surface({even(-3, 3, 24), even(-0.6, 0.6, 5), even(-0.6, 0.6, 5)}),
-                      mesh::from_triangles(cage.positions, cage.triangles));
+                      cut ? mesh::from_triangles(cage.positions, cage.triangles) : cage);
   const double length = 2 * bar_end, radius = length / bend;
   for (Point& p : e.pose.positions) {
     const double angle = bend * p[0] / length;
@@ -121,7 +123,9 @@ std::vector<PictureShape> spots(const PictureView& view, const Example& e,
   std::vector<PictureShape> shapes;
   const mesh::Surface& cage = e.cage->surface;
   for (const std::size_t p : facing(view, cage, e.cage->surface.positions)) {
-    const auto& corners = cage.triangles[p];
+    const auto corners =
+        std::span(cage.corners)
+            .subspan(cage.polygon_starts[p], cage.polygon_starts[p + 1] - cage.polygon_starts[p]);
     if (std::ranges::all_of(corners, [&](auto v) { return vertices.contains(v); }))
       shapes.push_back(area(view, Ink::spot, cage, p, e.pose.positions));
   }
@@ -195,7 +199,7 @@ Example twisted_bar() {
 }  // namespace
 
 ChoicePicture choice_picture(deform::Elements elements) {
-  const Example e = bent_bar();
+  const Example e = bent_bar(elements != deform::Elements::polygon);
   const PictureView view({}, {e.pose.positions, choice_picture_size, 16});
   const std::uint32_t element = spoken_of(e, elements);
   ChoicePicture picture{{},

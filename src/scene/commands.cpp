@@ -290,7 +290,7 @@ const std::vector<Command>& table() {
       method_command<M::diag>("method_diag", '1'), method_command<M::sd>("method_sd", '2'),
       method_command<M::improved_sd>("method_improved_sd", '3'), method_command<M::fast>("method_fast", '4'),
 
-      choice_command<E::face>(), choice_command<E::patch>(), choice_command<E::edge>(), choice_command<E::vertex>(),
+      choice_command<E::face>(), choice_command<E::polygon>(), choice_command<E::patch>(), choice_command<E::edge>(), choice_command<E::vertex>(),
       choice_command<E::vertex_face>(), choice_command<E::vertex_patch>(), choice_command<E::point>(),
       choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::cut_off>(), choice_command<W::harmonic>(), choice_command<W::biharmonic>(),
       choice_command<W::mean_value>(),

@@ -17,6 +17,7 @@ constexpr const char* change_reach = "change reach";
 constexpr const char* change_radius = "change radius";
 constexpr const char* change_exponent = "change exponent";
 constexpr const char* change_amounts = "change how much turns and stretches";
+constexpr const char* change_holding = "change what holds the model";
 constexpr const char* change_iterations = "change stitching";
 
 void restore(Document& document, Snapshot&& snapshot) {
@@ -45,7 +46,7 @@ void put_scheme(Document& document, const deform::Scheme& scheme) {
   const deform::Scheme old = std::exchange(document.scheme, scheme);
   if (old.weighting != scheme.weighting) ++document.revisions.weights;
   if (old.blend != scheme.blend || old.weighting.elements != scheme.weighting.elements ||
-      old.amounts != scheme.amounts || old.iterations != scheme.iterations)
+      old.amounts != scheme.amounts || old.iterations != scheme.iterations || old.holding != scheme.holding)
     ++document.revisions.method;
 }
 
@@ -131,6 +132,12 @@ void set_iterations(Document& document, int iterations) {
   if (document.scheme.iterations != iterations) slide_scheme(document, scheme, change_iterations);
 }
 
+void set_holding(Document& document, const deform::Holding& holding) {
+  deform::Scheme scheme = document.scheme;
+  scheme.holding = holding;
+  if (document.scheme.holding != holding) slide_scheme(document, scheme, change_holding);
+}
+
 void step_reach(Document& document, int step) {
   const auto all = usual_reaches();
   const double now = document.scheme.weighting.reach;
@@ -142,8 +149,8 @@ void step_reach(Document& document, int step) {
 void give_up_scheme(Document& document, const deform::Scheme& instead) {
   History& history = document.history;
   const auto label = history.undo_label();
-  static constexpr std::array asks_for_a_binding = {change_reach, change_radius, change_exponent,
-                                                    change_blending, change_iterations};
+  static constexpr std::array asks_for_a_binding = {change_reach,    change_radius,     change_exponent,
+                                                    change_blending, change_iterations, change_holding};
   const bool chosen_last =
       std::ranges::any_of(asks_for_a_binding, [&](const char* asking) { return label == asking; });
   if (chosen_last && !history.can_redo()) {

@@ -40,6 +40,8 @@ void step_reach(Document& document, int step);
 /// How often a stitched model is solved for, 1 to deform::most_iterations, or 0: not stitched. Undoable;
 /// numbers that are chosen one after the other are one edit. Requires elements that turn and stretch, or 0.
 void set_iterations(Document& document, int iterations);
+/// What holds a stitched model. Undoable; the same.
+void set_holding(Document& document, const deform::Holding& holding);
 /// Of a document that was just opened: no edit.
 void put_scheme(Document& document, const deform::Scheme& scheme);
 /// They are not to be had: the last one that was chosen counts as never chosen, or these are put in its

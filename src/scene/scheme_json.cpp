@@ -46,6 +46,12 @@ double amount_of(const JsonReader& json) {
   return *amount;
 }
 
+double share_of(const JsonReader& json) {
+  const auto share = deform::share_from_percent(json.number());
+  if (!share) json.fail("it must be 0 to 100 percent");
+  return *share;
+}
+
 int iterations_of(const JsonReader& json, deform::Scheme scheme) {
   const std::uint32_t number = json.index();
   if (number < 1 || number > deform::most_iterations)
@@ -65,7 +71,7 @@ deform::Weighting usual(const deform::Weighting& w) {
 bool is_plain(const deform::Scheme& scheme) {
   const deform::Weighting& weighting = scheme.weighting;
   return !deform::shorthand(scheme).empty() && scheme.amounts.whole() && !scheme.stitched() &&
-         weighting.same_numbers(usual(weighting));
+         scheme.holding == deform::Holding{} && weighting.same_numbers(usual(weighting));
 }
 
 ordered_json scheme_json(const deform::Scheme& scheme) {
@@ -86,6 +92,8 @@ ordered_json scheme_json(const deform::Scheme& scheme) {
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
   if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
   if (scheme.stitched()) json["stitched"] = scheme.iterations;
+  if (scheme.holding.radius > 0) json["pins"] = percent(scheme.holding.radius);
+  if (scheme.holding.weight > 0) json["hold"] = percent(scheme.holding.weight);
   return json;
 }
 
@@ -155,6 +163,8 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
   take_part(
       json, "stitched", result.iterations, [&](const auto& v) { return iterations_of(v, result); },
       "not stitched instead", warnings);
+  take_part(json, "pins", result.holding.radius, share_of, "0 instead", warnings);
+  take_part(json, "hold", result.holding.weight, share_of, "0 instead", warnings);
   return result;
 }
 

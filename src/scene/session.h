@@ -29,6 +29,8 @@ struct MaskRun {
 ///   "elements", "weights", "blend"   names of deform/scheme.h; missing: what fits the others
 ///   "coordinates"         "face" or "mvc", short for three that go together; those count where both stand
 ///   "turn", "stretch"     how much of maps' rotations and stretches acts, percent, 0 to 200; missing: 100
+///   "stitched"            how often a stitched model is solved for, 1 to 20; missing: it is not stitched
+///   "pins", "hold"        of stitched models, percent, 0 to 100, see deform::Holding; missing: 0
 ///   "reach"               of weights that have one, 1.5 or more; missing: the whole cage
 ///   "radius", "exponent"  of weights that have them, percent of the cage's diagonal (missing: 25) and 1 to 8
 ///                         (missing: 2)

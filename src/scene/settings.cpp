@@ -36,6 +36,11 @@ void put_settings(Document& document, const AskedSettings& asked, bool chosen) {
   scheme.amounts.turn = asked.turn.value_or(scheme.amounts.turn);
   scheme.amounts.stretch = asked.stretch.value_or(scheme.amounts.stretch);
   if (asked.iterations) scheme.iterations = *asked.iterations;
+  scheme.holding.radius = asked.pins.value_or(scheme.holding.radius);
+  scheme.holding.weight = asked.hold.value_or(scheme.holding.weight);
+  if ((asked.pins || asked.hold) && !scheme.stitched())
+    throw base::Error(asked.pins ? "--pins" : "--hold", "only stitched models are held",
+                      "leave it out, or add --stitched");
   if (const auto reason = deform::conflict(scheme))
     throw base::Error("--stitched", std::string(*reason), "leave it out, or choose other elements");
   if (asked.method) document.method = *asked.method;

@@ -14,9 +14,10 @@ struct AskedSettings {
   deform::AskedWeighting weighting{};
   std::optional<double> turn{}, stretch{};  ///< of deform::Amounts
   std::optional<int> iterations{};          ///< of stitching
+  std::optional<double> pins{}, hold{};     ///< of deform::Holding
 
   bool any() const {
-    return method || weighting.any() || turn || stretch || iterations || choice.elements || choice.weights ||
+    return method || weighting.any() || turn || stretch || iterations || pins || hold || choice.elements || choice.weights ||
            choice.blend;
   }
 };

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "scene/binding_plan.h"
@@ -179,6 +180,30 @@ void amount_sliders(const Context& ui) {
   if (turned || stretched) scene::set_amounts(document, amounts);
 }
 
+void holding(const Context& ui) {
+  constexpr std::array radii = {0.0, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2};
+  constexpr std::array weights = {0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
+  scene::Document& document = ui.workspace.document;
+  scene::Holding shown = document.scheme.holding;
+  const auto choose = [&](const char* name, const char* label, double& value, std::span<const double> all,
+                          const char* hint_text) {
+    const auto above = std::ranges::lower_bound(all, value);
+    int stop = static_cast<int>(std::min(above, all.end() - 1) - all.begin());
+    const bool moved = stops(ui, name, label, stop, static_cast<int>(all.size()) - 1, true,
+                             scene::text_of_percent(value), hint_text);
+    if (moved) value = all[static_cast<std::size_t>(stop)];
+    return moved;
+  };
+  const bool pins =
+      choose("pins", "Pins", shown.radius, radii,
+             "Vertices so near to an element of the cage follow it, the nearer the more, in percent "
+             "of the cage's diagonal. 0 %: only the triangle that is nearest to each.");
+  const bool held =
+      choose("hold", "Hold", shown.weight, weights,
+             "How firmly every vertex is held where it would be if the model was not stitched.");
+  if (pins || held) scene::set_holding(document, shown);
+}
+
 void stitching(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   const scene::Condition& condition = scene::find_command("toggle_stitched")->enabled;
@@ -203,6 +228,7 @@ void stitching(const Context& ui) {
       "How often the model is solved for in each frame. From the second time on, rotations of its triangles "
       "are "
       "fitted to what was solved before: bends spread out more evenly.");
+  holding(ui);
 }
 
 }  // namespace

@@ -21,18 +21,30 @@ std::vector<Elements> all_affine() {
 }
 
 // A cube of six quads, cut along other diagonals where `turned`.
-mesh::Surface quad_box(bool turned) {
+using Polygons = std::vector<std::vector<std::uint32_t>>;
+
+mesh::Surface of_polygons(std::vector<mesh::Point> positions, const Polygons& polygons) {
   mesh::Surface s;
-  for (int i = 0; i < 8; ++i) s.positions.push_back({1.0 * (i & 1), 1.1 * (i >> 1 & 1), 1.2 * (i >> 2)});
-  const std::uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                     {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  s.positions = std::move(positions);
   s.polygon_starts.push_back(0);
-  for (const auto& q : quads) {
-    for (int i = 0; i < 4; ++i) s.corners.push_back(q[(i + turned) % 4]);
+  for (const auto& polygon : polygons) {
+    s.corners.insert(s.corners.end(), polygon.begin(), polygon.end());
     s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
   }
   fan_triangulate(s);
   return s;
+}
+
+std::vector<mesh::Point> box_corners() {
+  std::vector<mesh::Point> positions;
+  for (int i = 0; i < 8; ++i) positions.push_back({1.0 * (i & 1), 1.1 * (i >> 1 & 1), 1.2 * (i >> 2)});
+  return positions;
+}
+
+mesh::Surface quad_box(bool turned) {
+  Polygons quads = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (auto& quad : quads) std::ranges::rotate(quad, quad.begin() + turned);
+  return of_polygons(box_corners(), quads);
 }
 
 double difference(const AffineMap& a, const sym3::Mat3<double>& linear) {
@@ -112,7 +124,8 @@ TEST_CASE("quads_are_taken_alike_however_they_are_cut") {
   const Cage cage = make_cage(quad_box(false)), turned = make_cage(quad_box(true));
   auto posed = cage.surface.positions;
   posed[7] = posed[7] + Vec3{0.3, 0.1, -0.2};
-  for (const Elements e : {Elements::edge, Elements::vertex, Elements::vertex_face, Elements::vertex_patch}) {
+  for (const Elements e :
+       {Elements::edge, Elements::vertex, Elements::vertex_face, Elements::vertex_patch, Elements::polygon}) {
     CAPTURE(entry(e).name);
     CageState a(std::make_shared<const Cage>(cage), e, Blend::srl);
     CageState b(std::make_shared<const Cage>(turned), e, Blend::srl);
@@ -121,6 +134,39 @@ TEST_CASE("quads_are_taken_alike_however_they_are_cut") {
     for (std::size_t i = 0; i < a.rows().values.size(); ++i)
       CHECK(std::abs(a.rows().values[i] - b.rows().values[i]) < 1e-14);
   }
+}
+
+TEST_CASE("a_model_in_quads_moves_alike_however_they_are_cut") {
+  const auto model = tube(20, 12, 0.3, 1.5);
+  for (const Blend blend : {Blend::srl, Blend::log4, Blend::linear}) {
+    const Weighting weighting{Elements::polygon, Weights::integrated};
+    Bound a(model, quad_box(false), weighting, 2, blend), b(model, quad_box(true), weighting, 2, blend);
+    auto posed = a.cage->surface.positions;
+    for (std::size_t v = 0; v < posed.size(); ++v)
+      posed[v] =
+          posed[v] + Vec3{0.3 * std::sin(double(v)), 0.2 * std::cos(3.0 * double(v)), 0.1 * double(v % 3)};
+    const auto one = a.deform({posed, {}}), other = b.deform({posed, {}});
+    CHECK(largest_distance(one, other) < 1e-12);
+    CHECK(largest_distance(one, model.positions) > 0.1);
+  }
+  // Of triangles polygons are faces.
+  const auto cage = tube(9, 7, 0.5, 2);
+  Bound a(model, cage, {Elements::polygon, Weights::inverse}),
+      b(model, cage, {Elements::face, Weights::inverse});
+  const Twist twist{2, {0, 0, 0}, -1, 1, 0, 150 * degree};
+  CHECK(largest_distance(a.deform(a.pose(twist)), b.deform(b.pose(twist))) < 1e-13);
+}
+
+TEST_CASE("corners_in_the_middle_of_a_side_do_not_count") {
+  auto positions = box_corners();
+  positions.push_back({0, 0.55, 0});  // between 0 and 2
+  const auto surface = of_polygons(
+      positions, {{0, 8, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2, 8}, {1, 3, 7, 5}});
+  const Cage cage = make_cage(surface);
+  const auto maps = element_maps(cage, Elements::polygon);
+  for (std::size_t m = 0; m < maps->count(); ++m) CHECK(maps->graph().skipped[m] == 0);
+  Bound b(tube(20, 12, 0.3, 1.5), surface, {Elements::polygon, Weights::inverse});
+  CHECK(b.error(similarity({1, 2, 3}, 2, 1.5)) < 1e-13);
 }
 
 TEST_CASE("uniform_scaling_stretches_every_direction_alike") {

@@ -354,7 +354,8 @@ Maps corner_maps(const mesh::Surface& cage, Points posed, deform::Elements kind)
 
 Maps maps_of(const mesh::Surface& cage, Points posed, deform::Elements kind) {
   switch (kind) {
-    case deform::Elements::face: return face_maps(cage, posed);
+    case deform::Elements::face:
+    case deform::Elements::polygon: return face_maps(cage, posed);  // of triangles they are the same
     case deform::Elements::patch:
       return patch_maps(cage, posed, vertices_by_triangle(cage), triangles_by_edge(cage));
     case deform::Elements::point:

@@ -217,6 +217,9 @@ TEST_CASE("elements_weights_and_blend_are_chosen_apart_or_by_one_word") {
   CHECK(stitched != usual);
   CHECK(deformed(" --stitched --iterations 1") == stitched);
   CHECK(deformed(" --stitched --iterations 2") != stitched);
+  CHECK(deformed(" --stitched --pins 0 --hold 0") == stitched);
+  CHECK(deformed(" --stitched --pins 10") != stitched);
+  CHECK(deformed(" --stitched --hold 100") != stitched);
 
   const std::string scene = "deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
                             " -o " + quoted(scratch.path() / "x.ply");

@@ -150,8 +150,13 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK_FALSE(test::run_command(w, "toggle_stitched"));
   CHECK(test::run_command(w, "undo"));
   CHECK(w.document.scheme.iterations == 7);
+  // What holds it is one edit however it slides, and stays while it is not stitched.
+  const auto edits = test::edit_count(w.document.history);
+  for (const double radius : {0.01, 0.05, 0.1}) set_holding(w.document, {radius, 0});
+  CHECK(test::edit_count(w.document.history) == edits + 1);
   CHECK(test::run_command(w, "toggle_stitched"));
   CHECK_FALSE(w.document.scheme.stitched());
+  CHECK(w.document.scheme.holding.radius == 0.1);
 }
 
 TEST_CASE("a_stitching_that_is_not_to_be_had_leaves_no_trace_in_the_history") {

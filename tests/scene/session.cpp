@@ -164,6 +164,8 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
       {"stitched", "0", "a.viete: stitched: iterations must be 1 to 20; not stitched instead"},
       {"stitched", "21", "a.viete: stitched: iterations must be 1 to 20"},
       {"stitched", "true", "a.viete: stitched: found"},
+      {"pins", "101", "a.viete: pins: it must be 0 to 100 percent; 0 instead"},
+      {"hold", "-1", "a.viete: hold: it must be 0 to 100 percent; 0 instead"},
       {"reach", "-1e999", "a.viete: reach"},
       {"reach", "\"far\"", "a.viete: reach: found a text where a number belongs"},
       {"camera", "[]",
@@ -320,6 +322,16 @@ TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
     Workspace back;
     REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
     CHECK(back.document.scheme.iterations == iterations);
+  }
+  for (const int iterations : {0, 2}) {  // kept for when it is stitched again
+    Workspace w;
+    REQUIRE(test::load_model(w, files.model, files.cage));
+    w.document.scheme.iterations = iterations;
+    w.document.scheme.holding = {0.29, 0.07};
+    REQUIRE(save_session(w, files / "a.viete"));
+    CHECK(read_json(files / "a.viete")["pins"] == 29);
+    CHECK(read_json(files / "a.viete")["version"] == 2);
+    CHECK(read_session(files / "a.viete").scheme == w.document.scheme);
   }
   test::put_file(files / "a.viete", with("coordinates\": \"mvc\", \"stitched", "1"));
   const Session session = read_session(files / "a.viete");

@@ -18,7 +18,7 @@ _viete_value() {
       esac
       ;;
     --method) words='fast diag sd improved_sd' ;;
-    --elements) words='face patch edge vertex vertex-face vertex-patch point' ;;
+    --elements) words='face polygon patch edge vertex vertex-face vertex-patch point' ;;
     --weights) words='inverse integrated cutoff harmonic biharmonic mean-value' ;;
     --blend) words='srl sse slrl sql log3 log4 mls-affine mls-similarity mls-rigid linear' ;;
     --coordinates) words='face mvc' ;;
@@ -28,7 +28,7 @@ _viete_value() {
     --turn | --stretch) words='0 50 100 200' ;;
     --look) words='home front back left right top bottom' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
-    --scale | --frames | --iterations | --tolerance | --count | --faces | --rounds) ;;
+    --scale | --frames | --iterations | --pins | --hold | --tolerance | --count | --faces | --rounds) ;;
     *) return 1 ;;
   esac
   [[ -z $words ]] || COMPREPLY=($(compgen -W "$words" -- "$cur"))
@@ -38,14 +38,14 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --binding --scale --frames'
+      options+=' --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --binding --look --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations' ;;
+    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     bind) options+=' --output --force --elements --weights --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
     info) options+=' --cage' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;
@@ -54,7 +54,7 @@ _viete_options() {
     'bench sym3') options+=' --force --count --json' ;;
     'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
     'bench bind') options+=' --force --count --faces --rounds --json' ;;
-    'bench modes') options+=' --force --method --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --stitched --iterations --rounds --json' ;;
+    'bench modes') options+=' --force --method --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --stitched --iterations --pins --hold --rounds --json' ;;
     'bench stitched') options+=' --force --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))

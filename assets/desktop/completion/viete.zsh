@@ -9,7 +9,7 @@ local -a force=('--force[replace other files too]')
 local -a output=($force '(-o --output)'{-o+,--output=}'[file to write]:file:_files')
 local -a pose=("--pose=[posed cage]:pose:$mesh")
 local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_sd)')
-local -a weighting=('--elements=[which maps the cage carries]:elements:(face patch edge vertex vertex-face vertex-patch point)'
+local -a weighting=('--elements=[which maps the cage carries]:elements:(face polygon patch edge vertex vertex-face vertex-patch point)'
   '--weights=[how much of each map a vertex takes]:weights:(inverse integrated cutoff harmonic biharmonic mean-value)')
 local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql log3 log4 mls-affine mls-similarity mls-rigid linear)')
 local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
@@ -17,7 +17,8 @@ local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 
 local -a limits=('--radius=[where cut-off weights end, percent]:percent:(5 10 25 50)' '--exponent=[of distances]:exponent:(1 2 3 4)'
   '--clamp[weights are not below 0]' '--no-clamp[weights may be below 0]' '--normalise[weights always sum to 1]')
 local -a amounts=('--turn=[how much of rotations acts, percent]:percent:(0 50 100 200)' '--stretch=[how much of stretches acts, percent]:percent:(0 50 100 200)')
-local -a stitched=('--stitched[as rigid as possible]' '--iterations=[how often a stitched mesh is solved for]:iterations:(1 2 3 5)')
+local -a stitched=('--stitched[as rigid as possible]' '--iterations=[how often a stitched mesh is solved for]:iterations:(1 2 3 5)'
+  '--pins=[how near to the cage a stitched mesh is pinned]:percent:(0 5 10)' '--hold=[how firmly a stitched mesh is held]:percent:(0 5 20)')
 local -a tolerance=('--tolerance=[of compressed weights]:tolerance:')
 local -a binding=('--binding=[what viete bind has saved]:binding:_files')
 local -a scale=('--scale=[device pixels per logical pixel]:scale:')
