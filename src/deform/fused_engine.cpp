@@ -100,8 +100,10 @@ void FusedEngine::run(const CageState& state, sym3::Method) {
   prepare(state);
   place_vertices();
   times_[Link::fused] = watch.lap_ms() - times_[Link::skeleton];
-  move_by_probes();
-  times_[Link::probes] = watch.lap_ms();
+  if (layer_) {
+    move_by_probes();
+    times_[Link::probes] = watch.lap_ms();
+  }
   compute_normals();
   times_[Link::normals] = watch.lap_ms();
 }
@@ -168,8 +170,10 @@ void FusedEngine::show(std::span<const Vec3> positions) {
   });
   drag_.placed = false;
   times_[Link::normals] = watch.lap_ms();
-  move_by_probes();
-  times_[Link::probes] = watch.lap_ms();
+  if (layer_) {
+    move_by_probes();
+    times_[Link::probes] = watch.lap_ms();
+  }
   compute_normals();
   times_[Link::normals] += watch.lap_ms();
 }
@@ -397,7 +401,6 @@ void FusedEngine::place_vertices() {
 }
 
 void FusedEngine::move_by_probes() {
-  if (!layer_) return;
   const TiledBinding& b = *binding_;
   const auto first = [&](std::size_t leaf) {
     return positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]);

@@ -332,7 +332,7 @@ TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
     fast.set_probes({});
     fast.deform(pose, Method::fast);
     CHECK(largest_distance(fast.positions(), without) / diagonal < tolerance);
-    CHECK(fast.times()[Link::probes] < 0.05);
+    CHECK(fast.times()[Link::probes] == 0);
     CHECK(fast.probes().places().empty());
   }
 }
