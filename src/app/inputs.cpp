@@ -82,9 +82,11 @@ scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
   scene::Opened opened = scene::open_files(inputs.request(), {});
   check(opened);
   const scene::Document& document = *opened.document;
-  if ((inputs.use == Use::file && !document.is_movable()) ||
-      (inputs.use == Use::binding && !document.has_cage()))
+  const bool movable = inputs.use == Use::file ? document.is_movable() : document.has_cage();
+  if ((inputs.use == Use::file || inputs.use == Use::binding) && !movable) {
+    print_notes(opened.warnings);
     throw base::Error(inputs.model.string(), "the session has no cage", "open it and add one");
+  }
   return opened;
 }
 

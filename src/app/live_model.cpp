@@ -16,7 +16,8 @@ bool LiveModel::follow(scene::Workspace& workspace) {
   if (new_surfaces) follow_surfaces(workspace);
   if (new_surfaces || new_weights) follow_weights(document);
   // The first probe of a model without a cage: until then nothing can move it.
-  if (!deformer_ && !binder_.running() && !given_up_ && !document.has_cage() && document.is_movable())
+  if (!deformer_ && !binder_.running() && given_up_ != now.pose && !document.has_cage() &&
+      document.is_movable())
     start_binding(document);
   // Other elements or another blend sum other rows over the same weights.
   const deform::Scheme scheme = scheme_of(document);
@@ -63,7 +64,7 @@ void LiveModel::follow_surfaces(scene::Workspace& workspace) {
   deformer_.reset();
   bound_ = {};
   no_cage_.reset();
-  given_up_ = false;
+  given_up_.reset();
   workspace.pose_notes.clear();
   if (Bound bound = files_.take_bound(); bound.binds(workspace.document))
     install(workspace, std::move(bound));
@@ -113,7 +114,7 @@ void LiveModel::make_deformer(const deform::Scheme& scheme) {
 void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity) {
   binder_.cancel();
   scene::Document& document = workspace.document;
-  given_up_ = !deformer_;
+  if (!deformer_) given_up_ = document.revisions.pose;  // the next change of a probe begins anew
   if (deformer_ && document.has_cage()) {
     deform::Scheme served = deformer_->scheme();
     if (!bound_.stitches(served)) served.iterations = 0;

@@ -71,7 +71,7 @@ private:
   base::BackgroundJob<Bound> binder_;
   std::string binding_text_;
   std::shared_ptr<const deform::Cage> no_cage_;  // where there is none; null until it is asked for
-  Bound bound_;  // what the deformer is made of; nothing while there is none
+  Bound bound_;                                  // what the deformer is made of; nothing while there is none
   std::unique_ptr<deform::Deformer> deformer_;
 
   // What was derived last; nothing: it is to be derived anew.
@@ -82,7 +82,7 @@ private:
   };
   std::optional<Derived> derived_;
   unsigned long frames_ = 0;
-  bool given_up_ = false;  // to prepare a model without a cage
+  std::optional<scene::Revision> given_up_;  // pose at which preparing a model without a cage was stopped
   bool unprepared_ = false, prepared_ = false, dragging_ = false;
 };
 

@@ -16,6 +16,7 @@ scene::Document without_history(const scene::Document& document) {
   copy.cage_file = document.cage_file;
   copy.cage = document.cage;
   copy.mask = document.mask;
+  copy.probes = document.probes;
   copy.method = document.method;
   copy.scheme = document.scheme;
   return copy;

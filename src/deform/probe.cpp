@@ -25,15 +25,21 @@ constexpr FalloffEntry falloffs[] = {
 };
 
 constexpr ProbeMixEntry mixes[] = {
-    {{"partial", "As far as they reach",
-      "Where the weights of several probes sum to more than one they are divided by their sum; what is "
-      "missing to "
-      "one stays with what moves the model otherwise"},
+    {{"added", "Added",
+      "Each adds what it does: one that was not moved changes nothing, and two that move together move twice "
+      "as far"},
+     ProbeMix::added},
+    {{"partial", "Divided",
+      "Where the weights of several probes sum to more than one they are divided by their sum: two that move "
+      "together move once"},
      ProbeMix::partial},
     {{"whole", "Whole",
-      "Weights always sum to one where any probe reaches: what a probe that was not moved holds stays"},
+      "Weights sum to one where any probe reaches, and end at once where none does: one that was not moved "
+      "holds what is near it"},
      ProbeMix::whole},
-    {{"softmax", "Nearest", "The softmax of the weights: the probe that is nearest has nearly all of it"},
+    {{"softmax", "Nearest",
+      "The softmax of the weights, which end at once where no probe reaches: the one that is nearest has "
+      "nearly all of it"},
      ProbeMix::softmax},
 };
 
@@ -66,7 +72,7 @@ double weight_at(Falloff falloff, double t) {
   const double left = std::max(0.0, 1 - t);
   switch (falloff) {
     case Falloff::smooth: return left * left * (1 + 2 * std::min(t, 1.0));
-    case Falloff::round: return std::sqrt(left * (1 + t));
+    case Falloff::round: return std::sqrt(left * (1 + std::min(t, 1.0)));
     case Falloff::linear: return left;
     case Falloff::sharp: return left * left;
     case Falloff::even: return left > 0 ? 1 : 0;
@@ -122,7 +128,7 @@ void probe_weights(const Probes& probes, const mesh::Point& point, std::span<Pro
     if (probes.mix == ProbeMix::softmax) {
       for (auto& w : weights) w.*part = std::expm1(softmax_sharpness * w.*part);
     }
-    share_out(weights, part, probes.mix != ProbeMix::partial);
+    if (probes.mix != ProbeMix::added) share_out(weights, part, probes.mix != ProbeMix::partial);
   }
   for (auto& w : weights) w.pivot = std::max(w.turn, w.stretch);
   share_out(weights, &ProbeWeights::pivot, true);

@@ -16,7 +16,7 @@ namespace viete::deform {
 enum class Falloff { smooth, round, linear, sharp, even, endless, none };
 
 /// How several probes share a vertex.
-enum class ProbeMix { partial, whole, softmax };
+enum class ProbeMix { added, partial, whole, softmax };
 
 struct FalloffEntry : ChoiceEntry {
   Falloff value;
@@ -70,7 +70,7 @@ struct Probe {
 
 struct Probes {
   std::vector<Probe> all;
-  ProbeMix mix = ProbeMix::partial;
+  ProbeMix mix = ProbeMix::added;
 
   bool empty() const { return all.empty(); }
   friend bool operator==(const Probes&, const Probes&) = default;
@@ -83,9 +83,10 @@ struct ProbeWeights {
 };
 
 /// Of all probes at a point, at rest. Turn, stretch and move are mixed each by itself: with `partial` they
-/// are divided by their sum where that is above 1; with `whole` wherever it is above 0; with `softmax` they
-/// are e^(b w) - 1, b = softmax_sharpness, over the sum of these, so that the nearest probe has nearly all.
-/// Pivots are the larger one of turn and stretch, over their sum. weights.size() == probes.all.size().
+/// are divided by their sum where that is above 1; with `added` they stay as they are; with `whole` wherever
+/// it is above 0; with `softmax` they are e^(b w) - 1, b = softmax_sharpness, over the sum of these, so that
+/// the nearest probe has nearly all. Pivots are the larger one of turn and stretch, over their sum.
+/// weights.size() == probes.all.size().
 inline constexpr double softmax_sharpness = 8;
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
 

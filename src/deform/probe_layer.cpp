@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "deform/linear_map.h"
 
@@ -32,34 +33,46 @@ void add(sym3::Sym3<double>& sum, double w, const sym3::Sym3<double>& x) {
 }  // namespace
 
 void ProbeLayer::set(const Probes& probes, const Mask& mask) {
-  const bool same = same_weights(probes_, probes);
+  std::vector<bool> posed;
+  for (const Probe& p : probes.all) posed.push_back(p.pose != ProbePose{});
+  const bool same = same_weights(probes_, probes) && posed_ == posed;
   if (!same || mask_ != mask) ++revision_;
   mask_ = mask;
   probes_ = probes;
-  moves_ = std::ranges::any_of(probes_.all, [](const Probe& p) { return p.pose != ProbePose{}; });
+  posed_ = std::move(posed);
+  moves_ = std::ranges::find(posed_, true) != posed_.end();
   if (same) return;
   weigh();
   find_anchors();
 }
 
 void ProbeLayer::weigh() {
+  const std::size_t count = probes_.all.size();
+  at_places_.resize(count * count);
+  for (std::size_t i = 0; i < count; ++i)
+    probe_weights(probes_, probes_.all[i].place, std::span(at_places_).subspan(i * count, count));
   blocks_.assign((rest_.size() + weighed_at_once - 1) / weighed_at_once, {});
   pool_.for_blocks(rest_.size(), weighed_at_once, [&](std::size_t begin, std::size_t end) {
     weigh(begin, end, blocks_[begin / weighed_at_once]);
   });
 }
 
+// Many probes at rest, each of which reaches far, take no memory.
 void ProbeLayer::weigh(std::size_t begin, std::size_t end, Block& block) const {
   std::vector<ProbeWeights> weights(probes_.all.size());
+  bool moves = false;
   block.starts.push_back(0);
   for (std::size_t v = begin; v < end; ++v) {
     probe_weights(probes_, rest_[v], weights);
     for (std::uint32_t i = 0; i < weights.size(); ++i) {
       const ProbeWeights& w = weights[i];
-      if (w.turn > 0 || w.stretch > 0 || w.move > 0) block.shares.push_back({i, w});
+      if (!(w.turn > 0 || w.stretch > 0 || w.move > 0)) continue;
+      block.shares.push_back({i, w});
+      moves |= posed_[i];
     }
     block.starts.push_back(static_cast<std::uint32_t>(block.shares.size()));
   }
+  if (!moves) block = {std::vector<std::uint32_t>(end - begin + 1, 0), {}};
 }
 
 void ProbeLayer::find_anchors() {
@@ -86,8 +99,23 @@ void ProbeLayer::carry(std::span<const Vec3> anchors, const Vec3& origin) {
 }
 
 std::vector<mesh::Point> ProbeLayer::places() const {
+  const std::size_t count = places_.size();
   std::vector<mesh::Point> places;
-  for (const Vec3& place : places_) places.push_back(origin_ + place);
+  for (std::size_t i = 0; i < count; ++i) {
+    ProbePose sum;
+    Vec3 pivot{0, 0, 0};
+    for (std::size_t j = 0; j < count; ++j) {
+      const ProbeWeights& w = at_places_[i * count + j];
+      pivot = pivot + w.pivot * places_[j];
+      if (j == i) continue;
+      const ProbePose& pose = probes_.all[j].pose;
+      add(sum.stretch, w.stretch, pose.stretch);
+      sum.turn = sum.turn + w.turn * pose.turn;
+      sum.move = sum.move + w.move * pose.move;
+    }
+    const Vec3 from = places_[i] - pivot;
+    places.push_back(origin_ + (places_[i] + (times(linear_part(sum), from) - from) + sum.move));
+  }
   return places;
 }
 

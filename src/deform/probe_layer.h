@@ -28,15 +28,15 @@ public:
   /// rest must outlive it, and not be empty.
   ProbeLayer(std::span<const mesh::Point> rest, base::WorkerPool& pool) : rest_(rest), pool_(pool) {}
 
-  /// Of the next frames. O(n) where weights are others than before, else O(1). A mask of one share a vertex,
-  /// or null.
+  /// Of the next frames. O(n) where weights are others than before, or others of the probes are at rest, else
+  /// O(1). A mask of one share a vertex, or null.
   void set(const Probes& probes, const Mask& mask);
   const Probes& probes() const { return probes_; }
   /// True if some probe is not at rest.
   bool moves() const { return moves_; }
   /// Grows when weights or the mask change.
   unsigned long revision() const { return revision_; }
-  /// Of the probes that reach a vertex, in their order.
+  /// Of the probes that reach a vertex, in their order; none where all near it are at rest.
   struct Share {
     std::uint32_t probe;
     ProbeWeights weights;
@@ -54,9 +54,10 @@ public:
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
   /// Both, of all vertices, over the pool; positions are relative to nothing.
   void move_all(std::span<Vec3> positions, sym3::Method method);
-  /// Where the probes' places have been brought to, by the last carry(); relative to nothing.
+  /// Where the probes' places are on the model as it is drawn, but for what each does itself: by the last
+  /// carry(), and by the other probes. Relative to nothing.
   std::vector<mesh::Point> places() const;
-  /// The same, relative to its origin.
+  /// By the last carry() alone, relative to its origin.
   std::span<const Vec3> carried() const { return places_; }
 
 private:
@@ -74,7 +75,9 @@ private:
   Mask mask_;
   bool moves_ = false;
   unsigned long revision_ = 0;
+  std::vector<bool> posed_;
   std::vector<Block> blocks_;
+  std::vector<ProbeWeights> at_places_;  // [place][probe]
   std::vector<std::uint32_t> anchors_;
   std::vector<Vec3> from_anchors_, places_;
   Vec3 origin_{0, 0, 0};

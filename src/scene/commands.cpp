@@ -47,6 +47,9 @@ constexpr Condition has_probes_selected{
       return w.document.selection.kind() == ElementKind::probe && !w.document.selection.empty() && !w.interaction.drag;
     },
     "Select a probe first."};
+constexpr Condition has_free_probes_selected{
+    [](const Workspace& w) { return has_free_probes(w.document) && !w.interaction.drag; },
+    "Select a probe that is not locked first."};
 constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
                              "Nothing is painted: all of the model follows the cage."};
 constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
@@ -176,6 +179,7 @@ void add_probe_in_view(Workspace& w) {
   add_probe(w.document, w.posed,
             at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
   w.interaction.hovered.reset();
+  w.view.cage = true;  // with which probes are shown
 }
 
 bool all_locked(const Workspace& w) {
@@ -281,9 +285,9 @@ const std::vector<Command>& table() {
       {"mirror_probe", "Mirror", "Place copies of the selected probes on the other side of the model, across the axis in which it is most symmetric.", "Probes",
        {key('P'), false, true}, {}, has_probes_selected, [](Workspace& w) { mirror_probes(w.document, symmetry_axis(w.document)); }},
       {"remove_probe", "Remove", "Take the selected probes away, but for locked ones.", "Probes", {Key::delete_key, false, true}, {},
-       has_probes_selected, [](Workspace& w) { remove_probes(w.document); }},
-      {"replace_probe", "Rest here", "Where the selected probes are now is their place at rest, from which they move the model.",
-       "Probes", {}, {}, has_probes_selected, [](Workspace& w) { replace_probes(w.document); }},
+       has_free_probes_selected, [](Workspace& w) { remove_probes(w.document); }},
+      {"replace_probe", "Rest here", "The selected probes stay where they are and let the model go: from there they move it anew.",
+       "Probes", {}, {}, has_free_probes_selected, [](Workspace& w) { replace_probes(w.document); }},
       {"toggle_locked", "Locked", "No hand moves the selected probes; they hold what they hold.", "Probes", {}, {},
        has_probes_selected, toggle_locked},
 
@@ -332,7 +336,7 @@ const std::vector<Command>& table() {
       {"toggle_wireframe", "Wireframe", "Show the edges of the mesh.", "View", {key('W'), false, true}, {}, always,
        toggle<&ViewOptions::wireframe>},
       {"toggle_model", "Model", "Show the mesh.", "View", {key('M')}, {}, always, toggle<&ViewOptions::model>},
-      {"toggle_cage", "Cage", "Show the cage.", "View", {key('C')}, {}, always, toggle<&ViewOptions::cage>},
+      {"toggle_cage", "Cage", "Show the cage and the probes.", "View", {key('C')}, {}, always, toggle<&ViewOptions::cage>},
       {"toggle_grid", "Grid", "Show the ground grid.", "View", {key('G')}, {}, always, toggle<&ViewOptions::grid>},
       {"toggle_axes", "Axes", "Show the axes at the top right.", "View", {key('X')}, {}, always,
        toggle<&ViewOptions::axes>},

@@ -51,7 +51,7 @@ void put_scheme(Document& document, const deform::Scheme& scheme) {
 }
 
 bool differs_from_rest(const Document& document) {
-  const auto acts = [](const deform::Probe& p) { return p.pose != deform::ProbePose{}; };
+  const auto acts = [](const deform::Probe& p) { return !p.locked && p.pose != deform::ProbePose{}; };
   if (std::ranges::any_of(document.probes.all, acts)) return true;
   if (!document.has_cage()) return false;
   const auto turned = [](const deform::Vec3& t) { return t[0] * t[0] + t[1] * t[1] + t[2] * t[2] > 1; };
@@ -63,7 +63,9 @@ bool differs_from_rest(const Document& document) {
 void reset_pose(Document& document) {
   document.history.record("reset pose", snapshot_of(document));
   if (document.has_cage()) document.pose = deform::rest_pose(*document.cage);
-  for (deform::Probe& probe : document.probes.all) probe.pose = {};
+  for (deform::Probe& probe : document.probes.all) {
+    if (!probe.locked) probe.pose = {};
+  }
   ++document.revisions.pose;
 }
 

@@ -37,6 +37,8 @@ public:
   bool can_redo() const { return !redo_.empty(); }
   /// What the next undo would take back; empty if nothing.
   std::string undo_label() const { return can_undo() ? undo_.back().label : ""; }
+  /// What it would lead back to; null if nothing.
+  const Snapshot* before_last() const { return can_undo() ? &undo_.back().state : nullptr; }
   /// Grows with each edit that is finished, taken back or repeated.
   unsigned long revision() const { return revision_; }
 

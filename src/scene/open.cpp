@@ -323,6 +323,7 @@ void take(Workspace& w, Opened&& opened) {
     w.saved.session = opened.recovered ? opened.session->origin : opened.file;
     w.saved.content = opened.recovered ? opened.session->origin_content : opened.content;
   }
+  w.saved.nowhere = opened.recovered;
   if (opened.recovered) {
     w.recovered_from = opened.file;
   } else {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/probes.h"
+
 namespace viete::scene {
 
 namespace {
@@ -39,6 +41,7 @@ glm::dvec3 center_in_view(const Document& document) {
 
 std::optional<Gizmo> gizmo_of(const Workspace& w) {
   if (!shows_selectable(w) || w.document.selection.empty()) return std::nullopt;
+  if (w.document.selection.kind() == ElementKind::probe && !has_free_probes(w.document)) return std::nullopt;
   const Tool tool = w.interaction.drag ? w.interaction.drag->tool() : w.tool;
   return make_gizmo(tool, center_in_view(w.document), w.camera, w.viewport);
 }

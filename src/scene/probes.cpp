@@ -102,8 +102,7 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
   if (document.probes.all.size() >= most_probes) return false;
   deform::Probe probe;
   probe.place = at_rest(document, posed, at);
-  probe.turn = probe.stretch =
-      probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
+  probe.turn = probe.stretch = probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
   edit(document, "add a probe").all.push_back(probe);
   document.carried.clear();
   select(document, document.probes.all.size() - 1, document.probes.all.size());
@@ -118,6 +117,12 @@ void remove_probes(Document& document) {
   }
   document.carried.clear();
   document.selection.clear();
+}
+
+bool has_free_probes(const Document& document) {
+  if (document.selection.kind() != ElementKind::probe) return false;
+  return std::ranges::any_of(document.selection.indices(),
+                             [&](auto i) { return !document.probes.all[i].locked; });
 }
 
 void rest_probes(Document& document) {
@@ -167,16 +172,34 @@ void set_locked(Document& document, bool locked) {
   for (const auto i : document.selection.indices()) all[i].locked = locked;
 }
 
-void set_influence(Document& document, Part part, const deform::Influence& influence) {
-  const std::string name = part == &deform::Probe::turn      ? "change where probes turn"
-                           : part == &deform::Probe::stretch ? "change where probes stretch"
-                                                             : "change where probes move";
-  if (document.history.undo_label() == name && !document.history.can_redo()) {
-    document.history.go_on();
+namespace {
+
+std::string part_label(Part part) {
+  return part == &deform::Probe::turn      ? "change where probes turn"
+         : part == &deform::Probe::stretch ? "change where probes stretch"
+                                           : "change where probes move";
+}
+
+}  // namespace
+
+void set_falloff(Document& document, Part part, deform::Falloff falloff) {
+  change_selected(document, part_label(part), [&](deform::Probe& p, auto) { (p.*part).falloff = falloff; });
+}
+
+void set_radius(Document& document, Part part, double radius) {
+  const std::string name = part_label(part) + ", by radius";
+  History& history = document.history;
+  const bool goes_on = history.undo_label() == name && !history.can_redo() &&
+                       history.before_last()->selection == document.selection;
+  if (goes_on) {
+    history.go_on();
   } else {
-    document.history.record(name, snapshot_of(document));
+    history.record(name, snapshot_of(document));
   }
-  for (const auto i : document.selection.indices()) document.probes.all[i].*part = influence;
+  for (const auto i : document.selection.indices()) {
+    deform::Probe& probe = document.probes.all[i];
+    if (!probe.locked) (probe.*part).radius = radius;
+  }
   ++document.revisions.pose;
 }
 

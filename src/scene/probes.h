@@ -27,8 +27,10 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
 /// Of the selected probes, which the caller sees to; locked ones stay as they are but for set_locked().
 void remove_probes(Document& document);
 void rest_probes(Document& document);  ///< they have done nothing
-void replace_probes(
-    Document& document);  ///< where they are now is their place at rest, and they have done nothing
+/// Their places at rest are as far away as they have moved, and they have done nothing.
+void replace_probes(Document& document);
+/// True if a probe is selected that is not locked.
+bool has_free_probes(const Document& document);
 /// The axis of the file (0 x, 1 y, 2 z) across whose middle the model is most nearly its own mirror image.
 int symmetry_axis(const Document& document);
 /// Copies on the other side of the model's middle, across this axis of the file; these are selected. False if
@@ -38,8 +40,10 @@ void set_locked(Document& document, bool locked);
 
 /// A part of a probe's motion, and what decides where it acts.
 using Part = deform::Influence deform::Probe::*;
-/// Of the selected probes. One after the other of the same part are one edit.
-void set_influence(Document& document, Part part, const deform::Influence& influence);
+/// Of the selected probes that are not locked. Radii that are chosen one after the other are one edit, of the
+/// same part and the same probes.
+void set_falloff(Document& document, Part part, deform::Falloff falloff);
+void set_radius(Document& document, Part part, double radius);
 void set_mix(Document& document, deform::ProbeMix mix);
 
 /// The range of radii that a person chooses from, in the file's unit.

@@ -60,12 +60,18 @@ sym3::Sym3<double> stretch_of(const JsonReader& json) {
   return stretch;
 }
 
+deform::Vec3 turn_of(const JsonReader& json) {
+  const deform::Vec3 turn = point_of(json, largest_turn);
+  if (!(deform::norm(turn) <= largest_turn)) json.fail("a number is too large");
+  return turn;
+}
+
 deform::Probe probe_of(const JsonReader& json) {
   deform::Probe probe;
   probe.place = point_of(json.at("place"), most_drawn);
   for (const auto& [key, part] : part_keys) probe.*part = influence_of(json.at(key));
   if (const auto v = json.find("locked")) probe.locked = v->boolean();
-  if (const auto v = json.find("turned")) probe.pose.turn = point_of(*v, largest_turn / 2);
+  if (const auto v = json.find("turned")) probe.pose.turn = turn_of(*v);
   if (const auto v = json.find("stretched")) probe.pose.stretch = stretch_of(*v);
   if (const auto v = json.find("moved")) probe.pose.move = point_of(*v, most_drawn);
   return probe;
@@ -84,7 +90,8 @@ deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warni
   const auto mix_of = [](const JsonReader& v) {
     return word_of(v, [](auto name) { return deform::find_by_name(deform::all_probe_mixes(), name); });
   };
-  take_part(json, "mix", probes.mix, mix_of, "partial instead, of partial, whole and softmax", warnings);
+  take_part(json, "mix", probes.mix, mix_of, "added instead, of added, partial, whole and softmax",
+            warnings);
   const JsonReader all = json.at("all");
   if (all.size() > most_probes) all.fail("there are more than " + std::to_string(most_probes) + " probes");
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -10,7 +10,7 @@
 
 namespace viete::scene {
 
-/// "mix": "partial", "whole" or "softmax";
+/// "mix": "added", "partial", "whole" or "softmax"; missing: "added";
 /// "all": [{"place": [x, y, z],
 ///          "turn", "stretch", "move": {"falloff": a name of deform/probe.h, "radius"}, where it acts,
 ///          "locked": true, or missing,

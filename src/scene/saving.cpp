@@ -90,10 +90,10 @@ std::optional<std::uint64_t> content_of(const fs::path& file) {
 }
 
 bool has_unsaved_edits(const Workspace& w) {
-  if (w.document.probes != w.saved.probes) return true;
+  if (w.saved.nowhere || w.document.probes != w.saved.probes || !same_mask(w.document.mask, w.saved.mask))
+    return true;
   return w.document.is_movable() &&
-         (w.document.scheme != w.saved.scheme || !same_mask(w.document.mask, w.saved.mask) ||
-          !same_pose(w.document.pose, w.saved.pose));
+         (w.document.scheme != w.saved.scheme || !same_pose(w.document.pose, w.saved.pose));
 }
 
 void mark_saved(Workspace& workspace) {
@@ -106,6 +106,7 @@ void mark_saved(Workspace& workspace) {
 // In a session alone: the file of a pose has no probes.
 void mark_pose_saved(Workspace& workspace) {
   workspace.saved.pose = workspace.document.pose;
+  workspace.saved.nowhere = false;
   ++workspace.saved.revision;
 }
 

@@ -316,8 +316,13 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
       "fast instead, of diag, sd, improved_sd and fast");
   s.scheme = scheme_of(json, s.warnings);
   take("mask", s.mask, mask_of, "every vertex follows the cage instead");
-  take(
-      "probes", s.probes, [&](const auto& v) { return probes_of(v, s.warnings); }, "there are none instead");
+  bool all_probes = false;
+  const auto take_probes = [&](const auto& v) {
+    auto probes = probes_of(v, s.warnings);
+    all_probes = probes.all.size() == v.at("all").size();
+    return probes;
+  };
+  take("probes", s.probes, take_probes, "there are none instead");
   take("camera", s.camera, camera_of, "the whole model is shown instead");
   take(
       "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");
@@ -332,6 +337,7 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
       "nothing is selected");
   if (!kind) return;
   s.selecting = *kind;
+  if (*kind == ElementKind::probe && !all_probes) return;  // others have their numbers now
   take("selection", s.selection, selection_of, "nothing is selected");
 }
 

@@ -42,7 +42,7 @@ std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::
 
 namespace {
 
-// The corners of boxes around the selected ones that are a quarter of their radius wide.
+// The corners of boxes around the selected ones, as wide as their largest radius.
 std::vector<mesh::Point> around_probes(const Document& document) {
   std::vector<mesh::Point> points;
   for (const auto i : document.selection.indices()) {

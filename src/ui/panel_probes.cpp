@@ -47,7 +47,9 @@ bool radius_slider(const Context& ui, const std::string& name, double& radius, b
       ("##" + name).c_str(), &percent, least, most, "",
       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
   record(ui, name, used);
-  hint("How far it reaches, in percent of the model's diagonal: the circle in the view.");
+  hint(
+      "How far it reaches at rest, in percent of the model's diagonal. The circle in the view is the largest "
+      "of the three.");
   ImGui::SameLine();
   const std::string value = std::to_string(std::lround(percent)) + " %";
   ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(value.c_str()).x, ImGui::GetCursorScreenPos().y});
@@ -68,11 +70,11 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
   constexpr float falloff_width = 92;
   ImGui::SetNextItemWidth(falloff_width);
   const auto falloff = choose(ui, prefix, scene::all_falloffs(), scene::entry(shown.falloff));
-  if (falloff) shown.falloff = *falloff;
   ImGui::SameLine();
   const bool moved =
       radius_slider(ui, prefix + "_radius", shown.radius, shown.falloff != scene::Falloff::none);
-  if (falloff || moved) scene::set_influence(document, part, shown);
+  if (falloff) scene::set_falloff(document, part, *falloff);
+  if (moved) scene::set_radius(document, part, shown.radius);
 }
 
 void mix(const Context& ui) {
@@ -97,14 +99,20 @@ void panel_probes(const Context& ui) {
     note(ui, "A probe is a frame on the model that moves, turns and stretches what is near it.");
   command_row(ui, {"add_probe", "mirror_probe", "remove_probe"});
   if (probes == 0) return;
-  if (!document.has_cage()) transform_fields(ui);
+  if (!document.has_cage()) {
+    transform_fields(ui);
+    command_row(ui, {"undo", "redo", "reset_pose"});
+    command_row(ui, {"select_all", "select_none", "invert_selection"});
+  }
   const bool selected = document.selection.kind() == scene::ElementKind::probe && !document.selection.empty();
   if (selected) {
     influence(ui, "Turns", "turn", &scene::Probe::turn);
     influence(ui, "Stretches", "stretch", &scene::Probe::stretch);
     influence(ui, "Moves", "move", &scene::Probe::move);
   } else {
-    note(ui, "Press 4 and click a probe to select it.");
+    note(ui, document.selection.kind() == scene::ElementKind::probe
+                 ? "Click a probe in the view to select it."
+                 : "Press 4 and click a probe to select it.");
   }
   mix(ui);
   if (!selected) return;

@@ -102,7 +102,7 @@ void panel_timings(const Context& ui) {
   if (!section(ui, "Timings")) return;
   const auto median = ui.workspace.stats.median();
   if (!median) {
-    note(ui, "Drag a cage vertex to see what each link of the frame costs.");
+    note(ui, "Drag a vertex of the cage, or a probe, to see what each link of the frame costs.");
     return;
   }
   const Parts parts = parts_of(*median);

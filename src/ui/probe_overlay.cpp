@@ -22,8 +22,10 @@ void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProject
   const auto& w = ui.workspace;
   const auto m = scene::linear_part(pose);
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 column(m[axis], m[3 + axis], m[6 + axis]);
+    const double length = glm::length(column);
     const glm::dvec3 along =
-        double(axis_length) * at.per_pixel() * glm::dvec3(m[axis], m[3 + axis], m[6 + axis]);
+        double(axis_length) * at.per_pixel() * std::clamp(length, 0.4, 2.0) / length * column;
     const scene::CursorProjection end(center + along, w.camera, w.viewport);
     painter.line(glm::vec2(at.at()), glm::vec2(end.at()), ui.colors.axis[axis], 2.25f, opacity);
   }
@@ -37,10 +39,10 @@ void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Show
   const scene::CursorProjection at(center, w.camera, w.viewport);
   const glm::vec2 middle(at.at());
   const float opacity = shown.selected || shown.hovered ? 1.0f : 0.75f;
-  if (shown.selected) {
+  if (shown.selected && !scene::shows_mask(w)) {
     const double radius = std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
     const auto pixels = static_cast<float>(radius * w.document.space.scale / at.per_pixel());
-    if (pixels < 4000) painter.circle(middle, pixels, ui.colors.accent, 1.25f, 0.55f);
+    if (pixels < 4000) painter.circle(middle, pixels, ui.colors.highlight, 1.25f, 0.5f);
   }
   axes(ui, painter, at, center, probe.pose, opacity);
   const ImU32 color = shown.selected ? ui.colors.highlight : ui.colors.neutral;

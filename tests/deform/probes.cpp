@@ -147,6 +147,8 @@ TEST_CASE("falloffs_begin_at_one_never_rise_and_end_at_the_radius") {
     CHECK((weight_at(falloff.value, 1) == 0) == (falloff.value != Falloff::endless));
   }
   CHECK(weight_at(Falloff::endless, 1) == 0.5);
+  for (const auto& falloff : all_falloffs())
+    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // of a radius that is nearly none
   CHECK(weight_at(Falloff::smooth, 0.5) == 0.5);
 }
 
@@ -178,6 +180,8 @@ TEST_CASE("probes_share_a_vertex_as_their_mix_says") {
     const double even = a / (a + b), sharp = w[0].turn;
     CHECK((even > 0.5 ? sharp >= even : even < 0.5 ? sharp <= even : sharp == doctest::Approx(0.5)));
   }
+  probes.mix = ProbeMix::added;
+  CHECK(probe_weights_at(probes, {0, 0, 0})[0].turn == 1);
   for (const auto& entry : all_probe_mixes())
     CHECK(find_by_name(all_probe_mixes(), entry.name) == entry.value);
 }
@@ -317,12 +321,12 @@ TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
     b.deformer.deform(pose, Method::diag);
     CHECK(largest_distance(b.deformer.positions(), expected) / diagonal < 1e-12);
     // Where they ride: as far as the vertex that was nearest, before the probes move it.
-    const auto places = fast.probes().places();
+    const auto ridden = fast.probes().carried();
     const auto without = exact({});
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < ridden.size(); ++i) {
       const auto v = fast.probes().anchors()[i];
       const Vec3 way = without[v] - probed_tube().positions[v];
-      CHECK(norm(places[i] - (some_probes().all[i].place + way)) / diagonal < tolerance);
+      CHECK(norm(fast.origin() + ridden[i] - (some_probes().all[i].place + way)) / diagonal < tolerance);
     }
     // Frames do not depend on those before, nor on being a drag.
     const auto whole = fast.positions();
@@ -334,6 +338,23 @@ TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
     CHECK(largest_distance(fast.positions(), without) / diagonal < tolerance);
     CHECK(fast.times()[Link::probes] == 0);
     CHECK(fast.probes().places().empty());
+  }
+}
+
+TEST_CASE("a_probe_is_where_the_other_ones_have_moved_its_place_on_the_model") {
+  viete::base::WorkerPool pool(2);
+  const auto& rest = probed_tube().positions;
+  for (const ProbeMix mix : {ProbeMix::partial, ProbeMix::added, ProbeMix::whole}) {
+    Probes probes = some_probes();
+    probes.mix = mix;
+    for (const std::uint32_t v : {100u, 700u, 1300u}) {
+      probes.all[2].place = rest[v];  // which is at rest
+      ProbeLayer layer(rest, pool);
+      layer.set(probes, nullptr);
+      auto positions = rest;
+      layer.move_all(positions, Method::fast);
+      CHECK(norm(layer.places()[2] - positions[v]) < 1e-13);
+    }
   }
 }
 

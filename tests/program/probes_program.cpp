@@ -185,3 +185,30 @@ TEST_CASE("a_model_without_a_cage_is_saved_written_and_opened_again_with_its_pro
   CHECK(again.document().probes == saved.probes);
   CHECK(again.exact_positions() == shown);
 }
+
+TEST_CASE("a_cage_that_is_opened_leaves_the_probes_and_they_are_placed_on_what_others_have_moved") {
+  Hand d(false);
+  d.place_probe();
+  d.document().probes.all[0].pose.move = {0.1, 0.25, 0};
+  ++d.document().revisions.pose;
+  d.settle();
+  const auto probes = d.document().probes;
+  // Where the head is drawn now.
+  const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+  const glm::vec2 at =
+      glm::floor(glm::vec2(*project(scene::probe_center(d.document(), 0)))) + glm::vec2(3, 0);
+  d.move(at);
+  d.press_key('P');
+  d.settle();
+  REQUIRE(d.document().probes.all.size() == 2);
+  CHECK(glm::distance(glm::vec2(*project(scene::probe_center(d.document(), 1))), at) < 6);
+  d.press_key('Z', true);
+  CHECK(d.document().probes == probes);
+  scene::mark_saved(d.workspace());
+  REQUIRE(d.open({test::dragon_cage}, Driver::What::cage));
+  d.settle();
+  CHECK(d.document().has_cage());
+  CHECK(d.document().probes == probes);
+  CHECK(scene::has_unsaved_edits(d.workspace()));
+  d.check_shown();
+}

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "deform/affine_map.h"
+#include "scene/brush.h"
 #include "scene/edit.h"
 #include "scene/files.h"
 #include "scene/picking.h"
@@ -181,24 +182,93 @@ TEST_CASE("the_axis_of_symmetry_is_found") {
   }
 }
 
-TEST_CASE("influences_are_set_for_all_that_are_selected_and_slide_as_one_edit") {
+TEST_CASE("influences_are_set_for_all_that_are_selected_and_radii_slide_as_one_edit") {
   Probed p;
   p.add({1, 0, 0});
   p.add({0, 1, 0});
-  p.select({0, 1});
+  p.add({0, 0, 1});
+  const double usual = p.probe().turn.radius;
+  p.select({2});
+  set_locked(p.document(), true);
+  p.select({0, 1, 2});
   const auto edits = test::edit_count(p.document().history);
-  for (const double radius : {0.1, 0.2, 0.3})
-    set_influence(p.document(), &Probe::turn, {Falloff::sharp, radius});
+  for (const double radius : {0.1, 0.2, 0.3}) set_radius(p.document(), &Probe::turn, radius);
   CHECK(test::edit_count(p.document().history) == edits + 1);
-  CHECK(p.probe(0).turn == Influence{Falloff::sharp, 0.3});
-  CHECK(p.probe(1).turn == Influence{Falloff::sharp, 0.3});
-  set_influence(p.document(), &Probe::move, {Falloff::none, 0.3});
-  CHECK(test::edit_count(p.document().history) == edits + 2);
-  set_mix(p.document(), deform::ProbeMix::softmax);
-  set_mix(p.document(), deform::ProbeMix::softmax);
+  CHECK(p.probe(0).turn == Influence{Falloff::smooth, 0.3});
+  CHECK(p.probe(1).turn == Influence{Falloff::smooth, 0.3});
+  CHECK(p.probe(2).turn == Influence{Falloff::smooth, usual});  // locked
+  // Others, and another part, are other edits; a falloff leaves every radius as it is.
+  p.select({1});
+  set_radius(p.document(), &Probe::turn, 0.5);
+  set_radius(p.document(), &Probe::move, 0.6);
   CHECK(test::edit_count(p.document().history) == edits + 3);
+  p.select({0, 1});
+  set_falloff(p.document(), &Probe::turn, Falloff::sharp);
+  CHECK(test::edit_count(p.document().history) == edits + 4);
+  CHECK(p.probe(0).turn == Influence{Falloff::sharp, 0.3});
+  CHECK(p.probe(1).turn == Influence{Falloff::sharp, 0.5});
+  set_mix(p.document(), deform::ProbeMix::softmax);
+  set_mix(p.document(), deform::ProbeMix::softmax);
+  CHECK(test::edit_count(p.document().history) == edits + 5);
   undo(p.document());
-  CHECK(p.document().probes.mix == deform::ProbeMix::partial);
+  CHECK(p.document().probes.mix == deform::ProbeMix::added);
+  for (int i = 0; i < 3; ++i) undo(p.document());
+  CHECK(p.probe(0).turn.radius == 0.3);
+  CHECK(p.probe(1).turn.radius == 0.3);
+}
+
+TEST_CASE("locked_probes_have_no_gizmo_and_stay_when_all_is_reset") {
+  Probed p;
+  p.w.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
+  p.w.tool = Tool::move;
+  frame_all(p.w, false);
+  p.add({1, 0, 0});
+  p.probe().pose.move = {0, 0.3, 0};
+  CHECK(gizmo_of(p.w));
+  CHECK(differs_from_rest(p.document()));
+  set_locked(p.document(), true);
+  CHECK_FALSE(gizmo_of(p.w));
+  CHECK_FALSE(differs_from_rest(p.document()));
+  reset_pose(p.document());
+  CHECK(p.probe().pose.move == mesh::Point{0, 0.3, 0});
+  CHECK_FALSE(test::run_command(p.w, "remove_probe"));
+  CHECK_FALSE(test::run_command(p.w, "replace_probe"));
+}
+
+TEST_CASE("a_model_of_one_point_can_have_probes") {
+  test::CubeFiles files;
+  test::put_file(files.model, "v 1 2 3\n");
+  Workspace w;
+  REQUIRE(test::load_model(w, files.model, {}));
+  REQUIRE(add_probe(w.document, {}, {1, 2, 3}));
+  CHECK(w.document.probes.all[0].turn.radius > 0);
+  CHECK(least_probe_radius(w.document) > 0);
+  REQUIRE(save_session(w, files / "a.viete"));
+  Workspace back;
+  REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+  CHECK(back.document.probes == w.document.probes);
+}
+
+TEST_CASE("what_is_left_when_the_last_probe_is_gone_is_unsaved_still") {
+  Probed p(false);
+  p.add({1, 0, 0});
+  REQUIRE(save_session(p.w, p.files / "a.viete"));
+  set_mask(p.document(), inverted(p.document()), "invert mask");
+  CHECK(test::run_command(p.w, "remove_probe"));
+  CHECK(has_unsaved_edits(p.w));
+  undo(p.document());
+  undo(p.document());
+  CHECK_FALSE(has_unsaved_edits(p.w));
+  CHECK(test::run_command(p.w, "remove_probe"));
+  CHECK(has_unsaved_edits(p.w));
+  // Recovered, it is in no file of the user's.
+  test::put_file(p.files / "kept.viete", session_text(session_of(p.w), p.files / "kept.viete", false));
+  Workspace back;
+  REQUIRE(open_now(back, {OpenRequest::What::recovery, {p.files / "kept.viete"}}));
+  CHECK(back.document.probes.empty());
+  CHECK(has_unsaved_edits(back));
+  REQUIRE(save_session(back, p.files / "b.viete"));
+  CHECK_FALSE(has_unsaved_edits(back));
 }
 
 TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
@@ -271,6 +341,7 @@ TEST_CASE("damaged_probes_cost_themselves_alone_and_say_so") {
       {R"({"place": [0, 0]})", "probes.all[1].place"},
       {R"({"place": [0, 0, 0]})", "probes.all[1]: the key \"turn\" is missing"},
       {with("locked", "3"), "probes.all[1].locked"},
+      {with("turned", "[8e5, 8e5, 0]"), "probes.all[1].turned: a number is too large"},
       {with("turned", "[1e9, 0, 0]"), "probes.all[1].turned: a number is too large"},
       {with("stretched", "[1, 2, 3]"), "probes.all[1].stretched"},
       {with("stretched", "[99, 0, 0, 0, 0, 0]"), "probes.all[1].stretched: a number is too large"},
@@ -287,13 +358,12 @@ TEST_CASE("damaged_probes_cost_themselves_alone_and_say_so") {
     Workspace w;
     REQUIRE(open_now(w, {OpenRequest::What::model, {files / "a.viete"}}));
     CHECK(w.document.probes.all.size() == 1);
-    CHECK(w.document.probes.mix == deform::ProbeMix::partial);
+    CHECK(w.document.probes.mix == deform::ProbeMix::added);
     CHECK(w.document.selection.empty());
     std::string all;
     for (const auto& m : w.messages.all()) all += m.text + '\n';
     CHECK_MESSAGE(test::mentions(all, c.warning), all);
     CHECK_MESSAGE(test::mentions(all, "this probe is left out"), all);
-    CHECK_MESSAGE(test::mentions(all, "partial instead"), all);
-    CHECK_MESSAGE(test::mentions(all, "probe 1 is selected, it has a probe"), all);
+    CHECK_MESSAGE(test::mentions(all, "added instead"), all);
   }
 }

@@ -130,7 +130,7 @@ private:
     static constexpr double radii[] = {0.1, 0.7, 2};
     if (!w.interaction.drag && !w.document.selection.empty() &&
         w.document.selection.kind() == ElementKind::probe)
-      set_influence(w.document, parts[below(3)], {Falloff::linear, radii[below(3)]});
+      set_radius(w.document, parts[below(3)], radii[below(3)]);
   }
   void run_any_command() {
     const auto all = commands();
