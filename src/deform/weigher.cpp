@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/aligned.h"
 #include "deform/cage_state.h"
 #include "deform/cut_off.h"
 #include "deform/distance_triangle.h"
@@ -173,7 +174,7 @@ double Weigher::cut() const {
 std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                        std::span<float> shares) const {
   std::vector<bool> failed(points.size());
-  std::vector<double> scratch(scratch_size());
+  base::AlignedVector<double> scratch(scratch_size());  // across cache lines it takes a tenth longer
   // Whether an element reaches a point at all is for doubles to say.
   const bool in_float = weighting_.weights != Weights::mean_value && !weighting_.used_normalise();
   const Vec3 middle = scaled(points[points.size() / 2]);
