@@ -119,8 +119,18 @@ std::vector<sym3::Sym3<double>> Deformer::sample_matrices(std::size_t limit) con
 }
 
 double Deformer::sampled_error() const {
-  if (ran_ != EngineKind::fused) return 0;
-  return deform::sampled_error(weigher_, *binding_, mask_, state_.rows(), layer_, vertices());
+  if (!ran_ || ran_ == EngineKind::staged) return 0;
+  const auto sample = spread_vertices(binding_->vertices, error_sample);
+  const auto measured = [&](const ProbeLayer* layer, std::span<const Vec3> shown) {
+    return deform::sampled_error(weigher_, *binding_, mask_, state_.rows(), layer, shown);
+  };
+  if (ran_ == EngineKind::stitched) return measured(nullptr, stitched_->blended(sample));
+  std::vector<Vec3> shown;
+  for (const auto v : sample) {
+    const auto& p = vertices()[v].position;
+    shown.push_back({p[0], p[1], p[2]});
+  }
+  return measured(&layer_, shown);
 }
 
 }  // namespace viete::deform

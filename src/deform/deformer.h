@@ -63,7 +63,8 @@ public:
   /// The matrices that the last frame exponentiated, of at most `limit` vertices spread evenly over the
   /// model, formed anew from exact weights; empty if it took no exponentials. A microsecond or two each.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
-  /// See deform::sampled_error(); 0 after a staged frame, and after a stitched one, which no sample tells.
+  /// See deform::sampled_error(); 0 after a staged frame. Of a stitched one that of the blended vertices
+  /// which it follows, before they are stitched and moved by probes: all that comes then is in double.
   double sampled_error() const;
 
 private:

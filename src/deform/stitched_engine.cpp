@@ -15,16 +15,22 @@ Vec3 vector_of_slot(const base::AlignedVector<float>& array, std::size_t slot, d
   return unit * Vec3{at[0], at[lanes], at[2 * lanes]};
 }
 
-Binding held_vertices(const Stitching& stitching, const TiledBinding& tiles) {
-  std::vector<std::uint32_t> slot_of(tiles.leaves.vertices);
-  for (std::uint32_t slot = 0; slot < tiles.leaves.vertices; ++slot) slot_of[tiles.leaves.order[slot]] = slot;
-  Binding held;
-  held.vertices = stitching.holds.size();
-  for (const auto& hold : stitching.holds) {
-    held.rest.push_back(vector_of_slot(tiles.rest, slot_of[hold.vertex], tiles.unit));
-    held.offsets.push_back(vector_of_slot(tiles.offsets, slot_of[hold.vertex], tiles.unit));
-  }
+std::vector<std::size_t> held_vertices(const Stitching& stitching) {
+  std::vector<std::size_t> held;
+  for (const auto& hold : stitching.holds) held.push_back(hold.vertex);
   return held;
+}
+
+// What apply() needs of these, but for shares.
+Binding some_vertices(const TiledBinding& tiles, std::span<const std::uint32_t> slots,
+                      std::span<const std::size_t> vertices) {
+  Binding some;
+  some.vertices = vertices.size();
+  for (const auto v : vertices) {
+    some.rest.push_back(vector_of_slot(tiles.rest, slots[v], tiles.unit));
+    some.offsets.push_back(vector_of_slot(tiles.offsets, slots[v], tiles.unit));
+  }
+  return some;
 }
 
 }  // namespace
@@ -38,7 +44,8 @@ StitchedEngine::StitchedEngine(std::shared_ptr<const TiledBinding> binding,
       iterations_(iterations),
       blender_(binding_, form, pool),
       stitcher_(*stitching_, form, pool),
-      held_(held_vertices(*stitching_, *binding_)),
+      slots_(slots_of(binding_->leaves)),
+      held_(some_vertices(*binding_, slots_, held_vertices(*stitching_))),
       sums_(stitching_->vertices() * shape(form).columns),
       held_sums_(held_.vertices * shape(form).columns),
       held_positions_(held_.vertices) {
@@ -47,11 +54,11 @@ StitchedEngine::StitchedEngine(std::shared_ptr<const TiledBinding> binding,
 
 void StitchedEngine::set_mask(const Mask& mask) {
   blender_.set_mask(mask);
-  const Shares shares = product(shares_of(*binding_), mask);
-  stitcher_.set_shares(shares);
+  shares_ = product(shares_of(*binding_), mask);
+  stitcher_.set_shares(shares_);
   held_.shares.clear();
-  for (std::size_t i = 0; i < (shares.empty() ? 0 : held_.vertices); ++i)
-    held_.shares.push_back(shares[stitching_->holds[i].vertex]);
+  for (std::size_t i = 0; i < (shares_.empty() ? 0 : held_.vertices); ++i)
+    held_.shares.push_back(shares_[stitching_->holds[i].vertex]);
 }
 
 void StitchedEngine::run(const CageState& state, sym3::Method method) {
@@ -66,6 +73,20 @@ void StitchedEngine::run(const CageState& state, sym3::Method method) {
   times_[Link::blend] += held_ms;
   times_[Link::triangle_maps] = stitcher_.loads_ms();
   times_[Link::solve] = stitcher_.solve_ms();
+}
+
+std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices) const {
+  const std::size_t columns = shape(form_).columns;
+  Binding some = some_vertices(*binding_, slots_, vertices);
+  std::vector<double> sums;
+  for (const auto v : vertices) {
+    const auto from = std::span(sums_).subspan(v * columns, columns);
+    sums.insert(sums.end(), from.begin(), from.end());
+    if (!shares_.empty()) some.shares.push_back(shares_[v]);
+  }
+  std::vector<Vec3> positions(vertices.size());
+  place_sums(some, form_, sums, {0, 0, 0}, sym3::Method::fast, positions);
+  return positions;
 }
 
 void StitchedEngine::place_held(std::span<const double> sums, sym3::Method method) {

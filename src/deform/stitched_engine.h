@@ -28,6 +28,9 @@ public:
   /// Of the last frame, in double, relative to its rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
+  /// These vertices as the last frame has blended them, not stitched; relative to its rows' origin.
+  std::vector<Vec3> blended(std::span<const std::size_t> vertices) const;
+
 private:
   void place_held(std::span<const double> sums, sym3::Method method);
 
@@ -37,6 +40,8 @@ private:
   int iterations_;
   FusedEngine blender_;
   Stitcher stitcher_;
+  std::vector<std::uint32_t> slots_;  // of vertices
+  Shares shares_;
   Binding held_;  // what apply() needs of the vertices that are held
   std::vector<double> sums_, held_sums_;
   std::vector<Vec3> held_positions_;

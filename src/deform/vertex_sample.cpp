@@ -69,7 +69,7 @@ void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, con
 }  // namespace
 
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
-                     const ProbeLayer& layer, std::span<const FrameVertex> frame) {
+                     const ProbeLayer* layer, std::span<const Vec3> shown) {
   const auto vertices = spread_vertices(binding.vertices, error_sample);
   std::vector<mesh::Point> exact;
   for (const auto v : vertices) exact.push_back(binding.rest[v]);
@@ -77,12 +77,10 @@ double sampled_error(const Weigher& weigher, const Binding& binding, const Mask&
                                                                : bind_part(weigher, exact);
   part.binding.shares = product(std::move(part.binding.shares), at_vertices(mask, vertices));
   place_vertices(part.binding, rows, sym3::Method::fast, exact);
-  if (layer.moves()) move_by(layer, vertices, rows.origin, exact);
+  if (layer && layer->moves()) move_by(*layer, vertices, rows.origin, exact);
   double worst = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto& p = frame[vertices[i]].position;
-    worst = std::max(worst, norm(rows.origin + Vec3{p[0], p[1], p[2]} - exact[i]));
-  }
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    worst = std::max(worst, norm(rows.origin + shown[i] - exact[i]));
   return worst / weigher.cage().diagonal;
 }
 

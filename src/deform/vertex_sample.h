@@ -66,11 +66,12 @@ BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points)
 BoundPart sampled_part(const Weigher& weigher, const TiledBinding& tiles,
                        std::span<const mesh::Point> points);
 
-/// How far a frame of these rows, and of the layer, is from double precision and exact weights: the largest
-/// distance of a sample of vertices, in diagonals of the cage. Takes about a millisecond. Weights along the
-/// surface must be those of tiles.
+/// How far a frame of these rows, and of the layer unless that is null, is from double precision and exact
+/// weights: the largest distance of the vertices of spread_vertices(n, error_sample), in diagonals of the
+/// cage. shown: where the frame has them, relative to the rows' origin. Takes about a millisecond. Weights
+/// along the surface must be those of tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
-                     const ProbeLayer& layer, std::span<const FrameVertex> frame);
+                     const ProbeLayer* layer, std::span<const Vec3> shown);
 
 /// The symmetric logs that at most `limit` vertices, spread evenly over the model, blend: what their
 /// exponential is taken of. Empty if rows hold none. Throws base::Cancelled.

@@ -140,8 +140,8 @@ struct Workspace {
   FrameStats stats;
   MethodStats methods;
   ErrorMapStats error_map;
-  double fused_error =
-      0;  ///< of the fused frame, against double: measured aside, in diagonals of the cage; 0 if staged
+  double fused_error = 0;  ///< of the fused frame, or of what a stitched one follows, against double:
+                           ///< measured aside, in diagonals of the cage; 0 if staged
   WorkState loading;  ///< opening files: reading them, then binding
   WorkState binding;  ///< of what is open, to other coordinates
   WorkState exporting;

@@ -149,5 +149,21 @@ TEST_CASE("stitched_frames_run_every_method_and_time_their_links") {
   for (const Link link : {Link::blend, Link::triangle_maps, Link::solve, Link::normals})
     CHECK(times[link] > 0);
   CHECK(times[Link::fused] == 0);
-  CHECK(f.deformer.sampled_error() == 0);
+}
+
+TEST_CASE("the_error_of_a_stitched_frame_is_that_of_what_it_follows") {
+  for (const auto& mask :
+       {Mask(), std::make_shared<const std::vector<float>>(stitched_model().positions.size(), 0.4f)}) {
+    StitchedFrame f(stitched_srl());
+    f.deformer.set_mask(mask);
+    f.deform(f.pose(stitched_twist));
+    Scheme blended = f.scheme;
+    blended.iterations = 0;
+    Deformer other(f.cage, f.binding, blended, f.pool);
+    other.set_mask(mask);
+    other.deform(f.pose(stitched_twist), sym3::Method::fast);
+    REQUIRE(other.ran() == EngineKind::fused);
+    CHECK(f.deformer.sampled_error() > 0);
+    CHECK(std::abs(f.deformer.sampled_error() - other.sampled_error()) < 3e-7);
+  }
 }
