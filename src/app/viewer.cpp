@@ -182,14 +182,19 @@ void Viewer::frame_finding() {
   if (checks.findings[*checks.shown].subject == scene::Subject::cage)
     return scene::frame_finding(workspace_, document.pose.positions);
   std::vector<mesh::Point> positions(document.model.surface->positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = model_.vertex(document, v);
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = vertex(v);
   scene::frame_finding(workspace_, positions);
+}
+
+mesh::Point Viewer::vertex(std::size_t index) const {
+  const scene::Document& document = workspace_.document;
+  return workspace_.view.deformed ? model_.vertex(document, index) : document.model.surface->positions[index];
 }
 
 void Viewer::deform(scene::FrameTimes& times) {
   deformed_ = model_.deform(workspace_, times);
   workspace_.posed = {};
-  if (const auto* deformer = model_.deformer(); deformer && deformer->ran())
+  if (const auto* deformer = model_.deformer(); workspace_.view.deformed && deformer && deformer->ran())
     workspace_.posed = {deformer->vertices(), deformer->origin()};
 }
 
@@ -198,14 +203,17 @@ void Viewer::upload(scene::FrameTimes& times) {
   if (!document.model.surface) return;
   base::Stopwatch watch;
   const bool cage_moved = cage_drawn_ != document.revisions.pose;
+  const bool at_rest = !workspace_.view.deformed, switched = std::exchange(at_rest_, at_rest) != at_rest;
   renderer_.set_findings(
-      workspace_, [&](std::size_t v) { return model_.vertex(document, v); }, deformed_ || cage_moved);
+      workspace_, [&](std::size_t v) { return vertex(v); }, deformed_ || cage_moved || switched);
   if (document.has_cage()) {
     if (cage_moved) renderer_.set_cage(workspace_);
     renderer_.set_hand(workspace_);
     cage_drawn_ = document.revisions.pose;
   }
-  if (deformed_) renderer_.set_model(model_.deformer()->vertices(), model_.deformer()->origin());
+  if (switched && at_rest) renderer_.set_rest(document, files_.shading());
+  if (!at_rest && (deformed_ || switched) && model_.deformer() && model_.deformer()->ran())
+    renderer_.set_model(model_.deformer()->vertices(), model_.deformer()->origin());
   if (const auto errors = analysis_.take_errors()) renderer_.set_errors(*errors);
   renderer_.set_mask(workspace_);
   times.upload = watch.lap_ms();

@@ -94,6 +94,7 @@ private:
   void take_requests();
   void follow_document();
   void frame_finding();
+  mesh::Point vertex(std::size_t index) const;  // of the model, as it is drawn
   void keep_files();
   void deform(scene::FrameTimes& times);
   void upload(scene::FrameTimes& times);
@@ -127,6 +128,7 @@ private:
   bool refined_ = false;
   unsigned settle_frames_ = 3;  ///< ImGui needs a few frames after a change until sizes rest
   std::optional<bool> theme_seen_;
+  bool at_rest_ = false;  // the model that is drawn, whatever moves it
 };
 
 }  // namespace viete::app

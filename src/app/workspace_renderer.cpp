@@ -70,7 +70,7 @@ void WorkspaceRenderer::set_document(const scene::Document& document, const Mode
   colored_.reset();
   model_vertices_ = model.positions.size();
   model_.set_occlusion(shading.occlusion);
-  model_.set_positions(model.positions, shading.normals);
+  set_rest(document, shading);
   ground_ = document.model.bounds.low[1];
   if (!document.has_cage()) return;
   const mesh::Surface& cage = document.cage->surface;
@@ -78,6 +78,10 @@ void WorkspaceRenderer::set_document(const scene::Document& document, const Mode
   cage_lines_.set_segments(document.cage->edges, cage.positions.size());
   ghost_lines_.set_segments(document.cage->edges, cage.positions.size());
   ghost_lines_.set_positions(cage.positions);
+}
+
+void WorkspaceRenderer::set_rest(const scene::Document& document, const ModelShading& shading) {
+  model_.set_positions(document.model.surface->positions, shading.normals);
 }
 
 // The rooms do not know each other; their vertices are the same bytes.

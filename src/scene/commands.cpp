@@ -13,6 +13,15 @@ namespace viete::scene {
 
 namespace {
 
+// What is dragged or painted is one edit, which others must not come between.
+bool in_hand(const Workspace& w) {
+  return w.interaction.drag || w.interaction.stroke;
+}
+constexpr Condition hand_is_free{[](const Workspace& w) { return !in_hand(w); },
+                                 "Finish what you are dragging first."};
+template <const Condition& C>
+constexpr Condition with_free_hand{[](const Workspace& w) { return C(w) && !in_hand(w); }, C.otherwise};
+
 constexpr Condition always{[](const Workspace&) { return true; }, ""};
 constexpr Condition uses_method{
     [](const Workspace& w) { return w.document.scheme.exponential(); },
@@ -39,16 +48,16 @@ constexpr Condition has_elements{
     "There is nothing of the kind to select: open a cage, or add a probe."};
 constexpr Condition has_probe_room{
     [](const Workspace& w) {
-      return has_model(w) && w.document.probes.all.size() < most_probes && !w.interaction.drag;
+      return has_model(w) && w.document.probes.all.size() < most_probes && !in_hand(w);
     },
     "Open a model first; there can be 256 probes."};
 constexpr Condition has_probes_selected{
     [](const Workspace& w) {
-      return w.document.selection.kind() == ElementKind::probe && !w.document.selection.empty() && !w.interaction.drag;
+      return w.document.selection.kind() == ElementKind::probe && !w.document.selection.empty() && !in_hand(w);
     },
     "Select a probe first."};
 constexpr Condition has_free_probes_selected{
-    [](const Workspace& w) { return has_free_probes(w.document) && !w.interaction.drag; },
+    [](const Workspace& w) { return has_free_probes(w.document) && !in_hand(w); },
     "Select a probe that is not locked first."};
 constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
                              "Nothing is painted: all of the model follows the cage."};
@@ -74,13 +83,13 @@ constexpr Condition has_leftover{
 constexpr Condition has_discarded{[](const Workspace& w) { return !w.discarded.empty(); },
                                   "Nothing was discarded since the program was started."};
 constexpr Condition can_undo{
-    [](const Workspace& w) { return w.document.history.can_undo() && !w.interaction.drag; },
+    [](const Workspace& w) { return w.document.history.can_undo() && !in_hand(w); },
     "There is no edit to take back."};
 constexpr Condition can_redo{
-    [](const Workspace& w) { return w.document.history.can_redo() && !w.interaction.drag; },
+    [](const Workspace& w) { return w.document.history.can_redo() && !in_hand(w); },
     "No edit was taken back."};
 constexpr Condition is_posed{
-    [](const Workspace& w) { return !w.interaction.drag && differs_from_rest(w.document); },
+    [](const Workspace& w) { return !in_hand(w) && differs_from_rest(w.document); },
     "Cage and probes are at rest."};
 constexpr Condition has_posed_selection{[](const Workspace& w) { return has_selection(w) && is_posed(w); },
                                         "Nothing that is selected has moved."};
@@ -120,7 +129,7 @@ template <auto Value>
 Command choice_command() {
   static const std::string name = choice_command_name(Value);
   const auto& entry = deform::entry(Value);
-  return {name, entry.label, entry.sentence, "Blend", {}, {}, always, [](Workspace& w) {
+  return {name, entry.label, entry.sentence, "Blend", {}, {}, hand_is_free, [](Workspace& w) {
             set_scheme(w.document, deform::complete(deform::only(Value), w.document.scheme));
           }};
 }
@@ -275,9 +284,9 @@ const std::vector<Command>& table() {
 
       {"tool_paint", "Paint", "Paint what of the model stays at rest; with Ctrl what follows.",
        "Tool", {key('D')}, {}, is_movable, use_tool<Tool::paint>},
-      {"mask_clear", "Clear paint", "All of the model follows the cage again.", "Tool", {}, {}, has_mask,
+      {"mask_clear", "Clear paint", "All of the model follows the cage again.", "Tool", {}, {}, with_free_hand<has_mask>,
        [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); }},
-      {"mask_invert", "Invert paint", "What follows the cage stays, and the reverse.", "Tool", {}, {}, is_movable,
+      {"mask_invert", "Invert paint", "What follows the cage stays, and the reverse.", "Tool", {}, {}, with_free_hand<is_movable>,
        [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); }},
 
       {"add_probe", "Add", "Place a probe on the model, under the cursor: a frame that moves, turns and stretches what is near it.",
@@ -303,16 +312,16 @@ const std::vector<Command>& table() {
       choice_command<B::mls_similarity>(), choice_command<B::mls_rigid>(), choice_command<B::linear>(),
       {"toggle_stitched", "Stitched",
        "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are solved for. Details keep their shape; a frame takes longer.",
-       "Blend", {}, {}, has_maps, [](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); }},
+       "Blend", {}, {}, with_free_hand<has_maps>, [](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); }},
       {"toggle_clamp", "clamped", "Weights below 0 become 0, and what they took from the others with them.", "Blend", {}, {},
-       has_clamp, toggle_weighting<&deform::Weighting::clamp>},
+       with_free_hand<has_clamp>, toggle_weighting<&deform::Weighting::clamp>},
       {"toggle_normalise", "normalised",
        "Every vertex that an element reaches at all follows in full: the motion ends with a jump. Else it fades out.", "Blend",
-       {}, {}, has_normalise, toggle_weighting<&deform::Weighting::normalise>},
-      {"reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", "Blend", {key('K')}, {}, has_reach,
+       {}, {}, with_free_hand<has_normalise>, toggle_weighting<&deform::Weighting::normalise>},
+      {"reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", "Blend", {key('K')}, {}, with_free_hand<has_reach>,
        [](Workspace& w) { step_reach(w.document, -1); }},
       {"reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.", "Blend", {key('K'), false, true}, {},
-       has_reach, [](Workspace& w) { step_reach(w.document, 1); }},
+       with_free_hand<has_reach>, [](Workspace& w) { step_reach(w.document, 1); }},
 
       {"run_benchmark", "Measure", "Measure every method on random matrices, beside the view.", "Method", {}, {},
        is_not_measuring, [](Workspace& w) { w.requests.run_benchmark = true; }},
@@ -336,6 +345,8 @@ const std::vector<Command>& table() {
       {"toggle_wireframe", "Wireframe", "Show the edges of the mesh.", "View", {key('W'), false, true}, {}, always,
        toggle<&ViewOptions::wireframe>},
       {"toggle_model", "Model", "Show the mesh.", "View", {key('M')}, {}, always, toggle<&ViewOptions::model>},
+      {"toggle_deformed", "Deformed", "Let cage and probes move the mesh, or see it at rest meanwhile.", "View", {key('N')}, {}, always,
+       toggle<&ViewOptions::deformed>},
       {"toggle_cage", "Cage", "Show the cage and the probes.", "View", {key('C')}, {}, always, toggle<&ViewOptions::cage>},
       {"toggle_grid", "Grid", "Show the ground grid.", "View", {key('G')}, {}, always, toggle<&ViewOptions::grid>},
       {"toggle_axes", "Axes", "Show the axes at the top right.", "View", {key('X')}, {}, always,

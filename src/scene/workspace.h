@@ -32,6 +32,7 @@ namespace viete::scene {
 struct ViewOptions {
   bool dark = true;
   bool model = true;
+  bool deformed = true;  ///< as cage and probes move it; else at rest, whatever they do
   bool wireframe = false;
   bool cage = true;
   bool grid = true;

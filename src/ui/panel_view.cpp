@@ -20,6 +20,7 @@ void panel_view(const Context& ui) {
   command_toggle(ui, "toggle_orthographic", ui.workspace.camera.pose().orthographic);
   ImGui::SameLine(left + half);
   command_toggle(ui, "toggle_axes", view.axes);
+  command_toggle(ui, "toggle_deformed", view.deformed);
   command_row(ui, {"view_front", "view_right", "view_top"});
   command_row(ui, {"view_back", "view_left", "view_bottom"});
   command_row(ui, {"view_home", "frame_all", "help"});

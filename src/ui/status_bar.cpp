@@ -20,6 +20,7 @@ std::string mouse_text(const scene::Workspace& w) {
   if (w.interaction.drag)
     return "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button takes "
            "it back";
+  if (!w.view.deformed) return "The mesh is shown at rest, whatever moves it;  N lets it follow again";
   if (w.interaction.stroke) return "Release to keep it;  Esc or right button takes it back";
   if (scene::shows_mask(w))
     return "Drag paints what stays,  Ctrl what follows;  Shift and wheel change the brush;  middle or right "

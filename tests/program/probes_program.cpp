@@ -212,3 +212,31 @@ TEST_CASE("a_cage_that_is_opened_leaves_the_probes_and_they_are_placed_on_what_o
   CHECK(scene::has_unsaved_edits(d.workspace()));
   d.check_shown();
 }
+
+TEST_CASE("the_model_is_seen_at_rest_whatever_moves_it_and_follows_again") {
+  Hand d(true);
+  d.press_key('C');  // the cage would be drawn where it is
+  d.settle();
+  const auto rest = d.picture();
+  deform::Pose pose = d.document().pose;
+  for (auto& p : pose.positions) p[1] *= 1.5;
+  scene::set_pose(d.document(), pose);
+  d.settle();
+  const auto posed = d.picture();
+  CHECK(test::difference(rest, posed, 8) > 0.01);
+  d.press_key('N');
+  d.settle();
+  CHECK(d.workspace().posed.vertices.empty());
+  const auto off = d.picture();
+  CHECK(test::difference(rest, off, 8) < 0.02);  // but for the panels
+  CHECK(test::difference(posed, off, 8) > 0.01);
+  // What is posed meanwhile is there afterwards.
+  for (auto& p : pose.positions) p[0] += 0.3;
+  scene::set_pose(d.document(), pose);
+  d.settle();
+  CHECK(test::difference(off, d.picture(), 8) < 0.01);
+  d.press_key('N');
+  d.settle();
+  CHECK(test::difference(posed, d.picture(), 8) > 0.01);
+  d.check_shown();
+}
