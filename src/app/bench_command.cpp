@@ -170,6 +170,9 @@ void add_modes_bench(CLI::App& bench, Action& action) {
   add_bench_files(*command, *files);
   command->callback([options, files, asked, &action] {
     options->settings.iterations = asked->iterations.value_or(0);
+    if ((asked->pins || asked->hold) && !asked->iterations)
+      throw CLI::ValidationError(asked->pins ? "--pins" : "--hold",
+                                 "only stitched models are held: add --stitched");
     options->settings.holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
     if (!options->model.empty() && options->poses.empty())
       throw CLI::RequiredError(options->cage.empty() ? "CAGE" : "POSE");

@@ -12,7 +12,7 @@
 #include "deform/map_rows.h"
 #include "deform/moments.h"
 #include "deform/probe_layer.h"
-#include "deform/stitching.h"
+#include "deform/stitcher.h"
 #include "deform/vertex_sample.h"
 #include "deform/weigher.h"
 

@@ -1,7 +1,6 @@
 #include "deform/probe_layer.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "deform/linear_map.h"

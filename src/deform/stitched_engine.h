@@ -8,7 +8,7 @@
 #include "base/worker_pool.h"
 #include "deform/engine.h"
 #include "deform/fused_engine.h"
-#include "deform/stitching.h"
+#include "deform/stitcher.h"
 
 namespace viete::deform {
 

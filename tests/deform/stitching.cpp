@@ -1,4 +1,4 @@
-#include "deform/stitching.h"
+#include "deform/stitcher.h"
 
 #include <doctest/doctest.h>
 
