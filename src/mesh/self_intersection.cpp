@@ -5,76 +5,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/orientation.h"
+#include "mesh/triangle_tree.h"
 
 namespace viete::mesh {
 
 namespace {
-
-using Corners = std::array<Point, 3>;
-
-Point2 without(const Point& p, int axis) {
-  return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
-}
-
-// The axis along which the triangle is seen with area; -1 if it has none.
-int visible_axis(const Corners& t) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (orientation(without(t[0], axis), without(t[1], axis), without(t[2], axis)) != 0) return axis;
-  }
-  return -1;
-}
-
-// An edge of s has t wholly on its outer side, or on it.
-bool edge_separates(const Corners& s, const Corners& t, int axis) {
-  for (int i = 0; i < 3; ++i) {
-    const Point2 a = without(s[i], axis), b = without(s[(i + 1) % 3], axis);
-    const int inner = orientation(a, b, without(s[(i + 2) % 3], axis));
-    const auto outside = [&](const Point& p) { return orientation(a, b, without(p, axis)) * inner <= 0; };
-    if (std::all_of(t.begin(), t.end(), outside)) return true;
-  }
-  return false;
-}
-
-// Two of equal sign, or one and zeros.
-bool same_side(int a, int b, int c) {
-  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
-}
-
-// An edge of s goes through t: its ends lie on both sides of the plane, and its line meets the triangle.
-bool edge_crosses(const Corners& s, const Corners& t, const std::array<int, 3>& sides) {
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    if (sides[i] * sides[j] >= 0) continue;
-    if (same_side(orientation(s[i], s[j], t[0], t[1]), orientation(s[i], s[j], t[1], t[2]),
-                  orientation(s[i], s[j], t[2], t[0]))) {
-      return true;
-    }
-  }
-  return false;
-}
-
-std::array<int, 3> sides_of(const Corners& s, const Corners& t) {
-  return {orientation(t[0], t[1], t[2], s[0]), orientation(t[0], t[1], t[2], s[1]),
-          orientation(t[0], t[1], t[2], s[2])};
-}
-
-bool intersect(const Corners& s, const Corners& t) {
-  const auto of_s = sides_of(s, t);
-  if (of_s == std::array{0, 0, 0}) {
-    const int axis = visible_axis(s);
-    return !edge_separates(s, t, axis) && !edge_separates(t, s, axis);
-  }
-  if (of_s[0] * of_s[1] > 0 && of_s[1] * of_s[2] > 0) return false;
-  return edge_crosses(s, t, of_s) || edge_crosses(t, s, sides_of(t, s));
-}
-
-bool meet(const Bounds& a, const Bounds& b) {
-  for (int k = 0; k < 3; ++k) {
-    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
-  }
-  return true;
-}
 
 class Sweep {
 public:
@@ -114,7 +49,7 @@ private:
       for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) corners[i][k] = std::ldexp(surface.positions[t[i]][k], exponent);
       }
-      if (visible_axis(corners) >= 0) order_.push_back(static_cast<std::uint32_t>(corners_.size()));
+      if (has_plane(corners)) order_.push_back(static_cast<std::uint32_t>(corners_.size()));
       corners_.push_back(corners);
       boxes_.push_back(bounds(corners));
     }

@@ -45,6 +45,14 @@ struct Bounds {
   double diagonal() const;
 };
 
+/// True if the boxes share a point.
+inline bool meet(const Bounds& a, const Bounds& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+  }
+  return true;
+}
+
 Bounds bounds(std::span<const Point> positions);
 /// Of these positions alone.
 Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> some);

@@ -57,6 +57,12 @@ inline double largest_abs(const Vec3& a) {
   return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
 }
 
+/// Of the angle between them; -1 where one has no length.
+inline double cosine(const Vec3& a, const Vec3& b) {
+  const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
+  return lengths > 0 ? dot(a, b) / lengths : -1;
+}
+
 inline std::vector<Vec3> relative_to(const Vec3& origin, std::vector<Vec3> points) {
   for (Vec3& p : points) p = p - origin;
   return points;

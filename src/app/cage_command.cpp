@@ -1,0 +1,153 @@
+// viete cage MODEL -o CAGE: a cage made around any model.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/command_line.h"
+#include "app/inputs.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "base/clock.h"
+#include "base/quantity.h"
+#include "cages/closeness.h"
+#include "cages/make.h"
+#include "mesh/read.h"
+#include "mesh/write.h"
+
+namespace viete::app {
+
+namespace {
+
+struct CageOptions {
+  std::filesystem::path model, output;
+  cages::Wish wish;
+  bool force = false;
+};
+
+template <class Entries>
+std::vector<std::string> words_of(const Entries& entries) {
+  std::vector<std::string> words;
+  for (const auto& entry : entries) words.emplace_back(entry.name);
+  return words;
+}
+
+// "Kind of cage: automatic (follows ...), box (...)".
+template <class Entries>
+std::string sentence_of(std::string text, const Entries& entries) {
+  const char* mark = ": ";
+  for (const auto& entry : entries) {
+    text += mark + std::string(entry.name) + " (" + std::string(entry.text) + ")";
+    mark = ", ";
+  }
+  return text;
+}
+
+template <class Entries, class Value>
+void add_choice(CLI::App& app, const std::string& name, const std::string& text, const Entries& entries,
+                Value& value) {
+  auto* option = app.add_option_function<std::string>(
+      name,
+      [&value, entries](const std::string& word) {
+        for (const auto& entry : entries) {
+          if (entry.name == word) value = entry.value;
+        }
+      },
+      sentence_of(text, entries));
+  one_of(option, words_of(entries))->default_str(std::string(entries.front().name));
+}
+
+// "2x3x2".
+std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cells) {
+  std::array<std::size_t, 3> read{};
+  int end = 0;
+  const int found = std::sscanf(text.c_str(), "%3zux%3zux%3zu%n", &read[0], &read[1], &read[2], &end);
+  const bool in_range = found == 3 && static_cast<std::size_t>(end) == text.size() &&
+                        std::ranges::all_of(read, [](auto n) { return n >= 1 && n <= cages::most_cells; });
+  if (!in_range)
+    return "needs three whole numbers from 1 to " + std::to_string(cages::most_cells) + ", as 2x3x2, not " +
+           text;
+  cells = read;
+  return {};
+}
+
+void print(const cages::Made& made, const mesh::Surface& model, base::WorkerPool& pool, double seconds) {
+  const std::size_t triangles = made.surface.triangles.size();
+  const std::size_t quads = triangles - made.surface.polygon_count();
+  std::printf("made a cage of %s", base::counted(triangles, "triangle").c_str());
+  if (quads > 0) std::printf(" (%s of them in quads)", base::with_thousands(2 * quads).c_str());
+  if (made.mirror) std::printf(", symmetric");
+  std::printf(" in %s\n", base::milliseconds(1e3 * seconds).c_str());
+  const cages::Closeness close = cages::closeness(made.surface, model, pool);
+  std::printf("%s %% to %s %% of the model's diagonal away from it, %s %% on average",
+              base::few_digits(100 * close.least).c_str(), base::few_digits(100 * close.most).c_str(),
+              base::few_digits(100 * close.mean).c_str());
+  if (close.volume > 0) std::printf("; %s times its volume", base::few_digits(close.volume).c_str());
+  std::printf("\n");
+}
+
+int make_cage(const CageOptions& options) {
+  check_output(options.output, Content::surface, {options.model}, options.force);
+  const mesh::ReadResult model = mesh::read(options.model);
+  print_notes(model.warnings);
+  base::WorkerPool pool;
+  base::Stopwatch watch;
+  cages::Made made;
+  try {
+    made = cages::make(model.surface, options.wish, pool);
+  } catch (const base::Error& error) {
+    throw base::Error(options.model.string(), error.problem(), error.advice());
+  }
+  const double seconds = 1e-3 * watch.lap_ms();
+  print_notes(made.notes);
+  mesh::write(options.output, made.surface, {"cage of " + options.model.filename().string()});
+  print(made, model.surface, pool, seconds);
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_cage_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("cage", "Make a cage around a mesh and write it");
+  auto o = std::make_shared<CageOptions>();
+  cages::Wish& wish = o->wish;
+  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL)")->required();
+  add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
+      ->required();
+  add_force_option(*command, o->force);
+  add_choice(*command, "--kind", "What cage", cages::all_kinds(), wish.kind);
+  auto* triangles = command->add_option("--triangles", wish.triangles, "Size of the cage");
+  whole_in_range(triangles, cages::least_triangles, cages::most_triangles)->default_str("200");
+  const auto add_percent = [&](const std::string& name, const std::string& text, double& share, double low,
+                               double high) {
+    auto* option = command->add_option_function<double>(
+        name, [&share](double percent) { share = 0.01 * percent; }, text);
+    return in_range(option, 100 * low, 100 * high);
+  };
+  add_percent("--margin", "Distance that the cage keeps from the mesh, in percent of the mesh's diagonal",
+              wish.margin, cages::least_margin, cages::most_margin)
+      ->default_str("0.3");
+  add_percent("--gap",
+              "Gaps of the mesh narrower than twice this are closed, in percent of the mesh's diagonal",
+              wish.gap, 0, cages::most_gap)
+      ->default_str("0.5");
+  add_choice(*command, "--symmetry", "About which plane the cage is symmetric", cages::all_symmetries(),
+             wish.symmetry);
+  command->add_flag("--quads", wish.quads, "Pair triangles to quads where two make a good one");
+  command
+      ->add_option_function<std::string>(
+          "--cells", [](const std::string&) {},
+          "Of boxes: cells along each axis, at most 32 (default: 1x1x1)")
+      ->option_text("NxMxK")
+      ->check([&wish](const std::string& text) { return take_cells(text, wish.cells); });
+  command->add_flag("--own-axes", wish.own_axes,
+                    "Of boxes: along the mesh's own longest extents instead of the file's axes");
+  command->footer(
+      "The cage is closed, does not cut itself, and encloses every triangle of the mesh. Handles of the mesh "
+      "are kept where the "
+      "size allows; a note says which were closed.");
+  command->callback([o, &action] { action = [o] { return make_cage(*o); }; });
+}
+
+}  // namespace viete::app

@@ -1,0 +1,296 @@
+#include "cages/collapse.h"
+
+#include "cages/tighten.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <queue>
+
+namespace viete::cages {
+
+namespace {
+
+// The sum of squared distances to planes, by area: x'Ax - 2b'x + c.
+struct Quadric {
+  std::array<double, 6> a{};  // xx xy xz yy yz zz
+  Vec3 b{};
+  double c = 0;
+
+  void add_plane(const Vec3& unit, const Point& on, double weight) {
+    const double d = mesh::dot(unit, on);
+    a[0] += weight * unit[0] * unit[0];
+    a[1] += weight * unit[0] * unit[1];
+    a[2] += weight * unit[0] * unit[2];
+    a[3] += weight * unit[1] * unit[1];
+    a[4] += weight * unit[1] * unit[2];
+    a[5] += weight * unit[2] * unit[2];
+    b = b + (weight * d) * unit;
+    c += weight * d * d;
+  }
+  void add_point(const Point& p, double weight) {
+    for (const std::size_t k : {0, 3, 5}) a[k] += weight;
+    b = b + weight * p;
+    c += weight * mesh::squared_norm(p);
+  }
+  void add(const Quadric& other) {
+    for (std::size_t k = 0; k < 6; ++k) a[k] += other.a[k];
+    b = b + other.b;
+    c += other.c;
+  }
+  double operator()(const Point& x) const {
+    const double xax = a[0] * x[0] * x[0] + a[3] * x[1] * x[1] + a[5] * x[2] * x[2] +
+                       2 * (a[1] * x[0] * x[1] + a[2] * x[0] * x[2] + a[4] * x[1] * x[2]);
+    return std::max(0.0, xax - 2 * mesh::dot(b, x) + c);
+  }
+  // Positive definite, since points are among what it sums.
+  Point minimum() const {
+    const Vec3 r0{a[0], a[1], a[2]}, r1{a[1], a[3], a[4]}, r2{a[2], a[4], a[5]};
+    const Vec3 c0 = mesh::cross(r1, r2), c1 = mesh::cross(r2, r0), c2 = mesh::cross(r0, r1);
+    return (1 / mesh::dot(r0, c0)) * (b[0] * c0 + b[1] * c1 + b[2] * c2);
+  }
+};
+
+// Each lets more through than the one before.
+constexpr std::array<Shape, 3> shapes = {{{0.05, -0.8, 13}, {0.03, -0.85, 14}, {0.01, -0.95, 16}}};
+
+struct Candidate {
+  double cost;
+  int edge;
+  std::uint32_t stamps;  // of both ends, when it was priced
+  bool placed;           // the cost is that of the place that was found
+  Point place{};
+
+  bool operator<(const Candidate& other) const {
+    return cost > other.cost || (cost == other.cost && edge > other.edge);  // the cheapest comes first
+  }
+};
+
+class Collapse {
+public:
+  Collapse(WorkingCage& cage, std::size_t triangles, Accuracy accuracy)
+      : cage_(cage),
+        mesh_(cage.connectivity()),
+        target_(triangles),
+        accuracy_(accuracy),
+        quadrics_(cage.vertex_slots()),
+        stamps_(cage.vertex_slots(), 0) {
+    for (auto f = mesh_.faces_sbegin(); f != mesh_.faces_end(); ++f) add_face(*f);
+  }
+
+  bool run(base::Progress* progress) {
+    const auto start = static_cast<double>(cage_.face_count());
+    for (const Shape& shape : shapes) {
+      shape_ = shape;
+      queue_ = {};
+      blocked_.assign(mesh_.n_edges(), 0);
+      for (auto e = mesh_.edges_sbegin(); e != mesh_.edges_end(); ++e) push(*e);
+      std::size_t looked_at = 0;
+      while (!queue_.empty() && cage_.face_count() > target_) {
+        const Candidate next = queue_.top();
+        queue_.pop();
+        consider(next);
+        if (progress && ++looked_at % 64 == 0)
+          progress->report(1 -
+                           (static_cast<double>(cage_.face_count()) - static_cast<double>(target_)) / start);
+      }
+      if (cage_.face_count() <= target_) return true;
+    }
+    return false;
+  }
+
+private:
+  Quadric& quadric(VertexId v) { return quadrics_[static_cast<std::size_t>(v.idx())]; }
+  std::uint32_t& stamp(VertexId v) { return stamps_[static_cast<std::size_t>(v.idx())]; }
+
+  void add_face(FaceId f) {
+    const Vec3 n = cage_.normal(f);
+    const double length = mesh::norm(n);
+    if (!(length > 0)) return;
+    const double area = 0.5 * length;
+    for (auto v = mesh_.fv_iter(f); v.is_valid(); ++v) {
+      quadric(*v).add_plane((1 / length) * n, cage_.at(*v), area / 3);
+      quadric(*v).add_point(cage_.at(*v),
+                            1e-3 * area / 3);  // triangles that are even where planes do not tell
+    }
+  }
+
+  std::uint32_t stamps_of(Connectivity::EdgeHandle e) {
+    const auto h = mesh_.halfedge_handle(e, 0);
+    return stamp(mesh_.from_vertex_handle(h)) + stamp(mesh_.to_vertex_handle(h));
+  }
+
+  // Its `to` end stays: the one on the mirror.
+  HalfEdgeId direction(Connectivity::EdgeHandle e) const {
+    const auto h = mesh_.halfedge_handle(e, 0);
+    return mesh_.is_boundary(mesh_.from_vertex_handle(h)) ? mesh_.opposite_halfedge_handle(h) : h;
+  }
+
+  Quadric joined(HalfEdgeId h) {
+    Quadric q = quadric(mesh_.from_vertex_handle(h));
+    q.add(quadric(mesh_.to_vertex_handle(h)));
+    return q;
+  }
+
+  Point best_place(const Quadric& q, bool on_mirror) {
+    if (!on_mirror) return q.minimum();
+    Quadric flat = q;
+    flat.add_plane({1, 0, 0}, {0, 0, 0}, 1e3 * (q.a[0] + q.a[3] + q.a[5]));
+    Point x = flat.minimum();
+    x[0] = 0;
+    return x;
+  }
+
+  void push(Connectivity::EdgeHandle e) {
+    const HalfEdgeId h = direction(e);
+    if (accuracy_ == Accuracy::volume) return push_placed(e, h);
+    const Quadric q = joined(h);
+    blocked_[static_cast<std::size_t>(e.idx())] = 0;
+    queue_.push({price(q, best_place(q, mesh_.is_boundary(mesh_.to_vertex_handle(h)))), e.idx(), stamps_of(e),
+                 false});
+  }
+
+  void push_placed(Connectivity::EdgeHandle e, HalfEdgeId h) {
+    block(e);
+    if (!mesh_.is_collapse_ok(h) || makes_chord(h)) return;
+    auto place = find_place(h, joined(h));
+    if (!place) return;
+    for (int i = 0; i < 2; ++i) place = cage_.drawn_in(star_, *place, shape_);
+    blocked_[static_cast<std::size_t>(e.idx())] = 0;
+    queue_.push({cage_.added_volume(star_, *place), e.idx(), stamps_of(e), true, *place});
+  }
+
+  void consider_placed(const Candidate& next, HalfEdgeId h) {
+    cage_.star_of(h, star_);
+    if (!cage_.fits(star_, next.place, shape_)) return push_placed(mesh_.edge_handle(h), h);
+    const VertexId to = mesh_.to_vertex_handle(h);
+    const Quadric q = joined(h);
+    cage_.collapse(h, next.place);
+    quadric(to) = q;
+    tighten_around(cage_, to);
+    renew_wide(to);
+  }
+
+  // The neighbours moved too: all of their edges changed.
+  void renew_wide(VertexId v) {
+    ++stamp(v);
+    std::vector<int> changed;
+    for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor) {
+      ++stamp(*neighbor);
+      for (auto e = mesh_.cve_iter(*neighbor); e.is_valid(); ++e) changed.push_back(e->idx());
+    }
+    std::ranges::sort(changed);
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (const int e : changed) push(Connectivity::EdgeHandle(e));
+  }
+
+  // An inner edge between two vertices on the mirror would be there twice.
+  bool makes_chord(HalfEdgeId h) const {
+    const VertexId from = mesh_.from_vertex_handle(h), to = mesh_.to_vertex_handle(h);
+    if (!mesh_.is_boundary(to)) return false;
+    const bool along = mesh_.is_boundary(mesh_.edge_handle(h));
+    for (auto v = mesh_.cvv_iter(from); v.is_valid(); ++v) {
+      if (*v == to || !mesh_.is_boundary(*v)) continue;
+      const bool beside = mesh_.find_halfedge(to, *v).is_valid();
+      if (along ? !mesh_.is_boundary(mesh_.edge_handle(mesh_.find_halfedge(from, *v))) : !beside) return true;
+    }
+    return false;
+  }
+
+  void consider(const Candidate& next) {
+    const Connectivity::EdgeHandle e(next.edge);
+    if (mesh_.status(e).deleted() || next.stamps != stamps_of(e)) return;
+    const HalfEdgeId h = direction(e);
+    if (!mesh_.is_collapse_ok(h) || makes_chord(h)) return block(e);
+    if (accuracy_ == Accuracy::volume) return consider_placed(next, h);
+    const Quadric q = joined(h);
+    const auto place = find_place(h, q);
+    if (!place) return block(e);
+    const double cost = price(q, *place);
+    const double rounding = 1e-9 * cost;
+    if (!next.placed && !queue_.empty() && cost > 1.25 * next.cost + rounding && cost > queue_.top().cost) {
+      queue_.push({cost, next.edge, next.stamps, true});
+      return;
+    }
+    const VertexId to = mesh_.to_vertex_handle(h);
+    cage_.collapse(h, *place);
+    quadric(to) = q;
+    ++stamp(to);
+    renew(to);
+  }
+
+  // A volume: the root of the squared distances, by the area that they are of.
+  static double price(const Quadric& q, const Point& x) {
+    return std::sqrt(q(x) * (q.a[0] + q.a[3] + q.a[5]));
+  }
+
+  void block(Connectivity::EdgeHandle e) { blocked_[static_cast<std::size_t>(e.idx())] = 1; }
+
+  // Edges that changed, and those that were blocked by what changed.
+  void renew(VertexId v) {
+    for (auto e = mesh_.cve_iter(v); e.is_valid(); ++e) push(*e);
+    for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor) {
+      for (auto e = mesh_.cve_iter(*neighbor); e.is_valid(); ++e) {
+        if (blocked_[static_cast<std::size_t>(e->idx())]) push(*e);
+      }
+    }
+  }
+
+  // Where the quadric is least, then outward of it in growing steps and back by halves; else at one of the
+  // ends.
+  std::optional<Point> find_place(HalfEdgeId h, const Quadric& q) {
+    cage_.star_of(h, star_);
+    const Point best = best_place(q, star_.on_mirror);
+    if (cage_.fits(star_, best, shape_)) return best;
+    Vec3 outward{0, 0, 0};
+    double area = 0;
+    for (const FaceId f : star_.replaced) {
+      const Vec3 n = cage_.normal(f);
+      outward = outward + n;
+      area += mesh::norm(n);
+    }
+    if (star_.on_mirror) outward[0] = 0;
+    const double length = mesh::norm(outward);
+    if (length > 0.1 * area) {
+      outward = (1 / length) * outward;
+      const double most = std::sqrt(area);
+      for (double t = 0.25 * cage_.step(), inside = 0; t < most; inside = t, t *= 2) {
+        if (!cage_.fits(star_, best + t * outward, shape_)) continue;
+        return best + halved(best, outward, inside, t) * outward;
+      }
+    }
+    for (const VertexId end : {mesh_.to_vertex_handle(h), mesh_.from_vertex_handle(h)}) {
+      if (star_.on_mirror && !mesh_.is_boundary(end)) continue;
+      if (cage_.fits(star_, cage_.at(end), shape_)) return cage_.at(end);
+    }
+    return std::nullopt;
+  }
+
+  double halved(const Point& from, const Vec3& along, double bad, double good) {
+    for (int i = 0; i < 2; ++i) {
+      const double t = 0.5 * (bad + good);
+      (cage_.fits(star_, from + t * along, shape_) ? good : bad) = t;
+    }
+    return good;
+  }
+
+  WorkingCage& cage_;
+  Connectivity& mesh_;
+  std::size_t target_;
+  Accuracy accuracy_;
+  Shape shape_;
+  std::vector<Quadric> quadrics_;
+  std::vector<std::uint32_t> stamps_;
+  std::vector<std::uint8_t> blocked_;
+  std::priority_queue<Candidate> queue_;
+  Star star_;
+};
+
+}  // namespace
+
+bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, base::Progress* progress) {
+  return Collapse(cage, triangles, accuracy).run(progress);
+}
+
+}  // namespace viete::cages

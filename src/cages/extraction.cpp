@@ -1,0 +1,177 @@
+#include "cages/extraction.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace viete::cages {
+
+namespace {
+
+// Corner c of a cell stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 k + n runs along axis k from the n-th
+// of the corners whose bit k is 0.
+struct Edge {
+  int low, axis;
+};
+
+constexpr std::array<Edge, 12> edges = [] {
+  std::array<Edge, 12> all{};
+  int n = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int corner = 0; corner < 8; ++corner) {
+      if ((corner >> axis & 1) == 0) all[static_cast<std::size_t>(n++)] = {corner, axis};
+    }
+  }
+  return all;
+}();
+
+constexpr int edge_between(int a, int b) {
+  for (int e = 0; e < 12; ++e) {
+    const auto& edge = edges[static_cast<std::size_t>(e)];
+    if (edge.low == std::min(a, b) && (edge.low | 1 << edge.axis) == std::max(a, b)) return e;
+  }
+  return -1;
+}
+
+// Corners of each face, counter-clockwise from outside of the cell.
+constexpr std::array<std::array<int, 4>, 6> faces = {
+    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+
+using Next = std::array<std::int8_t, 12>;  // of each edge the one where the loop goes on; -1: it is not cut
+
+// On a face, the loop leads around each run of corners above the level: from where walking around the face
+// enters the run to where it leaves it, or backwards.
+constexpr Next loops_of(unsigned above) {
+  Next next{};
+  next.fill(-1);
+  for (const auto& face : faces) {
+    for (int start = 0; start < 4; ++start) {
+      const auto is_above = [&](int n) { return (above >> face[static_cast<std::size_t>(n % 4)] & 1U) != 0; };
+      if (!is_above(start + 1) || is_above(start)) continue;
+      int end = start + 1;
+      while (is_above(end + 1)) ++end;
+      const auto cut = [&](int n) {
+        return edge_between(face[static_cast<std::size_t>(n % 4)],
+                            face[static_cast<std::size_t>((n + 1) % 4)]);
+      };
+      next[static_cast<std::size_t>(cut(start))] = static_cast<std::int8_t>(cut(end));
+    }
+  }
+  return next;
+}
+
+constexpr std::array<Next, 256> all_loops = [] {
+  std::array<Next, 256> all{};
+  for (unsigned above = 0; above < 256; ++above) all[above] = loops_of(above);
+  return all;
+}();
+
+// Some face of the cell has both edges.
+constexpr std::array<std::array<bool, 12>, 12> on_one_face = [] {
+  std::array<std::array<bool, 12>, 12> all{};
+  for (const auto& face : faces) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        const auto e = static_cast<std::size_t>(edge_between(face[i], face[(i + 1) % 4]));
+        const auto f = static_cast<std::size_t>(edge_between(face[j], face[(j + 1) % 4]));
+        all[e][f] = true;
+      }
+    }
+  }
+  return all;
+}();
+
+class Extraction {
+public:
+  Extraction(const Clearance& clearance, double level)
+      : clearance_(clearance),
+        grid_(clearance.grid()),
+        level_(static_cast<float>(level)),
+        vertices_(3 * grid_.node_count(), unmade) {}
+
+  Shell run() {
+    for (std::size_t k = 0; k + 1 < grid_.size[2]; ++k) {
+      for (std::size_t j = 0; j + 1 < grid_.size[1]; ++j) {
+        for (std::size_t i = 0; i + 1 < grid_.size[0]; ++i) cell(i, j, k);
+      }
+    }
+    return std::move(shell_);
+  }
+
+private:
+  static constexpr std::uint32_t unmade = std::numeric_limits<std::uint32_t>::max();
+
+  std::size_t corner(std::size_t i, std::size_t j, std::size_t k, int c) const {
+    return grid_.index(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2 & 1));
+  }
+
+  void cell(std::size_t i, std::size_t j, std::size_t k) {
+    unsigned above = 0;
+    for (int c = 0; c < 8; ++c) above |= clearance_.at_node(corner(i, j, k, c)) > level_ ? 1U << c : 0U;
+    if (above == 0 || above == 255) return;
+    Next next = all_loops[above];
+    for (std::size_t e = 0; e < next.size(); ++e) {
+      if (next[e] < 0) continue;
+      loop_.clear();
+      cut_.clear();
+      for (std::size_t at = e; next[at] >= 0;) {
+        loop_.push_back(vertex(i, j, k, edges[at]));
+        cut_.push_back(at);
+        at = static_cast<std::size_t>(std::exchange(next[at], std::int8_t{-1}));
+      }
+      close_loop();
+    }
+  }
+
+  // An inner edge of a fan that runs along a face of the cell might be one of the next cell too: then all
+  // triangles meet in the middle instead. Nor may it join two vertices in the mirror, which are on one face.
+  void close_loop() {
+    const std::size_t n = loop_.size();
+    for (std::size_t first = 0; first < n; ++first) {
+      bool is_inside = true;
+      for (std::size_t i = 2; i + 1 < n; ++i)
+        is_inside = is_inside && !on_one_face[cut_[first]][cut_[(first + i) % n]];
+      if (!is_inside) continue;
+      for (std::size_t i = 1; i + 1 < n; ++i)
+        shell_.triangles.push_back({loop_[first], loop_[(first + i + 1) % n], loop_[(first + i) % n]});
+      return;
+    }
+    Point middle{0, 0, 0};
+    for (const auto v : loop_) middle = middle + (1 / static_cast<double>(n)) * shell_.positions[v];
+    const auto center = static_cast<std::uint32_t>(shell_.positions.size());
+    shell_.positions.push_back(middle);
+    for (std::size_t i = 0; i < n; ++i) shell_.triangles.push_back({center, loop_[(i + 1) % n], loop_[i]});
+  }
+
+  std::uint32_t vertex(std::size_t i, std::size_t j, std::size_t k, const Edge& edge) {
+    const std::size_t from = corner(i, j, k, edge.low), to = corner(i, j, k, edge.low | 1 << edge.axis);
+    std::uint32_t& made = vertices_[3 * from + static_cast<std::size_t>(edge.axis)];
+    if (made != unmade) return made;
+    made = static_cast<std::uint32_t>(shell_.positions.size());
+    const double a = clearance_.at_node(from), b = clearance_.at_node(to);
+    // Kept off the nodes, so that no triangle is without area.
+    const double t = std::clamp((level_ - a) / (b - a), 0.05, 0.95);
+    Point p = grid_.place(i + (edge.low & 1), j + (edge.low >> 1 & 1), k + (edge.low >> 2 & 1));
+    p[static_cast<std::size_t>(edge.axis)] += t * grid_.step;
+    shell_.positions.push_back(p);
+    return made;
+  }
+
+  const Clearance& clearance_;
+  const Grid& grid_;
+  float level_;
+  std::vector<std::uint32_t> vertices_;  // on the edge from each node along each axis
+  std::vector<std::uint32_t> loop_;      // around a patch in a cell
+  std::vector<std::size_t> cut_;         // and the edges of the cell that it runs across
+  Shell shell_;
+};
+
+}  // namespace
+
+Shell extract(const Clearance& clearance, double level) {
+  return Extraction(clearance, level).run();
+}
+
+}  // namespace viete::cages

@@ -1,0 +1,104 @@
+#include "cages/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/summary.h"
+
+namespace viete::cages {
+
+namespace {
+
+using Matrix = std::array<Vec3, 3>;
+
+// Columns of the eigenvectors, by rotations (Jacobi).
+Matrix eigenvectors(Matrix a) {
+  Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
+      if (std::abs(a[p][q]) < 1e-300) continue;
+      const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+      const double t = std::copysign(1, theta) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+      const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = a[k][p], y = a[k][q];
+        a[k][p] = c * x - s * y;
+        a[k][q] = s * x + c * y;
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = a[p][k], y = a[q][k];
+        a[p][k] = c * x - s * y;
+        a[q][k] = s * x + c * y;
+        const double u = v[k][p], w = v[k][q];
+        v[k][p] = c * u - s * w;
+        v[k][q] = s * u + c * w;
+      }
+    }
+  }
+  return v;
+}
+
+mesh::Bounds extent_of(const mesh::Surface& surface) {
+  return surface.triangles.empty() ? mesh::bounds(surface.positions) : mesh::used_bounds(surface);
+}
+
+// Where triangles are, or points; weighing all alike is enough for axes.
+std::vector<Point> places_of(const mesh::Surface& surface, const Frame& frame) {
+  std::vector<Point> places;
+  for (const auto& t : surface.triangles)
+    places.push_back((1.0 / 3) * (frame.into(surface.positions[t[0]]) + frame.into(surface.positions[t[1]]) +
+                                  frame.into(surface.positions[t[2]])));
+  if (!places.empty()) return places;
+  for (const Point& p : surface.positions) places.push_back(frame.into(p));
+  return places;
+}
+
+}  // namespace
+
+Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror) {
+  const mesh::Bounds box = extent_of(model);
+  Frame frame{box.center(), 1 / box.diagonal()};
+  if (!mirror) return frame;
+  const Vec3& n = mirror->normal;
+  frame.center = frame.center - (mesh::dot(n, frame.center) - mirror->offset) * n;
+  Vec3 least{0, 0, 0};
+  least[static_cast<std::size_t>(std::ranges::min_element(n, {}, [](double x) { return std::abs(x); }) -
+                                 n.begin())] = 1;
+  const Vec3 u = mesh::cross(n, least);
+  frame.axes[0] = n;
+  frame.axes[1] = (1 / mesh::norm(u)) * u;
+  frame.axes[2] = mesh::cross(n, frame.axes[1]);
+  return frame;
+}
+
+Frame own_frame(const mesh::Surface& model) {
+  Frame frame = frame_of(model, std::nullopt);
+  const std::vector<Point> places = places_of(model, frame);
+  Point mean{0, 0, 0};
+  for (const Point& p : places) mean = mean + (1 / static_cast<double>(places.size())) * p;
+  Matrix inertia{};
+  for (const Point& p : places) {
+    for (std::size_t i = 0; i < 3; ++i) inertia[i] = inertia[i] + (p[i] - mean[i]) * (p - mean);
+  }
+  const Matrix v = eigenvectors(inertia);
+  frame.axes[0] = {v[0][0], v[1][0], v[2][0]};
+  frame.axes[1] = {v[0][1], v[1][1], v[2][1]};
+  frame.axes[2] = mesh::cross(frame.axes[0], frame.axes[1]);
+  return frame;
+}
+
+FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
+  FramedModel model{surface.positions, surface.triangles, {}, false};
+  for (Point& p : model.positions) p = frame.into(p);
+  if (model.triangles.empty()) {
+    for (std::uint32_t v = 0; v < model.positions.size(); ++v) model.triangles.push_back({v, v, v});
+  }
+  std::vector<std::uint32_t> used;
+  for (const auto& t : model.triangles) used.insert(used.end(), t.begin(), t.end());
+  model.box = mesh::bounds(model.positions, used);
+  const mesh::Summary summary = mesh::summarize(surface);
+  model.closed = summary.closed() && summary.manifold() && summary.oriented();
+  return model;
+}
+
+}  // namespace viete::cages

@@ -1,0 +1,27 @@
+// Half a cage that ends in the plane x = 0, made whole; and where a model's plane of symmetry is.
+#pragma once
+
+#include <optional>
+
+#include "base/worker_pool.h"
+#include "cages/extraction.h"
+#include "mesh/surface.h"
+#include "mesh/triangle_tree.h"
+
+namespace viete::cages {
+
+/// Points p with dot(normal, p) = offset; normal is a unit vector.
+struct Plane {
+  mesh::Vec3 normal{1, 0, 0};
+  double offset = 0;
+};
+
+/// The half and its image, joined where x is 0. Vertices of the half keep their numbers.
+Shell whole(const Shell& half);
+
+/// The plane about which the model is most nearly symmetric, if its image is nowhere farther from it than 2 %
+/// of its diagonal: across an axis of its coordinates or of its inertia, moved to fit. Told by a few hundred
+/// of its vertices. Same for any pool.
+std::optional<Plane> symmetry_plane(const mesh::Surface& model);
+
+}  // namespace viete::cages

@@ -1,0 +1,55 @@
+#include "cages/soundness.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mesh/defects.h"
+#include "mesh/self_intersection.h"
+#include "mesh/summary.h"
+#include "mesh/union_find.h"
+#include "mesh/winding_number.h"
+
+namespace viete::cages {
+
+namespace {
+
+std::vector<std::uint32_t> one_vertex_a_part(std::size_t vertices,
+                                             std::span<const mesh::Triangle> triangles) {
+  mesh::UnionFind parts(vertices);
+  for (const auto& t : triangles) {
+    parts.join(t[0], t[1]);
+    parts.join(t[1], t[2]);
+  }
+  std::vector<std::uint8_t> taken(vertices, 0);
+  std::vector<std::uint32_t> firsts;
+  for (const auto& t : triangles) {
+    if (!std::exchange(taken[parts.find(t[0])], std::uint8_t{1})) firsts.push_back(t[0]);
+  }
+  return firsts;
+}
+
+}  // namespace
+
+Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
+                    std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
+                    base::Progress* progress) {
+  Soundness found;
+  const mesh::Summary summary = mesh::summarize(cage);
+  found.open_edges =
+      summary.boundary_edges.size() + summary.nonmanifold_edges.size() + summary.misoriented_edges.size();
+  found.pinched_vertices = mesh::nonmanifold_vertices(cage).size();
+  found.crossing = mesh::self_intersecting_triangles(cage, progress);
+  for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
+    const auto& corners = cage.triangles[t];
+    const mesh::Corners here = {cage.positions[corners[0]], cage.positions[corners[1]],
+                                cage.positions[corners[2]]};
+    if (mesh::has_plane(here) && tree.is_near(here)) found.cutting.push_back(t);
+  }
+  const auto firsts = one_vertex_a_part(positions.size(), triangles);
+  std::vector<mesh::Point> places(firsts.size());
+  std::ranges::transform(firsts, places.begin(), [&](std::uint32_t v) { return positions[v]; });
+  for (const auto i : mesh::points_outside(cage, places)) found.outside.push_back(firsts[i]);
+  return found;
+}
+
+}  // namespace viete::cages

@@ -1,0 +1,222 @@
+#include "mesh/triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "mesh/triangle.h"
+
+namespace viete::mesh {
+
+namespace {
+
+constexpr std::uint32_t triangles_per_leaf = 4;
+constexpr double far_away = 2;  // radii from which a node counts as a dipole (Barill et al. 2018, 3.3)
+
+double squared_distance(const Point& p, const Bounds& box) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double d = std::max({box.low[k] - p[k], 0.0, p[k] - box.high[k]});
+    sum += d * d;
+  }
+  return sum;
+}
+
+// Half the signed solid angle of the triangle seen from the origin (van Oosterom and Strackee 1983, eq. 8).
+double half_solid_angle(const Point& a, const Point& b, const Point& c) {
+  const double la = norm(a), lb = norm(b), lc = norm(c);
+  const double up = dot(a, cross(b, c));
+  return std::atan2(up, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
+// A triangle without a plane is an edge, or a point, which cuts nothing.
+bool cut(const Corners& t, const Corners& other) {
+  if (has_plane(other)) return intersect(t, other);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (crosses(other[i], other[(i + 1) % 3], t)) return true;
+  }
+  return false;
+}
+
+// Told by the middle of the other one where that is enough.
+bool are_near(const Corners& t, const Corners& other, double distance) {
+  if (distance <= 0) return cut(t, other);
+  const Point middle = (1.0 / 3) * (other[0] + other[1] + other[2]);
+  const double gap = std::sqrt(closest_on_triangle(middle, t[0], t[1], t[2]).squared_distance);
+  if (gap < distance) return true;
+  double radius = 0;
+  for (const Point& p : other) radius = std::max(radius, squared_norm(p - middle));
+  if (gap > distance + std::sqrt(radius) * (1 + 1e-12)) return false;
+  return mesh::squared_distance(t, other) < distance * distance;
+}
+
+}  // namespace
+
+TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles)
+    : order_(triangles.size()), corners_(triangles.size()) {
+  std::iota(order_.begin(), order_.end(), 0u);
+  std::vector<Point> centers(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    corners_[t] = {positions[triangles[t][0]], positions[triangles[t][1]], positions[triangles[t][2]]};
+    const Bounds box = bounds(corners_[t]);
+    centers[t] = 0.5 * (box.low + box.high);
+  }
+  nodes_.reserve(triangles.size());
+  build(0, static_cast<std::uint32_t>(triangles.size()), centers);
+  const std::vector<Corners> unordered = std::move(corners_);
+  corners_.resize(unordered.size());
+  for (std::size_t t = 0; t < order_.size(); ++t) corners_[t] = unordered[order_[t]];
+  make_dipoles();
+}
+
+// Halves along the longest side of the centres' box, which bounds the depth by the logarithm.
+std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers) {
+  const auto self = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back({bounds(corners_[order_[begin]]), begin, end, 0});
+  Bounds middle{centers[order_[begin]], centers[order_[begin]]}, box = nodes_[self].box;
+  for (std::uint32_t t = begin; t < end; ++t) {
+    const Bounds one = bounds(corners_[order_[t]]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], one.low[k]);
+      box.high[k] = std::max(box.high[k], one.high[k]);
+      middle.low[k] = std::min(middle.low[k], centers[order_[t]][k]);
+      middle.high[k] = std::max(middle.high[k], centers[order_[t]][k]);
+    }
+  }
+  nodes_[self].box = box;
+  if (end - begin <= triangles_per_leaf) return self;
+  const Vec3 size = middle.high - middle.low;
+  const auto side = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  const std::uint32_t half = begin + (end - begin) / 2;
+  std::nth_element(order_.begin() + begin, order_.begin() + half, order_.begin() + end,
+                   [&](std::uint32_t s, std::uint32_t t) {
+                     return centers[s][side] < centers[t][side] ||
+                            (centers[s][side] == centers[t][side] && s < t);
+                   });
+  build(begin, half, centers);
+  const std::uint32_t second = build(half, end, centers);
+  nodes_[self].second = second;
+  return self;
+}
+
+// From the leaves up: children stand behind their parent.
+void TriangleTree::make_dipoles() {
+  dipoles_.resize(nodes_.size());
+  std::vector<double> weights(nodes_.size(), 0);
+  for (std::size_t i = nodes_.size(); i-- > 0;) {
+    const Node& node = nodes_[i];
+    Dipole& dipole = dipoles_[i];
+    if (node.second != 0) {
+      for (const std::size_t child : {i + 1, std::size_t{node.second}}) {
+        dipole.area = dipole.area + dipoles_[child].area;
+        dipole.center = dipole.center + weights[child] * dipoles_[child].center;
+        weights[i] += weights[child];
+      }
+    } else {
+      for (std::uint32_t t = node.begin; t < node.end; ++t) {
+        const auto& [a, b, c] = corners_[t];
+        const Vec3 area = 0.5 * cross(b - a, c - a);
+        const double weight = norm(area);
+        dipole.area = dipole.area + area;
+        dipole.center = dipole.center + (weight / 3) * (a + b + c);
+        weights[i] += weight;
+      }
+    }
+    dipole.center = weights[i] > 0 ? (1 / weights[i]) * dipole.center : node.box.center();
+    Vec3 farthest{};
+    for (std::size_t k = 0; k < 3; ++k)
+      farthest[k] = std::max(node.box.high[k] - dipole.center[k], dipole.center[k] - node.box.low[k]);
+    dipole.radius = norm(farthest);
+  }
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Point& p, double below) const {
+  struct Open {
+    std::uint32_t node;
+    double squared_distance;
+  };
+  Nearest best{.squared_distance = below};
+  const std::uint32_t none = best.triangle;
+  Open stack[64];
+  std::size_t size = 0;
+  stack[size++] = {0, squared_distance(p, nodes_[0].box)};
+  while (size > 0) {
+    const Open open = stack[--size];
+    if (open.squared_distance >= best.squared_distance) continue;
+    const Node& node = nodes_[open.node];
+    if (node.second != 0) {
+      const Open first{open.node + 1, squared_distance(p, nodes_[open.node + 1].box)};
+      const Open second{node.second, squared_distance(p, nodes_[node.second].box)};
+      const bool in_order = first.squared_distance <= second.squared_distance;
+      stack[size++] = in_order ? second : first;
+      stack[size++] = in_order ? first : second;
+      continue;
+    }
+    for (std::uint32_t t = node.begin; t < node.end; ++t) {
+      const auto& [a, b, c] = corners_[t];
+      const double d = closest_on_triangle(p, a, b, c).squared_distance;
+      if (d < best.squared_distance) best = {order_[t], d};
+    }
+  }
+  if (best.triangle == none) best.squared_distance = std::numeric_limits<double>::infinity();
+  return best;
+}
+
+bool TriangleTree::is_near(const Corners& t, double distance) const {
+  Bounds box = bounds(t);
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] -= distance;
+    box.high[k] += distance;
+  }
+  const auto gap_to = [&](const Point& p) {
+    return std::sqrt(closest_on_triangle(p, t[0], t[1], t[2]).squared_distance);
+  };
+  std::uint32_t stack[64];
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t i = stack[--size];
+    const Node& node = nodes_[i];
+    if (!meet(node.box, box)) continue;
+    // Its triangles lie within a ball; some point of them is at every side of the box.
+    const double radius = 0.5 * node.box.diagonal() * (1 + 1e-12), gap = gap_to(node.box.center());
+    if (gap > radius + distance) continue;
+    if (gap + radius < distance) return true;
+    if (node.second != 0) {
+      stack[size++] = node.second;
+      stack[size++] = i + 1;
+      continue;
+    }
+    for (std::uint32_t other = node.begin; other < node.end; ++other) {
+      if (meet(bounds(corners_[other]), box) && are_near(t, corners_[other], distance)) return true;
+    }
+  }
+  return false;
+}
+
+double TriangleTree::winding_number(const Point& p) const {
+  double halves = 0, dipoles = 0;
+  std::uint32_t stack[64];
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t i = stack[--size];
+    const Node& node = nodes_[i];
+    const Dipole& dipole = dipoles_[i];
+    const Vec3 to = dipole.center - p;
+    const double squared = squared_norm(to);
+    if (squared > far_away * far_away * dipole.radius * dipole.radius) {
+      dipoles += dot(dipole.area, to) / (squared * std::sqrt(squared));
+    } else if (node.second != 0) {
+      stack[size++] = node.second;
+      stack[size++] = i + 1;
+    } else {
+      for (std::uint32_t t = node.begin; t < node.end; ++t)
+        halves += half_solid_angle(corners_[t][0] - p, corners_[t][1] - p, corners_[t][2] - p);
+    }
+  }
+  return (2 * halves + dipoles) / (4 * std::numbers::pi);
+}
+
+}  // namespace viete::mesh
