@@ -2,10 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
+#include "mesh/attributes.h"
+#include "mesh/original.h"
 #include "mesh/source.h"
 #include "mesh/surface.h"
 
@@ -15,6 +18,8 @@ struct ReadResult {
   Surface surface;
   std::string format;                 ///< "OBJ", "PLY ascii", "PLY binary little-endian", "STL binary", ...
   std::vector<std::string> warnings;  ///< one line each, harmless oddities worth a word, with their place
+  std::shared_ptr<const Attributes> attributes;  ///< null: nothing but positions and polygons
+  std::shared_ptr<const Original> original;      ///< null: it cannot be written again as it was
   std::vector<std::string> comments;  ///< of the file's head, without their mark: at most 64, of 200 bytes
 };
 

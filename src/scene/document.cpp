@@ -52,6 +52,8 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
   opened.bounds = mesh::used_bounds(read.surface);
   opened.warnings = std::move(read.warnings);
   opened.content = mesh::content_key(read.surface);
+  opened.attributes = std::move(read.attributes);
+  opened.original = std::move(read.original);
   opened.surface = std::make_shared<const mesh::Surface>(std::move(read.surface));
   return opened;
 }

@@ -12,6 +12,8 @@
 #include "deform/cage.h"
 #include "deform/probe.h"
 #include "deform/scheme.h"
+#include "mesh/attributes.h"
+#include "mesh/original.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
 #include "scene/history.h"
@@ -35,6 +37,8 @@ struct OpenedSurface {
   std::filesystem::path path;
   std::string format;
   std::shared_ptr<const mesh::Surface> surface;
+  std::shared_ptr<const mesh::Attributes> attributes;  ///< null: none
+  std::shared_ptr<const mesh::Original> original;      ///< null: it cannot be written again as it was
   mesh::Summary summary;
   mesh::Bounds bounds;  ///< of the vertices that a polygon uses
   std::vector<std::string> warnings;

@@ -12,9 +12,16 @@
 namespace viete::scene {
 
 Export export_of(const Document& document, const std::filesystem::path& file) {
-  Export all{file,          document.model.surface, document.cage,
-             document.pose, document.scheme,        document.method,
-             document.mask, document.probes};
+  Export all{file,
+             document.model.surface,
+             document.model.attributes,
+             document.model.original,
+             document.cage,
+             document.pose,
+             document.scheme,
+             document.method,
+             document.mask,
+             document.probes};
   if (document.has_cage()) return all;
   all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
   all.pose = deform::rest_pose(*all.cage);

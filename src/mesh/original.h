@@ -1,0 +1,29 @@
+// The file that a surface was read from, kept as it was, so that it can be written again with other positions.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/surface.h"
+#include "mesh/text_writer.h"
+
+namespace viete::mesh {
+
+/// Immutable; one for each format. Thread-safe.
+class Original {
+public:
+  virtual ~Original() = default;
+
+  /// True for the extension (lower case, without the dot) of a file that it can write itself as.
+  virtual bool writes(std::string_view extension) const = 0;
+
+  /// Everything that was read, in its order, but for positions that differ from those of `rest` (the surface
+  /// that was read from it) and for normals and tangents that follow them. Returns what a person should know
+  /// of the result, one line each. Throws base::Error and base::Cancelled.
+  virtual std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
+                                         TextWriter& out) const = 0;
+};
+
+}  // namespace viete::mesh
