@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/attributes.h"
+
 namespace viete::mesh {
 
 namespace {
@@ -18,6 +20,82 @@ Point unit(Point sum) {
   }
   const double length = std::sqrt(squared);
   return {sum[0] / length, sum[1] / length, sum[2] / length};
+}
+
+// Two edges of a triangle, their unit normal, and the dual basis of the edges in its plane.
+struct TriangleAxes {
+  Point edge[2], normal, dual[2];
+  double area = 0;  // twice the triangle's
+
+  TriangleAxes(std::span<const Point> p, const Triangle& t) : edge{p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]} {
+    const Point n = cross(edge[0], edge[1]);
+    area = stable_norm(n);
+    if (!(area > 0)) return;
+    normal = (1 / area) * n;
+    dual[0] = (1 / area) * cross(edge[1], normal);
+    dual[1] = (1 / area) * cross(normal, edge[0]);
+  }
+};
+
+// The triangle's map takes its edges along, and its normal by the factor that areas have in one direction.
+struct TriangleMap {
+  TriangleAxes from, to;
+  double thickness = 1;
+
+  TriangleMap(const Triangle& t, std::span<const Point> rest, std::span<const Point> posed)
+      : from(rest, t), to(posed, t) {
+    if (usable()) thickness = std::sqrt(to.area / from.area);
+  }
+
+  bool usable() const { return from.area > 0 && to.area > 0 && std::isfinite(to.area); }
+
+  // Cofactors of the map, times the area at rest.
+  Point of_normal(const Point& n) const {
+    const Point in_plane = dot(n, from.edge[0]) * to.dual[0] + dot(n, from.edge[1]) * to.dual[1];
+    return to.area * (dot(n, from.normal) * to.normal + thickness * in_plane);
+  }
+
+  Point of_tangent(const Point& t) const {
+    const Point in_plane = dot(t, from.dual[0]) * to.edge[0] + dot(t, from.dual[1]) * to.edge[1];
+    return to.area * (in_plane + thickness * dot(t, from.normal) * to.normal);
+  }
+};
+
+bool has_moved(const Triangle& t, std::span<const Point> rest, std::span<const Point> posed) {
+  return rest[t[0]] != posed[t[0]] || rest[t[1]] != posed[t[1]] || rest[t[2]] != posed[t[2]];
+}
+
+// The corners of each triangle, as places in rest.corners: the fan about the first corner of its polygon.
+template <class Use>
+void for_each_triangle(const Surface& s, const Use& use) {
+  std::size_t t = 0;
+  for (std::size_t p = 0; p < s.polygon_count(); ++p) {
+    const std::uint32_t first = s.polygon_starts[p], end = s.polygon_starts[p + 1];
+    for (std::uint32_t c = first + 2; c < end; ++c, ++t) use(s.triangles[t], Triangle{first, c - 1, c});
+  }
+}
+
+template <class Move>
+std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
+                          std::span<const Vec3> vectors, std::span<const std::uint32_t> of_corner,
+                          const Move& move) {
+  std::vector<Vec3> sums(vectors.size(), Vec3{0, 0, 0});
+  std::vector<char> moved(vectors.size(), 0);
+  for_each_triangle(rest, [&](const Triangle& triangle, const Triangle& corners) {
+    const TriangleMap map(triangle, rest.positions, positions);
+    const bool moves = has_moved(triangle, rest.positions, positions);
+    for (const std::uint32_t c : corners) {
+      const std::uint32_t i = of_corner[c];
+      if (i == none) continue;
+      moved[i] |= moves;
+      if (map.usable()) sums[i] = sums[i] + move(map, vectors[i]);
+    }
+  });
+  std::vector<Vec3> result(vectors.begin(), vectors.end());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (moved[i] && squared_norm(sums[i]) > 0) result[i] = unit(sums[i]);
+  }
+  return result;
 }
 
 }  // namespace
@@ -41,6 +119,20 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
     }
     normals[v] = unit(sum);
   }
+}
+
+std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
+                                   std::span<const Vec3> normals,
+                                   std::span<const std::uint32_t> corner_normal) {
+  return carried(rest, positions, normals, corner_normal,
+                 [](const TriangleMap& map, const Vec3& n) { return map.of_normal(n); });
+}
+
+std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
+                                    std::span<const Vec3> tangents,
+                                    std::span<const std::uint32_t> corner_tangent) {
+  return carried(rest, positions, tangents, corner_tangent,
+                 [](const TriangleMap& map, const Vec3& t) { return map.of_tangent(t); });
 }
 
 }  // namespace viete::mesh

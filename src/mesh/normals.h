@@ -1,9 +1,10 @@
-// Vertex normals from triangles.
+// Vertex normals from triangles, and what a deformation does to those of a file.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "mesh/adjacency.h"
 #include "mesh/surface.h"
@@ -18,5 +19,18 @@ Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> trian
 /// area around it gets (0, 0, 1). Any length scale from 1e-70 to 1e70. normals.size() == positions.size().
 void vertex_normals(std::span<const Point> positions, std::span<const Triangle> triangles,
                     const Adjacency& around, std::size_t begin, std::size_t end, std::span<Point> normals);
+
+/// What becomes of a file's normals when the vertices of `rest` move to `positions`: each triangle moves by
+/// an affine map, normals by its cofactors, and a normal is the mean over its corners, weighed by deformed
+/// area. corner_normal: of each of rest.corners an index into normals, or `none` (attributes.h). Split
+/// normals stay split. Unit vectors, but for normals around which nothing moved: those keep their bits.
+std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
+                                   std::span<const Vec3> normals,
+                                   std::span<const std::uint32_t> corner_normal);
+
+/// The same for tangents, which move with the surface.
+std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
+                                    std::span<const Vec3> tangents,
+                                    std::span<const std::uint32_t> corner_tangent);
 
 }  // namespace viete::mesh

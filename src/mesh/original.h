@@ -1,11 +1,14 @@
-// The file that a surface was read from, kept as it was, so that it can be written again with other positions.
+// The file that a surface was read from, kept as it was, so that it can be written again with other
+// positions.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/progress.h"
 #include "mesh/surface.h"
 #include "mesh/text_writer.h"
 
@@ -24,6 +27,12 @@ public:
   /// of the result, one line each. Throws base::Error and base::Cancelled.
   virtual std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                          TextWriter& out) const = 0;
+
+  /// The same as a file, which is replaced as a whole or left as it was, with what stands beside it in a
+  /// format of several files. progress may be null.
+  virtual std::vector<std::string> write_file(const std::filesystem::path& path, const Surface& rest,
+                                              std::span<const Point> positions,
+                                              base::Progress* progress) const;
 };
 
 }  // namespace viete::mesh

@@ -6,22 +6,16 @@
 #include "base/atomic_file.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
+#include "mesh/source.h"
 #include "mesh/write.h"
 #include "scene/pose_notes.h"
 
 namespace viete::scene {
 
 Export export_of(const Document& document, const std::filesystem::path& file) {
-  Export all{file,
-             document.model.surface,
-             document.model.attributes,
-             document.model.original,
-             document.cage,
-             document.pose,
-             document.scheme,
-             document.method,
-             document.mask,
-             document.probes};
+  Export all{file,          document.model.surface, document.model.attributes, document.model.original,
+             document.cage, document.pose,          document.scheme,           document.method,
+             document.mask, document.probes};
   if (document.has_cage()) return all;
   all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
   all.pose = deform::rest_pose(*all.cage);
@@ -30,15 +24,21 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
 }
 
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
-  mesh::check_format(what.file);
+  const bool as_it_was = what.original && what.original->writes(mesh::extension_of(what.file));
+  if (!as_it_was) mesh::check_format(what.file);
   base::check_replaceable(what.file);
   base::WorkerPool pool;
   if (progress) progress->section(0, 0.5);
   const deform::ExactModel deformed = deform::deform_exactly(
       *what.model, what.cage, what.scheme, what.pose, what.method, pool, progress, what.mask, what.probes);
   if (progress) progress->section(0.5, 1);
-  mesh::write(what.file, *what.model, deformed.positions, {}, progress);
   std::vector<std::string> notes = deformed.warnings;
+  if (as_it_was) {
+    for (auto& note : what.original->write_file(what.file, *what.model, deformed.positions, progress))
+      notes.push_back(std::move(note));
+  } else {
+    mesh::write(what.file, *what.model, deformed.positions, {}, progress);
+  }
   for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
   if (const std::string note = method_note(what.method, deformed.exp_error); !note.empty())
     notes.push_back(note);

@@ -65,3 +65,49 @@ TEST_CASE("normals_of_a_range_leave_the_others_alone_and_equal_those_of_the_whol
   for (std::size_t v = 0; v < part.size(); ++v)
     CHECK(part[v] == (v >= 10 && v < 20 ? whole[v] : Point{7, 7, 7}));
 }
+
+TEST_CASE("normals_of_a_file_follow_the_deformation_and_stay_split") {
+  Surface s = test::cube();
+  std::vector<Vec3> normals;
+  std::vector<std::uint32_t> corner_normal;
+  for (std::size_t p = 0; p < s.polygon_count(); ++p) {
+    const auto corner = [&](std::size_t i) { return s.positions[s.corners[s.polygon_starts[p] + i]]; };
+    normals.push_back(0.25 * cross(corner(1) - corner(0), corner(2) - corner(0)));
+    corner_normal.insert(corner_normal.end(), 4, static_cast<std::uint32_t>(p));
+  }
+  CHECK(deformed_normals(s, s.positions, normals, corner_normal) == normals);
+
+  // A shear of z by x, a stretch along x, a turn about z: normals go by the cofactors.
+  const double cosine = std::cos(0.7), sine = std::sin(0.7);
+  const auto map = [&](const Point& p) {
+    const Point sheared{2 * p[0], p[1], p[2] + 0.5 * p[0]};
+    return Point{cosine * sheared[0] - sine * sheared[1], sine * sheared[0] + cosine * sheared[1],
+                 sheared[2]};
+  };
+  std::vector<Point> posed;
+  for (const Point& p : s.positions) posed.push_back(map(p));
+  const auto moved = deformed_normals(s, posed, normals, corner_normal);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Vec3& n = normals[i];
+    const Vec3 across{n[1], n[2], n[0]}, other = cross(n, across);
+    const Vec3 expected = cross(map(across), map(other));
+    CHECK(norm(moved[i] - (1 / norm(expected)) * expected) < 1e-14);
+  }
+  const auto tangents = deformed_tangents(s, posed, {{Vec3{1, 0, 0}}}, std::vector<std::uint32_t>(24, 0));
+  CHECK(norm(tangents[0]) == doctest::Approx(1));
+}
+
+TEST_CASE("a_rotation_turns_normals_that_lean_from_their_faces") {
+  const Surface s = test::sphere(2);
+  std::vector<Vec3> normals;
+  std::vector<Point> posed;
+  for (const Point& p : s.positions) {
+    const Vec3 leaning = p + Vec3{0.1, 0.2, -0.1};
+    normals.push_back((1 / norm(leaning)) * leaning);
+    posed.push_back({-p[1], p[0], p[2]});
+  }
+  const auto moved = deformed_normals(s, posed, normals, s.corners);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    CHECK(norm(moved[i] - Vec3{-normals[i][1], normals[i][0], normals[i][2]}) < 1e-13);
+  }
+}
