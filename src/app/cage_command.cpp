@@ -127,7 +127,7 @@ void add_cage_command(CLI::App& app, Action& action) {
   };
   add_percent("--margin", "Distance that the cage keeps from the mesh, in percent of the mesh's diagonal",
               wish.margin, cages::least_margin, cages::most_margin)
-      ->default_str("0.3");
+      ->default_str("0.15");
   add_percent("--gap",
               "Gaps of the mesh narrower than twice this are closed, in percent of the mesh's diagonal",
               wish.gap, 0, cages::most_gap)

@@ -129,10 +129,10 @@ private:
     return settled(best);
   }
 
-  // The margin was kept as far as the grid tells: now exactly.
-  static Shell settled(WorkingCage& cage) {
-    keep_margin(cage);
-    cage.be_exact();
+  // The margin was kept as far as the grid tells: now exactly, where there is room.
+  Shell settled(WorkingCage& cage) {
+    too_near_ = keep_margin(cage, wish_.margin);
+    cage.be_exact(wish_.margin);
     tighten(cage, 2);
     return cage.shell();
   }
@@ -190,6 +190,9 @@ private:
   }
 
   void tell(double gap) {
+    if (too_near_ > 0)
+      made_.notes.push_back("no room for the margin at " + base::counted(too_near_, "triangle") +
+                            ", which the model is nearer to");
     if (gap > wish_.gap && first_ && (first_->handles > last_.handles || first_->parts > last_.parts)) {
       made_.notes.push_back("closed gaps up to " + percent(2 * gap) + " of the model's diagonal: of " +
                             base::counted(first_->parts, "part") + " and " +
@@ -215,6 +218,7 @@ private:
   mesh::TriangleTree tree_;
   std::size_t target_, cells_ = 0;
   double step_ = 0;
+  std::size_t too_near_ = 0;  // triangles
   std::optional<Topology> first_;
   Topology last_;
 };

@@ -157,29 +157,40 @@ void refine_to(WorkingCage& cage, std::size_t triangles) {
   }
 }
 
-void keep_margin(WorkingCage& cage) {
+namespace {
+
+void push(WorkingCage& cage, VertexId v, const Star& star, const Vec3& along, double margin) {
+  const Shape any_shape{0.01, -0.95, 64};
+  for (const double t : {0.2, 0.05}) {
+    const Point place = cage.at(v) + (t * margin) * along;
+    if (cage.fits(star, place, any_shape)) return cage.move(v, place);
+  }
+}
+
+}  // namespace
+
+std::size_t keep_margin(WorkingCage& cage, double margin) {
   constexpr int most_rounds = 24;
   Connectivity& mesh = cage.connectivity();
-  const Shape any_shape{0.01, -0.95, 64};
   Star star;
-  for (int i = 0; i < most_rounds; ++i) {
+  for (int i = 0;; ++i) {
     std::vector<Vec3> away(mesh.n_vertices(), {0, 0, 0});
-    bool found = false;
+    std::size_t found = 0;
     for (auto f = mesh.faces_sbegin(); f != mesh.faces_end(); ++f) {
-      if (!cage.is_near_model(*f)) continue;
-      found = true;
+      if (!cage.is_near_model(*f, margin)) continue;
+      ++found;
       const Vec3 n = cage.normal(*f);
       for (const auto v : cage.vertices(*f)) away[v] = away[v] + (1 / mesh::norm(n)) * n;
     }
-    if (!found) return;
+    if (found == 0 || i == most_rounds) return found;
     for (auto v = mesh.vertices_sbegin(); v != mesh.vertices_end(); ++v) {
       Vec3 along = away[static_cast<std::size_t>(v->idx())];
       cage.star_of(*v, star);
       if (star.on_mirror) along[0] = 0;
       const double length = mesh::norm(along);
       if (!(length > 0)) continue;
-      const Point to = cage.at(*v) + (0.2 * cage.margin() / length) * along;
-      if (cage.fits(star, to, any_shape)) cage.move(*v, to);
+      push(cage, *v, star, (1 / length) * along, margin);
+      push(cage, *v, star, cage.outward(star), margin);
     }
   }
 }

@@ -12,8 +12,8 @@ namespace viete::cages {
 void tighten(WorkingCage& cage, int rounds, base::Progress* progress = nullptr);
 
 /// Moves vertices of triangles that are nearer to the model than the margin outward, until none is, or as far
-/// as the cage stays sound. The clearance is interpolated: this makes the margin exact.
-void keep_margin(WorkingCage& cage);
+/// as the cage stays sound: the clearance is interpolated, this is exact. Returns how many are left.
+std::size_t keep_margin(WorkingCage& cage, double margin);
 
 /// Splits the edges from which most volume can be drawn in, until there are so many triangles.
 void refine_to(WorkingCage& cage, std::size_t triangles);

@@ -24,13 +24,13 @@ enum class Symmetry { automatic, none, x, y, z };
 enum class Effort { preview, full };
 
 inline constexpr std::size_t least_triangles = 12, most_triangles = 20000;
-inline constexpr double least_margin = 0.001, most_margin = 0.2, most_gap = 0.2;
+inline constexpr double least_margin = 0.0005, most_margin = 0.2, most_gap = 0.2;
 inline constexpr std::size_t most_cells = 32;
 
 struct Wish {
   Kind kind = Kind::automatic;
   std::size_t triangles = 200;  ///< least_triangles to most_triangles; not of boxes
-  double margin = 0.003;        ///< distance to the model, of its diagonal; least_margin to most_margin
+  double margin = 0.0015;       ///< distance to the model, of its diagonal; least_margin to most_margin
   double gap = 0.005;           ///< gaps narrower than twice this, of the diagonal, are closed; 0 to most_gap
   Symmetry symmetry = Symmetry::automatic;
   bool quads = false;                         ///< triangles are paired where two make a good quad

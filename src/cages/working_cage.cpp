@@ -184,7 +184,7 @@ bool WorkingCage::fits(const Star& star, const Point& x, const Shape& shape) {
     if (!clearance_.is_clear(t.corners, margin_)) return false;
   }
   return !crosses(now_, star.replaced) &&
-         std::ranges::none_of(now_, [&](const auto& t) { return is_near_model(t.corners, exact_ ? margin_ : 0); });
+         std::ranges::none_of(now_, [&](const auto& t) { return is_near_model(t.corners, exact_margin_); });
 }
 
 bool WorkingCage::fits(const std::array<mesh::Triangle, 2>& now, const std::array<FaceId, 2>& replaced,
@@ -196,7 +196,7 @@ bool WorkingCage::fits(const std::array<mesh::Triangle, 2>& now, const std::arra
   }
   if (mesh::cosine(normal_of(now_[0].corners), normal_of(now_[1].corners)) < shape.least_cosine) return false;
   return !crosses(now_, replaced) &&
-         std::ranges::none_of(now_, [&](const auto& t) { return is_near_model(t.corners, exact_ ? margin_ : 0); });
+         std::ranges::none_of(now_, [&](const auto& t) { return is_near_model(t.corners, exact_margin_); });
 }
 
 // Neighbours along an edge meet there alone, unless one is folded onto the other, which the cosine excludes.

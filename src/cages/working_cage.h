@@ -42,8 +42,8 @@ struct Star {
 };
 
 /// An oriented manifold with positions, of which any change that is asked about keeps: at least `margin` of
-/// clearance everywhere, as the grid resolves it, no triangle through another or through the model, and with a mirror no vertex beyond
-/// x = 0. Not thread-safe.
+/// clearance everywhere, as the grid resolves it, no triangle through another or through the model, and with
+/// a mirror no vertex beyond x = 0. Not thread-safe.
 class WorkingCage {
 public:
   WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin);
@@ -86,11 +86,10 @@ public:
   bool fits(const std::array<mesh::Triangle, 2>& now, const std::array<FaceId, 2>& replaced,
             const Shape& shape);
 
-  /// The model is nearer to the triangle than the margin, exactly.
-  bool is_near_model(FaceId f) const { return is_near_model(corners(f), margin_); }
-
-  /// From now on, what fits keeps the margin exactly; it takes several times as long.
-  void be_exact() { exact_ = true; }
+  /// From now on, what fits keeps this margin exactly too; it takes several times as long.
+  void be_exact(double margin) { exact_margin_ = margin; }
+  /// The model is nearer to the triangle than that, exactly.
+  bool is_near_model(FaceId f, double distance) const { return is_near_model(corners(f), distance); }
 
   // Changes that were found to fit.
   void move(VertexId v, const Point& x);
@@ -120,7 +119,7 @@ private:
   const Clearance& clearance_;
   double margin_;
   std::size_t faces_;
-  bool exact_ = false;
+  double exact_margin_ = 0;  // 0: it does not cut the model
   std::vector<std::vector<FaceId>>
       cells_;                        // the triangles in each part of the grid's box, and some that left
   std::vector<std::uint32_t> seen_;  // of each face the last question that it was looked at for

@@ -172,13 +172,23 @@ bool TriangleTree::is_near(const Corners& t, double distance) const {
   const auto gap_to = [&](const Point& p) {
     return std::sqrt(closest_on_triangle(p, t[0], t[1], t[2]).squared_distance);
   };
+  const Vec3 across = cross(t[1] - t[0], t[2] - t[0]);
+  const double reach = distance * norm(across);
+  // Wholly on one side of its plane, and farther from that.
+  const auto beside = [&](const Bounds& other) {
+    const double middle = dot(across, 0.5 * (other.low + other.high) - t[0]);
+    const Vec3 half = 0.5 * (other.high - other.low);
+    const double spread =
+        half[0] * std::abs(across[0]) + half[1] * std::abs(across[1]) + half[2] * std::abs(across[2]);
+    return std::abs(middle) > (spread + reach) * (1 + 1e-9);
+  };
   std::uint32_t stack[64];
   std::size_t size = 0;
   stack[size++] = 0;
   while (size > 0) {
     const std::uint32_t i = stack[--size];
     const Node& node = nodes_[i];
-    if (!meet(node.box, box)) continue;
+    if (!meet(node.box, box) || beside(node.box)) continue;
     // Its triangles lie within a ball; some point of them is at every side of the box.
     const double radius = 0.5 * node.box.diagonal() * (1 + 1e-12), gap = gap_to(node.box.center());
     if (gap > radius + distance) continue;
