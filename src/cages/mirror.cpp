@@ -11,7 +11,7 @@ namespace viete::cages {
 namespace {
 
 constexpr std::size_t samples = 200;
-constexpr double tolerance = 0.02;  // of the diagonal
+constexpr double tolerance = 0.02, fine = 1e-3;  // of the diagonal
 
 Point reflected(const Point& p, const Plane& plane) {
   return p - (2 * (mesh::dot(plane.normal, p) - plane.offset)) * plane.normal;
@@ -29,28 +29,34 @@ public:
     for (std::size_t n = 0; n < samples; ++n) points_.push_back(positions[n * positions.size() / samples]);
   }
 
-  // The largest distance of a sample's image to the model.
-  double error(const Plane& plane) const {
+  // The largest distance of a sample's image to the model, or any number above `most` if it is above that.
+  double error(const Plane& plane, double most) const {
     double worst = 0;
-    for (const Point& p : points_)
+    for (const Point& p : points_) {
       worst = std::max(worst, tree_.nearest(reflected(p, plane)).squared_distance);
+      if (worst > most * most) break;
+    }
     return std::sqrt(worst);
   }
 
-  double mean_error(const Plane& plane) const {
+  double mean_error(const Plane& plane, double most) const {
+    const auto count = static_cast<double>(points_.size());
     double sum = 0;
-    for (const Point& p : points_) sum += std::sqrt(tree_.nearest(reflected(p, plane)).squared_distance);
-    return sum / static_cast<double>(points_.size());
+    for (const Point& p : points_) {
+      sum += std::sqrt(tree_.nearest(reflected(p, plane)).squared_distance);
+      if (sum > most * count) break;
+    }
+    return sum / count;
   }
 
   // Steps along the offset and two tilts, shorter when none is better.
   Plane fitted(Plane plane) const {
-    double best = mean_error(plane);
+    double best = mean_error(plane, tolerance);
     for (double step = 0.02; step > 2e-4; step *= 0.5) {
       for (bool better = true; better;) {
         better = false;
         for (const Plane& next : neighbors(plane, step)) {
-          const double error = mean_error(next);
+          const double error = mean_error(next, best);
           if (error >= best * (1 - 1e-9)) continue;
           best = error;
           plane = next;
@@ -109,8 +115,9 @@ std::optional<Plane> symmetry_plane(const mesh::Surface& surface) {
     normal[k % 3] = 1;                                                           // of inertia
     if (k < 3) normal = {frame.axes[0][k], frame.axes[1][k], frame.axes[2][k]};  // of the file
     Plane plane{normal, mesh::dot(normal, k < 3 ? file_middle : mean)};
-    if (search.error(plane) > 1e-3 && search.mean_error(plane) < tolerance) plane = search.fitted(plane);
-    const double error = search.error(plane);
+    if (search.error(plane, fine) > fine && search.mean_error(plane, tolerance) < tolerance)
+      plane = search.fitted(plane);
+    const double error = search.error(plane, tolerance);
     if (error >= least * (1 - 1e-6)) continue;
     least = error;
     best = plane;

@@ -40,8 +40,8 @@ WorkingCage::WorkingCage(const Shell& shell, const mesh::TriangleTree& model, co
       clearance_(clearance),
       margin_(margin),
       faces_(shell.triangles.size()),
-      cells_(cells_along * cells_along * cells_along),
-      seen_(shell.triangles.size(), 0) {
+      placed_(shell.triangles.size()),
+      cells_(cells_along * cells_along * cells_along) {
   connectivity_.request_vertex_status();
   connectivity_.request_edge_status();
   connectivity_.request_halfedge_status();
@@ -219,9 +219,8 @@ bool WorkingCage::cross(const Candidate& s, const Candidate& t) {
 }
 
 template <class Visit>
-void WorkingCage::for_cells(const mesh::Corners& t, Visit&& visit) const {
+void WorkingCage::for_cells(const mesh::Bounds& box, Visit&& visit) const {
   const Grid& grid = clearance_.grid();
-  const mesh::Bounds box = mesh::bounds(t);
   std::array<std::size_t, 3> low, high;
   for (std::size_t k = 0; k < 3; ++k) {
     const double scale = cells_along / (grid.step * static_cast<double>(grid.size[k]));
@@ -239,10 +238,20 @@ void WorkingCage::for_cells(const mesh::Corners& t, Visit&& visit) const {
 }
 
 void WorkingCage::place(FaceId f) {
-  for_cells(corners(f), [&](std::size_t cell) {
-    auto& faces = cells_[cell];
-    if (faces.empty() || faces.back() != f) faces.push_back(f);
-  });
+  take_away(f);
+  const auto number = static_cast<std::uint32_t>(f.idx());
+  Placed& placed = placed_[number];
+  placed.triangle = {vertices(f), corners(f)};
+  placed.box = mesh::bounds(placed.triangle.corners);
+  placed.is_placed = true;
+  for_cells(placed.box, [&](std::size_t cell) { cells_[cell].push_back(number); });
+}
+
+void WorkingCage::take_away(FaceId f) {
+  const auto number = static_cast<std::uint32_t>(f.idx());
+  Placed& placed = placed_[number];
+  if (!std::exchange(placed.is_placed, false)) return;
+  for_cells(placed.box, [&](std::size_t cell) { std::erase(cells_[cell], number); });
 }
 
 bool WorkingCage::crosses(std::span<const Candidate> now, std::span<const FaceId> replaced) {
@@ -253,17 +262,15 @@ bool WorkingCage::crosses(std::span<const Candidate> now, std::span<const FaceId
   }
   for (const auto& t : now) {
     ++question_;
-    for (const FaceId f : replaced) seen_[static_cast<std::size_t>(f.idx())] = question_;
+    for (const FaceId f : replaced) placed_[static_cast<std::size_t>(f.idx())].seen = question_;
     const mesh::Bounds box = mesh::bounds(t.corners);
     bool crossed = false;
-    for_cells(t.corners, [&](std::size_t cell) {
+    for_cells(box, [&](std::size_t cell) {
       if (crossed) return;
-      auto& faces = cells_[cell];
-      std::erase_if(faces, [&](FaceId f) { return connectivity_.status(f).deleted(); });
-      for (const FaceId f : faces) {
-        if (std::exchange(seen_[static_cast<std::size_t>(f.idx())], question_) == question_) continue;
-        const Candidate other{vertices(f), corners(f)};
-        if (mesh::meet(mesh::bounds(other.corners), box) && cross(t, other)) crossed = true;
+      for (const std::uint32_t f : cells_[cell]) {
+        Placed& other = placed_[f];
+        if (std::exchange(other.seen, question_) == question_) continue;
+        if (mesh::meet(other.box, box) && cross(t, other.triangle)) crossed = true;
       }
     });
     if (crossed) return true;
@@ -287,7 +294,11 @@ void WorkingCage::move(VertexId v, const Point& x) {
 
 void WorkingCage::collapse(HalfEdgeId h, const Point& x) {
   const VertexId v = connectivity_.to_vertex_handle(h);
-  faces_ -= connectivity_.is_boundary(connectivity_.edge_handle(h)) ? 1 : 2;
+  for (const HalfEdgeId side : {h, connectivity_.opposite_halfedge_handle(h)}) {
+    if (connectivity_.is_boundary(side)) continue;
+    take_away(connectivity_.face_handle(side));
+    --faces_;
+  }
   connectivity_.collapse(h);
   move(v, x);
 }
@@ -304,7 +315,7 @@ VertexId WorkingCage::split(Connectivity::EdgeHandle e, const Point& x) {
   faces_ += connectivity_.is_boundary(e) ? 1 : 2;
   connectivity_.split(e, v);
   positions_.push_back(x);
-  seen_.resize(connectivity_.n_faces(), 0);
+  placed_.resize(connectivity_.n_faces());
   move(v, x);
   return v;
 }

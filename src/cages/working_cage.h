@@ -109,9 +109,17 @@ private:
   bool is_near_model(const mesh::Corners& t, double distance) const;
   static bool cross(const Candidate& s, const Candidate& t);
   bool crosses(std::span<const Candidate> now, std::span<const FaceId> replaced);
+  // A triangle as it was placed: where it is looked for, and what for.
+  struct Placed {
+    Candidate triangle{};
+    mesh::Bounds box{};
+    std::uint32_t seen = 0;  // the last question that it was looked at for
+    bool is_placed = false;
+  };
   void place(FaceId f);
+  void take_away(FaceId f);
   template <class Visit>
-  void for_cells(const mesh::Corners& t, Visit&& visit) const;
+  void for_cells(const mesh::Bounds& box, Visit&& visit) const;
 
   Connectivity connectivity_;
   std::vector<Point> positions_;
@@ -119,10 +127,9 @@ private:
   const Clearance& clearance_;
   double margin_;
   std::size_t faces_;
-  double exact_margin_ = 0;  // 0: it does not cut the model
-  std::vector<std::vector<FaceId>>
-      cells_;                        // the triangles in each part of the grid's box, and some that left
-  std::vector<std::uint32_t> seen_;  // of each face the last question that it was looked at for
+  double exact_margin_ = 0;                        // 0: it does not cut the model
+  std::vector<Placed> placed_;                     // of each face
+  std::vector<std::vector<std::uint32_t>> cells_;  // the faces in each part of the grid's box
   std::uint32_t question_ = 0;
   std::vector<Candidate> now_;
 };

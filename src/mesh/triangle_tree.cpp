@@ -73,7 +73,7 @@ TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Tri
 // Halves along the longest side of the centres' box, which bounds the depth by the logarithm.
 std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers) {
   const auto self = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.push_back({bounds(corners_[order_[begin]]), begin, end, 0});
+  nodes_.push_back({bounds(corners_[order_[begin]]), begin, end});
   Bounds middle{centers[order_[begin]], centers[order_[begin]]}, box = nodes_[self].box;
   for (std::uint32_t t = begin; t < end; ++t) {
     const Bounds one = bounds(corners_[order_[t]]);
@@ -85,6 +85,7 @@ std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::s
     }
   }
   nodes_[self].box = box;
+  nodes_[self].radius = 0.5 * box.diagonal() * (1 + 1e-12);
   if (end - begin <= triangles_per_leaf) return self;
   const Vec3 size = middle.high - middle.low;
   const auto side = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
@@ -189,10 +190,12 @@ bool TriangleTree::is_near(const Corners& t, double distance) const {
     const std::uint32_t i = stack[--size];
     const Node& node = nodes_[i];
     if (!meet(node.box, box) || beside(node.box)) continue;
-    // Its triangles lie within a ball; some point of them is at every side of the box.
-    const double radius = 0.5 * node.box.diagonal() * (1 + 1e-12), gap = gap_to(node.box.center());
-    if (gap > radius + distance) continue;
-    if (gap + radius < distance) return true;
+    if (distance > 0) {
+      // Its triangles lie within a ball; some point of them is at every side of the box.
+      const double radius = node.radius, gap = gap_to(node.box.center());
+      if (gap > radius + distance) continue;
+      if (gap + radius < distance) return true;
+    }
     if (node.second != 0) {
       stack[size++] = node.second;
       stack[size++] = i + 1;

@@ -49,6 +49,7 @@ private:
   struct Node {
     Bounds box;
     std::uint32_t begin = 0, end = 0, second = 0;
+    double radius = 0;  // of the ball around the box
   };
   struct Dipole {
     Point center{};
