@@ -1,4 +1,5 @@
 // viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: the deformed mesh as a file.
+#include <charconv>
 #include <filesystem>
 #include <memory>
 
@@ -15,14 +16,38 @@ namespace {
 struct DeformOptions {
   Inputs inputs{Use::file};
   std::filesystem::path output;
+  mesh::Digits digits;
   bool force = false;
 };
+
+void add_digits_option(CLI::App& command, mesh::Digits& digits) {
+  const auto take = [&digits](const std::string& text) {
+    int decimals = -1;
+    const char* const end = text.data() + text.size();
+    const bool whole = std::from_chars(text.data(), end, decimals).ptr == end;
+    if (text == "all") {
+      digits = {mesh::Digits::Kind::all};
+    } else if (whole && decimals >= 0 && decimals <= 17) {
+      digits = {mesh::Digits::Kind::decimals, decimals};
+    } else {
+      throw CLI::ValidationError("--digits", "needs a number from 0 to 17, or all, not " + text);
+    }
+  };
+  command
+      .add_option_function<std::string>(
+          "--digits", take,
+          "Decimals of what moved in text files, or all: as many as give the very same numbers again")
+      ->option_text("NUMBER|all")
+      ->default_str("as many as the model's file has");
+}
 
 int deform_file(const DeformOptions& options) {
   check_output(options.output, Content::surface, files_read(options.inputs), options.force);
   const scene::Opened opened = open(options.inputs, scene::check_deformable);
   print_notes(opened.warnings);
-  print_notes(scene::write_deformed(scene::export_of(*opened.document, options.output)));
+  scene::Export what = scene::export_of(*opened.document, options.output);
+  what.digits = options.digits;
+  print_notes(scene::write_deformed(what));
   return exit_ok;
 }
 
@@ -34,6 +59,7 @@ void add_deform_command(CLI::App& app, Action& action) {
   add_input_options(*command, o->inputs);
   add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
       ->required();
+  add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
   command->callback([o, &action] {
     check_usage(o->inputs);

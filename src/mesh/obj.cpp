@@ -1,11 +1,13 @@
 #include "mesh/obj.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "base/error.h"
 #include "base/quantity.h"
+#include "mesh/obj_attributes.h"
+#include "mesh/obj_original.h"
+#include "mesh/obj_words.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
 
@@ -13,28 +15,10 @@ namespace viete::mesh {
 
 namespace {
 
-constexpr TextRules obj_rules{.comment = '#', .continued_lines = true};
-
-// What an OBJ file may say besides vertices and faces. Sorted.
-constexpr auto other_words = std::to_array<std::string_view>(
-    {"bevel", "bmat",   "bsp",    "bzp",        "c_interp", "call",     "cdc",  "cdp",  "con",
-     "csh",   "cstype", "ctech",  "curv",       "curv2",    "d_interp", "deg",  "end",  "g",
-     "hole",  "l",      "lod",    "maplib",     "mg",       "mtllib",   "o",    "p",    "parm",
-     "res",   "s",      "scrv",   "shadow_obj", "sp",       "stech",    "step", "surf", "trace_obj",
-     "trim",  "usemap", "usemtl", "vn",         "vp"});
-static_assert(std::is_sorted(other_words.begin(), other_words.end()));
-
-bool is_other_word(std::string_view word) {
-  return word == "vt" || std::binary_search(other_words.begin(), other_words.end(), word);
-}
-
-bool is_word(std::string_view word) {
-  return word == "v" || word == "f" || word == "fo" || is_other_word(word);
-}
-
 class ObjReader {
 public:
-  explicit ObjReader(const Source& source) : source_(source), text_(source, obj_rules), builder_(source) {}
+  explicit ObjReader(const Source& source)
+      : source_(source), text_(source, obj_rules), builder_(source), attributes_(source) {}
 
   ReadResult read() {
     head_comments();
@@ -46,7 +30,12 @@ public:
     check_highest();
     refuse_other_content();
     tell_skipped();
-    return builder_.finish("OBJ");
+    auto attributes = attributes_.finish(builder_);
+    ReadResult result = builder_.finish("OBJ");
+    if (source_.owner)
+      result.original = std::make_shared<const ObjOriginal>(source_.bytes, source_.owner, attributes);
+    result.attributes = std::move(attributes);
+    return result;
   }
 
 private:
@@ -58,34 +47,38 @@ private:
   }
 
   void statement(std::string_view word) {
-    if (word == "v") {
-      const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
-      builder_.position({x, y, z});
-    } else if (word == "f" || word == "fo") {  // fo: how faces were called before version 3.0
-      face();
-    } else if (!is_other_word(word)) {
-      shouted(word);
-    } else if (word == "curv" || word == "surf") {
-      ++free_forms_;
+    switch (obj_word(word)) {
+      case ObjWord::vertex: return position();
+      case ObjWord::face: return face();
+      case ObjWord::texture_point: return attributes_.texture_point(text_);
+      case ObjWord::normal: return attributes_.normal(text_);
+      case ObjWord::group: return attributes_.group(text_.rest_of_line());
+      case ObjWord::object: return attributes_.object(text_.rest_of_line());
+      case ObjWord::smoothing: return attributes_.smoothing(text_.word());
+      case ObjWord::use_material: return attributes_.use_material(text_.rest_of_line());
+      case ObjWord::material_library: return attributes_.library(text_.rest_of_line());
+      case ObjWord::free_form: ++free_forms_; return;
+      case ObjWord::other: return;
+      case ObjWord::unknown: return skip_unknown(word);
     }
   }
 
-  // OBJ has words in small letters; some programs write them in capitals.
-  void shouted(std::string_view word) {
-    std::string small(word);
-    for (char& c : small) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-    if (small == word || !is_word(small)) return skip_unknown(word);
-    statement(small);
+  void position() {
+    const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
+    if (!text_.at_line_end()) attributes_.behind_position(text_, builder_.vertex_count());
+    builder_.position({x, y, z});
   }
 
   void face() {
     if (text_.at_line_end())
       text_.fail("face without vertices", "the file may be cut short: export it again");
     do {
-      builder_.corner(vertex(text_.leading_integer("vertex index")));
-      skip_texture_and_normal();
+      const std::uint32_t v = vertex(text_.leading_integer("vertex index"));
+      attributes_.corner(builder_.surface().corners.size(), behind_vertex());
+      builder_.corner(v);
     } while (!text_.at_line_end());
     builder_.end_polygon();
+    attributes_.end_polygon(builder_.surface());
   }
 
   std::uint32_t vertex(std::int64_t index) {
@@ -101,12 +94,13 @@ private:
     return static_cast<std::uint32_t>(index - 1);
   }
 
-  void skip_texture_and_normal() {
+  std::string_view behind_vertex() {
     const std::string_view rest = text_.rest_of_word();
-    if (rest.empty()) return;
+    if (rest.empty()) return rest;
     if (rest[0] != '/' || rest.find_first_not_of("0123456789/+-") != std::string_view::npos) {
       text_.fail("vertex index is followed by " + in_quotes(rest), "write corners as 7, 7/2, 7//3 or 7/2/3");
     }
+    return rest;
   }
 
   void check_highest() const {
@@ -147,6 +141,7 @@ private:
   const Source& source_;
   TextCursor text_;
   SurfaceBuilder builder_;
+  ObjAttributes attributes_;
   std::size_t lines_ = 0;
   std::int64_t highest_ = 0;  // of the indices that ran ahead of the vertices read so far
   std::size_t highest_line_ = 0;
@@ -163,12 +158,13 @@ ReadResult read_obj(const Source& source) {
 bool looks_like_obj(const Source& source) {
   TextCursor text(source, obj_rules);
   if (!text.next_filled_line()) return false;
-  const std::string_view word = text.word();
-  return word == "v" || word == "f" || is_other_word(word);
+  return small_obj_word(text.word()) != ObjWord::unknown;
 }
 
 void write_obj(const Content& content, TextWriter& out) {
-  const auto& [surface, positions, comments] = content;
+  const Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const auto& comments = content.comments;
   const std::size_t all = positions.size() + surface.polygon_count();
   std::size_t done = 0;
   out.comments("# ", comments);

@@ -1,4 +1,4 @@
-// Wavefront OBJ, text: vertices and polygons; everything else in the file is passed over.
+// Wavefront OBJ, text: vertices and polygons, texture coordinates, normals, colours, groups and materials.
 #pragma once
 
 #include <string>
@@ -11,10 +11,11 @@
 
 namespace viete::mesh {
 
-/// Source: Wavefront Advanced Visualizer manual, appendix B1. Read: v (x y z; a weight or a colour behind
-/// them is passed over), f with v, v/vt, v//vn, v/vt/vn, relative indices, continued lines; also in capitals.
-/// A face may stand before its vertices. Texture and normal indices are not looked at. Throws base::Error,
-/// base::Cancelled.
+/// Source: Wavefront Advanced Visualizer manual, appendix B1. Read: v (x y z, and a colour behind them), vt,
+/// vn, f with v, v/vt, v//vn, v/vt/vn, relative indices, continued lines; o, g, s, usemtl and mtllib; also in
+/// capitals. A face may stand before its vertices. Texture and normal indices that lead nowhere, and
+/// libraries that cannot be read, are warnings. With source.owner the result can be written again. Throws
+/// base::Error, base::Cancelled.
 ReadResult read_obj(const Source& source);
 
 /// True if the first line that holds more than a comment starts with a word that only OBJ files use.

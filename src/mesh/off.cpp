@@ -123,7 +123,9 @@ bool looks_like_off(const Source& source) {
 }
 
 void write_off(const Content& content, TextWriter& out) {
-  const auto& [surface, positions, comments] = content;
+  const Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const auto& comments = content.comments;
   const std::size_t all = positions.size() + surface.polygon_count();
   std::size_t done = 0;
   out.text("OFF\n").comments("# ", comments);

@@ -31,7 +31,7 @@ public:
   /// The same as a file, which is replaced as a whole or left as it was, with what stands beside it in a
   /// format of several files. progress may be null.
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const Surface& rest,
-                                              std::span<const Point> positions,
+                                              std::span<const Point> positions, Digits digits,
                                               base::Progress* progress) const;
 };
 

@@ -177,7 +177,9 @@ bool looks_like_ply(const Source& source) {
 }
 
 void write_ply(const Content& content, TextWriter& out) {
-  const auto& [surface, positions, comments] = content;
+  const Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const auto& comments = content.comments;
   const std::uint64_t polygons = surface.polygon_count();
   bool large = false;  // a polygon of more than 255 corners
   for (std::size_t p = 0; p < polygons; ++p)

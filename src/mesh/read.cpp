@@ -55,8 +55,9 @@ ReadResult read(const Source& source) {
 }
 
 ReadResult read(const std::filesystem::path& path, base::Progress* progress) {
-  const FileBytes bytes(path, progress);
-  return read(Source{path.string(), extension_of(path), bytes.view(), progress});
+  const auto bytes = std::make_shared<const FileBytes>(path, progress);
+  const auto folder = std::filesystem::absolute(path).parent_path();
+  return read(Source{path.string(), extension_of(path), bytes->view(), progress, bytes, folder});
 }
 
 }  // namespace viete::mesh

@@ -17,6 +17,9 @@ struct Source {
   std::string extension;   ///< lower case, without the dot; may be empty
   std::string_view bytes;  ///< may hold anything
   base::Progress* progress = nullptr;
+  /// Keeps the bytes for who writes the file again; null: they are there for reading alone.
+  std::shared_ptr<const void> owner = nullptr;
+  std::filesystem::path folder = {};  ///< of files that this one names; empty: they are not looked for
 
   /// Reading from disk is the first fifth, this is the rest: done in [0, 1]. Throws base::Cancelled.
   void report(double done) const {

@@ -199,7 +199,9 @@ bool looks_like_stl(const Source& source) {
 }
 
 void write_stl(const Content& content, TextWriter& out) {
-  const auto& [surface, positions, comments] = content;
+  const Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const auto& comments = content.comments;
   std::size_t done = 0;
   out.text("solid ").text(comments.empty() ? "surface" : TextWriter::one_line(comments.front())).text("\n");
   for (const Triangle& t : surface.triangles) {

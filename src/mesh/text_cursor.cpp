@@ -164,6 +164,16 @@ void TextCursor::fail(const std::string& problem, const std::string& advice) con
   throw base::Error(place(), problem, advice);
 }
 
+std::optional<double> number_in(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  double value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [to, code] = std::from_chars(word.data(), end, value);
+  if (code == std::errc::result_out_of_range && to == end && is_tiny(word)) return 0.0;
+  if (code != std::errc() || to != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
 std::string in_quotes(std::string_view word) {
   constexpr std::size_t most = 32;
   std::string text(1, '"');

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -97,6 +98,9 @@ private:
   const char* end_;
   std::size_t line_ = 1;
 };
+
+/// A word as a finite number, or nothing.
+std::optional<double> number_in(std::string_view word);
 
 /// A word as it may stand in a message: quoted, cut after 32 bytes, what cannot be printed replaced by '?'.
 std::string in_quotes(std::string_view word);

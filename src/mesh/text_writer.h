@@ -12,23 +12,38 @@
 
 #include "base/atomic_file.h"
 #include "base/progress.h"
+#include "mesh/attributes.h"
 #include "mesh/surface.h"
 
 namespace viete::mesh {
+
+/// How many digits coordinates get where they are written as text.
+struct Digits {
+  enum class Kind {
+    as_printed,  ///< as many decimals as the file has that is written again; all of them without such a file
+    all,         ///< the shortest that read back as the same double
+    decimals     ///< so many behind the point
+  };
+  Kind kind = Kind::as_printed;
+  int decimals = 0;  ///< of Kind::decimals
+};
 
 /// What a file is written of.
 struct Content {
   const Surface& surface;
   std::span<const Point> positions;  ///< of its vertices, instead of its own
   const std::vector<std::string>& comments;
+  const Attributes* attributes = nullptr;  ///< of the surface; null: none
 };
 
 /// Hands bytes on whenever a portion of them has come together, so that large files are never in memory as a
 /// whole.
 class TextWriter {
 public:
-  explicit TextWriter(base::ByteSink sink, base::Progress* progress = nullptr)
-      : sink_(std::move(sink)), progress_(progress) {}
+  explicit TextWriter(base::ByteSink sink, base::Progress* progress = nullptr, Digits digits = {})
+      : sink_(std::move(sink)), progress_(progress), digits_(digits) {}
+
+  const Digits& digits() const { return digits_; }
 
   TextWriter& text(std::string_view s) {
     out_.append(s);
@@ -78,6 +93,7 @@ private:
 
   base::ByteSink sink_;
   base::Progress* progress_;
+  Digits digits_;
   std::string out_;
 };
 

@@ -33,12 +33,20 @@ void write(const std::filesystem::path& path, const Surface& surface,
 
 void write(const std::filesystem::path& path, const Surface& surface, std::span<const Point> positions,
            const std::vector<std::string>& comments, base::Progress* progress) {
+  write(path, Content{surface, positions, comments}, nullptr, {}, progress);
+}
+
+std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
+                               const Original* original, Digits digits, base::Progress* progress) {
+  if (original && original->writes(extension_of(path)))
+    return original->write_file(path, content.surface, content.positions, digits, progress);
   const Format format = format_for(path);
   base::replace_file(path, [&](const base::ByteSink& sink) {
-    TextWriter out(sink, progress);
-    format({surface, positions, comments}, out);
+    TextWriter out(sink, progress, digits);
+    format(content, out);
     out.finish();
   });
+  return {};
 }
 
 void check_format(const std::filesystem::path& path) {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "mesh/original.h"
 #include "mesh/surface.h"
+#include "mesh/text_writer.h"
 
 namespace viete::mesh {
 
@@ -23,6 +25,11 @@ void write(const std::filesystem::path& path, const Surface& surface,
 /// file takes. progress may be null. Throws base::Cancelled too, and then an existing file is as it was.
 void write(const std::filesystem::path& path, const Surface& surface, std::span<const Point> positions,
            const std::vector<std::string>& comments = {}, base::Progress* progress = nullptr);
+
+/// The same; where there is an original that can write itself under this name, it does: all that was in the
+/// file is in it again. Returns what a person should know of the result, one line each.
+std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
+                               const Original* original, Digits digits, base::Progress* progress = nullptr);
 
 /// Throws what write() throws for this name's extension.
 void check_format(const std::filesystem::path& path);

@@ -1,7 +1,9 @@
 #include "scene/export.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "base/atomic_file.h"
 #include "base/worker_pool.h"
@@ -13,9 +15,17 @@
 namespace viete::scene {
 
 Export export_of(const Document& document, const std::filesystem::path& file) {
-  Export all{file,          document.model.surface, document.model.attributes, document.model.original,
-             document.cage, document.pose,          document.scheme,           document.method,
-             document.mask, document.probes};
+  Export all{file,
+             document.model.surface,
+             document.model.attributes,
+             document.model.original,
+             document.cage,
+             document.pose,
+             document.scheme,
+             document.method,
+             document.mask,
+             document.probes,
+             {}};
   if (document.has_cage()) return all;
   all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
   all.pose = deform::rest_pose(*all.cage);
@@ -23,22 +33,38 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
   return all;
 }
 
+namespace {
+
+// Where only rounding moves a coordinate, it is at rest, and so it is written.
+void keep_at_rest(const mesh::Surface& model, const deform::Cage& cage, std::vector<mesh::Point>& positions) {
+  double size = 0;
+  for (const mesh::Bounds& box : {mesh::bounds(model.positions), mesh::bounds(cage.surface.positions)})
+    size = std::max({size, mesh::largest_abs(box.low), mesh::largest_abs(box.high)});
+  const double rounding = 1e-14 * size;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double rest = model.positions[v][i];
+      if (std::abs(positions[v][i] - rest) <= rounding) positions[v][i] = rest;
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
   const bool as_it_was = what.original && what.original->writes(mesh::extension_of(what.file));
   if (!as_it_was) mesh::check_format(what.file);
   base::check_replaceable(what.file);
   base::WorkerPool pool;
   if (progress) progress->section(0, 0.5);
-  const deform::ExactModel deformed = deform::deform_exactly(
-      *what.model, what.cage, what.scheme, what.pose, what.method, pool, progress, what.mask, what.probes);
+  deform::ExactModel deformed = deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose,
+                                                       what.method, pool, progress, what.mask, what.probes);
   if (progress) progress->section(0.5, 1);
-  std::vector<std::string> notes = deformed.warnings;
-  if (as_it_was) {
-    for (auto& note : what.original->write_file(what.file, *what.model, deformed.positions, progress))
-      notes.push_back(std::move(note));
-  } else {
-    mesh::write(what.file, *what.model, deformed.positions, {}, progress);
-  }
+  keep_at_rest(*what.model, *what.cage, deformed.positions);
+  const mesh::Content content{*what.model, deformed.positions, {}, what.attributes.get()};
+  std::vector<std::string> notes =
+      mesh::write(what.file, content, what.original.get(), what.digits, progress);
+  std::ranges::move(deformed.warnings, std::back_inserter(notes));
   for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
   if (const std::string note = method_note(what.method, deformed.exp_error); !note.empty())
     notes.push_back(note);

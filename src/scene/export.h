@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "mesh/text_writer.h"
 #include "scene/document.h"
 
 namespace viete::scene {
@@ -24,6 +25,7 @@ struct Export {
   sym3::Method method;
   deform::Mask mask;
   deform::Probes probes;
+  mesh::Digits digits = {};
 };
 
 /// Requires that something moves the model.

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -113,6 +114,24 @@ inline std::string bytes_by(void (*format)(const mesh::Content&, mesh::TextWrite
 
 inline mesh::ReadResult read_text(const std::string& bytes, const std::string& extension) {
   return mesh::read(mesh::Source{"given." + extension, extension, bytes, nullptr});
+}
+
+/// The same of bytes that stay, so that the file can be written again.
+inline mesh::ReadResult read_kept(const std::string& bytes, const std::string& extension,
+                                  const std::filesystem::path& folder = {}) {
+  const auto kept = std::make_shared<const std::string>(bytes);
+  return mesh::read(mesh::Source{"given." + extension, extension, *kept, nullptr, kept, folder});
+}
+
+/// The file that was read, written again with these positions.
+inline std::string written_again(const mesh::ReadResult& read, const std::vector<Point>& positions,
+                                 mesh::Digits digits = {}) {
+  std::string all;
+  mesh::TextWriter out([&](std::string_view portion) { all += portion; }, nullptr, digits);
+  REQUIRE(read.original);
+  read.original->write(read.surface, positions, out);
+  out.finish();
+  return all;
 }
 
 /// What the error says; empty if there was none.

@@ -28,7 +28,9 @@ TEST_CASE("a_deformed_model_is_written_in_every_format") {
   for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
     CAPTURE(name);
     base::Progress progress;
-    CHECK(write_deformed(export_of(document, files / name), &progress).empty());
+    Export all = export_of(document, files / name);
+    all.digits.kind = mesh::Digits::Kind::all;
+    CHECK(write_deformed(all, &progress).empty());
     CHECK(progress.done() >= 0.5);
     const auto written = mesh::read(files / name).surface;
     CHECK(written.triangles.size() == document.model.surface->triangles.size());
@@ -37,6 +39,16 @@ TEST_CASE("a_deformed_model_is_written_in_every_format") {
     CHECK(written.positions != document.model.surface->positions);
     if (first.empty()) first = written.positions;
     CHECK(written.positions == first);
+  }
+}
+
+TEST_CASE("a_model_at_rest_is_exported_as_the_very_file_it_was") {
+  const test::CubeFiles files;
+  const Document document = open_document(files.model, files.cage);
+  for (const char* name : {"same.obj", "model.obj"}) {  // the second: over the file that was opened
+    const std::string before = test::file_bytes(files.model);
+    CHECK(write_deformed(export_of(document, files.model.parent_path() / name)).empty());
+    CHECK(test::file_bytes(files.model.parent_path() / name) == before);
   }
 }
 

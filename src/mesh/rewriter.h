@@ -1,0 +1,46 @@
+// Copies the bytes of a file with some words replaced.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "mesh/text_writer.h"
+
+namespace viete::mesh {
+
+/// Replacements come in the order of the file; what lies between them is copied as it is.
+class Rewriter {
+public:
+  Rewriter(std::string_view bytes, TextWriter& out) : bytes_(bytes), out_(out) {}
+
+  /// word lies within the bytes.
+  void replace(std::string_view word, std::string_view by) {
+    copy_until(offset_of(word));
+    out_.text(by);
+    copied_ += word.size();
+  }
+
+  /// Copies up to a place in the bytes, for what is inserted there.
+  void copy_until(std::size_t offset) {
+    constexpr std::size_t portion = 1 << 18;
+    while (copied_ < offset) {
+      const std::size_t size = std::min(portion, offset - copied_);
+      out_.text(bytes_.substr(copied_, size));
+      copied_ += size;
+      out_.element_done(copied_, bytes_.size());
+    }
+  }
+
+  void finish() { copy_until(bytes_.size()); }
+
+  std::size_t offset_of(std::string_view word) const {
+    return static_cast<std::size_t>(word.data() - bytes_.data());
+  }
+
+private:
+  std::string_view bytes_;
+  TextWriter& out_;
+  std::size_t copied_ = 0;
+};
+
+}  // namespace viete::mesh
