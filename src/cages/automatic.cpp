@@ -5,17 +5,16 @@
 #include <cstdio>
 #include <string>
 
-#include "base/error.h"
 #include "base/quantity.h"
 #include "cages/clearance.h"
 #include "cages/collapse.h"
 #include "cages/extraction.h"
 #include "cages/frame.h"
 #include "cages/hull.h"
+#include "cages/margin.h"
 #include "cages/quads.h"
 #include "cages/soundness.h"
 #include "cages/tighten.h"
-#include "mesh/summary.h"
 #include "mesh/union_find.h"
 
 namespace viete::cages {
@@ -41,29 +40,37 @@ Topology topology_of(const Shell& shell) {
   return found;
 }
 
-// With a mirror, as wide on both sides of x = 0.
-FramedModel centered(FramedModel model, bool mirrored) {
-  if (!mirrored) return model;
-  const double x = std::max(-model.box.low[0], model.box.high[0]);
-  model.box.low[0] = -x;
-  model.box.high[0] = x;
-  return model;
-}
-
-class Maker {
+// Each stage is reported as what leads up to its end: it never falls, however many attempts there are.
+class Stages {
 public:
-  Maker(const mesh::Surface& surface, const Wish& wish, const std::optional<Plane>& mirror,
-        base::WorkerPool& pool, base::Progress* progress)
+  explicit Stages(base::Progress* progress) : progress_(progress) { begin(); }
+
+  // Another attempt, in what is left.
+  void begin() { from_ = progress_ ? progress_->done() : 0; }
+  base::Progress* until(double end) {
+    if (progress_) progress_->section(progress_->done(), from_ + end * (1 - from_));
+    return progress_;
+  }
+
+private:
+  base::Progress* progress_;
+  double from_ = 0;
+};
+
+class Making {
+public:
+  Making(const Subject& subject, const Wish& wish, base::WorkerPool& pool, base::Progress* progress)
       : wish_(wish),
-        mirror_(mirror),
+        mirror_(subject.mirror),
+        frame_(subject.frame),
+        model_(subject.model),
+        tree_(subject.tree),
         pool_(pool),
-        progress_(progress),
-        frame_(frame_of(surface, mirror)),
-        model_(centered(model_in(frame_, surface), mirror.has_value())),
-        tree_(model_.positions, model_.triangles),
-        target_(mirror ? wish.triangles / 2 : wish.triangles) {
+        stages_(progress),
+        target_(mirror_ ? wish.triangles / 2 : wish.triangles) {
     // A cell is about an eighth as wide as the triangles will be.
-    const double cells = std::clamp(4 * std::sqrt(static_cast<double>(wish.triangles)), 40.0, 128.0);
+    const double share = is_preview() ? 0.65 : 1;
+    const double cells = share * std::clamp(4 * std::sqrt(static_cast<double>(wish.triangles)), 40.0, 128.0);
     cells_ = static_cast<std::size_t>(cells);
     step_ = mesh::largest_abs(model_.box.high - model_.box.low) / cells;
   }
@@ -72,7 +79,7 @@ public:
     constexpr int attempts = 12;
     double gap = wish_.gap, margin = std::max(wish_.margin, 0.1 * step_);
     for (int attempt = 0; attempt < attempts; ++attempt) {
-      section(attempt, attempts);
+      stages_.begin();
       if (const auto shell = try_with(margin, gap)) return finish(*shell, mirror_.has_value(), gap);
       gap = std::max(1.6 * gap, 0.5 * step_);
     }
@@ -85,18 +92,13 @@ public:
   Made hulled() { return finish(simplified(hull(model_.positions, wish_.margin)), false, wish_.gap); }
 
 private:
-  // Most cages are found at once: each attempt is said to be half of what is left.
-  void section(int attempt, int attempts) {
-    if (!progress_) return;
-    const double from = 1 - std::pow(0.5, attempt);
-    progress_->section(from, attempt + 1 == attempts ? 1 : 0.5 * (1 + from));
-  }
+  bool is_preview() const { return wish_.effort == Effort::preview; }
 
   // Nothing if there is no sound cage of that size.
   std::optional<Shell> try_with(double margin, double gap) {
     const Closing closing{margin + 0.6 * step_, gap};
     const Grid grid = grid_around(model_.box, cells_, closing.offset + closing.gap, mirror_.has_value());
-    const Clearance field = clearance({tree_, model_.closed}, grid, closing, pool_, nullptr);
+    const Clearance field = clearance({tree_, model_.closed}, grid, closing, pool_, stages_.until(0.1));
     const Shell shell = extract(field, closing.offset);
     const Topology topology = topology_of(mirror_ ? whole(shell) : shell);
     if (!first_) first_ = topology;
@@ -110,30 +112,36 @@ private:
 
   // Drawn in between, so that what is enclosed more than needed does not mislead what follows.
   std::optional<Shell> reduced(WorkingCage& cage, const Clearance& field) {
-    const bool preview = wish_.effort == Effort::preview;
     const auto extra = [&](double share, double most) {
       return target_ + static_cast<std::size_t>(std::min(share * static_cast<double>(target_), most));
     };
-    collapse_to(cage, extra(3, 1000), Accuracy::quadrics, progress_);
-    tighten(cage, 1);
-    collapse_to(cage, extra(1.5, 400), Accuracy::quadrics);
-    tighten(cage, 1);
-    collapse_to(cage, extra(0.5, preview ? 0 : 4000 / static_cast<double>(target_)), Accuracy::quadrics);
-    tighten(cage, preview ? 0 : 2);
-    const bool reached = collapse_to(cage, target_, Accuracy::volume);
-    if (!reached) return std::nullopt;
-    tighten(cage, preview ? 2 : 8);
-    const bool small = target_ <= 150;
-    if (preview || !small) return settled(cage);
+    if (is_preview()) {
+      collapse_to(cage, extra(1.5, 400), Accuracy::quadrics, stages_.until(0.5));
+      tighten(cage, 1, stages_.until(0.6));
+      if (!collapse_to(cage, target_, Accuracy::quadrics, stages_.until(0.7))) return std::nullopt;
+      tighten(cage, 2, stages_.until(0.8));
+      too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.92));
+      return cage.shell();
+    }
+    collapse_to(cage, extra(3, 1000), Accuracy::quadrics, stages_.until(0.3));
+    tighten(cage, 1, stages_.until(0.35));
+    collapse_to(cage, extra(1.5, 400), Accuracy::quadrics, stages_.until(0.4));
+    tighten(cage, 1, stages_.until(0.43));
+    collapse_to(cage, extra(0.5, 4000 / static_cast<double>(target_)), Accuracy::quadrics,
+                stages_.until(0.46));
+    tighten(cage, 2, stages_.until(0.5));
+    if (!collapse_to(cage, target_, Accuracy::volume, stages_.until(0.6))) return std::nullopt;
+    tighten(cage, 8, stages_.until(0.7));
+    if (target_ > 150) return settled(cage);
     WorkingCage best(exchanged(cage), tree_, field, cage.margin());
     return settled(best);
   }
 
   // The margin was kept as far as the grid tells: now exactly, where there is room.
   Shell settled(WorkingCage& cage) {
-    too_near_ = keep_margin(cage, wish_.margin);
+    too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.85));
     cage.be_exact(wish_.margin);
-    tighten(cage, 2);
+    tighten(cage, 2, stages_.until(0.92));
     return cage.shell();
   }
 
@@ -144,10 +152,11 @@ private:
     Shell best = cage.shell();
     double least = cage.volume();
     for (int i = 0; i < cycles; ++i) {
-      refine_to(cage, target_ + std::max<std::size_t>(8, target_ / 5));
-      tighten(cage, 2);
-      if (!collapse_to(cage, target_, Accuracy::volume)) break;
-      tighten(cage, 4);
+      const auto stage = [&](double end) { return stages_.until(0.7 + 0.05 * (i + end)); };
+      refine_to(cage, target_ + std::max<std::size_t>(8, target_ / 5), stage(0.2));
+      tighten(cage, 2, stage(0.4));
+      if (!collapse_to(cage, target_, Accuracy::volume, stage(0.8))) break;
+      tighten(cage, 4, stage(1));
       if (cage.volume() >= least) continue;
       least = cage.volume();
       best = cage.shell();
@@ -158,19 +167,20 @@ private:
   // A convex cage with fewer triangles: few places are in the way.
   Shell simplified(const Shell& shell) {
     const Grid grid = grid_around(model_.box, 40, 2 * wish_.margin, false);
-    const Clearance field = clearance({tree_, model_.closed}, grid, {wish_.margin, 0}, pool_);
+    const Clearance field =
+        clearance({tree_, model_.closed}, grid, {wish_.margin, 0}, pool_, stages_.until(0.3));
     WorkingCage cage(shell, tree_, field, 0.5 * wish_.margin);
-    collapse_to(cage, wish_.triangles, Accuracy::quadrics);
+    collapse_to(cage, wish_.triangles, Accuracy::quadrics, stages_.until(0.9));
     Shell made = cage.shell();
     return is_sound(made, false) ? made : shell;
   }
 
   // As it will be read: with the rounding of the way out of the frame.
-  bool is_sound(const Shell& half, bool mirrored) const {
+  bool is_sound(const Shell& half, bool mirrored) {
     Shell shell = mirrored ? whole(half) : half;
     for (Point& p : shell.positions) p = frame_.into(frame_.out_of(p));
     const mesh::Surface cage = mesh::from_triangles(std::move(shell.positions), shell.triangles);
-    return soundness(cage, model_.positions, model_.triangles, tree_).sound();
+    return soundness(cage, model_.positions, model_.triangles, tree_, stages_.until(0.97)).sound();
   }
 
   Made finish(const Shell& half, bool mirrored, double gap) {
@@ -209,13 +219,13 @@ private:
   }
 
   const Wish& wish_;
-  std::optional<Plane> mirror_;
+  const std::optional<Plane>& mirror_;
+  const Frame& frame_;
+  const FramedModel& model_;
+  const mesh::TriangleTree& tree_;
   base::WorkerPool& pool_;
-  base::Progress* progress_;
+  Stages stages_;
   Made made_;
-  Frame frame_;
-  FramedModel model_;
-  mesh::TriangleTree tree_;
   std::size_t target_, cells_ = 0;
   double step_ = 0;
   std::size_t too_near_ = 0;  // triangles
@@ -225,13 +235,13 @@ private:
 
 }  // namespace
 
-Made make_automatic(const mesh::Surface& model, const Wish& wish, const std::optional<Plane>& mirror,
-                    base::WorkerPool& pool, base::Progress* progress) {
-  return Maker(model, wish, mirror, pool, progress).make();
+Made make_automatic(const Subject& subject, const Wish& wish, base::WorkerPool& pool,
+                    base::Progress* progress) {
+  return Making(subject, wish, pool, progress).make();
 }
 
-Made make_hull(const mesh::Surface& model, const Wish& wish, base::WorkerPool& pool) {
-  return Maker(model, wish, std::nullopt, pool, nullptr).hulled();
+Made make_hull(const Subject& subject, const Wish& wish, base::WorkerPool& pool, base::Progress* progress) {
+  return Making(subject, wish, pool, progress).hulled();
 }
 
 }  // namespace viete::cages

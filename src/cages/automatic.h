@@ -1,23 +1,21 @@
 // A cage made around any model: closed, enclosing, of the size that is asked for.
 #pragma once
 
-#include <optional>
-
 #include "base/progress.h"
 #include "base/worker_pool.h"
+#include "cages/subject.h"
 #include "cages/wish.h"
-#include "mesh/surface.h"
 
 namespace viete::cages {
 
 /// Clearances on a grid, the surface at an offset of them by marching cubes, fewer triangles edge by edge,
 /// drawn in against the model. With a mirror half of it is made, and its image added. Handles of the model
 /// are kept where the size allows, closed by a larger gap where it does not, and a note says so. Where no
-/// sound cage of that size is found: make_hull(), and a note. See make() for the rest.
-Made make_automatic(const mesh::Surface& model, const Wish& wish, const std::optional<Plane>& mirror,
-                    base::WorkerPool& pool, base::Progress* progress);
+/// sound cage of that size is found: make_hull(), and a note. See Maker::make() for the rest.
+Made make_automatic(const Subject& subject, const Wish& wish, base::WorkerPool& pool,
+                    base::Progress* progress);
 
-/// The convex hull at a distance, with fewer triangles if it has more than wished.
-Made make_hull(const mesh::Surface& model, const Wish& wish, base::WorkerPool& pool);
+/// The convex hull at a distance, with fewer triangles if it has more than wished. The subject has no mirror.
+Made make_hull(const Subject& subject, const Wish& wish, base::WorkerPool& pool, base::Progress* progress);
 
 }  // namespace viete::cages

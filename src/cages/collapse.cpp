@@ -1,12 +1,12 @@
 #include "cages/collapse.h"
 
-#include "cages/tighten.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <queue>
+
+#include "cages/tighten.h"
 
 namespace viete::cages {
 
@@ -69,38 +69,45 @@ struct Candidate {
 
 class Collapse {
 public:
-  Collapse(WorkingCage& cage, std::size_t triangles, Accuracy accuracy)
+  Collapse(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, base::Progress* progress)
       : cage_(cage),
         mesh_(cage.connectivity()),
         target_(triangles),
         accuracy_(accuracy),
+        progress_(progress),
+        start_(cage.face_count()),
         quadrics_(cage.vertex_slots()),
         stamps_(cage.vertex_slots(), 0) {
     for (auto f = mesh_.faces_sbegin(); f != mesh_.faces_end(); ++f) add_face(*f);
   }
 
-  bool run(base::Progress* progress) {
-    const auto start = static_cast<double>(cage_.face_count());
+  bool run() {
     for (const Shape& shape : shapes) {
+      if (cage_.face_count() <= target_) return true;
       shape_ = shape;
       queue_ = {};
       blocked_.assign(mesh_.n_edges(), 0);
-      for (auto e = mesh_.edges_sbegin(); e != mesh_.edges_end(); ++e) push(*e);
-      std::size_t looked_at = 0;
+      for (auto e = mesh_.edges_sbegin(); e != mesh_.edges_end(); ++e) {
+        report();
+        push(*e);
+      }
       while (!queue_.empty() && cage_.face_count() > target_) {
+        report();
         const Candidate next = queue_.top();
         queue_.pop();
         consider(next);
-        if (progress && ++looked_at % 64 == 0)
-          progress->report(1 -
-                           (static_cast<double>(cage_.face_count()) - static_cast<double>(target_)) / start);
       }
-      if (cage_.face_count() <= target_) return true;
     }
-    return false;
+    return cage_.face_count() <= target_;
   }
 
 private:
+  void report() const {
+    if (!progress_) return;
+    const auto gone = static_cast<double>(start_ - cage_.face_count());
+    progress_->report(gone / static_cast<double>(start_ - std::min(target_, start_) + 2));
+  }
+
   Quadric& quadric(VertexId v) { return quadrics_[static_cast<std::size_t>(v.idx())]; }
   std::uint32_t& stamp(VertexId v) { return stamps_[static_cast<std::size_t>(v.idx())]; }
 
@@ -279,6 +286,8 @@ private:
   Connectivity& mesh_;
   std::size_t target_;
   Accuracy accuracy_;
+  base::Progress* progress_;
+  std::size_t start_;
   Shape shape_;
   std::vector<Quadric> quadrics_;
   std::vector<std::uint32_t> stamps_;
@@ -290,7 +299,7 @@ private:
 }  // namespace
 
 bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, base::Progress* progress) {
-  return Collapse(cage, triangles, accuracy).run(progress);
+  return Collapse(cage, triangles, accuracy, progress).run();
 }
 
 }  // namespace viete::cages

@@ -17,7 +17,6 @@ enum class Accuracy { quadrics, volume };
 /// drawn in, and its neighbours are drawn in each time: some hundred times as slow. Where nothing more can
 /// go, triangles of a worse shape are let through, in two steps. Returns whether it got there. progress may
 /// be null; throws base::Cancelled.
-bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy,
-                 base::Progress* progress = nullptr);
+bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, base::Progress* progress);
 
 }  // namespace viete::cages

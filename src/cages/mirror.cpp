@@ -25,7 +25,8 @@ Vec3 unit(const Vec3& v) {
 // Planes are looked for where the model is unit in size.
 class Search {
 public:
-  Search(const std::vector<Point>& positions, const mesh::TriangleTree& tree) : tree_(tree) {
+  Search(const std::vector<Point>& positions, const mesh::TriangleTree& tree, base::Progress* progress)
+      : tree_(tree), progress_(progress) {
     for (std::size_t n = 0; n < samples; ++n) points_.push_back(positions[n * positions.size() / samples]);
   }
 
@@ -42,6 +43,7 @@ public:
   double mean_error(const Plane& plane, double most) const {
     const auto count = static_cast<double>(points_.size());
     double sum = 0;
+    if (progress_) progress_->report(1);
     for (const Point& p : points_) {
       sum += std::sqrt(tree_.nearest(reflected(p, plane)).squared_distance);
       if (sum > most * count) break;
@@ -78,6 +80,7 @@ private:
   }
 
   const mesh::TriangleTree& tree_;
+  base::Progress* progress_;
   std::vector<Point> points_;
 };
 
@@ -95,11 +98,11 @@ Shell whole(const Shell& half) {
   return all;
 }
 
-std::optional<Plane> symmetry_plane(const mesh::Surface& surface) {
+std::optional<Plane> symmetry_plane(const mesh::Surface& surface, base::Progress* progress) {
   if (surface.triangles.empty()) return std::nullopt;
   const Frame frame = own_frame(surface);
   const FramedModel model = model_in(frame, surface);
-  const mesh::TriangleTree tree(model.positions, model.triangles);
+  const mesh::TriangleTree tree(model.positions, model.triangles, progress);
   std::vector<Point> middles;
   Point mean{0, 0, 0};
   for (const auto& t : model.triangles) {
@@ -107,7 +110,7 @@ std::optional<Plane> symmetry_plane(const mesh::Surface& surface) {
     mean = mean + (1 / static_cast<double>(model.triangles.size())) * middles.back();
   }
   const Point file_middle = frame.into(mesh::used_bounds(surface).center());
-  const Search search(middles, tree);
+  const Search search(middles, tree, progress);
   std::optional<Plane> best;
   double least = tolerance;
   for (std::size_t k = 0; k < 6; ++k) {

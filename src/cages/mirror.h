@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "base/worker_pool.h"
+#include "base/progress.h"
 #include "cages/extraction.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_tree.h"
@@ -14,6 +14,8 @@ namespace viete::cages {
 struct Plane {
   mesh::Vec3 normal{1, 0, 0};
   double offset = 0;
+
+  friend bool operator==(const Plane&, const Plane&) = default;
 };
 
 /// The half and its image, joined where x is 0. Vertices of the half keep their numbers.
@@ -21,7 +23,7 @@ Shell whole(const Shell& half);
 
 /// The plane about which the model is most nearly symmetric, if its image is nowhere farther from it than 2 %
 /// of its diagonal: across an axis of its coordinates or of its inertia, moved to fit. Told by a few hundred
-/// of its vertices. Same for any pool.
-std::optional<Plane> symmetry_plane(const mesh::Surface& model);
+/// of its triangles' middles. progress may be null; throws base::Cancelled.
+std::optional<Plane> symmetry_plane(const mesh::Surface& model, base::Progress* progress);
 
 }  // namespace viete::cages

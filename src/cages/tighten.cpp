@@ -15,10 +15,17 @@ public:
     for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor) pull_in(*neighbor);
   }
 
-  void round() {
-    for (auto e = mesh_.edges_sbegin(); e != mesh_.edges_end(); ++e) turn(*e);
+  // Calls report(share of the round) before each change.
+  template <class Report>
+  void round(Report&& report) {
+    for (auto e = mesh_.edges_sbegin(); e != mesh_.edges_end(); ++e) {
+      report(0);
+      turn(*e);
+    }
+    const auto all = static_cast<double>(mesh_.n_vertices());
     for (auto v = mesh_.vertices_sbegin(); v != mesh_.vertices_end(); ++v) {
       if (mesh_.is_isolated(*v)) continue;
+      report(v->idx() / all);
       even_out(*v);
       pull_in(*v);
     }
@@ -115,12 +122,13 @@ struct Split {
   Point place;
 };
 
-std::vector<Split> splits_of(WorkingCage& cage) {
+std::vector<Split> splits_of(WorkingCage& cage, base::Progress* progress) {
   const Shape shape{0.05, -0.8, 64};
   const Connectivity& mesh = cage.connectivity();
   std::vector<Split> splits;
   Star star;
   for (auto e = mesh.edges_sbegin(); e != mesh.edges_end(); ++e) {
+    if (progress) progress->report(0);
     const auto h = mesh.halfedge_handle(*e, 0);
     const Point middle = 0.5 * (cage.at(mesh.from_vertex_handle(h)) + cage.at(mesh.to_vertex_handle(h)));
     cage.star_of(*e, star);
@@ -137,13 +145,13 @@ std::vector<Split> splits_of(WorkingCage& cage) {
 
 }  // namespace
 
-void refine_to(WorkingCage& cage, std::size_t triangles) {
+void refine_to(WorkingCage& cage, std::size_t triangles, base::Progress* progress) {
   Connectivity& mesh = cage.connectivity();
   Star star;
   while (cage.face_count() < triangles) {
     const std::size_t before = cage.face_count();
     std::vector<std::uint8_t> changed(mesh.n_vertices() + triangles, 0);
-    for (const Split& split : splits_of(cage)) {
+    for (const Split& split : splits_of(cage, progress)) {
       if (cage.face_count() >= triangles) return;
       const Connectivity::EdgeHandle e(split.edge);
       cage.star_of(e, star);
@@ -157,44 +165,6 @@ void refine_to(WorkingCage& cage, std::size_t triangles) {
   }
 }
 
-namespace {
-
-void push(WorkingCage& cage, VertexId v, const Star& star, const Vec3& along, double margin) {
-  const Shape any_shape{0.01, -0.95, 64};
-  for (const double t : {0.2, 0.05}) {
-    const Point place = cage.at(v) + (t * margin) * along;
-    if (cage.fits(star, place, any_shape)) return cage.move(v, place);
-  }
-}
-
-}  // namespace
-
-std::size_t keep_margin(WorkingCage& cage, double margin) {
-  constexpr int most_rounds = 24;
-  Connectivity& mesh = cage.connectivity();
-  Star star;
-  for (int i = 0;; ++i) {
-    std::vector<Vec3> away(mesh.n_vertices(), {0, 0, 0});
-    std::size_t found = 0;
-    for (auto f = mesh.faces_sbegin(); f != mesh.faces_end(); ++f) {
-      if (!cage.is_near_model(*f, margin)) continue;
-      ++found;
-      const Vec3 n = cage.normal(*f);
-      for (const auto v : cage.vertices(*f)) away[v] = away[v] + (1 / mesh::norm(n)) * n;
-    }
-    if (found == 0 || i == most_rounds) return found;
-    for (auto v = mesh.vertices_sbegin(); v != mesh.vertices_end(); ++v) {
-      Vec3 along = away[static_cast<std::size_t>(v->idx())];
-      cage.star_of(*v, star);
-      if (star.on_mirror) along[0] = 0;
-      const double length = mesh::norm(along);
-      if (!(length > 0)) continue;
-      push(cage, *v, star, (1 / length) * along, margin);
-      push(cage, *v, star, cage.outward(star), margin);
-    }
-  }
-}
-
 void tighten_around(WorkingCage& cage, VertexId v) {
   Tightening(cage).around(v);
 }
@@ -202,8 +172,9 @@ void tighten_around(WorkingCage& cage, VertexId v) {
 void tighten(WorkingCage& cage, int rounds, base::Progress* progress) {
   Tightening tightening(cage);
   for (int i = 0; i < rounds; ++i) {
-    tightening.round();
-    if (progress) progress->report(static_cast<double>(i + 1) / rounds);
+    tightening.round([&](double share) {
+      if (progress) progress->report((i + share) / rounds);
+    });
   }
 }
 

@@ -53,7 +53,8 @@ bool are_near(const Corners& t, const Corners& other, double distance) {
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles)
+TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles,
+                           base::Progress* progress)
     : order_(triangles.size()), corners_(triangles.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   std::vector<Point> centers(triangles.size());
@@ -63,7 +64,7 @@ TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Tri
     centers[t] = 0.5 * (box.low + box.high);
   }
   nodes_.reserve(triangles.size());
-  build(0, static_cast<std::uint32_t>(triangles.size()), centers);
+  build(0, static_cast<std::uint32_t>(triangles.size()), centers, progress);
   const std::vector<Corners> unordered = std::move(corners_);
   corners_.resize(unordered.size());
   for (std::size_t t = 0; t < order_.size(); ++t) corners_[t] = unordered[order_[t]];
@@ -71,7 +72,8 @@ TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Tri
 }
 
 // Halves along the longest side of the centres' box, which bounds the depth by the logarithm.
-std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers) {
+std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers,
+                                  base::Progress* progress) {
   const auto self = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back({bounds(corners_[order_[begin]]), begin, end});
   Bounds middle{centers[order_[begin]], centers[order_[begin]]}, box = nodes_[self].box;
@@ -87,6 +89,7 @@ std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::s
   nodes_[self].box = box;
   nodes_[self].radius = 0.5 * box.diagonal() * (1 + 1e-12);
   if (end - begin <= triangles_per_leaf) return self;
+  if (progress) progress->report(static_cast<double>(begin) / static_cast<double>(order_.size()));
   const Vec3 size = middle.high - middle.low;
   const auto side = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
   const std::uint32_t half = begin + (end - begin) / 2;
@@ -95,8 +98,8 @@ std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::s
                      return centers[s][side] < centers[t][side] ||
                             (centers[s][side] == centers[t][side] && s < t);
                    });
-  build(begin, half, centers);
-  const std::uint32_t second = build(half, end, centers);
+  build(begin, half, centers, progress);
+  const std::uint32_t second = build(half, end, centers, progress);
   nodes_[self].second = second;
   return self;
 }

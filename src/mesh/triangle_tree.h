@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_intersection.h"
 
@@ -16,8 +17,10 @@ namespace viete::mesh {
 /// It keeps copies of their corners. Thread-safe. Lengths from 1e-75 to 1e75.
 class TriangleTree {
 public:
-  /// At least one triangle; indices are of positions. O(n log n), 0.3 microseconds a triangle.
-  TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles);
+  /// At least one triangle; indices are of positions. O(n log n), 0.3 microseconds a triangle. progress may
+  /// be null; throws base::Cancelled.
+  TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles,
+               base::Progress* progress = nullptr);
 
   struct Nearest {
     /// The largest number: no triangle is so near.
@@ -56,7 +59,8 @@ private:
     Vec3 area{};  // sum of the triangles' normals by area
     double radius = 0;
   };
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers);
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers,
+                      base::Progress* progress);
   void make_dipoles();
 
   std::vector<std::uint32_t> order_;
