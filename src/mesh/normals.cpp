@@ -65,16 +65,6 @@ bool has_moved(const Triangle& t, std::span<const Point> rest, std::span<const P
   return rest[t[0]] != posed[t[0]] || rest[t[1]] != posed[t[1]] || rest[t[2]] != posed[t[2]];
 }
 
-// The corners of each triangle, as places in rest.corners: the fan about the first corner of its polygon.
-template <class Use>
-void for_each_triangle(const Surface& s, const Use& use) {
-  std::size_t t = 0;
-  for (std::size_t p = 0; p < s.polygon_count(); ++p) {
-    const std::uint32_t first = s.polygon_starts[p], end = s.polygon_starts[p + 1];
-    for (std::uint32_t c = first + 2; c < end; ++c, ++t) use(s.triangles[t], Triangle{first, c - 1, c});
-  }
-}
-
 template <class Move>
 std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
                           std::span<const Vec3> vectors, std::span<const std::uint32_t> of_corner,

@@ -4,6 +4,8 @@
 #include <new>
 
 #include "base/error.h"
+#include "mesh/gltf.h"
+#include "mesh/gltf_file.h"
 #include "mesh/obj.h"
 #include "mesh/off.h"
 #include "mesh/ply.h"
@@ -27,11 +29,12 @@ bool looks_binary(std::string_view bytes) {
   if (source.bytes.starts_with("\x1F\x8B") || source.bytes.starts_with("PK\3\4")) {
     throw base::Error(source.name, "this is a compressed file", "unpack it first");
   }
-  throw base::Error(source.name, "the content is not OBJ, PLY, OFF or STL",
+  throw base::Error(source.name, "the content is not OBJ, PLY, OFF, STL or glTF",
                     "export the model in one of these formats");
 }
 
 ReadResult by_extension(const Source& source) {
+  if (source.extension == "glb" || source.extension == "gltf") return read_gltf(source);
   if (source.extension == "stl") return read_stl(source);
   if (looks_binary(source.bytes)) refuse_unknown(source);
   if (source.extension == "ply" && !looks_like_obj(source)) return read_ply(source);
@@ -46,6 +49,7 @@ ReadResult read(const Source& source) {
   if (source.bytes.empty()) throw base::Error(source.name, "the file is empty", "export the model again");
   try {
     if (looks_like_ply(source)) return read_ply(source);
+    if (looks_like_gltf(source)) return read_gltf(source);
     if (looks_like_stl(source)) return read_stl(source);
     if (looks_like_off(source)) return read_off(source);
     return by_extension(source);

@@ -34,6 +34,16 @@ struct Surface {
 /// Fills triangles and triangle_polygon from corners and polygon_starts.
 void fan_triangulate(Surface& surface);
 
+/// use(triangle, corners) for each of triangles, in order; corners: its places in Surface::corners.
+template <class Use>
+void for_each_triangle(const Surface& s, const Use& use) {
+  std::size_t t = 0;
+  for (std::size_t p = 0; p < s.polygon_count(); ++p) {
+    const std::uint32_t first = s.polygon_starts[p], end = s.polygon_starts[p + 1];
+    for (std::uint32_t c = first + 2; c < end; ++c, ++t) use(s.triangles[t], Triangle{first, c - 1, c});
+  }
+}
+
 /// A surface of triangles only (polygons = triangles).
 Surface from_triangles(std::vector<Point> positions, const std::vector<Triangle>& triangles);
 

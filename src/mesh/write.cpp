@@ -2,6 +2,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "mesh/gltf_output.h"
 #include "mesh/obj.h"
 #include "mesh/off.h"
 #include "mesh/ply.h"
@@ -20,8 +21,10 @@ Format format_for(const std::filesystem::path& path) {
   if (extension == "ply") return write_ply;
   if (extension == "off") return write_off;
   if (extension == "stl") return write_stl;
+  if (extension == "glb") return write_glb;
+  if (extension == "gltf") return write_gltf;
   const std::string found = extension.empty() ? "no extension" : "unknown extension ." + extension;
-  throw base::Error(path.string(), found, "use .obj, .ply, .off or .stl");
+  throw base::Error(path.string(), found, "use .obj, .ply, .off, .stl, .glb or .gltf");
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ TEST_CASE("an_unknown_extension_is_refused_with_the_known_ones") {
     FAIL("written");
   } catch (const base::Error& error) {
     CHECK(error.problem() == "unknown extension .fbx");
-    CHECK(error.advice() == "use .obj, .ply, .off or .stl");
+    CHECK(error.advice() == "use .obj, .ply, .off, .stl, .glb or .gltf");
   }
   CHECK_THROWS_AS(write(folder / "none", test::cube()), base::Error);
   CHECK(folder.entries() == 0);

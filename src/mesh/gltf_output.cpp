@@ -1,0 +1,284 @@
+#include "mesh/gltf_output.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unordered_map>
+
+#include "base/error.h"
+#include "mesh/gltf_file.h"
+#include "mesh/normals.h"
+#include "mesh/source.h"
+
+namespace viete::mesh {
+
+namespace {
+
+using OutputJson = nlohmann::ordered_json;
+
+double linear_of_srgb(double x) {
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+std::array<double, 4> linear_of_srgb(const Color& c) {
+  return {linear_of_srgb(c[0]), linear_of_srgb(c[1]), linear_of_srgb(c[2]), c[3]};
+}
+
+// What a glTF image may be; otherwise empty.
+std::string_view mime_type_of(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG")) return "image/png";
+  if (bytes.starts_with("\xFF\xD8")) return "image/jpeg";
+  return {};
+}
+
+// A vertex of the file: one of the surface with a texture point and a normal.
+struct OutputVertex {
+  std::uint32_t vertex, texture, normal;
+  friend bool operator==(const OutputVertex&, const OutputVertex&) = default;
+};
+
+struct HashOfVertex {
+  std::size_t operator()(const OutputVertex& v) const {
+    return (std::size_t{v.vertex} * 0x9E3779B97F4A7C15U) ^ (std::size_t{v.texture} << 32) ^
+           (std::size_t{v.normal} * 0xC2B2AE3D27D4EB4FU);
+  }
+};
+
+class GltfMaker {
+public:
+  explicit GltfMaker(const Content& content) : surface_(content.surface), positions_(content.positions) {
+    if (content.attributes) given_ = *content.attributes;
+    if (given_.groups.empty() || given_.groups.front().first_polygon != 0)
+      given_.groups.insert(given_.groups.begin(), Group{});
+    document["asset"] = {{"version", "2.0"}, {"generator", "viete"}};
+    if (!content.comments.empty()) document["asset"]["extras"] = {{"comments", content.comments}};
+    document["scene"] = 0;
+    document["scenes"] = {{{"nodes", {0}}}};
+    document["nodes"] = {{{"mesh", 0}}};
+    document["meshes"] = {{{"primitives", OutputJson::array()}}};
+    if (!given_.normals.empty())
+      normals_ = deformed_normals(surface_, positions_, given_.normals, given_.corner_normal);
+    add_primitives();
+    add_materials();
+    document["buffers"] = {{{"byteLength", bytes.size()}}};
+  }
+
+  OutputJson document;
+  std::string bytes;
+
+private:
+  struct Run {
+    std::vector<OutputVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
+  };
+
+  // Groups of one material that are smooth, or flat, are one primitive.
+  void add_primitives() {
+    std::map<std::pair<std::uint32_t, bool>, Run> runs;
+    std::size_t t = 0, g = 0;
+    for_each_triangle(surface_, [&](const Triangle& triangle, const Triangle& corners) {
+      const std::uint32_t polygon = surface_.triangle_polygon[t++];
+      while (g + 1 < given_.groups.size() && given_.groups[g + 1].first_polygon <= polygon) ++g;
+      Run& run = runs[{given_.groups[g].material, given_.groups[g].smooth}];
+      for (std::size_t k = 0; k < 3; ++k) add_corner(run, triangle[k], corners[k]);
+    });
+    if (runs.empty()) {
+      Run& points = runs[{none, true}];
+      for (std::uint32_t v = 0; v < positions_.size(); ++v) points.vertices.push_back({v, none, none});
+    }
+    for (const auto& [key, run] : runs) add_primitive(run, key.first, key.second);
+  }
+
+  void add_corner(Run& run, std::uint32_t vertex, std::uint32_t corner) const {
+    const OutputVertex v{vertex, given_.corner_texture.empty() ? none : given_.corner_texture[corner],
+                         normals_.empty() ? none : given_.corner_normal[corner]};
+    const auto [at, added] = run.numbers.try_emplace(v, static_cast<std::uint32_t>(run.vertices.size()));
+    if (added) run.vertices.push_back(v);
+    run.indices.push_back(at->second);
+  }
+
+  void add_primitive(const Run& run, std::uint32_t material, bool smooth) {
+    OutputJson primitive = {{"attributes", OutputJson::object()}};
+    OutputJson& attributes = primitive["attributes"];
+    const auto has = [&](std::uint32_t OutputVertex::*part) {
+      return std::any_of(run.vertices.begin(), run.vertices.end(),
+                         [&](const auto& v) { return v.*part != none; });
+    };
+    attributes["POSITION"] = add_vectors(run, 3, [&](const OutputVertex& v, float* to) {
+      for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(positions_[v.vertex][k]);
+    });
+    if (!run.indices.empty() && (has(&OutputVertex::normal) || smooth)) {
+      if (vertex_normals_.empty()) compute_normals();
+      attributes["NORMAL"] = add_vectors(run, 3, [&](const OutputVertex& v, float* to) {
+        const Vec3& n = v.normal == none ? vertex_normals_[v.vertex] : normals_[v.normal];
+        const double length = norm(n);
+        for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(length > 0 ? n[k] / length : k == 2);
+      });
+    }
+    if (has(&OutputVertex::texture)) {
+      attributes["TEXCOORD_0"] = add_vectors(run, 2, [&](const OutputVertex& v, float* to) {
+        const Vec2 p = v.texture == none ? Vec2{0, 0} : given_.texture_points[v.texture];
+        to[0] = static_cast<float>(p[0]), to[1] = static_cast<float>(1 - p[1]);
+      });
+    }
+    if (!given_.colors.empty()) {
+      attributes["COLOR_0"] = add_vectors(run, 4, [&](const OutputVertex& v, float* to) {
+        const auto c = linear_of_srgb(given_.colors[v.vertex]);
+        for (std::size_t k = 0; k < 4; ++k) to[k] = static_cast<float>(c[k]);
+      });
+    }
+    if (run.indices.empty()) {
+      primitive["mode"] = TINYGLTF_MODE_POINTS;
+    } else {
+      primitive["indices"] =
+          add_accessor(run.indices.data(), run.indices.size(), 1, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                       TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    }
+    if (material < given_.materials.size()) primitive["material"] = material;
+    document["meshes"][0]["primitives"].push_back(std::move(primitive));
+  }
+
+  void compute_normals() {
+    vertex_normals_.resize(positions_.size());
+    const Adjacency around = vertex_triangles(positions_.size(), surface_.triangles);
+    vertex_normals(positions_, surface_.triangles, around, 0, positions_.size(), vertex_normals_);
+  }
+
+  template <class Fill>
+  std::size_t add_vectors(const Run& run, std::size_t components, const Fill& fill) {
+    std::vector<float> values(run.vertices.size() * components);
+    for (std::size_t i = 0; i < run.vertices.size(); ++i) fill(run.vertices[i], &values[i * components]);
+    const std::size_t accessor = add_accessor(values.data(), run.vertices.size(), components,
+                                              TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
+    if (accessor == 0 || components == 3) add_bounds(document["accessors"][accessor], values, components);
+    return accessor;
+  }
+
+  static void add_bounds(OutputJson& accessor, const std::vector<float>& values, std::size_t components) {
+    std::vector<float> low(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(components)),
+        high = low;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      low[i % components] = std::min(low[i % components], values[i]);
+      high[i % components] = std::max(high[i % components], values[i]);
+    }
+    accessor["min"] = low;
+    accessor["max"] = high;
+  }
+
+  std::size_t add_view(std::string_view data) {
+    bytes.resize((bytes.size() + 3) / 4 * 4);
+    document["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", data.size()}});
+    bytes.append(data);
+    return document["bufferViews"].size() - 1;
+  }
+
+  std::size_t add_accessor(const void* data, std::size_t count, std::size_t components, int type,
+                           int target) {
+    static constexpr const char* types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+    const std::size_t view = add_view({static_cast<const char*>(data), 4 * count * components});
+    document["bufferViews"][view]["target"] = target;
+    document["accessors"].push_back(
+        {{"bufferView", view}, {"componentType", type}, {"count", count}, {"type", types[components]}});
+    return document["accessors"].size() - 1;
+  }
+
+  void add_materials() {
+    std::map<std::uint32_t, std::size_t> textures;
+    for (const Material& m : given_.materials) {
+      OutputJson json;
+      if (!m.name.empty()) json["name"] = m.name;
+      OutputJson& look = json["pbrMetallicRoughness"];
+      look = {
+          {"baseColorFactor", linear_of_srgb(m.base_color)}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}};
+      if (m.base_color_image < given_.images.size()) {
+        if (!textures.count(m.base_color_image)) textures[m.base_color_image] = add_texture(m);
+        if (textures[m.base_color_image] != std::size_t{none})
+          look["baseColorTexture"] = {{"index", textures[m.base_color_image]}};
+      }
+      if (m.base_color[3] < 1) json["alphaMode"] = "BLEND";
+      document["materials"].push_back(std::move(json));
+    }
+  }
+
+  // none: the image is not to be had, or of a kind that glTF does not know.
+  std::size_t add_texture(const Material& material) {
+    const ImageFile& image = given_.images[material.base_color_image];
+    std::string data;
+    try {
+      data = image.bytes ? *image.bytes : std::string(FileBytes(image.path, nullptr).view());
+    } catch (const base::Error&) {  // reading the model has said that it is missing
+    }
+    const std::string_view type = mime_type_of(data);
+    if (type.empty()) return none;
+    const std::size_t view = add_view(data);
+    document["images"].push_back({{"bufferView", view}, {"mimeType", type}});
+    document["samplers"].push_back(
+        {{"wrapS", material.repeats ? 10497 : 33071}, {"wrapT", material.repeats ? 10497 : 33071}});
+    document["textures"].push_back(
+        {{"source", document["images"].size() - 1}, {"sampler", document["samplers"].size() - 1}});
+    return document["textures"].size() - 1;
+  }
+
+  const Surface& surface_;
+  std::span<const Point> positions_;
+  Attributes given_;
+  std::vector<Vec3> normals_, vertex_normals_;
+};
+
+void put_word(std::uint64_t word, TextWriter& out) {
+  char bytes[4];
+  for (char& byte : bytes) byte = static_cast<char>(word & 255), word >>= 8;
+  out.text({bytes, 4});
+}
+
+std::size_t padded_to_four(std::size_t size) {
+  return (size + 3) / 4 * 4;
+}
+
+// Chunks end at multiples of four bytes, JSON with blanks.
+void put_chunk(std::string_view bytes, std::string_view kind, char padding, TextWriter& out) {
+  constexpr std::size_t portion = 1 << 20;
+  put_word(padded_to_four(bytes.size()), out);
+  out.text(kind);
+  for (std::size_t at = 0; at < bytes.size(); at += portion) {
+    out.text(bytes.substr(at, portion));
+    out.element_done(std::min(at + portion, bytes.size()), bytes.size());
+  }
+  out.text(std::string(padded_to_four(bytes.size()) - bytes.size(), padding));
+}
+
+}  // namespace
+
+void write_glb(const Content& content, TextWriter& out) {
+  const GltfMaker made(content);
+  write_glb_chunks(made.document.dump(), made.bytes, out);
+}
+
+void write_gltf(const Content& content, TextWriter& out) {
+  GltfMaker made(content);
+  made.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(made.bytes);
+  out.text(made.document.dump(2)).text("\n");
+}
+
+void write_glb_chunks(std::string_view json, std::string_view bytes, TextWriter& out) {
+  const std::size_t binary = bytes.empty() ? 0 : 8 + padded_to_four(bytes.size());
+  const std::size_t all = 20 + padded_to_four(json.size()) + binary;
+  if (all > std::numeric_limits<std::uint32_t>::max())
+    throw base::Error("", "more than 4 GB, which a GLB file cannot hold", "write .gltf or another format");
+  out.text("glTF");
+  put_word(2, out);
+  put_word(all, out);
+  put_chunk(json, {"JSON", 4}, ' ', out);
+  if (!bytes.empty()) put_chunk(bytes, {"BIN\0", 4}, '\0', out);
+}
+
+}  // namespace viete::mesh

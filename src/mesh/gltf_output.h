@@ -1,0 +1,22 @@
+// Writes GLB and glTF: the container, and a file made of any surface.
+#pragma once
+
+#include <string_view>
+
+#include "mesh/text_writer.h"
+
+namespace viete::mesh {
+
+/// One mesh with a primitive for each group, positions in float; materials with their base colour and its
+/// image (PNG or JPEG; within the file), texture points, normals, colours. A smooth group without normals
+/// gets computed ones, a flat one none, which is how glTF says so. Polygons become triangles. Throws
+/// base::Error past 4 GB, which GLB cannot hold.
+void write_glb(const Content& content, TextWriter& out);
+
+/// The same as text with all bytes in it.
+void write_gltf(const Content& content, TextWriter& out);
+
+/// The JSON, and the bytes of its first buffer (there may be none). Throws base::Error past 4 GB.
+void write_glb_chunks(std::string_view json, std::string_view bytes, TextWriter& out);
+
+}  // namespace viete::mesh

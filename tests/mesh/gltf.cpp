@@ -1,0 +1,308 @@
+#include "mesh/gltf.h"
+
+#include <doctest/doctest.h>
+#include <tiny_gltf.h>
+
+#include "mesh/shapes.h"
+#include "mesh/write.h"
+#include "support/gltf.h"
+
+using namespace viete;
+using namespace viete::mesh;
+using test::GltfJson;
+using test::GltfParts;
+using test::holds;
+
+namespace {
+
+ReadResult read_parts(const GltfParts& parts) {
+  return test::read_text(parts.glb(), "glb");
+}
+
+std::string refusal_of(const GltfParts& parts) {
+  const std::string said = test::refusal(parts.glb(), "glb");
+  CHECK(test::refusal(parts.text(), "gltf") != "");
+  return said;
+}
+
+// The judge is a reader that is not ours: accessor by number, as floats.
+std::vector<float> floats_by_judge(const std::filesystem::path& path, int accessor) {
+  tinygltf::TinyGLTF loader;
+  tinygltf::Model model;
+  std::string problem, warning;
+  loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
+                           int, void*) { return true; },
+                        nullptr);
+  const bool good = path.extension() == ".glb"
+                        ? loader.LoadBinaryFromFile(&model, &problem, &warning, path.string())
+                        : loader.LoadASCIIFromFile(&model, &problem, &warning, path.string());
+  REQUIRE_MESSAGE(good, problem);
+  const tinygltf::Accessor& a = model.accessors.at(static_cast<std::size_t>(accessor));
+  const tinygltf::BufferView& v = model.bufferViews.at(static_cast<std::size_t>(a.bufferView));
+  std::vector<float> values(a.count * static_cast<std::size_t>(tinygltf::GetNumComponentsInType(
+                                          static_cast<std::uint32_t>(a.type))));
+  const unsigned char* from =
+      model.buffers.at(static_cast<std::size_t>(v.buffer)).data.data() + v.byteOffset + a.byteOffset;
+  std::memcpy(values.data(), from, values.size() * sizeof(float));
+  return values;
+}
+
+int accessor_of(const std::string& glb, std::size_t mesh, const char* attribute) {
+  std::uint32_t size = 0;
+  std::memcpy(&size, glb.data() + 12, 4);
+  return GltfJson::parse(glb.substr(20, size))["meshes"][mesh]["primitives"][0]["attributes"][attribute];
+}
+
+std::vector<Point> raised(const Surface& s, double by) {
+  std::vector<Point> posed = s.positions;
+  for (Point& p : posed) p[2] += by * p[0] * p[0];
+  return posed;
+}
+
+}  // namespace
+
+TEST_CASE("a_glb_and_a_gltf_are_read_the_same_and_seams_are_closed") {
+  const GltfParts parts = test::patch();
+  for (const ReadResult& r :
+       {read_parts(parts), test::read_text(parts.text(), "gltf"), test::read_text(parts.glb(), "obj")}) {
+    test::check_invariants(r.surface);
+    CHECK(r.surface.positions ==
+          std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}});
+    CHECK(r.surface.triangles == std::vector<Triangle>{{0, 1, 3}, {0, 3, 2}, {1, 4, 5}, {1, 5, 3}});
+    REQUIRE(r.attributes);
+    const Attributes& a = *r.attributes;
+    CHECK(a.texture_points[a.corner_texture[1]] == Vec2{1, 0});  // upward here
+    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // the same vertex, beyond the seam
+    CHECK(a.normals[a.corner_normal[0]] == Vec3{0, 0, 1});
+    REQUIRE(a.groups.size() == 1);
+    CHECK(a.groups[0].object == "only");
+    CHECK(a.materials.at(a.groups[0].material).name == "paint");
+    REQUIRE(a.images.size() == 1);
+    CHECK(a.images[0].bytes->substr(1, 3) == "PNG");
+  }
+}
+
+TEST_CASE("nodes_place_their_meshes") {
+  GltfParts parts = test::patch();
+  parts.json["nodes"] = {
+      {{"children", {1}}, {"translation", {10, 0, 0}}},
+      {{"mesh", 0}, {"rotation", {0, 0, 0.7071067811865476, 0.7071067811865476}}, {"scale", {-2, 1, 1}}}};
+  const ReadResult r = read_parts(parts);
+  CHECK(norm(r.surface.positions[4] - Point{10, -4, 0}) < 1e-12);  // (2, 0, 0)
+  CHECK(r.surface.triangles[0] == Triangle{0, 3, 1});              // mirrored: turned over
+  CHECK(norm(r.attributes->normals[0] - Vec3{0, 0, 1}) < 1e-12);
+}
+
+TEST_CASE("strips_fans_sparse_and_short_numbers_are_read") {
+  GltfParts parts = test::patch();
+  auto& primitive = parts.json["meshes"][0]["primitives"][0];
+  primitive["indices"] = parts.accessor(std::vector<std::uint8_t>{0, 1, 2, 3, 3, 4}, 5121, "SCALAR", 1);
+  primitive["mode"] = 5;
+  CHECK(read_parts(parts).surface.triangles == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
+  primitive["mode"] = 6;
+  CHECK(read_parts(parts).surface.triangles.size() == 4);
+  primitive["mode"] = 1;
+  const ReadResult lines = read_parts(parts);
+  CHECK(lines.surface.triangles.empty());
+  CHECK(lines.surface.positions.size() == 6);
+  REQUIRE(lines.warnings.size() == 2);
+  CHECK(holds(lines.warnings[0], "1 primitive of points or lines follow"));
+  primitive["mode"] = 4;
+  const std::size_t where = parts.view(std::vector<std::uint16_t>{1});
+  const std::size_t what = parts.view(std::vector<float>{1, 0, 7});
+  parts.json["accessors"][0]["sparse"] = {{"count", 1},
+                                          {"indices", {{"bufferView", where}, {"componentType", 5123}}},
+                                          {"values", {{"bufferView", what}}}};
+  CHECK(read_parts(parts).surface.positions[1] == Point{1, 0, 7});
+}
+
+TEST_CASE("at_rest_every_byte_of_the_buffer_and_every_key_is_the_same") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    GltfParts parts = test::patch();
+    parts.json["extensionsUsed"] = {"VENDOR_thing"};
+    parts.json["extensions"] = {{"VENDOR_thing", {{"deep", {1, 2.5, "three"}}}}};
+    const bool binary = std::string(name) == "a.glb";
+    test::put_file(folder / name, binary ? parts.glb() : parts.text());
+    const ReadResult r = read(folder / name);
+    r.original->write_file(folder / (std::string("out-") + name), r.surface, r.surface.positions, {},
+                           nullptr);
+    const std::string out = test::file_bytes(folder / (std::string("out-") + name));
+    if (binary) {
+      CHECK(out == parts.glb());
+    } else {
+      CHECK(GltfJson::parse(out) == GltfJson::parse(parts.text()));
+    }
+  }
+}
+
+TEST_CASE("deformed_only_positions_and_normals_differ_and_another_reader_sees_them") {
+  const test::TemporaryFolder folder;
+  const GltfParts parts = test::patch();
+  test::put_file(folder / "a.glb", parts.glb());
+  const ReadResult r = read(folder / "a.glb");
+  const auto posed = raised(r.surface, 0.25);
+  CHECK(r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr).empty());
+  const std::string out = test::file_bytes(folder / "b.glb");
+  CHECK(out.substr(out.size() - 70) ==
+        parts.glb().substr(parts.glb().size() - 70));  // texture, indices, image
+  const auto positions = floats_by_judge(folder / "b.glb", 0), normals = floats_by_judge(folder / "b.glb", 1);
+  for (std::size_t i = 0; i < 8; ++i)
+    CHECK(positions[3 * i + 2] == 0.25F * positions[3 * i] * positions[3 * i]);
+  CHECK(normals[0] == doctest::Approx(-0.25 / std::hypot(1, 0.25)));   // of the left quad alone
+  CHECK(normals[12] == doctest::Approx(-0.75 / std::hypot(1, 0.75)));  // of the right one: split as it was
+  CHECK(floats_by_judge(folder / "b.glb", 2) == floats_by_judge(folder / "a.glb", 2));
+  const ReadResult again = read(folder / "b.glb");
+  CHECK(again.surface.positions == posed);
+}
+
+TEST_CASE("instances_that_deform_apart_become_meshes_of_their_own") {
+  const test::TemporaryFolder folder;
+  GltfParts parts = test::patch();
+  parts.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {5, 0, 0}}, {"scale", {2, 2, 2}}}};
+  parts.json["scenes"] = {{{"nodes", {0, 1}}}};
+  test::put_file(folder / "a.glb", parts.glb());
+  const ReadResult r = read(folder / "a.glb");
+  REQUIRE(r.surface.positions.size() == 12);
+  const auto posed = raised(r.surface, 0.125);
+  const auto notes = r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr);
+  REQUIRE(notes.size() == 1);
+  CHECK(holds(notes[0], "1 copy of meshes"));
+  const ReadResult again = read(folder / "b.glb");
+  REQUIRE(again.surface.positions.size() == 12);
+  for (std::size_t i = 0; i < 12; ++i) CHECK(norm(again.surface.positions[i] - posed[i]) < 1e-6);
+}
+
+TEST_CASE("positions_that_others_share_or_that_are_no_floats_are_replaced_by_new_ones") {
+  const test::TemporaryFolder folder;
+  GltfParts parts = test::patch();
+  const std::vector<std::int16_t> shorts = {0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0, 100, 100, 0, 0};
+  const std::size_t view = parts.view(shorts);
+  parts.json["bufferViews"][view]["byteStride"] = 8;
+  parts.json["accessors"].push_back(
+      {{"bufferView", view}, {"componentType", 5122}, {"count", 4}, {"type", "VEC3"}});
+  const std::size_t positions = parts.json["accessors"].size() - 1;
+  const std::size_t indices = parts.accessor(std::vector<std::uint8_t>{0, 1, 2}, 5121, "SCALAR", 1);
+  parts.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  parts.json["meshes"].push_back(
+      {{"primitives", {{{"attributes", {{"POSITION", positions}}}, {"indices", indices}}}}});
+  parts.json["nodes"].push_back({{"mesh", 1}, {"scale", {0.01, 0.01, 0.01}}});
+  parts.json["scenes"] = {{{"nodes", {0, 1}}}};
+  parts.json["animations"] = {
+      {{"channels", GltfJson::array()}, {"samplers", {{{"input", 0}, {"output", 0}}}}}};
+  test::put_file(folder / "a.glb", parts.glb());
+  const ReadResult r = read(folder / "a.glb");
+  CHECK(holds(r.warnings.at(0), "animations are kept in the file"));
+  const auto posed = raised(r.surface, 0.5);
+  r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr);
+  const ReadResult again = read(folder / "b.glb");
+  REQUIRE(again.surface.positions.size() == posed.size());
+  for (std::size_t i = 0; i < posed.size(); ++i) CHECK(norm(again.surface.positions[i] - posed[i]) < 1e-6);
+  const std::string out = test::file_bytes(folder / "b.glb");
+  CHECK(accessor_of(out, 0, "POSITION") != 0);  // the animation's is as it was
+  CHECK(floats_by_judge(folder / "b.glb", 0) == floats_by_judge(folder / "a.glb", 0));
+}
+
+TEST_CASE("a_buffer_beside_is_written_beside_and_over_nothing_else") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "in");
+  std::filesystem::create_directory(folder / "out");
+  GltfParts parts = test::patch();
+  parts.json["images"] = {{{"uri", "my%20paint.png"}}};
+  test::put_file(folder / "in/the data.bin", parts.bytes);
+  test::put_file(folder / "in/a.gltf", parts.beside("the%20data.bin"));
+  const ReadResult r = read(folder / "in/a.gltf");
+  CHECK(r.attributes->images[0].path == folder / "in/my paint.png");
+  const auto posed = raised(r.surface, 1);
+  test::put_file(folder / "out/b.bin", "somebody's");
+  const auto notes = r.original->write_file(folder / "out/b.gltf", r.surface, posed, {}, nullptr);
+  CHECK(holds(notes.at(0), "1 image stayed where"));
+  CHECK(test::file_bytes(folder / "out/b.bin") == "somebody's");
+  CHECK(read(folder / "out/b.gltf").surface.positions == posed);
+  const GltfJson out = GltfJson::parse(test::file_bytes(folder / "out/b.gltf"));
+  CHECK(out["buffers"][0]["uri"] == "b-2.bin");
+  CHECK(out["images"][0]["uri"] == "../in/my%20paint.png");
+  r.original->write_file(folder / "in/a.gltf", r.surface, posed, {}, nullptr);
+  CHECK(test::file_bytes(folder / "in/the data.bin") == parts.bytes);
+  r.original->write_file(folder / "out/c.glb", r.surface, posed, {}, nullptr);
+  CHECK(read(folder / "out/c.glb").surface.positions == posed);
+}
+
+TEST_CASE("any_surface_becomes_a_glb") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    write(folder / name, test::cube());
+    const ReadResult r = read(folder / name);
+    test::check_invariants(r.surface);
+    CHECK(r.surface.positions.size() == 8);
+    CHECK(r.surface.triangles.size() == 12);
+    CHECK(floats_by_judge(folder / name, 0).size() == 24);
+  }
+  Surface points;
+  points.positions = {{1, 2, 3}};
+  write(folder / "points.glb", points);
+  CHECK(read(folder / "points.glb").surface.positions == points.positions);
+}
+
+TEST_CASE("bad_gltf_is_refused_with_its_place") {
+  const GltfParts good = test::patch();
+  const auto with = [&](const char* pointer, const GltfJson& value) {
+    GltfParts bad = good;
+    bad.json[GltfJson::json_pointer(pointer)] = value;
+    return refusal_of(bad);
+  };
+  CHECK(holds(with("/accessors/0/count", 4000000000U),
+              "accessor 0: 4000000000 elements do not fit into the 96 bytes"));
+  CHECK(holds(with("/accessors/0/byteOffset", 4), "accessor 0: 8 elements do not fit"));
+  CHECK(holds(with("/accessors/1/count", 4), "accessor 1: has 4 elements for 8 positions"));
+  CHECK(holds(with("/accessors/3/componentType", 5126), "accessor 3"));
+  CHECK(holds(with("/accessors/0/bufferView", 77), "accessor 0: refers to buffer view 77"));
+  CHECK(holds(with("/bufferViews/0/byteLength", 40000000), "buffer view 0: reaches past"));
+  CHECK(holds(with("/bufferViews/0/buffer", 3), "buffer view 0: refers to buffer 3"));
+  CHECK(holds(with("/bufferViews/0/byteStride", 4), "stride of 4"));
+  CHECK(holds(with("/meshes/0/primitives/0/attributes/POSITION", -5), "accessor -5"));
+  CHECK(holds(with("/nodes/0/mesh", 9), "node 0: refers to mesh 9"));
+  CHECK(holds(with("/nodes/0/children", {0}), "node 0: is placed twice"));
+  CHECK(holds(with("/nodes/0/children", {5}), "node 5: is not there"));
+  CHECK(holds(with("/scene", 4), "scene 4 is not there"));
+  CHECK(holds(with("/asset/version", "1.0"), "glTF 1.0 is not read"));
+  CHECK(holds(with("/extensionsUsed", {"KHR_draco_mesh_compression"}),
+              "compressed (KHR_draco_mesh_compression)"));
+  CHECK(holds(with("/extensionsRequired", {"VENDOR_magic"}), "needs the extension VENDOR_magic"));
+  CHECK(holds(with("/nodes/0/translation", {1e200, 0, 0}), "is no place"));
+  GltfParts past = good;
+  const std::size_t indices = past.accessor(std::vector<std::uint16_t>{0, 1, 8}, 5123, "SCALAR", 1);
+  past.json["meshes"][0]["primitives"][0]["indices"] = indices;
+  CHECK(holds(refusal_of(past), "index 8 refers past the 8 vertices"));
+
+  CHECK(holds(test::refusal(good.glb().substr(0, 400), "glb"), "the head promises"));
+  CHECK(holds(test::refusal("{\"asset\":{\"version\":\"2.0\"", "gltf"), "not JSON at byte"));
+  CHECK(holds(test::refusal("{\"asset\":" + std::string(100000, '['), "gltf"), "nested more than 64 deep"));
+  CHECK(holds(test::refusal(good.beside("missing.bin"), "gltf"), "missing.bin"));
+  for (const char* outside :
+       {"../secret.bin", "/etc/passwd", "a/../../b.bin", "%2e%2e/b.bin", "http://x.org/b.bin"})
+    CHECK(holds(test::refusal(good.beside(outside), "gltf"), "lies outside of the model's folder"));
+}
+
+TEST_CASE("nodes_cannot_make_more_than_memory_holds") {
+  GltfParts parts = test::patch();
+  std::vector<float> many(3 * 100000);
+  parts.json["meshes"] = {
+      {{"primitives", {{{"attributes", {{"POSITION", parts.accessor(many, 5126, "VEC3", 3)}}}}}}}};
+  GltfJson nodes = GltfJson::array(), all = GltfJson::array();
+  for (int i = 0; i < 200; ++i) nodes.push_back({{"mesh", 0}}), all.push_back(i);
+  parts.json["nodes"] = nodes;
+  parts.json["scenes"][0]["nodes"] = all;
+  CHECK(holds(test::refusal(parts.glb(), "glb"), "more than 4 million vertices"));
+}
+
+TEST_CASE("a_node_that_flattens_its_mesh_cannot_take_a_deformation_back") {
+  const test::TemporaryFolder folder;
+  GltfParts parts = test::patch();
+  parts.json["nodes"][0]["scale"] = {1, 1, 0};
+  test::put_file(folder / "a.glb", parts.glb());
+  const ReadResult r = read(folder / "a.glb");
+  CHECK_THROWS_WITH_AS(r.original->write_file(folder / "b.glb", r.surface, raised(r.surface, 1), {}, nullptr),
+                       doctest::Contains("node 0: flattens its mesh"), base::Error);
+  CHECK(folder.entries() == 1);
+}
