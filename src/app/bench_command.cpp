@@ -108,7 +108,7 @@ int run_accuracy(const BenchOptions& options) {
 
 template <class Options>
 CLI::Option* add_model_and_cage(CLI::App& command, Options& options, const char* usual_cage) {
-  add_file_option(command, "MODEL", options.model, "Mesh (OBJ, PLY, OFF, STL)")
+  add_file_option(command, "MODEL", options.model, "Mesh (OBJ, PLY, OFF, STL, glTF)")
       ->default_str("the bundled dragon");
   return add_file_option(command, "CAGE", options.cage, "Cage around it, at rest")->default_str(usual_cage);
 }

@@ -112,7 +112,7 @@ void add_cage_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("cage", "Make a cage around a mesh and write it");
   auto o = std::make_shared<CageOptions>();
   cages::Wish& wish = o->wish;
-  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL)")->required();
+  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL, glTF)")->required();
   add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
       ->required();
   add_force_option(*command, o->force);

@@ -129,8 +129,11 @@ Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<
 
 void write_pose(const std::filesystem::path& path, const Cage& cage, const Pose& pose) {
   check_count(pose.positions.size(), cage.surface.positions.size(), path.string());
-  if (mesh::extension_of(path) == "stl") {
-    throw base::Error(path.string(), "STL keeps neither the order of the vertices nor the turns of a pose",
+  const std::string extension = mesh::extension_of(path);
+  if (extension == "stl" || extension == "glb" || extension == "gltf") {
+    throw base::Error(path.string(),
+                      (extension == "stl" ? "STL" : "glTF") +
+                          std::string(" keeps neither the order of the vertices nor the turns of a pose"),
                       "save it as .obj, .ply or .off");
   }
   std::vector<std::string> comments;

@@ -54,10 +54,10 @@ std::vector<Entry> list(const fs::path& folder, const FileBrowser& browser) {
 }  // namespace
 
 std::span<const std::string_view> FileBrowser::formats() const {
-  static constexpr std::array<std::string_view, 4> all = {"obj", "ply", "off", "stl"};
+  static constexpr std::array<std::string_view, 6> all = {"obj", "ply", "off", "stl", "glb", "gltf"};
   if (purpose == Purpose::save_session) return {};
   const bool pose = purpose == Purpose::pose || purpose == Purpose::save_pose;
-  return std::span(all).first(pose ? 3 : 4);
+  return std::span(all).first(pose ? 3 : all.size());
 }
 
 bool FileBrowser::replaces() const {

@@ -32,8 +32,8 @@ struct FileBrowser {
   std::size_t highlighted = 0;  ///< among the entries that are shown; what Enter takes
 
   bool saves() const { return purpose >= Purpose::save_session; }
-  /// Of surfaces that fit the purpose: "obj", "ply", "off", "stl"; of a pose without STL, which keeps no
-  /// order of the vertices.
+  /// Of surfaces that fit the purpose: "obj", "ply", "off", "stl", "glb", "gltf"; of a pose without the last
+  /// three, which keep no order of the vertices.
   std::span<const std::string_view> formats() const;
   /// Whether the file of the text field is there, so that saving would replace it.
   bool replaces() const;

@@ -29,7 +29,8 @@ struct GltfParts {
   template <class T>
   std::size_t accessor(const std::vector<T>& values, int component_type, const char* type,
                        std::size_t components) {
-    json["accessors"].push_back({{"bufferView", view(values)},
+    const std::size_t bytes_of_it = view(values);  // first: it adds members
+    json["accessors"].push_back({{"bufferView", bytes_of_it},
                                  {"componentType", component_type},
                                  {"count", values.size() / components},
                                  {"type", type}});

@@ -1,6 +1,6 @@
 # viete(1) in bash, on the functions of bash-completion. tests/consumer/completion.sh compares it with the program's own --help.
 
-_viete_meshes='@(obj|ply|off|stl)'
+_viete_meshes='@(obj|ply|off|stl|glb|gltf)'
 
 # Completes the value of option $prev of command $1; fails where that takes none.
 _viete_value() {
@@ -78,7 +78,7 @@ _viete() {
     *:bench\ *) ;;
     *:info) _filedir "$_viete_meshes" ;;
     *)
-      _filedir '@(obj|ply|off|stl|viete)'
+      _filedir '@(obj|ply|off|stl|glb|gltf|viete)'
       [[ $cword -gt 1 ]] || COMPREPLY+=($(compgen -W "$commands" -- "$cur"))
       ;;
   esac

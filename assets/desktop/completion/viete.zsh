@@ -1,7 +1,7 @@
 #compdef viete
 # viete(1) in zsh. tests/consumer/completion.sh compares it with the program's own --help.
 
-local any="_files -g '*.(#i)(obj|ply|off|stl|viete)(-.)'" mesh="_files -g '*.(#i)(obj|ply|off|stl)(-.)'"
+local any="_files -g '*.(#i)(obj|ply|off|stl|glb|gltf|viete)(-.)'" mesh="_files -g '*.(#i)(obj|ply|off|stl|glb|gltf)(-.)'"
 local -a help=('(-h --help)'{-h,--help}'[what it can do]')
 local -a files=("1:model or session:$any" "2:cage:$mesh")
 local -a meshes=("1:model:$mesh" "2:cage:$mesh")
