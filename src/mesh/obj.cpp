@@ -30,10 +30,12 @@ public:
     check_highest();
     refuse_other_content();
     tell_skipped();
+    end_normals();
     auto attributes = attributes_.finish(builder_);
     ReadResult result = builder_.finish("OBJ");
     if (source_.owner)
-      result.original = std::make_shared<const ObjOriginal>(source_.bytes, source_.owner, attributes);
+      result.original = std::make_shared<const ObjOriginal>(source_.bytes, source_.owner, attributes,
+                                                            std::move(normal_blocks_));
     result.attributes = std::move(attributes);
     return result;
   }
@@ -47,7 +49,9 @@ private:
   }
 
   void statement(std::string_view word) {
-    switch (obj_word(word)) {
+    const ObjWord kind = obj_word(word);
+    if (ends_block(kind)) end_normals();
+    switch (kind) {
       case ObjWord::vertex: return position();
       case ObjWord::face: return face();
       case ObjWord::texture_point: return attributes_.texture_point(text_);
@@ -61,6 +65,12 @@ private:
       case ObjWord::other: return;
       case ObjWord::unknown: return skip_unknown(word);
     }
+  }
+
+  void end_normals() {
+    const std::size_t count = attributes_.normal_count();
+    if (count > (normal_blocks_.empty() ? 0 : normal_blocks_.back()))
+      normal_blocks_.push_back(static_cast<std::uint32_t>(count));
   }
 
   void position() {
@@ -142,6 +152,7 @@ private:
   TextCursor text_;
   SurfaceBuilder builder_;
   ObjAttributes attributes_;
+  std::vector<std::uint32_t> normal_blocks_;  // lines vn up to the end of each block of them
   std::size_t lines_ = 0;
   std::int64_t highest_ = 0;  // of the indices that ran ahead of the vertices read so far
   std::size_t highest_line_ = 0;

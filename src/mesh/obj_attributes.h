@@ -23,6 +23,7 @@ public:
 
   /// What stands behind x y z: a weight, a colour, or nothing.
   void behind_position(TextCursor& text, std::size_t vertex);
+  std::size_t normal_count() const { return found_.normals.size(); }
   void texture_point(TextCursor& text);
   void normal(TextCursor& text);
 

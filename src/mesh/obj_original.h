@@ -1,21 +1,31 @@
 // An OBJ file as it was, to be written again.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "mesh/attributes.h"
 #include "mesh/original.h"
 
 namespace viete::mesh {
 
+/// Coordinates that moved are printed with as many decimals as the file has, and no fewer than six digits of
+/// the model's diagonal need. Normals follow; a line that serves corners whose normals now differ gets others
+/// behind its block, and indices of faces are changed accordingly.
 class ObjOriginal final : public Original {
 public:
   /// The bytes, which read_obj() has read without an error, live as long as the owner. attributes may be
-  /// null.
+  /// null. normal_blocks: see ObjNormals.
   ObjOriginal(std::string_view bytes, std::shared_ptr<const void> owner,
-              std::shared_ptr<const Attributes> attributes)
-      : bytes_(bytes), owner_(std::move(owner)), attributes_(std::move(attributes)) {}
+              std::shared_ptr<const Attributes> attributes, std::vector<std::uint32_t> normal_blocks)
+      : bytes_(bytes),
+        owner_(std::move(owner)),
+        attributes_(std::move(attributes)),
+        normal_blocks_(std::move(normal_blocks)) {}
 
   bool writes(std::string_view extension) const override { return extension == "obj"; }
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
@@ -25,6 +35,7 @@ private:
   std::string_view bytes_;
   std::shared_ptr<const void> owner_;
   std::shared_ptr<const Attributes> attributes_;
+  std::vector<std::uint32_t> normal_blocks_;
 };
 
 }  // namespace viete::mesh

@@ -30,6 +30,11 @@ ObjWord obj_word(std::string_view word);
 /// In small letters only.
 ObjWord small_obj_word(std::string_view word);
 
+/// True for what stands behind a block of vertices and normals: lines added to the block come before it.
+inline bool ends_block(ObjWord word) {
+  return word >= ObjWord::face && word <= ObjWord::use_material;
+}
+
 /// What stands behind a corner's vertex index: "", "/2", "//3", "/2/3".
 struct ObjIndices {
   std::int64_t texture_point = 0, normal = 0;  ///< as the file has them: from 1, or relative; 0: none

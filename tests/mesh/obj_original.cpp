@@ -121,3 +121,102 @@ TEST_CASE("obj_indices_that_lead_nowhere_are_a_warning") {
       holds(read.warnings[0], "5 references to texture coordinates or normals that the file does not have"));
   CHECK(holds(read.warnings[1], "1 line of texture coordinates or normals cannot be read"));
 }
+
+namespace {
+
+// Two squares that meet at a right angle, with one normal each, and a third that bends upward.
+const std::string folded =
+    "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 1.0 1.0 0.0\nv 0.0 1.0 0.0\nv 0.0 0.0 1.0\nv 0.0 1.0 1.0\n"
+    "vn 0.0000 0.0000 1.0000\nvn 1.0000 0.0000 0.0000\n# normals\ns 1\n"
+    "f 1//1 2//1 3//1 4//1\nf 1//-1 4//-1 6//-1 5//-1\n";
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+// Of each corner, as it is read again.
+std::vector<Vec3> corner_normals(const std::string& text) {
+  const ReadResult read = test::read_kept(text, "obj");
+  std::vector<Vec3> normals;
+  for (const std::uint32_t n : read.attributes->corner_normal) {
+    REQUIRE(n != none);
+    normals.push_back(read.attributes->normals[n]);
+  }
+  return normals;
+}
+
+}  // namespace
+
+TEST_CASE("obj_normals_turn_with_a_rigid_motion_and_no_line_is_added") {
+  const ReadResult read = test::read_kept(folded, "obj");
+  auto moved = read.surface.positions;
+  for (Point& p : moved) p = {-p[1] + 5, p[0], p[2]};
+  const std::string written = test::written_again(read, moved);
+  CHECK(count_of(written, "vn ") == 2);
+  CHECK(holds(written, "vn 0.0000 0.0000 1.0000\nvn 0.0000 1.0000 0.0000\n# normals"));
+  CHECK(holds(written, "f 1//-1 4//-1 6//-1 5//-1\n"));
+}
+
+TEST_CASE("obj_a_normal_that_serves_corners_which_now_differ_becomes_several") {
+  for (const bool crlf : {false, true}) {
+    std::string text;
+    for (const char c : folded) text += crlf && c == '\n' ? "\r\n" : std::string(1, c);
+    const ReadResult read = test::read_kept(text, "obj");
+    auto moved = read.surface.positions;
+    moved[2][2] = 0.5;  // the first square is bent; the second does not move
+    const std::string written = test::written_again(read, moved);
+    const std::string end = crlf ? "\r\n" : "\n";
+    CHECK(count_of(written, "vn ") > 2);
+    CHECK(holds(written, "vn 1.0000 0.0000 0.0000" + end + "vn "));
+    CHECK(holds(written, end + "# normals" + end));
+    const auto before = corner_normals(text), after = corner_normals(written);
+    for (std::size_t c = 0; c < 4; ++c) {
+      CHECK(after[c] != before[c]);
+      CHECK(norm(after[c]) == doctest::Approx(1).epsilon(1e-4));
+      CHECK(dot(after[c], before[c]) > 0.8);
+      CHECK(after[c + 4] == before[c + 4]);
+    }
+    CHECK(after[2][2] < 0.99);
+  }
+}
+
+TEST_CASE("obj_flat_faces_keep_one_normal_each") {
+  const ReadResult read = test::read_kept(replaced(folded, "s 1", "s off"), "obj");
+  auto moved = read.surface.positions;
+  moved[2][2] = 0.5;
+  const std::string written = test::written_again(read, moved);
+  CHECK(count_of(written, "vn ") == 2);
+  const auto after = corner_normals(written);
+  for (std::size_t c = 0; c < 4; ++c) CHECK(after[c] == after[0]);
+}
+
+TEST_CASE("obj_normals_of_several_blocks_are_counted_on") {
+  const std::string tail =
+      "f -4//1 -3//1 -2//1\nf 1//2 2//2\nf -4//3 -1//-2 1//-3 2//3\nvn 0.6 0 0.8\nf 7//4 8//-1 9//4";
+  const std::string text = folded + "v 9.0 0.0 0.0\nv 9.0 1.0 0.0\nv 9.0 0.0 1.0\nvn 0 1 0\n" + tail;
+  const ReadResult read = test::read_kept(text, "obj");
+  auto moved = read.surface.positions;
+  moved[2][2] = 0.5;
+  moved[0][0] = -0.5;
+  const std::string written = test::written_again(read, moved);
+  const auto before = corner_normals(text), after = corner_normals(written);
+  REQUIRE(before.size() == after.size());
+  for (std::size_t c = 0; c < before.size(); ++c) CHECK(dot(before[c], after[c]) > 0.7);
+  CHECK(after.back() == before.back());
+  CHECK(test::written_again(read, read.surface.positions) == text);
+  // Of a face that is none, the second of the normals, behind those that were added.
+  const std::string unmoved = "f 1//" + std::to_string(count_of(folded, "vn ")) + " 2//2\n";
+  CHECK(holds(written, unmoved));
+}
+
+TEST_CASE("obj_a_normal_at_the_end_of_a_file_without_line_end_can_become_several") {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ns 1\nf 1//1 2//1 3//1 4//1\nvn 0 0 1";
+  const ReadResult read = test::read_kept(text, "obj");
+  auto moved = read.surface.positions;
+  moved[2][2] = 0.5;
+  const std::string written = test::written_again(read, moved);
+  CHECK(corner_normals(written).size() == 4);
+  CHECK(corner_normals(written)[1] != corner_normals(written)[3]);
+}
