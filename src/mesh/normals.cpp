@@ -125,4 +125,12 @@ std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> 
                  [](const TriangleMap& map, const Vec3& t) { return map.of_tangent(t); });
 }
 
+void keep_lengths(std::span<const Vec3> before, std::span<Vec3> now) {
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i] == before[i]) continue;
+    const double length = stable_norm(before[i]);
+    if (std::abs(length - 1) > 0.01) now[i] = length * now[i];
+  }
+}
+
 }  // namespace viete::mesh

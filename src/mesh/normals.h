@@ -33,4 +33,8 @@ std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> 
                                     std::span<const Vec3> tangents,
                                     std::span<const std::uint32_t> corner_tangent);
 
+/// Vectors that changed are made as long as they were: deformed_normals() and deformed_tangents() give unit
+/// vectors. Unit vectors stay so, though a file's digits made them a little shorter.
+void keep_lengths(std::span<const Vec3> before, std::span<Vec3> now);
+
 }  // namespace viete::mesh

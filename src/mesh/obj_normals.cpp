@@ -79,12 +79,6 @@ struct Spread {
   }
 };
 
-// A unit vector stays one, though the file's digits may make it a little shorter; others keep their length.
-Vec3 as_long_as(const Vec3& before, const Vec3& unit) {
-  const double length = stable_norm(before);
-  return std::abs(length - 1) < 0.01 ? unit : length * unit;
-}
-
 std::string words_of(const Vec3& normal, const Printed& printed) {
   std::array<char, 400> room;
   std::string words;
@@ -99,9 +93,7 @@ ObjNormals::ObjNormals(const Surface& rest, const Attributes& attributes,
                        const Printed& printed) {
   const Spread spread(rest, attributes);
   std::vector<Vec3> moved = deformed_normals(rest, positions, spread.normals, spread.of_corner);
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    if (moved[i] != spread.normals[i]) moved[i] = as_long_as(spread.normals[i], moved[i]);
-  }
+  keep_lengths(spread.normals, moved);
   std::vector<std::uint32_t> value_of(moved.size());
   for (std::size_t n = 0; n < attributes.normals.size(); ++n) {
     const auto begin = spread.first[n], end = spread.first[n + 1];

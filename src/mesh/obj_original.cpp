@@ -13,11 +13,6 @@ namespace viete::mesh {
 
 namespace {
 
-// The words of the next three numbers of a line.
-std::array<std::string_view, 3> three_words(TextCursor& text) {
-  return {text.word(), text.word(), text.word()};
-}
-
 // Like the first lines of this kind.
 Printed printed_like(const Source& source, ObjWord kind, Digits digits) {
   constexpr std::size_t enough = 10'000;
@@ -73,21 +68,13 @@ private:
   void statement(ObjWord kind) {
     if (kind == ObjWord::vertex) {
       const std::size_t v = vertices_++;
-      vector(rest_.positions[v], positions_[v], coordinates_);
+      rewriter_.replace(three_words(text_), rest_.positions[v], positions_[v], coordinates_);
     } else if (kind == ObjWord::normal && normals_) {
       const std::size_t n = lines_++;
-      vector(attributes_->normals[n], normals_->of_line(n), directions_);
+      rewriter_.replace(three_words(text_), attributes_->normals[n], normals_->of_line(n), directions_);
       written_ = std::int64_t{normals_->index_of_line(n)} + 1;
     } else if (kind == ObjWord::face && normals_ && normals_->adds_lines()) {
       face();
-    }
-  }
-
-  void vector(const Vec3& before, const Vec3& now, const Printed& printed) {
-    if (before == now) return;
-    const auto words = three_words(text_);
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!printed.same(before[i], now[i])) rewriter_.replace(words[i], printed.print(now[i], room_));
     }
   }
 

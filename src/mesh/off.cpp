@@ -1,16 +1,18 @@
 #include "mesh/off.h"
 
 #include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
 
 #include "base/error.h"
+#include "mesh/off_original.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
 
 namespace viete::mesh {
 
 namespace {
-
-constexpr TextRules off_rules{.comment = '#'};
 
 // OFF, behind ST (texture), C (colours), N (normals), 4, n (dimension), in this order.
 bool is_off_word(std::string_view word) {
@@ -32,6 +34,7 @@ public:
     const std::size_t vertices = count("vertex count"), faces = count("face count");
     check_room(vertices, faces);
     text_.next_line();
+    const std::size_t body = text_.offset();
     builder_.surface().positions.reserve(vertices);
     for (std::size_t i = 0; i < vertices; ++i) {
       row("the last vertex", i);
@@ -41,7 +44,13 @@ public:
       row("the last face", i);
       face();
     }
-    return builder_.finish("OFF");
+    auto attributes = finished_attributes();
+    ReadResult result = builder_.finish("OFF");
+    if (source_.owner) {
+      result.original = std::make_shared<const OffOriginal>(source_.bytes, source_.owner, body, has_normals_);
+    }
+    result.attributes = std::move(attributes);
+    return result;
   }
 
 private:
@@ -53,6 +62,9 @@ private:
       if (word.find_first_of("4n") != std::string_view::npos)
         text_.fail("positions of four or n numbers", "export as OFF");
       text_ = ahead;
+      has_normals_ = word.find('N') != std::string_view::npos;
+      has_colors_ = word.find('C') != std::string_view::npos;
+      has_texture_ = word.starts_with("ST");
       if (ahead.word() == "BINARY") text_.fail("binary OFF is not read", "export as text or as PLY");
     }
     while (!text_.at_end() && text_.at_line_end()) comment_line();
@@ -88,7 +100,42 @@ private:
   void vertex() {
     const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
     builder_.position({x, y, z});
+    if (has_normals_ || has_colors_ || has_texture_) behind_position();
     text_.next_line();
+  }
+
+  // A normal, a colour of three or four numbers, and a texture point, as far as they are there.
+  void behind_position() {
+    std::array<double, 9> values{};
+    std::size_t count = 0, at = 0;
+    for (; count < values.size() && !text_.at_line_end(); ++count) {
+      const auto value = number_in(text_.word());
+      if (!value) break;
+      values[count] = *value;
+    }
+    const auto next = [&] { return at < count ? values[at++] : 0; };
+    if (has_normals_) found_.normals.push_back({next(), next(), next()});
+    if (has_colors_) {
+      const std::size_t channels = count - std::min(count, at) - (has_texture_ && count >= at + 2 ? 2 : 0);
+      Color& color = found_.colors.emplace_back(Color{0, 0, 0, 1});
+      for (std::size_t i = 0; i < std::min<std::size_t>(channels, 4); ++i)
+        color[i] = static_cast<float>(std::clamp(next(), 0.0, 255.0));
+    }
+    if (has_texture_) found_.texture_points.push_back({next(), next()});
+  }
+
+  // Colours in [0, 1], or from 0 to 255 where one is larger than 1.
+  std::shared_ptr<const Attributes> finished_attributes() {
+    const auto large = [](const Color& c) { return *std::max_element(c.begin(), c.end()) > 1; };
+    if (std::any_of(found_.colors.begin(), found_.colors.end(), large)) {
+      for (Color& c : found_.colors) {
+        for (std::size_t i = 0; i < 4; ++i) c[i] = i == 3 && c[i] == 1 ? 1 : c[i] / 255;
+      }
+    }
+    if (has_normals_) found_.corner_normal = builder_.surface().corners;
+    if (has_texture_) found_.corner_texture = builder_.surface().corners;
+    if (found_.empty()) return nullptr;
+    return std::make_shared<const Attributes>(std::move(found_));
   }
 
   void face() {
@@ -109,6 +156,8 @@ private:
   const Source& source_;
   TextCursor text_;
   SurfaceBuilder builder_;
+  bool has_normals_ = false, has_colors_ = false, has_texture_ = false;
+  Attributes found_;
 };
 
 }  // namespace

@@ -6,9 +6,12 @@
 
 #include "mesh/read.h"
 #include "mesh/source.h"
+#include "mesh/text_cursor.h"
 #include "mesh/text_writer.h"
 
 namespace viete::mesh {
+
+inline constexpr TextRules off_rules{.comment = '#'};
 
 /// Source: Geomview manual, "OFF Files". Read: OFF and its forms with colours, normals or texture coordinates
 /// behind the positions, which are passed over; comments; the word OFF itself may be missing. Not read: 4OFF,

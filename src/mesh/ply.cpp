@@ -4,9 +4,13 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <string>
+#include <utility>
 
 #include "base/error.h"
+#include "mesh/ply_attributes.h"
 #include "mesh/ply_header.h"
+#include "mesh/ply_original.h"
 #include "mesh/ply_values.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
@@ -18,8 +22,9 @@ namespace {
 template <class Values>
 class PlyBody {
 public:
-  PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, Values values)
-      : header_(header), source_(source), builder_(builder), values_(values) {
+  PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, PlyAttributes& attributes,
+          Values values)
+      : header_(header), source_(source), builder_(builder), attributes_(attributes), values_(values) {
     const PlyElement* vertices = header.find("vertex");
     vertex_count_ = vertices ? vertices->count : 0;
   }
@@ -58,15 +63,20 @@ private:
       }
     }
     builder_.surface().positions.reserve(element.count);
+    PlyAttributes& attributes = attributes_.begin(element);
     Point point{};
     rows(element, [&](const PlyProperty& property, std::size_t p) {
       const auto axis = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), p) - axes.begin());
-      if (axis == 3) {
+      if (axis < 3) {
+        point[axis] = values_.coordinate(property.type);
+      } else if (property.list_size || !attributes.wants(p)) {
         skip(property);
       } else {
-        point[axis] = values_.coordinate(property.type);
+        attributes.take(p, values_.value_of(property.type, values_.skip(property.type)));
       }
-      if (p + 1 == element.properties.size()) builder_.position(point);
+      if (p + 1 != element.properties.size()) return;
+      builder_.position(point);
+      attributes.end_row();
     });
   }
 
@@ -140,6 +150,7 @@ private:
   const PlyHeader& header_;
   const Source& source_;
   SurfaceBuilder& builder_;
+  PlyAttributes& attributes_;
   Values values_;
   std::size_t vertex_count_ = 0;
   PlyType index_type_ = PlyType::int32;
@@ -159,15 +170,25 @@ ReadResult read_ply(const Source& source) {
     throw base::Error(source.name, "does not start with the word ply", "check the extension");
   SurfaceBuilder builder(source);
   TextCursor text(source, {});
-  const PlyHeader header = read_ply_header(text, source, builder);
+  PlyHeader header = read_ply_header(text, source, builder);
+  const std::size_t body = text.offset();
+  PlyAttributes attributes;
+  std::string format = "PLY ascii";
   if (header.format == PlyHeader::Format::ascii) {
-    PlyBody(header, source, builder, PlyTextValues(text)).read();
-    return builder.finish("PLY ascii");
+    PlyBody(header, source, builder, attributes, PlyTextValues(text)).read();
+  } else {
+    const bool little = header.format == PlyHeader::Format::little_endian;
+    const auto order = little ? std::endian::little : std::endian::big;
+    PlyBody(header, source, builder, attributes, PlyBinaryValues(source, body, order)).read();
+    format = little ? "PLY binary little-endian" : "PLY binary big-endian";
   }
-  const bool little = header.format == PlyHeader::Format::little_endian;
-  const auto order = little ? std::endian::little : std::endian::big;
-  PlyBody(header, source, builder, PlyBinaryValues(source, text.offset(), order)).read();
-  return builder.finish(little ? "PLY binary little-endian" : "PLY binary big-endian");
+  ReadResult result = builder.finish(std::move(format));
+  result.attributes = attributes.finish(result.surface);
+  if (source.owner) {
+    result.original =
+        std::make_shared<const PlyOriginal>(source.name, source.bytes, source.owner, std::move(header), body);
+  }
+  return result;
 }
 
 bool looks_like_ply(const Source& source) {

@@ -21,7 +21,7 @@ namespace viete::mesh {
 /// Values are words; a row ends with its line.
 class PlyTextValues {
 public:
-  explicit PlyTextValues(TextCursor& text) : text_(text) {}
+  explicit PlyTextValues(const TextCursor& text) : text_(text) {}
 
   void start_row(std::string_view element, std::size_t) {
     text_.need_word("the last " + std::string(element));
@@ -32,7 +32,10 @@ public:
   }
   double coordinate(PlyType) { return next().coordinate(); }
   std::int64_t integer(PlyType) { return next().integer("whole number"); }
-  void skip(PlyType) { next().word(); }
+  /// Where the value stands.
+  std::string_view skip(PlyType) { return next().word(); }
+  /// Of a value that stands there; 0 where that is no number.
+  double value_of(PlyType, std::string_view place) const { return number_in(place).value_or(0); }
   std::size_t most_values(PlyType) const { return text_.bytes_left() / 2 + 1; }
   double done() const { return text_.done(); }
   [[noreturn]] void fail(const std::string& problem, const std::string& advice) const {
@@ -45,14 +48,14 @@ private:
     return text_;
   }
 
-  TextCursor& text_;
+  TextCursor text_;
 };
 
 /// Values are bytes; a place is the element's name and number.
 class PlyBinaryValues {
 public:
   PlyBinaryValues(const Source& source, std::size_t start, std::endian order)
-      : source_(source), at_(source.bytes.substr(start)), swap_(order != std::endian::native) {}
+      : source_(&source), at_(source.bytes.substr(start)), swap_(order != std::endian::native) {}
 
   void start_row(std::string_view element, std::size_t index) {
     element_ = element;
@@ -74,13 +77,17 @@ public:
     return static_cast<std::int64_t>(value);
   }
 
-  void skip(PlyType type) { bytes(size_of(type)); }
+  std::string_view skip(PlyType type) { return {bytes(size_of(type)), size_of(type)}; }
+  double value_of(PlyType type, std::string_view place) const {
+    const double value = take(type, place.data());
+    return std::isfinite(value) ? value : 0;
+  }
   std::size_t most_values(PlyType type) const { return at_.size() / size_of(type); }
   double done() const {
-    return 1 - static_cast<double>(at_.size()) / static_cast<double>(source_.bytes.size());
+    return 1 - static_cast<double>(at_.size()) / static_cast<double>(source_->bytes.size());
   }
   [[noreturn]] void fail(const std::string& problem, const std::string& advice) const {
-    throw base::Error(source_.place(element_, index_), problem, advice);
+    throw base::Error(source_->place(element_, index_), problem, advice);
   }
 
 private:
@@ -92,28 +99,29 @@ private:
   }
 
   template <class T>
-  double as() {
+  double as(const char* from) const {
     std::array<char, sizeof(T)> raw;
-    std::memcpy(raw.data(), bytes(sizeof(T)), sizeof(T));
+    std::memcpy(raw.data(), from, sizeof(T));
     if (swap_) std::reverse(raw.begin(), raw.end());
     return static_cast<double>(std::bit_cast<T>(raw));
   }
 
-  double take(PlyType type) {
+  double take(PlyType type) { return take(type, bytes(size_of(type))); }
+  double take(PlyType type, const char* from) const {
     switch (type) {
-      case PlyType::int8: return as<std::int8_t>();
-      case PlyType::uint8: return as<std::uint8_t>();
-      case PlyType::int16: return as<std::int16_t>();
-      case PlyType::uint16: return as<std::uint16_t>();
-      case PlyType::int32: return as<std::int32_t>();
-      case PlyType::uint32: return as<std::uint32_t>();
-      case PlyType::float32: return as<float>();
-      case PlyType::float64: return as<double>();
+      case PlyType::int8: return as<std::int8_t>(from);
+      case PlyType::uint8: return as<std::uint8_t>(from);
+      case PlyType::int16: return as<std::int16_t>(from);
+      case PlyType::uint16: return as<std::uint16_t>(from);
+      case PlyType::int32: return as<std::int32_t>(from);
+      case PlyType::uint32: return as<std::uint32_t>(from);
+      case PlyType::float32: return as<float>(from);
+      case PlyType::float64: return as<double>(from);
     }
     return 0;
   }
 
-  const Source& source_;
+  const Source* source_;
   std::string_view at_;
   bool swap_;
   std::string_view element_;

@@ -56,6 +56,7 @@ char* without_zeros(char* from, char* to) {
 }  // namespace
 
 void Printed::learn(std::string_view word) {
+  if (word.empty()) return;
   const std::size_t exponent = word.find_first_of("eE");
   const std::string_view mantissa = word.substr(0, exponent);
   const std::size_t point = mantissa.find('.');
@@ -85,6 +86,7 @@ int Printed::decimals() const {
 }
 
 std::string_view Printed::print(double value, std::span<char> room) const {
+  value += 0.0;  // -0 becomes 0
   char* const from = room.data();
   char* to = from;
   if (digits_.kind == Digits::Kind::all) {

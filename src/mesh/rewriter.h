@@ -1,12 +1,24 @@
 // Copies the bytes of a file with some words replaced.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string_view>
 
+#include "mesh/printed.h"
+#include "mesh/text_cursor.h"
 #include "mesh/text_writer.h"
+#include "mesh/vector.h"
 
 namespace viete::mesh {
+
+using ThreeWords = std::array<std::string_view, 3>;
+
+/// The next three of this line; those that are missing are empty.
+inline ThreeWords three_words(TextCursor& text) {
+  return {text.word(), text.word(), text.word()};  // from left to right
+}
 
 /// Replacements come in the order of the file; what lies between them is copied as it is.
 class Rewriter {
@@ -18,6 +30,15 @@ public:
     copy_until(offset_of(word));
     out_.text(by);
     copied_ += word.size();
+  }
+
+  /// The words of a vector that was `before` and is `now`: those that would be printed as before stay.
+  void replace(const ThreeWords& words, const Vec3& before, const Vec3& now, const Printed& printed) {
+    if (before == now) return;
+    std::array<char, 400> room;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!printed.same(before[i], now[i])) replace(words[i], printed.print(now[i], room));
+    }
   }
 
   /// Copies up to a place in the bytes, for what is inserted there.

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "mesh/point_index.h"
+#include "mesh/stl_original.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
 
@@ -15,35 +16,37 @@ namespace viete::mesh {
 
 namespace {
 
-constexpr std::size_t head_bytes = 84, triangle_bytes = 50;
-
 std::uint32_t little_endian_word(const char* bytes) {
   std::uint32_t value = 0;
   for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
   return value;
 }
 
-double little_endian_float(const char* bytes) {
+}  // namespace
+
+double stl_float(const char* bytes) {
   return std::bit_cast<float>(little_endian_word(bytes));
 }
 
-std::uint64_t announced_bytes(const Source& source) {
-  return head_bytes + triangle_bytes * std::uint64_t{little_endian_word(source.bytes.data() + 80)};
-}
-
-bool is_exact_binary(const Source& source) {
-  return source.bytes.size() >= head_bytes && source.bytes.size() == announced_bytes(source);
-}
-
-std::string lower(std::string_view word) {
+std::string lower_stl_word(std::string_view word) {
   std::string text(word.substr(0, 16));
   for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
   return text;
 }
 
+namespace {
+
+std::uint64_t announced_bytes(const Source& source) {
+  return stl_head_bytes + stl_triangle_bytes * std::uint64_t{little_endian_word(source.bytes.data() + 80)};
+}
+
+bool is_exact_binary(const Source& source) {
+  return source.bytes.size() >= stl_head_bytes && source.bytes.size() == announced_bytes(source);
+}
+
 bool starts_solid(const Source& source) {
   TextCursor text(source, {});
-  return text.next_filled_line() && lower(text.word()) == "solid";
+  return text.next_filled_line() && lower_stl_word(text.word()) == "solid";
 }
 
 bool holds_nul(const Source& source) {
@@ -68,13 +71,18 @@ private:
   PointIndex index_;
 };
 
+void keep_original(const Source& source, bool binary, ReadResult& result) {
+  if (!source.owner) return;
+  result.original = std::make_shared<const StlOriginal>(source.name, source.bytes, source.owner, binary);
+}
+
 std::string head_text(std::string_view head) {
   std::string text = TextWriter::one_line(std::string(head.substr(0, head.find('\0'))));
   return text;
 }
 
 ReadResult read_binary(const Source& source) {
-  if (source.bytes.size() < head_bytes) {
+  if (source.bytes.size() < stl_head_bytes) {
     throw base::Error(source.name,
                       "a binary STL has 84 bytes at least, this file " + std::to_string(source.bytes.size()),
                       "export or copy it again");
@@ -82,20 +90,21 @@ ReadResult read_binary(const Source& source) {
   const std::uint64_t needed = announced_bytes(source);
   if (source.bytes.size() < needed) {
     throw base::Error(source.name,
-                      "the header announces " + std::to_string((needed - head_bytes) / triangle_bytes) +
+                      "the header announces " +
+                          std::to_string((needed - stl_head_bytes) / stl_triangle_bytes) +
                           " triangles, the file has room for " +
-                          std::to_string((source.bytes.size() - head_bytes) / triangle_bytes),
+                          std::to_string((source.bytes.size() - stl_head_bytes) / stl_triangle_bytes),
                       "it seems to be cut short: export or copy it again");
   }
   SurfaceBuilder builder(source);
   builder.comment(head_text(source.bytes.substr(0, 80)));
   CornerJoiner corners(builder);
-  const std::size_t triangles = (needed - head_bytes) / triangle_bytes;
+  const std::size_t triangles = (needed - stl_head_bytes) / stl_triangle_bytes;
   for (std::size_t t = 0; t < triangles; ++t) {
-    const char* const at = source.bytes.data() + head_bytes + triangle_bytes * t + 12;
+    const char* const at = source.bytes.data() + stl_head_bytes + stl_triangle_bytes * t + 12;
     for (int c = 0; c < 3; ++c) {
       Point p{};
-      for (int i = 0; i < 3; ++i) p[i] = little_endian_float(at + 12 * c + 4 * i);
+      for (int i = 0; i < 3; ++i) p[i] = stl_float(at + 12 * c + 4 * i);
       if (!std::isfinite(p[0] + p[1] + p[2])) {
         throw base::Error(source.place("triangle", t), "a coordinate is not a finite number",
                           "repair the triangle");
@@ -109,7 +118,9 @@ ReadResult read_binary(const Source& source) {
     builder.warn(source.name + ": passed over " + std::to_string(source.bytes.size() - needed) +
                  " bytes behind the last triangle");
   }
-  return builder.finish("STL binary");
+  ReadResult result = builder.finish("STL binary");
+  keep_original(source, true, result);
+  return result;
 }
 
 class StlTextReader {
@@ -119,14 +130,16 @@ public:
 
   ReadResult read() {
     while (text_.next_filled_line()) {
-      statement(lower(text_.word()));
+      statement(lower_stl_word(text_.word()));
       text_.next_line();
       if (++lines_ % 16384 == 0) source_.report(text_.done());
     }
     if (in_facet_)
       text_.fail("the file ends within a facet", "it seems to be cut short: export or copy it again");
     if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
-    return builder_.finish("STL ascii");
+    ReadResult result = builder_.finish("STL ascii");
+    keep_original(source_, false, result);
+    return result;
   }
 
 private:

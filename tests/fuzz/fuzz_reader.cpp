@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.h"
 #include "mesh/gltf.h"
@@ -38,12 +41,52 @@ void check_invariants(const Surface& s, std::size_t bytes) {
   require(s.positions.size() <= bytes + placed && s.corners.size() <= 4 * (bytes + placed) + 64);
 }
 
+void check_attributes(const ReadResult& read) {
+  if (!read.attributes) return;
+  const Attributes& a = *read.attributes;
+  const std::size_t corners = read.surface.corners.size();
+  require(a.corner_texture.empty() || a.corner_texture.size() == corners);
+  require(a.corner_normal.empty() || a.corner_normal.size() == corners);
+  require(a.colors.empty() || a.colors.size() == read.surface.positions.size());
+  for (const auto t : a.corner_texture) require(t == none || t < a.texture_points.size());
+  for (const auto n : a.corner_normal) require(n == none || n < a.normals.size());
+  for (std::size_t g = 0; g < a.groups.size(); ++g) {
+    require(g == 0 ? a.groups[g].first_polygon == 0
+                   : a.groups[g].first_polygon > a.groups[g - 1].first_polygon);
+    require(a.groups[g].first_polygon < read.surface.polygon_count());
+    require(a.groups[g].material == none || a.groups[g].material < a.materials.size());
+  }
+}
+
+std::string written_again(const ReadResult& read, const std::vector<Point>& positions) {
+  std::string all;
+  TextWriter out([&](std::string_view portion) { all += portion; });
+  read.original->write(read.surface, positions, out);
+  out.finish();
+  return all;
+}
+
+// A deformed file is read again, with the same polygons where its format has vertices.
+void check_moved(const ReadResult& read) {
+  auto moved = read.surface.positions;
+  for (std::size_t v = 0; v < moved.size(); ++v) moved[v][v % 3] += 0.37 * static_cast<double>(v % 7);
+  const std::string text = written_again(read, moved);
+  const ReadResult again = VIETE_FUZZ_READ(Source{"fuzz", "", text, nullptr});
+  require(again.surface.polygon_count() == read.surface.polygon_count());
+  if (!read.format.starts_with("STL")) require(again.surface.corners == read.surface.corners);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const Source source{"fuzz", "", std::string_view(reinterpret_cast<const char*>(data), size), nullptr};
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const std::shared_ptr<const void> owner(std::shared_ptr<const void>(), data);  // outlives this call
+  const Source source{"fuzz", "", bytes, nullptr, owner};
   try {
     const ReadResult read = VIETE_FUZZ_READ(source);
+    check_attributes(read);
+    require(written_again(read, read.surface.positions) == bytes);
+    check_moved(read);
     check_invariants(read.surface, size);
     if (size < 20000) summarize(read.surface);
   } catch (const viete::base::Error& error) {

@@ -1,0 +1,41 @@
+// Collects normals, colours and texture coordinates of a PLY file's vertices.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "mesh/attributes.h"
+#include "mesh/ply_header.h"
+#include "mesh/surface.h"
+
+namespace viete::mesh {
+
+/// Known are nx ny nz; red green blue alpha, with diffuse_ before them too; s t, u v, and texture_ before
+/// these. Colours in whole numbers are parts of their type's largest.
+class PlyAttributes {
+public:
+  /// The properties of the vertices that follow.
+  PlyAttributes& begin(const PlyElement& vertices);
+
+  bool wants(std::size_t property) const { return slots_[property] != slots; }
+  void take(std::size_t property, double value) { row_[slots_[property]] = value * factors_[property]; }
+  void end_row();
+
+  /// Null where there is nothing of all this.
+  std::shared_ptr<const Attributes> finish(const Surface& surface);
+
+private:
+  static constexpr std::size_t normal = 0, color = 3, texture = 7, slots = 9;
+
+  bool find(const PlyElement& vertices, std::size_t slot, std::initializer_list<const char*> names);
+
+  std::vector<std::size_t> slots_;  // of each property, where it goes in a row
+  std::vector<double> factors_;
+  std::array<double, slots> row_{};
+  bool has_normals_ = false, has_colors_ = false, has_texture_ = false;
+  Attributes found_;
+};
+
+}  // namespace viete::mesh

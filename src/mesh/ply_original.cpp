@@ -1,0 +1,283 @@
+#include "mesh/ply_original.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include "base/error.h"
+#include "mesh/attributes.h"
+#include "mesh/normals.h"
+#include "mesh/ply_values.h"
+#include "mesh/printed.h"
+#include "mesh/rewriter.h"
+
+namespace viete::mesh {
+
+namespace {
+
+bool is_float(PlyType type) {
+  return type == PlyType::float32 || type == PlyType::float64;
+}
+
+// Three properties of an element that are one vector, as the file has it and as it is now.
+struct PlyVectors {
+  std::array<std::size_t, 3> at;  // among the properties
+  std::vector<Vec3> before, now;  // one a row
+  Printed printed;
+
+  // 0, 1 or 2; 3 if the property is none of these.
+  std::size_t axis(std::size_t property) const {
+    return static_cast<std::size_t>(std::find(at.begin(), at.end(), property) - at.begin());
+  }
+};
+
+std::optional<PlyVectors> vectors_named(const PlyElement& element, const char* x, const char* y,
+                                        const char* z, Digits digits) {
+  PlyVectors vectors{{element.find(x), element.find(y), element.find(z)}, {}, {}, Printed(digits)};
+  for (const std::size_t p : vectors.at) {
+    if (p == element.properties.size() || element.properties[p].list_size) return std::nullopt;
+  }
+  return vectors;
+}
+
+template <class Number>
+std::optional<std::string_view> whole_bytes(double value, std::span<char> room) {
+  value = std::round(value);
+  if (!(value >= double(std::numeric_limits<Number>::lowest()) &&
+        value <= double(std::numeric_limits<Number>::max())))
+    return std::nullopt;
+  const auto number = static_cast<Number>(value);
+  std::memcpy(room.data(), &number, sizeof number);
+  return std::string_view(room.data(), sizeof number);
+}
+
+template <class Number>
+std::optional<std::string_view> float_bytes(double value, std::span<char> room) {
+  const auto number = static_cast<Number>(value);
+  if (!std::isfinite(number)) return std::nullopt;
+  std::memcpy(room.data(), &number, sizeof number);
+  return std::string_view(room.data(), sizeof number);
+}
+
+// In the bytes of this machine; nothing where the value is beyond the type's range.
+std::optional<std::string_view> native_bytes(PlyType type, double value, std::span<char> room) {
+  switch (type) {
+    case PlyType::int8: return whole_bytes<std::int8_t>(value, room);
+    case PlyType::uint8: return whole_bytes<std::uint8_t>(value, room);
+    case PlyType::int16: return whole_bytes<std::int16_t>(value, room);
+    case PlyType::uint16: return whole_bytes<std::uint16_t>(value, room);
+    case PlyType::int32: return whole_bytes<std::int32_t>(value, room);
+    case PlyType::uint32: return whole_bytes<std::uint32_t>(value, room);
+    case PlyType::float32: return float_bytes<float>(value, room);
+    case PlyType::float64: return float_bytes<double>(value, room);
+  }
+  return std::nullopt;
+}
+
+// A value as the file has it.
+class PlyForm {
+public:
+  PlyForm(PlyHeader::Format format) : format_(format) {}
+
+  std::optional<std::string_view> of(PlyType type, double value, const Printed& printed,
+                                     std::span<char> room) const {
+    const auto bytes = native_bytes(type, value, room);
+    if (!bytes) return bytes;
+    if (format_ == PlyHeader::Format::ascii) {
+      if (is_float(type)) return printed.print(value, room);
+      const char* const end = std::to_chars(room.data(), room.data() + room.size(), std::llround(value)).ptr;
+      return std::string_view(room.data(), static_cast<std::size_t>(end - room.data()));
+    }
+    const bool little = format_ == PlyHeader::Format::little_endian;
+    if (little != (std::endian::native == std::endian::little))
+      std::reverse(room.begin(), room.begin() + std::ptrdiff_t(bytes->size()));
+    return bytes;
+  }
+
+private:
+  PlyHeader::Format format_;
+};
+
+// Walks the body twice: to learn what follows the positions, and to write it.
+template <class Values>
+class PlyRewriter {
+public:
+  PlyRewriter(const PlyHeader& header, const Source& source, Values values, const Surface& rest,
+              std::span<const Point> positions, TextWriter& out)
+      : header_(header),
+        source_(source),
+        start_(values),
+        values_(values),
+        rest_(rest),
+        positions_(positions),
+        out_(out) {}
+
+  void run() {
+    find_elements();
+    if (ascii() || vertex_vectors_.size() > 1 || face_normals_) learn();
+    follow();
+    Rewriter rewriter(source_.bytes, out_);
+    values_ = start_;
+    walk([&](const PlyElement& element, std::size_t row, std::size_t p, std::string_view place) {
+      for (PlyVectors* vectors : vectors_of(element)) replace(element, *vectors, row, p, place, rewriter);
+    });
+    rewriter.finish();
+  }
+
+private:
+  bool ascii() const { return header_.format == PlyHeader::Format::ascii; }
+
+  void find_elements() {
+    const Digits digits = out_.digits();
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex" && !vertices_ && element.count > 0) {
+        vertices_ = &element;
+        for (const auto& [x, y, z] : {std::array{"x", "y", "z"}, {"nx", "ny", "nz"}, {"tx", "ty", "tz"}}) {
+          if (auto found = vectors_named(element, x, y, z, digits)) {
+            is_tangent_.push_back(x[0] == 't');
+            vertex_vectors_.push_back(std::move(*found));
+          }
+        }
+      } else if (element.name == "face" && !faces_) {
+        faces_ = &element;
+        face_normals_ = vectors_named(element, "nx", "ny", "nz", digits);
+      } else if (element.name == "face" || element.name == "tristrips") {
+        face_normals_.reset();  // whose polygons are whose rows is not known then
+      }
+    }
+    vertex_vectors_.front().before = rest_.positions;
+    vertex_vectors_.front().printed.keep(6, bounds(rest_.positions).diagonal());
+  }
+
+  std::vector<PlyVectors*> vectors_of(const PlyElement& element) {
+    std::vector<PlyVectors*> all;
+    if (&element == vertices_) {
+      for (PlyVectors& v : vertex_vectors_) all.push_back(&v);
+    } else if (&element == faces_ && face_normals_) {
+      all.push_back(&*face_normals_);
+    }
+    return all;
+  }
+
+  // use(element, row, property, place) for the single values of what may change.
+  template <class Use>
+  void walk(const Use& use) {
+    const PlyElement* const last = face_normals_ ? faces_ : vertices_;
+    const PlyElement* behind = header_.elements.data();
+    while (behind <= vertices_ || behind <= last) ++behind;
+    for (const PlyElement* element = header_.elements.data(); element != behind; ++element) {
+      if (element->properties.empty()) continue;
+      for (std::size_t row = 0; row < element->count; ++row) {
+        values_.start_row(element->name, row);
+        for (std::size_t p = 0; p < element->properties.size(); ++p) {
+          const PlyProperty& property = element->properties[p];
+          if (property.list_size) {
+            skip_list(*element, p);
+          } else {
+            use(*element, row, p, values_.skip(property.type));
+          }
+        }
+        values_.end_row();
+      }
+    }
+  }
+
+  void skip_list(const PlyElement& element, std::size_t p) {
+    const PlyProperty& property = element.properties[p];
+    const std::int64_t length = values_.integer(*property.list_size);
+    for (std::int64_t i = 0; i < length; ++i) values_.skip(property.type);
+    const bool is_polygon = &element == faces_ && p == element.find("vertex_indices", "vertex_index");
+    if (is_polygon && face_normals_) polygon_of_row_.push_back(length >= 3 ? polygons_++ : none);
+  }
+
+  void learn() {
+    walk([&](const PlyElement& element, std::size_t row, std::size_t p, std::string_view place) {
+      for (PlyVectors* vectors : vectors_of(element)) {
+        const std::size_t axis = vectors->axis(p);
+        if (axis == 3) continue;
+        constexpr std::size_t enough = 10'000;
+        if (ascii() && row < enough) vectors->printed.learn(place);
+        if (vectors == &vertex_vectors_.front()) continue;
+        vectors->before.resize(element.count);
+        vectors->before[row][axis] = values_.value_of(element.properties[p].type, place);
+      }
+    });
+  }
+
+  void follow() {
+    vertex_vectors_.front().now.assign(positions_.begin(), positions_.end());
+    for (std::size_t i = 1; i < vertex_vectors_.size(); ++i) {
+      PlyVectors& vectors = vertex_vectors_[i];
+      vectors.printed.keep(5, 1);
+      vectors.now = is_tangent_[i] ? deformed_tangents(rest_, positions_, vectors.before, rest_.corners)
+                                   : deformed_normals(rest_, positions_, vectors.before, rest_.corners);
+      keep_lengths(vectors.before, vectors.now);
+    }
+    if (!face_normals_) return;
+    face_normals_->printed.keep(5, 1);
+    std::vector<std::uint32_t> row_of_corner(rest_.corners.size(), none);
+    for (std::uint32_t row = 0; row < polygon_of_row_.size(); ++row) {
+      const std::uint32_t p = polygon_of_row_[row];
+      if (p == none) continue;
+      for (auto c = rest_.polygon_starts[p]; c < rest_.polygon_starts[p + 1]; ++c) row_of_corner[c] = row;
+    }
+    face_normals_->before.resize(faces_->count);
+    face_normals_->now = deformed_normals(rest_, positions_, face_normals_->before, row_of_corner);
+    keep_lengths(face_normals_->before, face_normals_->now);
+  }
+
+  void replace(const PlyElement& element, const PlyVectors& vectors, std::size_t row, std::size_t p,
+               std::string_view place, Rewriter& rewriter) {
+    const std::size_t axis = vectors.axis(p);
+    if (axis == 3) return;
+    const double before = vectors.before[row][axis], now = vectors.now[row][axis];
+    if (before == now) return;
+    const PlyType type = element.properties[p].type;
+    std::array<char, 400> room_before, room;
+    const auto words = form_.of(type, now, vectors.printed, room);
+    if (!words) {
+      throw base::Error(source_.place(element.name, row), "a position does not fit into the file's type",
+                        "write another format, or scale the model");
+    }
+    if (form_.of(type, before, vectors.printed, room_before) != words) rewriter.replace(place, *words);
+  }
+
+  const PlyHeader& header_;
+  const Source& source_;
+  Values start_, values_;
+  const Surface& rest_;
+  std::span<const Point> positions_;
+  TextWriter& out_;
+  PlyForm form_{header_.format};
+  const PlyElement* vertices_ = nullptr;
+  const PlyElement* faces_ = nullptr;
+  std::vector<PlyVectors> vertex_vectors_;  // positions, then normals and tangents
+  std::vector<char> is_tangent_;
+  std::optional<PlyVectors> face_normals_;
+  std::vector<std::uint32_t> polygon_of_row_;
+  std::uint32_t polygons_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> PlyOriginal::write(const Surface& rest, std::span<const Point> positions,
+                                            TextWriter& out) const {
+  const Source source{name_, "ply", bytes_};
+  if (header_.format == PlyHeader::Format::ascii) {
+    const Source body{name_, "ply", bytes_.substr(body_)};
+    PlyRewriter(header_, source, PlyTextValues({body, {}}), rest, positions, out).run();
+  } else {
+    const bool little = header_.format == PlyHeader::Format::little_endian;
+    const PlyBinaryValues values(source, body_, little ? std::endian::little : std::endian::big);
+    PlyRewriter(header_, source, values, rest, positions, out).run();
+  }
+  return {};
+}
+
+}  // namespace viete::mesh
