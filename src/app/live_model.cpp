@@ -8,16 +8,17 @@
 
 namespace viete::app {
 
-bool LiveModel::follow(scene::Workspace& workspace) {
+LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   const scene::Document& document = workspace.document;
   const scene::Revisions& now = document.revisions;
   const bool new_surfaces = std::exchange(surfaces_, now.surfaces) != now.surfaces;
+  const bool new_cage = std::exchange(cage_revision_, now.cage) != now.cage;
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
-  if (new_surfaces) follow_surfaces(workspace);
-  if (new_surfaces || new_weights) follow_weights(document);
+  if (new_surfaces || new_cage)
+    follow_surfaces(workspace, new_surfaces ? files_.take_bound() : std::move(made));
+  if (new_surfaces || new_cage || new_weights) follow_weights(document);
   // The first probe of a model without a cage: until then nothing can move it.
-  if (!deformer_ && !binder_.running() && given_up_ != now.pose && !document.has_cage() &&
-      document.is_movable())
+  if (!deformer_ && !binder_.running() && given_up_ != now.pose && document.is_movable())
     start_binding(document);
   // Other elements or another blend sum other rows over the same weights.
   const deform::Scheme scheme = scheme_of(document);
@@ -29,7 +30,7 @@ bool LiveModel::follow(scene::Workspace& workspace) {
   follow_mask(document);
   workspace.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
                        binder_.seconds()};
-  return new_surfaces;
+  return {new_surfaces, new_cage};
 }
 
 // What stands for a cage and its scheme where there is none.
@@ -59,15 +60,14 @@ void LiveModel::follow_blend(const deform::Scheme& scheme) {
 }
 
 // Everything that was derived from the old ones goes.
-void LiveModel::follow_surfaces(scene::Workspace& workspace) {
+void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
   binder_.cancel();
   deformer_.reset();
   bound_ = {};
   no_cage_.reset();
   given_up_.reset();
   workspace.pose_notes.clear();
-  if (Bound bound = files_.take_bound(); bound.binds(workspace.document))
-    install(workspace, std::move(bound));
+  if (bound.binds(workspace.document)) install(workspace, std::move(bound));
 }
 
 void LiveModel::follow_weights(const scene::Document& document) {
@@ -135,8 +135,9 @@ bool LiveModel::deforms(const scene::Document& document) const {
 }
 
 bool LiveModel::is_due(const scene::Document& document) const {
-  return surfaces_ != document.revisions.surfaces || weights_ != document.revisions.weights ||
-         deforms(document) || (deformer_ && deformer_->mask() != document.mask);
+  return surfaces_ != document.revisions.surfaces || cage_revision_ != document.revisions.cage ||
+         weights_ != document.revisions.weights || deforms(document) ||
+         (deformer_ && deformer_->mask() != document.mask);
 }
 
 bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {

@@ -20,9 +20,13 @@ class LiveModel {
 public:
   explicit LiveModel(FileDesk& files) : files_(files) {}
 
-  /// Once a frame, before deform(): takes what was bound, and begins what must be bound. True if the surfaces
-  /// are others than at the last call.
-  bool follow(scene::Workspace& workspace);
+  /// What is another one than at the last call.
+  struct Changed {
+    bool document = false, cage = false;
+  };
+  /// Once a frame, before deform(): takes what was bound, and begins what must be bound. `made` may bind
+  /// another cage of the document.
+  Changed follow(scene::Workspace& workspace, Bound made = {});
   /// Waits until what must be bound is.
   void finish_binding(scene::Workspace& workspace);
   /// What asked for a binding is given up, if one is being made: the document is again as it is bound.
@@ -53,7 +57,7 @@ public:
   mesh::Point vertex(const scene::Document& document, std::size_t index) const;
 
 private:
-  void follow_surfaces(scene::Workspace& workspace);
+  void follow_surfaces(scene::Workspace& workspace, Bound bound);
   void follow_weights(const scene::Document& document);
   void start_binding(const scene::Document& document);
   void take_binding(scene::Workspace& workspace, bool wait);
@@ -75,14 +79,14 @@ private:
   std::unique_ptr<deform::Deformer> deformer_;
 
   // What was derived last; nothing: it is to be derived anew.
-  scene::Revision surfaces_ = 0, weights_ = 0;
+  scene::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;
   struct Derived {
     scene::Revision pose, method;
     friend bool operator==(const Derived&, const Derived&) = default;
   };
   std::optional<Derived> derived_;
   unsigned long frames_ = 0;
-  std::optional<scene::Revision> given_up_;  // pose at which preparing a model without a cage was stopped
+  std::optional<scene::Revision> given_up_;  // pose at which the first binding was stopped
   bool unprepared_ = false, prepared_ = false, dragging_ = false;
 };
 

@@ -128,10 +128,11 @@ void Viewer::keep_files() {
 
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
-  const bool reports = files_.loading() || files_.exporting() || model_.binding() || analysis_.reports();
+  const bool reports =
+      files_.loading() || files_.exporting() || model_.binding() || cages_.running() || analysis_.reports();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
-  return changing() || files_.has_news() || model_.has_result() || wants_refinement() ||
-         analysis_.has_news(workspace_, model_);
+  return changing() || files_.has_news() || model_.has_result() || cages_.is_due(workspace_) ||
+         wants_refinement() || analysis_.has_news(workspace_, model_);
 }
 
 bool Viewer::changing() const {
@@ -144,6 +145,11 @@ bool Viewer::changing() const {
 void Viewer::take_requests() {
   files_.take_requests(workspace_, !pointer_.active());
   take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
+  if (workspace_.requests.stop_work && cages_.running()) {
+    cages_.stop(workspace_);
+    settle(3);
+  }
+  cages_.follow(workspace_, !pointer_.active());
   if (std::exchange(workspace_.requests.stop_work, false) && model_.binding()) {
     model_.stop_binding(workspace_, "Stopped binding; everything is as it was.", scene::Severity::info);
     settle(3);
@@ -154,11 +160,17 @@ void Viewer::take_requests() {
 void Viewer::follow_document() {
   const scene::Document& document = workspace_.document;
   if (model_.is_due(document) || model_.has_result()) settle(3);
-  if (model_.follow(workspace_)) {
+  const LiveModel::Changed changed = model_.follow(workspace_, cages_.take_bound());
+  if (changed.document || changed.cage) {
     analysis_.forget();
+    workspace_.interaction.hovered.reset();
     if (files_.shading().surface != document.model.surface)
       files_.shading() = shading_of(document.model.surface);
-    renderer_.set_document(document, files_.shading());
+    if (changed.document) renderer_.set_document(document, files_.shading());
+    if (changed.cage && !changed.document) {
+      scene::forget_findings(workspace_.checks);
+      renderer_.set_another_cage(document, files_.shading());
+    }
     cage_drawn_.reset();
   }
   analysis_.follow_document(workspace_);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/analysis.h"
+#include "app/cage_maker.h"
 #include "app/file_desk.h"
 #include "app/live_model.h"
 #include "app/saved_bindings.h"
@@ -67,11 +68,13 @@ public:
   /// True while deformed models are written aside.
   bool exporting() const { return files_.exporting() || workspace_.requests.save_model.has_value(); }
   /// True while something is read, bound or written aside that a person waits for.
-  bool working() const { return loading() || exporting() || model_.binding(); }
+  bool working() const { return loading() || exporting() || model_.binding() || cages_.running(); }
   /// Waits for the files that are being read.
   void finish_loading() { files_.finish_loading(workspace_); }
   /// Waits for the deformed models that are being written.
   void finish_exports() { files_.finish_exports(workspace_); }
+  /// Waits until the cage that is being made is the one that is wished for.
+  void finish_making() { cages_.finish(workspace_); }
   /// Waits until the model is bound, without drawing: the next frame deforms it.
   void finish_binding();
   /// True while model and cage are being checked aside.
@@ -112,6 +115,7 @@ private:
   scene::Workspace workspace_;
   FileDesk files_;
   LiveModel model_;
+  CageMaker cages_;
   Analysis analysis_;
   scene::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};

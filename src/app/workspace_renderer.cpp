@@ -70,8 +70,14 @@ void WorkspaceRenderer::set_document(const scene::Document& document, const Mode
   colored_.reset();
   model_vertices_ = model.positions.size();
   model_.set_occlusion(shading.occlusion);
-  set_rest(document, shading);
   ground_ = document.model.bounds.low[1];
+  set_another_cage(document, shading);
+}
+
+void WorkspaceRenderer::set_another_cage(const scene::Document& document, const ModelShading& shading) {
+  errors_.clear();
+  colored_.reset();
+  set_rest(document, shading);
   if (!document.has_cage()) return;
   const mesh::Surface& cage = document.cage->surface;
   cage_faces_.set_triangles(cage.triangles, cage.positions.size());

@@ -25,6 +25,8 @@ public:
 
   /// New topology: model and cage of the document, the model at rest.
   void set_document(const scene::Document& document, const ModelShading& shading);
+  /// Another cage around the same model, which is at rest again.
+  void set_another_cage(const scene::Document& document, const ModelShading& shading);
   /// The model of that document, at rest again.
   void set_rest(const scene::Document& document, const ModelShading& shading);
   /// The deformed model, relative to origin in the file's coordinates.

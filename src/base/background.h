@@ -100,6 +100,9 @@ public:
   /// Since it was started.
   double seconds() const { return running() ? wall_seconds() - begun_ : 0; }
   bool has_result() const { return is_ready(value_); }
+  void wait() const {
+    if (running()) value_.wait();
+  }
 
   /// The result once it is there, each only once. With wait, waits for it.
   std::optional<Result> poll(bool wait = false) {

@@ -69,8 +69,16 @@ constexpr Condition has_selection_or_hover{
              (has_selection(w) || w.interaction.hovered);
     },
     "Select something of the cage first, or point at it."};
-constexpr Condition is_working{[](const Workspace& w) { return w.loading.running || w.binding.running; },
-                               "Nothing is being read or bound."};
+constexpr Condition is_working{
+    [](const Workspace& w) { return w.loading.running || w.binding.running || w.making_cage.running; },
+    "Nothing is being read, made or bound."};
+constexpr Condition can_make_cage{
+    [](const Workspace& w) { return has_model(w) && !w.making.open && !w.loading.running && !in_hand(w); },
+    "Open a model first; a cage that is being made is finished by Done."};
+constexpr Condition is_making{[](const Workspace& w) { return w.making.open; }, "No cage is being made."};
+constexpr Condition has_cage_beside{
+    [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
+    "There is no file beside the model that looks like its cage."};
 constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
                                  "Nothing is being exported."};
 constexpr Condition is_measuring{[](const Workspace& w) { return w.benchmark.running; },
@@ -218,6 +226,9 @@ const std::vector<Command>& table() {
        browse_for_model},
       {"open_cage", "Open cage", "Open a cage around the model.", "File", {key('O'), true, true}, {}, has_model,
        browse_for_cage},
+      {"open_cage_beside", "Open it", "Open the file beside the model that looks like its cage.", "File", {}, {},
+       has_cage_beside,
+       [](Workspace& w) { w.requests.open = OpenRequest{OpenRequest::What::cage, {w.document.cage_beside}}; }},
       {"open_pose", "Open pose", "Open a posed version of this cage.", "File", {key('P'), true}, {}, has_cage,
        browse_for_pose},
       {"save_session", "Save", "Save model, cage, pose, settings and camera as a session.", "File", {key('S'), true}, {},
@@ -226,9 +237,10 @@ const std::vector<Command>& table() {
        has_model, browse_to_save_session},
       {"save_pose", "Save pose", "Write the posed cage to a mesh file.", "File", {key('P'), true, true}, {}, has_cage,
        browse_to_save_pose},
+      {"save_cage", "Save cage", "Write the cage at rest to a mesh file.", "File", {}, {}, has_cage, browse_to_save_cage},
       {"save_model", "Export", "Write the deformed mesh to a file.", "File", {key('E'), true}, {}, is_movable,
        browse_to_save_model},
-      {"stop_work", "Cancel", "Stop reading or binding; everything stays as it is.", "File", {Key::escape}, {}, is_working,
+      {"stop_work", "Cancel", "Stop reading, making a cage or binding; everything stays as it is.", "File", {Key::escape}, {}, is_working,
        [](Workspace& w) { w.requests.stop_work = true; }},
       {"stop_export", "Cancel", "Stop writing the deformed mesh; no file is changed.", "File", {}, {}, is_exporting,
        [](Workspace& w) { w.requests.stop_export = true; }},
@@ -272,6 +284,15 @@ const std::vector<Command>& table() {
        invert_selection},
       {"select_linked", "Linked", "Select what is connected with it or with what is under the cursor.", "Select",
        {key('L')}, {key('L'), true}, has_selection_or_hover, select_linked},
+
+      {"make_cage", "Make a cage", "Make a cage around the model; sliders say how.", "Cage", {}, {}, can_make_cage,
+       [](Workspace& w) { w.making = {.open = true, .wish = w.making.wish}; }},
+      {"finish_cage", "Done", "Keep the cage as it is made now.", "Cage", {}, {}, is_making,
+       [](Workspace& w) { w.making = {.wish = w.making.wish}; }},
+      {"cancel_cage", "Cancel", "Take the cage back that was made here.", "Cage", {}, {}, is_making,
+       [](Workspace& w) { cancel_making(w.document, w.making); w.interaction.hovered.reset(); }},
+      {"hide_cage_offer", "Not now", "Work without a cage; the panel Cage still makes and opens one.", "Cage", {}, {}, has_model,
+       [](Workspace& w) { w.offer_cage = false; }},
 
       {"tool_select", "Select", "No gizmo: drag an element to move the selection.", "Tool", {key('Q')}, {}, always,
        use_tool<Tool::select>},

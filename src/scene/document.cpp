@@ -34,14 +34,25 @@ void check_size(const std::string& place, const mesh::Bounds& box, const SizeRan
 
 void check_sizes(const Document& document, const SizeRange& range) {
   for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
-    if (opened->surface) check_size(opened->path.string(), opened->bounds, range);
+    if (opened->surface) check_size(place_of(*opened), opened->bounds, range);
   }
   if (document.cage_file.surface)
-    check_size("the pose of " + document.cage_file.path.string(), mesh::bounds(document.pose.positions),
+    check_size("the pose of " + place_of(document.cage_file), mesh::bounds(document.pose.positions),
                {0, range.most, range.use});
 }
 
 }  // namespace
+
+OpenedSurface made_surface(mesh::Surface surface, std::string made) {
+  OpenedSurface opened;
+  opened.made = std::move(made);
+  opened.format = "in no file";
+  opened.summary = mesh::summarize(surface);
+  opened.bounds = mesh::used_bounds(surface);
+  opened.content = mesh::content_key(surface);
+  opened.surface = std::make_shared<const mesh::Surface>(std::move(surface));
+  return opened;
+}
 
 OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress) {
   mesh::ReadResult read = mesh::read(path, progress);
@@ -80,7 +91,7 @@ void set_cage(Document& document, OpenedSurface cage) {
   try {
     document.cage = std::make_shared<const deform::Cage>(deform::make_cage(*cage.surface));
   } catch (const base::Error& error) {
-    throw base::Error(cage.path.string(), error.problem(), error.advice());
+    throw base::Error(place_of(cage), error.problem(), error.advice());
   }
   document.cage_file = std::move(cage);
   document.pose = deform::rest_pose(*document.cage);
@@ -96,7 +107,8 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
 }
 
 Snapshot snapshot_of(const Document& document) {
-  return {document.pose, document.selection, document.scheme, document.mask, document.probes};
+  return {document.pose,   document.selection, document.scheme,   document.mask,
+          document.probes, document.cage,      document.cage_file};
 }
 
 void set_pose(Document& document, deform::Pose pose) {

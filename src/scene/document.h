@@ -12,11 +12,10 @@
 #include "deform/cage.h"
 #include "deform/probe.h"
 #include "deform/scheme.h"
-#include "mesh/attributes.h"
-#include "mesh/original.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
 #include "scene/history.h"
+#include "scene/opened_surface.h"
 #include "scene/selection.h"
 #include "scene/space.h"
 #include "sym3/exp.h"
@@ -32,25 +31,13 @@ using deform::Amounts, deform::Holding, deform::largest_amount, deform::largest_
 using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using mesh::Summary;
 
-/// A surface that was opened, and what was found in it.
-struct OpenedSurface {
-  std::filesystem::path path;
-  std::string format;
-  std::shared_ptr<const mesh::Surface> surface;
-  std::shared_ptr<const mesh::Attributes> attributes;  ///< null: none
-  std::shared_ptr<const mesh::Original> original;      ///< null: it cannot be written again as it was
-  mesh::Summary summary;
-  mesh::Bounds bounds;  ///< of the vertices that a polygon uses
-  std::vector<std::string> warnings;
-  std::uint64_t content = 0;  ///< mesh::content_key(); 0: not known
-};
-
 /// Grows by one with each change; whoever derives something from a part remembers the number it was derived
 /// from.
 using Revision = unsigned long;
 
 struct Revisions {
-  Revision surfaces = 0;  ///< model or cage replaced
+  Revision surfaces = 0;  ///< another document: model or cage were opened
+  Revision cage = 0;      ///< another cage around the same model, by an edit
   Revision weights = 0;   ///< elements, weights or reach
   Revision pose = 0;      ///< positions of the cage, or its turns
   Revision method = 0;    ///< blend, or how exp is computed
@@ -60,6 +47,7 @@ struct Document {
   OpenedSurface model;
   OpenedSurface cage_file;                   ///< surface is null when there is no cage
   std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
+  std::filesystem::path cage_beside;         ///< a file that looks like a cage of the model, which has none
   deform::Pose pose;
   deform::Mask mask;  ///< painted, of the model's vertices; null: every one follows the cage
   deform::Probes probes;

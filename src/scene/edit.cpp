@@ -21,6 +21,9 @@ constexpr const char* change_holding = "change what holds the model";
 constexpr const char* change_iterations = "change stitching";
 
 void restore(Document& document, Snapshot&& snapshot) {
+  if (document.cage != snapshot.cage) ++document.revisions.cage;
+  document.cage = std::move(snapshot.cage);
+  document.cage_file = std::move(snapshot.cage_file);
   document.pose = std::move(snapshot.pose);
   document.selection = std::move(snapshot.selection);
   ++document.revisions.pose;

@@ -19,7 +19,7 @@ struct Export {
   std::shared_ptr<const mesh::Surface> model;
   std::shared_ptr<const mesh::Attributes> attributes;  ///< of the model; or null
   std::shared_ptr<const mesh::Original> original;      ///< of the model; or null
-  std::shared_ptr<const deform::Cage> cage;  ///< or what stands for none, see Cage
+  std::shared_ptr<const deform::Cage> cage;            ///< or what stands for none, see Cage
   deform::Pose pose;
   deform::Scheme scheme;
   sym3::Method method;

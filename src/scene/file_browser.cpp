@@ -56,7 +56,7 @@ std::vector<Entry> list(const fs::path& folder, const FileBrowser& browser) {
 std::span<const std::string_view> FileBrowser::formats() const {
   static constexpr std::array<std::string_view, 6> all = {"obj", "ply", "off", "stl", "glb", "gltf"};
   if (purpose == Purpose::save_session) return {};
-  const bool pose = purpose == Purpose::pose || purpose == Purpose::save_pose;
+  const bool pose = purpose == Purpose::pose || purpose == Purpose::save_pose || purpose == Purpose::save_cage;
   return std::span(all).first(pose ? 3 : all.size());
 }
 

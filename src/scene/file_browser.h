@@ -11,7 +11,7 @@
 namespace viete::scene {
 
 struct FileBrowser {
-  enum class Purpose { model, cage, pose, save_session, save_pose, save_model };
+  enum class Purpose { model, cage, pose, save_session, save_pose, save_cage, save_model };
   struct Entry {
     std::string name;
     bool folder = false;

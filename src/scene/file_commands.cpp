@@ -9,7 +9,8 @@ namespace fs = std::filesystem;
 
 // Where a file was chosen last, else beside what is open.
 void browse(Workspace& w, Purpose purpose) {
-  const auto& beside = w.document.cage_file.surface ? w.document.cage_file.path : w.document.model.path;
+  const bool in_file = w.document.has_cage() && !w.document.cage_file.path.empty();
+  const auto& beside = in_file ? w.document.cage_file.path : w.document.model.path;
   show(w.browser, purpose, w.remembered.folder.empty() ? beside.parent_path() : w.remembered.folder);
 }
 
@@ -42,7 +43,13 @@ void browse_to_save_session(Workspace& w) {
 }
 
 void browse_to_save_pose(Workspace& w) {
-  browse_to_save(w, Purpose::save_pose, w.document.cage_file.path, "_pose.obj");
+  const bool in_file = !w.document.cage_file.path.empty();
+  browse_to_save(w, Purpose::save_pose, in_file ? w.document.cage_file.path : w.document.model.path,
+                 "_pose.obj");
+}
+
+void browse_to_save_cage(Workspace& w) {
+  browse_to_save(w, Purpose::save_cage, w.document.model.path, "_cage.obj");
 }
 
 void browse_to_save_model(Workspace& w) {

@@ -12,6 +12,7 @@ void browse_for_pose(Workspace& workspace);
 void save(Workspace& workspace);
 void browse_to_save_session(Workspace& workspace);
 void browse_to_save_pose(Workspace& workspace);
+void browse_to_save_cage(Workspace& workspace);
 void browse_to_save_model(Workspace& workspace);
 
 /// With the first leftover: open it, move it aside until the program ends, or leave it for another day.

@@ -12,7 +12,9 @@ constexpr std::size_t memory_limit = 256u << 20;
 }  // namespace
 
 void History::record(std::string label, Snapshot before) {
-  const std::size_t bytes = 128 +
+  constexpr std::size_t bytes_of_cage_vertex = 1000;  // about what surface, bases and neighbourhood take
+  const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
+  const std::size_t bytes = 512 + (other_cage ? bytes_of_cage_vertex * before.pose.positions.size() : 0) +
                             before.pose.positions.size() * (sizeof(mesh::Point) + sizeof(std::uint32_t)) +
                             (before.mask ? before.mask->size() * sizeof(float) : 0);
   const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);

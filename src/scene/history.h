@@ -8,17 +8,20 @@
 #include "deform/cage.h"
 #include "deform/probe.h"
 #include "deform/scheme.h"
+#include "scene/opened_surface.h"
 #include "scene/selection.h"
 
 namespace viete::scene {
 
-/// What an edit changes: the pose, how the cage moves the model, and what was selected meanwhile.
+/// What an edit changes: the cage, its pose, how the cage moves the model, and what was selected meanwhile.
 struct Snapshot {
   deform::Pose pose;
   Selection selection;
   deform::Scheme scheme;
   deform::Mask mask;  ///< shared, not copied
   deform::Probes probes;
+  std::shared_ptr<const deform::Cage> cage;  ///< shared, not copied
+  OpenedSurface cage_file;                   ///< likewise
 };
 
 /// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest

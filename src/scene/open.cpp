@@ -58,7 +58,7 @@ void take_cage_warnings(Opened& opened) {
   const Outside found = outside(document.cage->surface, *document.model.surface);
   if (2 * found.count <= found.of) return;
   opened.warnings.push_back(
-      document.cage_file.path.string() + ": " + (found.count == found.of ? "all" : "most") + " of " +
+      place_of(document.cage_file) + ": " + (found.count == found.of ? "all" : "most") + " of " +
       document.model.path.filename().string() +
       " is outside of this cage; see that both are of the same size and at the same place");
 }
@@ -119,6 +119,8 @@ Document document_of_session(const Session& session, const fs::path& file, base:
     Document document = document_of(open_surface(session.model, progress));
     key = "cage";
     if (!session.cage.empty()) set_cage(document, open_surface(session.cage));
+    key = "made_cage";
+    if (session.made_cage) set_cage(document, *session.made_cage);
     return document;
   } catch (const base::Error& error) {
     throw base::Error(file.string() + ": " + key, error.what(),
@@ -154,10 +156,6 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   append(opened.warnings, session.warnings);
   take_warnings(opened);
   return opened;
-}
-
-std::string name_of(const OpenedSurface& surface) {
-  return surface.path.filename().string();
 }
 
 Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
@@ -254,10 +252,12 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
     document.method = old.method;
     document.scheme = old.scheme;
   }
-  document.revisions = {old.revisions.surfaces + 1, old.revisions.weights + 1, old.revisions.pose + 1,
-                        old.revisions.method + 1};
+  document.revisions = {old.revisions.surfaces + 1, old.revisions.cage + 1, old.revisions.weights + 1,
+                        old.revisions.pose + 1, old.revisions.method + 1};
   w.document = std::move(document);
   w.interaction = {};
+  w.making = {.wish = w.making.wish};
+  w.offer_cage = true;
   w.stats.clear();
   w.methods = {};
   w.error_map = {};
@@ -290,6 +290,7 @@ Opened open_files(const OpenRequest& request, const Document& current, base::Pro
     document.method = current.method;
     document.scheme = current.scheme;
   }
+  if (!document.has_cage() && !opened.session) document.cage_beside = cage_beside(document.model.path);
   put_settings(document, request.settings, opened.has_settings);
   const bool surfaceless = document.model.surface->triangles.empty() && !opened.has_settings;
   if (surfaceless && deform::entry(document.scheme.weighting.weights).on_surface &&

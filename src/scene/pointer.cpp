@@ -52,9 +52,11 @@ std::optional<AxisWidget> axis_widget_of(const Workspace& w) {
 }
 
 void Pointer::frame(Workspace& workspace, const PointerInput& input) {
-  if (surfaces_ !=
-      workspace.document.revisions.surfaces) {  // another document: what was begun on the old one is void
-    surfaces_ = workspace.document.revisions.surfaces;
+  // Another document, or another cage: what was begun on the old one is void.
+  const Revisions& now = workspace.document.revisions;
+  if (surfaces_ != now.surfaces || cage_ != now.cage) {
+    surfaces_ = now.surfaces;
+    cage_ = now.cage;
     if (active()) finish(workspace, Gesture::ignored);
   }
   const bool left_gesture = active() && gesture_ != Gesture::ignored && button_ == left_button;
@@ -122,9 +124,11 @@ void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
 }
 
 void Pointer::move(Workspace& workspace, const PointerInput& input) {
-  // What was pressed on has its number among elements of that kind: a key has chosen another one since.
-  if (gesture_ == Gesture::pressed && workspace.document.selection.kind() != selection_before_.kind())
-    gesture_ = Gesture::ignored;
+  // What was pressed on has its number among elements of that kind: a key has chosen another one since, or
+  // has taken it away.
+  const ElementKind kind = workspace.document.selection.kind();
+  const bool gone = grabbed_ && *grabbed_ >= element_count(workspace.document, kind);
+  if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
   const glm::vec2 delta = input.position - last_.position;
   if (glm::distance(input.position, press_) >= drag_threshold) {
     if (gesture_ == Gesture::pressed) begin_left_drag(workspace, input);
@@ -260,7 +264,11 @@ void Pointer::cancel(Workspace& workspace) {
     workspace.interaction.stroke->cancel(workspace.document);
     return finish(workspace, Gesture::ignored);
   }
-  workspace.document.selection = selection_before_;
+  // What a key has taken away meanwhile is not selected again.
+  const auto& before = selection_before_.indices();
+  const bool all_there =
+      before.empty() || before.back() < element_count(workspace.document, selection_before_.kind());
+  workspace.document.selection = all_there ? selection_before_ : Selection(selection_before_.kind());
   finish(workspace, Gesture::ignored);
 }
 

@@ -90,6 +90,7 @@ private:
   SelectMode mode_ = SelectMode::replace;
   Selection selection_before_;
   Revision surfaces_ = 0;
+  Revision cage_ = 0;
   PointerInput last_;
 };
 

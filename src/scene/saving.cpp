@@ -9,6 +9,7 @@
 #include "base/checksum.h"
 #include "deform/pose_io.h"
 #include "mesh/source.h"
+#include "mesh/write.h"
 #include "scene/brush.h"
 #include "scene/session.h"
 
@@ -75,6 +76,18 @@ bool save_pose(Workspace& workspace, const fs::path& path) {
   });
 }
 
+bool save_cage(Workspace& workspace, const fs::path& path) {
+  Document& document = workspace.document;
+  return attempt(workspace, "cage", path, [&] {
+    mesh::write(path, document.cage->surface, {"cage of " + document.model.path.filename().string()});
+    document.cage_file.path = path;
+    document.cage_file.made.clear();
+    document.cage_file.format = "saved here";
+    workspace.saved.cage = document.cage;
+    ++workspace.saved.revision;
+  });
+}
+
 bool changed_on_disk(const Workspace& w, const fs::path& session) {
   std::error_code ignored;
   return session == w.saved.session && w.saved.content && fs::exists(session, ignored) &&
@@ -90,13 +103,14 @@ std::optional<std::uint64_t> content_of(const fs::path& file) {
 }
 
 bool has_unsaved_edits(const Workspace& w) {
-  if (w.saved.nowhere || w.document.probes != w.saved.probes || !same_mask(w.document.mask, w.saved.mask))
+  if (w.saved.nowhere || w.document.cage != w.saved.cage || w.document.probes != w.saved.probes || !same_mask(w.document.mask, w.saved.mask))
     return true;
   return w.document.is_movable() &&
          (w.document.scheme != w.saved.scheme || !same_pose(w.document.pose, w.saved.pose));
 }
 
 void mark_saved(Workspace& workspace) {
+  workspace.saved.cage = workspace.document.cage;
   workspace.saved.scheme = workspace.document.scheme;
   workspace.saved.mask = workspace.document.mask;
   workspace.saved.probes = workspace.document.probes;

@@ -13,6 +13,8 @@ namespace viete::scene {
 /// then the file is as it was. Return success. A session makes all edits saved, a pose those of the pose.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
+/// The cage at rest, which is then that of this file. The pose is not in it.
+bool save_cage(Workspace& workspace, const std::filesystem::path& path);
 
 /// True if Save would replace a session that is not the one that was opened or saved here last.
 bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& session);

@@ -11,6 +11,7 @@
 #include "mesh/content_key.h"
 #include "mesh/source.h"
 #include "mesh/text_cursor.h"
+#include "scene/cage_json.h"
 #include "scene/elements.h"
 #include "scene/json_file.h"
 #include "scene/probes_json.h"
@@ -25,7 +26,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr const char* format_name = "viete session";
-constexpr std::uint32_t newest_version = 3;
+constexpr std::uint32_t newest_version = 4;
 
 struct ViewFlag {
   const char* key;
@@ -243,6 +244,7 @@ Session session_of(const Workspace& w) {
   Session session;
   session.model = w.document.model.path;
   session.cage = w.document.cage_file.path;
+  if (w.document.has_cage() && session.cage.empty()) session.made_cage = w.document.cage_file;
   session.model_content = w.document.model.content;
   session.cage_content = w.document.cage_file.content;
   session.origin = w.saved.session;
@@ -273,12 +275,22 @@ ordered_json mask_json(const std::vector<MaskRun>& mask) {
 
 }  // namespace
 
+namespace {
+
+// The oldest whose programs read all of it.
+std::uint32_t version_of(const Session& session) {
+  if (session.made_cage) return 4;
+  if (!session.probes.empty()) return 3;
+  return is_plain(session.scheme) && session.mask.empty() ? 1 : 2;
+}
+
+}  // namespace
+
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
-  const bool plain = is_plain(session.scheme) && session.mask.empty();
-  ordered_json json = {{"format", format_name},
-                       {"version", session.probes.empty() ? (plain ? 1 : 2) : newest_version}};
+  ordered_json json = {{"format", format_name}, {"version", version_of(session)}};
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
+  if (session.made_cage) json["made_cage"] = cage_json(*session.made_cage);
   if (keys_are_common && session.model_content != 0)
     json["model_content"] = hexadecimal(session.model_content);
   if (keys_are_common && session.cage_content != 0) json["cage_content"] = hexadecimal(session.cage_content);
@@ -352,6 +364,7 @@ Session read_session(const fs::path& file) {
   Session session;
   session.model = resolved(folder / json.at("model").path());
   if (const auto v = json.find("cage")) session.cage = resolved(folder / v->path());
+  if (const auto v = json.find("made_cage"); v && session.cage.empty()) session.made_cage = made_cage_of(*v);
   if (const auto v = json.find("pose")) session.pose = pose_of(*v, session.warnings);
   read_settings(json, folder, session);
   return session;
@@ -362,8 +375,9 @@ void fit_selection(Session& session, const Document& document, const fs::path& f
   const std::size_t count = element_count(document, session.selecting);
   if (session.selection.empty() || session.selection.back() < count) return;
   const std::string last = std::to_string(session.selection.back());
-  const std::string where =
-      session.selecting == ElementKind::probe ? "it has " : "the cage " + session.cage.string() + " has ";
+  const std::string where = session.selecting == ElementKind::probe
+                                ? "it has "
+                                : "the cage " + place_of(document.cage_file) + " has ";
   session.warnings.emplace_back(base::Error(file.string() + ": selection",
                                             element_name(session.selecting) + ' ' + last + " is selected, " +
                                                 where + counted(session.selecting, count),
@@ -377,7 +391,7 @@ void tell_what_changed(Session& session, const Document& document, const fs::pat
     if (then == 0 || now.content == 0 || then == now.content) return;
     session.warnings.emplace_back(
         base::Error(file.string() + ": " + key,
-                    now.path.string() + " is another one than when the session was saved", advice)
+                    place_of(now) + " is another one than when the session was saved", advice)
             .what());
   };
   tell("model", session.model_content, document.model,
@@ -399,7 +413,8 @@ void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& fil
   if (positions.size() != rest.size()) {
     throw base::Error(file.string() + ": pose.positions",
                       "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
-                          session.cage.string() + " has " + std::to_string(rest.size()),
+                          (session.made_cage ? place_of(*session.made_cage) : session.cage.string()) +
+                          " has " + std::to_string(rest.size()),
                       advice);
   }
   if (turns.size() > cage.roots.size()) {

@@ -18,10 +18,13 @@ struct MaskRun {
   friend bool operator==(const MaskRun&, const MaskRun&) = default;
 };
 
-/// What a session file holds. JSON, version 1 to 3:
-///   "format": "viete session", "version": 1 to 3,
+/// What a session file holds. JSON, version 1 to 4:
+///   "format": "viete session", "version": 1 to 4,
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
 ///                         that are not UTF-8 as path_json() writes them
+///   "made_cage"           instead of "cage", one that is in no file: "name", "positions": [x, y, z] a
+///   vertex,
+///                         "polygons": indices of its corners, from 0
 ///   "model_content", "cage_content"   mesh::content_key() of what they were, 16 hexadecimal digits
 ///   "session"             only in recovered work: the session file that it belongs to
 ///   "session_content"     likewise: checksum of that file as it was then, 16 hexadecimal digits
@@ -47,13 +50,14 @@ struct MaskRun {
 ///   "pose"                "turns": rotation vectors in radians, one per part of the cage;
 ///                         "positions": [x, y, z] per cage vertex
 /// Version 1 has only such elements, weights and blends as "coordinates" has a word for: programs that know
-/// no others read it; version 3 is what has probes. Only format, version and model are required. Unknown keys
-/// are ignored, so that newer programs may add some. Ranges are those of scene/range.h. What is damaged
-/// beside model, cage and the list of positions costs its own part: it counts as missing, and a warning says
-/// so.
+/// no others read it; version 3 is what has probes, version 4 what has a cage that is in no file. Only
+/// format, version and model are required. Unknown keys are ignored, so that newer programs may add some.
+/// Ranges are those of scene/range.h. What is damaged beside model, cage and the list of positions costs its
+/// own part: it counts as missing, and a warning says so.
 struct Session {
-  std::filesystem::path model, cage;  ///< absolute; cage may be empty
-  std::filesystem::path origin;       ///< "session"; absolute; may be empty
+  std::filesystem::path model, cage;       ///< absolute; cage may be empty
+  std::optional<OpenedSurface> made_cage;  ///< that is in no file
+  std::filesystem::path origin;            ///< "session"; absolute; may be empty
   std::optional<std::uint64_t> origin_content;
   std::uint64_t model_content = 0, cage_content = 0;  ///< 0: not known
   sym3::Method method = sym3::Method::fast;

@@ -17,8 +17,8 @@ struct AskedSettings {
   std::optional<double> pins{}, hold{};     ///< of deform::Holding
 
   bool any() const {
-    return method || weighting.any() || turn || stretch || iterations || pins || hold || choice.elements || choice.weights ||
-           choice.blend;
+    return method || weighting.any() || turn || stretch || iterations || pins || hold || choice.elements ||
+           choice.weights || choice.blend;
   }
 };
 

@@ -3,8 +3,8 @@
 
 namespace viete::scene {
 
-/// select: no gizmo; the selection is then moved by dragging one of its elements. paint: nothing is moved, but
-/// painted on the model.
+/// select: no gizmo; the selection is then moved by dragging one of its elements. paint: nothing is moved,
+/// but painted on the model.
 enum class Tool { select, move, rotate, scale, paint };
 
 /// One handle of a gizmo, or what was typed instead of grabbing it.

@@ -13,6 +13,7 @@
 
 #include "scene/benchmark.h"
 #include "scene/brush.h"
+#include "scene/cage_making.h"
 #include "scene/camera.h"
 #include "scene/check_view.h"
 #include "scene/choice_picture.h"
@@ -86,12 +87,12 @@ struct OpenRequest {
 struct Requests {
   bool quit = false;
   bool screenshot = false;
-  bool stop_work = false;  ///< reading or binding
+  bool stop_work = false;  ///< reading, binding or making a cage
   bool stop_export = false;
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool run_benchmark = false, stop_benchmark = false;
   std::optional<OpenRequest> open;
-  std::optional<std::filesystem::path> save_session, save_pose, save_model;
+  std::optional<std::filesystem::path> save_session, save_pose, save_cage, save_model;
   std::optional<std::filesystem::path> discard;  ///< a leftover
   bool undo_discard = false;                     ///< the last one that was discarded
   std::optional<Answer> answer;                  ///< to the question
@@ -110,13 +111,14 @@ struct WorkState {
 struct Saved {
   std::filesystem::path session;  ///< where Save writes; empty until there is one
   std::optional<std::uint64_t>
-      content;                 ///< checksum of that file as it was read or written here; nothing: not known
-  deform::Pose pose;           ///< that was opened or saved last; empty for recovered work
-  deform::Scheme scheme;       ///< likewise
-  deform::Mask mask;           ///< likewise
-  deform::Probes probes;       ///< likewise
-  bool nowhere = false;        ///< recovered work, which is in no file of the user's
-  unsigned long revision = 0;  ///< grows with each change
+      content;        ///< checksum of that file as it was read or written here; nothing: not known
+  deform::Pose pose;  ///< that was opened or saved last; empty for recovered work
+  std::shared_ptr<const deform::Cage> cage;  ///< likewise; null: none
+  deform::Scheme scheme;                     ///< likewise
+  deform::Mask mask;                         ///< likewise
+  deform::Probes probes;                     ///< likewise
+  bool nowhere = false;                      ///< recovered work, which is in no file of the user's
+  unsigned long revision = 0;                ///< grows with each change
 };
 
 /// What runs, for the status bar and the help.
@@ -143,9 +145,12 @@ struct Workspace {
   ErrorMapStats error_map;
   double fused_error = 0;  ///< of the fused frame, or of what a stitched one follows, against double:
                            ///< measured aside, in diagonals of the cage; 0 if staged
-  WorkState loading;  ///< opening files: reading them, then binding
-  WorkState binding;  ///< of what is open, to other coordinates
+  WorkState loading;       ///< opening files: reading them, then binding
+  WorkState binding;       ///< of what is open, to other coordinates
   WorkState exporting;
+  WorkState making_cage;
+  CageMaking making;
+  bool offer_cage = true;  ///< ways to get one are shown while the model has none
   CheckState checks;
   Benchmark benchmark;
   Saved saved;

@@ -24,6 +24,7 @@ const char* title(Purpose purpose) {
     case Purpose::pose: return "Open a pose###file_panel";
     case Purpose::save_session: return "Save the session###file_panel";
     case Purpose::save_pose: return "Save the posed cage###file_panel";
+    case Purpose::save_cage: return "Save the cage at rest###file_panel";
     case Purpose::save_model: return "Export the deformed mesh###file_panel";
   }
   return "###file_panel";
@@ -36,6 +37,7 @@ void request(scene::Requests& requests, Purpose purpose, const std::filesystem::
     case Purpose::pose: requests.open = scene::OpenRequest{What::pose, {path}}; break;
     case Purpose::save_session: requests.save_session = path; break;
     case Purpose::save_pose: requests.save_pose = path; break;
+    case Purpose::save_cage: requests.save_cage = path; break;
     case Purpose::save_model: requests.save_model = path; break;
   }
 }
@@ -126,7 +128,7 @@ void filter_row(const Context& ui) {
   hint("To the folder above.  (Backspace)");
   ImGui::SameLine();
   if (browser.appearing && !browser.saves()) ImGui::SetKeyboardFocusHere();
-  const bool formats = browser.purpose == Purpose::save_pose || browser.purpose == Purpose::save_model;
+  const bool formats = browser.saves() && browser.purpose != Purpose::save_session;
   constexpr float button_width = 53;
   ImGui::SetNextItemWidth(formats ? -button_width * static_cast<float>(browser.formats().size()) : -1.0f);
   const std::string before = browser.filter;

@@ -10,13 +10,15 @@ void panel_cage(const Context& ui) {
   const bool open = section(ui, "Cage");
   if (document.has_cage()) section_note(ui, document.cage_file.summary.closed() ? "closed" : "open");
   if (!open) return;
+  if (ui.workspace.making.open) panel_making(ui);
   if (!document.has_cage()) {
+    if (ui.workspace.making.open) return;
     note(ui, "No cage is open. A cage is a coarse mesh around the model.");
-    command_button(ui, "open_cage");
+    command_row(ui, {"open_cage", "make_cage"});
     return;
   }
-  ImGui::TextUnformatted(document.cage_file.path.filename().string().c_str());
-  hint(document.cage_file.path.string() + "  (" + document.cage_file.format + ")");
+  ImGui::TextUnformatted(name_of(document.cage_file).c_str());
+  hint(place_of(document.cage_file) + "  (" + document.cage_file.format + ")");
   const auto& summary = document.cage_file.summary;
   value_row(ui, "Vertices, triangles", count(summary.vertices) + "  " + count(summary.triangles));
   const auto elements = scene::element_count(document, document.selection.kind());
@@ -24,7 +26,8 @@ void panel_cage(const Context& ui) {
   transform_fields(ui);
   command_row(ui, {"undo", "redo", "reset_pose"});
   command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
-  command_row(ui, {"open_cage", "open_pose", "save_pose"});
+  command_row(ui, {"open_pose", "save_pose"});
+  command_row(ui, {"open_cage", "make_cage", "save_cage"});
   for (const auto& line : ui.workspace.pose_notes) note(ui, line, ui.colors.warn);
 }
 

@@ -11,7 +11,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float label_width = 76;
+constexpr float probe_label = 76;
 
 template <class Entry>
 std::optional<decltype(Entry::value)> choose(const Context& ui, const std::string& name,
@@ -65,7 +65,7 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
   scene::Influence shown = document.probes.all[document.selection.indices().front()].*part;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(label);
-  ImGui::SameLine(label_width);
+  ImGui::SameLine(probe_label);
   const std::string prefix = std::string("probe_") + name;
   constexpr float falloff_width = 92;
   ImGui::SetNextItemWidth(falloff_width);
@@ -81,7 +81,7 @@ void mix(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Together");
-  ImGui::SameLine(label_width);
+  ImGui::SameLine(probe_label);
   ImGui::SetNextItemWidth(-1);
   const auto chosen = choose(ui, "probe_mix", scene::all_probe_mixes(), scene::entry(document.probes.mix));
   if (chosen) scene::set_mix(document, *chosen);

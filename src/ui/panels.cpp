@@ -37,6 +37,7 @@ void draw_panels(const Context& ui) {
     column(ui);
     status_bar(ui);
   }
+  cage_offer(ui);
   notice_bar(ui);
   work_bar(ui);
   if (ui.workspace.view.help) help_overlay(ui);

@@ -10,6 +10,7 @@ void draw_panels(const Context& ui);
 
 void panel_model(const Context& ui);
 void panel_cage(const Context& ui);
+void panel_making(const Context& ui);  ///< part of the cage's section: one that is being made
 void panel_probes(const Context& ui);
 void panel_checks(const Context& ui);
 void panel_method(const Context& ui);
@@ -23,6 +24,7 @@ void status_bar(const Context& ui);
 void help_overlay(const Context& ui);
 void file_panel(const Context& ui);
 void question_panel(const Context& ui);    ///< what must be answered first, see scene/question.h
+void cage_offer(const Context& ui);        ///< ways to get a cage, while there is none
 void work_bar(const Context& ui);          ///< what is being read, bound or written, how far, and Cancel
 void notice_bar(const Context& ui);        ///< unsaved work that can be brought back
 void transform_fields(const Context& ui);  ///< a part of the cage's panel, or of the probes'

@@ -53,7 +53,7 @@ void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (w.interaction.box) selection_box(ui, *w.interaction.box);
   if (w.interaction.brush) brush_ring(ui, w);
-  if (w.binding.running || w.loading.running) return;                     // their bar is there
+  if (w.binding.running || w.loading.running || w.making_cage.running) return;  // their bar is there
   const bool room = !scene::shows_error_map(w) && !scene::shows_mask(w);  // the legend takes it, or paint
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }

@@ -45,7 +45,9 @@ bool shows(const scene::WorkState& work) {
 
 void work_bar(const Context& ui) {
   const auto& w = ui.workspace;
-  const scene::WorkState& work = w.loading.running ? w.loading : w.binding;
+  const scene::WorkState& work = w.loading.running       ? w.loading
+                                 : w.making_cage.running ? w.making_cage
+                                                         : w.binding;
   if (!shows(work) && !shows(w.exporting)) return;
   const auto& v = ui.workspace.viewport;
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + v.size.y - 16}, ImGuiCond_Always,

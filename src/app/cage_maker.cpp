@@ -1,0 +1,102 @@
+#include "app/cage_maker.h"
+
+#include <utility>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/quantity.h"
+#include "base/worker_pool.h"
+
+namespace viete::app {
+
+namespace {
+
+constexpr double rest_seconds = 0.3;  // for which sliders rest before a preview is made with all care
+
+std::string text_of(const cages::Wish& wish) {
+  if (wish.kind == cages::Kind::automatic)
+    return "Making a cage of " + base::counted(wish.triangles, "triangle");
+  return wish.kind == cages::Kind::box ? "Making a box" : "Making a hull";
+}
+
+}  // namespace
+
+CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, const deform::Scheme& scheme,
+                                sym3::Method method, base::Progress& progress) {
+  Made all;
+  progress.section(0, 0.7);
+  {
+    base::WorkerPool pool;
+    if (!workshop.maker) workshop.maker.emplace(workshop.model);
+    cages::Made made = workshop.maker->make(wish, pool, &progress);
+    all.notes = std::move(made.notes);
+    all.surface = scene::made_surface(std::move(made.surface), "made here");
+  }
+  progress.section(0.7, 0.75);
+  all.cage = std::make_shared<const deform::Cage>(deform::make_cage(*all.surface.surface));
+  progress.section(0.75, 1);
+  all.bound = bind(workshop.model, all.cage, scheme, method, {}, {}, progress);
+  return all;
+}
+
+bool CageMaker::is_due(const scene::Workspace& w) const {
+  if (!w.making.open) return job_.running() || asked_.has_value();
+  if (job_.has_result()) return true;
+  if (!is_wished(w)) return !job_.running() || effort_ == cages::Effort::full;
+  return wants_full_ && !job_.running() && base::wall_seconds() - asked_at_ > rest_seconds;
+}
+
+void CageMaker::follow(scene::Workspace& w, bool no_drag) {
+  if (!w.making.open) {
+    job_.cancel();
+    asked_.reset();
+    wants_full_ = false;
+  } else if (no_drag) {
+    if (auto result = job_.poll()) {
+      if (result->value) take(w, *std::move(result->value));
+      if (!result->problem.empty()) w.messages.error(result->problem);
+      wants_full_ &= result->value.has_value();
+    }
+    // A preview that runs comes to its end first: else a hand that does not rest would see none.
+    const bool busy = job_.running() && effort_ == cages::Effort::preview;
+    if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
+    if (is_due(w)) start(w, cages::Effort::full);
+  }
+  w.making_cage = {job_.running(), text_, job_.done(), job_.seconds(), job_.seconds()};
+}
+
+void CageMaker::start(const scene::Workspace& w, cages::Effort effort) {
+  const scene::Document& document = w.document;
+  if (effort == cages::Effort::preview) asked_at_ = base::wall_seconds();
+  asked_ = w.making.wish;
+  effort_ = effort;
+  wants_full_ = effort == cages::Effort::preview && w.making.wish.kind == cages::Kind::automatic;
+  text_ = text_of(*asked_);
+  cages::Wish wish = *asked_;
+  wish.effort = effort;
+  job_.start([model = document.model.surface, wish, scheme = document.scheme, method = document.method](
+                 base::Progress& progress) { return make(model, wish, scheme, method, progress); });
+}
+
+void CageMaker::take(scene::Workspace& w, Made&& made) {
+  bound_ = std::move(made.bound);
+  scene::take_made(w.document, w.making, std::move(made.surface), std::move(made.cage),
+                   std::move(made.notes));
+}
+
+void CageMaker::stop(scene::Workspace& w) {
+  if (!job_.running()) return;
+  job_.cancel();
+  wants_full_ = false;
+  w.messages.info("Stopped making the cage; it is as it was.");
+}
+
+void CageMaker::finish(scene::Workspace& w) {
+  while (w.making.open) {
+    follow(w, true);
+    if (!job_.running() && is_wished(w) && !wants_full_) return;
+    if (job_.running()) job_.wait();
+  }
+}
+
+}  // namespace viete::app

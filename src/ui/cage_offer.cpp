@@ -1,0 +1,51 @@
+// In the middle of the view of a model without a cage: ways to get one.
+#include "scene/cage_making.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+bool shows(const scene::Workspace& w) {
+  return w.offer_cage && w.document.model.surface && !w.document.is_movable() && !w.making.open &&
+         !w.loading.running && !w.browser.open && !w.question && w.view.panels && !w.view.help;
+}
+
+void line(const std::string& text, ImU32 color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void cage_offer(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  if (!shows(w)) return;
+  constexpr float width = 320;
+  const auto& v = w.viewport;
+  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + v.size.y - 28}, ImGuiCond_Always,
+                          {0.5f, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16, 14});
+  ImGui::Begin("Cage offer", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoNav);
+  ImGui::PushFont(ui.fonts.strong);
+  line("This model has no cage yet", ui.colors.text);
+  ImGui::PopFont();
+  line("A cage is the coarse mesh around it that you drag.", ui.colors.faint);
+  ImGui::Dummy({width, 2});
+  if (!w.document.cage_beside.empty()) {
+    line(w.document.cage_beside.filename().string() + " lies beside it.", ui.colors.text);
+    command_button(ui, "open_cage_beside", width);
+  }
+  command_button(ui, "make_cage", width);
+  command_row(ui, {"open_cage", "hide_cage_offer"});
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace viete::ui

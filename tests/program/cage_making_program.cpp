@@ -1,0 +1,160 @@
+// Making a cage in the window: offered, made, changed by sliders, taken back, posed and saved.
+#include "mesh/read.h"
+#include "mesh/winding_number.h"
+#include "program/driver.h"
+#include "scene/edit.h"
+#include "scene/saving.h"
+#include "scene/session.h"
+#include "support/edits.h"
+#include "support/folder.h"
+
+using namespace viete;
+using mesh::operator-;
+using test::Driver;
+
+namespace {
+
+struct Maker : Driver {
+  explicit Maker(const std::filesystem::path& model = test::dragon) {
+    REQUIRE(open({model}));
+    settle();
+  }
+  // Until the cage is as it is wished for, and bound.
+  void finish() {
+    frame();
+    viewer().finish_making();
+    frame(2);
+    viewer().finish_binding();
+    frame(3);
+  }
+  void make() {
+    click("make_cage");
+    finish();
+    REQUIRE(document().has_cage());
+  }
+  void check_encloses() {
+    const auto& cage = document().cage->surface;
+    CHECK(document().cage->closed);
+    CHECK(mesh::points_outside(cage, document().model.surface->positions).empty());
+  }
+  void check_shown() {
+    const auto exact = exact_positions(), shown = viewer().deformer()->positions();
+    double largest = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      largest = std::max(largest, mesh::norm(exact[i] - shown[i]));
+    CHECK(largest < 2e-5 * document().model.bounds.diagonal());
+  }
+  void pull_vertex() {
+    const auto v = free_vertex();
+    drag(vertex(v), vertex(v) + glm::vec2(40, -30));
+    frame(2);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a cage is made by one button, moves the model, and is taken back by one undo") {
+  Maker d;
+  CHECK(d.viewer().recorder().find("open_cage_beside"));
+  d.make();
+  d.check_encloses();
+  CHECK(d.document().cage->element_count() == 200);
+  CHECK(test::edit_count(d.document().history) == 1);
+  CHECK_FALSE(d.viewer().recorder().find("hide_cage_offer"));
+  d.click("finish_cage");
+  CHECK_FALSE(d.workspace().making.open);
+  d.pull_vertex();
+  d.check_shown();
+  const auto posed = d.document().pose.positions;
+  const auto cage = d.document().cage;
+  d.press_key('Z', true);
+  d.press_key('Z', true);
+  CHECK_FALSE(d.document().has_cage());
+  d.frame(2);
+  CHECK(d.viewer().recorder().find("hide_cage_offer"));
+  d.press_key('Z', true, true);
+  d.press_key('Z', true, true);
+  d.frame(2);
+  d.viewer().finish_binding();
+  d.frame(2);
+  CHECK(d.document().cage == cage);
+  CHECK(d.document().pose.positions == posed);
+  d.check_shown();
+}
+
+TEST_CASE("sliders change the cage that is being made, in the same edit; Cancel takes it back") {
+  Maker d;
+  d.make();
+  d.workspace().making.wish.triangles = 60;
+  d.finish();
+  CHECK(d.document().cage->element_count() <= 60);
+  d.check_encloses();
+  d.choose("cage_kind", "cage_kind_box");
+  d.finish();
+  CHECK(d.document().cage->surface.positions.size() == 8);
+  d.check_encloses();
+  CHECK(test::edit_count(d.document().history) == 1);
+  d.click("cancel_cage");
+  d.frame(2);
+  CHECK_FALSE(d.document().has_cage());
+  CHECK_FALSE(d.document().history.can_undo());
+}
+
+TEST_CASE("a pose is kept beside a cage that is made anew: undo brings both back") {
+  Driver plain;
+  plain.open_dragon("pose_alert");
+  const auto cage = plain.document().cage;
+  const auto pose = plain.document().pose.positions;
+  plain.click("make_cage");
+  plain.frame();
+  plain.viewer().finish_making();
+  plain.frame(3);
+  CHECK(plain.document().cage != cage);
+  CHECK(plain.document().cage_file.path.empty());
+  plain.click("finish_cage");
+  plain.press_key('Z', true);
+  plain.frame(2);
+  CHECK(plain.document().cage == cage);
+  CHECK(plain.document().pose.positions == pose);
+  CHECK_FALSE(plain.document().cage_file.path.empty());
+}
+
+TEST_CASE("a made cage is unsaved work; session and cage file keep it") {
+  const test::TemporaryFolder folder;
+  Maker d;
+  d.make();
+  d.click("finish_cage");
+  d.pull_vertex();
+  CHECK(scene::has_unsaved_edits(d.workspace()));
+  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+  CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+  const auto rest = d.document().cage->surface;
+  const auto pose = d.document().pose.positions;
+  REQUIRE(scene::save_cage(d.workspace(), folder / "cage.obj"));
+  CHECK(mesh::read(folder / "cage.obj").surface.positions == rest.positions);
+  REQUIRE(scene::save_session(d.workspace(), folder / "b.viete"));
+  for (const char* name : {"a.viete", "b.viete"}) {
+    CAPTURE(name);
+    REQUIRE(d.open({folder / name}));
+    d.settle();
+    CHECK(d.document().cage->surface.positions == rest.positions);
+    CHECK(d.document().cage->surface.corners == rest.corners);
+    CHECK(d.document().pose.positions == pose);
+    CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+    CHECK(d.document().cage_file.path.empty() == (std::string(name) == "a.viete"));
+    CHECK(d.workspace().messages.all().empty() == false);
+    d.check_shown();
+  }
+}
+
+TEST_CASE("a model that no cage goes around says so, and the window stays as it was") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
+  Maker d(folder / "point.obj");
+  d.click("make_cage");
+  d.frame();
+  d.viewer().finish_making();
+  d.frame(3);
+  CHECK_FALSE(d.document().has_cage());
+  CHECK(d.workspace().messages.all().back().text.find("single point") != std::string::npos);
+}
