@@ -50,6 +50,7 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
   if (!w.making.open) {
     job_.cancel();
     asked_.reset();
+    workshop_.reset();
     wants_full_ = false;
   } else if (no_drag) {
     if (auto result = job_.poll()) {
@@ -74,8 +75,10 @@ void CageMaker::start(const scene::Workspace& w, cages::Effort effort) {
   text_ = text_of(*asked_);
   cages::Wish wish = *asked_;
   wish.effort = effort;
-  job_.start([model = document.model.surface, wish, scheme = document.scheme, method = document.method](
-                 base::Progress& progress) { return make(model, wish, scheme, method, progress); });
+  if (!workshop_ || workshop_->model != document.model.surface)
+    workshop_ = std::make_shared<Workshop>(Workshop{document.model.surface});
+  job_.start([workshop = workshop_, wish, scheme = document.scheme, method = document.method](
+                 base::Progress& progress) { return make(*workshop, wish, scheme, method, progress); });
 }
 
 void CageMaker::take(scene::Workspace& w, Made&& made) {

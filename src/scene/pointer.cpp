@@ -127,7 +127,7 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
   // What was pressed on has its number among elements of that kind: a key has chosen another one since, or
   // has taken it away.
   const ElementKind kind = workspace.document.selection.kind();
-  const bool gone = grabbed_ && *grabbed_ >= element_count(workspace.document, kind);
+  const bool gone = grabbed_ && grabbed_->index >= element_count(workspace.document, kind);
   if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
   const glm::vec2 delta = input.position - last_.position;
   if (glm::distance(input.position, press_) >= drag_threshold) {

@@ -65,7 +65,7 @@ TEST_CASE("stl_is_offered_for_surfaces_but_not_for_poses") {
        {FileBrowser::Purpose::model, FileBrowser::Purpose::cage, FileBrowser::Purpose::save_model}) {
     show(browser, purpose, folder.path());
     CHECK(names(browser) == "a.stl b.obj ");
-    CHECK(browser.formats().size() == 4);
+    CHECK(browser.formats().size() == 6);
   }
   for (const auto purpose : {FileBrowser::Purpose::pose, FileBrowser::Purpose::save_pose}) {
     show(browser, purpose, folder.path());
