@@ -1,5 +1,5 @@
-// viete bench exp|eigen|frame|bind|modes|stitched|accuracy|sym3: the paper's figures, and its future work, on
-// this machine.
+// viete bench exp|eigen|frame|bind|files|modes|stitched|accuracy|sym3: the paper's figures, and its future
+// work, on this machine.
 #include <cstdio>
 #include <memory>
 
@@ -14,6 +14,7 @@
 #include "bench/bind.h"
 #include "bench/eigen.h"
 #include "bench/exp.h"
+#include "bench/files.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
 #include "bench/stitched.h"
@@ -153,6 +154,24 @@ void add_bind_bench(CLI::App& bench, Action& action) {
   });
 }
 
+void add_files_bench(CLI::App& bench, Action& action) {
+  auto* command = bench.add_subcommand("files", "Reading and writing a model, beside OpenMesh's reader");
+  auto options = std::make_shared<bench::FilesOptions>();
+  auto files = std::make_shared<BenchFiles>();
+  add_file_option(*command, "MODEL", options->model, "Mesh (OBJ, PLY, OFF, STL, glTF)")
+      ->default_str("an OBJ of a million triangles");
+  add_rounds_option(*command, options->rounds, "5");
+  add_bench_files(*command, *files);
+  command->callback([options, files, &action] {
+    action = [options, files] {
+      files->check({options->model});
+      options->json = files->json;
+      bench::bench_files(*options);
+      return exit_ok;
+    };
+  });
+}
+
 void add_modes_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand(
       "modes", "Every way of blending, side by side: what it reproduces, how it distorts, what it costs");
@@ -235,6 +254,7 @@ void add_bench_command(CLI::App& app, Action& action) {
   }
   add_frame_bench(*command, action);
   add_bind_bench(*command, action);
+  add_files_bench(*command, action);
   add_modes_bench(*command, action);
   add_stitched_bench(*command, action);
 }

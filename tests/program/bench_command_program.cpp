@@ -46,6 +46,12 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
     std::ifstream in(json);
     CHECK(nlohmann::json::parse(in)["bars"].empty());  // which are of made ones
   }
+  const auto of_files =
+      run("bench files --rounds 1 --json " + quoted(scratch.path() / "files.json") + " " + quoted(dragon));
+  CHECK(of_files.code == 0);
+  for (const char* part :
+       {"plain read of the bytes", "read by OpenMesh", "written again, deformed", "99,996 triangles"})
+    CHECK_MESSAGE(mentions(of_files, part), of_files.text);
   const auto made = run("bench frame --rounds 1 --count 500,600 --faces 8 " + quoted(dragon));
   CHECK_MESSAGE(mentions(made, "500 vertices, 8 cage triangles"), made.text);
   CHECK(run("bench frame --faces 8 " + files).code == 2);

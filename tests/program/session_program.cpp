@@ -92,22 +92,23 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
   REQUIRE(run_viete("render a.viete -o a.png", folder.path()).starts_with("0 "));
   CHECK(test::difference(before, test::read_png(folder / "a.png"), 0) == 0);
-  REQUIRE(run_viete("deform a.viete -o a.ply", folder.path()).starts_with("0 "));
-  // The window shows floats; what is written is double, by the window too.
-  const auto written = mesh::read(folder / "a.ply").surface.positions;
+  REQUIRE(run_viete("deform a.viete -o a.obj", folder.path()).starts_with("0 "));
+  // The window shows floats; what is written is double, by the window too. (A PLY would have floats, as its
+  // model.)
+  const auto written = mesh::read(folder / "a.obj").surface.positions;
   CHECK(largest_difference(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage->diagonal);
   CHECK(largest_difference(written, d.exact_positions()) < 1e-11 * d.document().cage->diagonal);
-  d.workspace().requests.save_model = folder / "window.ply";
+  d.workspace().requests.save_model = folder / "window.obj";
   d.frame();
   d.viewer().finish_exports();
-  CHECK(largest_difference(written, mesh::read(folder / "window.ply").surface.positions) <
+  CHECK(largest_difference(written, mesh::read(folder / "window.obj").surface.positions) <
         1e-11 * d.document().cage->diagonal);
 
   REQUIRE(run_viete("render a.viete -o b.png --size 320x200 --light --look top", folder.path())
               .starts_with("0 "));
   CHECK(test::read_png(folder / "b.png").width == 320);
-  CHECK(run_viete("deform a.viete -o b.ply --coordinates mvc", folder.path()).starts_with("0 "));
-  CHECK(mesh::read(folder / "b.ply").surface.positions != mesh::read(folder / "a.ply").surface.positions);
+  CHECK(run_viete("deform a.viete -o b.obj --coordinates mvc", folder.path()).starts_with("0 "));
+  CHECK(mesh::read(folder / "b.obj").surface.positions != mesh::read(folder / "a.obj").surface.positions);
 }
 
 TEST_CASE("a_session_on_the_command_line_stands_alone_and_its_errors_name_it") {

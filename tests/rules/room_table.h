@@ -29,7 +29,7 @@ inline const std::map<std::string, Room>& rooms() {
       {"render", {{"base"}, {"gl", "glm"}, {"stb"}}},
       {"ui", {{"base", "scene"}, {"imgui"}, {}}},
       {"platform", {{"base", "render"}, {"gl", "glm", "imgui"}, {"glfw"}}},
-      {"bench", {{"base", "sym3", "mesh", "cages", "deform", "scene"}, {"json"}, {"eigen", "highway"}}},
+      {"bench", {{"base", "sym3", "mesh", "cages", "deform", "scene"}, {"json"}, {"eigen", "highway", "openmesh"}}},
       {"app",
        {{"base", "sym3", "mesh", "cages", "deform", "scene", "render", "ui", "platform", "bench"},
         {"imgui", "cli11", "json", "glm"},

@@ -45,7 +45,7 @@ _viete_options() {
       options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
+    deform) options+=' --output --digits --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     bind) options+=' --output --force --elements --weights --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
     info) options+=' --cage' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;
@@ -55,6 +55,7 @@ _viete_options() {
     'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
     'bench bind') options+=' --force --count --faces --rounds --json' ;;
     'bench modes') options+=' --force --method --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --stitched --iterations --pins --hold --rounds --json' ;;
+    'bench files') options+=' --force --rounds --json' ;;
     'bench stitched') options+=' --force --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))
@@ -64,7 +65,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform bind info bench help' benches='exp eigen accuracy sym3 frame bind modes stitched'
+  local commands='view render deform bind info bench help' benches='exp eigen accuracy sym3 frame bind files modes stitched'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -74,7 +75,7 @@ _viete() {
   case $cur:$command in
     -*) _viete_options "$command" ;;
     *:bench) COMPREPLY=($(compgen -W "$benches" -- "$cur")) ;;
-    *:bench\ frame | *:bench\ bind | *:bench\ modes | *:bench\ stitched) _filedir "$_viete_meshes" ;;
+    *:bench\ frame | *:bench\ bind | *:bench\ files | *:bench\ modes | *:bench\ stitched) _filedir "$_viete_meshes" ;;
     *:bench\ *) ;;
     *:info) _filedir "$_viete_meshes" ;;
     *)

@@ -39,7 +39,7 @@ case $command in
       '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
       '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
     ;;
-  deform) specs+=($files $output $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched) ;;
+  deform) specs+=($files $output '--digits=[decimals of what moved in text files]:decimals:(all 4 6 9)' $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched) ;;
   bind) specs+=($files $output $weighting $coordinates $reach $limits $tolerance) ;;
   info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
   'bench exp') specs+=($count $json $plot $float) ;;
@@ -49,8 +49,9 @@ case $command in
   'bench frame') specs+=($meshes $count $json $faces $rounds $tolerance $reach) ;;
   'bench bind') specs+=($meshes $count $json $faces $rounds) ;;
   'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $weighting $blend $reach $limits $stitched $rounds) ;;
+  'bench files') specs+=("1:mesh:$mesh" $json $rounds) ;;
   'bench stitched') specs+=($meshes "*:pose:$mesh" $json $rounds) ;;
-  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind modes stitched)') ;;
+  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files modes stitched)') ;;
   *) # view, which may be left out
     specs+=($files $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
@@ -69,7 +70,7 @@ fi
 # The words of the command are no files.
 local -i skip=0
 [[ $command == (view|render|deform|bind|info|bench\ *) ]] && skip=1
-[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|modes|stitched) ]] && ((CURRENT > 3)) && skip=2
+[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|modes|stitched) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))
 _arguments -s $specs
