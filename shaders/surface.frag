@@ -13,6 +13,16 @@ uniform float wire_width;
 uniform sampler2D palette;
 uniform float scalar_low, scalar_factor, palette_size;
 #endif
+#ifdef LOOKS
+uniform sampler2D image;  // answers in linear light
+uniform mat4 eye_from_model;
+uniform vec3 run_color;
+uniform int paint;  // 1 as the file says, 2 checker, 3 normals
+uniform int has_image, has_texture_points, flat_faces;
+in vec2 texture_point;
+in vec3 vertex_color;
+in vec3 eye_position;
+#endif
 
 in vec4 normal_and_occlusion;
 in vec3 corner_and_scalar;
@@ -72,10 +82,54 @@ float edges() {
 }
 #endif
 
+#ifdef LOOKS
+// As displayed: sRGB of light, within 0.003.
+vec3 displayed(vec3 light) {
+  vec3 a = sqrt(light), b = sqrt(a), c = sqrt(b);
+  return clamp(0.662002687 * a + 0.684122060 * b - 0.323583601 * c - 0.0225411470 * light, 0.0, 1.0);
+}
+
+// Sixteen squares across the texture, whose tint says where: redder along u, bluer along v. Blurred evenly where
+// squares become smaller than pixels.
+vec3 checker() {
+  if (has_texture_points == 0) return model_color;
+  vec2 at = 16.0 * texture_point, width = max(fwidth(at), 1e-5);
+  vec2 place = fract(at * 0.5);
+  vec2 edge = clamp((abs(place - 0.5) - 0.25) * 2.0 / width + 0.5, 0.0, 1.0);
+  float odd = mix(edge.x + edge.y - 2.0 * edge.x * edge.y, 0.5, smoothstep(0.6, 1.2, max(width.x, width.y)));
+  vec2 along = fract(texture_point);
+  vec3 dark = vec3(0.36, 0.40, 0.46) + vec3(0.20 * along.x, 0.0, 0.20 * (1.0 - along.y));
+  return mix(dark, vec3(0.88, 0.86, 0.82), odd);
+}
+
+vec3 from_file() {
+  vec3 light = run_color * vertex_color;
+  if (has_image != 0) {
+    vec4 texel = texture(image, texture_point);
+    if (texel.a < 0.5) discard;
+    light *= texel.rgb;
+  }
+  return displayed(light);
+}
+
+// In the model's own axes: x red, y green, z blue.
+vec3 normal_color(vec3 n) {
+  mat3 turn = mat3(eye_from_model);  // by the model's scale too large or too small to be squared
+  vec3 column = abs(turn[0]);
+  turn /= max(column.x, max(column.y, column.z));
+  return 0.5 + 0.5 * normalize(n * turn);
+}
+
+// The triangle's own, towards the eye.
+vec3 face_normal() { return normalize(cross(dFdx(eye_position), dFdy(eye_position))); }
+#endif
+
 vec3 base_color() {
 #ifdef SCALARS
   float at = clamp((corner_and_scalar.z - scalar_low) * scalar_factor, 0.0, 1.0);
   return texture(palette, vec2((0.5 + at * (palette_size - 1.0)) / palette_size, 0.5)).rgb;
+#elif defined(LOOKS)
+  return paint == 2 ? checker() : from_file();
 #else
   return model_color;
 #endif
@@ -86,6 +140,17 @@ void main() {
   float side = gl_FrontFacing ? 1.0 : -1.0;
   vec3 n = normalize(normal_and_occlusion.xyz) * side;
   float open = mix(1.0, normal_and_occlusion.w, occlusion_strength) * (gl_FrontFacing ? 1.0 : 0.7);
+#ifdef LOOKS
+  vec3 face = face_normal();
+  if (flat_faces != 0) n = face;
+  if (paint == 3) {
+    color = vec4(normal_color(n), 1.0);
+#ifdef WIREFRAME
+    color.rgb = mix(color.rgb, wire.rgb, wire.a * edges());
+#endif
+    return;
+  }
+#endif
   vec3 lit = shade(to_linear(base_color()), n, v, open);
   vec3 shown = to_display(shoulder(exposure * lit));
 #ifdef WIREFRAME

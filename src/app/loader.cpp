@@ -40,7 +40,7 @@ Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Docu
   const scene::Document& document = *opened.document;
   if (document.model.surface != current.model.surface) {
     progress.section(0.8, 1);
-    loaded.shading = shading_of(document.model.surface);
+    loaded.shading = shading_of(document.model.surface, document.model.attributes.get());
   }
   progress.section(1, 1);
   if (!document.has_cage()) return loaded;

@@ -1,5 +1,6 @@
 // viete render MODEL [CAGE] [--pose POSE] -o out.png, or viete render SESSION -o out.png: a picture without a
 // window.
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -23,7 +24,7 @@ struct RenderOptions {
   std::filesystem::path output;
   ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
   bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
-  std::string look = "home";
+  std::string look = "home", shading;
   bool force = false, size_given = false, look_given = false;
 };
 
@@ -42,6 +43,9 @@ scene::ViewOptions view_of(const RenderOptions& options, const std::optional<sce
   view.wireframe |= options.wireframe;
   view.error_map |= options.error_map;
   view.grid &= !options.no_grid;
+  const auto all = scene::all_shadings();
+  const auto asked = std::ranges::find(all, options.shading, &scene::ShadingChoice::word);
+  if (asked != all.end()) view.shading = static_cast<scene::Shading>(asked - all.begin());
   return view;
 }
 
@@ -108,6 +112,8 @@ void add_render_command(CLI::App& app, Action& action) {
   add_binding_option(*command, o->viewer.bindings.named);
   auto* look = command->add_option("--look", o->look, "home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
+  auto* shading = command->add_option("--shading", o->shading, "clay, file (as it says), checker or normals");
+  one_of(shading, {"clay", "file", "checker", "normals"})->default_str("file");
   command->add_flag("--panels", o->panels, "With the panels");
   command->add_flag("--light", o->light, "Light theme");
   command->add_flag("--wireframe", o->wireframe, "With the edges of the mesh");

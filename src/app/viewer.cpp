@@ -165,7 +165,9 @@ void Viewer::follow_document() {
     analysis_.forget();
     workspace_.interaction.hovered.reset();
     if (files_.shading().surface != document.model.surface)
-      files_.shading() = shading_of(document.model.surface);
+      files_.shading() = shading_of(document.model.surface, document.model.attributes.get());
+    for (const std::string& warning : std::exchange(files_.shading().looks.warnings, {}))
+      workspace_.messages.warn(warning);
     if (changed.document) renderer_.set_document(document, files_.shading());
     if (changed.cage && !changed.document) {
       scene::forget_findings(workspace_.checks);

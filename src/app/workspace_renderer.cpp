@@ -28,6 +28,15 @@ render::Theme theme_of(const scene::Workspace& w) {
   return w.view.dark ? render::dark_theme() : render::light_theme();
 }
 
+render::Paint paint_of(scene::Shading shading, bool file_says_something) {
+  switch (shading) {
+    case scene::Shading::checker: return render::Paint::checker;
+    case scene::Shading::normals: return render::Paint::normals;
+    case scene::Shading::file: return file_says_something ? render::Paint::file : render::Paint::plain;
+    default: return render::Paint::plain;
+  }
+}
+
 }  // namespace
 
 WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
@@ -65,7 +74,10 @@ void WorkspaceRenderer::set_mask(const scene::Workspace& w) {
 
 void WorkspaceRenderer::set_document(const scene::Document& document, const ModelShading& shading) {
   const mesh::Surface& model = *document.model.surface;
-  model_.set_triangles(model.triangles, model.positions.size());
+  const ModelLooks& looks = shading.looks;
+  model_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles, model.positions.size());
+  model_.set_looks(looks.looks);
+  file_says_something_ = looks.says_something;
   errors_.clear();
   colored_.reset();
   model_vertices_ = model.positions.size();
@@ -137,6 +149,7 @@ void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float s
   const auto& summary = document.model.summary;
   style.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
+  style.paint = paint_of(w.view.shading, file_says_something_);
   const bool by_mask = scene::shows_mask(w);
   style.scalars = by_mask || (!errors_.empty() && scene::shows_error_map(w));
   style.scalar_low = by_mask ? 0 : static_cast<float>(scene::error_map_low);

@@ -60,6 +60,7 @@ private:
   CageMarks marks_;
   FindingMarks findings_;
   std::vector<float> errors_;
+  bool file_says_something_ = false;
   // What the model is coloured by; nothing: it is to be uploaded anew.
   struct Colored {
     bool by_mask = false, dark = false;

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace viete::render {
@@ -22,5 +24,9 @@ struct Image {
 
 /// Writes beside the file, syncs and renames, so that the file is whole or untouched. Throws base::Error.
 void write_png(const std::filesystem::path& path, const Image& image);
+
+/// A PNG, JPEG, BMP or TGA, halved until no side is longer than `longest` (in linear light). Its size is
+/// checked before anything is decoded: sides up to 16384, 64 million pixels. Throws base::Error at `place`.
+Image decode_image(const std::string& place, std::string_view bytes, int longest);
 
 }  // namespace viete::render

@@ -1,6 +1,8 @@
 #include "render/surface_layer.h"
 
+#include <algorithm>
 #include <cstring>
+#include <string>
 
 #include "base/error.h"
 #include "render/upload.h"
@@ -11,20 +13,39 @@ namespace {
 
 static_assert(sizeof(SurfaceVertex) == 8 * sizeof(float));
 
+// With smaller copies of itself, filtered in linear light. Where a processor draws, the finest filter is too
+// slow.
+void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
+  constexpr GLenum anisotropy = 0x84FE, most_anisotropy = 0x84FF;  // an extension everywhere, core in 4.6
+  gl.ActiveTexture(GL_TEXTURE4);
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                image.rgba.data());
+  gl.GenerateMipmap(GL_TEXTURE_2D);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  if (gl.software) return;
+  GLint most = 1;
+  gl.GetIntegerv(most_anisotropy, &most);
+  if (gl.GetError() == GL_NO_ERROR && most > 1)
+    gl.TexParameteri(GL_TEXTURE_2D, anisotropy, std::min(most, 8));
+}
+
 }  // namespace
 
 SurfaceLayer::SurfaceLayer(const Gl& gl)
     : gl_(gl),
-      programs_{Program(gl, "surface"), Program(gl, "surface", "#define WIREFRAME\n"),
-                Program(gl, "surface", "#define SCALARS\n"),
-                Program(gl, "surface", "#define WIREFRAME\n#define SCALARS\n")},
       vertex_array_(gl),
       indices_(gl, GL_R32UI),
       vertices_(gl, GL_RGBA32F),
       looks_(gl, GL_RG32F),
+      texture_points_(gl, GL_RG32F),
+      colors_(gl, GL_RGBA8),
       palette_(gl) {
   const glm::vec3 grey[] = {glm::vec3(0), glm::vec3(1)};
   set_palette(grey);
+  program_for({});
 }
 
 void SurfaceLayer::set_triangles(std::span<const Triangle> triangles, std::size_t vertex_count) {
@@ -37,6 +58,7 @@ void SurfaceLayer::set_triangles(std::span<const Triangle> triangles, std::size_
   occlusion_.clear();
   scalars_.clear();
   has_vertices_ = false;
+  set_looks({});
   upload_looks();
 }
 
@@ -95,9 +117,42 @@ void SurfaceLayer::set_palette(std::span<const glm::vec3> colors) {
   palette_size_ = static_cast<float>(colors.size());
 }
 
+void SurfaceLayer::set_looks(const SurfaceLooks& looks) {
+  if (!looks.texture_points.empty())
+    require_count("surface texture points", looks.texture_points.size(), 3 * triangle_count_);
+  if (!looks.colors.empty()) require_count("surface colours", looks.colors.size(), vertex_count_);
+  std::size_t triangles = 0;
+  for (const SurfaceRun& run : looks.runs) triangles += run.triangles;
+  if (!looks.runs.empty()) require_count("surface runs", triangles, triangle_count_);
+  runs_ = looks.runs;
+  has_texture_points_ = !looks.texture_points.empty();
+  has_colors_ = !looks.colors.empty();
+  const auto upload = [](Buffer& buffer, const auto& all) {
+    if (!all.empty()) buffer.upload(all.data(), all.size() * sizeof(all[0]), GL_STATIC_DRAW);
+  };
+  upload(texture_points_.buffer, looks.texture_points);
+  upload(colors_.buffer, looks.colors);
+  images_.clear();
+  for (const Image& image : looks.images) {
+    images_.emplace_back(gl_);
+    upload_image(gl_, images_.back(), image);
+  }
+}
+
+const Program& SurfaceLayer::program_for(const SurfaceStyle& style) const {
+  const std::size_t kind = style.scalars ? 1 : style.paint == Paint::plain ? 0 : 2;
+  auto& program = programs_[2 * kind + (style.wireframe > 0 ? 1 : 0)];
+  if (!program) {
+    static constexpr const char* kinds[] = {"", "#define SCALARS\n", "#define LOOKS\n"};
+    program.emplace(gl_, "surface",
+                    std::string(kinds[kind]) + (style.wireframe > 0 ? "#define WIREFRAME\n" : ""));
+  }
+  return *program;
+}
+
 void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
   if (!has_vertices_ || triangle_count_ == 0) return;
-  const Program& program = programs_[(style.wireframe > 0 ? 1 : 0) + (style.scalars ? 2 : 0)];
+  const Program& program = program_for(style);
   program.use();
   set_view(program, view);
   set_looks(program, view, theme, style);
@@ -110,10 +165,37 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
   gl_.DepthFunc(GL_LESS);
   if (style.closed) gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(vertex_array_.id());
-  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangle_count_));
+  if (style.scalars || style.paint == Paint::plain) {
+    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangle_count_));
+  } else {
+    draw_runs(program);
+  }
   gl_.Disable(GL_CULL_FACE);
   gl_.Disable(GL_DEPTH_TEST);
   debug_check_gl(gl_, "surface");
+}
+
+void SurfaceLayer::draw_runs(const Program& program) const {
+  if (has_texture_points_) texture_points_.bind(5);
+  if (has_colors_) colors_.bind(6);
+  std::size_t first = 0;
+  const auto draw_run = [&](const SurfaceRun& run) {
+    program.set("run_color", run.color);
+    program.set("has_image", run.image >= 0 && has_texture_points_ ? 1 : 0);
+    program.set("flat_faces", run.flat ? 1 : 0);
+    gl_.ActiveTexture(GL_TEXTURE4);
+    gl_.BindTexture(GL_TEXTURE_2D,
+                    run.image >= 0 ? images_[static_cast<std::size_t>(run.image)].id() : palette_.id());
+    if (run.image >= 0) {
+      const GLint wrap = run.repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+      gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+      gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    }
+    gl_.DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first), static_cast<GLsizei>(3 * run.triangles));
+    first += run.triangles;
+  };
+  if (runs_.empty()) draw_run({.triangles = triangle_count_});
+  for (const SurfaceRun& run : runs_) draw_run(run);
 }
 
 void SurfaceLayer::set_view(const Program& program, const View& view) const {
@@ -137,6 +219,12 @@ void SurfaceLayer::set_looks(const Program& program, const View& view, const The
   program.set("scalar_low", style.scalar_low);
   program.set("scalar_factor", range > 0 ? 1 / range : 0.0F);
   program.set("palette_size", palette_size_);
+  program.set("paint", static_cast<int>(style.paint));
+  program.set("image", 4);
+  program.set("texture_points", 5);
+  program.set("colors", 6);
+  program.set("has_texture_points", has_texture_points_ ? 1 : 0);
+  program.set("has_colors", has_colors_ ? 1 : 0);
 }
 
 }  // namespace viete::render

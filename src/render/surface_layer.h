@@ -3,16 +3,40 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "render/gl_objects.h"
+#include "render/image.h"
 #include "render/program.h"
 #include "render/view.h"
 
 namespace viete::render {
 
+/// What the base colour is taken from. `plain` is one colour for all.
+enum class Paint { plain, file, checker, normals };
+
+/// Consecutive triangles that look alike.
+struct SurfaceRun {
+  std::size_t triangles = 0;
+  glm::vec3 color{1};  ///< in linear light; multiplied by image and vertex colours
+  int image = -1;      ///< of SurfaceLooks::images; -1: none
+  bool repeats = true;
+  bool flat = false;  ///< faces are lit as planes
+};
+
+/// How a surface looks by itself. Arrays are empty where there is none of it.
+struct SurfaceLooks {
+  std::vector<std::array<float, 2>>
+      texture_points;            ///< of each corner of each triangle; (0, 0) is the upper left
+  std::vector<Rgba8> colors;     ///< of each vertex, display values
+  std::vector<Image> images;     ///< where opacity is below a half, one looks through
+  std::vector<SurfaceRun> runs;  ///< all triangles, in order
+};
+
 struct SurfaceStyle {
+  Paint paint = Paint::plain;
   /// The surface is closed and wound outwards: backs are skipped, which more than halves the time of
   /// this layer on a software rasteriser. Where a deformation has turned a part inside out, one then looks
   /// through it.
@@ -52,6 +76,9 @@ public:
   /// At least 2 colours as displayed, spread evenly and interpolated.
   void set_palette(std::span<const glm::vec3> colors);
 
+  /// After set_triangles(), which forgets them.
+  void set_looks(const SurfaceLooks& looks);
+
   /// Draws nothing before there are vertices.
   void draw(const View& view, const Theme& theme, const SurfaceStyle& style) const;
 
@@ -59,16 +86,24 @@ public:
 
 private:
   void upload_looks();
+  const Program& program_for(const SurfaceStyle& style) const;
+  void draw_runs(const Program& program) const;
   void set_view(const Program& program, const View& view) const;
   void set_looks(const Program& program, const View& view, const Theme& theme,
                  const SurfaceStyle& style) const;
 
   const Gl& gl_;
-  std::array<Program, 4> programs_;  // plain, wireframe, scalars, both: what is not asked for costs nothing
+  // What is not asked for costs nothing: each has a wireframe or none, and plain colour, scalars or looks.
+  mutable std::array<std::optional<Program>, 6> programs_;
   VertexArray vertex_array_;
-  BufferTexture indices_;   // 3 vertex numbers per triangle
-  BufferTexture vertices_;  // SurfaceVertex, two texels each
-  BufferTexture looks_;     // occlusion and scalar of each vertex
+  BufferTexture indices_;         // 3 vertex numbers per triangle
+  BufferTexture vertices_;        // SurfaceVertex, two texels each
+  BufferTexture looks_;           // occlusion and scalar of each vertex
+  BufferTexture texture_points_;  // of each corner
+  BufferTexture colors_;          // of each vertex
+  std::vector<Texture> images_;
+  std::vector<SurfaceRun> runs_;
+  bool has_texture_points_ = false, has_colors_ = false;
   Texture palette_;
   float palette_size_ = 2;
   std::vector<float> occlusion_, scalars_;

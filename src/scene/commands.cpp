@@ -114,6 +114,16 @@ void toggle(Workspace& w) {
   w.view.*Option = !(w.view.*Option);
 }
 
+template <Shading Choice>
+Command shading_command(std::string_view name) {
+  const ShadingChoice& choice = all_shadings()[static_cast<std::size_t>(Choice)];
+  return {name, choice.label, choice.hint, "View", {}, {}, always, [](Workspace& w) { w.view.shading = Choice; }};
+}
+
+void show_next_shading(Workspace& w) {
+  w.view.shading = static_cast<Shading>((static_cast<std::size_t>(w.view.shading) + 1) % all_shadings().size());
+}
+
 template <sym3::Method Method>
 void use_method(Workspace& w) {
   set_method(w.document, Method);
@@ -365,6 +375,12 @@ const std::vector<Command>& table() {
        {key('O')}, always, [](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); }},
       {"toggle_wireframe", "Wireframe", "Show the edges of the mesh.", "View", {key('W'), false, true}, {}, always,
        toggle<&ViewOptions::wireframe>},
+      shading_command<Shading::clay>("shading_clay"),
+      shading_command<Shading::file>("shading_file"),
+      shading_command<Shading::checker>("shading_checker"),
+      shading_command<Shading::normals>("shading_normals"),
+      {"next_shading", "Next shading", "Show the mesh as clay, as it is, with a checker, by normals, and so on.", "View",
+       {key('V')}, {}, always, show_next_shading},
       {"toggle_model", "Model", "Show the mesh.", "View", {key('M')}, {}, always, toggle<&ViewOptions::model>},
       {"toggle_deformed", "Deformed", "Let cage and probes move the mesh, or see it at rest meanwhile.", "View", {key('N')}, {}, always,
        toggle<&ViewOptions::deformed>},

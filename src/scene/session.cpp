@@ -89,6 +89,8 @@ ordered_json camera_json(const CameraPose& c) {
 ordered_json view_json(const ViewOptions& view) {
   ordered_json json;
   for (const auto& flag : view_flags) json[flag.key] = view.*flag.option;
+  if (view.shading != Shading::file)
+    json["shading"] = all_shadings()[static_cast<std::size_t>(view.shading)].word;
   return json;
 }
 
@@ -114,6 +116,13 @@ CameraPose camera_of(const JsonReader& json) {
   return pose;
 }
 
+std::optional<Shading> shading_of_word(std::string_view word) {
+  const auto all = all_shadings();
+  const auto found = std::ranges::find(all, word, &ShadingChoice::word);
+  if (found == all.end()) return std::nullopt;
+  return static_cast<Shading>(found - all.begin());
+}
+
 ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) {
   ViewOptions view;
   (void)json.find("");  // what is no object is said once
@@ -122,6 +131,9 @@ ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) 
         json, flag.key, view.*flag.option, [](const JsonReader& v) { return v.boolean(); },
         "it stays as it is in a new window", warnings);
   }
+  take_part(
+      json, "shading", view.shading, [](const JsonReader& v) { return word_of(v, shading_of_word); },
+      "the model is shown as its file says", warnings);
   return view;
 }
 

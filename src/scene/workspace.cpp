@@ -60,6 +60,17 @@ std::vector<mesh::Point> around_probes(const Document& document) {
 
 }  // namespace
 
+std::span<const ShadingChoice> all_shadings() {
+  static constexpr ShadingChoice all[] = {
+      {"clay", "Clay", "Show the mesh in one calm colour."},
+      {"file", "As it is",
+       "Show the colours, materials and textures of the mesh's file; clay where it has none."},
+      {"checker", "Checker",
+       "Show squares along the texture coordinates, to see how the deformation stretches them."},
+      {"normals", "Normals", "Show where the mesh faces: x as red, y as green, z as blue."}};
+  return all;
+}
+
 bool shows_error_map(const Workspace& w) {
   return !shows_mask(w) && w.view.error_map && w.document.has_cage() && w.document.scheme.exponential();
 }

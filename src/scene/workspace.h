@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/benchmark.h"
@@ -30,10 +31,22 @@
 
 namespace viete::scene {
 
+/// What the model is coloured by.
+enum class Shading { clay, file, checker, normals };
+
+/// By number.
+struct ShadingChoice {
+  std::string_view word;   ///< in sessions and on the command line
+  std::string_view label;  ///< on buttons
+  std::string_view hint;   ///< one sentence
+};
+std::span<const ShadingChoice> all_shadings();
+
 struct ViewOptions {
   bool dark = true;
   bool model = true;
-  bool deformed = true;  ///< as cage and probes move it; else at rest, whatever they do
+  bool deformed = true;             ///< as cage and probes move it; else at rest, whatever they do
+  Shading shading = Shading::file;  ///< clay, where the file says nothing
   bool wireframe = false;
   bool cage = true;
   bool grid = true;

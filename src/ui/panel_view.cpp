@@ -21,6 +21,8 @@ void panel_view(const Context& ui) {
   ImGui::SameLine(left + half);
   command_toggle(ui, "toggle_axes", view.axes);
   command_toggle(ui, "toggle_deformed", view.deformed);
+  command_choice(ui, {"shading_clay", "shading_file", "shading_checker", "shading_normals"},
+                 static_cast<std::size_t>(view.shading));
   command_row(ui, {"view_front", "view_right", "view_top"});
   command_row(ui, {"view_back", "view_left", "view_bottom"});
   command_row(ui, {"view_home", "frame_all", "help"});

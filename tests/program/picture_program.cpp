@@ -5,6 +5,7 @@
 // reference, or VIETE_UPDATE_PICTURES=1, writes the picture instead: look at it before you commit it.
 #include <cstdlib>
 
+#include "mesh/write.h"
 #include "program/open_cage.h"
 #include "render/image.h"
 #include "scene/edit.h"
@@ -119,6 +120,7 @@ const ViewPicture views[] = {
     {"view_top_orthographic", "", {"view_top", "toggle_orthographic"}},
     {"view_left_light", "", {"view_left", "toggle_theme"}},
     {"wireframe", "", {"toggle_wireframe", "toggle_cage"}},
+    {"normals", "pose_alert", {"shading_normals", "toggle_cage"}},
     {"model_alone", "pose_alert", {"toggle_cage", "toggle_grid"}},
     {"posed_light", "pose_alert", {"toggle_theme"}},
     {"ghost", "pose_alert", {"toggle_ghost", "toggle_model"}},
@@ -148,6 +150,78 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
     for (const char* command : v.commands) CHECK_MESSAGE(test::run_command(d.workspace(), command), command);
     d.settle();
     compare(v.name, d.picture(), false, 1);
+  }
+}
+
+namespace {
+
+// A sheet with a picture on it, in a GLB, in a box whose right end has been lifted.
+void open_bent_sheet(Driver& d, const fs::path& folder) {
+  render::Image image{64, 64, {}};
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const bool stripe = (x / 8 + y / 16) % 2 == 0;
+      const std::uint8_t pixel[] = {std::uint8_t(stripe ? 225 : 60), std::uint8_t(stripe ? 120 : 90 + y),
+                                    std::uint8_t(stripe ? 50 : 170), 255};
+      image.rgba.insert(image.rgba.end(), pixel, pixel + 4);
+    }
+  }
+  mesh::Surface sheet;
+  mesh::Attributes attributes;
+  constexpr std::uint32_t n = 24;
+  for (std::uint32_t j = 0; j <= n; ++j) {
+    for (std::uint32_t i = 0; i <= n; ++i) {
+      sheet.positions.push_back({2.0 * i / n, 0.05, 1.0 * j / n});
+      attributes.texture_points.push_back({1.0 * i / n, 1 - 1.0 * j / n});
+    }
+  }
+  std::vector<mesh::Triangle> triangles;
+  for (std::uint32_t j = 0; j < n; ++j) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 1;
+      triangles.insert(triangles.end(), {{a, c, b}, {b, c, c + 1}});
+    }
+  }
+  sheet = mesh::from_triangles(sheet.positions, triangles);
+  attributes.corner_texture = sheet.corners;
+  attributes.groups = {{.first_polygon = 0, .material = 0}};
+  attributes.materials = {{.name = "print", .base_color = {1, 1, 1, 1}, .base_color_image = 0}};
+  render::write_png(folder / "print.png", image);
+  attributes.images = {{.path = folder / "print.png"}};
+  mesh::write(folder / "sheet.glb", mesh::Content{sheet, sheet.positions, {}, &attributes}, nullptr, {});
+  mesh::Surface box;
+  for (int i = 0; i < 12; ++i)
+    box.positions.push_back({-0.2 + 1.2 * (i % 3), i / 3 % 2 ? 0.5 : -0.4, i < 6 ? -0.2 : 1.2});
+  box.corners = {0, 3, 4, 1, 1, 4, 5,  2, 6, 7,  10, 9, 7, 8, 11, 10, 0, 1, 7,  6,
+                 1, 2, 8, 7, 3, 9, 10, 4, 4, 10, 11, 5, 0, 6, 9,  3,  2, 5, 11, 8};
+  for (std::uint32_t i = 0; i <= 10; ++i) box.polygon_starts.push_back(4 * i);
+  mesh::fan_triangulate(box);
+  mesh::write(folder / "box.obj", box);
+  for (const std::size_t v : {2, 5, 8, 11}) box.positions[v] = box.positions[v] + mesh::Vec3{-0.3, 0.8, 0};
+  mesh::write(folder / "bent.obj", box);
+  REQUIRE(d.open({folder / "sheet.glb", folder / "box.obj", folder / "bent.obj"}));
+}
+
+}  // namespace
+
+TEST_CASE("textures_are_drawn_as_they_were_when_someone_looked_at_them") {
+  const struct {
+    const char* name;
+    const char* command;
+  } looks[] = {
+      {"textured", "shading_file"}, {"checker", "shading_checker"}, {"textured_clay", "shading_clay"}};
+  for (const auto& look : looks) {
+    CAPTURE(look.name);
+    const test::TemporaryFolder folder;
+    auto options = Driver::default_options();
+    options.size = {320, 220};
+    Driver d(options);
+    auto& view = d.workspace().view;
+    view.hints = view.axes = view.panels = view.cage = false;
+    open_bent_sheet(d, folder.path());
+    CHECK(test::run_command(d.workspace(), look.command));
+    d.settle();
+    compare(look.name, d.picture(), false, 1);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -83,4 +85,37 @@ TEST_CASE("difference_is_the_share_of_pixels_beyond_the_tolerance") {
   CHECK(test::difference(a, b, 0) == doctest::Approx(0.02));
   CHECK(test::difference(a, b, 4) == doctest::Approx(0.01));
   CHECK(test::difference(a, b, 64) == 0);
+}
+
+TEST_CASE("a_picture_is_decoded_and_halved_until_it_is_short_enough") {
+  const ScratchFolder folder;
+  render::Image image{8, 4, std::vector<std::uint8_t>(4 * 8 * 4, 255)};
+  for (std::size_t i = 0; i < image.rgba.size(); i += 8)
+    image.rgba[i] = 0;  // red is off in every other pixel
+  render::write_png(folder.path / "a.png", image);
+  std::ifstream in(folder.path / "a.png", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  CHECK(render::decode_image("a.png", bytes, 8).rgba == image.rgba);
+  const render::Image small = render::decode_image("a.png", bytes, 4);
+  CHECK(small.width == 4);
+  CHECK(small.height == 2);
+  CHECK(small.pixel(0, 0) == render::Rgba8{188, 255, 255, 255});  // half of the light
+}
+
+TEST_CASE("pictures_of_hostile_size_or_none_at_all_are_refused_before_they_are_decoded") {
+  std::string head("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\1\0\0\0\1\0\0\x08\6\0\0\0", 29);
+  head += std::string("\0\0\0\0\0\0\0\4IDATabcd\0\0\0\0", 20);
+  const auto refusal = [](const std::string& bytes) {
+    try {
+      render::decode_image("given", bytes, 4096);
+    } catch (const base::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refusal(head).find("65536 x 65536 pixels") != std::string::npos);
+  CHECK(refusal("nonsense").find("not a picture") != std::string::npos);
+  CHECK(refusal("").find("given: ") == 0);
+  head[17] = head[21] = 0;  // 0 x 0
+  CHECK(refusal(head) != "");
 }

@@ -199,3 +199,98 @@ TEST_CASE("wrong_sizes_and_indices_are_refused") {
   CHECK_THROWS_AS(surface.set_scalars(std::vector<float>(5)), base::Error);
   CHECK_THROWS_AS(surface.set_palette(std::vector<glm::vec3>(1)), base::Error);
 }
+
+namespace {
+
+// Two triangles, 16 units wide and high, whose texture has a red, a green, a blue and a hollow quarter.
+struct Card : Scene {
+  Card()
+      : Scene(
+            {{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}}, {4, Point{0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}}) {
+    looks.texture_points = {{0, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 0}};
+    render::Image image{64, 64, {}};
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        const bool right = x >= 32, lower = y >= 32;
+        const std::uint8_t opacity = right && lower ? 0 : 255;
+        const std::uint8_t all[] = {std::uint8_t(right || lower ? 20 : 230), std::uint8_t(right ? 230 : 20),
+                                    std::uint8_t(lower ? 230 : 20), opacity};
+        image.rgba.insert(image.rgba.end(), all, all + 4);
+      }
+    }
+    looks.images = {image};
+    looks.runs = {{.triangles = 2, .image = 0}};
+  }
+
+  render::Image painted(render::Paint paint) {
+    surface.set_looks(looks);
+    return picture({.paint = paint});
+  }
+
+  render::SurfaceLooks looks;
+};
+
+bool mostly(const render::Rgba8& pixel, std::size_t channel) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k != channel && 2 * pixel[k] > pixel[channel]) return false;
+  }
+  return pixel[channel] > 60;
+}
+
+}  // namespace
+
+TEST_CASE("an_image_lies_on_the_surface_upright_and_one_looks_through_its_holes") {
+  Card card;
+  const render::Image image = card.painted(render::Paint::file);
+  CHECK(mostly(image.pixel(120, 60), 0));   // red at the upper left
+  CHECK(mostly(image.pixel(200, 60), 1));   // green
+  CHECK(mostly(image.pixel(120, 140), 2));  // blue
+  CHECK(test::brightness(image.pixel(200, 140)) == 0);
+  card.looks.runs[0].color = {1, 1, 0};
+  card.looks.colors.assign(4, {255, 255, 255, 255});
+  card.looks.images[0].rgba.assign(4 * 64 * 64, 255);
+  const auto both = card.painted(render::Paint::file).pixel(160, 100);
+  CHECK(both[0] > 3 * both[2]);
+  CHECK(both[1] > 3 * both[2]);
+  card.looks.colors.assign(4, {255, 0, 0, 255});
+  CHECK(mostly(card.painted(render::Paint::file).pixel(160, 100), 0));
+}
+
+TEST_CASE("checker_and_normals_show_what_they_say") {
+  Card card;
+  const render::Image checker = card.painted(render::Paint::checker);
+  // 160 pixels, 16 squares: 10 pixels each.
+  const int a = test::brightness(checker.pixel(105, 45)), b = test::brightness(checker.pixel(115, 45));
+  CHECK(std::abs(a - b) > 40);
+  CHECK(std::abs(a - test::brightness(checker.pixel(115, 55))) < 20);
+  const auto facing = card.painted(render::Paint::normals).pixel(160, 100);
+  CHECK(std::abs(facing[0] - 128) <= 1);
+  CHECK(std::abs(facing[1] - 128) <= 1);
+  CHECK(facing[2] >= 254);
+}
+
+TEST_CASE("flat_runs_have_one_light_for_each_face") {
+  const test::Ball ball = test::ball(7, {0, 0, 0}, 6);
+  Scene scene(ball);
+  render::SurfaceLooks looks;
+  looks.runs = {{.triangles = ball.triangles.size()}};
+  const auto neighbours_differ = [&](bool flat) {
+    looks.runs[0].flat = flat;
+    scene.surface.set_looks(looks);
+    const render::Image image = scene.picture({.paint = render::Paint::normals});
+    int changes = 0;
+    for (int x = 100; x < 219; ++x) changes += image.pixel(x, 90) != image.pixel(x + 1, 90);
+    return changes;
+  };
+  CHECK(neighbours_differ(true) < 15);
+  CHECK(neighbours_differ(false) > 60);
+}
+
+TEST_CASE("looks_that_do_not_fit_the_surface_are_refused") {
+  Card card;
+  card.looks.texture_points.pop_back();
+  CHECK_THROWS_AS(card.surface.set_looks(card.looks), base::Error);
+  card.looks.texture_points.clear();
+  card.looks.runs[0].triangles = 3;
+  CHECK_THROWS_AS(card.surface.set_looks(card.looks), base::Error);
+}

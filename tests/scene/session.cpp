@@ -38,6 +38,7 @@ Workspace worked(const test::CubeFiles& files) {
   w.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f});
   w.view = {.dark = false,
             .model = false,
+            .shading = Shading::checker,
             .wireframe = true,
             .cage = false,
             .grid = false,

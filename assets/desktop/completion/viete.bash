@@ -27,6 +27,7 @@ _viete_value() {
     --exponent) words='1 2 3 4' ;;
     --turn | --stretch) words='0 50 100 200' ;;
     --look) words='home front back left right top bottom' ;;
+    --shading) words='clay file checker normals' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
     --scale | --frames | --iterations | --pins | --hold | --tolerance | --count | --faces | --rounds) ;;
     *) return 1 ;;
@@ -42,7 +43,7 @@ _viete_options() {
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --shading --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
     deform) options+=' --output --digits --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;

@@ -1,0 +1,82 @@
+#include "app/model_looks.h"
+
+#include <doctest/doctest.h>
+
+#include "mesh/normals.h"
+#include "support/folder.h"
+
+using namespace viete;
+
+namespace {
+
+// A square in the plane z = 0, bent up at x = 1 where `bend` is not 0: two quads, four triangles.
+struct BentStrip {
+  explicit BentStrip(double bend) {
+    surface.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, bend}, {0, 1, 0}, {1, 1, 0}, {2, 1, bend}};
+    surface.corners = {0, 1, 4, 3, 1, 2, 5, 4};
+    surface.polygon_starts = {0, 4, 8};
+    mesh::fan_triangulate(surface);
+    normals.resize(6);
+    const auto around = mesh::vertex_triangles(6, surface.triangles);
+    mesh::vertex_normals(surface.positions, surface.triangles, around, 0, 6, normals);
+    const double length = std::hypot(1, bend);
+    attributes.normals = {{0, 0, 1}, {-bend / length, 0, 1 / length}};
+    attributes.corner_normal = {0, 0, 0, 0, 1, 1, 1, 1};
+  }
+
+  app::ModelLooks looks() const { return app::looks_of(surface, attributes, normals); }
+
+  mesh::Surface surface;
+  mesh::Attributes attributes;
+  std::vector<mesh::Point> normals;
+};
+
+}  // namespace
+
+TEST_CASE("faces_are_flat_where_the_file_has_an_edge_or_says_so_and_nowhere_else") {
+  BentStrip strip(1);
+  auto runs = strip.looks().looks.runs;
+  REQUIRE(runs.size() == 1);
+  CHECK(runs[0].flat);
+  CHECK_FALSE(BentStrip(0).looks().looks.runs.at(0).flat);
+  strip.attributes.corner_normal.clear();
+  CHECK_FALSE(strip.looks().looks.runs.at(0).flat);
+  strip.attributes.groups = {{.first_polygon = 0}, {.first_polygon = 1, .smooth = false}};
+  runs = strip.looks().looks.runs;
+  REQUIRE(runs.size() == 2);
+  CHECK((!runs[0].flat && runs[1].flat));
+  CHECK(runs[0].triangles == 2);
+}
+
+TEST_CASE("triangles_of_a_material_come_together_with_their_texture_points") {
+  BentStrip strip(0);
+  strip.attributes.materials = {{.name = "red", .base_color = {1, 0, 0, 1}}, {.name = "grey"}};
+  strip.attributes.groups = {{.first_polygon = 0, .material = 1}, {.first_polygon = 1, .material = 0}};
+  strip.attributes.texture_points = {{0.25, 0.25}};
+  strip.attributes.corner_texture.assign(8, 0);
+  const app::ModelLooks looks = strip.looks();
+  REQUIRE(looks.looks.runs.size() == 2);
+  CHECK(looks.looks.runs[0].color == glm::vec3(1, 0, 0));
+  CHECK(looks.triangles[0] == mesh::Triangle{1, 2, 5});
+  CHECK(looks.looks.texture_points.size() == 12);
+  CHECK(looks.looks.texture_points[3] == std::array<float, 2>{0.25F, 0.75F});
+  CHECK(looks.says_something);
+}
+
+TEST_CASE("grey_says_nothing_and_a_bad_image_costs_only_itself") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "bad.png", "no picture");
+  BentStrip strip(0);
+  strip.attributes.materials = {{.name = "grey"}};
+  strip.attributes.groups = {{.first_polygon = 0, .material = 0}};
+  CHECK_FALSE(strip.looks().says_something);
+  strip.attributes.materials[0].base_color_image = 0;
+  for (const char* name : {"bad.png", "missing.png"}) {
+    strip.attributes.images = {{.path = folder / name}};
+    const app::ModelLooks looks = strip.looks();
+    REQUIRE(looks.warnings.size() == 1);
+    CHECK(looks.warnings[0].find(name) != std::string::npos);
+    CHECK_FALSE(looks.says_something);
+    CHECK(looks.looks.runs.at(0).image == -1);
+  }
+}
