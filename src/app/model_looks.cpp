@@ -50,20 +50,20 @@ private:
     });
   }
 
-  // The file gives a corner the normal of its face, where that of all faces around is another.
+  // The file gives its corners the normal of the face, where that of all faces around is another.
   bool stands_across_an_edge(const Triangle& t) const {
     if (given_.corner_normal.empty()) return false;
     using mesh::operator-;
     const auto& p = surface_.positions;
     const mesh::Vec3 face =
         mesh::cross(p[t.vertices[1]] - p[t.vertices[0]], p[t.vertices[2]] - p[t.vertices[0]]);
+    bool is_edge = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t n = given_.corner_normal[t.corners[k]];
-      if (n == none) continue;
-      if (mesh::cosine(given_.normals[n], face) > 0.99 && mesh::cosine(normals_[t.vertices[k]], face) < 0.94)
-        return true;
+      if (n == none || mesh::cosine(given_.normals[n], face) < 0.995) return false;
+      is_edge |= mesh::cosine(normals_[t.vertices[k]], face) < 0.99;
     }
-    return false;
+    return is_edge;
   }
 
   void make_runs() {

@@ -31,6 +31,10 @@ struct BentStrip {
   std::vector<mesh::Point> normals;
 };
 
+mesh::Group group(std::uint32_t first_polygon, std::uint32_t material, bool smooth = true) {
+  return {first_polygon, "", "", material, smooth};
+}
+
 }  // namespace
 
 TEST_CASE("faces_are_flat_where_the_file_has_an_edge_or_says_so_and_nowhere_else") {
@@ -41,7 +45,7 @@ TEST_CASE("faces_are_flat_where_the_file_has_an_edge_or_says_so_and_nowhere_else
   CHECK_FALSE(BentStrip(0).looks().looks.runs.at(0).flat);
   strip.attributes.corner_normal.clear();
   CHECK_FALSE(strip.looks().looks.runs.at(0).flat);
-  strip.attributes.groups = {{.first_polygon = 0}, {.first_polygon = 1, .smooth = false}};
+  strip.attributes.groups = {group(0, mesh::none), group(1, mesh::none, false)};
   runs = strip.looks().looks.runs;
   REQUIRE(runs.size() == 2);
   CHECK((!runs[0].flat && runs[1].flat));
@@ -51,7 +55,7 @@ TEST_CASE("faces_are_flat_where_the_file_has_an_edge_or_says_so_and_nowhere_else
 TEST_CASE("triangles_of_a_material_come_together_with_their_texture_points") {
   BentStrip strip(0);
   strip.attributes.materials = {{.name = "red", .base_color = {1, 0, 0, 1}}, {.name = "grey"}};
-  strip.attributes.groups = {{.first_polygon = 0, .material = 1}, {.first_polygon = 1, .material = 0}};
+  strip.attributes.groups = {group(0, 1), group(1, 0)};
   strip.attributes.texture_points = {{0.25, 0.25}};
   strip.attributes.corner_texture.assign(8, 0);
   const app::ModelLooks looks = strip.looks();
@@ -68,11 +72,11 @@ TEST_CASE("grey_says_nothing_and_a_bad_image_costs_only_itself") {
   test::put_file(folder / "bad.png", "no picture");
   BentStrip strip(0);
   strip.attributes.materials = {{.name = "grey"}};
-  strip.attributes.groups = {{.first_polygon = 0, .material = 0}};
+  strip.attributes.groups = {group(0, 0)};
   CHECK_FALSE(strip.looks().says_something);
   strip.attributes.materials[0].base_color_image = 0;
   for (const char* name : {"bad.png", "missing.png"}) {
-    strip.attributes.images = {{.path = folder / name}};
+    strip.attributes.images = {{folder / name, nullptr, ""}};
     const app::ModelLooks looks = strip.looks();
     REQUIRE(looks.warnings.size() == 1);
     CHECK(looks.warnings[0].find(name) != std::string::npos);

@@ -184,10 +184,10 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   }
   sheet = mesh::from_triangles(sheet.positions, triangles);
   attributes.corner_texture = sheet.corners;
-  attributes.groups = {{.first_polygon = 0, .material = 0}};
+  attributes.groups = {{0, "", "", 0, true}};
   attributes.materials = {{.name = "print", .base_color = {1, 1, 1, 1}, .base_color_image = 0}};
   render::write_png(folder / "print.png", image);
-  attributes.images = {{.path = folder / "print.png"}};
+  attributes.images = {{folder / "print.png", nullptr, ""}};
   mesh::write(folder / "sheet.glb", mesh::Content{sheet, sheet.positions, {}, &attributes}, nullptr, {});
   mesh::Surface box;
   for (int i = 0; i < 12; ++i)
@@ -197,7 +197,7 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   for (std::uint32_t i = 0; i <= 10; ++i) box.polygon_starts.push_back(4 * i);
   mesh::fan_triangulate(box);
   mesh::write(folder / "box.obj", box);
-  for (const std::size_t v : {2, 5, 8, 11}) box.positions[v] = box.positions[v] + mesh::Vec3{-0.3, 0.8, 0};
+  for (const std::size_t v : {2, 5, 8, 11}) box.positions[v][0] -= 0.3, box.positions[v][1] += 0.8;
   mesh::write(folder / "bent.obj", box);
   REQUIRE(d.open({folder / "sheet.glb", folder / "box.obj", folder / "bent.obj"}));
 }
