@@ -155,7 +155,7 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
 
 namespace {
 
-// A sheet with a picture on it, in a GLB, in a box whose right end has been lifted.
+// A sheet with a picture on it, in a GLB, in a box whose right end was pulled forward.
 void open_bent_sheet(Driver& d, const fs::path& folder) {
   render::Image image{64, 64, {}};
   for (int y = 0; y < 64; ++y) {
@@ -171,7 +171,7 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   constexpr std::uint32_t n = 24;
   for (std::uint32_t j = 0; j <= n; ++j) {
     for (std::uint32_t i = 0; i <= n; ++i) {
-      sheet.positions.push_back({2.0 * i / n, 0.05, 1.0 * j / n});
+      sheet.positions.push_back({2.0 * i / n, 1 - 1.0 * j / n, 0.05});
       attributes.texture_points.push_back({1.0 * i / n, 1 - 1.0 * j / n});
     }
   }
@@ -191,13 +191,13 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   mesh::write(folder / "sheet.glb", mesh::Content{sheet, sheet.positions, {}, &attributes}, nullptr, {});
   mesh::Surface box;
   for (int i = 0; i < 12; ++i)
-    box.positions.push_back({-0.2 + 1.2 * (i % 3), i / 3 % 2 ? 0.5 : -0.4, i < 6 ? -0.2 : 1.2});
+    box.positions.push_back({-0.2 + 1.2 * (i % 3), i < 6 ? 1.2 : -0.2, i / 3 % 2 ? 0.5 : -0.4});
   box.corners = {0, 3, 4, 1, 1, 4, 5,  2, 6, 7,  10, 9, 7, 8, 11, 10, 0, 1, 7,  6,
                  1, 2, 8, 7, 3, 9, 10, 4, 4, 10, 11, 5, 0, 6, 9,  3,  2, 5, 11, 8};
   for (std::uint32_t i = 0; i <= 10; ++i) box.polygon_starts.push_back(4 * i);
   mesh::fan_triangulate(box);
   mesh::write(folder / "box.obj", box);
-  for (const std::size_t v : {2, 5, 8, 11}) box.positions[v][0] -= 0.3, box.positions[v][1] += 0.8;
+  for (const std::size_t v : {2, 5, 8, 11}) box.positions[v][0] -= 0.3, box.positions[v][2] += 0.9;
   mesh::write(folder / "bent.obj", box);
   REQUIRE(d.open({folder / "sheet.glb", folder / "box.obj", folder / "bent.obj"}));
 }
