@@ -92,7 +92,7 @@ public:
     drop_what_is_not_there();
     ReadResult result = builder_.finish(file_.binary ? "glTF binary" : "glTF");
     if (!attributes_->empty()) result.attributes = attributes_;
-    result.original = gltf_original(std::move(file_), std::move(map_));
+    result.original = gltf_original(source_, std::move(file_), std::move(map_));
     return result;
   }
 

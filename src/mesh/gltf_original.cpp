@@ -3,6 +3,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -184,8 +185,13 @@ private:
     return length > 0 ? (1 / length) * v : Vec3{0, 0, 0};
   }
 
-  static void set(std::vector<float>& values, std::size_t at, const Vec3& v) {
-    for (std::size_t k = 0; k < 3; ++k) values[at + k] = static_cast<float>(v[k]);
+  void set(std::vector<float>& values, std::size_t at, const Vec3& v) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      values[at + k] = static_cast<float>(v[k]);
+      if (!std::isfinite(values[at + k]))
+        throw base::Error(file_.name, "a deformed position is larger than glTF can hold",
+                          "write another format");
+    }
   }
 
   std::vector<float> floats(int accessor, std::size_t components) const {
@@ -339,13 +345,18 @@ private:
 
 class GltfOriginal final : public Original {
 public:
-  GltfOriginal(GltfFile file, GltfMap map) : file_(std::move(file)), map_(std::move(map)) {}
+  GltfOriginal(const Source& source, GltfFile file, GltfMap map)
+      : owner_(source.owner),
+        bytes_(source.owner ? source.bytes : std::string_view()),
+        file_(std::move(file)),
+        map_(std::move(map)) {}
 
   bool writes(std::string_view extension) const override { return extension == "gltf" || extension == "glb"; }
 
   // In one piece.
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                  TextWriter& out) const override {
+    if (is_at_rest(rest, positions)) return out.text(bytes_), std::vector<std::string>();
     GltfRewriter result(file_, map_, rest, positions);
     const std::size_t first_in_text = file_.binary ? 1 : 0;
     for (std::size_t i = first_in_text; i < result.buffers().size(); ++i)
@@ -363,6 +374,11 @@ public:
   std::vector<std::string> write_file(const fs::path& path, const Surface& rest,
                                       std::span<const Point> positions, Digits /*floats have none*/,
                                       base::Progress* progress) const override {
+    const bool same_form = file_.binary == (extension_of(path) == "glb");
+    if (same_form && leads_nowhere() && is_at_rest(rest, positions)) {
+      base::replace_file(path, bytes_);
+      return {};
+    }
     GltfRewriter result(file_, map_, rest, positions);
     lead_images(path, result.document(), result.notes);
     const bool binary = extension_of(path) == "glb";
@@ -389,6 +405,17 @@ public:
   }
 
 private:
+  bool is_at_rest(const Surface& rest, std::span<const Point> positions) const {
+    return !bytes_.empty() && std::ranges::equal(rest.positions, positions);
+  }
+
+  // Neither to buffers nor to images beside.
+  bool leads_nowhere() const {
+    return std::ranges::none_of(file_.buffers,
+                                [](const GltfBuffer& b) { return b.home == GltfBuffer::Home::beside; }) &&
+           std::ranges::all_of(file_.images, [](const GltfImage& i) { return i.uri.empty(); });
+  }
+
   static void embed(Json& document, std::size_t buffer, const std::string& bytes) {
     document["buffers"][buffer]["uri"] = "data:application/octet-stream;base64," + base64(bytes);
   }
@@ -439,14 +466,16 @@ private:
     return older.view().find('"' + encoded_uri(buffer.filename().string()) + '"') != std::string_view::npos;
   }
 
+  std::shared_ptr<const void> owner_;
+  std::string_view bytes_;
   GltfFile file_;
   GltfMap map_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Original> gltf_original(GltfFile file, GltfMap map) {
-  return std::make_shared<GltfOriginal>(std::move(file), std::move(map));
+std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map) {
+  return std::make_shared<GltfOriginal>(source, std::move(file), std::move(map));
 }
 
 }  // namespace viete::mesh

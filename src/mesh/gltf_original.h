@@ -14,6 +14,7 @@ namespace viete::mesh {
 /// nodes place, and that has moved, becomes a mesh of its own for each. All else is as in the file. A buffer
 /// beside is written beside, under the name of the result, and never over a file that is something else's;
 /// images beside stay where they are.
-std::shared_ptr<const Original> gltf_original(GltfFile file, GltfMap map);
+/// At rest it is the bytes of `source`, as far as these outlive the reading.
+std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map);
 
 }  // namespace viete::mesh

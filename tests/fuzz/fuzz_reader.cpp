@@ -73,7 +73,9 @@ void check_moved(const ReadResult& read) {
   const std::string text = written_again(read, moved);
   const ReadResult again = VIETE_FUZZ_READ(Source{"fuzz", "", text, nullptr});
   require(again.surface.polygon_count() == read.surface.polygon_count());
-  if (!read.format.starts_with("STL")) require(again.surface.corners == read.surface.corners);
+  // What moves may come to lie together, which a glTF reader takes as a seam.
+  if (!read.format.starts_with("STL") && !read.format.starts_with("glTF"))
+    require(again.surface.corners == read.surface.corners);
 }
 
 }  // namespace
