@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/quantity.h"
 #include "cages/clearance.h"
@@ -45,16 +47,22 @@ class Stages {
 public:
   explicit Stages(base::Progress* progress) : progress_(progress) { begin(); }
 
-  // Another attempt, in what is left.
-  void begin() { from_ = progress_ ? progress_->done() : 0; }
+  // Another attempt, in so much of what is left.
+  void begin(double share = 1) {
+    from_ = progress_ ? progress_->done() : 0;
+    to_ = from_ + share * (1 - from_);
+  }
   base::Progress* until(double end) {
-    if (progress_) progress_->section(progress_->done(), from_ + end * (1 - from_));
+    if (progress_) {
+      const double done = progress_->done();
+      progress_->section(done, std::max(done, from_ + end * (to_ - from_)));
+    }
     return progress_;
   }
 
 private:
   base::Progress* progress_;
-  double from_ = 0;
+  double from_ = 0, to_ = 1;
 };
 
 class Making {
@@ -67,21 +75,18 @@ public:
         tree_(subject.tree),
         pool_(pool),
         stages_(progress),
-        target_(mirror_ ? wish.triangles / 2 : wish.triangles) {
-    // A cell is about an eighth as wide as the triangles will be.
-    const double share = is_preview() ? 0.65 : 1;
-    const double cells = share * std::clamp(4 * std::sqrt(static_cast<double>(wish.triangles)), 40.0, 128.0);
-    cells_ = static_cast<std::size_t>(cells);
-    step_ = mesh::largest_abs(model_.box.high - model_.box.low) / cells;
-  }
+        target_(mirror_ ? wish.triangles / 2 : wish.triangles) {}
 
   Made make() {
-    constexpr int attempts = 12;
-    double gap = wish_.gap, margin = std::max(wish_.margin, 0.1 * step_);
+    constexpr int attempts = 9;
+    double gap = wish_.gap;
     for (int attempt = 0; attempt < attempts; ++attempt) {
-      stages_.begin();
-      if (const auto shell = try_with(margin, gap)) return finish(*shell, mirror_.has_value(), gap);
-      gap = std::max(1.6 * gap, 0.5 * step_);
+      if (const auto shell = try_with(gap)) return finish(*shell, mirror_.has_value(), gap);
+      if (std::exchange(passed_over_, false) && margin_steps_ < parts_margin_steps) {
+        margin_steps_ = parts_margin_steps;
+      } else {
+        gap = std::max(2 * gap, 0.5 * size() / cells());
+      }
     }
     made_.notes.push_back(
         "no cage of " + base::counted(wish_.triangles, "triangle") +
@@ -89,15 +94,34 @@ public:
     return hulled();
   }
 
-  Made hulled() { return finish(simplified(hull(model_.positions, wish_.margin)), false, wish_.gap); }
+  Made hulled() {
+    const Shell shell = simplified(hull(used_points(), wish_.margin));
+    if (shell.triangles.size() > wish_.triangles)
+      made_.notes.push_back("no hull of " + base::counted(wish_.triangles, "triangle") +
+                            " was found: it has " + base::with_thousands(shell.triangles.size()));
+    return finish(shell, false, wish_.gap);
+  }
 
 private:
   bool is_preview() const { return wish_.effort == Effort::preview; }
 
-  // Nothing if there is no sound cage of that size.
-  std::optional<Shell> try_with(double margin, double gap) {
-    const Closing closing{margin + 0.6 * step_, gap};
-    const Grid grid = grid_around(model_.box, cells_, closing.offset + closing.gap, mirror_.has_value());
+  double size() const { return mesh::largest_abs(model_.box.high - model_.box.low); }
+
+  // Along the model: one is about an eighth as wide as the triangles will be.
+  double cells() const {
+    return std::clamp(4 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
+  }
+
+  // Nothing if there is no sound cage of that size. Where the size does not suffice for what the model is
+  // like, a coarse grid and a preview tell soon whether a gap is wide enough.
+  std::optional<Shell> try_with(double gap) {
+    const bool coarse = is_preview() || gap > wish_.gap;
+    stages_.begin(coarse && !is_preview() ? 0.3 : 1);
+    const double along = (coarse ? 0.65 : 1) * cells();
+    const double step = size() / along, margin = std::max(wish_.margin, margin_steps_ * step);
+    const Closing closing{margin + 0.6 * step, gap};
+    const Grid grid = grid_around(model_.box, static_cast<std::size_t>(along), closing.offset + closing.gap,
+                                  mirror_.has_value());
     const Clearance field = clearance({tree_, model_.closed}, grid, closing, pool_, stages_.until(0.1));
     const Shell shell = extract(field, closing.offset);
     const Topology topology = topology_of(mirror_ ? whole(shell) : shell);
@@ -105,32 +129,50 @@ private:
     last_ = topology;
     if (topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30)
       return std::nullopt;
+    std::optional<Shell> quick;
+    if (coarse) {
+      WorkingCage cage(shell, tree_, field, margin);
+      quick = sound(quickly_reduced(cage));
+      if (!quick || is_preview()) return quick;
+      stages_.begin();
+    }
     WorkingCage cage(shell, tree_, field, margin);
-    auto made = reduced(cage, field);
-    return made && is_sound(*made, mirror_.has_value()) ? made : std::nullopt;
+    const std::size_t too_near = too_near_;
+    if (auto made = sound(reduced(cage, field))) return made;
+    too_near_ = too_near;
+    return quick;
+  }
+
+  std::optional<Shell> sound(std::optional<Shell> made) {
+    if (made && !is_sound(*made, mirror_.has_value())) made.reset();
+    return made;
+  }
+
+  std::size_t target_and(double share, double most) const {
+    return target_ + static_cast<std::size_t>(std::min(share * static_cast<double>(target_), most));
+  }
+
+  std::optional<Shell> quickly_reduced(WorkingCage& cage) {
+    if (!collapse_to(cage, target_and(1.5, 400), Accuracy::quadrics, stages_.until(0.5))) return std::nullopt;
+    tighten(cage, 1, stages_.until(0.6));
+    if (!collapse_to(cage, target_, Accuracy::quadrics, stages_.until(0.7))) return std::nullopt;
+    refine_to(cage, target_, stages_.until(0.7));
+    tighten(cage, 2, stages_.until(0.8));
+    too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.92));
+    return cage.shell();
   }
 
   // Drawn in between, so that what is enclosed more than needed does not mislead what follows.
   std::optional<Shell> reduced(WorkingCage& cage, const Clearance& field) {
-    const auto extra = [&](double share, double most) {
-      return target_ + static_cast<std::size_t>(std::min(share * static_cast<double>(target_), most));
-    };
-    if (is_preview()) {
-      collapse_to(cage, extra(1.5, 400), Accuracy::quadrics, stages_.until(0.5));
-      tighten(cage, 1, stages_.until(0.6));
-      if (!collapse_to(cage, target_, Accuracy::quadrics, stages_.until(0.7))) return std::nullopt;
-      tighten(cage, 2, stages_.until(0.8));
-      too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.92));
-      return cage.shell();
-    }
-    collapse_to(cage, extra(3, 1000), Accuracy::quadrics, stages_.until(0.3));
+    collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, stages_.until(0.3));
     tighten(cage, 1, stages_.until(0.35));
-    collapse_to(cage, extra(1.5, 400), Accuracy::quadrics, stages_.until(0.4));
+    if (!collapse_to(cage, target_and(1.5, 400), Accuracy::quadrics, stages_.until(0.4))) return std::nullopt;
     tighten(cage, 1, stages_.until(0.43));
-    collapse_to(cage, extra(0.5, 4000 / static_cast<double>(target_)), Accuracy::quadrics,
+    collapse_to(cage, target_and(0.5, 4000 / static_cast<double>(target_)), Accuracy::quadrics,
                 stages_.until(0.46));
     tighten(cage, 2, stages_.until(0.5));
     if (!collapse_to(cage, target_, Accuracy::volume, stages_.until(0.6))) return std::nullopt;
+    refine_to(cage, target_, stages_.until(0.6));
     tighten(cage, 8, stages_.until(0.7));
     if (target_ > 150) return settled(cage);
     WorkingCage best(exchanged(cage), tree_, field, cage.margin());
@@ -164,15 +206,32 @@ private:
     return best;
   }
 
-  // A convex cage with fewer triangles: few places are in the way.
+  std::vector<Point> used_points() const {
+    std::vector<std::uint8_t> taken(model_.positions.size(), 0);
+    std::vector<Point> points;
+    for (const auto& t : model_.triangles) {
+      for (const auto v : t) {
+        if (!std::exchange(taken[v], std::uint8_t{1})) points.push_back(model_.positions[v]);
+      }
+    }
+    return points;
+  }
+
+  // With fewer triangles, and convex again: of the same vertices, so with no more triangles, and no nearer to
+  // the model.
   Shell simplified(const Shell& shell) {
     const Grid grid = grid_around(model_.box, 40, 2 * wish_.margin, false);
     const Clearance field =
         clearance({tree_, model_.closed}, grid, {wish_.margin, 0}, pool_, stages_.until(0.3));
-    WorkingCage cage(shell, tree_, field, 0.5 * wish_.margin);
-    collapse_to(cage, wish_.triangles, Accuracy::quadrics, stages_.until(0.9));
-    Shell made = cage.shell();
-    return is_sound(made, false) ? made : shell;
+    for (const double margin : {0.5 * wish_.margin, parts_margin_steps * grid.step}) {
+      WorkingCage cage(shell, tree_, field, margin);
+      collapse_to(cage, wish_.triangles, Accuracy::quadrics, stages_.until(0.8));
+      too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.95));
+      Shell made = convex(cage.shell().positions);
+      if (is_sound(made, false)) return made;
+    }
+    too_near_ = 0;
+    return shell;
   }
 
   // As it will be read: with the rounding of the way out of the frame.
@@ -180,7 +239,10 @@ private:
     Shell shell = mirrored ? whole(half) : half;
     for (Point& p : shell.positions) p = frame_.into(frame_.out_of(p));
     const mesh::Surface cage = mesh::from_triangles(std::move(shell.positions), shell.triangles);
-    return soundness(cage, model_.positions, model_.triangles, tree_, stages_.until(0.97)).sound();
+    const Soundness found =
+        soundness(cage, model_.positions, model_.triangles, tree_, pool_, stages_.until(0.97));
+    passed_over_ = passed_over_ || !found.outside.empty();
+    return found.sound();
   }
 
   Made finish(const Shell& half, bool mirrored, double gap) {
@@ -195,6 +257,9 @@ private:
     made_.surface = with_quads(shell, pairs);
     made_.gap = gap;
     if (mirrored) made_.mirror = mirror_;
+    if (wish_.kind == Kind::automatic && 10 * shell.triangles.size() < 9 * wish_.triangles)
+      made_.notes.push_back("it has " + base::counted(shell.triangles.size(), "triangle") +
+                            ": more would not follow the model better");
     tell(gap);
     return std::move(made_);
   }
@@ -226,9 +291,12 @@ private:
   base::WorkerPool& pool_;
   Stages stages_;
   Made made_;
-  std::size_t target_, cells_ = 0;
-  double step_ = 0;
+  std::size_t target_;
   std::size_t too_near_ = 0;  // triangles
+  // Parts of the model that are smaller than a step may be passed over, unless the cage keeps a step away.
+  static constexpr double parts_margin_steps = 1.25;
+  double margin_steps_ = 0.1;
+  bool passed_over_ = false;
   std::optional<Topology> first_;
   Topology last_;
 };

@@ -42,15 +42,21 @@ mesh::Bounds extent_of(const mesh::Surface& surface) {
   return surface.triangles.empty() ? mesh::bounds(surface.positions) : mesh::used_bounds(surface);
 }
 
-// Where triangles are, or points; weighing all alike is enough for axes.
-std::vector<Point> places_of(const mesh::Surface& surface, const Frame& frame) {
-  std::vector<Point> places;
-  for (const auto& t : surface.triangles)
-    places.push_back((1.0 / 3) * (frame.into(surface.positions[t[0]]) + frame.into(surface.positions[t[1]]) +
-                                  frame.into(surface.positions[t[2]])));
-  if (!places.empty()) return places;
-  for (const Point& p : surface.positions) places.push_back(frame.into(p));
-  return places;
+// Calls visit(place, weight) so that moments up to the second are those of the triangles' areas; of points
+// where there are no areas.
+template <class Visit>
+void for_moments(const mesh::Surface& surface, const Frame& frame, bool has_area, Visit&& visit) {
+  if (!has_area) {
+    for (const Point& p : surface.positions) visit(frame.into(p), 1.0);
+    return;
+  }
+  for (const auto& t : surface.triangles) {
+    const Point a = frame.into(surface.positions[t[0]]), b = frame.into(surface.positions[t[1]]),
+                c = frame.into(surface.positions[t[2]]);
+    const double weight = mesh::norm(mesh::cross(b - a, c - a)) / 12;
+    for (const Point& p : {a, b, c}) visit(p, weight);
+    visit((1.0 / 3) * (a + b + c), 9 * weight);
+  }
 }
 
 }  // namespace
@@ -73,13 +79,21 @@ Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror) {
 
 Frame own_frame(const mesh::Surface& model) {
   Frame frame = frame_of(model, std::nullopt);
-  const std::vector<Point> places = places_of(model, frame);
+  double total = 0;
   Point mean{0, 0, 0};
-  for (const Point& p : places) mean = mean + (1 / static_cast<double>(places.size())) * p;
+  const auto add = [&](const Point& p, double weight) {
+    total += weight;
+    mean = mean + weight * p;
+  };
+  for_moments(model, frame, true, add);
+  const bool has_area = total > 1e-12;
+  if (!has_area) for_moments(model, frame, false, add);
+  mean = (1 / total) * mean;
   Matrix inertia{};
-  for (const Point& p : places) {
-    for (std::size_t i = 0; i < 3; ++i) inertia[i] = inertia[i] + (p[i] - mean[i]) * (p - mean);
-  }
+  for_moments(model, frame, has_area, [&](const Point& p, double weight) {
+    for (std::size_t i = 0; i < 3; ++i)
+      inertia[i] = inertia[i] + (weight / total * (p[i] - mean[i])) * (p - mean);
+  });
   const Matrix v = eigenvectors(inertia);
   frame.axes[0] = {v[0][0], v[1][0], v[2][0]};
   frame.axes[1] = {v[0][1], v[1][1], v[2][1]};

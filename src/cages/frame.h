@@ -27,7 +27,7 @@ struct Frame {
 
 /// Along the file's axes, or, with a mirror, with it in the plane x = 0. The model has an extent.
 Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror);
-/// Along the axes of inertia of the model's triangles, or of its points where it has none.
+/// Along the axes of inertia of the model's triangles, or of its points where these have no area.
 Frame own_frame(const mesh::Surface& model);
 
 /// The model in a frame; its points as triangles without area where it has no others.

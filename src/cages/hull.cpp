@@ -22,7 +22,8 @@ struct Face {
 
 class Quickhull {
 public:
-  explicit Quickhull(std::span<const Point> points) : points_(points) {}
+  explicit Quickhull(std::span<const Point> points)
+      : points_(points), starting_(points.size()), ending_(points.size()) {}
 
   // False if all points lie in one plane.
   bool run() {
@@ -79,7 +80,7 @@ private:
 
   // A tetrahedron of points that lie far apart.
   bool begin() {
-    const std::uint32_t a = 0;
+    const std::uint32_t a = largest([&](const Point& p) { return mesh::squared_norm(p - points_[0]); });
     const std::uint32_t b = largest([&](const Point& p) { return mesh::squared_norm(p - points_[a]); });
     const Vec3 ab = points_[b] - points_[a];
     const std::uint32_t c =
@@ -144,18 +145,19 @@ private:
       }
     }
     const auto first = static_cast<std::uint32_t>(faces_.size());
+    for (std::uint32_t i = 0; i < border.size(); ++i) {
+      starting_[border[i].from] = first + i;
+      ending_[border[i].to] = first + i;
+    }
     for (const auto& edge : border) {
       const auto self = static_cast<std::uint32_t>(faces_.size());
-      Face face{{edge.from, edge.to, point}, {edge.beyond, nobody, nobody}, {}, false};
-      for (std::uint32_t i = 0; i < border.size(); ++i) {
-        if (border[i].from == edge.to) face.beyond[1] = first + i;
-        if (border[i].to == edge.from) face.beyond[2] = first + i;
-      }
+      const Face face{
+          {edge.from, edge.to, point}, {edge.beyond, starting_[edge.to], ending_[edge.from]}, {}, false};
       for (std::size_t k = 0; k < 3; ++k) {
         Face& other = faces_[edge.beyond];
         if (other.corners[k] == edge.to && other.corners[(k + 1) % 3] == edge.from) other.beyond[k] = self;
       }
-      faces_.push_back(std::move(face));
+      faces_.push_back(face);
     }
     for (const auto v : visible) faces_[v].outside.clear();
     hand_out(orphans, first);
@@ -163,6 +165,8 @@ private:
 
   std::span<const Point> points_;
   std::vector<Face> faces_;
+  std::vector<std::uint32_t> starting_,
+      ending_;  // the new face whose border starts at a point, or ends there
 };
 
 std::vector<Point> boxes_about(std::span<const Point> points, double margin) {
@@ -176,6 +180,12 @@ std::vector<Point> boxes_about(std::span<const Point> points, double margin) {
 }
 
 }  // namespace
+
+Shell convex(std::span<const Point> points) {
+  Quickhull hull(points);
+  hull.run();
+  return hull.shell();
+}
 
 Shell hull(std::span<const Point> points, double margin) {
   Quickhull bare(points);

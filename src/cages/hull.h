@@ -14,4 +14,7 @@ namespace viete::cages {
 /// point.
 Shell hull(std::span<const Point> points, double margin);
 
+/// The convex hull of points that do not lie in one plane.
+Shell convex(std::span<const Point> points);
+
 }  // namespace viete::cages

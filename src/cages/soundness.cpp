@@ -32,7 +32,7 @@ std::vector<std::uint32_t> one_vertex_a_part(std::size_t vertices,
 
 Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
                     std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
-                    base::Progress* progress) {
+                    base::WorkerPool& pool, base::Progress* progress) {
   Soundness found;
   const mesh::Summary summary = mesh::summarize(cage);
   found.open_edges =
@@ -40,6 +40,7 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
   found.pinched_vertices = mesh::nonmanifold_vertices(cage).size();
   found.crossing = mesh::self_intersecting_triangles(cage, progress);
   for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
+    if (progress) progress->report(1);
     const auto& corners = cage.triangles[t];
     const mesh::Corners here = {cage.positions[corners[0]], cage.positions[corners[1]],
                                 cage.positions[corners[2]]};
@@ -48,7 +49,7 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
   const auto firsts = one_vertex_a_part(positions.size(), triangles);
   std::vector<mesh::Point> places(firsts.size());
   std::ranges::transform(firsts, places.begin(), [&](std::uint32_t v) { return positions[v]; });
-  for (const auto i : mesh::points_outside(cage, places)) found.outside.push_back(firsts[i]);
+  for (const auto i : mesh::points_outside(cage, places, &pool)) found.outside.push_back(firsts[i]);
   return found;
 }
 

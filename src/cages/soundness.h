@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/worker_pool.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_tree.h"
 
@@ -31,6 +32,6 @@ struct Soundness {
 /// base::Cancelled.
 Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
                     std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
-                    base::Progress* progress = nullptr);
+                    base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 }  // namespace viete::cages

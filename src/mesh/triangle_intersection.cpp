@@ -56,6 +56,13 @@ std::array<int, 3> sides_of(const Corners& s, const Corners& t) {
           orientation(t[0], t[1], t[2], s[2])};
 }
 
+bool some_edge_crosses(const Corners& s, const Corners& t) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (crosses(s[i], s[(i + 1) % 3], t)) return true;
+  }
+  return false;
+}
+
 // Of the segments from p along d and from q along e. After C. Ericson, Real-Time Collision Detection (2005),
 // 5.1.9.
 double squared_distance(const Point& p, const Vec3& d, const Point& q, const Vec3& e) {
@@ -93,8 +100,13 @@ bool intersect(const Corners& s, const Corners& t) {
   return edge_crosses(s, t, of_s) || edge_crosses(t, s, sides_of(t, s));
 }
 
+bool cut(const Corners& s, const Corners& t) {
+  if (!has_plane(t)) return has_plane(s) && some_edge_crosses(t, s);
+  return has_plane(s) ? intersect(s, t) : some_edge_crosses(s, t);
+}
+
 double squared_distance(const Corners& s, const Corners& t) {
-  if (has_plane(s) && has_plane(t) && intersect(s, t)) return 0;
+  if (cut(s, t)) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
     least = std::min(least, closest_on_triangle(s[i], t[0], t[1], t[2]).squared_distance);

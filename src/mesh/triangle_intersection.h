@@ -19,7 +19,10 @@ bool intersect(const Corners& s, const Corners& t);
 /// The segment goes through the triangle: its ends lie strictly on both sides, and its line meets it.
 bool crosses(const Point& p, const Point& q, const Corners& t);
 
-/// 0 where they intersect. Any triangles: those without area are their longest edge, or their point. Lengths
+/// intersect(), of any triangles: one without a plane cuts as its edges do, and two such ones never.
+bool cut(const Corners& s, const Corners& t);
+
+/// 0 where they cut each other. Any triangles: those without area are their longest edge, or their point. Lengths
 /// from 1e-75 to 1e75.
 double squared_distance(const Corners& s, const Corners& t);
 

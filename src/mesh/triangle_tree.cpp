@@ -30,15 +30,6 @@ double half_solid_angle(const Point& a, const Point& b, const Point& c) {
   return std::atan2(up, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
-// A triangle without a plane is an edge, or a point, which cuts nothing.
-bool cut(const Corners& t, const Corners& other) {
-  if (has_plane(other)) return intersect(t, other);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (crosses(other[i], other[(i + 1) % 3], t)) return true;
-  }
-  return false;
-}
-
 // Told by the middle of the other one where that is enough.
 bool are_near(const Corners& t, const Corners& other, double distance) {
   if (distance <= 0) return cut(t, other);

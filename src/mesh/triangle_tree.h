@@ -41,7 +41,7 @@ public:
   /// found exactly.
   bool is_near(const Corners& t, double distance = 0) const;
 
-  /// The generalised winding number around p, to about 0.01: triangles far away count as one dipole. Sources:
+  /// The generalised winding number around p, to a few hundredths: triangles far away count as one dipole. Sources:
   /// Jacobson et al. 2013, Robust inside-outside segmentation using generalized winding numbers; Barill et
   /// al. 2018, Fast winding numbers for soups and clouds.
   double winding_number(const Point& p) const;

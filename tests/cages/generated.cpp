@@ -1,0 +1,83 @@
+// Cages around models of every kind, judged without what made them.
+#include <doctest/doctest.h>
+
+#include "cages/judge.h"
+#include "cages/make.h"
+#include "cages/models.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+void check_sound(const NamedModel& model, const cages::Wish& wish) {
+  CAPTURE(model.name);
+  CAPTURE(wish.triangles);
+  base::WorkerPool pool(2);
+  for (const std::string& complaint : complaints(cages::make(model.surface, wish, pool), model.surface, wish))
+    FAIL_CHECK(complaint);
+}
+
+// Each model meets one of them, those with a number the next.
+const std::vector<cages::Wish> wishes = {
+    {.triangles = 12},
+    {.triangles = 200, .effort = cages::Effort::preview},
+    {.triangles = 100, .margin = 0.05, .gap = 0, .symmetry = cages::Symmetry::x, .quads = true},
+    {.triangles = 201, .margin = 0.0005, .gap = 0.1, .symmetry = cages::Symmetry::none},
+    {.triangles = 40, .margin = 0.2, .gap = 0.2, .symmetry = cages::Symmetry::z},
+};
+
+}  // namespace
+
+TEST_CASE("every_kind_of_model_gets_a_cage_of_sixty_triangles") {
+  for (const NamedModel& model : generated_models()) check_sound(model, {.triangles = 60});
+}
+
+TEST_CASE("every_kind_of_model_gets_a_cage_as_it_is_wished") {
+  std::size_t next = 0;
+  for (const NamedModel& model : generated_models()) check_sound(model, wishes[next++ % wishes.size()]);
+}
+
+TEST_CASE("every_kind_of_model_gets_a_hull_and_boxes") {
+  for (const NamedModel& model : generated_models()) {
+    check_sound(model, {.kind = cages::Kind::hull, .triangles = 60});
+    check_sound(model, {.kind = cages::Kind::hull, .triangles = 12, .margin = 0.01, .quads = true});
+    check_sound(model, {.kind = cages::Kind::box, .cells = {2, 3, 4}});
+    check_sound(model, {.kind = cages::Kind::box, .margin = 0.02, .own_axes = true});
+  }
+}
+
+TEST_CASE("large_cages_are_sound_too") {
+  check_sound(
+      {"sphere with handles", joined(sphere(3), stretched(torus(30, 10), {0.3, 0.3, 0.3}, {1, 0, 0}))},
+      {.triangles = 600});
+  check_sound({"stool", stool()}, {.triangles = 600, .quads = true});
+  check_sound({"torus", torus(60, 30)}, {.triangles = 2000, .effort = cages::Effort::preview});
+}
+
+TEST_CASE("handles_and_parts_are_kept_where_the_size_allows_and_closed_with_a_word_where_not") {
+  base::WorkerPool pool(2);
+  const auto genus_of = [](const mesh::Surface& s) { return mesh::topology(s, mesh::summarize(s))->genus; };
+  const auto ring = cages::make(torus(40, 20), {.triangles = 200}, pool);
+  CHECK(genus_of(ring.surface) == 1);
+  CHECK(ring.notes.empty());
+  const auto closed = cages::make(stool(), {.triangles = 40}, pool);
+  CHECK(genus_of(closed.surface) <= 1);
+  CHECK(closed.gap > cages::Wish{}.gap);
+  CHECK(some_note_holds(closed, "closed gaps up to "));
+  const auto apart =
+      cages::make(joined(sphere(3), stretched(sphere(3), {1, 1, 1}, {4, 0, 0})), {.triangles = 200}, pool);
+  CHECK(mesh::summarize(apart.surface).parts == 2);
+  CHECK(apart.notes.empty());
+}
+
+TEST_CASE("gaps_are_closed_as_wide_as_is_wished") {
+  base::WorkerPool pool(2);
+  const mesh::Surface plates =
+      joined(stretched(cube(), {1, 1, 0.05}), stretched(cube(), {1, 1, 0.05}, {0, 0, 0.5}));
+  const auto parts = [&](double gap) {
+    return mesh::summarize(cages::make(plates, {.triangles = 300, .gap = gap}, pool).surface).parts;
+  };
+  CHECK(parts(0.01) == 2);
+  CHECK(parts(0.15) == 1);
+}

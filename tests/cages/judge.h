@@ -1,0 +1,112 @@
+// Whether what was made is a cage, told without what made it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "cages/wish.h"
+#include "mesh/self_intersection.h"
+#include "mesh/summary.h"
+#include "mesh/topology.h"
+#include "mesh/triangle_intersection.h"
+#include "mesh/winding_number.h"
+
+namespace viete::test {
+
+inline mesh::Corners corners_of(const mesh::Surface& s, const mesh::Triangle& t) {
+  return {s.positions[t[0]], s.positions[t[1]], s.positions[t[2]]};
+}
+
+/// The model's triangles, or its points as such.
+inline std::vector<mesh::Triangle> pieces_of(const mesh::Surface& model) {
+  if (!model.triangles.empty()) return model.triangles;
+  std::vector<mesh::Triangle> points;
+  for (std::uint32_t v = 0; v < model.positions.size(); ++v) points.push_back({v, v, v});
+  return points;
+}
+
+inline double extent_of(const mesh::Surface& model) {
+  return (model.triangles.empty() ? mesh::bounds(model.positions) : mesh::used_bounds(model)).diagonal();
+}
+
+/// Every pair is looked at.
+inline double least_distance(const mesh::Surface& cage, const mesh::Surface& model) {
+  const double unit = extent_of(model);
+  double least = unit;
+  const auto pieces = pieces_of(model);
+  for (const auto& t : cage.triangles) {
+    const mesh::Corners side = corners_of(cage, t);
+    mesh::Bounds box = mesh::bounds(side);
+    for (const auto& piece : pieces) {
+      const mesh::Corners corners = corners_of(model, piece);
+      const mesh::Bounds other = mesh::bounds(corners);
+      double apart = 0;  // of the boxes
+      for (std::size_t k = 0; k < 3; ++k)
+        apart = std::max({apart, box.low[k] - other.high[k], other.low[k] - box.high[k]});
+      if (apart >= least) continue;
+      least = std::min(least, std::sqrt(mesh::squared_distance(side, corners)));
+    }
+  }
+  return least / unit;
+}
+
+/// The largest distance of a vertex's image to a vertex.
+inline double asymmetry(const mesh::Surface& cage, const cages::Plane& plane) {
+  using namespace mesh;
+  double most = 0;
+  for (const Point& p : cage.positions) {
+    const Point image = p - (2 * (dot(plane.normal, p) - plane.offset)) * plane.normal;
+    double least = HUGE_VAL;
+    for (const Point& q : cage.positions) least = std::min(least, largest_abs(image - q));
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+inline bool some_note_holds(const cages::Made& made, const std::string& words) {
+  return std::ranges::any_of(made.notes, [&](const auto& note) { return note.find(words) != note.npos; });
+}
+
+/// What is wrong with it; empty if all is as promised.
+inline std::vector<std::string> complaints(const cages::Made& made, const mesh::Surface& model,
+                                           const cages::Wish& wish) {
+  std::vector<std::string> all;
+  const mesh::Surface& cage = made.surface;
+  const mesh::Summary summary = mesh::summarize(cage);
+  const auto topology = mesh::topology(cage, summary);
+  if (!topology) return {"no oriented manifold"};
+  if (!summary.closed()) all.push_back("open");
+  if (!summary.unused_vertices.empty()) all.push_back("unused vertices");
+  if (!(summary.volume > 0)) all.push_back("inside out");
+  if (!mesh::self_intersecting_triangles(cage).empty()) all.push_back("cuts itself");
+  const double least = least_distance(cage, model);
+  if (least <= 0) all.push_back("cut by the model");
+  if (least < wish.margin * (1 - 1e-6) && !some_note_holds(made, "no room for the margin"))
+    all.push_back("margin " + std::to_string(100 * least) + " %, nothing said");
+  const auto pieces = pieces_of(model);
+  std::vector<mesh::Point> firsts;
+  for (const auto& piece : pieces) firsts.push_back(model.positions[piece[0]]);
+  std::vector<double> numbers(firsts.size());
+  mesh::winding_numbers(cage, firsts, numbers);
+  if (std::ranges::any_of(numbers, [](double n) { return std::abs(n - 1) > 1e-3; }))
+    all.push_back("not all of the model inside");
+  const mesh::Summary of_model = mesh::summarize(model);
+  const bool solid = of_model.closed() && of_model.parts == 1 && mesh::topology(model, of_model) &&
+                     mesh::self_intersecting_triangles(model).empty();
+  if (solid && summary.volume < std::abs(of_model.volume)) all.push_back("smaller than the model");
+  if (wish.kind != cages::Kind::box && made.notes.empty()) {
+    const double share = static_cast<double>(summary.triangles) / static_cast<double>(wish.triangles);
+    if (share > 1.1 || (share < 0.9 && wish.kind == cages::Kind::automatic))
+      all.push_back(std::to_string(summary.triangles) + " triangles, nothing said");
+  }
+  if (made.mirror) {
+    const mesh::Bounds box = mesh::bounds(cage.positions);
+    const double size = box.diagonal() + mesh::largest_abs(box.center());
+    if (!(asymmetry(cage, *made.mirror) < 1e-13 * size)) all.push_back("not symmetric");
+  }
+  return all;
+}
+
+}  // namespace viete::test

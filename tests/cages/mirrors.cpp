@@ -1,0 +1,67 @@
+// Planes of symmetry, and halves made whole.
+#include <doctest/doctest.h>
+
+#include "cages/judge.h"
+#include "cages/make.h"
+#include "cages/mirror.h"
+#include "cages/models.h"
+
+using namespace viete;
+using namespace viete::test;
+using mesh::operator-, mesh::operator*;
+
+namespace {
+
+mesh::Surface lopsided() {
+  return joined(stretched(cube(), {2, 1, 0.5}), stretched(cube(), {0.3, 0.4, 0.9}, {1.4, 0.5, 0.9}));
+}
+
+mesh::Surface two_sided(const mesh::Surface& half) {
+  return joined(stretched(half, {1, 1, 1}, {3, 0, 0}),
+                stretched(turned_inside_out(half), {-1, 1, 1}, {-3, 0, 0}));
+}
+
+}  // namespace
+
+TEST_CASE("a_half_and_its_image_make_a_whole") {
+  const cages::Shell half = {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, {{0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  const cages::Shell all = cages::whole(half);
+  CHECK(all.positions.size() == 5);
+  const mesh::Surface s = mesh::from_triangles(all.positions, all.triangles);
+  const mesh::Summary summary = mesh::summarize(s);
+  CHECK(summary.closed());
+  CHECK(mesh::topology(s, summary));
+  CHECK(std::abs(summary.volume) == doctest::Approx(1.0 / 3));
+}
+
+TEST_CASE("the_plane_of_a_symmetric_model_is_found_however_it_lies") {
+  for (const double angle : {0.0, 0.4, 1.1}) {
+    CAPTURE(angle);
+    const mesh::Surface model = stretched(turned(two_sided(lopsided()), angle), {1, 1, 1}, {7, -3, 2});
+    const auto plane = cages::symmetry_plane(model, nullptr);
+    REQUIRE(plane);
+    CHECK(asymmetry(model, *plane) < 0.01 * extent_of(model));
+    CHECK(mesh::norm(plane->normal) == doctest::Approx(1).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a_model_without_symmetry_has_no_plane") {
+  CHECK_FALSE(cages::symmetry_plane(lopsided(), nullptr));
+  CHECK_FALSE(cages::symmetry_plane(soup(300, 0.1, 1), nullptr));
+  CHECK_FALSE(cages::symmetry_plane(points_only(cube().positions), nullptr));
+}
+
+TEST_CASE("cages_are_symmetric_about_the_plane_that_is_named_and_enclose_what_is_not") {
+  base::WorkerPool pool(2);
+  const mesh::Surface model = lopsided();
+  for (const auto symmetry : {cages::Symmetry::x, cages::Symmetry::y, cages::Symmetry::z}) {
+    const cages::Wish wish{.triangles = 80, .symmetry = symmetry};
+    const auto made = cages::make(model, wish, pool);
+    REQUIRE(made.mirror);
+    CHECK(made.mirror->normal[static_cast<std::size_t>(symmetry) -
+                              static_cast<std::size_t>(cages::Symmetry::x)] == 1);
+    for (const std::string& complaint : complaints(made, model, wish)) FAIL_CHECK(complaint);
+  }
+  CHECK_FALSE(cages::make(model, {.triangles = 80}, pool).mirror);
+  CHECK(cages::make(two_sided(lopsided()), {.triangles = 80}, pool).mirror);
+}

@@ -1,0 +1,300 @@
+// Models of every kind that cages are made around, by name.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/shapes.h"
+
+namespace viete::test {
+
+inline Surface joined(Surface a, const Surface& b) {
+  auto triangles = a.triangles;
+  const auto first = static_cast<std::uint32_t>(a.positions.size());
+  for (const auto& t : b.triangles) triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  return mesh::from_triangles(a.positions, triangles);
+}
+
+inline Surface stretched(Surface s, const Point& factors, const Point& offset = {0, 0, 0}) {
+  for (Point& p : s.positions) {
+    for (std::size_t k = 0; k < 3; ++k) p[k] = p[k] * factors[k] + offset[k];
+  }
+  return s;
+}
+
+inline Surface turned(Surface s, double angle) {
+  const double c = std::cos(angle), d = std::sin(angle);
+  for (Point& p : s.positions)
+    p = {c * p[0] - d * p[1], c * c * p[1] + c * d * p[0] - d * p[2], d * c * p[1] + d * d * p[0] + c * p[2]};
+  return s;
+}
+
+/// The border of the unit cells (i, j, k) of [0, n)^3 that are inside. Edges may have four triangles.
+inline Surface of_cells(int n, const std::function<bool(int, int, int)>& inside) {
+  std::map<std::array<int, 3>, std::uint32_t> numbers;
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  const auto full = [&](std::array<int, 3> c) {
+    for (const int x : c) {
+      if (x < 0 || x >= n) return false;
+    }
+    return inside(c[0], c[1], c[2]);
+  };
+  const auto vertex = [&](const std::array<int, 3>& c) {
+    const auto [at, added] = numbers.try_emplace(c, static_cast<std::uint32_t>(points.size()));
+    if (added) points.push_back({1.0 * c[0], 1.0 * c[1], 1.0 * c[2]});
+    return at->second;
+  };
+  for (int i = 0; i < n * n * n; ++i) {
+    const std::array<int, 3> cell = {i % n, i / n % n, i / n / n};
+    if (!full(cell)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, 1}) {
+        auto beside = cell;
+        beside[axis] += 2 * side - 1;
+        if (full(beside)) continue;
+        std::array<std::uint32_t, 4> corners{};
+        for (std::size_t c = 0; c < 4; ++c) {
+          auto at = cell;
+          at[axis] += side;
+          at[(axis + 1) % 3] += c == 1 || c == 2;
+          at[(axis + 2) % 3] += c >= 2;
+          corners[side ? c : 3 - c] = vertex(at);
+        }
+        triangles.push_back({corners[0], corners[1], corners[2]});
+        triangles.push_back({corners[0], corners[2], corners[3]});
+      }
+    }
+  }
+  return mesh::from_triangles(points, triangles);
+}
+
+/// A closed tube of triangles along a curve of t in [0, 1].
+inline Surface along(const std::function<Point(double)>& curve, double radius, std::uint32_t rings,
+                     std::uint32_t sides = 8) {
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  for (std::uint32_t r = 0; r < rings; ++r) {
+    const double t = r / (rings - 1.0);
+    const Point p = curve(t);
+    for (std::uint32_t s = 0; s < sides; ++s) {
+      const double a = 2 * std::numbers::pi * s / sides;
+      points.push_back({p[0] + radius * std::cos(a), p[1] + radius * std::sin(a), p[2]});
+    }
+  }
+  for (std::uint32_t r = 0; r + 1 < rings; ++r) {
+    for (std::uint32_t s = 0; s < sides; ++s) {
+      const std::uint32_t a = r * sides + s, b = r * sides + (s + 1) % sides;
+      triangles.insert(triangles.end(), {{a, b, b + sides}, {a, b + sides, a + sides}});
+    }
+  }
+  for (std::uint32_t s = 1; s + 1 < sides; ++s) {
+    const std::uint32_t last = (rings - 1) * sides;
+    triangles.insert(triangles.end(), {{0, s + 1, s}, {last, last + s, last + s + 1}});
+  }
+  return mesh::from_triangles(points, triangles);
+}
+
+/// So many triangles at random in the cube of side 2, of sides about `size`.
+inline Surface soup(std::size_t count, double size, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<double> at(-1, 1);
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const Point middle = {at(engine), at(engine), at(engine)};
+    for (int i = 0; i < 3; ++i)
+      points.push_back(
+          {middle[0] + size * at(engine), middle[1] + size * at(engine), middle[2] + size * at(engine)});
+    triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  return mesh::from_triangles(points, triangles);
+}
+
+inline Surface points_only(std::vector<Point> points) {
+  return mesh::from_triangles(std::move(points), {});
+}
+
+/// The twelve edges of a cube, as triangles without area.
+inline Surface wires() {
+  Surface s = cube();
+  std::vector<Triangle> triangles;
+  for (std::uint32_t v = 0; v < 8; ++v) {
+    for (const std::uint32_t bit : {1U, 2U, 4U}) {
+      if (!(v & bit)) triangles.push_back({v, v | bit, v});
+    }
+  }
+  return mesh::from_triangles(s.positions, triangles);
+}
+
+/// A flat grid of n x n quads without those that `hole` tells.
+inline Surface sheet(int n, const std::function<bool(int, int)>& hole) {
+  Surface s;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) s.positions.push_back({1.0 * i, 1.0 * j, 0});
+  }
+  std::vector<Triangle> triangles;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      if (hole(i, j)) continue;
+      const auto a = static_cast<std::uint32_t>(j * (n + 1) + i), b = a + static_cast<std::uint32_t>(n) + 1;
+      triangles.insert(triangles.end(), {{a, a + 1, b + 1}, {a, b + 1, b}});
+    }
+  }
+  return mesh::from_triangles(s.positions, triangles);
+}
+
+inline Surface without_lower_half(const Surface& s) {
+  std::vector<Triangle> kept;
+  for (const auto& t : s.triangles) {
+    if (s.positions[t[0]][2] + s.positions[t[1]][2] + s.positions[t[2]][2] > 0) kept.push_back(t);
+  }
+  return mesh::from_triangles(s.positions, kept);
+}
+
+inline Surface many_spheres(int count) {
+  std::mt19937_64 engine(7);
+  std::uniform_real_distribution<double> at(-5, 5);
+  Surface all = sphere(2);
+  for (int i = 1; i < count; ++i)
+    all = joined(all, stretched(sphere(2), {0.4, 0.4, 0.4}, {at(engine), at(engine), at(engine)}));
+  return all;
+}
+
+inline Surface shaken(Surface s, double size) {
+  std::mt19937_64 engine(3);
+  std::uniform_real_distribution<double> by(-size, size);
+  for (Point& p : s.positions) {
+    for (double& x : p) x += by(engine);
+  }
+  return s;
+}
+
+inline Surface turned_inside_out(Surface s) {
+  for (auto& t : s.triangles) std::swap(t[1], t[2]);
+  return mesh::from_triangles(s.positions, s.triangles);
+}
+
+/// A fan of n triangles that are as long as a thousand of their widths, twice: a closed sheet of needles.
+inline Surface needles(std::uint32_t n) {
+  std::vector<Point> points = {{0, 0, 0.01}, {0, 0, -0.01}};
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double a = 2 * std::numbers::pi * i / n;
+    points.push_back({std::cos(a), std::sin(a), 0});
+    const std::uint32_t here = 2 + i, next = 2 + (i + 1) % n;
+    triangles.insert(triangles.end(), {{0, here, next}, {1, next, here}});
+  }
+  return mesh::from_triangles(points, triangles);
+}
+
+inline Surface stool() {
+  return of_cells(13, [](int i, int j, int k) {
+    const bool leg = (i == 1 || i == 11) && (j == 1 || j == 11);
+    const bool rung =
+        k == 4 && ((i == 1 || i == 11) || (j == 1 || j == 11)) && i >= 1 && i <= 11 && j >= 1 && j <= 11;
+    return k == 12 || leg || rung;
+  });
+}
+
+inline Surface comb() {
+  return of_cells(21, [](int i, int j, int k) { return k < 2 && (j < 3 || i % 2 == 0); });
+}
+
+/// Cells at random: many tunnels, and edges with four triangles.
+inline Surface sponge() {
+  std::mt19937_64 engine(11);
+  std::vector<std::uint8_t> full(512);
+  for (auto& cell : full) cell = engine() % 2;
+  return of_cells(
+      8, [&](int i, int j, int k) { return full[static_cast<std::size_t>(i + 8 * j + 64 * k)] != 0; });
+}
+
+inline Surface coil() {
+  return along(
+      [](double t) {
+        const double a = 10 * std::numbers::pi * t;
+        return Point{std::cos(a), std::sin(a), 2 * t};
+      },
+      0.08, 200);
+}
+
+inline Surface spikes() {
+  Surface s = sphere(3);
+  for (std::size_t v = 0; v < s.positions.size(); v += 17) {
+    for (double& x : s.positions[v]) x *= 3;
+  }
+  return s;
+}
+
+inline Surface book() {
+  return mesh::from_triangles({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0.3, 0}, {0.2, 1, 0.5}, {0, -1, 1}},
+                              {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 1, 5}});
+}
+
+struct NamedModel {
+  std::string name;
+  Surface surface;
+};
+
+/// With an extent each.
+inline std::vector<NamedModel> generated_models() {
+  std::vector<NamedModel> all;
+  const auto add = [&](std::string name, Surface surface) {
+    all.push_back({std::move(name), std::move(surface)});
+  };
+  add("cube", cube());
+  add("sphere", sphere(4));
+  add("torus", torus(40, 20));
+  add("open torus", torus(40, 20, true));
+  add("sphere with handles", joined(joined(sphere(3), stretched(torus(30, 10), {0.3, 0.3, 0.3}, {1, 0, 0})),
+                                    turned(stretched(torus(30, 10), {0.25, 0.25, 0.3}, {-0.8, 0.5, 0}), 1)));
+  add("linked rings", joined(torus(40, 12), stretched(turned(torus(40, 12), 1.5), {1, 1, 1}, {2, 0, 0})));
+  add("comb", comb());
+  add("stool", stool());
+  add("sponge", sponge());
+  add("coil", coil());
+  add("spikes", spikes());
+  add("plate", stretched(cube(), {1, 1, 1e-3}));
+  add("turned plate", turned(stretched(cube(), {1, 0.7, 1e-3}), 0.6));
+  add("two plates", joined(stretched(cube(), {1, 1, 1e-3}), stretched(cube(), {1, 1, 1e-3}, {0, 0, 0.02})));
+  add("rod", stretched(cube(), {1, 1e-3, 1e-3}));
+  add("soup", soup(300, 0.1, 1));
+  add("dense soup", soup(3000, 0.3, 2));
+  add("forty parts", many_spheres(40));
+  add("book", book());
+  add("needles", needles(600));
+  add("half sphere", without_lower_half(sphere(4)));
+  add("sheet with holes", sheet(20, [](int i, int j) { return i % 5 == 2 && j % 4 == 1; }));
+  add("points", points_only(soup(200, 0.1, 5).positions));
+  add("two points", points_only({{0, 0, 0}, {1, 2, 3}}));
+  add("points in a plane", points_only({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0.2, 0}}));
+  add("triangle", mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0.2, 0.9, 0.4}}, {{0, 1, 2}}));
+  add("segment", mesh::from_triangles({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}, {{0, 1, 2}, {0, 2, 1}, {1, 1, 2}}));
+  add("wires", wires());
+  add("inside out", turned_inside_out(sphere(3)));
+  add("every triangle twice", joined(torus(30, 12), torus(30, 12)));
+  add("a part within", joined(sphere(3), stretched(turned_inside_out(sphere(3)), {0.8, 0.8, 0.8})));
+  add("a part far away", joined(sphere(3), stretched(sphere(2), {0.1, 0.1, 0.1}, {60, 20, 10})));
+  add("unused vertices", [] {
+    Surface s = sphere(3);
+    s.positions.push_back({50, 40, 30});
+    return s;
+  }());
+  add("nearly mirrored", shaken(stool(), 0.05));
+  add("shaken sphere", shaken(sphere(4), 0.02));
+  add("huge", moved(torus(30, 12), 1e50));
+  add("tiny", moved(torus(30, 12), 1e-50));
+  add("far away", moved(stool(), 1, 1e7));
+  return all;
+}
+
+}  // namespace viete::test

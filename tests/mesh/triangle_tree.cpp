@@ -1,0 +1,165 @@
+#include "mesh/triangle_tree.h"
+
+#include <doctest/doctest.h>
+
+#include <numeric>
+#include <random>
+
+#include "mesh/shapes.h"
+#include "mesh/triangle.h"
+#include "mesh/winding_number.h"
+
+using namespace viete;
+using namespace viete::mesh;
+
+namespace {
+
+class TreeCase {
+public:
+  explicit TreeCase(unsigned seed) : engine_(seed) {}
+
+  Vec3 vector(double size) {
+    std::uniform_real_distribution<double> number(-size, size);
+    return {number(engine_), number(engine_), number(engine_)};
+  }
+  Corners triangle(double size) {
+    const Point p = vector(1);
+    return {p, p + vector(size), p + vector(size)};
+  }
+  // Random ones, needles, segments and points.
+  Surface mixed(std::size_t count) {
+    std::vector<Point> points;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t t = 0; t < count; ++t) {
+      Corners c = triangle(t % 5 == 0 ? 1 : 0.1);
+      if (t % 7 == 1) c[2] = c[0] + 1e-9 * (c[1] - c[0]);
+      if (t % 7 == 2) c[2] = 0.5 * (c[0] + c[1]);
+      if (t % 7 == 3) c[1] = c[2] = c[0];
+      points.insert(points.end(), c.begin(), c.end());
+      triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    return from_triangles(points, triangles);
+  }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+Corners at(const Surface& s, std::size_t t) {
+  const Triangle& v = s.triangles[t];
+  return {s.positions[v[0]], s.positions[v[1]], s.positions[v[2]]};
+}
+
+}  // namespace
+
+TEST_CASE("the_tree_finds_the_nearest_triangle_as_looking_at_all_does") {
+  TreeCase random(1);
+  for (const std::size_t count : {1, 4, 5, 63, 1000}) {
+    const Surface s = random.mixed(count);
+    const TriangleTree tree(s.positions, s.triangles);
+    for (int i = 0; i < 200; ++i) {
+      const Point p = random.vector(i % 2 ? 1.0 : 20.0);
+      double least = HUGE_VAL;
+      for (std::size_t t = 0; t < count; ++t) {
+        const Corners c = at(s, t);
+        least = std::min(least, closest_on_triangle(p, c[0], c[1], c[2]).squared_distance);
+      }
+      const auto found = tree.nearest(p);
+      CHECK(found.squared_distance == least);
+      const Corners c = at(s, found.triangle);
+      CHECK(closest_on_triangle(p, c[0], c[1], c[2]).squared_distance == least);
+      CHECK(tree.nearest(p, least * (1 + 1e-9)).squared_distance == least);
+      CHECK(tree.nearest(p, least).squared_distance == HUGE_VAL);
+      CHECK(tree.nearest(p, least).triangle == std::numeric_limits<std::uint32_t>::max());
+    }
+  }
+}
+
+TEST_CASE("the_tree_finds_what_is_near_a_triangle_as_looking_at_all_does") {
+  TreeCase random(2);
+  int near = 0, far = 0;
+  for (const std::size_t count : {1, 30, 300}) {
+    const Surface s = random.mixed(count);
+    const TriangleTree tree(s.positions, s.triangles);
+    for (int i = 0; i < 300; ++i) {
+      const Corners t = random.triangle(i % 3 == 0 ? 1 : 0.05);
+      double least = HUGE_VAL;
+      bool cut = false;
+      for (std::size_t other = 0; other < count; ++other) {
+        const Corners c = at(s, other);
+        least = std::min(least, squared_distance(t, c));
+        cut = cut ||
+              (has_plane(c) ? intersect(t, c)
+                            : crosses(c[0], c[1], t) || crosses(c[1], c[2], t) || crosses(c[2], c[0], t));
+      }
+      CHECK(tree.is_near(t) == cut);
+      const double distance = std::sqrt(least);
+      if (distance > 0) {
+        CHECK(tree.is_near(t, distance * (1 + 1e-9)));
+        CHECK_FALSE(tree.is_near(t, distance * (1 - 1e-9)));
+      }
+      ++(cut ? near : far);
+    }
+  }
+  CHECK(near > 50);
+  CHECK(far > 50);
+}
+
+TEST_CASE("any_in_visits_every_box_that_meets_one_until_it_is_told_to_stop") {
+  TreeCase random(3);
+  const Surface s = random.mixed(500);
+  const TriangleTree tree(s.positions, s.triangles);
+  for (int i = 0; i < 100; ++i) {
+    const Bounds box = bounds(random.triangle(0.5));
+    std::vector<std::uint32_t> visited, expected;
+    CHECK_FALSE(tree.any_in(box, [&](std::uint32_t t, const Corners& c) {
+      CHECK(c == at(s, t));
+      visited.push_back(t);
+      return false;
+    }));
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+      if (meet(bounds(at(s, t)), box)) expected.push_back(t);
+    }
+    std::ranges::sort(visited);
+    CHECK(visited == expected);
+    CHECK(tree.any_in(box, [](auto, const auto&) { return true; }) == !expected.empty());
+  }
+}
+
+TEST_CASE("the_tree_winds_as_all_triangles_together_do") {
+  TreeCase random(4);
+  for (const Surface& s : {test::sphere(4), test::torus(60, 30, true), random.mixed(400)}) {
+    const TriangleTree tree(s.positions, s.triangles);
+    std::vector<Point> places;
+    for (int i = 0; i < 400; ++i) places.push_back(random.vector(3));
+    std::vector<double> numbers(places.size());
+    winding_numbers(s, places, numbers);
+    double worst = 0, sum = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double error = std::abs(tree.winding_number(places[i]) - numbers[i]);
+      worst = std::max(worst, error);
+      sum += error;
+    }
+    CHECK(worst < 0.08);
+    CHECK(sum / static_cast<double>(places.size()) < 0.03);
+  }
+}
+
+TEST_CASE("a_tree_of_equal_triangles_is_no_deeper_and_works") {
+  const Surface one = test::cube();
+  std::vector<Triangle> many(50'000, one.triangles[0]);
+  const TriangleTree tree(one.positions, many);
+  const Corners c = at(one, 0);
+  CHECK(tree.nearest(c[0]).squared_distance == 0);
+  CHECK(std::abs(tree.nearest({0, 0, -3}).squared_distance - 4) < 1e-12);
+  CHECK_FALSE(tree.is_near({Point{5, 5, 5}, Point{6, 5, 5}, Point{5, 6, 5}}, 0.1));
+}
+
+TEST_CASE("the_tree_is_left_when_the_work_is_cancelled") {
+  const Surface s = test::sphere(4);
+  base::Progress progress;
+  const TriangleTree tree(s.positions, s.triangles, &progress);
+  CHECK(progress.done() > 0.9);
+  progress.cancel();
+  CHECK_THROWS_AS(TriangleTree(s.positions, s.triangles, &progress), base::Cancelled);
+}
