@@ -145,8 +145,8 @@ void add_cage_command(CLI::App& app, Action& action) {
                     "Of boxes: along the mesh's own longest extents instead of the file's axes");
   command->footer(
       "The cage is closed, does not cut itself, and encloses every triangle of the mesh. Handles of the mesh "
-      "are kept where the "
-      "size allows; a note says which were closed.");
+      "are kept where the size allows; a note says what was closed, or where there is no room for the "
+      "margin.");
   command->callback([o, &action] { action = [o] { return make_cage(*o); }; });
 }
 

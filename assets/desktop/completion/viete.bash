@@ -13,7 +13,7 @@ _viete_value() {
     -o | --output)
       case $1 in
         render) _filedir png ;;
-        deform) _filedir "$_viete_meshes" ;;
+        deform | cage) _filedir "$_viete_meshes" ;;
         *) _filedir ;;
       esac
       ;;
@@ -29,6 +29,11 @@ _viete_value() {
     --look) words='home front back left right top bottom' ;;
     --shading) words='clay file checker normals' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
+    --kind) words='automatic box hull' ;;
+    --symmetry) words='auto none x y z' ;;
+    --triangles) words='60 200 600' ;;
+    --margin | --gap) words='0.15 0.5 2' ;;
+    --cells) words='1x1x1 2x2x2 3x3x3' ;;
     --scale | --frames | --iterations | --pins | --hold | --tolerance | --count | --faces | --rounds) ;;
     *) return 1 ;;
   esac
@@ -48,6 +53,7 @@ _viete_options() {
       ;;
     deform) options+=' --output --digits --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     bind) options+=' --output --force --elements --weights --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
+    cage) options+=' --output --force --kind --triangles --margin --gap --symmetry --quads --cells --own-axes' ;;
     info) options+=' --cage' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;
     'bench eigen') options+=' --force --count --json --plot' ;;
@@ -66,7 +72,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform bind info bench help' benches='exp eigen accuracy sym3 frame bind files modes stitched'
+  local commands='view render deform bind cage info bench help' benches='exp eigen accuracy sym3 frame bind files modes stitched'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -78,7 +84,7 @@ _viete() {
     *:bench) COMPREPLY=($(compgen -W "$benches" -- "$cur")) ;;
     *:bench\ frame | *:bench\ bind | *:bench\ files | *:bench\ modes | *:bench\ stitched) _filedir "$_viete_meshes" ;;
     *:bench\ *) ;;
-    *:info) _filedir "$_viete_meshes" ;;
+    *:info | *:cage) _filedir "$_viete_meshes" ;;
     *)
       _filedir '@(obj|ply|off|stl|glb|gltf|viete)'
       [[ $cword -gt 1 ]] || COMPREPLY+=($(compgen -W "$commands" -- "$cur"))

@@ -3,7 +3,7 @@
 # The command is one of these; "view" may be left out.
 function __viete_in
     set -l words (commandline -opc) view
-    contains -- "$words[2]" view render deform bind info bench; or set words[2] view
+    contains -- "$words[2]" view render deform bind cage info bench; or set words[2] view
     contains -- "$words[2]" $argv
 end
 
@@ -22,15 +22,24 @@ $c -n '__viete_first 1' -a view -d 'Open the viewer'
 $c -n '__viete_first 1' -a render -d 'Render a picture'
 $c -n '__viete_first 1' -a deform -d 'Deform a mesh by a posed cage'
 $c -n '__viete_first 1' -a bind -d 'Bind a model to its cage'
+$c -n '__viete_first 1' -a cage -d 'Make a cage around a mesh'
 $c -n '__viete_first 1' -a info -d 'What mesh files hold'
 $c -n '__viete_first 1' -a bench -d 'Measure speed and accuracy'
 $c -n '__viete_first 1' -a help -d 'What a command can do'
 $c -n '__viete_first 1' -l version -d 'Version, compiler and kernel'
 $c -s h -l help -d 'What it can do'
 
-$c -n '__viete_in render deform bind' -s o -l output -r -d 'File to write'
-$c -n '__viete_in render deform bind; or __viete_bench exp eigen accuracy sym3 frame bind files modes stitched' -l force -d 'Replace other files too'
+$c -n '__viete_in render deform bind cage' -s o -l output -r -d 'File to write'
+$c -n '__viete_in render deform bind cage; or __viete_bench exp eigen accuracy sym3 frame bind files modes stitched' -l force -d 'Replace other files too'
 $c -n '__viete_in deform' -l digits -x -a 'all 4 6 9' -d 'Decimals of what moved in text files'
+$c -n '__viete_in cage' -l kind -x -a 'automatic box hull' -d 'What cage'
+$c -n '__viete_in cage' -l triangles -x -a '60 200 600' -d 'Size of the cage'
+$c -n '__viete_in cage' -l margin -x -a '0.15 0.5 2' -d 'Distance to the mesh, percent'
+$c -n '__viete_in cage' -l gap -x -a '0.15 0.5 2' -d 'Which gaps are closed, percent'
+$c -n '__viete_in cage' -l symmetry -x -a 'auto none x y z' -d 'About which plane'
+$c -n '__viete_in cage' -l quads -d 'Pair triangles to quads'
+$c -n '__viete_in cage' -l cells -x -a '1x1x1 2x2x2 3x3x3' -d 'Of boxes, along each axis'
+$c -n '__viete_in cage' -l own-axes -d 'Of boxes, along the extents of the mesh'
 $c -n '__viete_in view render deform' -l pose -r -d 'Posed cage'
 $c -n '__viete_in info' -l cage -r -d 'Cage to check'
 $c -n '__viete_in view render' -l binding -r -d 'What viete bind has saved'

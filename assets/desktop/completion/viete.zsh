@@ -42,6 +42,11 @@ case $command in
     ;;
   deform) specs+=($files $output '--digits=[decimals of what moved in text files]:decimals:(all 4 6 9)' $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched) ;;
   bind) specs+=($files $output $weighting $coordinates $reach $limits $tolerance) ;;
+  cage) specs+=("1:mesh:$mesh" $output '--kind=[what cage]:kind:(automatic box hull)'
+      '--triangles=[size of the cage]:triangles:(60 200 600)' '--margin=[distance to the mesh, percent]:percent:(0.15 0.5 2)'
+      '--gap=[which gaps are closed, percent]:percent:(0.15 0.5 2)' '--symmetry=[about which plane]:symmetry:(auto none x y z)'
+      '--quads[pair triangles to quads]' '--cells=[of boxes, along each axis]:cells:(1x1x1 2x2x2 3x3x3)'
+      '--own-axes[of boxes, along the extents of the mesh]') ;;
   info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
   'bench exp') specs+=($count $json $plot $float) ;;
   'bench eigen') specs+=($count $json $plot) ;;
@@ -61,7 +66,7 @@ esac
 
 if ((CURRENT == 2)) && [[ $PREFIX != -* ]]; then
   local -a commands=('view:open the viewer' 'render:render a picture' 'deform:deform a mesh by a posed cage'
-    'bind:bind a model to its cage' 'info:what mesh files hold' 'bench:measure speed and accuracy'
+    'bind:bind a model to its cage' 'cage:make a cage around a mesh' 'info:what mesh files hold' 'bench:measure speed and accuracy'
     'help:what a command can do')
   _describe command commands
   eval "$any"
@@ -70,7 +75,7 @@ fi
 
 # The words of the command are no files.
 local -i skip=0
-[[ $command == (view|render|deform|bind|info|bench\ *) ]] && skip=1
+[[ $command == (view|render|deform|bind|cage|info|bench\ *) ]] && skip=1
 [[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|modes|stitched) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))
