@@ -1,6 +1,9 @@
 // The program as a shell sees it: subcommands, outputs, errors, exit codes.
+#include <tiny_gltf.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <vector>
 
@@ -9,6 +12,7 @@
 #include "program/command_line.h"
 #include "render/image.h"
 #include "scene/cube.h"
+#include "support/gltf.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -301,4 +305,73 @@ TEST_CASE("a_pose_with_another_number_of_vertices_is_refused_with_both_counts") 
   CHECK(outcome.code == 1);
   CHECK(mentions(outcome, "other.obj"));
   CHECK(mentions(outcome, "3"));
+}
+
+namespace {
+
+// What a reader that is not ours finds in a GLB.
+struct Judged {
+  std::string image;
+  std::vector<float> positions, texture;
+};
+
+std::vector<float> judged_floats(const tinygltf::Model& model, const char* attribute) {
+  const int index = model.meshes.at(0).primitives.at(0).attributes.at(attribute);
+  const auto& accessor = model.accessors.at(static_cast<std::size_t>(index));
+  const auto& view = model.bufferViews.at(static_cast<std::size_t>(accessor.bufferView));
+  const auto* from = model.buffers.at(0).data.data() + view.byteOffset + accessor.byteOffset;
+  std::vector<float> values(view.byteLength / sizeof(float));
+  std::memcpy(values.data(), from, view.byteLength);
+  return values;
+}
+
+Judged judged(const fs::path& file) {
+  Judged found;
+  tinygltf::TinyGLTF loader;
+  tinygltf::Model model;
+  std::string problem, warning;
+  loader.SetImageLoader(
+      [](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
+         void* to) {
+        static_cast<Judged*>(to)->image.assign(reinterpret_cast<const char*>(bytes),
+                                               static_cast<std::size_t>(size));
+        return true;
+      },
+      &found);
+  REQUIRE_MESSAGE(loader.LoadBinaryFromFile(&model, &problem, &warning, file.string()), problem);
+  const auto& material =
+      model.materials.at(static_cast<std::size_t>(model.meshes.at(0).primitives.at(0).material));
+  CHECK(material.pbrMetallicRoughness.baseColorTexture.index == 0);
+  found.positions = judged_floats(model, "POSITION");
+  found.texture = judged_floats(model, "TEXCOORD_0");
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a_deformed_textured_glb_opens_in_another_reader_with_its_texture_in_place") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "a.glb", test::patch().glb());
+  std::string cage, pose;
+  for (int i = 0; i < 8; ++i) {
+    const int x = i & 1 ? 3 : -1, y = i & 2 ? 2 : -1, z = i & 4 ? 1 : -1;
+    cage += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    pose += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z + x) + "\n";
+  }
+  const std::string faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  test::put_file(folder / "cage.obj", cage + faces);
+  test::put_file(folder / "pose.obj", pose + faces);
+  const auto at = [&](const char* name) { return test::quoted(folder / name); };
+  const auto deform = [&](const char* posed, const char* out) {
+    return test::run("deform " + at("a.glb") + " " + at("cage.obj") + " --pose " + at(posed) + " -o " +
+                     at(out));
+  };
+  REQUIRE(deform("pose.obj", "b.glb").code == 0);
+  const Judged before = judged(folder / "a.glb"), after = judged(folder / "b.glb");
+  CHECK(after.image == before.image);
+  CHECK(after.image.substr(1, 3) == "PNG");
+  CHECK(after.texture == before.texture);
+  CHECK(after.positions != before.positions);
+  REQUIRE(deform("cage.obj", "rest.glb").code == 0);
+  CHECK(test::file_bytes(folder / "rest.glb") == test::patch().glb());
 }
