@@ -172,25 +172,4 @@ bool looks_like_obj(const Source& source) {
   return small_obj_word(text.word()) != ObjWord::unknown;
 }
 
-void write_obj(const Content& content, TextWriter& out) {
-  const Surface& surface = content.surface;
-  const auto& positions = content.positions;
-  const auto& comments = content.comments;
-  const std::size_t all = positions.size() + surface.polygon_count();
-  std::size_t done = 0;
-  out.comments("# ", comments);
-  for (const Point& p : positions) {
-    out.text("v ").point(p).text("\n");
-    out.element_done(++done, all);
-  }
-  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
-    out.text("f");
-    for (auto c = surface.polygon_starts[p]; c < surface.polygon_starts[p + 1]; ++c) {
-      out.text(" ").number(std::uint64_t{surface.corners[c]} + 1);
-    }
-    out.text("\n");
-    out.element_done(++done, all);
-  }
-}
-
 }  // namespace viete::mesh

@@ -21,6 +21,11 @@ ReadResult read_obj(const Source& source);
 /// True if the first line that holds more than a comment starts with a word that only OBJ files use.
 bool looks_like_obj(const Source& source);
 
+/// The shortest digits that read back as the same numbers, unless other digits are asked for. Of the
+/// attributes all but materials' colours and images.
 void write_obj(const Content& content, TextWriter& out);
+
+/// The same with a line that names the library of its materials; none if that is empty.
+void write_obj_with_library(const Content& content, const std::string& library, TextWriter& out);
 
 }  // namespace viete::mesh

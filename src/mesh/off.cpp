@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/conversion.h"
 #include "mesh/off_original.h"
+#include "mesh/printed.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
 
@@ -174,14 +176,18 @@ bool looks_like_off(const Source& source) {
 void write_off(const Content& content, TextWriter& out) {
   const Surface& surface = content.surface;
   const auto& positions = content.positions;
-  const auto& comments = content.comments;
   const std::size_t all = positions.size() + surface.polygon_count();
+  const bool colored = content.attributes && !content.attributes->colors.empty();
   std::size_t done = 0;
-  out.text("OFF\n").comments("# ", comments);
+  out.text(colored ? "COFF\n" : "OFF\n").comments("# ", content.comments);
   out.number(std::uint64_t{positions.size()}).text(" ");
   out.number(std::uint64_t{surface.polygon_count()}).text(" 0\n");
-  for (const Point& p : positions) {
-    out.point(p).text("\n");
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    print_point(positions[v], out);
+    if (colored) {
+      for (const float x : content.attributes->colors[v]) out.text(" ").number(std::uint64_t{color_byte(x)});
+    }
+    out.text("\n");
     out.element_done(++done, all);
   }
   for (std::size_t p = 0; p < surface.polygon_count(); ++p) {

@@ -14,7 +14,7 @@ namespace viete::mesh {
 inline constexpr TextRules off_rules{.comment = '#'};
 
 /// Source: Geomview manual, "OFF Files". Read: OFF and its forms with colours, normals or texture coordinates
-/// behind the positions, which are passed over; comments; the word OFF itself may be missing. Not read: 4OFF,
+/// behind the positions; comments; the word OFF itself may be missing. Not read: 4OFF,
 /// nOFF, BINARY. Throws base::Error, base::Cancelled.
 ReadResult read_off(const Source& source);
 

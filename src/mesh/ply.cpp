@@ -4,10 +4,13 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/conversion.h"
 #include "mesh/ply_attributes.h"
 #include "mesh/ply_header.h"
 #include "mesh/ply_original.h"
@@ -163,6 +166,51 @@ void write_little_endian(TextWriter& out, T value) {
   out.text({raw.data(), raw.size()});
 }
 
+// Positions in double; normals, colours and texture points where there is one a vertex.
+class PlyVertexOutput {
+public:
+  explicit PlyVertexOutput(const Content& content) : positions_(content.positions), a_(content.attributes) {
+    if (!a_) return;
+    if (!a_->corner_normal.empty()) normals_ = one_a_vertex(content.surface, a_->corner_normal);
+    if (!a_->corner_texture.empty()) texture_ = one_a_vertex(content.surface, a_->corner_texture);
+    colored_ = !a_->colors.empty();
+  }
+
+  void header(TextWriter& out) const {
+    out.text("element vertex ").number(std::uint64_t{positions_.size()});
+    out.text("\nproperty double x\nproperty double y\nproperty double z\n");
+    if (normals_) out.text("property float nx\nproperty float ny\nproperty float nz\n");
+    if (colored_) {
+      for (const char* name : {"red", "green", "blue", "alpha"})
+        out.text("property uchar ").text(name).text("\n");
+    }
+    if (texture_) out.text("property float s\nproperty float t\n");
+  }
+
+  void row(std::size_t v, TextWriter& out) const {
+    for (const double x : positions_[v]) write_little_endian(out, x);
+    if (normals_) {
+      const std::uint32_t n = (*normals_)[v];
+      for (const double x : n == none ? Vec3{0, 0, 0} : a_->normals[n])
+        write_little_endian(out, static_cast<float>(x));
+    }
+    if (colored_) {
+      for (const float x : a_->colors[v]) write_little_endian(out, color_byte(x));
+    }
+    if (texture_) {
+      const std::uint32_t t = (*texture_)[v];
+      for (const double x : t == none ? Vec2{0, 0} : a_->texture_points[t])
+        write_little_endian(out, static_cast<float>(x));
+    }
+  }
+
+private:
+  std::span<const Point> positions_;
+  const Attributes* a_;
+  std::optional<std::vector<std::uint32_t>> normals_, texture_;
+  bool colored_ = false;
+};
+
 }  // namespace
 
 ReadResult read_ply(const Source& source) {
@@ -199,21 +247,20 @@ bool looks_like_ply(const Source& source) {
 
 void write_ply(const Content& content, TextWriter& out) {
   const Surface& surface = content.surface;
-  const auto& positions = content.positions;
-  const auto& comments = content.comments;
+  const PlyVertexOutput vertices(content);
   const std::uint64_t polygons = surface.polygon_count();
   bool large = false;  // a polygon of more than 255 corners
   for (std::size_t p = 0; p < polygons; ++p)
     large |= surface.polygon_starts[p + 1] - surface.polygon_starts[p] > 255;
-  out.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", comments);
-  out.text("element vertex ").number(std::uint64_t{positions.size()});
-  out.text("\nproperty double x\nproperty double y\nproperty double z\nelement face ").number(polygons);
+  out.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", content.comments);
+  vertices.header(out);
+  out.text("element face ").number(polygons);
   out.text(large ? "\nproperty list uint uint" : "\nproperty list uchar uint")
       .text(" vertex_indices\nend_header\n");
-  const std::size_t all = positions.size() + polygons;
+  const std::size_t all = content.positions.size() + polygons;
   std::size_t done = 0;
-  for (const Point& p : positions) {
-    for (const double x : p) write_little_endian(out, x);
+  for (std::size_t v = 0; v < content.positions.size(); ++v) {
+    vertices.row(v, out);
     out.element_done(++done, all);
   }
   for (std::size_t p = 0; p < polygons; ++p) {

@@ -108,4 +108,14 @@ bool Printed::same(double a, double b) const {
   return print(a, of_a) == print(b, of_b);
 }
 
+void print_point(const Point& p, TextWriter& out) {
+  if (out.digits().kind != Digits::Kind::decimals) {
+    out.point(p);
+    return;
+  }
+  const Printed printed(out.digits());
+  std::array<char, 400> room;
+  for (std::size_t i = 0; i < 3; ++i) out.text(i > 0 ? " " : "").text(printed.print(p[i], room));
+}
+
 }  // namespace viete::mesh

@@ -38,4 +38,7 @@ private:
   bool capital_ = false;  // E
 };
 
+/// With the writer's digits: so many decimals, or the shortest that read back as the same numbers.
+void print_point(const Point& p, TextWriter& out);
+
 }  // namespace viete::mesh

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "mesh/point_index.h"
+#include "mesh/printed.h"
 #include "mesh/stl_original.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
@@ -220,7 +221,11 @@ void write_stl(const Content& content, TextWriter& out) {
   for (const Triangle& t : surface.triangles) {
     const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
     out.text(" facet normal ").point(unit_normal(a, b, c)).text("\n  outer loop\n");
-    for (const Point& p : {a, b, c}) out.text("   vertex ").point(p).text("\n");
+    for (const Point& p : {a, b, c}) {
+      out.text("   vertex ");
+      print_point(p, out);
+      out.text("\n");
+    }
     out.text("  endloop\n endfacet\n");
     out.element_done(++done, surface.triangles.size());
   }

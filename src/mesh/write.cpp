@@ -1,7 +1,10 @@
 #include "mesh/write.h"
 
+#include <system_error>
+
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "mesh/conversion.h"
 #include "mesh/gltf_output.h"
 #include "mesh/obj.h"
 #include "mesh/off.h"
@@ -27,6 +30,24 @@ Format format_for(const std::filesystem::path& path) {
   throw base::Error(path.string(), found, "use .obj, .ply, .off, .stl, .glb or .gltf");
 }
 
+template <class Fill>
+void write_as(const std::filesystem::path& path, Digits digits, base::Progress* progress, const Fill& fill) {
+  base::replace_file(path, [&](const base::ByteSink& sink) {
+    TextWriter out(sink, progress, digits);
+    fill(out);
+    out.finish();
+  });
+}
+
+// Beside the model; it takes the place of no other file.
+std::filesystem::path library_path(std::filesystem::path model, const std::string& library) {
+  const auto path = model.replace_extension(".mtl");
+  std::error_code code;
+  const bool same =
+      std::filesystem::is_regular_file(path, code) && FileBytes(path, nullptr).view() == library;
+  return same ? path : base::unused_name(path);
+}
+
 }  // namespace
 
 void write(const std::filesystem::path& path, const Surface& surface,
@@ -44,12 +65,24 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   if (original && original->writes(extension_of(path)))
     return original->write_file(path, content.surface, content.positions, digits, progress);
   const Format format = format_for(path);
-  base::replace_file(path, [&](const base::ByteSink& sink) {
-    TextWriter out(sink, progress, digits);
-    format(content, out);
-    out.finish();
-  });
-  return {};
+  if (!content.attributes || format == write_glb || format == write_gltf) {  // glTF takes them as they were
+    write_as(path, digits, progress, [&](TextWriter& out) { format(content, out); });
+    return {};
+  }
+  const Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
+  const Content converted{content.surface, content.positions, content.comments, &now};
+  std::vector<std::string> notes = left_out(extension_of(path), content.surface, *content.attributes, now);
+  if (format != write_obj || now.materials.empty()) {
+    write_as(path, digits, progress, [&](TextWriter& out) { format(converted, out); });
+    return notes;
+  }
+  const std::string library = material_library(now);
+  const std::filesystem::path beside = library_path(path, library);
+  write_as(path, digits, progress,
+           [&](TextWriter& out) { write_obj_with_library(converted, beside.filename().string(), out); });
+  base::replace_file(beside, library);
+  notes.push_back("the materials are in " + beside.string());
+  return notes;
 }
 
 void check_format(const std::filesystem::path& path) {

@@ -1,0 +1,40 @@
+// What becomes of a file's attributes when its surface is written in another format.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/attributes.h"
+#include "mesh/surface.h"
+#include "mesh/text_writer.h"
+
+namespace viete::mesh {
+
+/// The attributes as a deformation of the surface leaves them: normals follow.
+Attributes deformed_attributes(const Surface& rest, std::span<const Point> positions,
+                               const Attributes& attributes);
+
+/// Of each vertex the index that all its corners have, none where it has no corner; nothing where corners of
+/// one vertex differ.
+std::optional<std::vector<std::uint32_t>> one_a_vertex(const Surface& surface,
+                                                       const std::vector<std::uint32_t>& of_corner);
+
+/// What a format cannot hold of the attributes that were given, see deformed_attributes(), one line each:
+/// "STL has no texture coordinates: 1,234 left out".
+std::vector<std::string> left_out(std::string_view extension, const Surface& surface, const Attributes& given,
+                                  const Attributes& deformed);
+
+std::string short_number(float value);
+/// From 0 to 255.
+std::uint8_t color_byte(float value);
+
+/// Of one line, and never empty.
+std::string name_of_material(const Attributes& attributes, std::uint32_t material);
+
+/// A library of the materials: names, colours, and images that lie in files of their own.
+std::string material_library(const Attributes& attributes);
+
+}  // namespace viete::mesh

@@ -1,0 +1,20 @@
+// One input as a material library: it must answer with materials whose numbers are sound, and nothing else.
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "mesh/mtl.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const viete::mesh::Source source{"fuzz", "mtl", bytes, nullptr, nullptr, "/folder"};
+  const auto materials = viete::mesh::read_mtl(source);
+  if (materials.size() > size) std::abort();
+  for (const auto& m : materials) {
+    for (const float x : m.material.base_color) {
+      if (!(x >= 0 && x <= 1)) std::abort();
+    }
+    if (!m.image.empty() && !m.image.is_absolute()) std::abort();
+  }
+  return 0;
+}

@@ -1,0 +1,104 @@
+// What a file says besides positions, in another format.
+#include "mesh/conversion.h"
+
+#include <doctest/doctest.h>
+
+#include "mesh/shapes.h"
+#include "mesh/write.h"
+
+using namespace viete;
+using namespace viete::mesh;
+using viete::test::holds;
+
+namespace {
+
+// A square of two triangles with everything; the second corner's texture point differs in both.
+const std::string everything =
+    "mtllib some.mtl\no thing\ng part\nusemtl red\n"
+    "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\ns off\n"
+    "f 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 1/4/1 3/3/1 4/4/1\n";
+
+struct Converted : test::TemporaryFolder {
+  ReadResult read = [this] {
+    test::put_file(
+        *this / "some.mtl",
+        "newmtl red\nKd 1 0 0\nmap_Kd -clamp on pictures\\red.png\nnewmtl blue\nKd 0 0 1\nd 0.5\n");
+    return test::read_kept(everything, "obj", path());
+  }();
+
+  // Turned a quarter about the x axis.
+  std::vector<std::string> to(const std::string& name) {
+    for (const Point& p : read.surface.positions) moved.push_back({p[0], -p[2], p[1]});
+    return mesh::write(*this / name, Content{read.surface, moved, {}, read.attributes.get()}, nullptr, {});
+  }
+  std::vector<Point> moved;
+};
+
+}  // namespace
+
+TEST_CASE("an_obj_made_of_another_file_has_its_attributes_and_a_library_beside_it") {
+  Converted c;
+  const auto notes = c.to("out.obj");
+  REQUIRE(notes.size() == 1);
+  CHECK(holds(notes[0], "out.mtl"));
+  const ReadResult out = mesh::read(c / "out.obj");
+  CHECK(out.surface.positions == c.moved);
+  REQUIRE(out.attributes);
+  const Attributes &now = *out.attributes, &before = *c.read.attributes;
+  CHECK(now.texture_points == before.texture_points);
+  CHECK(now.corner_texture == before.corner_texture);
+  CHECK(now.colors == before.colors);
+  REQUIRE(now.groups.size() == 2);
+  CHECK(now.groups[0].object == "thing");
+  CHECK(now.groups[0].name == "part");
+  CHECK(!now.groups[1].smooth);
+  REQUIRE(now.materials.size() == 2);
+  CHECK(now.materials[0].base_color == Color{1, 0, 0, 1});
+  CHECK(!now.materials[0].repeats);
+  CHECK(now.materials[1].base_color == Color{0, 0, 1, 0.5F});
+  CHECK(now.images[now.materials[0].base_color_image].path == c / "pictures" / "red.png");
+  for (const std::uint32_t n : now.corner_normal) CHECK(norm(now.normals[n] - Vec3{0, -1, 0}) < 1e-12);
+}
+
+TEST_CASE("a_library_beside_an_obj_replaces_no_other_file") {
+  Converted c;
+  test::put_file(c / "out.mtl", "mine");
+  CHECK(holds(c.to("out.obj").back(), "out-2.mtl"));
+  CHECK(test::file_bytes(c / "out.mtl") == "mine");
+  CHECK(mesh::read(c / "out.obj").attributes->materials[0].base_color == Color{1, 0, 0, 1});
+  Converted twice;
+  twice.to("out.obj");
+  twice.moved.clear();
+  CHECK(holds(twice.to("out.obj").back(), "out.mtl"));
+}
+
+TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
+  Converted c;
+  const auto notes = c.to("out.ply");
+  CHECK(notes == std::vector<std::string>{"PLY holds one a vertex of texture coordinates: 4 left out",
+                                          "PLY holds one a vertex of normals: 1 left out",
+                                          "PLY has no groups: 2 left out",
+                                          "PLY has no materials: 2 left out"});
+  const ReadResult out = mesh::read(c / "out.ply");
+  CHECK(out.surface.positions == c.moved);
+  CHECK(out.attributes->colors == c.read.attributes->colors);
+  const ReadResult smooth =
+      test::read_kept("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0.25\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n", "obj");
+  const Content content{smooth.surface, smooth.surface.positions, {}, smooth.attributes.get()};
+  CHECK(mesh::write(c / "smooth.ply", content, nullptr, {}).empty());
+  const ReadResult again = mesh::read(c / "smooth.ply");
+  CHECK(again.attributes->normals[2] == Vec3{0, 0, 1});
+  CHECK(again.attributes->texture_points[1] == Vec2{0.5, 0.25});
+}
+
+TEST_CASE("what_off_and_stl_cannot_hold_is_said") {
+  Converted c;
+  CHECK(c.to("out.off").size() == 4);
+  CHECK(mesh::read(c / "out.off").attributes->colors == c.read.attributes->colors);
+  c.moved.clear();
+  const auto notes = c.to("out.stl");
+  REQUIRE(notes.size() == 5);
+  CHECK(notes[0] == "STL has no texture coordinates: 4 left out");
+  CHECK(mesh::read(c / "out.stl").surface.triangles.size() == 2);
+}
