@@ -149,7 +149,9 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
     deformer_->end_drag();
     derived_.reset();  // the frame at rest depends on the pose alone
   }
-  const bool deformed = deforms(document);
+  // While the hand changes the cage itself, the model stays as it is at rest.
+  const bool editing = drag && document.kept_pose;
+  const bool deformed = !editing && deforms(document);
   if (deformed) {
     deformer_->set_probes(document.probes);
     deformer_->deform(document.has_cage() ? document.pose : deform::rest_pose(*no_cage_),

@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "render/palette.h"
+#include "scene/cage_editing.h"
 #include "scene/saving.h"
 #include "sym3/kernel.h"
 #include "ui/input.h"
@@ -159,6 +160,7 @@ void Viewer::take_requests() {
 
 void Viewer::follow_document() {
   const scene::Document& document = workspace_.document;
+  settle_cage_edit();
   if (model_.is_due(document) || model_.has_result()) settle(3);
   const LiveModel::Changed changed = model_.follow(workspace_, cages_.take_bound());
   if (changed.document || changed.cage) {
@@ -177,6 +179,16 @@ void Viewer::follow_document() {
   }
   analysis_.follow_document(workspace_);
   if (analysis_.shows_news()) settle(3);
+}
+
+// What the hand has done is done.
+void Viewer::settle_cage_edit() {
+  if (workspace_.interaction.drag) return;
+  try {
+    if (scene::settle_cage_edit(workspace_.document)) settle(3);
+  } catch (const std::exception& error) {
+    workspace_.messages.error(error.what());
+  }
 }
 
 void Viewer::finish_binding() {

@@ -96,6 +96,7 @@ private:
   void take_input(float seconds);
   void take_requests();
   void follow_document();
+  void settle_cage_edit();
   void frame_finding();
   mesh::Point vertex(std::size_t index) const;  // of the model, as it is drawn
   void keep_files();

@@ -41,6 +41,7 @@ void take_made(Document& document, CageMaking& making, OpenedSurface surface,
   deform::Pose pose = deform::rest_pose(*cage);
   making.made = cage;
   making.notes = std::move(notes);
+  document.kept_pose.reset();
   replace_cage(document, std::move(surface), std::move(cage), std::move(pose));
 }
 

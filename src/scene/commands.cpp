@@ -4,6 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "base/error.h"
+#include "base/quantity.h"
+#include "scene/cage_editing.h"
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/file_commands.h"
@@ -75,6 +78,17 @@ constexpr Condition is_working{
 constexpr Condition can_make_cage{
     [](const Workspace& w) { return has_model(w) && !w.making.open && !w.loading.running && !in_hand(w); },
     "Open a model first; a cage that is being made is finished by Done."};
+constexpr Condition can_edit_cage{
+    [](const Workspace& w) { return has_cage(w) && !w.making.open && !in_hand(w); },
+    "Open or make a cage first; a cage that is being made is finished by Done."};
+constexpr Condition is_editing{
+    [](const Workspace& w) { return is_editing_cage(w.document) && !in_hand(w); },
+    "Switch to editing the cage first (Tab)."};
+constexpr Condition has_cage_selected{
+    [](const Workspace& w) {
+      return is_editing(w) && w.document.selection.kind() != ElementKind::probe && has_selection(w);
+    },
+    "Switch to editing the cage (Tab) and select something of it first."};
 constexpr Condition is_making{[](const Workspace& w) { return w.making.open; }, "No cage is being made."};
 constexpr Condition has_cage_beside{
     [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
@@ -218,6 +232,31 @@ void toggle_locked(Workspace& w) {
   set_locked(w.document, !all_locked(w));
 }
 
+// What is no cage is said, and changes nothing.
+template <void (*Change)(Document&)>
+void change_cage(Workspace& w) {
+  try {
+    Change(w.document);
+  } catch (const base::Error& error) {
+    w.messages.error(error.what());
+  }
+  w.interaction.hovered.reset();
+}
+
+void switch_cage_editing(Document& document) {
+  is_editing_cage(document) ? end_cage_editing(document) : begin_cage_editing(document);
+}
+
+void enclose_and_say(Workspace& w) {
+  try {
+    const std::size_t left = enclose_model(w.document);
+    if (left == 0) return w.messages.info("All vertices of the model are within the cage.");
+    w.messages.warn(counted(ElementKind::vertex, left) + " of the model still outside of the cage; move it there, or make one");
+  } catch (const base::Error& error) {
+    w.messages.error(error.what());
+  }
+}
+
 template <Tool Use>
 void use_tool(Workspace& w) {
   w.tool = Use;
@@ -303,6 +342,26 @@ const std::vector<Command>& table() {
        [](Workspace& w) { cancel_making(w.document, w.making); w.interaction.hovered.reset(); }},
       {"hide_cage_offer", "Not now", "Work without a cage; the panel Cage still makes and opens one.", "Cage", {}, {}, has_model,
        [](Workspace& w) { w.offer_cage = false; }},
+
+      {"edit_cage", "Edit cage", "Change the cage itself, which is shown at rest; the pose is carried along.", "Cage",
+       {Key::tab}, {}, can_edit_cage, change_cage<switch_cage_editing>},
+      {"split_edges", "Split", "A new vertex in the middle of each selected edge.", "Cage", {}, {}, has_cage_selected,
+       change_cage<split_selected>},
+      {"cut_faces", "Cut", "A new vertex in the middle of each selected face.", "Cage", {}, {}, has_cage_selected,
+       change_cage<cut_selected>},
+      {"extrude_faces", "Extrude", "Push the selected faces out, with new faces around them.", "Cage", {}, {},
+       has_cage_selected, change_cage<extrude_selected>},
+      {"merge_vertices", "Merge", "The selected vertices become one.", "Cage", {}, {}, has_cage_selected,
+       change_cage<merge_selected>},
+      {"remove_elements", "Remove", "Take vertices or edges out of the cage, which stays closed; or faces, which leave a hole.",
+       "Cage", {Key::delete_key}, {}, has_cage_selected, change_cage<remove_selected>},
+      {"subdivide_cage", "Subdivide", "The same cage with about four times the faces.", "Cage", {}, {}, can_edit_cage,
+       change_cage<subdivide_cage>},
+      {"mirror_cage", "Mirror", "The half with the selection, else the one of larger coordinates, and its image.", "Cage", {}, {},
+       can_edit_cage, change_cage<mirror_cage>},
+      {"fit_cage", "Fit", "Move and scale the cage to the model.", "Cage", {}, {}, can_edit_cage, change_cage<fit_cage>},
+      {"enclose_model", "Enclose", "Move the cage outward where vertices of the model are outside.", "Cage", {}, {},
+       can_edit_cage, enclose_and_say},
 
       {"tool_select", "Select", "No gizmo: drag an element to move the selection.", "Tool", {key('Q')}, {}, always,
        use_tool<Tool::select>},

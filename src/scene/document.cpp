@@ -107,8 +107,8 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
 }
 
 Snapshot snapshot_of(const Document& document) {
-  return {document.pose,   document.selection, document.scheme,   document.mask,
-          document.probes, document.cage,      document.cage_file};
+  return {document.pose,   document.selection, document.scheme,    document.mask,
+          document.probes, document.cage,      document.cage_file, document.kept_pose};
 }
 
 void set_pose(Document& document, deform::Pose pose) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,8 @@ struct Document {
   std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
   std::filesystem::path cage_beside;         ///< a file that looks like a cage of the model, which has none
   deform::Pose pose;
+  std::optional<deform::Pose>
+      kept_pose;      ///< the real one while the cage itself is edited, see cage_editing.h
   deform::Mask mask;  ///< painted, of the model's vertices; null: every one follows the cage
   deform::Probes probes;
   /// Where the cage has brought the probes' places in the last frame; shorter where that is not known: there

@@ -24,6 +24,7 @@ void restore(Document& document, Snapshot&& snapshot) {
   if (document.cage != snapshot.cage) ++document.revisions.cage;
   document.cage = std::move(snapshot.cage);
   document.cage_file = std::move(snapshot.cage_file);
+  document.kept_pose = std::move(snapshot.kept_pose);
   document.pose = std::move(snapshot.pose);
   document.selection = std::move(snapshot.selection);
   ++document.revisions.pose;

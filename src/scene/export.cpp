@@ -10,6 +10,7 @@
 #include "deform/exact.h"
 #include "mesh/source.h"
 #include "mesh/write.h"
+#include "scene/cage_editing.h"
 #include "scene/pose_notes.h"
 
 namespace viete::scene {
@@ -20,7 +21,7 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
              document.model.attributes,
              document.model.original,
              document.cage,
-             document.pose,
+             real_pose(document),
              document.scheme,
              document.method,
              document.mask,

@@ -1,6 +1,7 @@
 // Undo and redo.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Snapshot {
   deform::Probes probes;
   std::shared_ptr<const deform::Cage> cage;  ///< shared, not copied
   OpenedSurface cage_file;                   ///< likewise
+  std::optional<deform::Pose> kept_pose{};
 };
 
 /// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest

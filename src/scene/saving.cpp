@@ -11,6 +11,7 @@
 #include "mesh/source.h"
 #include "mesh/write.h"
 #include "scene/brush.h"
+#include "scene/cage_editing.h"
 #include "scene/session.h"
 
 namespace viete::scene {
@@ -71,7 +72,7 @@ bool save_session(Workspace& workspace, const fs::path& path) {
 
 bool save_pose(Workspace& workspace, const fs::path& path) {
   return attempt(workspace, "pose", path, [&] {
-    deform::write_pose(path, *workspace.document.cage, workspace.document.pose);
+    deform::write_pose(path, *workspace.document.cage, real_pose(workspace.document));
     mark_pose_saved(workspace);
   });
 }
@@ -103,10 +104,11 @@ std::optional<std::uint64_t> content_of(const fs::path& file) {
 }
 
 bool has_unsaved_edits(const Workspace& w) {
-  if (w.saved.nowhere || w.document.cage != w.saved.cage || w.document.probes != w.saved.probes || !same_mask(w.document.mask, w.saved.mask))
+  if (w.saved.nowhere || w.document.cage != w.saved.cage || w.document.probes != w.saved.probes ||
+      !same_mask(w.document.mask, w.saved.mask))
     return true;
   return w.document.is_movable() &&
-         (w.document.scheme != w.saved.scheme || !same_pose(w.document.pose, w.saved.pose));
+         (w.document.scheme != w.saved.scheme || !same_pose(real_pose(w.document), w.saved.pose));
 }
 
 void mark_saved(Workspace& workspace) {
@@ -119,7 +121,7 @@ void mark_saved(Workspace& workspace) {
 
 // In a session alone: the file of a pose has no probes.
 void mark_pose_saved(Workspace& workspace) {
-  workspace.saved.pose = workspace.document.pose;
+  workspace.saved.pose = real_pose(workspace.document);
   workspace.saved.nowhere = false;
   ++workspace.saved.revision;
 }

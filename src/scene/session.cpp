@@ -11,6 +11,7 @@
 #include "mesh/content_key.h"
 #include "mesh/source.h"
 #include "mesh/text_cursor.h"
+#include "scene/cage_editing.h"
 #include "scene/cage_json.h"
 #include "scene/elements.h"
 #include "scene/json_file.h"
@@ -270,7 +271,7 @@ Session session_of(const Workspace& w) {
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
   session.selecting = w.document.selection.kind();
   session.selection = w.document.selection.indices();
-  if (w.document.has_cage()) session.pose = w.document.pose;
+  if (w.document.has_cage()) session.pose = real_pose(w.document);
   return session;
 }
 

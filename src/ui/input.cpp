@@ -20,8 +20,8 @@ void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
   if (io.WantTextInput || pointer.active() || workspace.question) return;
   for (const auto& command : scene::commands()) {
     if (!matches(command.shortcut, io) && !matches(command.alternative, io)) continue;
-    if (command.enabled(workspace)) command.run(workspace);
-    return;
+    if (!command.enabled(workspace)) continue;  // a key may do another thing in another mode
+    return command.run(workspace);
   }
 }
 

@@ -5,6 +5,19 @@
 
 namespace viete::ui {
 
+namespace {
+
+void editing(const Context& ui) {
+  const bool on = ui.workspace.document.kept_pose.has_value();
+  command_toggle(ui, "edit_cage", on);
+  if (!on) return;
+  command_row(ui, {"split_edges", "cut_faces", "extrude_faces"});
+  command_row(ui, {"merge_vertices", "remove_elements", "subdivide_cage"});
+  command_row(ui, {"mirror_cage", "fit_cage", "enclose_model"});
+}
+
+}  // namespace
+
 void panel_cage(const Context& ui) {
   const auto& document = ui.workspace.document;
   const bool open = section(ui, "Cage");
@@ -26,6 +39,7 @@ void panel_cage(const Context& ui) {
   transform_fields(ui);
   command_row(ui, {"undo", "redo", "reset_pose"});
   command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
+  editing(ui);
   command_row(ui, {"open_pose", "save_pose"});
   command_row(ui, {"open_cage", "make_cage", "save_cage"});
   for (const auto& line : ui.workspace.pose_notes) note(ui, line, ui.colors.warn);

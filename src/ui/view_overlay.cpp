@@ -39,6 +39,12 @@ void centered(const Context& ui, float y, const char* text, ImU32 color) {
   ImGui::PopFont();
 }
 
+void editing_hint(const Context& ui) {
+  const auto& v = ui.workspace.viewport;
+  centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     Tab goes back to posing it",
+           ui.colors.accent);
+}
+
 void hints(const Context& ui) {
   const auto& v = ui.workspace.viewport;
   const float bottom = v.origin.y + v.size.y;
@@ -54,6 +60,7 @@ void view_overlay(const Context& ui) {
   if (w.interaction.box) selection_box(ui, *w.interaction.box);
   if (w.interaction.brush) brush_ring(ui, w);
   if (w.binding.running || w.loading.running || w.making_cage.running) return;  // their bar is there
+  if (w.document.kept_pose && w.view.panels) return editing_hint(ui);
   const bool room = !scene::shows_error_map(w) && !scene::shows_mask(w);  // the legend takes it, or paint
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }

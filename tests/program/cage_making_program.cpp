@@ -158,3 +158,63 @@ TEST_CASE("a model that no cage goes around says so, and the window stays as it 
   CHECK_FALSE(d.document().has_cage());
   CHECK(d.workspace().messages.all().back().text.find("single point") != std::string::npos);
 }
+
+TEST_CASE(
+    "in the mode that edits the cage a drag changes its rest, the model stays, and the binding follows") {
+  Driver d;
+  d.open_dragon();
+  const auto before = d.document().cage->surface.positions;
+  d.press_key(scene::Key::tab);
+  d.frame(3);
+  const auto v = d.free_vertex();
+  d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(40, -30));
+  d.frame(2);
+  const auto& rest = d.document().model.surface->positions;
+  const auto is_at_rest = [&] {
+    double largest = 0;
+    const auto shown = d.viewer().deformer()->positions();
+    for (std::size_t i = 0; i < rest.size(); ++i) largest = std::max(largest, mesh::norm(rest[i] - shown[i]));
+    return largest < 2e-5 * d.document().model.bounds.diagonal();
+  };
+  CHECK(is_at_rest());
+  d.button(0, false);
+  d.frame(2);
+  d.viewer().finish_binding();
+  d.frame(3);
+  CHECK(is_at_rest());
+  CHECK(d.document().cage->surface.positions[v] != before[v]);
+  CHECK(d.document().pose.positions == d.document().cage->surface.positions);
+  d.press_key(scene::Key::tab);
+  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(30, 20));
+  d.frame(2);
+  const auto exact = d.exact_positions(), shown = d.viewer().deformer()->positions();
+  double largest = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) largest = std::max(largest, mesh::norm(exact[i] - shown[i]));
+  CHECK(largest < 2e-5 * d.document().model.bounds.diagonal());
+  while (d.document().history.can_undo()) d.press_key('Z', true);
+  d.frame(2);
+  CHECK(d.document().cage->surface.positions == before);
+}
+
+TEST_CASE("buttons of the mode change the cage under a selection") {
+  Driver d;
+  d.open_dragon();
+  const std::size_t faces = d.document().cage->element_count();
+  d.press_key(scene::Key::tab);
+  d.press_key('3');
+  d.press_key('A');
+  d.frame(2);
+  d.click("cut_faces");
+  d.viewer().finish_binding();
+  d.frame(2);
+  CHECK(d.document().cage->element_count() == 3 * faces);
+  d.click("subdivide_cage");
+  d.viewer().finish_binding();
+  d.frame(2);
+  CHECK(d.document().cage->element_count() == 12 * faces);
+  d.press_key('1');
+  d.press_key('A');
+  d.click("merge_vertices");
+  CHECK(d.document().cage->element_count() == 12 * faces);
+  CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
+}

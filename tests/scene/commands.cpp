@@ -18,7 +18,10 @@ TEST_CASE("names_and_shortcuts_are_unique_and_every_command_has_a_hint") {
     CHECK(names.insert(std::string(command.name)).second);
     CHECK_FALSE(command.hint.empty());
     for (const auto& shortcut : {command.shortcut, command.alternative}) {
-      if (shortcut.key != Key::none) CHECK_MESSAGE(keys.insert(text(shortcut)).second, text(shortcut));
+      // In the mode that edits the cage nothing is posed that could be reset.
+      const std::string mode = command.name == "remove_elements" ? " in the mode" : "";
+      if (shortcut.key != Key::none)
+        CHECK_MESSAGE(keys.insert(text(shortcut) + mode).second, text(shortcut));
     }
   }
 }

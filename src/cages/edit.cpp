@@ -1,0 +1,304 @@
+#include "cages/edit.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace viete::cages {
+
+namespace {
+
+using mesh::Point, mesh::Surface, mesh::Vec3;
+using mesh::operator+, mesh::operator-, mesh::operator*;
+using Polygon = std::vector<std::uint32_t>;
+
+mesh::Edge edge_of(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// A cage as it is edited: a list of polygons.
+class Polygons {
+public:
+  explicit Polygons(const Surface& cage) : positions_(cage.positions) {
+    for (std::uint32_t v = 0; v < positions_.size(); ++v) origins_.push_back({{v}});
+    for (std::size_t p = 0; p < cage.polygon_count(); ++p) {
+      all.emplace_back(cage.corners.begin() + cage.polygon_starts[p],
+                       cage.corners.begin() + cage.polygon_starts[p + 1]);
+    }
+  }
+
+  std::vector<Polygon> all;
+
+  const Point& at(std::uint32_t v) const { return positions_[v]; }
+  void move(std::uint32_t v, const Point& to) { positions_[v] = to; }
+
+  std::uint32_t add(const Point& at, Origin origin) {
+    positions_.push_back(at);
+    origins_.push_back(std::move(origin));
+    return static_cast<std::uint32_t>(positions_.size() - 1);
+  }
+
+  // In the middle of vertices.
+  std::uint32_t add_middle(const Polygon& of) {
+    Point sum{0, 0, 0};
+    Origin origin;
+    for (const auto v : of) {
+      sum = sum + positions_[v];
+      origin.of.insert(origin.of.end(), origins_[v].of.begin(), origins_[v].of.end());
+      origin.mirrored = origins_[v].mirrored;
+    }
+    return add((1 / static_cast<double>(of.size())) * sum, std::move(origin));
+  }
+
+  const Origin& origin(std::uint32_t v) const { return origins_[v]; }
+
+  // Without corners that repeat the one before, polygons of two corners, and vertices of no polygon.
+  Edited finish(const std::vector<std::uint32_t>& selection) {
+    for (Polygon& p : all) {
+      p.erase(std::unique(p.begin(), p.end()), p.end());
+      while (p.size() > 1 && p.front() == p.back()) p.pop_back();
+    }
+    std::erase_if(all, [](const Polygon& p) { return p.size() < 3; });
+    std::vector<std::uint8_t> used(positions_.size(), 0);
+    for (const Polygon& p : all) {
+      for (const auto v : p) used[v] = 1;
+    }
+    std::vector<std::uint32_t> number(positions_.size(), 0);
+    Edited edited;
+    for (std::uint32_t v = 0; v < positions_.size(); ++v) {
+      if (!used[v]) continue;
+      number[v] = static_cast<std::uint32_t>(edited.surface.positions.size());
+      edited.surface.positions.push_back(positions_[v]);
+      edited.origins.push_back(std::move(origins_[v]));
+    }
+    edited.surface.polygon_starts.push_back(0);
+    for (const Polygon& p : all) {
+      for (const auto v : p) edited.surface.corners.push_back(number[v]);
+      edited.surface.polygon_starts.push_back(static_cast<std::uint32_t>(edited.surface.corners.size()));
+    }
+    mesh::fan_triangulate(edited.surface);
+    for (const auto v : selection) {
+      if (used[v]) edited.selection.push_back(number[v]);
+    }
+    std::ranges::sort(edited.selection);
+    return edited;
+  }
+
+private:
+  std::vector<Point> positions_;
+  std::vector<Origin> origins_;
+};
+
+Vec3 area_of(const Polygons& cage, const Polygon& p) {
+  Vec3 sum{0, 0, 0};
+  for (std::size_t i = 1; i + 1 < p.size(); ++i)
+    sum = sum + mesh::cross(cage.at(p[i]) - cage.at(p[0]), cage.at(p[i + 1]) - cage.at(p[0]));
+  return sum;
+}
+
+// The loop around polygons that hang together: of their half-edges those whose other side is not among them,
+// one after the other. Empty if they are more than one loop.
+Polygon rim_of(const std::vector<Polygon>& polygons) {
+  std::set<std::array<std::uint32_t, 2>> sides;
+  for (const Polygon& p : polygons) {
+    for (std::size_t i = 0; i < p.size(); ++i) sides.insert({p[i], p[(i + 1) % p.size()]});
+  }
+  std::map<std::uint32_t, std::uint32_t> next;
+  for (const auto& [a, b] : sides) {
+    if (sides.contains({b, a})) continue;
+    if (!next.emplace(a, b).second) return {};
+  }
+  Polygon rim;
+  if (next.empty()) return rim;
+  for (std::uint32_t v = next.begin()->first; rim.empty() || v != rim.front(); v = next.at(v)) {
+    if (rim.size() == next.size() || !next.contains(v)) return {};
+    rim.push_back(v);
+  }
+  return rim.size() == next.size() ? rim : Polygon{};
+}
+
+// The polygons that `is_one` names become the one that they fill; without a loop they stay.
+template <class IsOne>
+void unite(Polygons& cage, IsOne is_one) {
+  std::vector<Polygon> united;
+  std::ranges::copy_if(cage.all, std::back_inserter(united), is_one);
+  Polygon rim = rim_of(united);
+  if (rim.size() < 3) return;
+  std::erase_if(cage.all, is_one);
+  cage.all.push_back(std::move(rim));
+}
+
+std::size_t side_of(const Polygon& p, const mesh::Edge& edge) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (edge_of(p[i], p[(i + 1) % p.size()]) == edge) return i;
+  }
+  return p.size();
+}
+
+}  // namespace
+
+Edited split_edges(const Surface& surface, std::span<const mesh::Edge> edges) {
+  Polygons cage(surface);
+  std::vector<std::uint32_t> made;
+  for (const mesh::Edge& edge : edges) {
+    const std::uint32_t middle = cage.add_middle({edge[0], edge[1]});
+    made.push_back(middle);
+    std::vector<Polygon> cut;
+    for (Polygon& p : cage.all) {
+      const std::size_t side = side_of(p, edge), n = p.size();
+      for (std::size_t i = 1; side < n && i < n; ++i)
+        cut.push_back({middle, p[(side + i) % n], p[(side + i + 1) % n]});
+      if (side < n) p.clear();
+    }
+    std::erase_if(cage.all, [](const Polygon& p) { return p.empty(); });
+    cage.all.insert(cage.all.end(), cut.begin(), cut.end());
+  }
+  return cage.finish(made);
+}
+
+Edited cut_polygons(const Surface& surface, std::span<const std::uint32_t> polygons) {
+  Polygons cage(surface);
+  std::vector<std::uint32_t> made;
+  for (const std::uint32_t number : polygons) {
+    const Polygon p = std::exchange(cage.all[number], {});
+    made.push_back(cage.add_middle(p));
+    for (std::size_t i = 0; i < p.size(); ++i) cage.all.push_back({made.back(), p[i], p[(i + 1) % p.size()]});
+  }
+  return cage.finish(made);
+}
+
+Edited merge_vertices(const Surface& surface, std::span<const std::uint32_t> vertices) {
+  Polygons cage(surface);
+  const std::uint32_t one = cage.add_middle({vertices.begin(), vertices.end()});
+  const std::set<std::uint32_t> merged(vertices.begin(), vertices.end());
+  for (Polygon& p : cage.all) {
+    for (auto& v : p) v = merged.contains(v) ? one : v;
+  }
+  return cage.finish({one});
+}
+
+Edited dissolve_vertices(const Surface& surface, std::span<const std::uint32_t> vertices) {
+  Polygons cage(surface);
+  for (const std::uint32_t v : vertices)
+    unite(cage, [v](const Polygon& p) { return std::ranges::find(p, v) != p.end(); });
+  return cage.finish({});
+}
+
+Edited dissolve_edges(const Surface& surface, std::span<const mesh::Edge> edges) {
+  Polygons cage(surface);
+  for (const mesh::Edge& edge : edges) unite(cage, [&](const Polygon& p) { return side_of(p, edge) < p.size(); });
+  return cage.finish({});
+}
+
+Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> polygons) {
+  Polygons cage(surface);
+  for (const std::uint32_t p : polygons) cage.all[p].clear();
+  return cage.finish({});
+}
+
+Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, double distance) {
+  Polygons cage(surface);
+  std::map<std::uint32_t, std::uint32_t> lifted;
+  std::set<std::array<std::uint32_t, 2>> sides;
+  Vec3 normal{0, 0, 0};
+  for (const std::uint32_t number : polygons) {
+    const Polygon& p = cage.all[number];
+    normal = normal + area_of(cage, p);
+    for (std::size_t i = 0; i < p.size(); ++i) sides.insert({p[i], p[(i + 1) % p.size()]});
+  }
+  const double length = mesh::norm(normal);
+  const Vec3 up = length > 0 ? (distance / length) * normal : Vec3{0, 0, 0};
+  std::vector<std::uint32_t> made;
+  for (const std::uint32_t number : polygons) {
+    for (auto& v : cage.all[number]) {
+      const auto [place, is_new] = lifted.try_emplace(v, 0);
+      if (is_new) {
+        const Point at = cage.at(v) + up;
+        made.push_back(place->second = cage.add(at, cage.origin(v)));
+      }
+      v = place->second;
+    }
+  }
+  for (const auto& [a, b] : sides) {
+    if (!sides.contains({b, a})) cage.all.push_back({a, b, lifted.at(b), lifted.at(a)});
+  }
+  return cage.finish(made);
+}
+
+Edited subdivide(const Surface& surface) {
+  Polygons cage(surface);
+  std::map<mesh::Edge, std::uint32_t> middles;
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const auto [place, is_new] = middles.try_emplace(edge_of(a, b), 0);
+    if (is_new) place->second = cage.add_middle({a, b});
+    return place->second;
+  };
+  std::vector<Polygon> finer;
+  for (const Polygon& p : std::exchange(cage.all, {})) {
+    const std::size_t n = p.size();
+    const auto after = [&](std::size_t i) { return middle(p[i], p[(i + 1) % n]); };
+    if (n == 3) finer.push_back({after(0), after(1), after(2)});
+    const std::uint32_t center = n == 3 ? 0 : cage.add_middle(p);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t before = after((i + n - 1) % n);
+      if (n == 3) finer.push_back({p[i], after(i), before});
+      if (n != 3) finer.push_back({p[i], after(i), center, before});
+    }
+  }
+  cage.all = std::move(finer);
+  return cage.finish({});
+}
+
+Edited mirrored(const Surface& surface, const Plane& plane) {
+  Polygons cage(surface);
+  const double near = 1e-3 * mesh::used_bounds(surface).diagonal();  // what is nearer lies in the plane
+  const auto height = [&](std::uint32_t v) { return mesh::dot(plane.normal, cage.at(v)) - plane.offset; };
+  const auto count = static_cast<std::uint32_t>(surface.positions.size());
+  for (std::uint32_t v = 0; v < count; ++v) {
+    if (std::abs(height(v)) <= near) cage.move(v, cage.at(v) - height(v) * plane.normal);
+  }
+  const auto above = [&](std::uint32_t v) { return height(v) > 0.5 * near; };
+  const auto below = [&](std::uint32_t v) { return height(v) < -0.5 * near; };
+  std::map<mesh::Edge, std::uint32_t> cuts;
+  const auto cut = [&](std::uint32_t a, std::uint32_t b) {
+    const auto [place, is_new] = cuts.try_emplace(edge_of(a, b), 0);
+    if (is_new) {
+      const double t = height(a) / (height(a) - height(b));
+      Origin origin = cage.origin(t < 0.5 ? a : b);
+      place->second = cage.add(cage.at(a) + t * (cage.at(b) - cage.at(a)), std::move(origin));
+    }
+    return place->second;
+  };
+  std::vector<Polygon> half;
+  for (const Polygon& p : cage.all) {
+    if (std::ranges::none_of(p, above)) continue;
+    Polygon kept;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const std::uint32_t a = p[i], b = p[(i + 1) % p.size()];
+      if (!below(a)) kept.push_back(a);
+      if ((above(a) && below(b)) || (below(a) && above(b))) kept.push_back(cut(a, b));
+    }
+    half.push_back(std::move(kept));
+  }
+  std::map<std::uint32_t, std::uint32_t> images;
+  const auto image = [&](std::uint32_t v) {
+    if (!above(v)) return v;
+    const auto [place, is_new] = images.try_emplace(v, 0);
+    if (is_new) {
+      const Point at = cage.at(v) - (2 * height(v)) * plane.normal;
+      place->second = cage.add(at, {cage.origin(v).of, true});
+    }
+    return place->second;
+  };
+  cage.all = half;
+  for (const Polygon& p : half) {
+    Polygon turned;
+    for (auto v = p.rbegin(); v != p.rend(); ++v) turned.push_back(image(*v));
+    cage.all.push_back(std::move(turned));
+  }
+  return cage.finish({});
+}
+
+}  // namespace viete::cages

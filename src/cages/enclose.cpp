@@ -1,0 +1,75 @@
+#include "cages/enclose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/triangle_tree.h"
+#include "mesh/winding_number.h"
+
+namespace viete::cages {
+
+namespace {
+
+using mesh::Point, mesh::Surface, mesh::Vec3;
+using mesh::operator+, mesh::operator-, mesh::operator*;
+
+// How far each vertex is to go so that the points that are outside come within.
+std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& outside, double margin) {
+  const mesh::TriangleTree tree(cage.positions, cage.triangles);
+  std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
+  std::vector<double> farthest(cage.positions.size(), 0);
+  for (const Point& p : outside) {
+    const auto nearest = tree.nearest(p);
+    const mesh::Triangle& t = cage.triangles[nearest.triangle];
+    const Vec3 area =
+        mesh::cross(cage.positions[t[1]] - cage.positions[t[0]], cage.positions[t[2]] - cage.positions[t[0]]);
+    const double length = mesh::norm(area);
+    if (!(length > 0)) continue;
+    const double distance = std::sqrt(nearest.squared_distance) + margin;
+    for (const auto v : t) {
+      if (distance <= farthest[v]) continue;
+      farthest[v] = distance;
+      ways[v] = (distance / length) * area;
+    }
+  }
+  return ways;
+}
+
+}  // namespace
+
+std::vector<Point> fitted_to_box(const Surface& cage, const Surface& model, double margin) {
+  const mesh::Bounds from = mesh::used_bounds(cage), to = mesh::used_bounds(model);
+  const double more = 2 * margin * to.diagonal();
+  double scale = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double extent = from.high[k] - from.low[k];
+    if (extent > 1e-6 * from.diagonal()) scale = std::max(scale, (to.high[k] - to.low[k] + more) / extent);
+  }
+  std::vector<Point> positions = cage.positions;
+  for (Point& p : positions) p = to.center() + scale * (p - from.center());
+  return positions;
+}
+
+Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
+  constexpr int most_rounds = 40;
+  const double distance = margin * mesh::used_bounds(model).diagonal();
+  Surface moved = cage;
+  // Those that were outside are asked about until none is; then all, since what moved may have left others.
+  std::vector<Point> asked = model.positions;
+  for (int round = 0;; ++round) {
+    const auto outside = mesh::points_outside(moved, asked);
+    const bool all = asked.size() == model.positions.size();
+    if (all && (outside.empty() || round >= most_rounds)) return {std::move(moved.positions), outside.size()};
+    if (outside.empty() || round >= most_rounds) {
+      asked = model.positions;
+      continue;
+    }
+    std::vector<Point> points;
+    for (const auto p : outside) points.push_back(asked[p]);
+    const auto ways = ways_outward(moved, points, distance);
+    for (std::size_t v = 0; v < ways.size(); ++v) moved.positions[v] = moved.positions[v] + ways[v];
+    asked = std::move(points);
+  }
+}
+
+}  // namespace viete::cages

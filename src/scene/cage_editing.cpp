@@ -1,0 +1,192 @@
+#include "scene/cage_editing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "cages/edit.h"
+#include "cages/enclose.h"
+#include "scene/cage_making.h"
+#include "scene/edit.h"
+#include "scene/elements.h"
+#include "scene/probes.h"
+
+namespace viete::scene {
+
+namespace {
+
+using mesh::operator+, mesh::operator-, mesh::operator*;
+
+constexpr double fit_margin = 0.01;  // of the model's diagonal, that a fitted cage keeps from its box
+
+std::string edited_name(const OpenedSurface& cage) {
+  constexpr std::string_view mark = ", edited";
+  const std::string name = name_of(cage);
+  return name.ends_with(mark) ? name : name + std::string(mark);
+}
+
+// The image across a plane has the mirrored way from its rest.
+mesh::Vec3 across(const mesh::Vec3& way, const cages::Plane& plane) {
+  return way - (2 * mesh::dot(way, plane.normal)) * plane.normal;
+}
+
+deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
+                     const cages::Plane& plane) {
+  deform::Pose now;
+  for (std::size_t v = 0; v < edited.origins.size(); ++v) {
+    const cages::Origin& origin = edited.origins[v];
+    mesh::Vec3 way{0, 0, 0};
+    const double share = 1 / static_cast<double>(origin.of.size());
+    for (const auto o : origin.of) way = way + share * (pose.positions[o] - before.surface.positions[o]);
+    if (origin.mirrored) way = across(way, plane);
+    now.positions.push_back(edited.surface.positions[v] + way);
+  }
+  return now;
+}
+
+// In the mode its pose is at rest; outside of it, as far as vertices remained.
+void put_edited(Document& document, cages::Edited edited, const std::string& label,
+                const cages::Plane& plane = {}) {
+  auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
+  deform::Pose real = carried(*document.cage, real_pose(document), edited, plane);
+  document.history.record(label, snapshot_of(document));
+  const bool editing = is_editing_cage(document);
+  const ElementKind kind = document.selection.kind();
+  OpenedSurface file = made_surface(std::move(edited.surface), edited_name(document.cage_file));
+  if (editing) document.kept_pose = real;
+  replace_cage(document, std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
+  if (kind == ElementKind::probe) return;
+  Selection made(ElementKind::vertex);
+  made.apply(edited.selection, SelectMode::replace);
+  document.selection = converted(*document.cage, made, kind);
+}
+
+// The same polygons with other places.
+cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
+  cages::Edited edited{cage, {}, {}};
+  edited.surface.positions = std::move(positions);
+  for (std::uint32_t v = 0; v < cage.positions.size(); ++v) edited.origins.push_back({{v}});
+  return edited;
+}
+
+std::vector<mesh::Edge> selected_edges(const Document& document) {
+  const Selection edges = converted(*document.cage, document.selection, ElementKind::edge);
+  std::vector<mesh::Edge> all;
+  for (const auto e : edges.indices()) all.push_back(document.cage->edges[e]);
+  return all;
+}
+
+std::vector<std::uint32_t> selected_polygons(const Document& document) {
+  return converted(*document.cage, document.selection, ElementKind::face).indices();
+}
+
+void require(bool any, const char* what, const char* advice) {
+  if (!any) throw base::Error("", what, advice);
+}
+
+}  // namespace
+
+void begin_cage_editing(Document& document) {
+  document.history.record("edit the cage", snapshot_of(document));
+  document.kept_pose = std::exchange(document.pose, deform::rest_pose(*document.cage));
+  if (document.selection.kind() == ElementKind::probe) select_kind(document, ElementKind::vertex);
+  ++document.revisions.pose;
+}
+
+void end_cage_editing(Document& document) {
+  document.history.record("pose the cage", snapshot_of(document));
+  document.pose = *std::exchange(document.kept_pose, std::nullopt);
+  ++document.revisions.pose;
+}
+
+bool settle_cage_edit(Document& document) {
+  if (!is_editing_cage(document) || document.pose.positions == document.cage->surface.positions) return false;
+  try {
+    cages::Edited edited = with_positions(document.cage->surface, document.pose.positions);
+    auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
+    deform::Pose real = carried(*document.cage, *document.kept_pose, edited, {});
+    const Selection selection = document.selection;
+    document.kept_pose = std::move(real);
+    replace_cage(document, made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
+                 deform::rest_pose(*cage));
+    document.selection = selection;
+    document.history.go_on();
+    return true;
+  } catch (const base::Error& error) {
+    if (document.history.can_undo()) undo(document);
+    throw base::Error("", "this would be no cage: " + error.problem(), "it is as it was before");
+  }
+}
+
+void split_selected(Document& document) {
+  const auto edges = selected_edges(document);
+  require(!edges.empty(), "no edge of the cage is selected", "select edges, or both ends of some");
+  put_edited(document, cages::split_edges(document.cage->surface, edges), "split edges");
+}
+
+void cut_selected(Document& document) {
+  const auto polygons = selected_polygons(document);
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all corners of some");
+  put_edited(document, cages::cut_polygons(document.cage->surface, polygons), "cut faces");
+}
+
+void merge_selected(Document& document) {
+  const auto vertices = selected_vertices(*document.cage, document.selection);
+  require(vertices.size() > 1, "fewer than two vertices are selected", "select those that are to be one");
+  put_edited(document, cages::merge_vertices(document.cage->surface, vertices), "merge vertices");
+}
+
+void remove_selected(Document& document) {
+  const mesh::Surface& cage = document.cage->surface;
+  const Selection& selection = document.selection;
+  if (selection.kind() == ElementKind::vertex)
+    return put_edited(document, cages::dissolve_vertices(cage, selection.indices()), "remove vertices");
+  if (selection.kind() == ElementKind::edge)
+    return put_edited(document, cages::dissolve_edges(cage, selected_edges(document)), "remove edges");
+  put_edited(document, cages::remove_polygons(cage, selection.indices()), "remove faces");
+}
+
+void extrude_selected(Document& document) {
+  constexpr double distance = 0.05;  // of the cage's diagonal
+  const auto polygons = selected_polygons(document);
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all corners of some");
+  put_edited(document, cages::extrude(document.cage->surface, polygons, distance * document.cage->diagonal),
+             "extrude");
+}
+
+void subdivide_cage(Document& document) {
+  constexpr std::size_t most_vertices = 20000;
+  require(document.cage->surface.positions.size() < most_vertices / 4, "the cage would be too fine to pose",
+          "it can have 20,000 vertices");
+  put_edited(document, cages::subdivide(document.cage->surface), "subdivide the cage");
+}
+
+void mirror_cage(Document& document) {
+  const auto axis = static_cast<std::size_t>(symmetry_axis(document));
+  cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
+  plane.normal[axis] = 1;
+  // The side whose vertices are selected, else the positive one.
+  const auto& rest = document.cage->surface.positions;
+  double sum = 0;
+  for (const auto v : selected_vertices(*document.cage, document.selection))
+    sum += rest[v][axis] - plane.offset;
+  if (sum < 0) plane = {-1 * plane.normal, -plane.offset};
+  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror the cage", plane);
+}
+
+void fit_cage(Document& document) {
+  const mesh::Surface& cage = document.cage->surface;
+  put_edited(document, with_positions(cage, cages::fitted_to_box(cage, *document.model.surface, fit_margin)),
+             "fit the cage");
+}
+
+std::size_t enclose_model(Document& document) {
+  const mesh::Surface& cage = document.cage->surface;
+  require(document.cage->closed, "the cage is open, so that nothing is within it", "close it first");
+  cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, 0.2 * fit_margin);
+  if (enclosing.positions != cage.positions)
+    put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");
+  return enclosing.left;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,42 @@
+// Changing the cage itself instead of posing it: a mode in which the cage is shown at rest.
+#pragma once
+
+#include "scene/document.h"
+
+namespace viete::scene {
+
+/// True in that mode: the document's pose is the rest of the cage, and the real one is kept beside it.
+inline bool is_editing_cage(const Document& document) {
+  return document.kept_pose.has_value();
+}
+
+/// The pose as files have it, in whatever mode.
+inline const deform::Pose& real_pose(const Document& document) {
+  return document.kept_pose ? *document.kept_pose : document.pose;
+}
+
+/// Into the mode, and out of it: vertices that remained have their pose again, moved as they were at rest.
+/// Undoable. Require a cage.
+void begin_cage_editing(Document& document);
+void end_cage_editing(Document& document);
+
+/// In that mode: what a hand or a field has moved becomes the rest of the cage. Part of the edit that moved
+/// it. Throws base::Error, and takes that edit back, if it is no cage then. Says whether there was anything.
+bool settle_cage_edit(Document& document);
+
+/// Changes of what is selected, each one edit. Throw base::Error, and change nothing, where the result is no
+/// cage. Require the mode and a selection, but for the last four, which take all of the cage in any mode.
+void split_selected(Document& document);    ///< edges
+void cut_selected(Document& document);      ///< faces
+void merge_selected(Document& document);    ///< vertices
+void remove_selected(Document& document);   ///< vertices, edges: dissolved; faces: gone
+void extrude_selected(Document& document);  ///< faces
+void subdivide_cage(Document& document);
+/// About the plane across the axis in which the model is most symmetric; what is on its larger side counts.
+void mirror_cage(Document& document);
+/// The cage is moved and scaled to the model's box.
+void fit_cage(Document& document);
+/// Moved outward where vertices of the model are outside. Returns how many still are.
+std::size_t enclose_model(Document& document);
+
+}  // namespace viete::scene
