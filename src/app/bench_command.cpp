@@ -1,5 +1,5 @@
-// viete bench exp|eigen|frame|bind|files|modes|stitched|accuracy|sym3: the paper's figures, and its future
-// work, on this machine.
+// viete bench exp|eigen|frame|bind|files|cage|modes|stitched|accuracy|sym3: the paper's figures, and its
+// future work, on this machine.
 #include <cstdio>
 #include <memory>
 
@@ -12,6 +12,7 @@
 #include "base/quantity.h"
 #include "bench/accuracy.h"
 #include "bench/bind.h"
+#include "bench/cage.h"
 #include "bench/eigen.h"
 #include "bench/exp.h"
 #include "bench/files.h"
@@ -172,6 +173,25 @@ void add_files_bench(CLI::App& bench, Action& action) {
   });
 }
 
+void add_cage_bench(CLI::App& bench, Action& action) {
+  auto* command =
+      bench.add_subcommand("cage", "Cages made around a model, beside an offset that is decimated");
+  auto options = std::make_shared<bench::CageOptions>();
+  auto files = std::make_shared<BenchFiles>();
+  add_file_option(*command, "MODEL", options->model, "Mesh (OBJ, PLY, OFF, STL, glTF)")
+      ->default_str("the bundled dragon");
+  add_bench_files(*command, *files);
+  command->callback([options, files, &action] {
+    action = [options, files] {
+      files->check({options->model});
+      if (options->model.empty()) options->model = bundled_model().model;
+      options->json = files->json;
+      bench::bench_cage(*options);
+      return exit_ok;
+    };
+  });
+}
+
 void add_modes_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand(
       "modes", "Every way of blending, side by side: what it reproduces, how it distorts, what it costs");
@@ -255,6 +275,7 @@ void add_bench_command(CLI::App& app, Action& action) {
   add_frame_bench(*command, action);
   add_bind_bench(*command, action);
   add_files_bench(*command, action);
+  add_cage_bench(*command, action);
   add_modes_bench(*command, action);
   add_stitched_bench(*command, action);
 }

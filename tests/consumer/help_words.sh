@@ -34,8 +34,8 @@ long_options_of() {
 values_of() {
   option="$1" && shift
   if "$program" "$@" --help | grep -q -e "^  $option WORD"; then
-    said=$("$program" "$@" "$option" '?' 2>&1 || true)
-    echo "$said" | sed -n 's/, not ?$//; s/.*needs //p' | sed 's/, \| or /\n/g' | sort
+    said=$("$program" "$@" "$option" '?????' 2>&1 || true)
+    echo "$said" | sed -n 's/, not ?????$//; s/.*needs //p' | sed 's/, \| or /\n/g' | sort
   fi
 }
 

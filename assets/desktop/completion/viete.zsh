@@ -55,9 +55,10 @@ case $command in
   'bench frame') specs+=($meshes $count $json $faces $rounds $tolerance $reach) ;;
   'bench bind') specs+=($meshes $count $json $faces $rounds) ;;
   'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $weighting $blend $reach $limits $stitched $rounds) ;;
+  'bench cage') specs+=("1:mesh:$mesh" $json) ;;
   'bench files') specs+=("1:mesh:$mesh" $json $rounds) ;;
   'bench stitched') specs+=($meshes "*:pose:$mesh" $json $rounds) ;;
-  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files modes stitched)') ;;
+  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files cage modes stitched)') ;;
   *) # view, which may be left out
     specs+=($files $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
@@ -76,7 +77,7 @@ fi
 # The words of the command are no files.
 local -i skip=0
 [[ $command == (view|render|deform|bind|cage|info|bench\ *) ]] && skip=1
-[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|modes|stitched) ]] && ((CURRENT > 3)) && skip=2
+[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))
 _arguments -s $specs

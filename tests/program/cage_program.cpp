@@ -1,0 +1,89 @@
+// viete cage: from a model to a cage that the other commands take.
+#include <utility>
+#include <vector>
+
+#include "mesh/read.h"
+#include "mesh/summary.h"
+#include "mesh/write.h"
+#include "program/command_line.h"
+#include "scene/cube.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+struct CageFolder : TemporaryFolder {
+  CageFolder() { mesh::write(*this / "model.obj", cube(1)); }
+  Outcome run(const std::string& arguments) const {
+    return test::run(arguments, "cd " + quoted(path()) + " &&");
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a_cage_that_was_made_deforms_its_model_and_is_found_sound") {
+  const CageFolder files;
+  const Outcome made = files.run("cage " + quoted(dragon) + " -o made.obj --triangles 120");
+  CHECK(made.code == 0);
+  CHECK(mentions(made, "made a cage of 1"));
+  CHECK(mentions(made, "% of the model's diagonal away from it"));
+  const mesh::Surface read = mesh::read(files / "made.obj").surface;
+  CHECK(read.triangles.size() <= 120);
+  CHECK(mesh::summarize(read).closed());
+  const Outcome info = files.run("info " + quoted(dragon) + " --cage made.obj");
+  CHECK(info.code == 0);
+  CHECK_FALSE(mentions(info, "outside"));
+  CHECK(files.run("deform " + quoted(dragon) + " made.obj --pose made.obj -o same.ply").code == 0);
+}
+
+TEST_CASE("boxes_and_hulls_are_written_in_every_format") {
+  const CageFolder files;
+  for (const char* name : {"box.obj", "box.ply", "box.off", "box.stl"}) {
+    CHECK(files.run(std::string("cage model.obj --kind box --cells 2x3x1 --margin 5 -o ") + name).code == 0);
+    CHECK(mesh::read(files / name).surface.triangles.size() == 44);
+  }
+  CHECK(files.run("cage model.obj --kind hull --triangles 12 -o hull.obj").code == 0);
+  CHECK(mesh::read(files / "hull.obj").surface.triangles.size() == 12);
+  CHECK(files.run("cage model.obj --quads --triangles 60 -o quads.obj").code == 0);
+  const mesh::Surface quads = mesh::read(files / "quads.obj").surface;
+  CHECK(quads.polygon_count() < quads.triangles.size());
+}
+
+TEST_CASE("a_cage_does_not_replace_its_model_unless_it_is_forced_to") {
+  const CageFolder files;
+  const std::string before = file_bytes(files / "model.obj");
+  const Outcome refused = files.run("cage model.obj --kind box -o model.obj");
+  CHECK(refused.code == 1);
+  CHECK(mentions(refused, "is one of those that are read"));
+  CHECK(file_bytes(files / "model.obj") == before);
+  CHECK(files.run("cage model.obj --kind box -o model.obj --force").code == 0);
+  CHECK(file_bytes(files / "model.obj") != before);
+}
+
+TEST_CASE("wishes_out_of_range_and_bad_models_are_refused_with_a_word") {
+  const CageFolder files;
+  put_file(files / "point.obj", "v 1 2 3\n");
+  put_file(files / "empty.obj", "");
+  const std::pair<const char*, const char*> cases[] = {
+      {"model.obj --triangles 11", "12 to 20,000"},
+      {"model.obj --triangles 20001", "12 to 20,000"},
+      {"model.obj --margin 0.01", "0.05 to 20"},
+      {"model.obj --gap 21", "0 to 20"},
+      {"model.obj --kind sphere", "automatic"},
+      {"model.obj --symmetry w", "auto"},
+      {"model.obj --cells 0x1x1", "from 1 to 32"},
+      {"model.obj --cells 2x2", "as 2x3x2"},
+      {"model.obj --cells 1x1x33", "from 1 to 32"},
+      {"point.obj", "single point"},
+      {"empty.obj", "empty.obj"},
+      {"missing.obj", "there is no such file"},
+  };
+  for (const auto& [arguments, said] : cases) {
+    const Outcome outcome = files.run(std::string("cage ") + arguments + " -o made.obj");
+    CHECK_MESSAGE(outcome.code != 0, arguments);
+    CHECK_MESSAGE(outcome.code != 128, arguments);
+    CHECK_MESSAGE(mentions(outcome, said), arguments << '\n' << outcome.text);
+    CHECK_FALSE(fs::exists(files / "made.obj"));
+  }
+}
