@@ -18,9 +18,13 @@ uniform sampler2D image;  // answers in linear light
 uniform mat4 eye_from_model;
 uniform vec3 run_color;
 uniform int paint;  // 1 as the file says, 2 checker, 3 normals
-uniform int has_image, has_texture_points, flat_faces;
+uniform int has_image, has_texture_points;
 in vec2 texture_point;
+#endif
+#ifdef COLORS
 in vec3 vertex_color;
+#endif
+#ifdef FLAT
 in vec3 eye_position;
 #endif
 
@@ -103,7 +107,10 @@ vec3 checker() {
 }
 
 vec3 from_file() {
-  vec3 light = run_color * vertex_color;
+  vec3 light = run_color;
+#ifdef COLORS
+  light *= vertex_color;
+#endif
   if (has_image != 0) {
     vec4 texel = texture(image, texture_point);
     if (texel.a < 0.5) discard;
@@ -119,9 +126,6 @@ vec3 normal_color(vec3 n) {
   turn /= max(column.x, max(column.y, column.z));
   return 0.5 + 0.5 * normalize(n * turn);
 }
-
-// The triangle's own, towards the eye.
-vec3 face_normal() { return normalize(cross(dFdx(eye_position), dFdy(eye_position))); }
 #endif
 
 vec3 base_color() {
@@ -141,8 +145,9 @@ void main() {
   vec3 n = normalize(normal_and_occlusion.xyz) * side;
   float open = mix(1.0, normal_and_occlusion.w, occlusion_strength) * (gl_FrontFacing ? 1.0 : 0.7);
 #ifdef LOOKS
-  vec3 face = face_normal();
-  if (flat_faces != 0) n = face;
+#ifdef FLAT
+  n = normalize(cross(dFdx(eye_position), dFdy(eye_position)));  // the triangle's own, towards the eye
+#endif
   if (paint == 3) {
     color = vec4(normal_color(n), 1.0);
 #ifdef WIREFRAME

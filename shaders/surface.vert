@@ -7,10 +7,14 @@ uniform samplerBuffer looks;      // per vertex: occlusion, scalar
 uniform mat4 eye_from_model, clip_from_eye;
 #ifdef LOOKS
 uniform samplerBuffer texture_points;  // per corner
-uniform samplerBuffer colors;          // per vertex
-uniform int has_texture_points, has_colors;
+uniform int has_texture_points;
 out vec2 texture_point;
-out vec3 vertex_color;  // in linear light
+#endif
+#ifdef COLORS
+uniform samplerBuffer colors;  // per vertex
+out vec3 vertex_color;         // in linear light
+#endif
+#ifdef FLAT
 out vec3 eye_position;
 #endif
 
@@ -31,8 +35,12 @@ void main() {
   corner_and_scalar = vec3(place == 0, place == 1, look.y);
 #ifdef LOOKS
   texture_point = has_texture_points != 0 ? texelFetch(texture_points, gl_VertexID).xy : vec2(0.0);
-  vec3 c = has_colors != 0 ? texelFetch(colors, vertex).rgb : vec3(1.0);
+#endif
+#ifdef COLORS
+  vec3 c = texelFetch(colors, vertex).rgb;
   vertex_color = c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);  // sRGB to light, within 0.003
+#endif
+#ifdef FLAT
   eye_position = vec3(eye_from_model * vec4(position, 1.0));
 #endif
   gl_Position = clip_from_eye * (eye_from_model * vec4(position, 1.0));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "render/upload.h"
@@ -139,23 +140,30 @@ void SurfaceLayer::set_looks(const SurfaceLooks& looks) {
   }
 }
 
-const Program& SurfaceLayer::program_for(const SurfaceStyle& style) const {
-  const std::size_t kind = style.scalars ? 1 : style.paint == Paint::plain ? 0 : 2;
-  auto& program = programs_[2 * kind + (style.wireframe > 0 ? 1 : 0)];
+const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) const {
+  static constexpr const char* kinds[] = {"", "#define SCALARS\n", "#define LOOKS\n",
+                                          "#define LOOKS\n#define FLAT\n"};
+  const bool looks = !style.scalars && style.paint != Paint::plain;
+  const bool colors = looks && has_colors_ && style.paint == Paint::file, wired = style.wireframe > 0;
+  const std::size_t kind = style.scalars ? 1 : looks ? (flat ? 3 : 2) : 0;
+  auto& program = programs_[4 * kind + (colors ? 2 : 0) + (wired ? 1 : 0)];
   if (!program) {
-    static constexpr const char* kinds[] = {"", "#define SCALARS\n", "#define LOOKS\n"};
-    program.emplace(gl_, "surface",
-                    std::string(kinds[kind]) + (style.wireframe > 0 ? "#define WIREFRAME\n" : ""));
+    program.emplace(
+        gl_, "surface",
+        std::string(kinds[kind]) + (colors ? "#define COLORS\n" : "") + (wired ? "#define WIREFRAME\n" : ""));
   }
   return *program;
 }
 
-void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
-  if (!has_vertices_ || triangle_count_ == 0) return;
-  const Program& program = program_for(style);
+void SurfaceLayer::use(const Program& program, const View& view, const Theme& theme,
+                       const SurfaceStyle& style) const {
   program.use();
   set_view(program, view);
   set_looks(program, view, theme, style);
+}
+
+void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
+  if (!has_vertices_ || triangle_count_ == 0) return;
   indices_.bind(0);
   vertices_.bind(1);
   looks_.bind(3);
@@ -166,23 +174,26 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
   if (style.closed) gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(vertex_array_.id());
   if (style.scalars || style.paint == Paint::plain) {
+    use(program_for(style), view, theme, style);
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangle_count_));
   } else {
-    draw_runs(program);
+    draw_runs(view, theme, style);
   }
   gl_.Disable(GL_CULL_FACE);
   gl_.Disable(GL_DEPTH_TEST);
   debug_check_gl(gl_, "surface");
 }
 
-void SurfaceLayer::draw_runs(const Program& program) const {
+void SurfaceLayer::draw_runs(const View& view, const Theme& theme, const SurfaceStyle& style) const {
   if (has_texture_points_) texture_points_.bind(5);
   if (has_colors_) colors_.bind(6);
   std::size_t first = 0;
+  const Program* used = nullptr;
   const auto draw_run = [&](const SurfaceRun& run) {
+    const Program& program = program_for(style, run.flat);
+    if (std::exchange(used, &program) != &program) use(program, view, theme, style);
     program.set("run_color", run.color);
     program.set("has_image", run.image >= 0 && has_texture_points_ ? 1 : 0);
-    program.set("flat_faces", run.flat ? 1 : 0);
     gl_.ActiveTexture(GL_TEXTURE4);
     gl_.BindTexture(GL_TEXTURE_2D,
                     run.image >= 0 ? images_[static_cast<std::size_t>(run.image)].id() : palette_.id());
@@ -224,7 +235,6 @@ void SurfaceLayer::set_looks(const Program& program, const View& view, const The
   program.set("texture_points", 5);
   program.set("colors", 6);
   program.set("has_texture_points", has_texture_points_ ? 1 : 0);
-  program.set("has_colors", has_colors_ ? 1 : 0);
 }
 
 }  // namespace viete::render

@@ -86,15 +86,17 @@ public:
 
 private:
   void upload_looks();
-  const Program& program_for(const SurfaceStyle& style) const;
-  void draw_runs(const Program& program) const;
+  const Program& program_for(const SurfaceStyle& style, bool flat = false) const;
+  void use(const Program& program, const View& view, const Theme& theme, const SurfaceStyle& style) const;
+  void draw_runs(const View& view, const Theme& theme, const SurfaceStyle& style) const;
   void set_view(const Program& program, const View& view) const;
   void set_looks(const Program& program, const View& view, const Theme& theme,
                  const SurfaceStyle& style) const;
 
   const Gl& gl_;
-  // What is not asked for costs nothing: each has a wireframe or none, and plain colour, scalars or looks.
-  mutable std::array<std::optional<Program>, 6> programs_;
+  // What is not asked for costs nothing: each has a wireframe or none, colours of vertices or none, and plain
+  // colour, scalars, looks, or looks of flat faces.
+  mutable std::array<std::optional<Program>, 16> programs_;
   VertexArray vertex_array_;
   BufferTexture indices_;         // 3 vertex numbers per triangle
   BufferTexture vertices_;        // SurfaceVertex, two texels each
