@@ -22,9 +22,22 @@ void check_sound(const NamedModel& model, const cages::Wish& wish) {
 const std::vector<cages::Wish> wishes = {
     {.triangles = 12},
     {.triangles = 200, .effort = cages::Effort::preview},
-    {.triangles = 100, .margin = 0.05, .gap = 0, .symmetry = cages::Symmetry::x, .quads = true},
-    {.triangles = 201, .margin = 0.0005, .gap = 0.1, .symmetry = cages::Symmetry::none},
-    {.triangles = 40, .margin = 0.2, .gap = 0.2, .symmetry = cages::Symmetry::z},
+    {.triangles = 100,
+     .margin = 0.05,
+     .gap = 0,
+     .symmetry = cages::Symmetry::x,
+     .quads = true,
+     .effort = cages::Effort::preview},
+    {.triangles = 201,
+     .margin = 0.0005,
+     .gap = 0.1,
+     .symmetry = cages::Symmetry::none,
+     .effort = cages::Effort::preview},
+    {.triangles = 40,
+     .margin = 0.2,
+     .gap = 0.2,
+     .symmetry = cages::Symmetry::z,
+     .effort = cages::Effort::preview},
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ const std::vector<cages::Wish> several = {
 }  // namespace
 
 TEST_CASE("cages_are_the_same_for_any_number_of_threads") {
-  for (const auto& model : {soup(300, 0.1, 1), without_lower_half(sphere(4))}) {
+  for (const auto& model : {soup(60, 0.1, 1), without_lower_half(sphere(4))}) {
     for (const cages::Wish& wish : several) {
       base::WorkerPool one(1), two(2), five(5);
       const auto made = cages::make(model, wish, one);
