@@ -82,7 +82,6 @@ void WorkspaceRenderer::set_document(const scene::Document& document, const Mode
   colored_.reset();
   model_vertices_ = model.positions.size();
   model_.set_occlusion(shading.occlusion);
-  ground_ = document.model.bounds.low[1];
   set_another_cage(document, shading);
 }
 
@@ -158,7 +157,10 @@ void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float s
   if (w.view.grid) {
     const double diagonal = document.space.diagonal();
     const auto& c = document.space.center;
-    grid_.draw(view, theme, {{c[0], ground_, c[2]}, scene::grid_cell(diagonal), 1.6 * diagonal, 1, 1});
+    const bool z_up = w.camera.pose().up == scene::UpAxis::z;
+    mesh::Point ground{c[0], c[1], c[2]};
+    ground[z_up ? 2 : 1] = document.model.bounds.low[z_up ? 2 : 1];
+    grid_.draw(view, theme, {ground, scene::grid_cell(diagonal), 1.6 * diagonal, z_up ? 2 : 1, 1});
   }
   if (document.has_cage() && w.view.cage) draw_cage(w, view, theme);
   findings_.draw(view, theme);

@@ -69,7 +69,6 @@ private:
   };
   std::optional<Colored> colored_;
   std::size_t model_vertices_ = 0;
-  double ground_ = 0;  ///< height of the lowest point of the model at rest
 };
 
 }  // namespace viete::app

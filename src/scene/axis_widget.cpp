@@ -11,11 +11,11 @@ constexpr float smallest_view = 160;
 
 }  // namespace
 
-StandardView AxisBall::view() const {
-  constexpr StandardView views[3][2] = {{StandardView::left, StandardView::right},
-                                        {StandardView::bottom, StandardView::top},
-                                        {StandardView::back, StandardView::front}};
-  return views[axis][positive ? 1 : 0];
+StandardView AxisBall::view(UpAxis up) const {
+  using V = StandardView;
+  constexpr V views[2][3][2] = {{{V::left, V::right}, {V::bottom, V::top}, {V::back, V::front}},
+                                {{V::left, V::right}, {V::front, V::back}, {V::bottom, V::top}}};
+  return views[up == UpAxis::z ? 1 : 0][axis][positive ? 1 : 0];
 }
 
 const AxisBall* AxisWidget::ball(const glm::vec2& cursor) const {
@@ -45,7 +45,7 @@ std::optional<AxisWidget> axis_widget(const Camera& camera, const Viewport& v) {
 void look_from(Camera& camera, const AxisBall& ball) {
   AxisBall side = ball;
   if (ball.nearness > 0.9999f) side.positive = !side.positive;
-  camera.look(side.view());
+  camera.look(side.view(camera.pose().up));
 }
 
 }  // namespace viete::scene

@@ -18,7 +18,7 @@ struct AxisBall {
   float nearness;  ///< 1 points at the viewer, -1 away
   float radius;
 
-  StandardView view() const;  ///< seen from this side
+  StandardView view(UpAxis up) const;  ///< seen from this side
 };
 
 struct AxisWidget {

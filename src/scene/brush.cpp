@@ -39,16 +39,24 @@ mesh::Point PosedModel::at(const mesh::Surface& model, std::size_t vertex) const
   return {origin[0] + p[0], origin[1] + p[1], origin[2] + p[2]};
 }
 
+namespace {
+
+struct Hit {
+  SurfacePoint point;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
 // After T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997); both sides count.
-std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray) {
+Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray) {
   const mesh::Surface& model = *document.model.surface;
   const auto& [center, scale] = document.space;
   const auto in_view = [&](std::uint32_t v) {
     const mesh::Point p = posed.at(model, v);
     return scale * glm::dvec3(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
   };
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& t : model.triangles) {
+  Hit nearest;
+  for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
+    const auto& t = model.triangles[i];
     const glm::dvec3 a = in_view(t[0]), u = in_view(t[1]) - a, v = in_view(t[2]) - a;
     const glm::dvec3 p = glm::cross(ray.direction, v);
     const double volume = glm::dot(u, p);
@@ -56,11 +64,24 @@ std::optional<mesh::Point> pick_model(const Document& document, const PosedModel
     const glm::dvec3 from = ray.origin - a, q = glm::cross(from, u);
     const double s = glm::dot(from, p) / volume, r = glm::dot(ray.direction, q) / volume;
     const double distance = glm::dot(v, q) / volume;
-    if (s >= 0 && r >= 0 && s + r <= 1 && distance > 0 && distance < nearest) nearest = distance;
+    if (s >= 0 && r >= 0 && s + r <= 1 && distance > 0 && distance < nearest.distance)
+      nearest = {{i, {1 - s - r, s, r}}, distance};
   }
-  if (!std::isfinite(nearest)) return std::nullopt;
-  const glm::dvec3 hit = ray.origin + nearest * ray.direction;
-  return document.space.to_file(hit);
+  return nearest;
+}
+
+}  // namespace
+
+std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const Hit hit = first_hit(document, posed, ray);
+  if (!std::isfinite(hit.distance)) return std::nullopt;
+  return document.space.to_file(ray.origin + hit.distance * ray.direction);
+}
+
+std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const Hit hit = first_hit(document, posed, ray);
+  if (!std::isfinite(hit.distance)) return std::nullopt;
+  return hit.point;
 }
 
 MaskStroke::MaskStroke(const Document& document)

@@ -31,6 +31,15 @@ struct PosedModel {
 /// Where the ray meets the posed model first, in the file's coordinates; nothing where it does not. O(n).
 std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray);
 
+/// A point of the model that goes with it: of a triangle, by the shares of its corners.
+struct SurfacePoint {
+  std::uint32_t triangle = 0;
+  std::array<double, 3> shares{};
+};
+
+/// The same, as a point of the surface.
+std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray);
+
 /// Shares are kept in steps of one 255th, as a session has them.
 inline constexpr int mask_steps = 255;
 

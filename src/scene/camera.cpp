@@ -50,8 +50,17 @@ CameraPose in_range(CameraPose pose) {
 }
 
 CameraPose mix(const CameraPose& a, const CameraPose& b, float t) {
-  return {glm::mix(a.target, b.target, t), a.distance * std::pow(b.distance / a.distance, t),
-          glm::mix(a.yaw, b.yaw, t), glm::mix(a.pitch, b.pitch, t), b.orthographic};
+  return {glm::mix(a.target, b.target, t),
+          a.distance * std::pow(b.distance / a.distance, t),
+          glm::mix(a.yaw, b.yaw, t),
+          glm::mix(a.pitch, b.pitch, t),
+          b.orthographic,
+          b.up};
+}
+
+// A direction among axes of which Y is up, among the file's.
+glm::vec3 in_file(const glm::vec3& v, UpAxis up) {
+  return up == UpAxis::y ? v : glm::vec3(v.x, -v.z, v.y);
 }
 
 }  // namespace
@@ -69,11 +78,12 @@ void Camera::jump() {
 
 glm::vec3 Camera::forward() const {
   const float c = std::cos(current_.pitch);
-  return {-c * std::sin(current_.yaw), -std::sin(current_.pitch), -c * std::cos(current_.yaw)};
+  return in_file({-c * std::sin(current_.yaw), -std::sin(current_.pitch), -c * std::cos(current_.yaw)},
+                 current_.up);
 }
 
 glm::vec3 Camera::right() const {
-  return {std::cos(current_.yaw), 0, -std::sin(current_.yaw)};
+  return in_file({std::cos(current_.yaw), 0, -std::sin(current_.yaw)}, current_.up);
 }
 glm::vec3 Camera::up() const {
   return glm::cross(right(), forward());
@@ -112,6 +122,10 @@ Ray Camera::ray(const glm::vec2& cursor, const Viewport& v) const {
 
 void Camera::set_orthographic(bool orthographic) {
   current_.orthographic = goal_.orthographic = orthographic;
+}
+
+void Camera::set_up(UpAxis up) {
+  current_.up = goal_.up = start_.up = up;
 }
 
 glm::dvec3 Camera::plane_displacement(const glm::vec2& pixels, double depth, const Viewport& v) const {

@@ -16,14 +16,18 @@ struct Viewport {
 
 enum class StandardView { front, back, right, left, top, bottom, home };
 
-/// Angles in radians; lengths in view units (scene/space.h). Y is up. What a Camera has is always in range
+/// The axis of the file that points up. Files and what is computed of them are as they are, whichever it is.
+enum class UpAxis { y, z };
+
+/// Angles in radians; lengths in view units (scene/space.h). What a Camera has is always in range
 /// (scene/range.h), whatever it was told.
 struct CameraPose {
   glm::vec3 target{0, 0, 0};
   float distance = 4;
-  float yaw = 0.65f;          ///< about Y; 0 looks along -Z
+  float yaw = 0.65f;          ///< about the up axis; 0 looks along -Z, or, where Z is up, along Y
   float pitch = 0.32f;        ///< above the horizon, in [-pi/2, pi/2]
   bool orthographic = false;  ///< then `distance` says how large things are: as in perspective at the target
+  UpAxis up = UpAxis::y;
 
   friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
@@ -59,6 +63,8 @@ public:
   glm::dvec3 plane_displacement(const glm::vec2& pixels, double depth, const Viewport& viewport) const;
 
   void set_orthographic(bool orthographic);
+  /// At once, under the same angles.
+  void set_up(UpAxis up);
   void orbit(const glm::vec2& pixels);
   void pan(const glm::vec2& pixels, const Viewport& viewport);
   /// steps > 0 comes nearer; the point under the cursor at the target's depth stays under it.

@@ -64,6 +64,8 @@ constexpr Condition has_free_probes_selected{
     "Select a probe that is not locked first."};
 constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
                              "Nothing is painted: all of the model follows the cage."};
+constexpr Condition has_marks{[](const Workspace& w) { return !w.marks.empty(); },
+                              "Point at the model and press Y first."};
 constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
                                   "Nothing is selected."};
 constexpr Condition has_selection_or_hover{
@@ -221,6 +223,14 @@ void add_probe_in_view(Workspace& w) {
             at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
   w.interaction.hovered.reset();
   w.view.cage = true;  // with which probes are shown
+}
+
+void mark_point(Workspace& w) {
+  const glm::vec2 at = w.interaction.cursor.value_or(w.viewport.origin + 0.5f * w.viewport.size);
+  const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
+  if (!hit) return w.messages.info("Point at the model to mark it.");
+  if (w.marks.size() == 2) w.marks.clear();
+  w.marks.push_back(*hit);
 }
 
 bool all_locked(const Workspace& w) {
@@ -432,6 +442,12 @@ const std::vector<Command>& table() {
        look<V::home>},
       {"toggle_orthographic", "Orthographic", "Look without perspective: equal lengths look equal.", "View", {Key::pad5},
        {key('O')}, always, [](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); }},
+      {"toggle_z_up", "Z up", "Which axis of the file points up: Z, or Y. Files are written as they came.", "View", {key('U')}, {}, always,
+       [](Workspace& w) { w.camera.set_up(w.camera.pose().up == UpAxis::z ? UpAxis::y : UpAxis::z); }},
+      {"mark_point", "Mark", "Put a mark on the model under the cursor; between two of them the length is measured.", "View",
+       {key('Y')}, {}, has_model, mark_point},
+      {"clear_marks", "Clear marks", "Take the marks away.", "View", {key('Y'), false, true}, {}, has_marks,
+       [](Workspace& w) { w.marks.clear(); }},
       {"toggle_wireframe", "Wireframe", "Show the edges of the mesh.", "View", {key('W'), false, true}, {}, always,
        toggle<&ViewOptions::wireframe>},
       shading_command<Shading::clay>("shading_clay"),

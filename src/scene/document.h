@@ -42,6 +42,8 @@ struct Revisions {
   Revision weights = 0;   ///< elements, weights or reach
   Revision pose = 0;      ///< positions of the cage, or its turns
   Revision method = 0;    ///< blend, or how exp is computed
+
+  friend bool operator==(const Revisions&, const Revisions&) = default;
 };
 
 struct Document {

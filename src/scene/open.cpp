@@ -8,6 +8,7 @@
 #include "mesh/winding_number.h"
 #include "scene/edit.h"
 #include "scene/saving.h"
+#include "scene/up_axis.h"
 
 namespace viete::scene {
 
@@ -248,6 +249,7 @@ void report(Workspace& workspace, const Opened& opened) {
 
 void take_document(Workspace& w, Document&& document, bool keep_settings) {
   const Document& old = w.document;
+  const bool same_model = document.model.surface == old.model.surface;
   if (keep_settings) {
     document.method = old.method;
     document.scheme = old.scheme;
@@ -258,6 +260,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.interaction = {};
   w.making = {.wish = w.making.wish};
   w.offer_cage = true;
+  if (!same_model) w.marks.clear();
   w.stats.clear();
   w.methods = {};
   w.error_map = {};
@@ -335,7 +338,9 @@ void take(Workspace& w, Opened&& opened) {
                                              : RecentFile{w.saved.session, {}});
   }
   if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
-  if (!same_model) frame_all(w, false);
+  if (same_model) return;
+  w.camera.set_up(guessed_up(w.document.model));
+  frame_all(w, false);
 }
 
 }  // namespace viete::scene

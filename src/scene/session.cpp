@@ -80,11 +80,13 @@ std::uint64_t from_hexadecimal(const JsonReader& json) {
 }
 
 ordered_json camera_json(const CameraPose& c) {
-  return {{"target", {tidy(c.target.x), tidy(c.target.y), tidy(c.target.z)}},
-          {"distance", tidy(c.distance)},
-          {"yaw", tidy(c.yaw)},
-          {"pitch", tidy(c.pitch)},
-          {"orthographic", c.orthographic}};
+  ordered_json json = {{"target", {tidy(c.target.x), tidy(c.target.y), tidy(c.target.z)}},
+                       {"distance", tidy(c.distance)},
+                       {"yaw", tidy(c.yaw)},
+                       {"pitch", tidy(c.pitch)},
+                       {"orthographic", c.orthographic}};
+  if (c.up == UpAxis::z) json["up"] = "z";
+  return json;
 }
 
 ordered_json view_json(const ViewOptions& view) {
@@ -114,6 +116,11 @@ CameraPose camera_of(const JsonReader& json) {
   pose.yaw = static_cast<float>(std::abs(yaw) < 4 ? yaw : std::remainder(yaw, 6.283185307179586));
   pose.pitch = number_within(json.at("pitch"), -1.6, 1.6);  // a quarter turn, however it was rounded
   if (const auto v = json.find("orthographic")) pose.orthographic = v->boolean();
+  if (const auto v = json.find("up")) {
+    const std::string axis = v->text();
+    if (axis != "y" && axis != "z") v->fail("the axis that points up is y or z");
+    pose.up = axis == "z" ? UpAxis::z : UpAxis::y;
+  }
   return pose;
 }
 

@@ -42,7 +42,7 @@ struct MaskRun {
 ///                         many vertices, share, ...]; missing: every vertex follows the cage
 ///   "probes"              see probes_json.h; missing: there are none
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
-///                         "pitch" in radians, "orthographic"
+///                         "pitch" in radians, "orthographic", "up": "y" (also if missing) or "z"
 ///   "view"                flags, see ViewOptions
 ///   "window"              [width, height] in logical pixels
 ///   "selecting"           "vertices", "edges" or "faces" of the cage, or "probes"

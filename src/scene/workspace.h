@@ -21,6 +21,7 @@
 #include "scene/document.h"
 #include "scene/file_browser.h"
 #include "scene/frame_stats.h"
+#include "scene/measures.h"
 #include "scene/messages.h"
 #include "scene/question.h"
 #include "scene/recovery.h"
@@ -150,8 +151,10 @@ struct Workspace {
   Messages messages;
   Interaction interaction;
   Tool tool = Tool::move;
-  Brush brush;       ///< of Tool::paint
-  PosedModel posed;  ///< the model as it is drawn
+  Brush brush;                      ///< of Tool::paint
+  PosedModel posed;                 ///< the model as it is drawn
+  std::vector<SurfacePoint> marks;  ///< on the model, two at most: the length between them is measured
+  KnownMeasures measures;
   Requests requests;
   FrameStats stats;
   MethodStats methods;

@@ -24,6 +24,10 @@ std::string length(double value) {
   return print("%.3g", value);
 }
 
+std::string measured(double value) {
+  return print("%.6g", value);
+}
+
 std::string ratio(double value) {
   return base::few_digits(value) + " x";
 }

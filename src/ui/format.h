@@ -19,6 +19,8 @@ inline std::string count(std::size_t n) {
 std::string error(double relative);
 /// Three significant digits: "0.123", "12.3", "1.23e+07".
 std::string length(double value);
+/// Six digits.
+std::string measured(double value);
 /// "124 x".
 std::string ratio(double value);
 

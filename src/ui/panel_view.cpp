@@ -21,6 +21,8 @@ void panel_view(const Context& ui) {
   ImGui::SameLine(left + half);
   command_toggle(ui, "toggle_axes", view.axes);
   command_toggle(ui, "toggle_deformed", view.deformed);
+  ImGui::SameLine(left + half);
+  command_toggle(ui, "toggle_z_up", ui.workspace.camera.pose().up == scene::UpAxis::z);
   command_choice(ui, {"shading_clay", "shading_file", "shading_checker", "shading_normals"},
                  static_cast<std::size_t>(view.shading));
   command_row(ui, {"view_front", "view_right", "view_top"});

@@ -17,6 +17,7 @@ void column(const Context& ui) {
   panel_cage(ui);
   panel_probes(ui);
   panel_checks(ui);
+  panel_measures(ui);
   panel_method(ui);
   panel_timings(ui);
   panel_accuracy(ui);
@@ -32,6 +33,7 @@ void draw_panels(const Context& ui) {
   gizmo_overlay(ui);
   axis_overlay(ui);
   view_overlay(ui);
+  mark_overlay(ui);
   error_legend(ui);
   if (ui.workspace.view.panels) {
     column(ui);

@@ -13,6 +13,7 @@ void panel_cage(const Context& ui);
 void panel_making(const Context& ui);  ///< part of the cage's section: one that is being made
 void panel_probes(const Context& ui);
 void panel_checks(const Context& ui);
+void panel_measures(const Context& ui);
 void panel_method(const Context& ui);
 void blending(const Context& ui);  ///< part of the method's section
 void panel_timings(const Context& ui);
@@ -31,6 +32,7 @@ void transform_fields(const Context& ui);  ///< a part of the cage's panel, or o
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
+void mark_overlay(const Context& ui);  ///< marks on the model, and the length between two
 void error_legend(const Context& ui);  ///< of the colours on the mesh
 void view_overlay(const Context& ui);  ///< box selection, first-start hints
 

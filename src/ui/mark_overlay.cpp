@@ -1,0 +1,39 @@
+// Marks on the model, and the length between two of them.
+#include <cmath>
+
+#include "scene/measures.h"
+#include "scene/picking.h"
+#include "ui/format.h"
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+
+namespace viete::ui {
+
+void mark_overlay(const Context& ui) {
+  const auto& w = ui.workspace;
+  const scene::Projector project(w.document.space, w.camera, w.viewport);
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  std::vector<mesh::Point> places;
+  std::vector<ImVec2> shown;
+  for (const auto& mark : w.marks) {
+    places.push_back(scene::place_of(w.document, w.posed, mark));
+    if (const auto at = project(places.back())) shown.push_back({at->x, at->y});
+  }
+  const auto line = [&](float width, ImU32 color) {
+    if (shown.size() == 2) draw.AddLine(shown[0], shown[1], color, width);
+    for (const ImVec2& at : shown) draw.AddCircleFilled(at, 2 + width, color);
+  };
+  line(3.5f, faded(ui.colors.halo, 1.0f));
+  line(1.5f, ui.colors.text);
+  if (shown.size() < 2) return;
+  const double length =
+      std::hypot(places[1][0] - places[0][0], places[1][1] - places[0][1], places[1][2] - places[0][2]);
+  const std::string text = measured(length);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at{0.5f * (shown[0].x + shown[1].x - size.x), 0.5f * (shown[0].y + shown[1].y) - size.y - 8};
+  draw.AddRectFilled({at.x - 5, at.y - 2}, {at.x + size.x + 5, at.y + size.y + 2},
+                     faded(ui.colors.halo, 0.9f), 4);
+  draw.AddText(at, ui.colors.text, text.c_str());
+}
+
+}  // namespace viete::ui
