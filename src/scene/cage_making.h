@@ -20,8 +20,8 @@ using CageWish = cages::Wish;
 struct CageMaking {
   bool open = false;
   CageWish wish;
-  std::vector<std::string> notes;            ///< on the cage that was made last
-  std::shared_ptr<const deform::Cage> made;  ///< the last one; what an undo leads away from is left alone
+  std::vector<std::string> notes{};            ///< on the cage that was made last
+  std::shared_ptr<const deform::Cage> made{};  ///< the last one; what an undo leads away from is left alone
 };
 
 /// The document's cage is what was made last: another one replaces it in the same edit.

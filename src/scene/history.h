@@ -21,8 +21,8 @@ struct Snapshot {
   deform::Scheme scheme;
   deform::Mask mask;  ///< shared, not copied
   deform::Probes probes;
-  std::shared_ptr<const deform::Cage> cage;  ///< shared, not copied
-  OpenedSurface cage_file;                   ///< likewise
+  std::shared_ptr<const deform::Cage> cage{};  ///< shared, not copied
+  OpenedSurface cage_file{};                   ///< likewise
   std::optional<deform::Pose> kept_pose{};
 };
 
