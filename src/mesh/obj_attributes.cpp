@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/quantity.h"
 #include "mesh/mtl.h"
@@ -80,7 +81,8 @@ void ObjAttributes::end_polygon(const Surface& surface) {
   for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
     if (indices->size() > corners) indices->resize(corners);
   }
-  if (!changed_ || surface.polygon_count() == 0) return;
+  const bool made = std::exchange(polygons_, surface.polygon_count()) != surface.polygon_count();
+  if (!changed_ || !made) return;
   state_.first_polygon = static_cast<std::uint32_t>(surface.polygon_count() - 1);
   changed_ = false;
   if (found_.groups.size() < most_groups) {

@@ -52,6 +52,7 @@ private:
   Attributes found_;
   Group state_;  // of the faces that follow
   bool changed_ = true;
+  std::size_t polygons_ = 0;
   std::size_t bad_indices_ = 0, bad_numbers_ = 0, groups_left_out_ = 0;
   std::map<std::string, std::uint32_t, std::less<>> materials_;
   std::vector<std::string> libraries_;

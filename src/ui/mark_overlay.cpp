@@ -1,5 +1,5 @@
 // Marks on the model, and the length between two of them.
-#include <cmath>
+#include <vector>
 
 #include "scene/measures.h"
 #include "scene/picking.h"
@@ -13,11 +13,12 @@ void mark_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   const scene::Projector project(w.document.space, w.camera, w.viewport);
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  std::vector<mesh::Point> places;
+  std::vector<glm::dvec3> places;
   std::vector<ImVec2> shown;
   for (const auto& mark : w.marks) {
-    places.push_back(scene::place_of(w.document, w.posed, mark));
-    if (const auto at = project(places.back())) shown.push_back({at->x, at->y});
+    const auto place = scene::place_of(w.document, w.posed, mark);
+    places.emplace_back(place[0], place[1], place[2]);
+    if (const auto at = project(place)) shown.push_back({at->x, at->y});
   }
   const auto line = [&](float width, ImU32 color) {
     if (shown.size() == 2) draw.AddLine(shown[0], shown[1], color, width);
@@ -26,8 +27,7 @@ void mark_overlay(const Context& ui) {
   line(3.5f, faded(ui.colors.halo, 1.0f));
   line(1.5f, ui.colors.text);
   if (shown.size() < 2) return;
-  const double length =
-      std::hypot(places[1][0] - places[0][0], places[1][1] - places[0][1], places[1][2] - places[0][2]);
+  const double length = glm::distance(places[0], places[1]);
   const std::string text = measured(length);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at{0.5f * (shown[0].x + shown[1].x - size.x), 0.5f * (shown[0].y + shown[1].y) - size.y - 8};

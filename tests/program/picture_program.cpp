@@ -392,6 +392,33 @@ void show_blend(Driver& d) {
   show_choice(d, "blend", "blend_linear");
 }
 
+void show_cage_offer(Driver& d) {
+  REQUIRE(d.open({test::dragon}));
+  put_numbers(d);
+}
+
+void show_making(Driver& d) {
+  REQUIRE(d.open({test::dragon}));
+  d.settle();
+  d.workspace().making.wish.kind = scene::CageKind::box;
+  d.workspace().making.wish.cells = {3, 2, 2};
+  d.click("make_cage");
+  d.frame();
+  d.viewer().finish_making();
+  d.frame(3);
+  d.move({1, 1});
+  put_numbers(d);
+}
+
+void show_marks(Driver& d) {
+  d.open_dragon();
+  d.workspace().view.cage = false;
+  d.workspace().marks = {{1000, {1, 0, 0}}, {60000, {0, 1, 0}}};
+  for (const char* title : {"Model", "Cage", "Measures"}) d.click(std::string("section/") + title);
+  d.move({1, 1});
+  put_numbers(d);
+}
+
 const Picture texts[] = {
     {"panels", {560, 1140}, show_panels},
     {"checks", {640, 640}, show_checks},
@@ -400,7 +427,10 @@ const Picture texts[] = {
     {"keys", {1400, 800}, show_keys, of_text},
     {"browser", {960, 520}, show_browser, of_text},
     {"choice_elements", {640, 480}, show_elements},
-    {"choice_blend", {640, 520}, show_blend},
+    {"choice_blend", {640, 560}, show_blend},
+    {"cage_offer", {860, 520}, show_cage_offer},
+    {"cage_making", {860, 560}, show_making},
+    {"marks", {860, 520}, show_marks},
 };
 
 const Picture light_texts[] = {
