@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "scene/cage_editing.h"
+#include "scene/command_conditions.h"
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/file_commands.h"
@@ -15,108 +16,6 @@
 namespace viete::scene {
 
 namespace {
-
-// What is dragged or painted is one edit, which others must not come between.
-bool in_hand(const Workspace& w) {
-  return w.interaction.drag || w.interaction.stroke;
-}
-constexpr Condition hand_is_free{[](const Workspace& w) { return !in_hand(w); },
-                                 "Finish what you are dragging first."};
-template <const Condition& C>
-constexpr Condition with_free_hand{[](const Workspace& w) { return C(w) && !in_hand(w); }, C.otherwise};
-
-constexpr Condition always{[](const Workspace&) { return true; }, ""};
-constexpr Condition uses_method{
-    [](const Workspace& w) { return w.document.scheme.exponential(); },
-    "This way of blending takes no exponential; choose the blend Log space first."};
-constexpr Condition has_reach{
-    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.reach; },
-    "These weights have no reach: all of the cage moves all of the model."};
-constexpr Condition has_clamp{
-    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.clamp; },
-    "These weights are not clamped: they are never below 0, or are what they are by that."};
-constexpr Condition has_normalise{
-    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.normalise; },
-    "These weights always sum to 1."};
-constexpr Condition has_maps{
-    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.elements).affine; },
-    "These elements only move: there are no maps that triangles could follow."};
-constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
-                              "Open a model first."};
-constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); }, "Open a cage first."};
-constexpr Condition is_movable{[](const Workspace& w) { return w.document.is_movable(); },
-                               "Open a cage or add a probe first."};
-constexpr Condition has_elements{
-    [](const Workspace& w) { return element_count(w.document, w.document.selection.kind()) > 0; },
-    "There is nothing of the kind to select: open a cage, or add a probe."};
-constexpr Condition has_probe_room{
-    [](const Workspace& w) {
-      return has_model(w) && w.document.probes.all.size() < most_probes && !in_hand(w);
-    },
-    "Open a model first; there can be 256 probes."};
-constexpr Condition has_probes_selected{
-    [](const Workspace& w) {
-      return w.document.selection.kind() == ElementKind::probe && !w.document.selection.empty() && !in_hand(w);
-    },
-    "Select a probe first."};
-constexpr Condition has_free_probes_selected{
-    [](const Workspace& w) { return has_free_probes(w.document) && !in_hand(w); },
-    "Select a probe that is not locked first."};
-constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
-                             "Nothing is painted: all of the model follows the cage."};
-constexpr Condition has_marks{[](const Workspace& w) { return !w.marks.empty(); },
-                              "Point at the model and press Y first."};
-constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
-                                  "Nothing is selected."};
-constexpr Condition has_selection_or_hover{
-    [](const Workspace& w) {
-      return has_cage(w) && w.document.selection.kind() != ElementKind::probe &&
-             (has_selection(w) || w.interaction.hovered);
-    },
-    "Select something of the cage first, or point at it."};
-constexpr Condition is_working{
-    [](const Workspace& w) { return w.loading.running || w.binding.running || w.making_cage.running; },
-    "Nothing is being read, made or bound."};
-constexpr Condition can_make_cage{
-    [](const Workspace& w) { return has_model(w) && !w.making.open && !w.loading.running && !in_hand(w); },
-    "Open a model first; a cage that is being made is finished by Done."};
-constexpr Condition can_edit_cage{
-    [](const Workspace& w) { return has_cage(w) && !w.making.open && !in_hand(w); },
-    "Open or make a cage first; a cage that is being made is finished by Done."};
-constexpr Condition is_editing{
-    [](const Workspace& w) { return is_editing_cage(w.document) && !in_hand(w); },
-    "Switch to editing the cage first (Tab)."};
-constexpr Condition has_cage_selected{
-    [](const Workspace& w) {
-      return is_editing(w) && w.document.selection.kind() != ElementKind::probe && has_selection(w);
-    },
-    "Switch to editing the cage (Tab) and select something of it first."};
-constexpr Condition is_making{[](const Workspace& w) { return w.making.open; }, "No cage is being made."};
-constexpr Condition has_cage_beside{
-    [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
-    "There is no file beside the model that looks like its cage."};
-constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
-                                 "Nothing is being exported."};
-constexpr Condition is_measuring{[](const Workspace& w) { return w.benchmark.running; },
-                                 "Nothing is being measured."};
-constexpr Condition is_not_measuring{[](const Workspace& w) { return !w.benchmark.running; },
-                                     "A measurement is running; cancel it first."};
-constexpr Condition has_leftover{
-    [](const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; },
-    "There are no unsaved edits of an earlier run."};
-constexpr Condition has_discarded{[](const Workspace& w) { return !w.discarded.empty(); },
-                                  "Nothing was discarded since the program was started."};
-constexpr Condition can_undo{
-    [](const Workspace& w) { return w.document.history.can_undo() && !in_hand(w); },
-    "There is no edit to take back."};
-constexpr Condition can_redo{
-    [](const Workspace& w) { return w.document.history.can_redo() && !in_hand(w); },
-    "No edit was taken back."};
-constexpr Condition is_posed{
-    [](const Workspace& w) { return !in_hand(w) && differs_from_rest(w.document); },
-    "Cage and probes are at rest."};
-constexpr Condition has_posed_selection{[](const Workspace& w) { return has_selection(w) && is_posed(w); },
-                                        "Nothing that is selected has moved."};
 
 template <bool deform::Weighting::*Setting>
 void toggle_weighting(Workspace& w) {

@@ -1,4 +1,6 @@
 // In the middle of the view of a model without a cage: ways to get one.
+#include <algorithm>
+
 #include "scene/cage_making.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -23,7 +25,8 @@ void line(const std::string& text, ImU32 color) {
 void cage_offer(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   if (!shows(w)) return;
-  constexpr float width = 320;
+  constexpr const char* what = "A cage is the coarse mesh around it that you drag.";
+  const float width = std::max(320.0f, ImGui::CalcTextSize(what).x);
   const auto& v = w.viewport;
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + v.size.y - 28}, ImGuiCond_Always,
                           {0.5f, 1});
@@ -36,7 +39,7 @@ void cage_offer(const Context& ui) {
   ImGui::PushFont(ui.fonts.strong);
   line("This model has no cage yet", ui.colors.text);
   ImGui::PopFont();
-  line("A cage is the coarse mesh around it that you drag.", ui.colors.faint);
+  line(what, ui.colors.faint);
   ImGui::Dummy({width, 2});
   if (!w.document.cage_beside.empty()) {
     line(w.document.cage_beside.filename().string() + " lies beside it.", ui.colors.text);

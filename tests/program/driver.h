@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -123,6 +124,16 @@ public:
     return deform::deform_exactly(*e.model, e.cage, e.scheme, e.pose, e.method, pool, nullptr, e.mask,
                                   e.probes)
         .positions;
+  }
+
+  /// How far vertices of the model as it is drawn lie from the exact ones, in diagonals of the model.
+  double drawn_error() {
+    const auto exact = exact_positions(), shown = viewer().deformer()->positions();
+    REQUIRE(exact.size() == shown.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      largest = std::max(largest, mesh::norm(mesh::operator-(exact[i], shown[i])));
+    return largest / document().model.bounds.diagonal();
   }
 
   glm::vec2 vertex(std::uint32_t i) {
