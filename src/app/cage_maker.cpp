@@ -54,13 +54,16 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
     wants_full_ = false;
   } else if (no_drag) {
     if (auto result = job_.poll()) {
-      if (result->value) take(w, *std::move(result->value));
+      // What was only to better a preview that is no longer there, or is posed, is not wanted any more.
+      const bool wanted = effort_ == cages::Effort::preview || scene::goes_on(w.document, w.making);
+      if (result->value && wanted) take(w, *std::move(result->value));
       if (!result->problem.empty()) w.messages.error(result->problem);
       wants_full_ &= result->value.has_value();
     }
     // A preview that runs comes to its end first: else a hand that does not rest would see none.
     const bool busy = job_.running() && effort_ == cages::Effort::preview;
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
+    wants_full_ &= job_.running() || scene::goes_on(w.document, w.making);
     if (is_due(w)) start(w, cages::Effort::full);
   }
   w.making_cage = {job_.running(), text_, job_.done(), job_.seconds(), job_.seconds()};

@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 namespace {
 
 void add_files(CLI::App& app, Inputs& inputs) {
-  auto* model =
-      add_file_option(app, "MODEL", inputs.model,
-                      "Mesh (OBJ, PLY, OFF, STL, glTF), or a session (.viete), which names its own cage and pose");
+  auto* model = add_file_option(
+      app, "MODEL", inputs.model,
+      "Mesh (OBJ, PLY, OFF, STL, glTF), or a session (.viete), which names its own cage and pose");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
   add_file_option(app, "CAGE", inputs.cage, "Cage around it, at rest");
   if (inputs.use == Use::binding) return;

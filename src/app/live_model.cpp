@@ -150,7 +150,8 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
     derived_.reset();  // the frame at rest depends on the pose alone
   }
   // While the hand changes the cage itself, the model stays as it is at rest.
-  const bool editing = drag && document.kept_pose;
+  const bool editing = drag && document.kept_pose && !drag->vertices().empty();
+  if (editing) derived_ = {document.revisions.pose, document.revisions.method};
   const bool deformed = !editing && deforms(document);
   if (deformed) {
     deformer_->set_probes(document.probes);

@@ -132,8 +132,9 @@ bool Viewer::wants_frame() const {
   const bool reports =
       files_.loading() || files_.exporting() || model_.binding() || cages_.running() || analysis_.reports();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
-  return changing() || files_.has_news() || model_.has_result() || cages_.is_due(workspace_) ||
-         wants_refinement() || analysis_.has_news(workspace_, model_);
+  return changing() || files_.has_news() || model_.has_result() ||
+         (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
+         analysis_.has_news(workspace_, model_);
 }
 
 bool Viewer::changing() const {
@@ -155,7 +156,6 @@ void Viewer::take_requests() {
     model_.stop_binding(workspace_, "Stopped binding; everything is as it was.", scene::Severity::info);
     settle(3);
   }
-  if (std::exchange(workspace_.requests.frame_finding, false)) frame_finding();
 }
 
 void Viewer::follow_document() {
@@ -177,6 +177,7 @@ void Viewer::follow_document() {
     }
     cage_drawn_.reset();
   }
+  if (std::exchange(workspace_.requests.frame_finding, false)) frame_finding();
   analysis_.follow_document(workspace_);
   if (analysis_.shows_news()) settle(3);
 }
@@ -221,7 +222,7 @@ void Viewer::deform(scene::FrameTimes& times) {
   deformed_ = model_.deform(workspace_, times);
   workspace_.posed = {};
   if (const auto* deformer = model_.deformer(); workspace_.view.deformed && deformer && deformer->ran())
-    workspace_.posed = {deformer->vertices(), deformer->origin()};
+    workspace_.posed = {deformer->vertices(), deformer->origin(), model_.frames()};
 }
 
 void Viewer::upload(scene::FrameTimes& times) {

@@ -54,12 +54,9 @@ public:
 
   const Origin& origin(std::uint32_t v) const { return origins_[v]; }
 
-  // Without corners that repeat the one before, polygons of two corners, and vertices of no polygon.
+  // Without corners that repeat another, polygons of two corners, and vertices of no polygon.
   Edited finish(const std::vector<std::uint32_t>& selection) {
-    for (Polygon& p : all) {
-      p.erase(std::unique(p.begin(), p.end()), p.end());
-      while (p.size() > 1 && p.front() == p.back()) p.pop_back();
-    }
+    for (std::size_t p = 0; p < all.size(); ++p) part_at_repeated(p);
     std::erase_if(all, [](const Polygon& p) { return p.size() < 3; });
     std::vector<std::uint8_t> used(positions_.size(), 0);
     for (const Polygon& p : all) {
@@ -87,6 +84,20 @@ public:
   }
 
 private:
+  // A polygon that comes back to a corner becomes two, which both have it.
+  void part_at_repeated(std::size_t number) {
+    for (std::size_t i = 0; i < all[number].size(); ++i) {
+      Polygon& p = all[number];
+      const auto first = p.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto again = std::find(first + 1, p.end(), *first);
+      if (again == p.end()) continue;
+      Polygon loop(first, again);
+      p.erase(first, again);
+      all.push_back(std::move(loop));  // p is not valid behind this
+      --i;
+    }
+  }
+
   std::vector<Point> positions_;
   std::vector<Origin> origins_;
 };
@@ -119,12 +130,14 @@ Polygon rim_of(const std::vector<Polygon>& polygons) {
   return rim.size() == next.size() ? rim : Polygon{};
 }
 
-// The polygons that `is_one` names become the one that they fill; without a loop they stay.
-template <class IsOne>
-void unite(Polygons& cage, IsOne is_one) {
+// The polygons that `is_one` names become the one that they fill, without corners that go; without a loop
+// they stay.
+template <class IsOne, class Goes>
+void unite(Polygons& cage, IsOne is_one, Goes goes) {
   std::vector<Polygon> united;
   std::ranges::copy_if(cage.all, std::back_inserter(united), is_one);
   Polygon rim = rim_of(united);
+  std::erase_if(rim, goes);
   if (rim.size() < 3) return;
   std::erase_if(cage.all, is_one);
   cage.all.push_back(std::move(rim));
@@ -182,13 +195,18 @@ Edited merge_vertices(const Surface& surface, std::span<const std::uint32_t> ver
 Edited dissolve_vertices(const Surface& surface, std::span<const std::uint32_t> vertices) {
   Polygons cage(surface);
   for (const std::uint32_t v : vertices)
-    unite(cage, [v](const Polygon& p) { return std::ranges::find(p, v) != p.end(); });
+    unite(
+        cage, [v](const Polygon& p) { return std::ranges::find(p, v) != p.end(); },
+        [v](std::uint32_t corner) { return corner == v; });
   return cage.finish({});
 }
 
 Edited dissolve_edges(const Surface& surface, std::span<const mesh::Edge> edges) {
   Polygons cage(surface);
-  for (const mesh::Edge& edge : edges) unite(cage, [&](const Polygon& p) { return side_of(p, edge) < p.size(); });
+  for (const mesh::Edge& edge : edges)
+    unite(
+        cage, [&](const Polygon& p) { return side_of(p, edge) < p.size(); },
+        [](std::uint32_t) { return false; });
   return cage.finish({});
 }
 
@@ -203,19 +221,30 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
   std::map<std::uint32_t, std::uint32_t> lifted;
   std::set<std::array<std::uint32_t, 2>> sides;
   Vec3 normal{0, 0, 0};
+  double areas = 0;
+  std::vector<Vec3> normals(surface.positions.size(), {0, 0, 0});
   for (const std::uint32_t number : polygons) {
     const Polygon& p = cage.all[number];
-    normal = normal + area_of(cage, p);
+    const Vec3 area = area_of(cage, p);
+    normal = normal + area;
+    areas += mesh::norm(area);
+    for (const auto v : p) normals[v] = normals[v] + area;
     for (std::size_t i = 0; i < p.size(); ++i) sides.insert({p[i], p[(i + 1) % p.size()]});
   }
+  // Faces that look to many sides go each their own way.
   const double length = mesh::norm(normal);
-  const Vec3 up = length > 0 ? (distance / length) * normal : Vec3{0, 0, 0};
+  const bool together = length > 0.1 * areas;
+  const auto up = [&](std::uint32_t v) {
+    const Vec3& way = together ? normal : normals[v];
+    const double size = mesh::norm(way);
+    return size > 0 ? (distance / size) * way : Vec3{0, 0, 0};
+  };
   std::vector<std::uint32_t> made;
   for (const std::uint32_t number : polygons) {
     for (auto& v : cage.all[number]) {
       const auto [place, is_new] = lifted.try_emplace(v, 0);
       if (is_new) {
-        const Point at = cage.at(v) + up;
+        const Point at = cage.at(v) + up(v);
         made.push_back(place->second = cage.add(at, cage.origin(v)));
       }
       v = place->second;
@@ -295,7 +324,8 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   cage.all = half;
   for (const Polygon& p : half) {
     Polygon turned;
-    for (auto v = p.rbegin(); v != p.rend(); ++v) turned.push_back(image(*v));
+    turned.push_back(image(p.front()));  // so that it is cut into triangles as its image
+    for (std::size_t i = p.size() - 1; i > 0; --i) turned.push_back(image(p[i]));
     cage.all.push_back(std::move(turned));
   }
   return cage.finish({});

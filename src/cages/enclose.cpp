@@ -13,11 +13,23 @@ namespace {
 using mesh::Point, mesh::Surface, mesh::Vec3;
 using mesh::operator+, mesh::operator-, mesh::operator*;
 
+double signed_volume(const Surface& cage) {
+  const Point middle = mesh::used_bounds(cage).center();
+  double six = 0;
+  for (const auto& t : cage.triangles) {
+    const Vec3 a = cage.positions[t[0]] - middle, b = cage.positions[t[1]] - middle,
+               c = cage.positions[t[2]] - middle;
+    six += mesh::dot(a, mesh::cross(b, c));
+  }
+  return six / 6;
+}
+
 // How far each vertex is to go so that the points that are outside come within.
 std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& outside, double margin) {
   const mesh::TriangleTree tree(cage.positions, cage.triangles);
   std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
   std::vector<double> farthest(cage.positions.size(), 0);
+  const double side = signed_volume(cage) < 0 ? -1 : 1;  // of an inside-out cage the normals point inward
   for (const Point& p : outside) {
     const auto nearest = tree.nearest(p);
     const mesh::Triangle& t = cage.triangles[nearest.triangle];
@@ -29,7 +41,7 @@ std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& ou
     for (const auto v : t) {
       if (distance <= farthest[v]) continue;
       farthest[v] = distance;
-      ways[v] = (distance / length) * area;
+      ways[v] = (side * distance / length) * area;
     }
   }
   return ways;

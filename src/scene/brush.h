@@ -24,6 +24,7 @@ struct Brush {
 struct PosedModel {
   std::span<const deform::FrameVertex> vertices{};
   mesh::Point origin{0, 0, 0};
+  unsigned long frame = 0;  ///< another number where the vertices may be others
 
   mesh::Point at(const mesh::Surface& model, std::size_t vertex) const;
 };

@@ -30,9 +30,11 @@ mesh::Vec3 across(const mesh::Vec3& way, const cages::Plane& plane) {
   return way - (2 * mesh::dot(way, plane.normal)) * plane.normal;
 }
 
+// Whole turns go with the parts, as long as there are as many.
 deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
-                     const cages::Plane& plane) {
+                     const deform::Cage& after, const cages::Plane& plane) {
   deform::Pose now;
+  if (before.roots.size() == after.roots.size()) now.turns = pose.turns;
   for (std::size_t v = 0; v < edited.origins.size(); ++v) {
     const cages::Origin& origin = edited.origins[v];
     mesh::Vec3 way{0, 0, 0};
@@ -48,7 +50,7 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const cages::Plane& plane = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
-  deform::Pose real = carried(*document.cage, real_pose(document), edited, plane);
+  deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, plane);
   document.history.record(label, snapshot_of(document));
   const bool editing = is_editing_cage(document);
   const ElementKind kind = document.selection.kind();
@@ -104,7 +106,7 @@ bool settle_cage_edit(Document& document) {
   try {
     cages::Edited edited = with_positions(document.cage->surface, document.pose.positions);
     auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
-    deform::Pose real = carried(*document.cage, *document.kept_pose, edited, {});
+    deform::Pose real = carried(*document.cage, *document.kept_pose, edited, *cage, {});
     const Selection selection = document.selection;
     document.kept_pose = std::move(real);
     replace_cage(document, made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
@@ -139,11 +141,16 @@ void merge_selected(Document& document) {
 void remove_selected(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
   const Selection& selection = document.selection;
+  const auto put = [&](cages::Edited edited, const char* label) {
+    require(edited.surface.corners != cage.corners, "what is selected cannot be removed",
+            "there is no single loop around it; remove faces instead");
+    put_edited(document, std::move(edited), label);
+  };
   if (selection.kind() == ElementKind::vertex)
-    return put_edited(document, cages::dissolve_vertices(cage, selection.indices()), "remove vertices");
+    return put(cages::dissolve_vertices(cage, selection.indices()), "remove vertices");
   if (selection.kind() == ElementKind::edge)
-    return put_edited(document, cages::dissolve_edges(cage, selected_edges(document)), "remove edges");
-  put_edited(document, cages::remove_polygons(cage, selection.indices()), "remove faces");
+    return put(cages::dissolve_edges(cage, selected_edges(document)), "remove edges");
+  put(cages::remove_polygons(cage, selection.indices()), "remove faces");
 }
 
 void extrude_selected(Document& document) {

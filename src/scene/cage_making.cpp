@@ -29,11 +29,14 @@ bool shows_made(const Document& document, const CageMaking& making) {
   return making.made && document.cage == making.made;
 }
 
+bool goes_on(const Document& document, const CageMaking& making) {
+  return shows_made(document, making) && document.history.undo_label() == make_cage_label &&
+         !document.history.can_redo();
+}
+
 void take_made(Document& document, CageMaking& making, OpenedSurface surface,
                std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
-  const bool goes_on = shows_made(document, making) && document.history.undo_label() == make_cage_label &&
-                       !document.history.can_redo();
-  if (goes_on) {
+  if (goes_on(document, making)) {
     document.history.go_on();
   } else {
     document.history.record(make_cage_label, snapshot_of(document));
@@ -46,7 +49,7 @@ void take_made(Document& document, CageMaking& making, OpenedSurface surface,
 }
 
 void cancel_making(Document& document, CageMaking& making) {
-  if (shows_made(document, making) && document.history.undo_label() == make_cage_label) undo(document);
+  while (making.made && document.cage != making.before && document.history.can_undo()) undo(document);
   making = {.wish = making.wish};
 }
 

@@ -20,12 +20,15 @@ using CageWish = cages::Wish;
 struct CageMaking {
   bool open = false;
   CageWish wish;
-  std::vector<std::string> notes{};            ///< on the cage that was made last
-  std::shared_ptr<const deform::Cage> made{};  ///< the last one; what an undo leads away from is left alone
+  std::vector<std::string> notes{};              ///< on the cage that was made last
+  std::shared_ptr<const deform::Cage> made{};    ///< the last one; what an undo leads away from is left alone
+  std::shared_ptr<const deform::Cage> before{};  ///< that of the document when it was opened
 };
 
 /// The document's cage is what was made last: another one replaces it in the same edit.
 bool shows_made(const Document& document, const CageMaking& making);
+/// And making it was the last edit: nothing is lost if another one takes its place.
+bool goes_on(const Document& document, const CageMaking& making);
 
 /// A made cage becomes that of the document, at rest. Undoable; those that are made one after the other,
 /// with nothing in between, are one edit. Throws base::Error, and the document stays as it is, if it is no
@@ -33,7 +36,7 @@ bool shows_made(const Document& document, const CageMaking& making);
 void take_made(Document& document, CageMaking& making, OpenedSurface surface,
                std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes);
 
-/// As if none had been made since it was opened.
+/// Takes everything back until the cage is the one from before it was opened.
 void cancel_making(Document& document, CageMaking& making);
 
 /// Another cage around the same model, with its pose. What was selected of the old one is not.

@@ -112,7 +112,10 @@ inline constexpr Condition is_posed{
     [](const Workspace& w) { return !in_hand(w) && differs_from_rest(w.document); },
     "Cage and probes are at rest."};
 inline constexpr Condition has_posed_selection{
-    [](const Workspace& w) { return has_selection(w) && is_posed(w); },
+    [](const Workspace& w) {
+      const bool of_cage = w.document.selection.kind() != ElementKind::probe;
+      return has_selection(w) && is_posed(w) && !(of_cage && is_editing_cage(w.document));
+    },
     "Nothing that is selected has moved."};
 
 }  // namespace viete::scene

@@ -244,7 +244,7 @@ const std::vector<Command>& table() {
        {key('L')}, {key('L'), true}, has_selection_or_hover, select_linked},
 
       {"make_cage", "Make a cage", "Make a cage around the model; sliders say how.", "Cage", {}, {}, can_make_cage,
-       [](Workspace& w) { w.making = {.open = true, .wish = w.making.wish}; }},
+       [](Workspace& w) { w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage}; }},
       {"finish_cage", "Done", "Keep the cage as it is made now.", "Cage", {}, {}, is_making,
        [](Workspace& w) { w.making = {.wish = w.making.wish}; }},
       {"cancel_cage", "Cancel", "Take the cage back that was made here.", "Cage", {}, {}, is_making,

@@ -113,6 +113,7 @@ Snapshot snapshot_of(const Document& document) {
 
 void set_pose(Document& document, deform::Pose pose) {
   document.history.record("open pose", snapshot_of(document));
+  document.kept_pose.reset();  // it is a pose, not another cage
   document.pose = std::move(pose);
   ++document.revisions.pose;
 }

@@ -24,6 +24,17 @@ void History::record(std::string label, Snapshot before) {
   undo_.push_back({std::move(label), std::move(before)});
 }
 
+void History::file_replaced(const std::filesystem::path& file,
+                            const std::shared_ptr<const deform::Cage>& by) {
+  for (auto* entries : {&undo_, &redo_}) {
+    for (Entry& entry : *entries) {
+      if (entry.state.cage_file.path != file || entry.state.cage == by) continue;
+      entry.state.cage_file.made = name_of(entry.state.cage_file) + ", before it was replaced";
+      entry.state.cage_file.path.clear();
+    }
+  }
+}
+
 Snapshot History::drop_last() {
   ++revision_;
   Snapshot before = std::move(undo_.back().state);

@@ -38,6 +38,9 @@ public:
   /// As if the last edit had not been made: gives the state before it. Requires can_undo().
   Snapshot drop_last();
 
+  /// The file now holds this cage: others that states have from it are in no file any more.
+  void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);
+
   bool can_undo() const { return !undo_.empty(); }
   bool can_redo() const { return !redo_.empty(); }
   /// What the next undo would take back; empty if nothing.

@@ -23,6 +23,7 @@ mesh::Point place_of(const Document& document, const PosedModel& posed, const Su
 struct KnownMeasures {
   std::optional<Revisions> of;
   bool posed = false;
+  unsigned long frame = 0;
   Measures now;
 };
 

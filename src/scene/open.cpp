@@ -106,6 +106,7 @@ Opened open_pose(const fs::path& file, const Document& current) {
   Opened opened;
   opened.file = file;
   opened.pose = deform::read_pose(file, *current.cage, opened.warnings);
+  opened.pose_of = current.cage;
   Document posed;
   posed.cage_file = current.cage_file;
   posed.pose = *opened.pose;
@@ -312,6 +313,9 @@ void check_deformable(const Opened& opened) {
 }
 
 void take(Workspace& w, Opened&& opened) {
+  if (opened.pose && opened.pose_of != w.document.cage)
+    return w.messages.error(opened.file.string() +
+                            ": the cage was changed while this pose was read; open it again");
   report(w, opened);
   if (opened.pose) return take_pose(w, std::move(*opened.pose));
   const bool same_model = opened.document->model.surface == w.document.model.surface;

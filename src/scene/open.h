@@ -14,8 +14,9 @@ namespace viete::scene {
 
 /// Everything that a file gave, ready to be taken into a workspace.
 struct Opened {
-  std::optional<Document> document;  ///< another model, another cage, or a session
-  std::optional<deform::Pose> pose;  ///< or another pose of the open cage
+  std::optional<Document> document;             ///< another model, another cage, or a session
+  std::optional<deform::Pose> pose;             ///< or another pose of the open cage
+  std::shared_ptr<const deform::Cage> pose_of;  ///< which was open when it was read
   std::optional<Session> session;
   std::filesystem::path file;            ///< the session or pose
   std::optional<std::uint64_t> content;  ///< checksum of the session file; of unsaved work nothing

@@ -81,6 +81,7 @@ bool save_cage(Workspace& workspace, const fs::path& path) {
   Document& document = workspace.document;
   return attempt(workspace, "cage", path, [&] {
     mesh::write(path, document.cage->surface, {"cage of " + document.model.path.filename().string()});
+    document.history.file_replaced(path, document.cage);
     document.cage_file.path = path;
     document.cage_file.made.clear();
     document.cage_file.format = "saved here";

@@ -208,3 +208,25 @@ TEST_CASE("buttons of the mode change the cage under a selection") {
   CHECK(d.document().cage->element_count() == 12 * faces);
   CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
 }
+
+TEST_CASE("what_an_undo_leads_away_from_stays_away_while_a_better_one_is_made") {
+  Maker d;
+  d.click("make_cage");
+  for (int i = 0; i < 2000 && !d.document().has_cage(); ++i) d.frame();  // the preview
+  REQUIRE(d.document().has_cage());
+  d.press_key('Z', true);
+  CHECK_FALSE(d.document().has_cage());
+  d.finish();
+  CHECK_FALSE(d.document().has_cage());
+  CHECK(d.document().history.can_redo());
+}
+
+TEST_CASE("cancel takes the cage back with the pose that was begun on it") {
+  Maker d;
+  d.make();
+  d.pull_vertex();
+  d.click("cancel_cage");
+  d.frame(2);
+  CHECK_FALSE(d.document().has_cage());
+  CHECK(d.document().history.can_redo());
+}

@@ -10,7 +10,10 @@
 #include "scene/cube.h"
 #include "scene/edit.h"
 #include "scene/elements.h"
+#include "scene/saving.h"
+#include "scene/session.h"
 #include "support/edits.h"
+#include "support/folder.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -203,4 +206,79 @@ TEST_CASE("what_is_no_cage_changes_nothing") {
   CHECK_THROWS_AS(split_selected(document), base::Error);
   CHECK(document.cage == cage);
   CHECK(test::edit_count(document.history) == edits);
+}
+
+TEST_CASE("whole_turns_of_the_pose_outlive_an_edit_of_the_cage") {
+  Document document = test::cube_document();
+  document.pose.turns = {{0, 6.2, 0}};
+  begin_cage_editing(document);
+  select(document, ElementKind::edge, {0});
+  split_selected(document);
+  CHECK(real_pose(document).turns == std::vector<deform::Vec3>{{0, 6.2, 0}});
+  end_cage_editing(document);
+  CHECK(document.pose.turns == std::vector<deform::Vec3>{{0, 6.2, 0}});
+}
+
+TEST_CASE("a_pose_that_is_opened_in_the_mode_ends_it") {
+  Document document = edited_cube();
+  const auto cage = document.cage;
+  deform::Pose pose = deform::rest_pose(*cage);
+  pose.positions[0] = {-4, -4, -4};
+  set_pose(document, pose);
+  CHECK_FALSE(is_editing_cage(document));
+  CHECK_FALSE(settle_cage_edit(document));
+  CHECK(document.cage == cage);
+  CHECK(document.pose.positions == pose.positions);
+}
+
+TEST_CASE("what_cannot_be_removed_is_said_and_no_edit") {
+  Document document = edited_cube();
+  select(document, ElementKind::face, {0, 1});
+  remove_selected(document);
+  REQUIRE_FALSE(document.cage->closed);
+  const std::size_t edits = test::edit_count(document.history);
+  const auto count = document.cage->surface.positions.size();
+  select(document, ElementKind::vertex, {0});
+  remove_selected(document);  // at the border: it goes all the same
+  CHECK(document.cage->surface.positions.size() == count - 1);
+  CHECK(test::edit_count(document.history) == edits + 1);
+}
+
+TEST_CASE("faces_that_look_away_from_each_other_are_extruded_each_its_own_way") {
+  Document document = edited_cube();
+  const double size = volume(document.cage->surface);
+  document.selection = Selection(ElementKind::face);
+  document.selection.select_all(document.cage->surface.polygon_count());
+  extrude_selected(document);
+  CHECK(document.cage->closed);
+  CHECK(volume(document.cage->surface) > size);
+  const auto box = mesh::used_bounds(document.cage->surface);
+  for (std::size_t k = 0; k < 3; ++k) CHECK(box.low[k] == doctest::Approx(-box.high[k]));
+}
+
+TEST_CASE("an_inside_out_cage_encloses_outward_too") {
+  Document document = test::cube_document();
+  mesh::Surface tight = document.cage->surface;
+  tight.positions[7] = {0.5, 0.5, 0.5};
+  for (auto& t : tight.triangles) std::swap(t[1], t[2]);
+  tight = mesh::from_triangles(tight.positions, tight.triangles);
+  document.cage = std::make_shared<const deform::Cage>(deform::make_cage(tight));
+  document.pose = deform::rest_pose(*document.cage);
+  CHECK(enclose_model(document) == 0);
+  CHECK(mesh::points_outside(document.cage->surface, document.model.surface->positions).empty());
+}
+
+TEST_CASE("a_file_that_now_holds_another_cage_is_not_that_of_earlier_ones") {
+  const test::TemporaryFolder folder;
+  Workspace w = test::cube_workspace();
+  Document& document = w.document;
+  document.cage_file.path = folder / "cage.obj";
+  subdivide_cage(document);
+  REQUIRE(save_cage(w, folder / "cage.obj"));
+  CHECK(document.cage_file.path == folder / "cage.obj");
+  undo(document);
+  CHECK(document.cage_file.path.empty());
+  CHECK(session_of(w).made_cage);
+  redo(document);
+  CHECK(document.cage_file.path == folder / "cage.obj");
 }
