@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "scene/checks.h"
 #include "scene/elements.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -14,6 +17,17 @@ void editing(const Context& ui) {
   command_row(ui, {"split_edges", "cut_faces", "extrude_faces"});
   command_row(ui, {"merge_vertices", "remove_elements", "subdivide_cage"});
   command_row(ui, {"mirror_cage", "fit_cage", "enclose_model"});
+}
+
+// Where the checks have found that cage and model do not match.
+void bring_together(const Context& ui) {
+  const auto& all = ui.workspace.checks.findings;
+  const auto found = std::ranges::find(all, scene::Defect::vertices_outside, &scene::Finding::defect);
+  if (found == all.end() || ui.workspace.document.kept_pose) return;
+  note(ui,
+       scene::title(*found) + ". Enclose moves the cage outward there, Fit brings all of it to the model.",
+       ui.colors.warn);
+  command_row(ui, {"enclose_model", "fit_cage"});
 }
 
 }  // namespace
@@ -39,6 +53,7 @@ void panel_cage(const Context& ui) {
   transform_fields(ui);
   command_row(ui, {"undo", "redo", "reset_pose"});
   command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
+  bring_together(ui);
   editing(ui);
   command_row(ui, {"open_pose", "save_pose"});
   command_row(ui, {"open_cage", "make_cage", "save_cage"});

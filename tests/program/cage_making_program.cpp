@@ -1,6 +1,7 @@
 // Making a cage in the window: offered, made, changed by sliders, taken back, posed and saved.
 #include "mesh/read.h"
 #include "mesh/winding_number.h"
+#include "mesh/write.h"
 #include "program/driver.h"
 #include "scene/edit.h"
 #include "scene/saving.h"
@@ -184,6 +185,30 @@ TEST_CASE(
   while (d.document().history.can_undo()) d.press_key('Z', true);
   d.frame(2);
   CHECK(d.document().cage->surface.positions == before);
+}
+
+TEST_CASE("a cage that the model sticks out of is offered to enclose it, and does by one button") {
+  const test::TemporaryFolder folder;
+  mesh::Surface small = mesh::read(test::dragon_cage).surface;
+  for (auto& p : small.positions) {
+    for (double& x : p) x *= 0.85;
+  }
+  REQUIRE_FALSE(mesh::points_outside(small, mesh::read(test::dragon).surface.positions).empty());
+  mesh::write(folder / "small.obj", small);
+  Driver d;
+  REQUIRE(d.open({test::dragon, folder / "small.obj"}));
+  d.settle();
+  d.viewer().finish_checks();
+  d.frame(3);
+  d.click("enclose_model");
+  d.frame(2);
+  d.viewer().finish_binding();
+  d.viewer().finish_checks();
+  d.frame(3);
+  CHECK(mesh::points_outside(d.document().cage->surface, d.document().model.surface->positions).empty());
+  CHECK_FALSE(d.viewer().recorder().find("enclose_model"));
+  d.press_key('Z', true);
+  CHECK(d.document().cage->surface.positions == small.positions);
 }
 
 TEST_CASE("buttons of the mode change the cage under a selection") {
