@@ -189,10 +189,14 @@ fs::path checked_target(const fs::path& path) {
 
 }  // namespace
 
-fs::path unused_name(const fs::path& path) {
+fs::path unused_name(const fs::path& path, const std::function<bool(const fs::path&)>& fits) {
   std::error_code ignored;
   fs::path name = path;
-  for (int i = 2; fs::exists(fs::symlink_status(name, ignored)); ++i)
+  const auto taken = [&] {
+    return fs::exists(fs::symlink_status(name, ignored)) &&
+           !(fs::is_regular_file(name, ignored) && fits(name));
+  };
+  for (int i = 2; taken(); ++i)
     name = path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string());
   return name;
 }

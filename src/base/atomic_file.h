@@ -43,8 +43,10 @@ void replace_file(const std::filesystem::path& path, const std::function<void(co
 void check_replaceable(const std::filesystem::path& path);
 
 /// The path, or where something is of this name, be it a link that leads nowhere: "viete-2.png",
-/// "viete-3.png" ...
-std::filesystem::path unused_name(const std::filesystem::path& path);
+/// "viete-3.png" ... Names of regular files that `fits` accepts count as unused.
+std::filesystem::path unused_name(
+    const std::filesystem::path& path,
+    const std::function<bool(const std::filesystem::path&)>& fits = [](const auto&) { return false; });
 
 /// Removes every part in a folder of our own that a program left when it was killed. A part of a running
 /// program, of another user, or of another form stays. A folder that is not there is empty. Thread-safe.

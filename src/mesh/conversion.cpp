@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 
 #include "base/quantity.h"
 #include "mesh/normals.h"
@@ -73,14 +74,18 @@ std::vector<std::string> left_out(std::string_view extension, const Surface& sur
   if (extension == "glb" || extension == "gltf") return {};
   const bool texture_fits = one_a_vertex(surface, a.corner_texture).has_value();
   const bool normals_fit = one_a_vertex(surface, deformed.corner_normal).has_value();
-  const auto within = static_cast<std::size_t>(
-      std::count_if(a.images.begin(), a.images.end(), [](const ImageFile& i) { return i.path.empty(); }));
-  const Kind kinds[] = {{"texture coordinates", a.texture_points.size(), true, texture_fits, false},
-                        {"normals", a.normals.size(), true, normals_fit, false},
-                        {"colours", a.colors.size(), true, true, true},
-                        {"groups", a.groups.size(), true, false, false},
-                        {"materials", a.materials.size(), true, false, false},
-                        {"images within the file", within, false, false, false}};
+  std::set<std::uint32_t> of_base_color;
+  for (const Material& m : a.materials) {
+    if (m.base_color_image < a.images.size()) of_base_color.insert(m.base_color_image);
+  }
+  const Kind kinds[] = {
+      {"texture coordinates", a.texture_points.size(), true, texture_fits, false},
+      {"normals", a.normals.size(), true, normals_fit, false},
+      {"colours", a.colors.size(), true, true, true},
+      {"groups", a.groups.size(), true, false, false},
+      {"materials", a.materials.size(), true, false, false},
+      {"textures", of_base_color.size(), true, false, false},
+      {"images but those of base colours", a.images.size() - of_base_color.size(), false, false, false}};
   std::vector<std::string> notes;
   for (const Kind& kind : kinds) {
     if (kind.count == 0 || held(extension, kind)) continue;

@@ -34,7 +34,7 @@ std::uint8_t color_byte(float value);
 /// Of one line, and never empty.
 std::string name_of_material(const Attributes& attributes, std::uint32_t material);
 
-/// A library of the materials: names, colours, and images that lie in files of their own.
+/// A library of the materials: names, colours, and images with a path, as this is given.
 std::string material_library(const Attributes& attributes);
 
 }  // namespace viete::mesh

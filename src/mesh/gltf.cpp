@@ -109,13 +109,39 @@ private:
       take_texture(m.pbrMetallicRoughness.baseColorTexture, material);
       attributes_->materials.push_back(material);
     }
+    name_images();
+  }
+
+  // Those without a name by what they colour.
+  void name_images() {
+    auto& images = attributes_->images;
+    for (const Material& m : attributes_->materials) {
+      if (m.base_color_image != none && images[m.base_color_image].name.empty())
+        images[m.base_color_image].name = m.name;
+    }
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      if (images[i].name.empty()) images[i].name = "image " + std::to_string(i);
+    }
+  }
+
+  // The image, or that of an extension where there is no other.
+  static int source_of(const tinygltf::Texture& texture) {
+    if (texture.source >= 0) return texture.source;
+    for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
+      const auto found = texture.extensions.find(extension);
+      if (found == texture.extensions.end() || !found->second.IsObject() || !found->second.Has("source"))
+        continue;
+      return found->second.Get("source").GetNumberAsInt();
+    }
+    return -1;
   }
 
   void take_texture(const tinygltf::TextureInfo& info, Material& material) const {
     if (info.index < 0 || static_cast<std::size_t>(info.index) >= model_.textures.size()) return;
     const tinygltf::Texture& texture = model_.textures[static_cast<std::size_t>(info.index)];
-    if (texture.source < 0 || static_cast<std::size_t>(texture.source) >= file_.images.size()) return;
-    material.base_color_image = static_cast<std::uint32_t>(texture.source);
+    const int source = source_of(texture);
+    if (source < 0 || static_cast<std::size_t>(source) >= file_.images.size()) return;
+    material.base_color_image = static_cast<std::uint32_t>(source);
     if (texture.sampler >= 0 && static_cast<std::size_t>(texture.sampler) < model_.samplers.size())
       material.repeats = model_.samplers[static_cast<std::size_t>(texture.sampler)].wrapS !=
                          TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;

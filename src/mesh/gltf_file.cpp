@@ -263,7 +263,6 @@ private:
     const GltfJson& json = document_["images"][i];
     GltfImage image;
     image.file.name = text_of(json, "name");
-    if (image.file.name.empty()) image.file.name = "image " + std::to_string(i);
     const std::string uri = text_of(json, "uri");
     if (uri.starts_with("data:")) {
       const std::string place = "image " + std::to_string(i);
@@ -272,7 +271,7 @@ private:
       take_image_beside(image, uri);
     } else {
       image.file.bytes = bytes_of_view(count_of(json, "bufferView"));
-      if (!image.file.bytes) warn(image.file.name + " is not in the file");
+      if (!image.file.bytes) warn("image " + std::to_string(i) + " is not in the file");
     }
     file_.images.push_back(std::move(image));
   }

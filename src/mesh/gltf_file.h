@@ -21,7 +21,7 @@ struct GltfBuffer {
 
 /// Where an image of the JSON leads.
 struct GltfImage {
-  ImageFile file;
+  ImageFile file;   ///< its name is empty where the JSON gives none
   std::string uri;  ///< of a file beside, as it is written; otherwise empty
 };
 

@@ -15,7 +15,6 @@
 #include "base/error.h"
 #include "mesh/gltf_file.h"
 #include "mesh/normals.h"
-#include "mesh/source.h"
 
 namespace viete::mesh {
 
@@ -63,8 +62,6 @@ public:
     document["scenes"] = {{{"nodes", {0}}}};
     document["nodes"] = {{{"mesh", 0}}};
     document["meshes"] = {{{"primitives", OutputJson::array()}}};
-    if (!given_.normals.empty())
-      normals_ = deformed_normals(surface_, positions_, given_.normals, given_.corner_normal);
     add_primitives();
     add_materials();
     document["buffers"] = {{{"byteLength", bytes.size()}}};
@@ -99,7 +96,7 @@ private:
 
   void add_corner(Run& run, std::uint32_t vertex, std::uint32_t corner) const {
     const OutputVertex v{vertex, given_.corner_texture.empty() ? none : given_.corner_texture[corner],
-                         normals_.empty() ? none : given_.corner_normal[corner]};
+                         given_.corner_normal.empty() ? none : given_.corner_normal[corner]};
     const auto [at, added] = run.numbers.try_emplace(v, static_cast<std::uint32_t>(run.vertices.size()));
     if (added) run.vertices.push_back(v);
     run.indices.push_back(at->second);
@@ -118,7 +115,7 @@ private:
     if (!run.indices.empty() && (has(&OutputVertex::normal) || smooth)) {
       if (vertex_normals_.empty()) compute_normals();
       attributes["NORMAL"] = add_vectors(run, 3, [&](const OutputVertex& v, float* to) {
-        const Vec3& n = v.normal == none ? vertex_normals_[v.vertex] : normals_[v.normal];
+        const Vec3& n = v.normal == none ? vertex_normals_[v.vertex] : given_.normals[v.normal];
         const double length = norm(n);
         for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(length > 0 ? n[k] / length : k == 2);
       });
@@ -209,18 +206,17 @@ private:
     }
   }
 
-  // none: the image is not to be had, or of a kind that glTF does not know.
+  // none: the image lies not within, or is of a kind that glTF does not know.
   std::size_t add_texture(const Material& material) {
     const ImageFile& image = given_.images[material.base_color_image];
-    std::string data;
-    try {
-      data = image.bytes ? *image.bytes : std::string(FileBytes(image.path, nullptr).view());
-    } catch (const base::Error&) {  // reading the model has said that it is missing
-    }
+    if (!image.bytes) return none;
+    const std::string& data = *image.bytes;
     const std::string_view type = mime_type_of(data);
     if (type.empty()) return none;
     const std::size_t view = add_view(data);
     document["images"].push_back({{"bufferView", view}, {"mimeType", type}});
+    const std::string name = image.path.empty() ? image.name : image.path.stem().string();
+    if (!name.empty()) document["images"].back()["name"] = name;
     document["samplers"].push_back(
         {{"wrapS", material.repeats ? 10497 : 33071}, {"wrapT", material.repeats ? 10497 : 33071}});
     document["textures"].push_back(
@@ -231,7 +227,7 @@ private:
   const Surface& surface_;
   std::span<const Point> positions_;
   Attributes given_;
-  std::vector<Vec3> normals_, vertex_normals_;
+  std::vector<Vec3> vertex_normals_;  // computed for corners without
 };
 
 void put_word(std::uint64_t word, TextWriter& out) {

@@ -8,8 +8,8 @@
 namespace viete::mesh {
 
 /// One mesh with a primitive for each group, positions in float; materials with their base colour and its
-/// image (PNG or JPEG; within the file), texture points, normals, colours. A smooth group without normals
-/// gets computed ones, a flat one none, which is how glTF says so. Polygons become triangles. Throws
+/// image (if its bytes are there, and PNG or JPEG), texture points, normals, colours. A smooth group without
+/// normals gets computed ones, a flat one none, which is how glTF says so. Polygons become triangles. Throws
 /// base::Error past 4 GB, which GLB cannot hold.
 void write_glb(const Content& content, TextWriter& out);
 

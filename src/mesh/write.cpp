@@ -1,11 +1,13 @@
 #include "mesh/write.h"
 
-#include <system_error>
+#include <algorithm>
+#include <iterator>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "mesh/conversion.h"
 #include "mesh/gltf_output.h"
+#include "mesh/image_files.h"
 #include "mesh/obj.h"
 #include "mesh/off.h"
 #include "mesh/ply.h"
@@ -39,13 +41,8 @@ void write_as(const std::filesystem::path& path, Digits digits, base::Progress* 
   });
 }
 
-// Beside the model; it takes the place of no other file.
-std::filesystem::path library_path(std::filesystem::path model, const std::string& library) {
-  const auto path = model.replace_extension(".mtl");
-  std::error_code code;
-  const bool same =
-      std::filesystem::is_regular_file(path, code) && FileBytes(path, nullptr).view() == library;
-  return same ? path : base::unused_name(path);
+void append(std::vector<std::string>& notes, std::vector<std::string> more) {
+  std::ranges::move(more, std::back_inserter(notes));
 }
 
 }  // namespace
@@ -65,23 +62,25 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   if (original && original->writes(extension_of(path)))
     return original->write_file(path, content.surface, content.positions, digits, progress);
   const Format format = format_for(path);
-  if (!content.attributes || format == write_glb || format == write_gltf) {  // glTF takes them as they were
+  if (!content.attributes) {
     write_as(path, digits, progress, [&](TextWriter& out) { format(content, out); });
     return {};
   }
-  const Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
-  const Content converted{content.surface, content.positions, content.comments, &now};
+  Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
   std::vector<std::string> notes = left_out(extension_of(path), content.surface, *content.attributes, now);
-  if (format != write_obj || now.materials.empty()) {
-    write_as(path, digits, progress, [&](TextWriter& out) { format(converted, out); });
-    return notes;
+  if (format == write_glb || format == write_gltf) append(notes, take_images_within(now));
+  FilesBeside beside(path);
+  std::string library;
+  if (format == write_obj && !now.materials.empty()) {
+    append(notes, put_images_beside(beside, now));
+    library = beside.put(path.stem().string() + ".mtl", material_library(now));
+    notes.push_back("the materials are in " + (path.parent_path() / library).string());
   }
-  const std::string library = material_library(now);
-  const std::filesystem::path beside = library_path(path, library);
-  write_as(path, digits, progress,
-           [&](TextWriter& out) { write_obj_with_library(converted, beside.filename().string(), out); });
-  base::replace_file(beside, library);
-  notes.push_back("the materials are in " + beside.string());
+  const Content converted{content.surface, content.positions, content.comments, &now};
+  write_as(path, digits, progress, [&](TextWriter& out) {
+    library.empty() ? format(converted, out) : write_obj_with_library(converted, library, out);
+  });
+  beside.keep();
   return notes;
 }
 

@@ -1,38 +1,16 @@
 #include "render/image.h"
 
-#include <stb_image.h>
-#include <stb_image_write.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <memory>
-#include <string>
+#include <utility>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
+#include "base/picture.h"
 
 namespace viete::render {
 
 namespace {
-
-void append(void* bytes, void* data, int size) {
-  const auto* first = static_cast<const std::uint8_t*>(data);
-  auto* target = static_cast<std::vector<std::uint8_t>*>(bytes);
-  target->insert(target->end(), first, first + size);
-}
-
-std::vector<std::uint8_t> encode_png(const std::filesystem::path& path, const Image& image) {
-  const bool whole = image.width > 0 && image.height > 0 &&
-                     image.rgba.size() == 4 * static_cast<std::size_t>(image.width) * image.height;
-  if (!whole) throw base::Error(path.string(), "the picture is empty or incomplete");
-  std::vector<std::uint8_t> bytes;
-  const int done = stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
-                                          4 * image.width);
-  if (done == 0) throw base::Error(path.string(), "there is not enough memory to encode the picture");
-  return bytes;
-}
 
 // Display values of the bytes, as light.
 const std::array<float, 256>& light_of_bytes() {
@@ -77,27 +55,8 @@ Image halved(const Image& image) {
 }  // namespace
 
 Image decode_image(const std::string& place, std::string_view bytes, int longest) {
-  constexpr int longest_side = 16384;
-  constexpr std::size_t most_pixels = std::size_t{1} << 26;
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const auto size = static_cast<int>(bytes.size());
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw base::Error(place, "the picture has more than 2 GB", "make it smaller");
-  Image image;
-  int channels = 0;
-  if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels) == 0)
-    throw base::Error(place, "this is not a picture that can be read here", "save it as PNG or JPEG");
-  const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  if (image.width < 1 || image.height < 1 || image.width > longest_side || image.height > longest_side ||
-      pixels > most_pixels)
-    throw base::Error(place,
-                      "the picture is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                          " pixels large, 64 million are shown",
-                      "make it smaller");
-  const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
-      stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 4), stbi_image_free);
-  if (!decoded) throw base::Error(place, "the picture is damaged", "save it again");
-  image.rgba.assign(decoded.get(), decoded.get() + 4 * pixels);
+  base::Picture picture = base::decode_picture(place, bytes, 4);
+  Image image{picture.width, picture.height, std::move(picture.bytes)};
   while (image.width > longest || image.height > longest) image = halved(image);
   return image;
 }
@@ -108,8 +67,7 @@ Rgba8 Image::pixel(int x, int y) const {
 }
 
 void write_png(const std::filesystem::path& path, const Image& image) {
-  const std::vector<std::uint8_t> png = encode_png(path, image);
-  base::replace_file(path, {reinterpret_cast<const char*>(png.data()), png.size()});
+  base::replace_file(path, base::encode_png(path.string(), image.width, image.height, 4, image.rgba));
 }
 
 }  // namespace viete::render

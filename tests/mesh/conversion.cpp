@@ -79,7 +79,8 @@ TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
   CHECK(notes == std::vector<std::string>{"PLY holds one a vertex of texture coordinates: 4 left out",
                                           "PLY holds one a vertex of normals: 1 left out",
                                           "PLY has no groups: 2 left out",
-                                          "PLY has no materials: 2 left out"});
+                                          "PLY has no materials: 2 left out",
+                                          "PLY has no textures: 1 left out"});
   const ReadResult out = mesh::read(c / "out.ply");
   CHECK(out.surface.positions == c.moved);
   CHECK(out.attributes->colors == c.read.attributes->colors);
@@ -94,11 +95,11 @@ TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
 
 TEST_CASE("what_off_and_stl_cannot_hold_is_said") {
   Converted c;
-  CHECK(c.to("out.off").size() == 4);
+  CHECK(c.to("out.off").size() == 5);
   CHECK(mesh::read(c / "out.off").attributes->colors == c.read.attributes->colors);
   c.moved.clear();
   const auto notes = c.to("out.stl");
-  REQUIRE(notes.size() == 5);
+  REQUIRE(notes.size() == 6);
   CHECK(notes[0] == "STL has no texture coordinates: 4 left out");
   CHECK(mesh::read(c / "out.stl").surface.triangles.size() == 2);
 }

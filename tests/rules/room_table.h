@@ -19,14 +19,14 @@ struct Room {
 
 inline const std::map<std::string, Room>& rooms() {
   static const std::map<std::string, Room> table = {
-      {"base", {{}, {}, {}}},
+      {"base", {{}, {}, {"stb"}}},
       {"sym3", {{}, {"eigen", "highway"}, {}}},
       {"python", {{"sym3"}, {"pybind11"}, {}}},
       {"mesh", {{"base"}, {}, {"openmesh", "json", "tinygltf"}}},
       {"cages", {{"base", "mesh"}, {"openmesh"}, {}}},
       {"deform", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
       {"scene", {{"base", "sym3", "mesh", "cages", "deform"}, {"glm", "json"}, {}}},
-      {"render", {{"base"}, {"gl", "glm"}, {"stb"}}},
+      {"render", {{"base"}, {"gl", "glm"}, {}}},
       {"ui", {{"base", "scene"}, {"imgui"}, {}}},
       {"platform", {{"base", "render"}, {"gl", "glm", "imgui"}, {"glfw"}}},
       {"bench", {{"base", "sym3", "mesh", "cages", "deform", "scene"}, {"json"}, {"eigen", "highway", "openmesh"}}},

@@ -1,0 +1,44 @@
+// Images of materials, where another format wants them: within its file, or as files beside it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/attributes.h"
+
+namespace viete::mesh {
+
+/// Files that belong to one that is being written. None takes the place of another; without keep() those
+/// that are new go again.
+class FilesBeside {
+public:
+  explicit FilesBeside(const std::filesystem::path& model);
+  ~FilesBeside();
+  FilesBeside(const FilesBeside&) = delete;
+  FilesBeside& operator=(const FilesBeside&) = delete;
+
+  /// Its name: this one, or the next free one; that of a file with the very same bytes if there is one.
+  /// Throws base::Error.
+  std::string put(const std::string& name, std::string_view bytes);
+  void keep() { written_.clear(); }
+
+  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& model() const { return model_; }
+
+private:
+  std::filesystem::path model_, folder_;
+  std::vector<std::filesystem::path> written_;
+};
+
+/// What materials use lies within afterwards, as PNG or JPEG, which is all that glTF takes: others are
+/// decoded and become PNG. One that is not to be had is left out. Returns what a person should know, one line
+/// each.
+std::vector<std::string> take_images_within(Attributes& attributes);
+
+/// What materials use and lies within becomes files beside, as they are; the paths of all are those from
+/// there. Returns what a person should know, one line each. Throws base::Error.
+std::vector<std::string> put_images_beside(FilesBeside& beside, Attributes& attributes);
+
+}  // namespace viete::mesh
