@@ -1,6 +1,7 @@
 // viete cage MODEL -o CAGE: a cage made around any model.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "base/quantity.h"
 #include "cages/closeness.h"
 #include "cages/make.h"
+#include "cages/soundness.h"
 #include "mesh/read.h"
 #include "mesh/write.h"
 
@@ -72,9 +74,10 @@ std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cell
   return {};
 }
 
-void print(const cages::Made& made, const mesh::Surface& model, base::WorkerPool& pool, double seconds) {
+void print(const cages::Made& made, const mesh::Surface& model, bool keeps_quads, base::WorkerPool& pool,
+           double seconds) {
   const std::size_t triangles = made.surface.triangles.size();
-  const std::size_t quads = triangles - made.surface.polygon_count();
+  const std::size_t quads = keeps_quads ? triangles - made.surface.polygon_count() : 0;
   std::printf("made a cage of %s", base::counted(triangles, "triangle").c_str());
   if (quads > 0) std::printf(" (%s of them in quads)", base::with_thousands(2 * quads).c_str());
   if (made.mirror) std::printf(", symmetric");
@@ -85,6 +88,35 @@ void print(const cages::Made& made, const mesh::Surface& model, base::WorkerPool
               base::few_digits(100 * close.mean).c_str());
   if (close.volume > 0) std::printf("; %s times its volume", base::few_digits(close.volume).c_str());
   std::printf("\n");
+}
+
+// Where the numbers of the file are coarser than those that the cage was made with.
+void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const mesh::Surface& model,
+                   base::WorkerPool& pool) {
+  bool fits = true;
+  for (mesh::Point& p : cage.positions) {
+    for (double& x : p) {
+      x = static_cast<float>(x);
+      fits = fits && std::isfinite(x);
+    }
+  }
+  if (fits && cages::soundness(cage, model, pool).sound()) return;
+  throw base::Error(
+      file.string(),
+      "glTF's numbers have 7 digits, of which too few are left here to place the cage's vertices",
+      "write it as .obj, .ply or .off");
+}
+
+// Options of other kinds of cages.
+void refuse_what_does_nothing(const CLI::App& command, const cages::Wish& wish) {
+  std::vector<std::string> idle = {"--cells", "--own-axes"};
+  if (wish.kind == cages::Kind::box) idle = {"--triangles", "--gap", "--symmetry", "--quads"};
+  if (wish.kind == cages::Kind::hull) idle.insert(idle.end(), {"--gap", "--symmetry"});
+  for (const std::string& name : idle) {
+    if (command.get_option(name)->count() == 0) continue;
+    throw CLI::ValidationError(
+        name, "does nothing where the kind of cage is " + std::string(cages::entry(wish.kind).name));
+  }
 }
 
 int make_cage(const CageOptions& options) {
@@ -100,9 +132,12 @@ int make_cage(const CageOptions& options) {
     throw base::Error(options.model.string(), error.problem(), error.advice());
   }
   const double seconds = 1e-3 * watch.lap_ms();
+  const std::string format = mesh::extension_of(options.output);
+  const bool is_gltf = format == "glb" || format == "gltf";
+  if (is_gltf) check_rounded(options.output, made.surface, model.surface, pool);
   print_notes(made.notes);
   mesh::write(options.output, made.surface, {"cage of " + options.model.filename().string()});
-  print(made, model.surface, pool, seconds);
+  print(made, model.surface, !is_gltf && format != "stl", pool, seconds);
   return exit_ok;
 }
 
@@ -147,7 +182,10 @@ void add_cage_command(CLI::App& app, Action& action) {
       "The cage is closed, does not cut itself, and encloses every triangle of the mesh. Handles of the mesh "
       "are kept where the size allows; a note says what was closed, or where there is no room for the "
       "margin.");
-  command->callback([o, &action] { action = [o] { return make_cage(*o); }; });
+  command->callback([o, command, &action] {
+    refuse_what_does_nothing(*command, o->wish);
+    action = [o] { return make_cage(*o); };
+  });
 }
 
 }  // namespace viete::app

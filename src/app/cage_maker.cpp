@@ -24,7 +24,8 @@ std::string text_of(const cages::Wish& wish) {
 CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, const deform::Scheme& scheme,
                                 sym3::Method method, base::Progress& progress) {
   Made all;
-  progress.section(0, 0.7);
+  const bool is_preview = wish.effort == cages::Effort::preview;
+  progress.section(0, is_preview ? 1 : 0.7);
   {
     base::WorkerPool pool;
     if (!workshop.maker) workshop.maker.emplace(workshop.model);
@@ -32,8 +33,9 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
     all.notes = std::move(made.notes);
     all.surface = scene::made_surface(std::move(made.surface), "made here");
   }
-  progress.section(0.7, 0.75);
+  if (!is_preview) progress.section(0.7, 0.75);
   all.cage = std::make_shared<const deform::Cage>(deform::make_cage(*all.surface.surface));
+  if (is_preview) return all;
   progress.section(0.75, 1);
   all.bound = bind(workshop.model, all.cage, scheme, method, {}, {}, progress);
   return all;

@@ -14,7 +14,7 @@
 namespace viete::app {
 
 /// Follows workspace.making: of each new wish a preview first, then, once the wish rests, the cage made with
-/// all care. A cage comes bound to the model, or not at all. Call from one thread.
+/// all care. That one comes bound to the model, and so does what a preview is at once. Call from one thread.
 class CageMaker {
 public:
   /// Once a frame: takes what was made, unless something is being dragged, and begins what is to be made.

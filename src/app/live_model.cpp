@@ -17,8 +17,10 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   if (new_surfaces || new_cage)
     follow_surfaces(workspace, new_surfaces ? files_.take_bound() : std::move(made));
   if (new_surfaces || new_cage || new_weights) follow_weights(document);
-  // The first probe of a model without a cage: until then nothing can move it.
-  if (!deformer_ && !binder_.running() && given_up_ != now.pose && document.is_movable())
+  // Once something can move it: without a cage that is the first probe. While a cage is made, the next one
+  // comes too soon.
+  if (!deformer_ && !binder_.running() && !workspace.making_cage.running && given_up_ != now.pose &&
+      document.is_movable())
     start_binding(document);
   // Other elements or another blend sum other rows over the same weights.
   const deform::Scheme scheme = scheme_of(document);
@@ -72,8 +74,9 @@ void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
 
 void LiveModel::follow_weights(const scene::Document& document) {
   binder_.cancel();
-  const bool bound = deformer_ && deformer_->scheme().weighting == document.scheme.weighting;
-  if (document.has_cage() && !bound) start_binding(document);
+  given_up_.reset();
+  const bool served = deformer_ && document.has_cage();
+  if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
 }
 
 void LiveModel::start_binding(const scene::Document& document) {

@@ -78,15 +78,10 @@ public:
         target_(mirror_ ? wish.triangles / 2 : wish.triangles) {}
 
   Made make() {
-    constexpr int attempts = 9;
-    double gap = wish_.gap;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
+    constexpr double most_closed = 0.5;  // of the diagonal: no more is open then
+    for (double gap = wish_.gap; gap <= most_closed;) {
       if (const auto shell = try_with(gap)) return finish(*shell, mirror_.has_value(), gap);
-      if (std::exchange(passed_over_, false) && margin_steps_ < parts_margin_steps) {
-        margin_steps_ = parts_margin_steps;
-      } else {
-        gap = std::max(2 * gap, 0.5 * size() / cells());
-      }
+      if (!keeps_farther_from_passed_over()) gap = std::max(2 * gap, 0.5 * size() / cells());
     }
     made_.notes.push_back(
         "no cage of " + base::counted(wish_.triangles, "triangle") +
@@ -94,22 +89,40 @@ public:
     return hulled();
   }
 
-  Made hulled() {
-    const Shell shell = simplified(hull(used_points(), wish_.margin));
-    if (shell.triangles.size() > wish_.triangles)
-      made_.notes.push_back("no hull of " + base::counted(wish_.triangles, "triangle") +
-                            " was found: it has " + base::with_thousands(shell.triangles.size()));
-    return finish(shell, false, wish_.gap);
-  }
+  Made hulled() { return finish(simplified(hull(used_points(), wish_.margin)), false, wish_.gap); }
 
 private:
   bool is_preview() const { return wish_.effort == Effort::preview; }
 
   double size() const { return mesh::largest_abs(model_.box.high - model_.box.low); }
 
-  // Along the model: one is about an eighth as wide as the triangles will be.
+  // Along the model: one is about a seventh as wide as the triangles will be.
   double cells() const {
-    return std::clamp(4 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
+    return std::clamp(3.2 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
+  }
+
+  // The surface around the model at an offset, and what it was found by. It stays where it is.
+  struct Offset {
+    Clearance field;
+    double margin;
+    Shell shell;
+    Topology topology;
+  };
+
+  Offset offset(double along, double gap) {
+    const double step = size() / along, margin = std::max(wish_.margin, margin_steps_ * step);
+    const Closing closing{margin + 0.6 * step, gap};
+    const Grid grid = grid_around(model_.box, static_cast<std::size_t>(along), closing.offset + closing.gap,
+                                  mirror_.has_value());
+    const Obstacle model{tree_, model_.closed, passed_over_, parts_margin_steps * step};
+    Clearance field = clearance(model, grid, closing, pool_, stages_.until(0.1));
+    Shell shell = extract(field, closing.offset);
+    const Topology topology = topology_of(mirror_ ? whole(shell) : shell);
+    return {std::move(field), margin, std::move(shell), topology};
+  }
+
+  bool is_too_much(const Topology& topology) const {
+    return topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30;
   }
 
   // Nothing if there is no sound cage of that size. Where the size does not suffice for what the model is
@@ -117,30 +130,58 @@ private:
   std::optional<Shell> try_with(double gap) {
     const bool coarse = is_preview() || gap > wish_.gap;
     stages_.begin(coarse && !is_preview() ? 0.3 : 1);
-    const double along = (coarse ? 0.65 : 1) * cells();
-    const double step = size() / along, margin = std::max(wish_.margin, margin_steps_ * step);
-    const Closing closing{margin + 0.6 * step, gap};
-    const Grid grid = grid_around(model_.box, static_cast<std::size_t>(along), closing.offset + closing.gap,
-                                  mirror_.has_value());
-    const Clearance field = clearance({tree_, model_.closed}, grid, closing, pool_, stages_.until(0.1));
-    const Shell shell = extract(field, closing.offset);
-    const Topology topology = topology_of(mirror_ ? whole(shell) : shell);
-    if (!first_) first_ = topology;
-    last_ = topology;
-    if (topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30)
-      return std::nullopt;
+    const Offset from = offset((coarse ? coarser : 1) * cells(), gap);
+    if (!first_) first_ = from.topology;
+    last_ = from.topology;
+    if (is_too_much(from.topology)) return std::nullopt;
     std::optional<Shell> quick;
     if (coarse) {
-      WorkingCage cage(shell, tree_, field, margin);
+      WorkingCage cage(from.shell, tree_, from.field, from.margin);
       quick = sound(quickly_reduced(cage));
       if (!quick || is_preview()) return quick;
       stages_.begin();
     }
-    WorkingCage cage(shell, tree_, field, margin);
     const std::size_t too_near = too_near_;
-    if (auto made = sound(reduced(cage, field))) return made;
+    if (auto made = carefully_made(from, gap)) return made;
     too_near_ = too_near;
     return quick;
+  }
+
+  struct Draft {
+    const Offset* of;
+    Shell shell;
+    double volume;
+  };
+
+  // Which edges go first depends on where the grid's nodes are, and few triangles do not make up for it: then
+  // two grids are tried, and the one that leads to less volume is gone on with.
+  std::optional<Shell> carefully_made(const Offset& from, double gap) {
+    constexpr std::size_t few_triangles = 150;
+    std::optional<Offset> other;
+    if (wish_.triangles <= few_triangles) other = offset(1.1 * size() / from.field.grid().step, gap);
+    std::vector<Draft> drafts;
+    add_draft(from, other ? 0.5 : 1, drafts);
+    if (other && !is_too_much(other->topology)) add_draft(*other, 1, drafts);
+    std::ranges::stable_sort(drafts, {}, &Draft::volume);
+    for (const Draft& draft : drafts) {
+      if (auto made = sound(finished(draft))) {
+        last_ = draft.of->topology;
+        return made;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void add_draft(const Offset& of, double share, std::vector<Draft>& drafts) {
+    WorkingCage cage(of.shell, tree_, of.field, of.margin);
+    if (reduced(cage, share)) drafts.push_back({&of, cage.shell(), cage.volume()});
+  }
+
+  Shell finished(const Draft& draft) {
+    WorkingCage cage(draft.shell, tree_, draft.of->field, draft.of->margin);
+    if (target_ > 150) return settled(cage);
+    WorkingCage best(exchanged(cage), tree_, draft.of->field, draft.of->margin);
+    return settled(best);
   }
 
   std::optional<Shell> sound(std::optional<Shell> made) {
@@ -158,25 +199,25 @@ private:
     if (!collapse_to(cage, target_, Accuracy::quadrics, stages_.until(0.7))) return std::nullopt;
     refine_to(cage, target_, stages_.until(0.7));
     tighten(cage, 2, stages_.until(0.8));
-    too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.92));
+    // A preview that moves with a slider keeps it as far as the grid tells.
+    if (!is_preview()) too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.92));
     return cage.shell();
   }
 
-  // Drawn in between, so that what is enclosed more than needed does not mislead what follows.
-  std::optional<Shell> reduced(WorkingCage& cage, const Clearance& field) {
-    collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, stages_.until(0.3));
-    tighten(cage, 1, stages_.until(0.35));
-    if (!collapse_to(cage, target_and(1.5, 400), Accuracy::quadrics, stages_.until(0.4))) return std::nullopt;
-    tighten(cage, 1, stages_.until(0.43));
-    collapse_to(cage, target_and(0.5, 4000 / static_cast<double>(target_)), Accuracy::quadrics,
-                stages_.until(0.46));
-    tighten(cage, 2, stages_.until(0.5));
-    if (!collapse_to(cage, target_, Accuracy::volume, stages_.until(0.6))) return std::nullopt;
-    refine_to(cage, target_, stages_.until(0.6));
-    tighten(cage, 8, stages_.until(0.7));
-    if (target_ > 150) return settled(cage);
-    WorkingCage best(exchanged(cage), tree_, field, cage.margin());
-    return settled(best);
+  // Drawn in between, so that what is enclosed more than needed does not mislead what follows. False if not
+  // so few triangles are left. `share` of what leads up to that is done with it.
+  bool reduced(WorkingCage& cage, double share) {
+    const auto until = [&](double end) { return stages_.until(0.1 + share * (end - 0.1)); };
+    collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, until(0.3));
+    tighten(cage, 1, until(0.35));
+    if (!collapse_to(cage, target_and(1.5, 400), Accuracy::quadrics, until(0.4))) return false;
+    tighten(cage, 1, until(0.43));
+    collapse_to(cage, target_and(0.5, 4000 / static_cast<double>(target_)), Accuracy::quadrics, until(0.46));
+    tighten(cage, 2, until(0.5));
+    if (!collapse_to(cage, target_, Accuracy::volume, until(0.6))) return false;
+    refine_to(cage, target_, until(0.6));
+    tighten(cage, 8, until(0.7));
+    return true;
   }
 
   // The margin was kept as far as the grid tells: now exactly, where there is room.
@@ -241,8 +282,32 @@ private:
     const mesh::Surface cage = mesh::from_triangles(std::move(shell.positions), shell.triangles);
     const Soundness found =
         soundness(cage, model_.positions, model_.triangles, tree_, pool_, stages_.until(0.97));
-    passed_over_ = passed_over_ || !found.outside.empty();
+    note_passed_over(found.outside);
     return found.sound();
+  }
+
+  // Of parts that lie outside, whole, each is told by one vertex.
+  void note_passed_over(const std::vector<std::uint32_t>& outside) {
+    if (outside.empty()) return;
+    mesh::UnionFind parts(model_.positions.size());
+    for (const auto& t : model_.triangles) {
+      parts.join(t[0], t[1]);
+      parts.join(t[1], t[2]);
+    }
+    std::vector<std::uint8_t> is_outside(model_.positions.size(), 0);
+    for (const auto v : outside) is_outside[parts.find(v)] = 1;
+    for (std::uint32_t v = 0; v < is_outside.size(); ++v) {
+      if (is_outside[parts.find(v)]) passed_over_.push_back(model_.positions[v]);
+    }
+  }
+
+  // Around these parts first, then everywhere. False if that is no reason to try again.
+  bool keeps_farther_from_passed_over() {
+    constexpr int rounds = 3;
+    const std::size_t known = std::exchange(known_passed_over_, passed_over_.size());
+    if (passed_over_.size() == known || margin_steps_ >= parts_margin_steps) return false;
+    if (++passed_over_rounds_ > rounds) margin_steps_ = parts_margin_steps;
+    return true;
   }
 
   Made finish(const Shell& half, bool mirrored, double gap) {
@@ -257,9 +322,13 @@ private:
     made_.surface = with_quads(shell, pairs);
     made_.gap = gap;
     if (mirrored) made_.mirror = mirror_;
+    if (shell.triangles.size() > wish_.triangles)
+      made_.notes.push_back("no fewer than " + base::counted(shell.triangles.size(), "triangle") +
+                            " were found to enclose the model so");
     if (wish_.kind == Kind::automatic && 10 * shell.triangles.size() < 9 * wish_.triangles)
-      made_.notes.push_back("it has " + base::counted(shell.triangles.size(), "triangle") +
-                            ": more would not follow the model better");
+      made_.notes.push_back("it has " + base::counted(shell.triangles.size(), "triangle") + ", not " +
+                            base::with_thousands(wish_.triangles) +
+                            ": no place for more was found that draws it in");
     tell(gap);
     return std::move(made_);
   }
@@ -295,8 +364,11 @@ private:
   std::size_t too_near_ = 0;  // triangles
   // Parts of the model that are smaller than a step may be passed over, unless the cage keeps a step away.
   static constexpr double parts_margin_steps = 1.25;
+  static constexpr double coarser = 0.62;  // the grid of what has to be quick
   double margin_steps_ = 0.1;
-  bool passed_over_ = false;
+  std::vector<Point> passed_over_;
+  std::size_t known_passed_over_ = 0;
+  int passed_over_rounds_ = 0;
   std::optional<Topology> first_;
   Topology last_;
 };

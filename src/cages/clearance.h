@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "base/progress.h"
@@ -71,10 +72,13 @@ private:
 };
 
 /// What is asked about the model: its triangles in a tree, and whether it has holes, so that its inside is
-/// told by winding numbers.
+/// told by winding numbers. Balls around some of its points count to it, so that parts smaller than the
+/// grid's step are not passed over.
 struct Obstacle {
   const mesh::TriangleTree& tree;
   bool closed = false;
+  std::span<const Point> small = {};
+  double radius = 0;  ///< of the balls
 };
 
 /// Outside is what is reached from the border of the grid through places farther from the model than offset +

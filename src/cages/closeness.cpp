@@ -35,9 +35,10 @@ Closeness closeness(const mesh::Surface& cage, const mesh::Surface& model, base:
     found.most = std::max(found.most, distances[v]);
   }
   found.mean /= static_cast<double>(count);
+  // What is wound oddly, or lies within itself, has no such volume; then it can seem larger than the cage's.
   const mesh::Summary summary = mesh::summarize(model);
-  if (summary.closed() && summary.volume != 0)
-    found.volume = mesh::summarize(cage).volume / std::abs(summary.volume);
+  const double whole = mesh::summarize(cage).volume, part = std::abs(summary.volume);
+  if (summary.closed() && summary.oriented() && part > 0 && part <= whole) found.volume = whole / part;
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace viete::cages {
 
@@ -21,15 +22,28 @@ mesh::Edge edge_of(std::uint32_t a, std::uint32_t b) {
 // A cage as it is edited: a list of polygons.
 class Polygons {
 public:
-  explicit Polygons(const Surface& cage) : positions_(cage.positions) {
+  explicit Polygons(const Surface& cage) : positions_(cage.positions), around_(cage.positions.size()) {
     for (std::uint32_t v = 0; v < positions_.size(); ++v) origins_.push_back({{v}});
-    for (std::size_t p = 0; p < cage.polygon_count(); ++p) {
-      all.emplace_back(cage.corners.begin() + cage.polygon_starts[p],
-                       cage.corners.begin() + cage.polygon_starts[p + 1]);
-    }
+    for (std::size_t p = 0; p < cage.polygon_count(); ++p)
+      put({cage.corners.begin() + cage.polygon_starts[p], cage.corners.begin() + cage.polygon_starts[p + 1]});
   }
 
-  std::vector<Polygon> all;
+  std::vector<Polygon> all;  // empty ones are gone
+
+  void put(Polygon p) {
+    for (const auto v : p) around_[v].push_back(static_cast<std::uint32_t>(all.size()));
+    all.push_back(std::move(p));
+  }
+
+  // Of the polygons put at v those that is_one(polygon) names, in order. A polygon's corners are not to have
+  // changed since.
+  template <class IsOne>
+  std::vector<std::uint32_t> around(std::uint32_t v, IsOne is_one) const {
+    std::vector<std::uint32_t> found;
+    std::ranges::copy_if(around_[v], std::back_inserter(found),
+                         [&](std::uint32_t p) { return is_one(all[p]); });
+    return found;
+  }
 
   const Point& at(std::uint32_t v) const { return positions_[v]; }
   void move(std::uint32_t v, const Point& to) { positions_[v] = to; }
@@ -37,6 +51,7 @@ public:
   std::uint32_t add(const Point& at, Origin origin) {
     positions_.push_back(at);
     origins_.push_back(std::move(origin));
+    around_.emplace_back();
     return static_cast<std::uint32_t>(positions_.size() - 1);
   }
 
@@ -100,6 +115,7 @@ private:
 
   std::vector<Point> positions_;
   std::vector<Origin> origins_;
+  std::vector<std::vector<std::uint32_t>> around_;
 };
 
 Vec3 area_of(const Polygons& cage, const Polygon& p) {
@@ -130,24 +146,27 @@ Polygon rim_of(const std::vector<Polygon>& polygons) {
   return rim.size() == next.size() ? rim : Polygon{};
 }
 
-// The polygons that `is_one` names become the one that they fill, without corners that go; without a loop
-// they stay.
-template <class IsOne, class Goes>
-void unite(Polygons& cage, IsOne is_one, Goes goes) {
-  std::vector<Polygon> united;
-  std::ranges::copy_if(cage.all, std::back_inserter(united), is_one);
-  Polygon rim = rim_of(united);
-  std::erase_if(rim, goes);
-  if (rim.size() < 3) return;
-  std::erase_if(cage.all, is_one);
-  cage.all.push_back(std::move(rim));
-}
-
 std::size_t side_of(const Polygon& p, const mesh::Edge& edge) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (edge_of(p[i], p[(i + 1) % p.size()]) == edge) return i;
   }
   return p.size();
+}
+
+// These polygons become the one that they fill, without corners that go; without a loop they stay.
+template <class Goes>
+void unite(Polygons& cage, const std::vector<std::uint32_t>& numbers, Goes goes) {
+  std::vector<Polygon> united;
+  for (const auto p : numbers) united.push_back(cage.all[p]);
+  Polygon rim = rim_of(united);
+  std::erase_if(rim, goes);
+  if (rim.size() < 3) return;
+  for (const auto p : numbers) cage.all[p].clear();
+  cage.put(std::move(rim));
+}
+
+std::vector<std::uint32_t> with_edge(const Polygons& cage, const mesh::Edge& edge) {
+  return cage.around(edge[0], [&](const Polygon& p) { return side_of(p, edge) < p.size(); });
 }
 
 }  // namespace
@@ -158,15 +177,11 @@ Edited split_edges(const Surface& surface, std::span<const mesh::Edge> edges) {
   for (const mesh::Edge& edge : edges) {
     const std::uint32_t middle = cage.add_middle({edge[0], edge[1]});
     made.push_back(middle);
-    std::vector<Polygon> cut;
-    for (Polygon& p : cage.all) {
+    for (const auto number : with_edge(cage, edge)) {
+      const Polygon p = std::exchange(cage.all[number], {});
       const std::size_t side = side_of(p, edge), n = p.size();
-      for (std::size_t i = 1; side < n && i < n; ++i)
-        cut.push_back({middle, p[(side + i) % n], p[(side + i + 1) % n]});
-      if (side < n) p.clear();
+      for (std::size_t i = 1; i < n; ++i) cage.put({middle, p[(side + i) % n], p[(side + i + 1) % n]});
     }
-    std::erase_if(cage.all, [](const Polygon& p) { return p.empty(); });
-    cage.all.insert(cage.all.end(), cut.begin(), cut.end());
   }
   return cage.finish(made);
 }
@@ -177,7 +192,7 @@ Edited cut_polygons(const Surface& surface, std::span<const std::uint32_t> polyg
   for (const std::uint32_t number : polygons) {
     const Polygon p = std::exchange(cage.all[number], {});
     made.push_back(cage.add_middle(p));
-    for (std::size_t i = 0; i < p.size(); ++i) cage.all.push_back({made.back(), p[i], p[(i + 1) % p.size()]});
+    for (std::size_t i = 0; i < p.size(); ++i) cage.put({made.back(), p[i], p[(i + 1) % p.size()]});
   }
   return cage.finish(made);
 }
@@ -194,19 +209,17 @@ Edited merge_vertices(const Surface& surface, std::span<const std::uint32_t> ver
 
 Edited dissolve_vertices(const Surface& surface, std::span<const std::uint32_t> vertices) {
   Polygons cage(surface);
-  for (const std::uint32_t v : vertices)
-    unite(
-        cage, [v](const Polygon& p) { return std::ranges::find(p, v) != p.end(); },
-        [v](std::uint32_t corner) { return corner == v; });
+  for (const std::uint32_t v : vertices) {
+    const auto at_v = [v](const Polygon& p) { return std::ranges::find(p, v) != p.end(); };
+    unite(cage, cage.around(v, at_v), [v](std::uint32_t corner) { return corner == v; });
+  }
   return cage.finish({});
 }
 
 Edited dissolve_edges(const Surface& surface, std::span<const mesh::Edge> edges) {
   Polygons cage(surface);
   for (const mesh::Edge& edge : edges)
-    unite(
-        cage, [&](const Polygon& p) { return side_of(p, edge) < p.size(); },
-        [](std::uint32_t) { return false; });
+    unite(cage, with_edge(cage, edge), [](std::uint32_t) { return false; });
   return cage.finish({});
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cages/frame.h"
 #include "mesh/defects.h"
 #include "mesh/self_intersection.h"
 #include "mesh/summary.h"
@@ -51,6 +52,15 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
   std::ranges::transform(firsts, places.begin(), [&](std::uint32_t v) { return positions[v]; });
   for (const auto i : mesh::points_outside(cage, places, &pool)) found.outside.push_back(firsts[i]);
   return found;
+}
+
+Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool) {
+  const Frame frame = frame_of(model, std::nullopt);
+  const FramedModel framed = model_in(frame, model);
+  mesh::Surface around = cage;
+  for (mesh::Point& p : around.positions) p = frame.into(p);
+  const mesh::TriangleTree tree(framed.positions, framed.triangles);
+  return soundness(around, framed.positions, framed.triangles, tree, pool);
 }
 
 }  // namespace viete::cages

@@ -34,4 +34,7 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
                     std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
                     base::WorkerPool& pool, base::Progress* progress = nullptr);
 
+/// The same of any cage and model, in their own coordinates.
+Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool);
+
 }  // namespace viete::cages

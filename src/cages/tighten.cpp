@@ -152,9 +152,9 @@ void refine_to(WorkingCage& cage, std::size_t triangles, base::Progress* progres
     const std::size_t before = cage.face_count();
     std::vector<std::uint8_t> changed(mesh.n_vertices() + triangles, 0);
     for (const Split& split : splits_of(cage, progress)) {
-      if (cage.face_count() >= triangles) return;
       const Connectivity::EdgeHandle e(split.edge);
       cage.star_of(e, star);
+      if (cage.face_count() + star.replaced.size() > triangles) continue;
       const bool apart = std::ranges::none_of(
           star.rim, [&](const auto& edge) { return changed[edge[0]] || changed[edge[1]]; });
       if (!apart || !cage.fits(star, split.place, {0.05, -0.8, 64})) continue;

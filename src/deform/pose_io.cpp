@@ -129,13 +129,7 @@ Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<
 
 void write_pose(const std::filesystem::path& path, const Cage& cage, const Pose& pose) {
   check_count(pose.positions.size(), cage.surface.positions.size(), path.string());
-  const std::string extension = mesh::extension_of(path);
-  if (extension == "stl" || extension == "glb" || extension == "gltf") {
-    throw base::Error(path.string(),
-                      (extension == "stl" ? "STL" : "glTF") +
-                          std::string(" keeps neither the order of the vertices nor the turns of a pose"),
-                      "save it as .obj, .ply or .off");
-  }
+  mesh::check_keeps_vertices(path);
   std::vector<std::string> comments;
   for (std::size_t part = 0; part < pose.turns.size(); ++part) {
     if (largest_abs(pose.turns[part]) > 0) comments.push_back(turn_line(part, pose.turns[part]));

@@ -78,7 +78,6 @@ std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::s
     }
   }
   nodes_[self].box = box;
-  nodes_[self].radius = 0.5 * box.diagonal() * (1 + 1e-12);
   if (end - begin <= triangles_per_leaf) return self;
   if (progress) progress->report(static_cast<double>(begin) / static_cast<double>(order_.size()));
   const Vec3 size = middle.high - middle.low;
@@ -167,62 +166,45 @@ bool TriangleTree::is_near(const Corners& t, double distance) const {
   const auto gap_to = [&](const Point& p) {
     return std::sqrt(closest_on_triangle(p, t[0], t[1], t[2]).squared_distance);
   };
-  const Vec3 across = cross(t[1] - t[0], t[2] - t[0]);
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0], across = cross(u, v);
   const double reach = distance * norm(across);
+  const double rounding = 1e-14 * std::sqrt(squared_norm(u) * squared_norm(v));  // of across
   // Wholly on one side of its plane, and farther from that.
   const auto beside = [&](const Bounds& other) {
-    const double middle = dot(across, 0.5 * (other.low + other.high) - t[0]);
-    const Vec3 half = 0.5 * (other.high - other.low);
-    const double spread =
-        half[0] * std::abs(across[0]) + half[1] * std::abs(across[1]) + half[2] * std::abs(across[2]);
-    return std::abs(middle) > (spread + reach) * (1 + 1e-9);
+    const Vec3 middle = 0.5 * (other.low + other.high) - t[0], half = 0.5 * (other.high - other.low);
+    double spread = reach;
+    for (std::size_t k = 0; k < 3; ++k)
+      spread += half[k] * std::abs(across[k]) + rounding * (half[k] + std::abs(middle[k]));
+    return std::abs(dot(across, middle)) > spread * (1 + 1e-9);
   };
-  std::uint32_t stack[64];
-  std::size_t size = 0;
-  stack[size++] = 0;
-  while (size > 0) {
-    const std::uint32_t i = stack[--size];
-    const Node& node = nodes_[i];
-    if (!meet(node.box, box) || beside(node.box)) continue;
-    if (distance > 0) {
-      // Its triangles lie within a ball; some point of them is at every side of the box.
-      const double radius = node.radius, gap = gap_to(node.box.center());
-      if (gap > radius + distance) continue;
-      if (gap + radius < distance) return true;
-    }
-    if (node.second != 0) {
-      stack[size++] = node.second;
-      stack[size++] = i + 1;
-      continue;
-    }
-    for (std::uint32_t other = node.begin; other < node.end; ++other) {
-      if (meet(bounds(corners_[other]), box) && are_near(t, corners_[other], distance)) return true;
-    }
-  }
-  return false;
+  const auto enter = [&](std::uint32_t i) {
+    const Bounds& node = nodes_[i].box;
+    if (!meet(node, box) || beside(node)) return Step::past;
+    if (distance <= 0) return Step::into;
+    // Its triangles lie within a ball; some point of them is at every side of the box.
+    const double radius = 0.5 * node.diagonal() * (1 + 1e-12), gap = gap_to(node.center());
+    if (gap > radius + distance) return Step::past;
+    return gap + radius < distance ? Step::found : Step::into;
+  };
+  return find(enter, [&](std::uint32_t i) {
+    return meet(bounds(corners_[i]), box) && are_near(t, corners_[i], distance);
+  });
 }
 
 double TriangleTree::winding_number(const Point& p) const {
   double halves = 0, dipoles = 0;
-  std::uint32_t stack[64];
-  std::size_t size = 0;
-  stack[size++] = 0;
-  while (size > 0) {
-    const std::uint32_t i = stack[--size];
-    const Node& node = nodes_[i];
+  const auto enter = [&](std::uint32_t i) {
     const Dipole& dipole = dipoles_[i];
     const Vec3 to = dipole.center - p;
     const double squared = squared_norm(to);
-    if (squared > far_away * far_away * dipole.radius * dipole.radius) {
-      dipoles += dot(dipole.area, to) / (squared * std::sqrt(squared));
-    } else if (node.second != 0) {
-      stack[size++] = node.second;
-      stack[size++] = i + 1;
-    } else {
-      for (std::uint32_t t = node.begin; t < node.end; ++t)
-        halves += half_solid_angle(corners_[t][0] - p, corners_[t][1] - p, corners_[t][2] - p);
-    }
-  }
+    if (!(squared > far_away * far_away * dipole.radius * dipole.radius)) return Step::into;
+    dipoles += dot(dipole.area, to) / (squared * std::sqrt(squared));
+    return Step::past;
+  };
+  find(enter, [&](std::uint32_t t) {
+    halves += half_solid_angle(corners_[t][0] - p, corners_[t][1] - p, corners_[t][2] - p);
+    return false;
+  });
   return (2 * halves + dipoles) / (4 * std::numbers::pi);
 }
 

@@ -41,18 +41,17 @@ public:
   /// found exactly.
   bool is_near(const Corners& t, double distance = 0) const;
 
-  /// The generalised winding number around p, to a few hundredths: triangles far away count as one dipole. Sources:
-  /// Jacobson et al. 2013, Robust inside-outside segmentation using generalized winding numbers; Barill et
-  /// al. 2018, Fast winding numbers for soups and clouds.
+  /// The generalised winding number around p, to a few hundredths: triangles far away count as one dipole.
+  /// Sources: Jacobson et al. 2013, Robust inside-outside segmentation using generalized winding numbers;
+  /// Barill et al. 2018, Fast winding numbers for soups and clouds.
   double winding_number(const Point& p) const;
 
 private:
   // A node's triangles are order_[begin] up to order_[end]; the first child follows it, `second` is the
-  // other; 0 in a leaf.
-  struct Node {
+  // other; 0 in a leaf. As long as a line of the cache.
+  struct alignas(64) Node {
     Bounds box;
     std::uint32_t begin = 0, end = 0, second = 0;
-    double radius = 0;  // of the ball around the box
   };
   struct Dipole {
     Point center{};
@@ -62,6 +61,11 @@ private:
   std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers,
                       base::Progress* progress);
   void make_dipoles();
+  enum class Step { past, into, found };
+  // Calls enter(node's number), which says how to go on, and visit(place in order_) for triangles of leaves
+  // that were entered, until that returns true. Returns whether one was found.
+  template <class Enter, class Visit>
+  bool find(Enter&& enter, Visit&& visit) const;
 
   std::vector<std::uint32_t> order_;
   std::vector<Corners> corners_;  // in that order
@@ -69,25 +73,35 @@ private:
   std::vector<Dipole> dipoles_;  // of each node
 };
 
-template <class Visit>
-bool TriangleTree::any_in(const Bounds& box, Visit&& visit) const {
+template <class Enter, class Visit>
+bool TriangleTree::find(Enter&& enter, Visit&& visit) const {
   std::uint32_t stack[64];
   std::size_t size = 0;
-  stack[size++] = 0;
+  const auto found = [&](std::uint32_t i) {
+    const Step step = enter(i);
+    if (step == Step::into) stack[size++] = i;
+    return step == Step::found;
+  };
+  if (found(0)) return true;
   while (size > 0) {
     const std::uint32_t i = stack[--size];
     const Node& node = nodes_[i];
-    if (!meet(node.box, box)) continue;
     if (node.second != 0) {
-      stack[size++] = node.second;
-      stack[size++] = i + 1;
+      if (found(node.second) || found(i + 1)) return true;
       continue;
     }
     for (std::uint32_t t = node.begin; t < node.end; ++t) {
-      if (meet(bounds(corners_[t]), box) && visit(order_[t], corners_[t])) return true;
+      if (visit(t)) return true;
     }
   }
   return false;
+}
+
+template <class Visit>
+bool TriangleTree::any_in(const Bounds& box, Visit&& visit) const {
+  return find(
+      [&](std::uint32_t i) { return meet(nodes_[i].box, box) ? Step::into : Step::past; },
+      [&](std::uint32_t t) { return meet(bounds(corners_[t]), box) && visit(order_[t], corners_[t]); });
 }
 
 }  // namespace viete::mesh

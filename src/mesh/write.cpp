@@ -88,4 +88,13 @@ void check_format(const std::filesystem::path& path) {
   format_for(path);
 }
 
+void check_keeps_vertices(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  const bool stl = extension == "stl";
+  if (!stl && extension != "glb" && extension != "gltf") return;
+  throw base::Error(path.string(),
+                    std::string(stl ? "STL" : "glTF") + " does not keep the order of the vertices",
+                    "save it as .obj, .ply or .off");
+}
+
 }  // namespace viete::mesh

@@ -37,4 +37,8 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
 /// Throws what write() throws for this name's extension.
 void check_format(const std::filesystem::path& path);
 
+/// Throws base::Error where this name's format would read back other vertices, or in another order, than were
+/// written: STL and glTF.
+void check_keeps_vertices(const std::filesystem::path& path);
+
 }  // namespace viete::mesh

@@ -36,6 +36,14 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
 
 namespace {
 
+// Nothing moves the model: whatever way it is deformed by leaves it as it is, but for rounding.
+bool is_at_rest(const Export& what) {
+  const auto has_done_nothing = [](const deform::Probe& p) { return p.pose == deform::ProbePose{}; };
+  const deform::Pose rest = deform::rest_pose(*what.cage);
+  return what.pose.positions == rest.positions && what.pose.turns == rest.turns &&
+         std::ranges::all_of(what.probes.all, has_done_nothing);
+}
+
 // Where only rounding moves a coordinate, it is at rest, and so it is written.
 void keep_at_rest(const mesh::Surface& model, const deform::Cage& cage, std::vector<mesh::Point>& positions) {
   double size = 0;
@@ -61,7 +69,11 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
   deform::ExactModel deformed = deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose,
                                                        what.method, pool, progress, what.mask, what.probes);
   if (progress) progress->section(0.5, 1);
-  keep_at_rest(*what.model, *what.cage, deformed.positions);
+  if (is_at_rest(what)) {
+    deformed.positions = what.model->positions;
+  } else {
+    keep_at_rest(*what.model, *what.cage, deformed.positions);
+  }
   const mesh::Content content{*what.model, deformed.positions, {}, what.attributes.get()};
   std::vector<std::string> notes =
       mesh::write(what.file, content, what.original.get(), what.digits, progress);

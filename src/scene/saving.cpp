@@ -80,6 +80,7 @@ bool save_pose(Workspace& workspace, const fs::path& path) {
 bool save_cage(Workspace& workspace, const fs::path& path) {
   Document& document = workspace.document;
   return attempt(workspace, "cage", path, [&] {
+    mesh::check_keeps_vertices(path);  // which poses, and the session, go by
     mesh::write(path, document.cage->surface, {"cage of " + document.model.path.filename().string()});
     document.history.file_replaced(path, document.cage);
     document.cage_file.path = path;

@@ -84,6 +84,23 @@ TEST_CASE("handles_and_parts_are_kept_where_the_size_allows_and_closed_with_a_wo
   CHECK(apart.notes.empty());
 }
 
+TEST_CASE("parts_far_smaller_than_the_grids_step_do_not_keep_the_cage_away_from_the_others") {
+  base::WorkerPool pool(2);
+  const mesh::Surface small = stretched(sphere(2), {0.003, 0.003, 0.003}, {3, 0.1, 0.2});
+  const mesh::Surface model = joined(sphere(4), small);
+  const auto made = cages::make(model, {.triangles = 600}, pool);
+  CHECK(mesh::summarize(made.surface).volume < 1.5 * mesh::summarize(sphere(4)).volume);
+}
+
+TEST_CASE("symmetric_cages_are_no_larger_than_they_were_asked_to_be") {
+  base::WorkerPool pool(2);
+  for (const std::size_t triangles : {12, 14, 21, 30}) {
+    const auto made = cages::make(stool(), {.triangles = triangles, .symmetry = cages::Symmetry::x}, pool);
+    CHECK((made.surface.triangles.size() <= triangles || !made.notes.empty()));
+    if (made.mirror && made.notes.empty()) CHECK(10 * made.surface.triangles.size() >= 9 * triangles);
+  }
+}
+
 TEST_CASE("gaps_are_closed_as_wide_as_is_wished") {
   base::WorkerPool pool(2);
   const mesh::Surface plates =

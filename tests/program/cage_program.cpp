@@ -50,6 +50,23 @@ TEST_CASE("boxes_and_hulls_are_written_in_every_format") {
   CHECK(quads.polygon_count() < quads.triangles.size());
 }
 
+TEST_CASE("a_cage_that_the_numbers_of_a_file_cannot_hold_is_not_written") {
+  const CageFolder files;
+  mesh::Surface far = mesh::read(files / "model.obj").surface;
+  for (auto& p : far.positions) p[0] += 1e7;
+  mesh::write(files / "far.obj", far);
+  for (auto& p : far.positions) p = {1e50 * (p[0] - 1e7), 1e50 * p[1], 1e50 * p[2]};
+  mesh::write(files / "large.obj", far);
+  for (const char* model : {"far.obj", "large.obj"}) {
+    const Outcome refused = files.run(std::string("cage ") + model + " --triangles 60 -o made.glb");
+    CHECK(refused.code == 1);
+    CHECK(mentions(refused, "made.glb: glTF's numbers have 7 digits"));
+    CHECK_FALSE(fs::exists(files / "made.glb"));
+    CHECK(files.run(std::string("cage ") + model + " --triangles 60 -o made.ply --force").code == 0);
+  }
+  CHECK(files.run("cage model.obj --triangles 60 -o made.glb").code == 0);
+}
+
 TEST_CASE("a_cage_does_not_replace_its_model_unless_it_is_forced_to") {
   const CageFolder files;
   const std::string before = file_bytes(files / "model.obj");
@@ -72,9 +89,12 @@ TEST_CASE("wishes_out_of_range_and_bad_models_are_refused_with_a_word") {
       {"model.obj --gap 21", "0 to 20"},
       {"model.obj --kind sphere", "automatic"},
       {"model.obj --symmetry w", "auto"},
-      {"model.obj --cells 0x1x1", "from 1 to 32"},
-      {"model.obj --cells 2x2", "as 2x3x2"},
-      {"model.obj --cells 1x1x33", "from 1 to 32"},
+      {"model.obj --kind box --cells 0x1x1", "from 1 to 32"},
+      {"model.obj --kind box --cells 2x2", "as 2x3x2"},
+      {"model.obj --kind box --cells 1x1x33", "from 1 to 32"},
+      {"model.obj --cells 2x2x2", "--cells: does nothing where the kind of cage is automatic"},
+      {"model.obj --kind hull --symmetry x", "does nothing where the kind of cage is hull"},
+      {"model.obj --kind box --triangles 50", "does nothing where the kind of cage is box"},
       {"point.obj", "single point"},
       {"empty.obj", "empty.obj"},
       {"missing.obj", "there is no such file"},

@@ -52,6 +52,19 @@ TEST_CASE("a_model_at_rest_is_exported_as_the_very_file_it_was") {
   }
 }
 
+TEST_CASE("at_rest_a_stitched_model_is_exported_to_the_last_bit_too") {
+  const test::CubeFiles files;
+  Export all = export_of(open_document(files.model, files.cage), files / "same.ply");
+  mesh::Surface third = *all.model;
+  for (auto& p : third.positions) p = {p[0] / 3, p[1] / 7, p[2] / 11};
+  all.model = std::make_shared<const mesh::Surface>(third);
+  all.original.reset();
+  all.attributes.reset();
+  all.scheme.iterations = 3;
+  write_deformed(all);
+  CHECK(mesh::read(files / "same.ply").surface.positions == third.positions);
+}
+
 TEST_CASE("an_export_is_of_the_moment_it_was_asked_for") {
   const test::CubeFiles files;
   Document document = posed(files);
