@@ -11,7 +11,8 @@ uniform int has_texture_points;
 out vec2 texture_point;
 #endif
 #ifdef COLORS
-uniform samplerBuffer colors;  // per vertex
+uniform samplerBuffer colors;  // per vertex or corner
+uniform int colors_of_corners;
 out vec3 vertex_color;         // in linear light
 #endif
 #ifdef FLAT
@@ -37,7 +38,7 @@ void main() {
   texture_point = has_texture_points != 0 ? texelFetch(texture_points, gl_VertexID).xy : vec2(0.0);
 #endif
 #ifdef COLORS
-  vec3 c = texelFetch(colors, vertex).rgb;
+  vec3 c = texelFetch(colors, colors_of_corners != 0 ? gl_VertexID : vertex).rgb;
   vertex_color = c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);  // sRGB to light, within 0.003
 #endif
 #ifdef FLAT

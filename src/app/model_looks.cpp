@@ -28,13 +28,15 @@ public:
     sort_triangles();
     make_runs();
     for (const mesh::Color& c : given_.colors) made_.looks.colors.push_back(bytes_of(c));
-    made_.says_something |= !given_.colors.empty();
+    made_.looks.colors_of_corners = shows_colors_of_faces();
+    made_.says_something |= !made_.looks.colors.empty();
     return std::move(made_);
   }
 
 private:
   struct Triangle {
     mesh::Triangle vertices, corners;
+    std::uint32_t polygon;
   };
   using Look = std::pair<std::uint32_t, bool>;  // material, flat
 
@@ -45,10 +47,14 @@ private:
       while (g + 1 < given_.groups.size() && given_.groups[g + 1].first_polygon <= polygon) ++g;
       const bool in_group = g < given_.groups.size();
       const std::uint32_t material = in_group ? given_.groups[g].material : none;
-      const bool flat = (in_group && !given_.groups[g].smooth) || stands_across_an_edge({vertices, corners});
-      by_look_[{material, flat}].push_back({vertices, corners});
+      const bool flat =
+          (in_group && !given_.groups[g].smooth) || stands_across_an_edge({vertices, corners, polygon});
+      by_look_[{material, flat}].push_back({vertices, corners, polygon});
     });
   }
+
+  // Those of vertices go before.
+  bool shows_colors_of_faces() const { return given_.colors.empty() && !given_.polygon_colors.empty(); }
 
   // The file gives its corners the normal of the face, where that of all faces around is another.
   bool stands_across_an_edge(const Triangle& t) const {
@@ -74,6 +80,8 @@ private:
       looks.runs.push_back(run);
       for (const Triangle& t : triangles) {
         made_.triangles.push_back(t.vertices);
+        if (shows_colors_of_faces())
+          made_.looks.colors.insert(made_.looks.colors.end(), 3, bytes_of(given_.polygon_colors[t.polygon]));
         if (given_.corner_texture.empty()) continue;
         for (const std::uint32_t corner : t.corners) looks.texture_points.push_back(texture_point(corner));
       }

@@ -50,12 +50,14 @@ struct Attributes {
   std::vector<Vec3> normals;                  ///< as the file has them: not all need be unit vectors
   std::vector<std::uint32_t> corner_normal;   ///< of each corner: a normal, or none
   std::vector<Color> colors;                  ///< one a vertex
+  std::vector<Color> polygon_colors;          ///< one a polygon
   std::vector<Group> groups;                  ///< by first_polygon, the first at 0
   std::vector<Material> materials;
   std::vector<ImageFile> images;
 
   bool empty() const {
-    return texture_points.empty() && normals.empty() && colors.empty() && groups.empty() && materials.empty();
+    return texture_points.empty() && normals.empty() && colors.empty() && polygon_colors.empty() &&
+           groups.empty() && materials.empty();
   }
 };
 

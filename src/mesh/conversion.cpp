@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <set>
+#include <map>
 
 #include "base/quantity.h"
 #include "mesh/normals.h"
@@ -43,9 +43,41 @@ std::uint8_t color_byte(float value) {
   return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
 }
 
-std::string name_of_material(const Attributes& attributes, std::uint32_t material) {
-  std::string name = TextWriter::one_line(attributes.materials[material].name);
-  return name.empty() ? "material_" + std::to_string(material) : name;
+void name_materials(Attributes& attributes) {
+  std::set<std::string> taken;
+  for (std::uint32_t i = 0; i < attributes.materials.size(); ++i) {
+    std::string& name = attributes.materials[i].name;
+    name = TextWriter::one_line(name);
+    if (name.empty()) name = "material_" + std::to_string(i);
+    const std::string given = name;
+    for (int n = 2; !taken.insert(name).second; ++n) name = given + "_" + std::to_string(n);
+  }
+}
+
+void colors_to_materials(Attributes& a) {
+  constexpr std::size_t most = 1024;
+  if (!a.groups.empty() || !a.materials.empty()) return;
+  std::map<Color, std::uint32_t> numbers;
+  for (const Color& c : a.polygon_colors) {
+    if (numbers.size() <= most) numbers.emplace(c, static_cast<std::uint32_t>(numbers.size()));
+  }
+  if (numbers.size() > most) return;
+  a.materials.resize(numbers.size());
+  for (const auto& [color, number] : numbers)
+    a.materials[number] = {"color_" + std::to_string(number + 1), color};
+  for (std::uint32_t p = 0; p < a.polygon_colors.size(); ++p) {
+    const std::uint32_t number = numbers.at(a.polygon_colors[p]);
+    if (a.groups.empty() || a.groups.back().material != number) a.groups.push_back({p, "", "", number});
+  }
+  a.polygon_colors.clear();
+}
+
+std::set<std::uint32_t> used_images(const Attributes& attributes) {
+  std::set<std::uint32_t> used;
+  for (const Material& m : attributes.materials) {
+    if (m.base_color_image < attributes.images.size()) used.insert(m.base_color_image);
+  }
+  return used;
 }
 
 Attributes deformed_attributes(const Surface& rest, std::span<const Point> positions,
@@ -72,24 +104,21 @@ std::optional<std::vector<std::uint32_t>> one_a_vertex(const Surface& surface,
 std::vector<std::string> left_out(std::string_view extension, const Surface& surface, const Attributes& a,
                                   const Attributes& deformed) {
   if (extension == "glb" || extension == "gltf") return {};
-  const bool texture_fits = one_a_vertex(surface, a.corner_texture).has_value();
   const bool normals_fit = one_a_vertex(surface, deformed.corner_normal).has_value();
-  std::set<std::uint32_t> of_base_color;
-  for (const Material& m : a.materials) {
-    if (m.base_color_image < a.images.size()) of_base_color.insert(m.base_color_image);
-  }
+  const std::size_t textures = used_images(a).size();
   const Kind kinds[] = {
-      {"texture coordinates", a.texture_points.size(), true, texture_fits, false},
+      {"texture coordinates", a.texture_points.size(), true, true, false},
       {"normals", a.normals.size(), true, normals_fit, false},
       {"colours", a.colors.size(), true, true, true},
+      {"colours of faces", deformed.polygon_colors.size(), false, true, true},
       {"groups", a.groups.size(), true, false, false},
       {"materials", a.materials.size(), true, false, false},
-      {"textures", of_base_color.size(), true, false, false},
-      {"images but those of base colours", a.images.size() - of_base_color.size(), false, false, false}};
+      {"textures", textures, true, true, false},
+      {"images but those of base colours", a.images.size() - textures, false, false, false}};
   std::vector<std::string> notes;
   for (const Kind& kind : kinds) {
     if (kind.count == 0 || held(extension, kind)) continue;
-    const bool several = extension == "ply" && (&kind == &kinds[0] || &kind == &kinds[1]);
+    const bool several = extension == "ply" && &kind == &kinds[1];
     notes.push_back(upper(extension) + (several ? " holds one a vertex of " : " has no ") + kind.plural +
                     ": " + base::with_thousands(kind.count) + " left out");
   }
@@ -98,10 +127,9 @@ std::vector<std::string> left_out(std::string_view extension, const Surface& sur
 
 std::string material_library(const Attributes& attributes) {
   std::string text;
-  for (std::uint32_t i = 0; i < attributes.materials.size(); ++i) {
-    const Material& m = attributes.materials[i];
+  for (const Material& m : attributes.materials) {
     const Color& c = m.base_color;
-    text += "newmtl " + name_of_material(attributes, i) + "\nKd";
+    text += "newmtl " + m.name + "\nKd";
     for (std::size_t k = 0; k < 3; ++k) text += " " + short_number(c[k]);
     text += "\nd " + short_number(c[3]) + "\n";
     if (m.base_color_image == none || attributes.images[m.base_color_image].path.empty()) continue;

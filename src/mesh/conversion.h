@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,10 +32,18 @@ std::string short_number(float value);
 /// From 0 to 255.
 std::uint8_t color_byte(float value);
 
-/// Of one line, and never empty.
-std::string name_of_material(const Attributes& attributes, std::uint32_t material);
+/// Makes them different, of one line and never empty, as material libraries want them.
+void name_materials(Attributes& attributes);
 
-/// A library of the materials: names, colours, and images with a path, as this is given.
+/// Where a format has no colours of faces, but materials: as many materials and groups, if there are none,
+/// and the colours no more than a thousand.
+void colors_to_materials(Attributes& attributes);
+
+/// Of the images that materials use for their base colour.
+std::set<std::uint32_t> used_images(const Attributes& attributes);
+
+/// A library of the materials, see name_materials(): names, colours, and images with a path, as this is
+/// given.
 std::string material_library(const Attributes& attributes);
 
 }  // namespace viete::mesh

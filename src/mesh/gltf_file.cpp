@@ -163,7 +163,7 @@ std::string embedded(const Source& source, const std::string& place, std::string
 }
 
 // Nothing outside of the folder of the model is opened because a model says so.
-std::optional<fs::path> path_beside(const Source& source, std::string_view uri) {
+std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) {
   const fs::path relative = decoded_uri(uri);
   const std::string text = relative.string();
   const bool leads_out =
@@ -242,7 +242,7 @@ private:
       json.erase("uri");
     } else if (!uri.empty()) {
       buffer.home = GltfBuffer::Home::beside;
-      const auto path = path_beside(source_, uri);
+      const auto path = path_of_uri(source_, uri);
       if (!path) fail("lies outside of the model's folder: " + uri.substr(0, 200));
       buffer.path = path->lexically_normal();
       if (!beside_.insert(buffer.path).second) fail("is the same file as another buffer");
@@ -278,7 +278,7 @@ private:
 
   void take_image_beside(GltfImage& image, const std::string& uri) {
     image.uri = uri;
-    if (const auto path = path_beside(source_, uri)) {
+    if (const auto path = path_of_uri(source_, uri)) {
       image.file.path = fs::absolute(*path);
     } else {
       warn("image " + uri.substr(0, 200) + " lies outside of the model's folder and is not opened");

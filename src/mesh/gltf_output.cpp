@@ -37,16 +37,16 @@ std::string_view mime_type_of(std::string_view bytes) {
   return {};
 }
 
-// A vertex of the file: one of the surface with a texture point and a normal.
+// A vertex of the file: one of the surface with a texture point, a normal and the colour of a face.
 struct OutputVertex {
-  std::uint32_t vertex, texture, normal;
+  std::uint32_t vertex, texture, normal, color;
   friend bool operator==(const OutputVertex&, const OutputVertex&) = default;
 };
 
 struct HashOfVertex {
   std::size_t operator()(const OutputVertex& v) const {
     return (std::size_t{v.vertex} * 0x9E3779B97F4A7C15U) ^ (std::size_t{v.texture} << 32) ^
-           (std::size_t{v.normal} * 0xC2B2AE3D27D4EB4FU);
+           ((std::size_t{v.normal} ^ std::size_t{v.color} << 32) * 0xC2B2AE3D27D4EB4FU);
   }
 };
 
@@ -85,18 +85,25 @@ private:
       const std::uint32_t polygon = surface_.triangle_polygon[t++];
       while (g + 1 < given_.groups.size() && given_.groups[g + 1].first_polygon <= polygon) ++g;
       Run& run = runs[{given_.groups[g].material, given_.groups[g].smooth}];
-      for (std::size_t k = 0; k < 3; ++k) add_corner(run, triangle[k], corners[k]);
+      const std::uint32_t color = color_of(polygon);
+      for (std::size_t k = 0; k < 3; ++k) add_corner(run, triangle[k], corners[k], color);
     });
     if (runs.empty()) {
       Run& points = runs[{none, true}];
-      for (std::uint32_t v = 0; v < positions_.size(); ++v) points.vertices.push_back({v, none, none});
+      for (std::uint32_t v = 0; v < positions_.size(); ++v) points.vertices.push_back({v, none, none, none});
     }
     for (const auto& [key, run] : runs) add_primitive(run, key.first, key.second);
   }
 
-  void add_corner(Run& run, std::uint32_t vertex, std::uint32_t corner) const {
+  // Of a face: the first one with this colour stands for all. Colours of vertices go before.
+  std::uint32_t color_of(std::uint32_t polygon) {
+    if (given_.polygon_colors.empty() || !given_.colors.empty()) return none;
+    return first_with_color_.try_emplace(given_.polygon_colors[polygon], polygon).first->second;
+  }
+
+  void add_corner(Run& run, std::uint32_t vertex, std::uint32_t corner, std::uint32_t color) const {
     const OutputVertex v{vertex, given_.corner_texture.empty() ? none : given_.corner_texture[corner],
-                         given_.corner_normal.empty() ? none : given_.corner_normal[corner]};
+                         given_.corner_normal.empty() ? none : given_.corner_normal[corner], color};
     const auto [at, added] = run.numbers.try_emplace(v, static_cast<std::uint32_t>(run.vertices.size()));
     if (added) run.vertices.push_back(v);
     run.indices.push_back(at->second);
@@ -126,9 +133,10 @@ private:
         to[0] = static_cast<float>(p[0]), to[1] = static_cast<float>(1 - p[1]);
       });
     }
-    if (!given_.colors.empty()) {
+    if (!given_.colors.empty() || has(&OutputVertex::color)) {
       attributes["COLOR_0"] = add_vectors(run, 4, [&](const OutputVertex& v, float* to) {
-        const auto c = linear_of_srgb(given_.colors[v.vertex]);
+        const auto c =
+            linear_of_srgb(v.color == none ? given_.colors[v.vertex] : given_.polygon_colors[v.color]);
         for (std::size_t k = 0; k < 4; ++k) to[k] = static_cast<float>(c[k]);
       });
     }
@@ -227,6 +235,7 @@ private:
   const Surface& surface_;
   std::span<const Point> positions_;
   Attributes given_;
+  std::map<Color, std::uint32_t> first_with_color_;
   std::vector<Vec3> vertex_normals_;  // computed for corners without
 };
 

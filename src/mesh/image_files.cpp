@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/picture.h"
 #include "base/quantity.h"
+#include "mesh/conversion.h"
 #include "mesh/source.h"
 
 namespace viete::mesh {
@@ -54,15 +55,6 @@ std::string file_stem(const std::string& name, const std::string& otherwise) {
 
 std::string called(const ImageFile& image) {
   return image.path.empty() ? image.name : image.path.string();
-}
-
-// Of the images that some material uses.
-std::set<std::uint32_t> used_images(const Attributes& attributes) {
-  std::set<std::uint32_t> used;
-  for (const Material& m : attributes.materials) {
-    if (m.base_color_image < attributes.images.size()) used.insert(m.base_color_image);
-  }
-  return used;
 }
 
 void leave_out(std::uint32_t image, Attributes& attributes) {

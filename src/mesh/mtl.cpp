@@ -19,13 +19,6 @@ namespace fs = std::filesystem;
 constexpr TextRules mtl_rules{.comment = '#', .continued_lines = true};
 constexpr std::uintmax_t most_library_bytes = 64 << 20;
 
-// Programs on Windows write backslashes.
-fs::path path_beside(const fs::path& folder, std::string_view name) {
-  std::string slashed(name);
-  std::replace(slashed.begin(), slashed.end(), '\\', '/');
-  return (folder / slashed).lexically_normal();
-}
-
 // Options of a map and how many words follow each; -o, -s and -t have one to three numbers.
 std::size_t option_words(std::string_view option) {
   constexpr auto one =

@@ -63,7 +63,7 @@ private:
     named("o ", g.object, before_.object);
     named("g ", g.name, before_.name);
     if (g.material != before_.material && g.material != none)
-      out_.text("usemtl ").text(name_of_material(*a_, g.material)).text("\n");
+      out_.text("usemtl ").text(TextWriter::one_line(a_->materials[g.material].name)).text("\n");
     if (g.smooth != before_.smooth) out_.text(g.smooth ? "s 1\n" : "s off\n");
     before_.material = g.material;
     before_.smooth = g.smooth;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "base/error.h"
@@ -126,13 +127,24 @@ private:
     if (has_texture_) found_.texture_points.push_back({next(), next()});
   }
 
-  // Colours in [0, 1], or from 0 to 255 where one is larger than 1.
-  std::shared_ptr<const Attributes> finished_attributes() {
+  // In [0, 1], or from 0 to 255 where one is larger than 1.
+  static void to_unit_range(std::span<Color> colors) {
     const auto large = [](const Color& c) { return *std::max_element(c.begin(), c.end()) > 1; };
-    if (std::any_of(found_.colors.begin(), found_.colors.end(), large)) {
-      for (Color& c : found_.colors) {
-        for (std::size_t i = 0; i < 4; ++i) c[i] = i == 3 && c[i] == 1 ? 1 : c[i] / 255;
-      }
+    if (std::none_of(colors.begin(), colors.end(), large)) return;
+    for (Color& c : colors) {
+      for (std::size_t i = 0; i < 4; ++i) c[i] = i == 3 && c[i] == 1 ? 1 : c[i] / 255;
+    }
+  }
+
+  std::shared_ptr<const Attributes> finished_attributes() {
+    to_unit_range(found_.colors);
+    if (!face_colors_.empty()) {
+      std::vector<Color> colors;
+      for (const auto& [polygon, color] : face_colors_) colors.push_back(color);
+      to_unit_range(colors);
+      found_.polygon_colors.assign(builder_.surface().polygon_count(), Material{}.base_color);
+      for (std::size_t i = 0; i < colors.size(); ++i)
+        found_.polygon_colors[face_colors_[i].first] = colors[i];
     }
     if (has_normals_) found_.corner_normal = builder_.surface().corners;
     if (has_texture_) found_.corner_texture = builder_.surface().corners;
@@ -152,13 +164,28 @@ private:
       builder_.corner(static_cast<std::uint32_t>(index));
     }
     builder_.end_polygon();
+    if (corners >= 3) face_color(builder_.surface().polygon_count() - 1);
     text_.next_line();
+  }
+
+  // Three or four numbers behind the corners; a single one is the index of a list that is in no file.
+  void face_color(std::size_t polygon) {
+    Color color{0, 0, 0, 1};
+    std::size_t count = 0;
+    for (; count < 4 && !text_.at_line_end(); ++count) {
+      const auto value = number_in(text_.word());
+      if (!value) break;
+      color[count] = static_cast<float>(std::clamp(*value, 0.0, 255.0));
+    }
+    if (count >= 3) face_colors_.emplace_back(polygon, color);
   }
 
   const Source& source_;
   TextCursor text_;
   SurfaceBuilder builder_;
   bool has_normals_ = false, has_colors_ = false, has_texture_ = false;
+  std::vector<std::pair<std::size_t, Color>>
+      face_colors_;  // of the polygons that have one, as they are written
   Attributes found_;
 };
 
@@ -178,15 +205,17 @@ void write_off(const Content& content, TextWriter& out) {
   const auto& positions = content.positions;
   const std::size_t all = positions.size() + surface.polygon_count();
   const bool colored = content.attributes && !content.attributes->colors.empty();
+  const bool faces_colored = content.attributes && !content.attributes->polygon_colors.empty();
+  const auto color = [&](const Color& c) {
+    for (const float x : c) out.text(" ").number(std::uint64_t{color_byte(x)});
+  };
   std::size_t done = 0;
   out.text(colored ? "COFF\n" : "OFF\n").comments("# ", content.comments);
   out.number(std::uint64_t{positions.size()}).text(" ");
   out.number(std::uint64_t{surface.polygon_count()}).text(" 0\n");
   for (std::size_t v = 0; v < positions.size(); ++v) {
     print_point(positions[v], out);
-    if (colored) {
-      for (const float x : content.attributes->colors[v]) out.text(" ").number(std::uint64_t{color_byte(x)});
-    }
+    if (colored) color(content.attributes->colors[v]);
     out.text("\n");
     out.element_done(++done, all);
   }
@@ -194,6 +223,7 @@ void write_off(const Content& content, TextWriter& out) {
     const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
     out.number(std::uint64_t{end - begin});
     for (auto c = begin; c < end; ++c) out.text(" ").number(std::uint64_t{surface.corners[c]});
+    if (faces_colored) color(content.attributes->polygon_colors[p]);
     out.text("\n");
     out.element_done(++done, all);
   }

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
-#include <optional>
-#include <span>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
-#include "mesh/conversion.h"
 #include "mesh/ply_attributes.h"
+#include "mesh/ply_face_attributes.h"
 #include "mesh/ply_header.h"
 #include "mesh/ply_original.h"
 #include "mesh/ply_values.h"
@@ -26,8 +23,13 @@ template <class Values>
 class PlyBody {
 public:
   PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, PlyAttributes& attributes,
-          Values values)
-      : header_(header), source_(source), builder_(builder), attributes_(attributes), values_(values) {
+          PlyFaceAttributes& face_attributes, Values values)
+      : header_(header),
+        source_(source),
+        builder_(builder),
+        attributes_(attributes),
+        face_attributes_(face_attributes),
+        values_(values) {
     const PlyElement* vertices = header.find("vertex");
     vertex_count_ = vertices ? vertices->count : 0;
   }
@@ -75,7 +77,7 @@ private:
       } else if (property.list_size || !attributes.wants(p)) {
         skip(property);
       } else {
-        attributes.take(p, values_.value_of(property.type, values_.skip(property.type)));
+        attributes.take(p, value(property));
       }
       if (p + 1 != element.properties.size()) return;
       builder_.position(point);
@@ -89,12 +91,25 @@ private:
       throw base::Error(source_.name, "element " + element.name + " has no list vertex_indices",
                         "export the model again");
     }
+    face_attributes_.begin(element, builder_.surface());
     rows(element, [&](const PlyProperty& property, std::size_t p) {
-      if (p != wanted) return skip(property);
-      const std::size_t length = list_length(property);
-      index_type_ = property.type;
-      take(length);
+      if (p == wanted) {
+        const std::size_t length = list_length(property);
+        index_type_ = property.type;
+        take(length);
+      } else if (face_attributes_.wants_list(p)) {
+        for (std::size_t i = list_length(property); i-- > 0;) face_attributes_.take_texture(value(property));
+      } else if (face_attributes_.wants(p)) {
+        face_attributes_.take(p, value(property));
+      } else {
+        skip(property);
+      }
+      if (p + 1 == element.properties.size()) face_attributes_.end_row();
     });
+  }
+
+  double value(const PlyProperty& property) {
+    return values_.value_of(property.type, values_.skip(property.type));
   }
 
   std::size_t list_length(const PlyProperty& property) {
@@ -154,61 +169,10 @@ private:
   const Source& source_;
   SurfaceBuilder& builder_;
   PlyAttributes& attributes_;
+  PlyFaceAttributes& face_attributes_;
   Values values_;
   std::size_t vertex_count_ = 0;
   PlyType index_type_ = PlyType::int32;
-};
-
-template <class T>
-void write_little_endian(TextWriter& out, T value) {
-  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
-  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-  out.text({raw.data(), raw.size()});
-}
-
-// Positions in double; normals, colours and texture points where there is one a vertex.
-class PlyVertexOutput {
-public:
-  explicit PlyVertexOutput(const Content& content) : positions_(content.positions), a_(content.attributes) {
-    if (!a_) return;
-    if (!a_->corner_normal.empty()) normals_ = one_a_vertex(content.surface, a_->corner_normal);
-    if (!a_->corner_texture.empty()) texture_ = one_a_vertex(content.surface, a_->corner_texture);
-    colored_ = !a_->colors.empty();
-  }
-
-  void header(TextWriter& out) const {
-    out.text("element vertex ").number(std::uint64_t{positions_.size()});
-    out.text("\nproperty double x\nproperty double y\nproperty double z\n");
-    if (normals_) out.text("property float nx\nproperty float ny\nproperty float nz\n");
-    if (colored_) {
-      for (const char* name : {"red", "green", "blue", "alpha"})
-        out.text("property uchar ").text(name).text("\n");
-    }
-    if (texture_) out.text("property float s\nproperty float t\n");
-  }
-
-  void row(std::size_t v, TextWriter& out) const {
-    for (const double x : positions_[v]) write_little_endian(out, x);
-    if (normals_) {
-      const std::uint32_t n = (*normals_)[v];
-      for (const double x : n == none ? Vec3{0, 0, 0} : a_->normals[n])
-        write_little_endian(out, static_cast<float>(x));
-    }
-    if (colored_) {
-      for (const float x : a_->colors[v]) write_little_endian(out, color_byte(x));
-    }
-    if (texture_) {
-      const std::uint32_t t = (*texture_)[v];
-      for (const double x : t == none ? Vec2{0, 0} : a_->texture_points[t])
-        write_little_endian(out, static_cast<float>(x));
-    }
-  }
-
-private:
-  std::span<const Point> positions_;
-  const Attributes* a_;
-  std::optional<std::vector<std::uint32_t>> normals_, texture_;
-  bool colored_ = false;
 };
 
 }  // namespace
@@ -221,17 +185,21 @@ ReadResult read_ply(const Source& source) {
   PlyHeader header = read_ply_header(text, source, builder);
   const std::size_t body = text.offset();
   PlyAttributes attributes;
+  PlyFaceAttributes face_attributes;
   std::string format = "PLY ascii";
   if (header.format == PlyHeader::Format::ascii) {
-    PlyBody(header, source, builder, attributes, PlyTextValues(text)).read();
+    PlyBody(header, source, builder, attributes, face_attributes, PlyTextValues(text)).read();
   } else {
     const bool little = header.format == PlyHeader::Format::little_endian;
     const auto order = little ? std::endian::little : std::endian::big;
-    PlyBody(header, source, builder, attributes, PlyBinaryValues(source, body, order)).read();
+    PlyBody(header, source, builder, attributes, face_attributes, PlyBinaryValues(source, body, order))
+        .read();
     format = little ? "PLY binary little-endian" : "PLY binary big-endian";
   }
   ReadResult result = builder.finish(std::move(format));
-  result.attributes = attributes.finish(result.surface);
+  Attributes found = attributes.finish(result.surface);
+  face_attributes.finish(result.comments, source.folder, found);
+  if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
   if (source.owner) {
     result.original =
         std::make_shared<const PlyOriginal>(source.name, source.bytes, source.owner, std::move(header), body);
@@ -243,36 +211,6 @@ bool looks_like_ply(const Source& source) {
   std::string_view bytes = source.bytes;
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // as TextCursor does
   return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
-}
-
-void write_ply(const Content& content, TextWriter& out) {
-  const Surface& surface = content.surface;
-  const PlyVertexOutput vertices(content);
-  const std::uint64_t polygons = surface.polygon_count();
-  bool large = false;  // a polygon of more than 255 corners
-  for (std::size_t p = 0; p < polygons; ++p)
-    large |= surface.polygon_starts[p + 1] - surface.polygon_starts[p] > 255;
-  out.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", content.comments);
-  vertices.header(out);
-  out.text("element face ").number(polygons);
-  out.text(large ? "\nproperty list uint uint" : "\nproperty list uchar uint")
-      .text(" vertex_indices\nend_header\n");
-  const std::size_t all = content.positions.size() + polygons;
-  std::size_t done = 0;
-  for (std::size_t v = 0; v < content.positions.size(); ++v) {
-    vertices.row(v, out);
-    out.element_done(++done, all);
-  }
-  for (std::size_t p = 0; p < polygons; ++p) {
-    const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
-    if (large) {
-      write_little_endian(out, end - begin);
-    } else {
-      write_little_endian(out, static_cast<std::uint8_t>(end - begin));
-    }
-    for (auto c = begin; c < end; ++c) write_little_endian(out, surface.corners[c]);
-    out.element_done(++done, all);
-  }
 }
 
 }  // namespace viete::mesh

@@ -4,9 +4,6 @@
 
 namespace viete::mesh {
 
-namespace {
-
-// What a colour of this type is multiplied by.
 double part_of_largest(PlyType type) {
   switch (type) {
     case PlyType::int8: return 1.0 / 127;
@@ -18,8 +15,6 @@ double part_of_largest(PlyType type) {
     default: return 1;
   }
 }
-
-}  // namespace
 
 // True if the element has single values of all these names: they go to the slots from this one on.
 bool PlyAttributes::find(const PlyElement& vertices, std::size_t slot,
@@ -60,11 +55,10 @@ void PlyAttributes::end_row() {
   for (std::size_t i = 0; i < 4; ++i) c[i] = static_cast<float>(std::clamp(row_[color + i], 0.0, 1.0));
 }
 
-std::shared_ptr<const Attributes> PlyAttributes::finish(const Surface& surface) {
+Attributes PlyAttributes::finish(const Surface& surface) {
   if (has_normals_) found_.corner_normal = surface.corners;
   if (has_texture_) found_.corner_texture = surface.corners;
-  if (found_.empty()) return nullptr;
-  return std::make_shared<const Attributes>(std::move(found_));
+  return std::move(found_);
 }
 
 }  // namespace viete::mesh

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include "mesh/attributes.h"
@@ -11,6 +10,9 @@
 #include "mesh/surface.h"
 
 namespace viete::mesh {
+
+/// What a colour of this type is multiplied by.
+double part_of_largest(PlyType type);
 
 /// Known are nx ny nz; red green blue alpha, with diffuse_ before them too; s t, u v, and texture_ before
 /// these. Colours in whole numbers are parts of their type's largest.
@@ -23,8 +25,7 @@ public:
   void take(std::size_t property, double value) { row_[slots_[property]] = value * factors_[property]; }
   void end_row();
 
-  /// Null where there is nothing of all this.
-  std::shared_ptr<const Attributes> finish(const Surface& surface);
+  Attributes finish(const Surface& surface);
 
 private:
   static constexpr std::size_t normal = 0, color = 3, texture = 7, slots = 9;

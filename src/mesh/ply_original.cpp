@@ -104,6 +104,13 @@ private:
   PlyHeader::Format format_;
 };
 
+// A face element with normals of its rows, and which polygon each row is, or none.
+struct PlyFaceNormals {
+  const PlyElement* element;
+  PlyVectors vectors;
+  std::vector<std::uint32_t> polygon_of_row;
+};
+
 // Walks the body twice: to learn what follows the positions, and to write it.
 template <class Values>
 class PlyRewriter {
@@ -120,7 +127,7 @@ public:
 
   void run() {
     find_elements();
-    if (ascii() || vertex_vectors_.size() > 1 || face_normals_) learn();
+    if (ascii() || vertex_vectors_.size() > 1 || !face_normals_.empty()) learn();
     follow();
     Rewriter rewriter(source_.bytes, out_);
     values_ = start_;
@@ -135,6 +142,7 @@ private:
 
   void find_elements() {
     const Digits digits = out_.digits();
+    bool behind_strips = false;  // how many polygons these are is not known here
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex" && !vertices_ && element.count > 0) {
         vertices_ = &element;
@@ -144,12 +152,11 @@ private:
             vertex_vectors_.push_back(std::move(*found));
           }
         }
-      } else if (element.name == "face" && !faces_) {
-        faces_ = &element;
-        face_normals_ = vectors_named(element, "nx", "ny", "nz", digits);
-      } else if (element.name == "face" || element.name == "tristrips") {
-        face_normals_.reset();  // whose polygons are whose rows is not known then
+      } else if (element.name == "face" && !behind_strips) {
+        auto vectors = vectors_named(element, "nx", "ny", "nz", digits);
+        if (vectors) face_normals_.push_back({&element, std::move(*vectors), {}});
       }
+      behind_strips |= element.name == "tristrips";
     }
     vertex_vectors_.front().before = rest_.positions;
     vertex_vectors_.front().printed.keep(6, bounds(rest_.positions).diagonal());
@@ -159,8 +166,9 @@ private:
     std::vector<PlyVectors*> all;
     if (&element == vertices_) {
       for (PlyVectors& v : vertex_vectors_) all.push_back(&v);
-    } else if (&element == faces_ && face_normals_) {
-      all.push_back(&*face_normals_);
+    }
+    for (PlyFaceNormals& faces : face_normals_) {
+      if (&element == faces.element) all.push_back(&faces.vectors);
     }
     return all;
   }
@@ -168,7 +176,7 @@ private:
   // use(element, row, property, place) for the single values of what may change.
   template <class Use>
   void walk(const Use& use) {
-    const PlyElement* const last = face_normals_ ? faces_ : vertices_;
+    const PlyElement* const last = face_normals_.empty() ? vertices_ : face_normals_.back().element;
     const PlyElement* behind = header_.elements.data();
     while (behind <= vertices_ || behind <= last) ++behind;
     for (const PlyElement* element = header_.elements.data(); element != behind; ++element) {
@@ -192,8 +200,11 @@ private:
     const PlyProperty& property = element.properties[p];
     const std::int64_t length = values_.integer(*property.list_size);
     for (std::int64_t i = 0; i < length; ++i) values_.skip(property.type);
-    const bool is_polygon = &element == faces_ && p == element.find("vertex_indices", "vertex_index");
-    if (is_polygon && face_normals_) polygon_of_row_.push_back(length >= 3 ? polygons_++ : none);
+    if (element.name != "face" || p != element.find("vertex_indices", "vertex_index")) return;
+    const std::uint32_t polygon = length >= 3 ? polygons_++ : none;
+    for (PlyFaceNormals& faces : face_normals_) {
+      if (&element == faces.element) faces.polygon_of_row.push_back(polygon);
+    }
   }
 
   void learn() {
@@ -219,17 +230,21 @@ private:
                                    : deformed_normals(rest_, positions_, vectors.before, rest_.corners);
       keep_lengths(vectors.before, vectors.now);
     }
-    if (!face_normals_) return;
-    face_normals_->printed.keep(5, 1);
+    for (PlyFaceNormals& faces : face_normals_) follow(faces);
+  }
+
+  void follow(PlyFaceNormals& faces) {
+    PlyVectors& vectors = faces.vectors;
+    vectors.printed.keep(5, 1);
     std::vector<std::uint32_t> row_of_corner(rest_.corners.size(), none);
-    for (std::uint32_t row = 0; row < polygon_of_row_.size(); ++row) {
-      const std::uint32_t p = polygon_of_row_[row];
+    for (std::uint32_t row = 0; row < faces.polygon_of_row.size(); ++row) {
+      const std::uint32_t p = faces.polygon_of_row[row];
       if (p == none) continue;
       for (auto c = rest_.polygon_starts[p]; c < rest_.polygon_starts[p + 1]; ++c) row_of_corner[c] = row;
     }
-    face_normals_->before.resize(faces_->count);
-    face_normals_->now = deformed_normals(rest_, positions_, face_normals_->before, row_of_corner);
-    keep_lengths(face_normals_->before, face_normals_->now);
+    vectors.before.resize(faces.element->count);
+    vectors.now = deformed_normals(rest_, positions_, vectors.before, row_of_corner);
+    keep_lengths(vectors.before, vectors.now);
   }
 
   void replace(const PlyElement& element, const PlyVectors& vectors, std::size_t row, std::size_t p,
@@ -256,11 +271,9 @@ private:
   TextWriter& out_;
   PlyForm form_{header_.format};
   const PlyElement* vertices_ = nullptr;
-  const PlyElement* faces_ = nullptr;
   std::vector<PlyVectors> vertex_vectors_;  // positions, then normals and tangents
   std::vector<char> is_tangent_;
-  std::optional<PlyVectors> face_normals_;
-  std::vector<std::uint32_t> polygon_of_row_;
+  std::vector<PlyFaceNormals> face_normals_;
   std::uint32_t polygons_ = 0;
 };
 

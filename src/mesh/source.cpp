@@ -81,4 +81,10 @@ std::string extension_of(const fs::path& path) {
   return extension;
 }
 
+std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name) {
+  std::string slashed(name);
+  std::replace(slashed.begin(), slashed.end(), '\\', '/');
+  return (folder / slashed).lexically_normal();
+}
+
 }  // namespace viete::mesh

@@ -47,4 +47,7 @@ private:
 /// The extension of a path in lower case, without the dot.
 std::string extension_of(const std::filesystem::path& path);
 
+/// A file as one in this folder names it: programs on Windows write backslashes.
+std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name);
+
 }  // namespace viete::mesh

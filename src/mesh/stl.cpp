@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "mesh/attributes.h"
 #include "mesh/point_index.h"
 #include "mesh/printed.h"
 #include "mesh/stl_original.h"
@@ -82,6 +83,52 @@ std::string head_text(std::string_view head) {
   return text;
 }
 
+// The two bytes behind each facet as a colour, five bits a channel. VisCAM and SolidView set the highest bit
+// where there is one, red in the upper bits. Magics says in the head that there are colours, and one for all;
+// it sets the bit where a facet has none of its own, red in the lower bits.
+class StlColors {
+public:
+  explicit StlColors(std::string_view head) {
+    constexpr std::string_view mark = "COLOR=";
+    const std::size_t at = head.find(mark);
+    if (at == std::string_view::npos || at + mark.size() + 4 > head.size()) return;
+    by_magics_ = true;
+    for (std::size_t i = 0; i < 4; ++i)
+      of_all_[i] = static_cast<float>(static_cast<unsigned char>(head[at + mark.size() + i])) / 255;
+  }
+
+  void take(const char* bytes) {
+    words_.push_back(static_cast<std::uint16_t>(static_cast<unsigned char>(bytes[0]) |
+                                                static_cast<unsigned char>(bytes[1]) << 8));
+  }
+
+  /// Null where the file has none.
+  std::shared_ptr<const Attributes> finish() const {
+    const bool any =
+        std::ranges::any_of(words_, [&](auto w) { return by_magics_ ? w != 0 : (w & own_) != 0; });
+    if (!any && !by_magics_) return nullptr;
+    auto found = std::make_shared<Attributes>();
+    for (const std::uint16_t word : words_) {
+      const bool has_own = any && ((word & own_) != 0) != by_magics_;
+      found->polygon_colors.push_back(has_own ? color(word) : of_all_);
+    }
+    return found;
+  }
+
+private:
+  static constexpr unsigned own_ = 0x8000;
+
+  Color color(std::uint16_t word) const {
+    const auto channel = [&](int shift) { return static_cast<float>(word >> shift & 31) / 31; };
+    return by_magics_ ? Color{channel(0), channel(5), channel(10), 1}
+                      : Color{channel(10), channel(5), channel(0), 1};
+  }
+
+  bool by_magics_ = false;
+  Color of_all_ = Material{}.base_color;
+  std::vector<std::uint16_t> words_;
+};
+
 ReadResult read_binary(const Source& source) {
   if (source.bytes.size() < stl_head_bytes) {
     throw base::Error(source.name,
@@ -100,6 +147,7 @@ ReadResult read_binary(const Source& source) {
   SurfaceBuilder builder(source);
   builder.comment(head_text(source.bytes.substr(0, 80)));
   CornerJoiner corners(builder);
+  StlColors colors(source.bytes.substr(0, 80));
   const std::size_t triangles = (needed - stl_head_bytes) / stl_triangle_bytes;
   for (std::size_t t = 0; t < triangles; ++t) {
     const char* const at = source.bytes.data() + stl_head_bytes + stl_triangle_bytes * t + 12;
@@ -113,6 +161,7 @@ ReadResult read_binary(const Source& source) {
       corners.add(p);
     }
     builder.end_polygon();
+    colors.take(at + 36);
     if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
   }
   if (source.bytes.size() > needed) {
@@ -120,6 +169,7 @@ ReadResult read_binary(const Source& source) {
                  " bytes behind the last triangle");
   }
   ReadResult result = builder.finish("STL binary");
+  if (triangles > 0) result.attributes = colors.finish();
   keep_original(source, true, result);
   return result;
 }

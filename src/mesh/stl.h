@@ -13,8 +13,9 @@
 namespace viete::mesh {
 
 /// Source: 3D Systems, StereoLithography Interface Specification, 1989. Corners with equal coordinates become
-/// one vertex (0 and -0 are equal); vertices stand in the order of their first occurrence. Normals and
-/// attributes are kept for writing alone. Throws base::Error, base::Cancelled.
+/// one vertex (0 and -0 are equal); vertices stand in the order of their first occurrence. The two
+/// attribute bytes of binary files are read as colours of facets, as VisCAM, SolidView and Magics have them.
+/// Normals are kept for writing alone. Throws base::Error, base::Cancelled.
 ReadResult read_stl(const Source& source);
 
 /// Of a binary STL: what stands before the triangles, and each of these.

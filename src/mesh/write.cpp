@@ -67,12 +67,16 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
     return {};
   }
   Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
+  if (format == write_obj) {
+    colors_to_materials(now);
+    name_materials(now);
+  }
   std::vector<std::string> notes = left_out(extension_of(path), content.surface, *content.attributes, now);
   if (format == write_glb || format == write_gltf) append(notes, take_images_within(now));
   FilesBeside beside(path);
   std::string library;
+  if (format == write_obj || format == write_ply) append(notes, put_images_beside(beside, now));
   if (format == write_obj && !now.materials.empty()) {
-    append(notes, put_images_beside(beside, now));
     library = beside.put(path.stem().string() + ".mtl", material_library(now));
     notes.push_back("the materials are in " + (path.parent_path() / library).string());
   }

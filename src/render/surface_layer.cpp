@@ -121,13 +121,16 @@ void SurfaceLayer::set_palette(std::span<const glm::vec3> colors) {
 void SurfaceLayer::set_looks(const SurfaceLooks& looks) {
   if (!looks.texture_points.empty())
     require_count("surface texture points", looks.texture_points.size(), 3 * triangle_count_);
-  if (!looks.colors.empty()) require_count("surface colours", looks.colors.size(), vertex_count_);
+  if (!looks.colors.empty())
+    require_count("surface colours", looks.colors.size(),
+                  looks.colors_of_corners ? 3 * triangle_count_ : vertex_count_);
   std::size_t triangles = 0;
   for (const SurfaceRun& run : looks.runs) triangles += run.triangles;
   if (!looks.runs.empty()) require_count("surface runs", triangles, triangle_count_);
   runs_ = looks.runs;
   has_texture_points_ = !looks.texture_points.empty();
   has_colors_ = !looks.colors.empty();
+  colors_of_corners_ = looks.colors_of_corners;
   const auto upload = [](Buffer& buffer, const auto& all) {
     if (!all.empty()) buffer.upload(all.data(), all.size() * sizeof(all[0]), GL_STATIC_DRAW);
   };
@@ -234,6 +237,7 @@ void SurfaceLayer::set_looks(const Program& program, const View& view, const The
   program.set("image", 4);
   program.set("texture_points", 5);
   program.set("colors", 6);
+  program.set("colors_of_corners", colors_of_corners_ ? 1 : 0);
   program.set("has_texture_points", has_texture_points_ ? 1 : 0);
 }
 

@@ -29,8 +29,9 @@ struct SurfaceRun {
 /// How a surface looks by itself. Arrays are empty where there is none of it.
 struct SurfaceLooks {
   std::vector<std::array<float, 2>>
-      texture_points;            ///< of each corner of each triangle; (0, 0) is the upper left
-  std::vector<Rgba8> colors;     ///< of each vertex, display values
+      texture_points;         ///< of each corner of each triangle; (0, 0) is the upper left
+  std::vector<Rgba8> colors;  ///< of each vertex, or of each corner of each triangle; display values
+  bool colors_of_corners = false;
   std::vector<Image> images;     ///< where opacity is below a half, one looks through
   std::vector<SurfaceRun> runs;  ///< all triangles, in order
 };
@@ -102,10 +103,10 @@ private:
   BufferTexture vertices_;        // SurfaceVertex, two texels each
   BufferTexture looks_;           // occlusion and scalar of each vertex
   BufferTexture texture_points_;  // of each corner
-  BufferTexture colors_;          // of each vertex
+  BufferTexture colors_;          // of each vertex or corner
   std::vector<Texture> images_;
   std::vector<SurfaceRun> runs_;
-  bool has_texture_points_ = false, has_colors_ = false;
+  bool has_texture_points_ = false, has_colors_ = false, colors_of_corners_ = false;
   Texture palette_;
   float palette_size_ = 2;
   std::vector<float> occlusion_, scalars_;

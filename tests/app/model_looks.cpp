@@ -67,6 +67,22 @@ TEST_CASE("triangles_of_a_material_come_together_with_their_texture_points") {
   CHECK(looks.says_something);
 }
 
+TEST_CASE("colours_of_faces_are_those_of_their_corners_unless_vertices_have_some") {
+  BentStrip strip(0);
+  strip.attributes.polygon_colors = {{1, 0, 0, 1}, {0, 0, 1, 1}};
+  strip.attributes.groups = {group(0, mesh::none), group(1, mesh::none, false)};
+  app::ModelLooks looks = strip.looks();
+  CHECK(looks.says_something);
+  CHECK(looks.looks.colors_of_corners);
+  REQUIRE(looks.looks.colors.size() == 12);
+  CHECK(looks.looks.colors[5] == render::Rgba8{255, 0, 0, 255});
+  CHECK(looks.looks.colors[6] == render::Rgba8{0, 0, 255, 255});
+  strip.attributes.colors.assign(6, {0, 1, 0, 1});
+  looks = strip.looks();
+  CHECK_FALSE(looks.looks.colors_of_corners);
+  CHECK(looks.looks.colors.size() == 6);
+}
+
 TEST_CASE("grey_says_nothing_and_a_bad_image_costs_only_itself") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "bad.png", "no picture");

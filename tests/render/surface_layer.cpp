@@ -254,6 +254,14 @@ TEST_CASE("an_image_lies_on_the_surface_upright_and_one_looks_through_its_holes"
   CHECK(both[1] > 3 * both[2]);
   card.looks.colors.assign(4, {255, 0, 0, 255});
   CHECK(mostly(card.painted(render::Paint::file).pixel(160, 100), 0));
+  // One triangle red, the other green.
+  card.looks.colors.assign(6, {255, 0, 0, 255});
+  std::fill(card.looks.colors.begin() + 3, card.looks.colors.end(), render::Rgba8{0, 255, 0, 255});
+  card.looks.colors_of_corners = true;
+  card.looks.runs[0].color = {1, 1, 1};
+  const render::Image faces = card.painted(render::Paint::file);
+  CHECK(mostly(faces.pixel(210, 130), 0));  // below the diagonal
+  CHECK(mostly(faces.pixel(110, 70), 1));
 }
 
 TEST_CASE("checker_and_normals_show_what_they_say") {

@@ -1,0 +1,176 @@
+// Colours and texture coordinates that files give to faces: read, kept, converted.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <sstream>
+
+#include "mesh/shapes.h"
+#include "mesh/write.h"
+
+using namespace viete;
+using namespace viete::mesh;
+using viete::test::holds;
+
+namespace {
+
+// A binary STL of a tetrahedron, two bytes behind each facet.
+std::string colored_stl(std::string head, const std::vector<std::uint16_t>& words) {
+  head.resize(80, ' ');
+  std::string bytes = head;
+  const auto put = [&](auto value) {
+    const auto raw = std::bit_cast<std::array<char, sizeof value>>(value);
+    bytes.append(raw.data(), raw.size());
+  };
+  const std::vector<Point> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<Triangle> triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  put(static_cast<std::uint32_t>(triangles.size()));
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) put(0.0F);
+    for (const auto v : triangles[t]) {
+      for (const double x : p[v]) put(static_cast<float>(x));
+    }
+    put(words[t]);
+  }
+  return bytes;
+}
+
+std::vector<Color> face_colors(const std::string& bytes, const std::string& extension) {
+  const ReadResult read = test::read_kept(bytes, extension);
+  CHECK(test::written_again(read, read.surface.positions) == bytes);
+  return read.attributes ? read.attributes->polygon_colors : std::vector<Color>();
+}
+
+ReadResult converted(const ReadResult& read, const std::filesystem::path& path, std::size_t notes = 0) {
+  const Content content{read.surface, read.surface.positions, {}, read.attributes.get()};
+  CHECK(mesh::write(path, content, nullptr, {}).size() == notes);
+  return mesh::read(path);
+}
+
+// Two triangles that share two vertices, whose texture points differ.
+const std::string wedges =
+    "ply\nformat ascii 1.0\ncomment VCGLIB generated\ncomment TextureFile my wood.png\ncomment TextureFile "
+    "b.png\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 3\nproperty "
+    "list "
+    "uchar int vertex_indices\nproperty list uchar float texcoord\nproperty int texnumber\nproperty uchar "
+    "red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n"
+    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+    "3 0 1 2 6 0 0 0.5 0 0.5 0.5 0 255 0 0 255\n"
+    "2 0 1 0 0 9 9 9 9\n"
+    "3 0 2 3 6 0 0 0.25 0.25 0 1 1 0 0 255 255\n";
+
+}  // namespace
+
+TEST_CASE("stl_colours_are_those_of_viscam_or_magics") {
+  // Red in the upper bits where the highest one is set; others have none.
+  const auto viscam =
+      face_colors(colored_stl("made up", {0x8000 | 31 << 10, 0x8000 | 31 << 5, 0x801F, 31}), "stl");
+  CHECK(viscam == std::vector<Color>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, Material{}.base_color});
+  // Red in the lower bits where the highest one is not set; others have that of the head.
+  const std::string head = std::string("by Magics COLOR=") + "\xFF\x33\x01\xFF" + ",MATERIAL=";
+  const auto magics = face_colors(colored_stl(head, {31, 31 << 5, 31 << 10, 0xFFFF}), "stl");
+  CHECK(magics == std::vector<Color>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 0.2F, 1 / 255.0F, 1}});
+  CHECK(face_colors(colored_stl(head, {0, 0, 0, 0}), "stl") == std::vector<Color>(4, magics[3]));
+  CHECK(face_colors(colored_stl("plain", {0, 1, 2, 0x7FFF}), "stl").empty());
+  CHECK(face_colors(colored_stl(std::string(72, 'x') + "COLOR=ab", {0, 0, 0, 0}), "stl").empty());
+}
+
+TEST_CASE("off_faces_have_colours_of_bytes_or_parts_and_some_have_none") {
+  const std::string head = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const auto bytes =
+      face_colors(head + "3 0 2 1 255 0 51\n3 0 1 3\n2 0 1 9 9 9\n3 1 2 3 0 0 255 51 # last\n", "off");
+  CHECK(bytes == std::vector<Color>{{1, 0, 0.2F, 1}, Material{}.base_color, {0, 0, 1, 0.2F}});
+  CHECK(face_colors(head + "3 0 2 1 0.5 0 1\n3 0 1 3 7\n3 0 3 2 x\n3 1 2 3\n", "off").at(0) ==
+        Color{0.5F, 0, 1, 1});
+  CHECK(face_colors(head + "3 0 2 1 7\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "off").empty());
+}
+
+TEST_CASE("colours_of_faces_go_where_a_format_has_them_and_become_materials_in_an_obj") {
+  const test::TemporaryFolder folder;
+  const ReadResult stl =
+      test::read_kept(colored_stl("made up", {0x8000 | 31 << 10, 0x801F, 0x801F, 0x8000 | 31 << 10}), "stl");
+  const auto& colors = stl.attributes->polygon_colors;
+  CHECK(converted(stl, folder / "a.ply").attributes->polygon_colors == colors);
+  CHECK(converted(stl, folder / "a.off").attributes->polygon_colors == colors);
+  const ReadResult obj = converted(stl, folder / "a.obj", 1);
+  REQUIRE(obj.attributes->materials.size() == 2);
+  REQUIRE(obj.attributes->groups.size() == 3);
+  CHECK(obj.attributes->materials[obj.attributes->groups[1].material].base_color == colors[1]);
+  CHECK(obj.attributes->materials[obj.attributes->groups[2].material].base_color == colors[3]);
+  const ReadResult glb = converted(stl, folder / "a.glb");
+  for (std::size_t p = 0; p < 4; ++p) CHECK(glb.surface.polygon_starts[p] == 3 * p);
+  CHECK(glb.surface.positions.size() == 4);  // split where colours meet, and closed by the reader
+  const std::string bytes = test::file_bytes(folder / "a.glb");
+  CHECK(holds(bytes, "COLOR_0"));
+  CHECK(mesh::write(folder / "b.stl", Content{stl.surface, stl.surface.positions, {}, stl.attributes.get()},
+                    nullptr, {}) == std::vector<std::string>{"STL has no colours of faces: 4 left out"});
+}
+
+TEST_CASE("ply_faces_have_texture_points_colours_and_images") {
+  const test::TemporaryFolder folder;
+  const ReadResult read = test::read_kept(wedges, "ply", folder.path());
+  CHECK(test::written_again(read, read.surface.positions) == wedges);
+  REQUIRE(read.attributes);
+  const Attributes& a = *read.attributes;
+  CHECK(a.texture_points.size() == 5);  // (0, 0) once
+  const auto at = [](const Attributes& all, std::size_t c) {
+    return all.texture_points[all.corner_texture[c]];
+  };
+  CHECK(at(a, 2) == Vec2{0.5, 0.5});
+  CHECK(at(a, 4) == Vec2{0.25, 0.25});
+  CHECK(a.polygon_colors == std::vector<Color>{{1, 0, 0, 1}, {0, 0, 1, 1}});
+  REQUIRE(a.groups.size() == 2);
+  REQUIRE(a.materials.size() == 2);
+  CHECK(a.groups[1].first_polygon == 1);
+  CHECK(a.images[a.materials[a.groups[0].material].base_color_image].path == folder / "my wood.png");
+  CHECK(a.images[a.materials[a.groups[1].material].base_color_image].path == folder / "b.png");
+  for (const char* name : {"out.ply", "out.obj", "out.glb"}) {
+    const bool glb = std::string(name) == "out.glb";
+    const ReadResult out = converted(read, folder / name, 2);
+    REQUIRE(out.surface.corners.size() == 6);
+    for (std::size_t c = 0; c < 6; ++c) CHECK(at(*out.attributes, c) == at(a, c));
+    CHECK(out.attributes->groups.size() == 2);
+    if (!glb) CHECK(out.attributes->images.at(0).path == folder / "my wood.png");
+  }
+  CHECK(mesh::read(folder / "out.ply").attributes->polygon_colors == a.polygon_colors);
+}
+
+TEST_CASE("ply_texture_points_of_faces_that_do_not_fit_say_nothing") {
+  std::string odd = wedges;
+  odd.replace(odd.find("6 0 0 0.25 0.25 0 1"), 19, "4 0 0 0.25 0.25");
+  const ReadResult read = test::read_kept(odd, "ply");
+  CHECK(read.attributes->corner_texture[2] != none);
+  CHECK(read.attributes->corner_texture[4] == none);
+  CHECK(read.attributes->materials.empty());  // no folder to look into
+  CHECK(read.attributes->groups.empty());
+}
+
+TEST_CASE("ply_normals_of_several_face_elements_follow") {
+  const std::string faces =
+      "property list uchar int vertex_indices\nproperty float nx\nproperty float ny\nproperty "
+      "float nz\n";
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 2\n" +
+      faces + "element face 1\n" + faces +
+      "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 1 0 0 1\n3 0 1 2 0 0 1\n3 0 2 3 0 0 1\n";
+  const ReadResult read = test::read_kept(text, "ply");
+  CHECK(test::written_again(read, read.surface.positions) == text);
+  auto moved = read.surface.positions;
+  for (Point& p : moved) p = {p[0], -p[2], p[1]};
+  const std::string written = test::written_again(read, moved);
+  CHECK(holds(written, "\n2 0 1 0 0 1\n3 0 1 2 0 -1 0\n3 0 2 3 0 -1 0\n"));
+}
+
+TEST_CASE("materials_of_one_name_are_several_in_a_library") {
+  const test::TemporaryFolder folder;
+  Surface square = test::cube();
+  Attributes a;
+  a.materials = {{"Material", {1, 0, 0, 1}}, {"Material", {0, 1, 0, 1}}, {"", {0, 0, 1, 1}}};
+  a.groups = {{0, "", "", 0}, {2, "", "", 1}, {4, "", "", 2}};
+  mesh::write(folder / "a.obj", Content{square, square.positions, {}, &a}, nullptr, {});
+  const ReadResult out = mesh::read(folder / "a.obj");
+  REQUIRE(out.attributes->groups.size() == 3);
+  for (std::size_t g = 0; g < 3; ++g)
+    CHECK(out.attributes->materials.at(out.attributes->groups[g].material).base_color ==
+          a.materials[g].base_color);
+}
