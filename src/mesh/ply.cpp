@@ -198,7 +198,7 @@ ReadResult read_ply(const Source& source) {
   }
   ReadResult result = builder.finish(std::move(format));
   Attributes found = attributes.finish(result.surface);
-  face_attributes.finish(result.comments, source.folder, found);
+  face_attributes.finish(result.surface, result.comments, source.folder, found);
   if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
   if (source.owner) {
     result.original =

@@ -64,24 +64,18 @@ void PlyFaceAttributes::end_material() {
   groups_.push_back({static_cast<std::uint32_t>(polygons_), "", "", material});
 }
 
-void PlyFaceAttributes::finish(const std::vector<std::string>& comments, const std::filesystem::path& folder,
-                               Attributes& attributes) {
-  if (!surface_) return;
+void PlyFaceAttributes::finish(const Surface& surface, const std::vector<std::string>& comments,
+                               const std::filesystem::path& folder, Attributes& attributes) {
   if (!colors_.empty()) {
-    colors_.resize(surface_->polygon_count(), Material{}.base_color);
+    colors_.resize(surface.polygon_count(), Material{}.base_color);
     attributes.polygon_colors = std::move(colors_);
   }
   if (!texture_points_.empty()) {
     attributes.texture_points.clear();
     for (const Point& p : texture_points_) attributes.texture_points.push_back({p[0], p[1]});
-    corner_texture_.resize(surface_->corners.size(), none);
+    corner_texture_.resize(surface.corners.size(), none);
     attributes.corner_texture = std::move(corner_texture_);
   }
-  take_materials(comments, folder, attributes);
-}
-
-void PlyFaceAttributes::take_materials(const std::vector<std::string>& comments,
-                                       const std::filesystem::path& folder, Attributes& attributes) {
   constexpr std::string_view mark = "TextureFile ";
   for (const std::string& comment : comments) {
     if (!comment.starts_with(mark) || folder.empty()) continue;
@@ -91,7 +85,11 @@ void PlyFaceAttributes::take_materials(const std::vector<std::string>& comments,
     attributes.images.push_back({path, nullptr, path.filename().string()});
     attributes.materials.push_back(std::move(material));
   }
-  if (attributes.materials.empty() || surface_->polygon_count() == 0) return;
+  if (!attributes.materials.empty()) finish_groups(surface, attributes);
+}
+
+void PlyFaceAttributes::finish_groups(const Surface& surface, Attributes& attributes) {
+  if (surface.polygon_count() == 0) return;
   if (groups_.empty()) groups_.push_back({0, "", "", 0});
   for (Group& g : groups_) {
     if (g.material >= attributes.materials.size()) g.material = none;

@@ -30,16 +30,15 @@ public:
 
   /// Puts all that was found to what the vertices have. Images: of the file's `comment TextureFile`, by
   /// number; they lie in this folder.
-  void finish(const std::vector<std::string>& comments, const std::filesystem::path& folder,
-              Attributes& attributes);
+  void finish(const Surface& surface, const std::vector<std::string>& comments,
+              const std::filesystem::path& folder, Attributes& attributes);
 
 private:
   static constexpr std::size_t color = 0, number = 4, slots = 5;
 
   void end_texture();
   void end_material();
-  void take_materials(const std::vector<std::string>& comments, const std::filesystem::path& folder,
-                      Attributes& attributes);
+  void finish_groups(const Surface& surface, Attributes& attributes);
 
   const Surface* surface_ = nullptr;
   std::vector<std::size_t> slots_;  // of each property, where it goes in a row

@@ -276,6 +276,8 @@ TEST_CASE("off_keeps_colours_comments_and_texture") {
         "1.00 0.00 0.00  0 -1 0  0 0 0 255  0 0\r\n0.00 0 1  0 -1 0  0 0 0 255  0 1\r\n3 0 1 2  10 20 "
         "30\r\n# end");
   const ReadResult plain = test::read_kept("OFF\r\n" + rows, "off");
-  CHECK(!plain.attributes);
+  REQUIRE(plain.attributes);
+  CHECK(plain.attributes->colors.empty());
+  CHECK(plain.attributes->polygon_colors == std::vector<Color>{{10 / 255.0F, 20 / 255.0F, 30 / 255.0F, 1}});
   CHECK(test::written_again(plain, plain.surface.positions) == "OFF\r\n" + rows);
 }
