@@ -3,6 +3,8 @@
 #include <stb_image.h>
 #include <stb_image_write.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 
@@ -11,6 +13,54 @@
 namespace viete::base {
 
 namespace {
+
+// PNG, JPEG, BMP, and TGA, which has no mark of its own. The library decodes further ones, less soundly: PSD,
+// PIC, HDR, PNM and GIF.
+bool is_known(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  constexpr auto others =
+      std::to_array({"8BPS"sv, "\x53\x80\xF6\x34"sv, "#?RADIANCE"sv, "#?RGBE"sv, "P5"sv, "P6"sv, "GIF8"sv});
+  return std::ranges::none_of(others, [&](std::string_view mark) { return bytes.starts_with(mark); });
+}
+
+std::size_t byte_at(std::string_view bytes, std::size_t i) {
+  return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0;
+}
+
+// The codes of a JPEG are counted, 256 of them at most. The library of Debian 12 believes the counts, and
+// writes past its tables. at: behind the marker.
+bool counts_fit(std::string_view bytes, std::size_t at) {
+  std::size_t left = 256 * byte_at(bytes, at) + byte_at(bytes, at + 1);
+  at += 2;
+  for (left -= std::min<std::size_t>(left, 2); left > 0 && at < bytes.size();) {
+    std::size_t codes = 0;
+    for (std::size_t i = 1; i <= 16; ++i) codes += byte_at(bytes, at + i);
+    if (codes > 256) return false;
+    at += 17 + codes;
+    left -= std::min(left, 17 + codes);
+  }
+  return true;
+}
+
+// Segments that tell their length follow each other up to the first scan. From there on, and where they do
+// not, whatever looks like tables must be sound.
+bool has_sound_tables(std::string_view bytes) {
+  constexpr std::size_t tables = 0xC4, scan = 0xDA, mark = 0xFF;
+  std::size_t at =
+      std::min(bytes.find_first_not_of('\xFF'), bytes.size() - 1) + 1;  // behind the first marker
+  while (byte_at(bytes, at) == mark && byte_at(bytes, at + 1) != mark) {
+    const std::size_t kind = byte_at(bytes, at + 1);
+    const std::size_t length = 256 * byte_at(bytes, at + 2) + byte_at(bytes, at + 3);
+    if (kind == scan || length < 2) break;
+    if (kind == tables && !counts_fit(bytes, at + 2)) return false;
+    at += 2 + length;
+  }
+  while ((at = bytes.find("\xFF\xC4", at)) != std::string_view::npos) {
+    at += 2;
+    if (!counts_fit(bytes, at)) return false;
+  }
+  return true;
+}
 
 void append_to(void* text, void* data, int size) {
   static_cast<std::string*>(text)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
@@ -25,8 +75,11 @@ Picture decode_picture(const std::string& place, std::string_view bytes, int cha
   const auto size = static_cast<int>(bytes.size());
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw Error(place, "the picture has more than 2 GB", "make it smaller");
+  if (bytes.starts_with('\xFF') && !has_sound_tables(bytes))
+    throw Error(place, "the picture is damaged", "save it again");
   Picture picture;
-  if (stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0)
+  if (!is_known(bytes) ||
+      stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0)
     throw Error(place, "this is not a picture that can be read here", "save it as PNG or JPEG");
   const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   if (picture.width < 1 || picture.height < 1 || picture.width > longest_side ||
@@ -38,7 +91,9 @@ Picture decode_picture(const std::string& place, std::string_view bytes, int cha
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
       stbi_load_from_memory(data, size, &picture.width, &picture.height, &picture.channels, channels),
       stbi_image_free);
-  if (!decoded) throw Error(place, "the picture is damaged", "save it again");
+  const bool as_said =
+      static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) == pixels;
+  if (!decoded || !as_said) throw Error(place, "the picture is damaged", "save it again");
   if (channels > 0) picture.channels = channels;
   picture.bytes.assign(decoded.get(), decoded.get() + static_cast<std::size_t>(picture.channels) * pixels);
   return picture;

@@ -15,7 +15,7 @@ struct Picture {
   std::vector<std::uint8_t> bytes;  ///< channels * width * height
 };
 
-/// PNG, JPEG, BMP, TGA and some more, with as many channels as asked for; 0: as it has. Its size is checked
+/// PNG, JPEG, BMP and TGA, with as many channels as asked for; 0: as it has. Its size is checked
 /// before anything is decoded: sides up to 16384, 64 million pixels. Throws Error at `place`.
 Picture decode_picture(const std::string& place, std::string_view bytes, int channels = 0);
 

@@ -118,6 +118,10 @@ private:
     };
     attributes["POSITION"] = add_vectors(run, 3, [&](const OutputVertex& v, float* to) {
       for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(positions_[v.vertex][k]);
+      if (!std::isfinite(to[0]) || !std::isfinite(to[1]) || !std::isfinite(to[2]))
+        throw base::Error("vertex " + std::to_string(v.vertex),
+                          "its position does not fit into the floats of glTF",
+                          "write another format, or scale the model");
     });
     if (!run.indices.empty() && (has(&OutputVertex::normal) || smooth)) {
       if (vertex_normals_.empty()) compute_normals();
@@ -239,6 +243,11 @@ private:
   std::vector<Vec3> vertex_normals_;  // computed for corners without
 };
 
+// Names of other files may hold bytes that are not UTF-8.
+std::string json_text(const OutputJson& document, int indent = -1) {
+  return document.dump(indent, ' ', false, OutputJson::error_handler_t::replace);
+}
+
 void put_word(std::uint64_t word, TextWriter& out) {
   char bytes[4];
   for (char& byte : bytes) byte = static_cast<char>(word & 255), word >>= 8;
@@ -265,13 +274,13 @@ void put_chunk(std::string_view bytes, std::string_view kind, char padding, Text
 
 void write_glb(const Content& content, TextWriter& out) {
   const GltfMaker made(content);
-  write_glb_chunks(made.document.dump(), made.bytes, out);
+  write_glb_chunks(json_text(made.document), made.bytes, out);
 }
 
 void write_gltf(const Content& content, TextWriter& out) {
   GltfMaker made(content);
   made.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(made.bytes);
-  out.text(made.document.dump(2)).text("\n");
+  out.text(json_text(made.document, 2)).text("\n");
 }
 
 void write_glb_chunks(std::string_view json, std::string_view bytes, TextWriter& out) {

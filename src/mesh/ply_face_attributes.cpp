@@ -21,7 +21,7 @@ void PlyFaceAttributes::begin(const PlyElement& faces, const Surface& surface) {
     if (is_color) factors_[p] = part_of_largest(faces.properties[p].type);
     return true;
   };
-  has_colors_ = find("red", color, true) & find("green", color + 1, true) & find("blue", color + 2, true);
+  has_colors_ = find("red", color, true) && find("green", color + 1, true) && find("blue", color + 2, true);
   find("alpha", color + 3, true);
   has_number_ = find("texnumber", number, false);
   texture_list_ = faces.find("texcoord");

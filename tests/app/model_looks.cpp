@@ -67,6 +67,24 @@ TEST_CASE("triangles_of_a_material_come_together_with_their_texture_points") {
   CHECK(looks.says_something);
 }
 
+TEST_CASE("an_image_of_hostile_size_costs_only_itself_beside_and_within") {
+  using namespace std::string_literals;
+  const std::string tga = "\0\0\2\0\0\0\0\0\0\0\0\0\xff\xff\xff\xff\x20\0\0\0\0"s;
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "huge.tga", tga);
+  BentStrip strip(0);
+  strip.attributes.materials = {{.name = "grey", .base_color_image = 0}};
+  strip.attributes.groups = {group(0, 0)};
+  for (const bool within : {false, true}) {
+    strip.attributes.images = {within ? mesh::ImageFile{{}, std::make_shared<const std::string>(tga), "huge"}
+                                      : mesh::ImageFile{folder / "huge.tga", nullptr, "huge"}};
+    const app::ModelLooks looks = strip.looks();
+    REQUIRE(looks.warnings.size() == 1);
+    CHECK(looks.warnings[0].find("65535 x 65535 pixels") != std::string::npos);
+    CHECK(looks.looks.images.empty());
+  }
+}
+
 TEST_CASE("colours_of_faces_are_those_of_their_corners_unless_vertices_have_some") {
   BentStrip strip(0);
   strip.attributes.polygon_colors = {{1, 0, 0, 1}, {0, 0, 1, 1}};

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "base/error.h"
+#include "mesh/conversion.h"
 #include "mesh/gltf.h"
+#include "mesh/gltf_output.h"
 #include "mesh/obj.h"
 #include "mesh/off.h"
 #include "mesh/ply.h"
@@ -48,6 +50,7 @@ void check_attributes(const ReadResult& read) {
   require(a.corner_texture.empty() || a.corner_texture.size() == corners);
   require(a.corner_normal.empty() || a.corner_normal.size() == corners);
   require(a.colors.empty() || a.colors.size() == read.surface.positions.size());
+  require(a.polygon_colors.empty() || a.polygon_colors.size() == read.surface.polygon_count());
   for (const auto t : a.corner_texture) require(t == none || t < a.texture_points.size());
   for (const auto n : a.corner_normal) require(n == none || n < a.normals.size());
   for (std::size_t g = 0; g < a.groups.size(); ++g) {
@@ -78,6 +81,39 @@ void check_moved(const ReadResult& read) {
     require(again.surface.corners == read.surface.corners);
 }
 
+// What was written is never refused.
+ReadResult read_back(ReadResult (*read)(const Source&), const std::string& bytes) noexcept {
+  return read(Source{"written", "", bytes, nullptr});
+}
+
+// Whatever was read can be written in every format, and is read again with the same polygons.
+void check_converted(const ReadResult& read) {
+  struct Format {
+    void (*write)(const Content&, TextWriter&);
+    ReadResult (*read)(const Source&);
+  };
+  Attributes a;
+  if (read.attributes) a = deformed_attributes(read.surface, read.surface.positions, *read.attributes);
+  const Content content{read.surface, read.surface.positions, read.comments, &a};
+  for (const Format& format : {Format{write_obj, read_obj}, Format{write_ply, read_ply},
+                               Format{write_off, read_off}, Format{write_glb, read_gltf}}) {
+    const bool glb = format.write == write_glb;
+    std::string bytes;
+    TextWriter out([&](std::string_view portion) { bytes += portion; });
+    try {
+      format.write(content, out);
+      out.finish();
+    } catch (const viete::base::Error& error) {
+      require(glb && !error.place().empty());  // beyond floats
+      continue;
+    }
+    const ReadResult result = read_back(format.read, bytes);
+    if (glb) continue;  // triangles, in another order
+    require(result.surface.corners == read.surface.corners);
+    require(result.surface.polygon_starts == read.surface.polygon_starts);
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -92,7 +128,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       check_moved(read);
     }
     check_invariants(read.surface, size);
-    if (size < 20000) summarize(read.surface);
+    if (size < 20000) {
+      summarize(read.surface);
+      check_converted(read);
+    }
   } catch (const viete::base::Error& error) {
     require(!error.place().empty());
   }

@@ -91,6 +91,17 @@ TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
   CHECK(again.attributes->texture_points[1] == Vec2{0.5, 0.25});
 }
 
+TEST_CASE("names_and_comments_that_are_not_utf8_do_not_keep_a_model_from_gltf") {
+  const test::TemporaryFolder folder;
+  const ReadResult latin =
+      test::read_kept("# caf\xE9\no b\xF6x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl r\xF6t\nf 1 2 3\n", "obj");
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    const Content content{latin.surface, latin.surface.positions, latin.comments, latin.attributes.get()};
+    mesh::write(folder / name, content, nullptr, {});
+    CHECK(mesh::read(folder / name).attributes->materials.at(0).name == "r\xEF\xBF\xBDt");
+  }
+}
+
 TEST_CASE("what_off_and_stl_cannot_hold_is_said") {
   Converted c;
   CHECK(c.to("out.off").size() == 5);

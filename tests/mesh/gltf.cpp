@@ -244,6 +244,14 @@ TEST_CASE("any_surface_becomes_a_glb") {
   CHECK(read(folder / "points.glb").surface.positions == points.positions);
 }
 
+TEST_CASE("a_surface_beyond_floats_becomes_no_glb") {
+  const test::TemporaryFolder folder;
+  CHECK_THROWS_WITH_AS(write(folder / "a.glb", test::moved(test::cube(), 1e39)),
+                       doctest::Contains("vertex 0: its position does not fit into the floats of glTF"),
+                       base::Error);
+  CHECK(folder.entries() == 0);
+}
+
 TEST_CASE("bad_gltf_is_refused_with_its_place") {
   const GltfParts good = test::patch();
   const auto with = [&](const char* pointer, const GltfJson& value) {

@@ -128,6 +128,12 @@ TEST_CASE("what_gltf_cannot_take_becomes_png_and_what_is_missing_is_said") {
   notes = folder.convert("a.obj", "webp.glb");
   REQUIRE(notes.size() == 1);
   CHECK(holds(notes[0], "not a picture that can be read here"));
+  std::string huge = small_tga();
+  huge.replace(12, 4, "\xff\xff\xff\xff");
+  test::put_file(folder / "a.tga", huge);
+  notes = folder.convert("a.obj", "huge.glb");
+  REQUIRE(notes.size() == 1);
+  CHECK(holds(notes[0], "65535 x 65535 pixels"));
   test::put_file(folder / "a.tga", small_tga());
   notes = folder.convert("a.obj", "good.gltf");
   REQUIRE(notes.size() == 1);

@@ -1,0 +1,7 @@
+#!/bin/sh
+# blender.sh VIETE FOLDER: what viete writes, as Blender's importers see it. Skipped (77) where Blender is not installed.
+if ! command -v blender > /dev/null; then
+  echo "skipped: Blender is not installed (apt-get install blender)"
+  exit 77
+fi
+exec blender --background --factory-startup --python-exit-code 1 --python "$(dirname "$0")/blender.py" -- "$1" "$2"
