@@ -125,6 +125,16 @@ std::vector<std::string> left_out(std::string_view extension, const Surface& sur
   return notes;
 }
 
+std::vector<std::string> left_out(std::string_view extension, const Original& original) {
+  constexpr std::size_t most = 12;
+  const std::vector<std::string> beyond = original.beyond_attributes();
+  if (beyond.empty()) return {};
+  std::string list;
+  for (std::size_t i = 0; i < std::min(beyond.size(), most); ++i) list += (i == 0 ? "" : ", ") + beyond[i];
+  return {upper(extension) + " does not get what else was in the file: " + TextWriter::one_line(list) +
+          (beyond.size() > most ? " ..." : "")};
+}
+
 std::string material_library(const Attributes& attributes) {
   std::string text;
   for (const Material& m : attributes.materials) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/attributes.h"
+#include "mesh/original.h"
 #include "mesh/surface.h"
 #include "mesh/text_writer.h"
 
@@ -27,6 +28,9 @@ std::optional<std::vector<std::uint32_t>> one_a_vertex(const Surface& surface,
 /// "STL has no texture coordinates: 1,234 left out".
 std::vector<std::string> left_out(std::string_view extension, const Surface& surface, const Attributes& given,
                                   const Attributes& deformed);
+
+/// The same of what the file held besides, as one line.
+std::vector<std::string> left_out(std::string_view extension, const Original& original);
 
 std::string short_number(float value);
 /// From 0 to 255.

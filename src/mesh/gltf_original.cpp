@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "mesh/gltf_accessors.h"
+#include "mesh/gltf_beyond.h"
 #include "mesh/gltf_output.h"
 #include "mesh/normals.h"
 
@@ -352,6 +353,7 @@ public:
         map_(std::move(map)) {}
 
   bool writes(std::string_view extension) const override { return extension == "gltf" || extension == "glb"; }
+  std::vector<std::string> beyond_attributes() const override { return mesh::beyond_attributes(file_); }
 
   // In one piece.
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 
+#include "base/quantity.h"
 #include "mesh/obj_normals.h"
 #include "mesh/obj_words.h"
 #include "mesh/printed.h"
@@ -141,6 +142,23 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::string> ObjOriginal::beyond_attributes() const {
+  const Source source{"", "obj", bytes_};
+  TextCursor text(source, obj_rules);
+  std::size_t lines = 0, points = 0, others = 0;
+  for (; text.next_filled_line(); text.next_line()) {
+    const std::string_view word = text.word();
+    const ObjWord kind = obj_word(word);
+    if (kind != ObjWord::other && kind != ObjWord::free_form) continue;
+    ++(word == "l" || word == "L" ? lines : word == "p" || word == "P" ? points : others);
+  }
+  std::vector<std::string> found;
+  if (lines > 0) found.push_back(base::counted(lines, "line"));
+  if (points > 0) found.push_back(base::counted(points, "point"));
+  if (others > 0) found.push_back(base::counted(others, "statement") + " of curves, surfaces and display");
+  return found;
+}
 
 std::vector<std::string> ObjOriginal::write(const Surface& rest, std::span<const Point> positions,
                                             TextWriter& out) const {

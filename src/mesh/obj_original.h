@@ -28,6 +28,7 @@ public:
         normal_blocks_(std::move(normal_blocks)) {}
 
   bool writes(std::string_view extension) const override { return extension == "obj"; }
+  std::vector<std::string> beyond_attributes() const override;
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                  TextWriter& out) const override;
 

@@ -22,6 +22,10 @@ public:
   /// True for the extension (lower case, without the dot) of a file that it can write itself as.
   virtual bool writes(std::string_view extension) const = 0;
 
+  /// What it holds that a surface and its attributes do not, so that another format does not get it:
+  /// "animations", "12 lines".
+  virtual std::vector<std::string> beyond_attributes() const { return {}; }
+
   /// Everything that was read, in its order, but for positions that differ from those of `rest` (the surface
   /// that was read from it) and for normals and tangents that follow them. Returns what a person should know
   /// of the result, one line each. Throws base::Error and base::Cancelled.

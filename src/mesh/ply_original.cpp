@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <set>
 #include <type_traits>
 
 #include "base/error.h"
@@ -278,6 +279,46 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::string> PlyOriginal::beyond_attributes() const {
+  static const std::set<std::string> of_vertices = {"x",
+                                                    "y",
+                                                    "z",
+                                                    "nx",
+                                                    "ny",
+                                                    "nz",
+                                                    "red",
+                                                    "green",
+                                                    "blue",
+                                                    "alpha",
+                                                    "diffuse_red",
+                                                    "diffuse_green",
+                                                    "diffuse_blue",
+                                                    "s",
+                                                    "t",
+                                                    "u",
+                                                    "v",
+                                                    "texture_u",
+                                                    "texture_v",
+                                                    "texture_s",
+                                                    "texture_t"};
+  static const std::set<std::string> of_faces = {"vertex_indices", "vertex_index", "red",      "green",
+                                                 "blue",           "alpha",        "texcoord", "texnumber"};
+  std::vector<std::string> found;
+  for (const PlyElement& element : header_.elements) {
+    if (element.count == 0) continue;
+    const bool vertices = element.name == "vertex";
+    if (!vertices && element.name != "face" && element.name != "tristrips") {
+      found.push_back("element " + element.name);
+      continue;
+    }
+    for (const PlyProperty& p : element.properties) {
+      if (!(vertices ? of_vertices : of_faces).count(p.name))
+        found.push_back("property " + p.name + " of " + element.name);
+    }
+  }
+  return found;
+}
 
 std::vector<std::string> PlyOriginal::write(const Surface& rest, std::span<const Point> positions,
                                             TextWriter& out) const {

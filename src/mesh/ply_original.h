@@ -28,6 +28,7 @@ public:
         body_(body) {}
 
   bool writes(std::string_view extension) const override { return extension == "ply"; }
+  std::vector<std::string> beyond_attributes() const override;
   /// Throws base::Error too where a position does not fit into the type that the file has for it.
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                  TextWriter& out) const override;

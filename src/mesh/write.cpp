@@ -62,16 +62,18 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   if (original && original->writes(extension_of(path)))
     return original->write_file(path, content.surface, content.positions, digits, progress);
   const Format format = format_for(path);
+  std::vector<std::string> notes;
+  if (original) notes = left_out(extension_of(path), *original);
   if (!content.attributes) {
     write_as(path, digits, progress, [&](TextWriter& out) { format(content, out); });
-    return {};
+    return notes;
   }
   Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
   if (format == write_obj) {
     colors_to_materials(now);
     name_materials(now);
   }
-  std::vector<std::string> notes = left_out(extension_of(path), content.surface, *content.attributes, now);
+  append(notes, left_out(extension_of(path), content.surface, *content.attributes, now));
   if (format == write_glb || format == write_gltf) append(notes, take_images_within(now));
   FilesBeside beside(path);
   std::string library;

@@ -92,6 +92,7 @@ void check_converted(const ReadResult& read) {
     void (*write)(const Content&, TextWriter&);
     ReadResult (*read)(const Source&);
   };
+  if (read.original) read.original->beyond_attributes();
   Attributes a;
   if (read.attributes) a = deformed_attributes(read.surface, read.surface.positions, *read.attributes);
   const Content content{read.surface, read.surface.positions, read.comments, &a};

@@ -5,6 +5,7 @@
 
 #include "mesh/shapes.h"
 #include "mesh/write.h"
+#include "support/gltf.h"
 
 using namespace viete;
 using namespace viete::mesh;
@@ -89,6 +90,35 @@ TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
   const ReadResult again = mesh::read(c / "smooth.ply");
   CHECK(again.attributes->normals[2] == Vec3{0, 0, 1});
   CHECK(again.attributes->texture_points[1] == Vec2{0.5, 0.25});
+}
+
+TEST_CASE("what_a_file_holds_besides_is_said_where_another_format_does_not_get_it") {
+  const test::TemporaryFolder folder;
+  const auto notes_of = [&](const ReadResult& read, const char* name) {
+    const Content content{read.surface, read.surface.positions, {}, read.attributes.get()};
+    const auto notes = mesh::write(folder / name, content, read.original.get(), {});
+    return notes.empty() ? std::string() : notes[0];
+  };
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const ReadResult obj = test::read_kept(triangle + "l 1 2\nl 2 3\np 1\nlod 3\n", "obj");
+  CHECK(notes_of(obj, "a.stl") ==
+        "STL does not get what else was in the file: 2 lines, 1 point, 1 statement of curves, surfaces and "
+        "display");
+  CHECK(notes_of(obj, "a.obj") == "");
+  CHECK(notes_of(test::read_kept(triangle, "obj"), "b.stl") == "");
+  const ReadResult ply = test::read_kept(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+      "z\nproperty float "
+      "quality\nelement edge 1\nproperty int vertex1\nend_header\n1 2 3 4\n0\n",
+      "ply");
+  CHECK(notes_of(ply, "a.off") ==
+        "OFF does not get what else was in the file: property quality of vertex, element edge");
+  test::GltfParts parts = test::patch();
+  parts.json["animations"] = {{{"channels", test::GltfJson::array()}}};
+  parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
+  parts.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 2;
+  CHECK(notes_of(test::read_kept(parts.glb(), "glb"), "a.ply") ==
+        "PLY does not get what else was in the file: animations, morph targets, second texture coordinates");
 }
 
 TEST_CASE("names_and_comments_that_are_not_utf8_do_not_keep_a_model_from_gltf") {
