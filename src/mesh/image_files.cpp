@@ -80,6 +80,11 @@ std::string png_or_jpeg(const ImageFile& image, std::vector<std::string>& notes)
   return base::encode_png(called(image), picture.width, picture.height, picture.channels, picture.bytes);
 }
 
+bool holds_exactly(const fs::path& path, std::string_view bytes) {
+  std::error_code code;
+  return fs::file_size(path, code) == bytes.size() && !code && FileBytes(path, nullptr).view() == bytes;
+}
+
 std::string list_of_names(const std::set<std::string>& names) {
   std::string list;
   std::size_t left = 8;
@@ -100,17 +105,49 @@ FilesBeside::~FilesBeside() {
 }
 
 std::string FilesBeside::put(const std::string& name, std::string_view bytes) {
-  const auto same = [&](const fs::path& path) {
-    std::error_code code;
-    return fs::file_size(path, code) == bytes.size() && !code && FileBytes(path, nullptr).view() == bytes;
-  };
-  const fs::path path = base::unused_name(folder_ / name, same);
+  const fs::path path =
+      base::unused_name(folder_ / name, [&](const fs::path& taken) { return holds_exactly(taken, bytes); });
   std::error_code code;
   if (!fs::exists(path, code)) {
     base::replace_file(path, bytes);
     written_.push_back(path);
   }
   return path.filename().string();
+}
+
+bool FilesBeside::copy(const fs::path& file, const fs::path& name) {
+  const FileBytes bytes(file, nullptr);
+  const fs::path path = folder_ / name;
+  std::error_code code;
+  if (fs::exists(fs::symlink_status(path, code)))
+    return fs::is_regular_file(path, code) && holds_exactly(path, bytes.view());
+  fs::create_directories(path.parent_path(), code);  // or writing says what is wrong
+  base::replace_file(path, bytes.view());
+  written_.push_back(path);
+  return true;
+}
+
+std::vector<std::string> copy_companions(const Companions& companions, FilesBeside& beside) {
+  const fs::path to = fs::absolute(beside.folder()).lexically_normal();
+  if (companions.folder.lexically_normal() == to) return {};
+  std::set<std::string> copied, others, stayed;
+  for (const fs::path& file : companions.files) {
+    const fs::path name = file.lexically_relative(companions.folder);
+    std::error_code code;
+    if (!fs::is_regular_file(file, code)) continue;  // who shows it has said so
+    if (name.empty() || *name.begin() == "..") {
+      stayed.insert(file.string());
+    } else {
+      (beside.copy(file, name) ? copied : others).insert(name.string());
+    }
+  }
+  std::vector<std::string> notes;
+  if (!copied.empty()) notes.push_back("beside it, where it looks for them: " + list_of_names(copied));
+  if (!others.empty())
+    notes.push_back("other files of these names are beside it already, and stayed: " + list_of_names(others));
+  if (!stayed.empty())
+    notes.push_back("stayed where they are, and it may not find them: " + list_of_names(stayed));
+  return notes;
 }
 
 std::vector<std::string> take_images_within(Attributes& attributes) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/attributes.h"
+#include "mesh/original.h"
 
 namespace viete::mesh {
 
@@ -22,6 +23,9 @@ public:
   /// Its name: this one, or the next free one; that of a file with the very same bytes if there is one.
   /// Throws base::Error.
   std::string put(const std::string& name, std::string_view bytes);
+  /// Copies a file to a name (folders may be in it). False where another file has that name. Throws
+  /// base::Error.
+  bool copy(const std::filesystem::path& file, const std::filesystem::path& name);
   void keep() { written_.clear(); }
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -31,6 +35,10 @@ private:
   std::filesystem::path model_, folder_;
   std::vector<std::filesystem::path> written_;
 };
+
+/// Copies what a file leads to, so that what is written again in another folder finds it too. What is outside
+/// of the old folder stays. Returns what a person should know, one line each.
+std::vector<std::string> copy_companions(const Companions& companions, FilesBeside& beside);
 
 /// What materials use lies within afterwards, as PNG or JPEG, which is all that glTF takes: others are
 /// decoded and become PNG. One that is not to be had is left out. Returns what a person should know, one line

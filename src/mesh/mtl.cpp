@@ -52,8 +52,15 @@ private:
       if (const auto value = next_number())
         color[3] = static_cast<float>(std::clamp(word == "d" ? *value : 1 - *value, 0.0, 1.0));
     } else if (word == "map_Kd") {
-      map();
+      map(true);
+    } else if (is_map(word)) {
+      map(false);
     }
+  }
+
+  static bool is_map(std::string_view word) {
+    constexpr auto others = std::to_array<std::string_view>({"bump", "disp", "decal", "refl", "norm"});
+    return word.starts_with("map_") || std::find(others.begin(), others.end(), word) != others.end();
   }
 
   std::optional<double> next_number() { return number_in(text_.word()); }
@@ -67,26 +74,28 @@ private:
     for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(std::clamp(rgb[i], 0.0, 1.0));
   }
 
-  void map() {
+  void map(bool of_base_color) {
     for (;;) {
       TextCursor ahead = text_;
       const std::string_view option = ahead.word();
       const std::size_t words = option_words(option);
       if (words == 0) break;
       text_ = ahead;
-      map_option(option, words);
+      map_option(option, words, of_base_color);
     }
     const std::string_view name = text_.rest_of_line();
-    if (!name.empty()) found_.back().image = path_beside(source_.folder, name);
+    if (name.empty()) return;
+    found_.back().maps.push_back(path_beside(source_.folder, name));
+    if (of_base_color) found_.back().image = found_.back().maps.back();
   }
 
-  void map_option(std::string_view option, std::size_t words) {
+  void map_option(std::string_view option, std::size_t words, bool of_base_color) {
     for (std::size_t i = 0; i < words; ++i) {
       TextCursor ahead = text_;
       const std::string_view value = ahead.word();
       if (words == 3 && i > 0 && !number_in(value)) return;
       text_ = ahead;
-      if (option == "-clamp") found_.back().repeats = value != "on";
+      if (option == "-clamp" && of_base_color) found_.back().repeats = value != "on";
     }
   }
 
@@ -97,14 +106,18 @@ private:
 
 using Library = std::map<std::string, MtlMaterial, std::less<>>;
 
-// Takes what the library at this path has. Throws base::Error.
-void add_library(const fs::path& path, Library& library) {
+// Throws base::Error.
+std::vector<MtlMaterial> materials_in(const fs::path& path) {
   std::error_code code;
   if (const auto size = fs::file_size(path, code); !code && size > most_library_bytes)
     throw base::Error(path.string(), "is larger than 64 MB", "check that it is a material library");
   const FileBytes bytes(path, nullptr);
-  const Source source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()};
-  for (MtlMaterial& m : read_mtl(source)) {
+  return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
+}
+
+// Takes what the library at this path has. Throws base::Error.
+void add_library(const fs::path& path, Library& library) {
+  for (MtlMaterial& m : materials_in(path)) {
     const std::string name = m.material.name;
     library.emplace(name, std::move(m));
   }
@@ -151,6 +164,20 @@ bool read_libraries(const Source& source, const std::vector<std::string>& librar
 }
 
 }  // namespace
+
+std::vector<fs::path> files_of_libraries(const fs::path& folder, const std::vector<std::string>& libraries) {
+  std::set<fs::path> files;
+  for (const std::string& names : libraries) {
+    for (const fs::path& path : library_paths(folder, names)) {
+      if (files.size() >= 4096 || !files.insert(path).second) continue;
+      try {
+        for (const MtlMaterial& m : materials_in(path)) files.insert(m.maps.begin(), m.maps.end());
+      } catch (const base::Error&) {  // reading the model has said so
+      }
+    }
+  }
+  return {files.begin(), files.end()};
+}
 
 void read_materials(const Source& source, const std::vector<std::string>& libraries, Attributes& attributes,
                     SurfaceBuilder& builder) {

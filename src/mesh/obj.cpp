@@ -35,7 +35,7 @@ public:
     ReadResult result = builder_.finish("OBJ");
     if (source_.owner)
       result.original = std::make_shared<const ObjOriginal>(source_.bytes, source_.owner, attributes,
-                                                            std::move(normal_blocks_));
+                                                            std::move(normal_blocks_), source_.folder);
     result.attributes = std::move(attributes);
     return result;
   }

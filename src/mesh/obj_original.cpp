@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/quantity.h"
+#include "mesh/mtl.h"
 #include "mesh/obj_normals.h"
 #include "mesh/obj_words.h"
 #include "mesh/printed.h"
@@ -158,6 +159,17 @@ std::vector<std::string> ObjOriginal::beyond_attributes() const {
   if (points > 0) found.push_back(base::counted(points, "point"));
   if (others > 0) found.push_back(base::counted(others, "statement") + " of curves, surfaces and display");
   return found;
+}
+
+Companions ObjOriginal::companions() const {
+  if (folder_.empty()) return {};
+  const Source source{"", "obj", bytes_};
+  TextCursor text(source, obj_rules);
+  std::vector<std::string> libraries;
+  for (; text.next_filled_line() && libraries.size() < 64; text.next_line()) {
+    if (obj_word(text.word()) == ObjWord::material_library) libraries.emplace_back(text.rest_of_line());
+  }
+  return {folder_, files_of_libraries(folder_, libraries)};
 }
 
 std::vector<std::string> ObjOriginal::write(const Surface& rest, std::span<const Point> positions,

@@ -14,6 +14,12 @@
 
 namespace viete::mesh {
 
+/// Files that another one names by the way from its folder: material libraries and images.
+struct Companions {
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> files;  ///< absolute; they need not be there
+};
+
 /// Immutable; one for each format. Thread-safe.
 class Original {
 public:
@@ -25,6 +31,9 @@ public:
   /// What it holds that a surface and its attributes do not, so that another format does not get it:
   /// "animations", "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
+
+  /// What the file leads to, so that it must lie beside it to be whole. write_file() leaves it alone.
+  virtual Companions companions() const { return {}; }
 
   /// Everything that was read, in its order, but for positions that differ from those of `rest` (the surface
   /// that was read from it) and for normals and tangents that follow them. Returns what a person should know

@@ -201,8 +201,12 @@ ReadResult read_ply(const Source& source) {
   face_attributes.finish(result.surface, result.comments, source.folder, found);
   if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
   if (source.owner) {
-    result.original =
-        std::make_shared<const PlyOriginal>(source.name, source.bytes, source.owner, std::move(header), body);
+    Companions companions{source.folder, {}};
+    if (result.attributes) {
+      for (const ImageFile& image : result.attributes->images) companions.files.push_back(image.path);
+    }
+    result.original = std::make_shared<const PlyOriginal>(source.name, source.bytes, source.owner,
+                                                          std::move(header), body, std::move(companions));
   }
   return result;
 }

@@ -18,17 +18,19 @@ namespace viete::mesh {
 class PlyOriginal final : public Original {
 public:
   /// The bytes, which read_ply() has read without an error, live as long as the owner. body: where the first
-  /// element begins.
+  /// element begins. companions: the images that its comments name.
   PlyOriginal(std::string name, std::string_view bytes, std::shared_ptr<const void> owner, PlyHeader header,
-              std::size_t body)
+              std::size_t body, Companions companions)
       : name_(std::move(name)),
         bytes_(bytes),
         owner_(std::move(owner)),
         header_(std::move(header)),
-        body_(body) {}
+        body_(body),
+        companions_(std::move(companions)) {}
 
   bool writes(std::string_view extension) const override { return extension == "ply"; }
   std::vector<std::string> beyond_attributes() const override;
+  Companions companions() const override { return companions_; }
   /// Throws base::Error too where a position does not fit into the type that the file has for it.
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                  TextWriter& out) const override;
@@ -39,6 +41,7 @@ private:
   std::shared_ptr<const void> owner_;
   PlyHeader header_;
   std::size_t body_;
+  Companions companions_;
 };
 
 }  // namespace viete::mesh

@@ -59,8 +59,13 @@ void write(const std::filesystem::path& path, const Surface& surface, std::span<
 
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress) {
-  if (original && original->writes(extension_of(path)))
-    return original->write_file(path, content.surface, content.positions, digits, progress);
+  FilesBeside beside(path);
+  if (original && original->writes(extension_of(path))) {
+    std::vector<std::string> notes = copy_companions(original->companions(), beside);
+    append(notes, original->write_file(path, content.surface, content.positions, digits, progress));
+    beside.keep();
+    return notes;
+  }
   const Format format = format_for(path);
   std::vector<std::string> notes;
   if (original) notes = left_out(extension_of(path), *original);
@@ -75,7 +80,6 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   }
   append(notes, left_out(extension_of(path), content.surface, *content.attributes, now));
   if (format == write_glb || format == write_gltf) append(notes, take_images_within(now));
-  FilesBeside beside(path);
   std::string library;
   if (format == write_obj || format == write_ply) append(notes, put_images_beside(beside, now));
   if (format == write_obj && !now.materials.empty()) {

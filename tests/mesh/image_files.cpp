@@ -204,3 +204,41 @@ TEST_CASE("normals_of_an_obj_that_serve_several_vertices_are_apart_in_a_glb_that
     if (x == 1) CHECK((n[0] < -0.1 && n[0] > -s));
   }
 }
+
+TEST_CASE("an_obj_or_ply_that_is_written_again_elsewhere_finds_its_materials_and_images") {
+  const ImageFolder folder;
+  for (const char* name : {"in", "in/textures", "out"}) fs::create_directory(folder / name);
+  test::put_file(folder / "in/a.obj", textured_triangle);
+  test::put_file(folder / "in/a.mtl",
+                 "newmtl paint\nmap_Kd textures\\wood.png\nmap_Bump -bm 0.2 bumps.png\nnorm "
+                 "../far.png\nmap_Ks none.png\n");
+  test::put_file(folder / "in/textures/wood.png", small_png(1));
+  test::put_file(folder / "in/bumps.png", small_png(2));
+  test::put_file(folder / "far.png", small_png(3));
+  test::put_file(folder / "out/bumps.png", "mine");
+  const auto again = [&](const char* from, const char* to) {
+    const ReadResult read = mesh::read(folder / from);
+    const Content content{read.surface, read.surface.positions, {}, read.attributes.get()};
+    return mesh::write(folder / to, content, read.original.get(), {});
+  };
+  for (int i = 0; i < 2; ++i) {
+    const auto notes = again("in/a.obj", "out/b.obj");
+    REQUIRE(notes.size() == 3);
+    CHECK(holds(notes[0], "a.mtl, textures/wood.png"));
+    CHECK(holds(notes[1], "bumps.png"));
+    CHECK(holds(notes[2], "far.png"));
+  }
+  CHECK(test::file_bytes(folder / "out/b.obj") == textured_triangle);
+  CHECK(test::file_bytes(folder / "out/textures/wood.png") == small_png(1));
+  CHECK(test::file_bytes(folder / "out/bumps.png") == "mine");
+  CHECK(mesh::read(folder / "out/b.obj").attributes->images.at(0).path == folder / "out/textures/wood.png");
+  CHECK(again("in/a.obj", "in/b.obj").empty());
+  test::put_file(
+      folder / "in/a.ply",
+      "ply\nformat ascii 1.0\ncomment TextureFile bumps.png\nelement vertex 3\nproperty float x\nproperty "
+      "float y\nproperty float z\nproperty float s\nproperty float t\nelement face 1\nproperty list uchar "
+      "int vertex_indices\nend_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n");
+  fs::create_directory(folder / "ply");
+  CHECK(again("in/a.ply", "ply/b.ply").size() == 1);
+  CHECK(test::file_bytes(folder / "ply/bumps.png") == small_png(2));
+}
