@@ -6,6 +6,7 @@
 #include "app/options.h"
 #include "app/words.h"
 #include "base/error.h"
+#include "base/printable.h"
 
 namespace viete::app {
 
@@ -100,7 +101,7 @@ std::vector<fs::path> files_read(const Inputs& inputs) {
 }
 
 void print_notes(const std::vector<std::string>& notes) {
-  for (const auto& note : notes) std::fprintf(stderr, "viete: note: %s\n", note.c_str());
+  for (const auto& note : notes) std::fprintf(stderr, "viete: note: %s\n", base::printable(note).c_str());
 }
 
 }  // namespace viete::app

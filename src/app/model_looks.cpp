@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/image_files.h"
 #include "mesh/source.h"
 
 namespace viete::app {
@@ -113,8 +114,10 @@ private:
     try {
       if (!file.bytes && file.path.empty()) return -1;  // reading has said why
       render::Image decoded =
-          file.bytes ? render::decode_image(place, *file.bytes, longest_side)
-                     : render::decode_image(place, mesh::FileBytes(file.path, nullptr).view(), longest_side);
+          file.bytes
+              ? render::decode_image(place, *file.bytes, longest_side)
+              : render::decode_image(
+                    place, mesh::FileBytes(file.path, nullptr, mesh::most_image_bytes).view(), longest_side);
       pixels_ += static_cast<std::size_t>(decoded.width) * static_cast<std::size_t>(decoded.height);
       if (pixels_ > most_pixels_)
         throw base::Error(place, "the pictures of the model have more than 128 million pixels together",

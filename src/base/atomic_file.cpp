@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "base/error.h"
 #include "base/process.h"
@@ -120,19 +120,25 @@ public:
     }
   }
 
-  void become_target(Durability durability) {
+  // All of it is on the disk, with the rights that it is to have.
+  void settle(Durability durability) {
     struct stat existing {};
     if (stat(target_.c_str(), &existing) == 0) {
       keep_owner(existing);
       if (fchmod(handle_, existing.st_mode & kept_mode) != 0) fail(target_, errno);
     }
     if (durability == Durability::power_cut && fsync(handle_) != 0) fail(target_, errno);
+  }
+
+  void become_target() {
     const int closed = close(handle_);
     handle_ = -1;
     if (closed != 0) fail(target_, errno);
     if (rename(path_.c_str(), target_.c_str()) != 0) fail(target_, errno);
     path_.clear();
   }
+
+  fs::path folder() const { return target_.parent_path(); }
 
 private:
   // Only root may give a file away, and only members of a group may give it to the group.
@@ -226,11 +232,32 @@ void replace_file(const fs::path& path, std::span<const std::string_view> parts,
 
 void replace_file(const fs::path& path, const std::function<void(const ByteSink&)>& produce,
                   Durability durability) {
-  const fs::path target = checked_target(path);
-  NewFile file(target);
-  produce([&file](std::string_view bytes) { file.write_all(bytes); });
-  file.become_target(durability);
-  if (durability == Durability::power_cut) sync_folder(target.parent_path());
+  FilesTogether files(durability);
+  files.put(path, produce);
+  files.replace();
+}
+
+struct FilesTogether::File : NewFile {
+  using NewFile::NewFile;
+};
+
+FilesTogether::FilesTogether(Durability durability) : durability_(durability) {}
+
+FilesTogether::~FilesTogether() = default;
+
+void FilesTogether::put(const fs::path& path, const std::function<void(const ByteSink&)>& produce) {
+  auto file = std::make_unique<File>(checked_target(path));
+  produce([&file](std::string_view bytes) { file->write_all(bytes); });
+  file->settle(durability_);
+  files_.push_back(std::move(file));
+}
+
+void FilesTogether::replace() {
+  for (const auto& file : files_) file->become_target();
+  for (const auto& file : files_) {
+    if (durability_ == Durability::power_cut) sync_folder(file->folder());
+  }
+  files_.clear();
 }
 
 }  // namespace viete::base

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace viete::base {
 
@@ -36,6 +38,25 @@ using ByteSink = std::function<void(std::string_view)>;
 /// was.
 void replace_file(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce,
                   Durability durability = Durability::power_cut);
+
+/// Files that belong together: replace() renames all of them, once each of them is there as a whole; without
+/// it all stay as they were. Only a system that dies between two names can part them.
+class FilesTogether {
+public:
+  explicit FilesTogether(Durability durability = Durability::power_cut);
+  ~FilesTogether();
+  FilesTogether(const FilesTogether&) = delete;
+  FilesTogether& operator=(const FilesTogether&) = delete;
+
+  /// Throws what replace_file() throws, and what produce() does.
+  void put(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce);
+  void replace();
+
+private:
+  struct File;
+  std::vector<std::unique_ptr<File>> files_;
+  Durability durability_;
+};
 
 /// Throws what replace_file() would throw now for this place, for work that takes long before it writes; and
 /// for a file that a user has chosen: throws Error too where it has several names, which a user may not want

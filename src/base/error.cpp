@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/printable.h"
+
 namespace viete::base {
 
 namespace {
@@ -15,9 +17,9 @@ std::string sentence(const std::string& place, const std::string& problem, const
 }  // namespace
 
 Error::Error(std::string place, std::string problem, std::string advice)
-    : std::runtime_error(sentence(place, problem, advice)),
+    : std::runtime_error(sentence(printable(place), printable(problem), printable(advice))),
       place_(std::move(place)),
-      problem_(std::move(problem)),
-      advice_(std::move(advice)) {}
+      problem_(printable(problem)),
+      advice_(printable(advice)) {}
 
 }  // namespace viete::base

@@ -48,10 +48,23 @@ void name_materials(Attributes& attributes) {
   for (std::uint32_t i = 0; i < attributes.materials.size(); ++i) {
     std::string& name = attributes.materials[i].name;
     name = TextWriter::one_line(name);
+    name.erase(0, std::min(name.find_first_not_of(' '), name.size()));
     if (name.empty()) name = "material_" + std::to_string(i);
     const std::string given = name;
     for (int n = 2; !taken.insert(name).second; ++n) name = given + "_" + std::to_string(n);
   }
+}
+
+void fill_in_materials(Attributes& attributes) {
+  const auto number = static_cast<std::uint32_t>(attributes.materials.size());
+  bool has_one = false, needs_another = false;
+  for (Group& group : attributes.groups) {
+    has_one |= group.material != none;
+    if (group.material != none || !has_one) continue;
+    group.material = number;
+    needs_another = true;
+  }
+  if (needs_another) attributes.materials.emplace_back().name = "no_material";
 }
 
 void colors_to_materials(Attributes& a) {

@@ -39,6 +39,10 @@ std::uint8_t color_byte(float value);
 /// Makes them different, of one line and never empty, as material libraries want them.
 void name_materials(Attributes& attributes);
 
+/// Groups without a material behind others that have one get a plain one, where a format cannot say that
+/// there is none.
+void fill_in_materials(Attributes& attributes);
+
 /// Where a format has no colours of faces, but materials: as many materials and groups, if there are none,
 /// and the colours no more than a thousand.
 void colors_to_materials(Attributes& attributes);

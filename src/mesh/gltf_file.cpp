@@ -5,19 +5,19 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/gltf_json.h"
+#include "mesh/gltf_shape.h"
 
 namespace viete::mesh {
 
 namespace {
 
 namespace fs = std::filesystem;
-using GltfJson = nlohmann::ordered_json;
 
 constexpr std::string_view glb_magic = "glTF", base64_mark = ";base64,";
 constexpr std::string_view base64_letters =
@@ -107,31 +107,6 @@ GltfJson parsed(const Source& source, std::string_view text) {
   }
 }
 
-const GltfJson* member(const GltfJson& object, const char* key) {
-  if (!object.is_object()) return nullptr;
-  const auto found = object.find(key);
-  return found == object.end() ? nullptr : &*found;
-}
-
-std::string text_of(const GltfJson& object, const char* key) {
-  const GltfJson* value = member(object, key);
-  return value && value->is_string() ? value->get<std::string>() : std::string();
-}
-
-std::optional<std::uint64_t> count_of(const GltfJson& object, const char* key) {
-  const GltfJson* value = member(object, key);
-  if (!value || !value->is_number_integer() ||
-      (!value->is_number_unsigned() && value->get<std::int64_t>() < 0))
-    return std::nullopt;
-  return value->get<std::uint64_t>();
-}
-
-const GltfJson& list_of(const GltfJson& document, const char* key) {
-  static const GltfJson none_there = GltfJson::array();
-  const GltfJson* value = member(document, key);
-  return value && value->is_array() ? *value : none_there;
-}
-
 std::string unbase64(const Source& source, const std::string& place, std::string_view text) {
   static const auto values = [] {
     std::array<int, 256> table;
@@ -162,16 +137,24 @@ std::string embedded(const Source& source, const std::string& place, std::string
   return unbase64(source, place, uri.substr(mark + base64_mark.size()));
 }
 
-// Nothing outside of the folder of the model is opened because a model says so.
+// A file that the model names by the way to it; nothing for other addresses.
 std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) {
   const fs::path relative = decoded_uri(uri);
   const std::string text = relative.string();
-  const bool leads_out =
-      relative.empty() || relative.is_absolute() || text.find('\0') != std::string::npos ||
-      text.find("://") != std::string::npos ||
-      std::any_of(relative.begin(), relative.end(), [](const fs::path& p) { return p == ".."; });
-  if (leads_out) return std::nullopt;
+  const bool is_no_way = relative.empty() || relative.is_absolute() || text.find('\0') != std::string::npos ||
+                         text.find("://") != std::string::npos;
+  if (is_no_way) return std::nullopt;
   return fs::path(source.name).parent_path() / relative;
+}
+
+// What a buffer holds becomes part of what is written: nothing outside of the folder of the model is taken
+// because a model says so. Images, which are only decoded, often lie beside that folder.
+std::optional<fs::path> path_within(const Source& source, std::string_view uri) {
+  const auto path = path_of_uri(source, uri);
+  const fs::path relative = decoded_uri(uri);
+  const bool leads_out =
+      std::any_of(relative.begin(), relative.end(), [](const fs::path& p) { return p == ".."; });
+  return leads_out ? std::nullopt : path;
 }
 
 class GltfTaker {
@@ -185,6 +168,7 @@ public:
   GltfFile take() {
     check_version();
     check_extensions();
+    check_gltf(source_.name, document_);
     const std::size_t buffers = list_of(document_, "buffers").size();
     for (std::size_t i = 0; i < buffers; ++i) take_buffer(i);
     for (const GltfBuffer& buffer : file_.buffers) left_for_images_ += buffer.bytes.size();
@@ -197,8 +181,7 @@ public:
 
 private:
   void check_version() {
-    const GltfJson* asset = member(document_, "asset");
-    const std::string version = asset ? text_of(*asset, "version") : "";
+    const std::string version = text_of(member_of(document_, "asset"), "version");
     if (version.empty()) refuse_gltf(source_, "the JSON has no asset version: this is not glTF");
     if (!version.starts_with("2."))
       refuse_gltf(source_, "glTF " + version.substr(0, 16) + " is not read", "export as glTF 2.0");
@@ -242,7 +225,7 @@ private:
       json.erase("uri");
     } else if (!uri.empty()) {
       buffer.home = GltfBuffer::Home::beside;
-      const auto path = path_of_uri(source_, uri);
+      const auto path = path_within(source_, uri);
       if (!path) fail("lies outside of the model's folder: " + uri.substr(0, 200));
       buffer.path = path->lexically_normal();
       if (!beside_.insert(buffer.path).second) fail("is the same file as another buffer");
@@ -281,7 +264,7 @@ private:
     if (const auto path = path_of_uri(source_, uri)) {
       image.file.path = fs::absolute(*path);
     } else {
-      warn("image " + uri.substr(0, 200) + " lies outside of the model's folder and is not opened");
+      warn("image " + uri.substr(0, 200) + " is not named by the way to a file, and is not opened");
     }
   }
 

@@ -35,7 +35,7 @@ struct GltfFile {
   std::vector<std::string> warnings;  ///< one line each
 };
 
-/// glTF 2.0, as text or as GLB. Files beside are read within its folder only, images are not opened. Throws
+/// glTF 2.0, as text or as GLB. Buffers beside are read within its folder only, images are not opened. Throws
 /// base::Error if anything that the surface needs is missing, compressed, or not as it claims to be.
 GltfFile take_apart(const Source& source);
 

@@ -67,7 +67,7 @@ void leave_out(std::uint32_t image, Attributes& attributes) {
 std::string bytes_of(const ImageFile& image) {
   if (image.bytes) return *image.bytes;
   if (image.path.empty()) throw base::Error(image.name, "is not in the file");
-  return std::string(FileBytes(image.path, nullptr).view());
+  return std::string(FileBytes(image.path, nullptr, most_image_bytes).view());
 }
 
 // As glTF takes it; says so where it had to be made.
@@ -150,6 +150,19 @@ std::vector<std::string> copy_companions(const Companions& companions, FilesBesi
   return notes;
 }
 
+fs::path folder_of(const fs::path& file) {
+  return fs::weakly_canonical(fs::absolute(file).parent_path());
+}
+
+fs::path way_to(const fs::path& file, const fs::path& folder) {
+  return (folder_of(file) / file.filename()).lexically_relative(folder);
+}
+
+std::string stayed_note(const std::string& what, const fs::path& file) {
+  return what + " stayed where the model was read from, and " + file.filename().string() +
+         " leads there: move them together";
+}
+
 std::vector<std::string> take_images_within(Attributes& attributes) {
   std::vector<std::string> notes;
   for (const std::uint32_t i : used_images(attributes)) {
@@ -168,11 +181,11 @@ std::vector<std::string> put_images_beside(FilesBeside& beside, Attributes& attr
   std::vector<std::string> notes;
   std::set<std::string> written;
   std::size_t elsewhere = 0;
-  const fs::path folder = fs::absolute(beside.folder()).lexically_normal();
+  const fs::path folder = folder_of(beside.model());
   for (const std::uint32_t i : used_images(attributes)) {
     ImageFile& image = attributes.images[i];
     if (!image.path.empty()) {
-      image.path = image.path.lexically_relative(folder);
+      image.path = way_to(image.path, folder);
       elsewhere += *image.path.begin() == "..";
       continue;
     }
@@ -189,9 +202,7 @@ std::vector<std::string> put_images_beside(FilesBeside& beside, Attributes& attr
   if (!written.empty())
     notes.push_back(base::counted(written.size(), "image") + " of the file " +
                     (written.size() == 1 ? "is" : "are") + " beside it now: " + list_of_names(written));
-  if (elsewhere > 0)
-    notes.push_back(base::counted(elsewhere, "image") + " stayed where the model was read from, and " +
-                    beside.model().filename().string() + " leads there: move them together");
+  if (elsewhere > 0) notes.push_back(stayed_note(base::counted(elsewhere, "image"), beside.model()));
   return notes;
 }
 

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr TextRules mtl_rules{.comment = '#', .continued_lines = true};
-constexpr std::uintmax_t most_library_bytes = 64 << 20;
+constexpr std::size_t most_library_bytes = 64 << 20;
 
 // Options of a map and how many words follow each; -o, -s and -t have one to three numbers.
 std::size_t option_words(std::string_view option) {
@@ -108,10 +108,7 @@ using Library = std::map<std::string, MtlMaterial, std::less<>>;
 
 // Throws base::Error.
 std::vector<MtlMaterial> materials_in(const fs::path& path) {
-  std::error_code code;
-  if (const auto size = fs::file_size(path, code); !code && size > most_library_bytes)
-    throw base::Error(path.string(), "is larger than 64 MB", "check that it is a material library");
-  const FileBytes bytes(path, nullptr);
+  const FileBytes bytes(path, nullptr, most_library_bytes);
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 

@@ -140,7 +140,8 @@ private:
 
   void tell_skipped() {
     if (free_forms_ > 0) {
-      builder_.warn(source_.name + ": left out " + base::counted(free_forms_, "free-form element"));
+      builder_.warn(source_.name + ": " + base::counted(free_forms_, "free-form element") +
+                    " cannot be shown");
     }
     if (unknown_ > 0) {
       builder_.warn(text_.place(first_unknown_line_) + ": passed over " + base::counted(unknown_, "line") +

@@ -22,7 +22,7 @@ ReadResult read_obj(const Source& source);
 bool looks_like_obj(const Source& source);
 
 /// The shortest digits that read back as the same numbers, unless other digits are asked for. Of the
-/// attributes all but materials' colours and images.
+/// attributes all but materials' colours and images; materials must have names, see name_materials().
 void write_obj(const Content& content, TextWriter& out);
 
 /// The same with a line that names the library of its materials; none if that is empty.

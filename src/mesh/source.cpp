@@ -56,8 +56,11 @@ std::string Source::place(std::string_view element, std::size_t index) const {
   return name + ": " + std::string(element) + " " + std::to_string(index);
 }
 
-FileBytes::FileBytes(const fs::path& path, base::Progress* progress) {
+FileBytes::FileBytes(const fs::path& path, base::Progress* progress, std::size_t most) {
   const std::size_t size = regular_file_size(path);
+  if (size > most)
+    throw base::Error(path.string(), "has more than " + std::to_string(most >> 20) + " MB",
+                      "check that it is the right file");
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file) throw base::Error(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
   bytes_ = allocate(path, size);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -34,8 +35,9 @@ struct Source {
 class FileBytes {
 public:
   /// Throws base::Error if there is no such file, if it is not a regular file (a pipe might never end), if it
-  /// cannot be read or does not fit into memory; throws base::Cancelled.
-  FileBytes(const std::filesystem::path& path, base::Progress* progress);
+  /// has more than `most` bytes, cannot be read or does not fit into memory; throws base::Cancelled.
+  FileBytes(const std::filesystem::path& path, base::Progress* progress,
+            std::size_t most = std::numeric_limits<std::size_t>::max());
 
   std::string_view view() const { return {bytes_.get(), size_}; }
 

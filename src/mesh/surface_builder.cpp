@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/printable.h"
 #include "base/quantity.h"
 #include "mesh/text_cursor.h"
 
@@ -42,6 +43,7 @@ void SurfaceBuilder::comment(std::string_view text) {
 }
 
 ReadResult SurfaceBuilder::finish(std::string format) {
+  for (std::string& warning : result_.warnings) warning = base::printable(warning);
   if (result_.surface.positions.empty()) {
     throw base::Error(source_.name, "no vertices found in this " + format + " file",
                       "export the model again");

@@ -76,6 +76,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
   if (format == write_obj) {
     colors_to_materials(now);
+    fill_in_materials(now);
     name_materials(now);
   }
   append(notes, left_out(extension_of(path), content.surface, *content.attributes, now));

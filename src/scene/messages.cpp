@@ -2,10 +2,13 @@
 
 #include <utility>
 
+#include "base/printable.h"
+
 namespace viete::scene {
 
 void Messages::say(Severity severity, std::string text) {
   ++revision_;
+  text = base::printable(text);
   if (!all_.empty() && all_.back().severity == severity && all_.back().text == text) {
     ++all_.back().times;
     return;

@@ -3,16 +3,14 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <csignal>
 
 #include "base/error.h"
 #include "base/process.h"
 #include "base/progress.h"
 #include "support/folder.h"
+#include "support/full_disk.h"
 
 namespace fs = std::filesystem;
 using namespace viete;
@@ -64,15 +62,10 @@ TEST_CASE("trying_a_place_leaves_it_as_it_was") {
 TEST_CASE("a_failure_while_writing_leaves_the_old_file_and_no_rest") {
   const test::TemporaryFolder folder;
   replace_file(folder / "a", "precious");
-  // A limit on the size of files stands in for a full disk.
-  rlimit before{};
-  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{1000, before.rlim_max};
-  REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
-  CHECK_THROWS_AS(replace_file(folder / "a", std::string(100000, 'x')), base::Error);
-  REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
-  std::signal(SIGXFSZ, handler);
+  {
+    const test::FullDisk full(1000);
+    CHECK_THROWS_AS(replace_file(folder / "a", std::string(100000, 'x')), base::Error);
+  }
   CHECK(test::file_bytes(folder / "a") == "precious");
   CHECK(folder.entries() == 1);
 }
@@ -100,6 +93,28 @@ TEST_CASE("what_is_made_while_it_is_written_replaces_the_file_when_all_of_it_is_
   CHECK_THROWS_AS(replace_file(folder / "a", fails), base::Cancelled);
   CHECK(test::file_bytes(folder / "a") == "one and two");
   CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("files_that_belong_together_are_replaced_together_or_stay") {
+  const test::TemporaryFolder folder;
+  replace_file(folder / "a", "old a");
+  const auto put = [&](base::FilesTogether& files, const char* name, const char* bytes) {
+    files.put(folder / name, [&](const base::ByteSink& out) { out(bytes); });
+  };
+  const auto write_all = [&](bool second_fails) {
+    base::FilesTogether files;
+    put(files, "a", "new a");
+    CHECK(test::file_bytes(folder / "a") == "old a");
+    put(files, second_fails ? "no folder/b" : "b", "new b");
+    files.replace();
+  };
+  CHECK_THROWS_AS(write_all(true), base::Error);
+  CHECK(test::file_bytes(folder / "a") == "old a");
+  CHECK(folder.entries() == 1);
+  write_all(false);
+  CHECK(test::file_bytes(folder / "a") == "new a");
+  CHECK(test::file_bytes(folder / "b") == "new b");
+  CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("parts_are_written_one_after_the_other") {

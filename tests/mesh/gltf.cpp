@@ -5,6 +5,7 @@
 
 #include "mesh/shapes.h"
 #include "mesh/write.h"
+#include "support/full_disk.h"
 #include "support/gltf.h"
 
 using namespace viete;
@@ -222,10 +223,85 @@ TEST_CASE("a_buffer_beside_is_written_beside_and_over_nothing_else") {
   const GltfJson out = GltfJson::parse(test::file_bytes(folder / "out/b.gltf"));
   CHECK(out["buffers"][0]["uri"] == "b-2.bin");
   CHECK(out["images"][0]["uri"] == "../in/my%20paint.png");
+  CHECK(notes.at(1) == "the buffer is in " + (folder / "out/b-2.bin").string());
+  r.original->write_file(folder / "out/b.gltf", r.surface, raised(r.surface, 2), {}, nullptr);
+  CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // that of the older result goes with it
+  CHECK(read(folder / "out/b.gltf").surface.positions == raised(r.surface, 2));
   r.original->write_file(folder / "in/a.gltf", r.surface, posed, {}, nullptr);
   CHECK(test::file_bytes(folder / "in/the data.bin") == parts.bytes);
   r.original->write_file(folder / "out/c.glb", r.surface, posed, {}, nullptr);
   CHECK(read(folder / "out/c.glb").surface.positions == posed);
+}
+
+TEST_CASE("a_gltf_that_does_not_fit_leaves_the_buffer_of_the_older_one") {
+  const test::TemporaryFolder folder;
+  GltfParts parts = test::patch();
+  test::put_file(folder / "in.bin", parts.bytes);
+  parts.json["extras"] = std::string(4000, 'x');
+  test::put_file(folder / "in.gltf", parts.beside("in.bin"));
+  const ReadResult r = read(folder / "in.gltf");
+  r.original->write_file(folder / "out.gltf", r.surface, raised(r.surface, 1), {}, nullptr);
+  const std::string before = test::file_bytes(folder / "out.bin");
+  {
+    const test::FullDisk room_for_the_buffer_alone(1000);
+    CHECK_THROWS_AS(r.original->write_file(folder / "out.gltf", r.surface, raised(r.surface, 2), {}, nullptr),
+                    base::Error);
+  }
+  CHECK(test::file_bytes(folder / "out.bin") == before);
+  CHECK(folder.entries() == 4);
+}
+
+TEST_CASE("images_beside_the_folder_of_the_model_are_found_and_led_to") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"models", "textures", "far", "far/out"})
+    std::filesystem::create_directory(folder / name);
+  std::filesystem::create_directory_symlink(folder / "far/out", folder / "linked");
+  GltfParts parts = test::patch();
+  parts.json["images"] = {{{"uri", "../textures/a.png"}}, {{"uri", "http://x.org/b.png"}}};
+  test::put_file(folder / "models/a.glb", parts.glb());
+  test::put_file(folder / "textures/a.png", "a picture");
+  const ReadResult r = read(folder / "models/a.glb");
+  REQUIRE(r.warnings.size() == 1);
+  CHECK(holds(r.warnings[0], "http://x.org/b.png"));
+  const auto posed = raised(r.surface, 1);
+  for (const char* name : {"far/out/b.glb", "linked/c.glb"}) {
+    const auto notes = r.original->write_file(folder / name, r.surface, posed, {}, nullptr);
+    CHECK(holds(notes.at(0), "1 image stayed where"));
+    const auto image = read(folder / name).attributes->images.at(0).path;
+    CHECK(test::file_bytes(image) == "a picture");
+  }
+}
+
+TEST_CASE("many_primitives_are_replaced_where_they_lie") {
+  const test::TemporaryFolder folder;
+  GltfParts parts = test::patch();
+  GltfJson primitives = GltfJson::array();
+  std::vector<float> positions;
+  constexpr std::size_t count = 8000;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto x = static_cast<float>(i);
+    positions.insert(positions.end(), {x, 0, 0, x + 1, 0, 0, x, 1, 0});
+  }
+  const std::size_t view = parts.view(positions);
+  for (std::size_t i = 0; i < count; ++i) {
+    primitives.push_back({{"attributes", {{"POSITION", parts.json["accessors"].size()}}}});
+    parts.json["accessors"].push_back({{"bufferView", view},
+                                       {"byteOffset", 36 * i},
+                                       {"componentType", 5126},
+                                       {"count", 3},
+                                       {"type", "VEC3"}});
+    primitives.back()["indices"] = parts.accessor(std::vector<std::uint8_t>{0, 1, 2}, 5121, "SCALAR", 1);
+  }
+  parts.json["meshes"][0]["primitives"] = primitives;
+  test::put_file(folder / "a.glb", parts.glb());
+  const ReadResult r = read(folder / "a.glb");
+  std::vector<Point> posed = r.surface.positions;
+  for (Point& p : posed) p[2] = 1;
+  r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr);
+  const ReadResult again = read(folder / "b.glb");
+  CHECK(again.surface.positions == posed);
+  CHECK(accessor_of(test::file_bytes(folder / "b.glb"), 0, "POSITION") ==
+        accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION"));
 }
 
 TEST_CASE("any_surface_becomes_a_glb") {
@@ -268,7 +344,19 @@ TEST_CASE("bad_gltf_is_refused_with_its_place") {
   CHECK(holds(with("/bufferViews/0/byteLength", 40000000), "buffer view 0: reaches past"));
   CHECK(holds(with("/bufferViews/0/buffer", 3), "buffer view 0: refers to buffer 3"));
   CHECK(holds(with("/bufferViews/0/byteStride", 4), "stride of 4"));
-  CHECK(holds(with("/meshes/0/primitives/0/attributes/POSITION", -5), "accessor -5"));
+  const std::string primitive = "mesh 0, primitive 0: ";
+  CHECK(holds(with("/meshes/0/primitives/0/attributes/POSITION", -5),
+              primitive + "\"POSITION\" should be the number of an accessor"));
+  CHECK(holds(with("/meshes/0/primitives/0/attributes/POSITION", "a"), primitive + "\"POSITION\" should"));
+  CHECK(holds(with("/meshes/0/primitives/0/attributes", {1}),
+              primitive + "\"attributes\" should be an object"));
+  CHECK(holds(with("/meshes/0/primitives/0/indices", 99), primitive + "\"indices\" refers to accessor 99"));
+  CHECK(holds(with("/meshes/0/primitives", {nullptr}), "mesh 0: \"primitives\" should be a list of objects"));
+  CHECK(holds(with("/meshes/0/primitives", 3), "mesh 0: \"primitives\" should be a list of objects"));
+  CHECK(holds(with("/nodes/0/children", {{"a", 1}}), "node 0: \"children\" should be a list of whole"));
+  CHECK(holds(with("/nodes/0/mesh", -5), "node 0: \"mesh\" should be a whole number"));
+  CHECK(holds(with("/nodes/0/scale", {"1", 1, 1}), "node 0: \"scale\" should be a list of numbers"));
+  CHECK(holds(with("/nodes", nullptr), "\"nodes\" should be a list of objects"));
   CHECK(holds(with("/nodes/0/mesh", 9), "node 0: refers to mesh 9"));
   CHECK(holds(with("/nodes/0/children", {0}), "node 0: is placed twice"));
   CHECK(holds(with("/nodes/0/children", {5}), "node 5: is not there"));

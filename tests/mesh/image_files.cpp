@@ -156,6 +156,28 @@ TEST_CASE("an_image_elsewhere_is_led_to_and_stays") {
   CHECK(folder.convert("in/a.glb", "in/b.obj").size() == 1);
 }
 
+TEST_CASE("materials_of_one_name_and_none_stay_apart_in_an_obj") {
+  ImageFolder folder;
+  test::GltfParts parts = test::patch();
+  parts.json["materials"] = {{{"name", "m"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}}}},
+                             {{"name", "m"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0, 1, 0, 1}}}}}};
+  auto& primitives = parts.json["meshes"][0]["primitives"];
+  primitives[0]["material"] = 0;
+  primitives.push_back(primitives[0]);
+  primitives[1]["material"] = 1;
+  primitives.push_back(primitives[0]);
+  primitives[2].erase("material");
+  folder.put("a.glb", parts);
+  folder.convert("a.glb", "b.obj");
+  const ReadResult obj = mesh::read(folder / "b.obj");
+  const Attributes& a = *obj.attributes;
+  REQUIRE(a.groups.size() == 3);
+  CHECK(a.materials.at(a.groups[0].material).base_color == Color{1, 0, 0, 1});
+  CHECK(a.materials.at(a.groups[1].material).base_color == Color{0, 1, 0, 1});
+  CHECK(a.materials.at(a.groups[2].material).name == "no_material");
+  CHECK(a.materials.at(a.groups[2].material).base_color == Material{}.base_color);
+}
+
 TEST_CASE("an_obj_that_cannot_be_written_leaves_nothing_beside_it") {
   ImageFolder folder;
   folder.put("a.glb", textured(small_png(3)));

@@ -120,7 +120,7 @@ TEST_CASE("obj_oddities_are_told_as_warnings") {
       test::read_text(four + "f 1 2\nf 1 2 3\nvertex 1\nvertex 2\nsurf 0 1 0 1 1 2\n", "obj");
   REQUIRE(odd.warnings.size() == 3);
   CHECK(odd.surface.polygon_count() == 1);
-  CHECK(holds(odd.warnings[0], "left out 1 free-form element"));
+  CHECK(holds(odd.warnings[0], "1 free-form element cannot be shown"));
   CHECK(holds(odd.warnings[1], "given.obj:7: passed over 2 lines"));
   CHECK(holds(odd.warnings[2], "left out 1 face with fewer than three corners"));
 }

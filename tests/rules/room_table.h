@@ -22,7 +22,7 @@ inline const std::map<std::string, Room>& rooms() {
       {"base", {{}, {}, {"stb"}}},
       {"sym3", {{}, {"eigen", "highway"}, {}}},
       {"python", {{"sym3"}, {"pybind11"}, {}}},
-      {"mesh", {{"base"}, {}, {"openmesh", "json", "tinygltf"}}},
+      {"mesh", {{"base"}, {"json"}, {"openmesh", "tinygltf"}}},
       {"cages", {{"base", "mesh"}, {"openmesh"}, {}}},
       {"deform", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
       {"scene", {{"base", "sym3", "mesh", "cages", "deform"}, {"glm", "json"}, {}}},

@@ -1,0 +1,27 @@
+// A glTF file with other positions, before it is put into one form or the other.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/gltf_file.h"
+#include "mesh/gltf_json.h"
+#include "mesh/gltf_scene.h"
+#include "mesh/surface.h"
+
+namespace viete::mesh {
+
+struct GltfRewritten {
+  GltfJson document;  ///< buffers still have the addresses and lengths of the file
+  std::vector<std::string> buffers;
+  std::vector<std::string> notes;  ///< what a person should know, one line each
+};
+
+/// Everything of the file, but for positions that differ from those of `rest`, and normals and tangents that
+/// follow them: where they lie if nothing else in the file shares them, otherwise in new accessors. Throws
+/// base::Error.
+GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const Surface& rest,
+                             std::span<const Point> positions);
+
+}  // namespace viete::mesh
