@@ -79,8 +79,12 @@ Picture decode_picture(const std::string& place, std::string_view bytes, int cha
     throw Error(place, "the picture is damaged", "save it again");
   Picture picture;
   if (!is_known(bytes) ||
-      stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0)
+      stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0) {
+    const char* const reason = stbi_failure_reason();
+    if (is_known(bytes) && reason && std::string_view(reason) == "too large")
+      throw Error(place, "the picture is too large", "make it smaller");
     throw Error(place, "this is not a picture that can be read here", "save it as PNG or JPEG");
+  }
   const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   if (picture.width < 1 || picture.height < 1 || picture.width > longest_side ||
       picture.height > longest_side || pixels > most_pixels)

@@ -17,10 +17,15 @@ namespace {
 struct Kind {
   const char* plural;
   std::size_t count;
-  bool in_obj, in_ply, in_off;
+  bool in_obj, in_ply, in_off, in_gltf = true;
 };
 
+bool is_gltf(std::string_view extension) {
+  return extension == "glb" || extension == "gltf";
+}
+
 bool held(std::string_view extension, const Kind& kind) {
+  if (is_gltf(extension)) return kind.in_gltf;
   if (extension == "obj") return kind.in_obj;
   if (extension == "ply") return kind.in_ply;
   return extension == "off" && kind.in_off;
@@ -85,6 +90,21 @@ void colors_to_materials(Attributes& a) {
   a.polygon_colors.clear();
 }
 
+std::set<std::string> names_of_groups(const Attributes& attributes) {
+  std::set<std::string> names;
+  for (const Group& g : attributes.groups) names.insert(g.object.empty() ? g.name : g.object);
+  return names;
+}
+
+std::string triangles_note(std::string_view extension, const Surface& surface) {
+  if (!is_gltf(extension) && extension != "stl") return {};
+  const auto& starts = surface.polygon_starts;
+  std::size_t larger = 0;
+  for (std::size_t p = 0; p + 1 < starts.size(); ++p) larger += starts[p + 1] - starts[p] > 3;
+  if (larger == 0) return {};
+  return base::counted(larger, "face") + " of more than three corners became triangles";
+}
+
 std::set<std::uint32_t> used_images(const Attributes& attributes) {
   std::set<std::uint32_t> used;
   for (const Material& m : attributes.materials) {
@@ -116,7 +136,6 @@ std::optional<std::vector<std::uint32_t>> one_a_vertex(const Surface& surface,
 
 std::vector<std::string> left_out(std::string_view extension, const Surface& surface, const Attributes& a,
                                   const Attributes& deformed) {
-  if (extension == "glb" || extension == "gltf") return {};
   const bool normals_fit = one_a_vertex(surface, deformed.corner_normal).has_value();
   const std::size_t textures = used_images(a).size();
   const Kind kinds[] = {
@@ -124,10 +143,10 @@ std::vector<std::string> left_out(std::string_view extension, const Surface& sur
       {"normals", a.normals.size(), true, normals_fit, false},
       {"colours", a.colors.size(), true, true, true},
       {"colours of faces", deformed.polygon_colors.size(), false, true, true},
-      {"groups", a.groups.size(), true, false, false},
+      {"groups", a.groups.size(), true, false, false, names_of_groups(a).size() < 2},
       {"materials", a.materials.size(), true, false, false},
       {"textures", textures, true, true, false},
-      {"images but those of base colours", a.images.size() - textures, false, false, false}};
+      {"images but those of base colours", a.images.size() - textures, false, false, false, false}};
   std::vector<std::string> notes;
   for (const Kind& kind : kinds) {
     if (kind.count == 0 || held(extension, kind)) continue;

@@ -47,6 +47,12 @@ void fill_in_materials(Attributes& attributes);
 /// and the colours no more than a thousand.
 void colors_to_materials(Attributes& attributes);
 
+/// Of objects, or of groups where these have no objects.
+std::set<std::string> names_of_groups(const Attributes& attributes);
+
+/// Where polygons become triangles: "2 faces of more than three corners became triangles"; otherwise empty.
+std::string triangles_note(std::string_view extension, const Surface& surface);
+
 /// Of the images that materials use for their base colour.
 std::set<std::uint32_t> used_images(const Attributes& attributes);
 

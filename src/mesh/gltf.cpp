@@ -338,8 +338,8 @@ private:
   void tell_what_is_not_seen() {
     if (unseen_primitives_ > 0)
       builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
-                    " of points or lines follow the model, but are not drawn");
-    if (morphs_) builder_.warn(file_.name + ": morph targets are kept in the file, but not played here");
+                    " of points or lines: moved along, but not drawn");
+    if (morphs_) builder_.warn(file_.name + ": morph targets are not played here");
   }
 
   void drop_what_is_not_there() {

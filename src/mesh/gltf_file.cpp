@@ -37,9 +37,9 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
 struct Chunks {
   std::string_view json;
   std::optional<std::string_view> binary;
+  std::string others = {};  // of other kinds, which are passed over, as the format asks, but kept
 };
 
-// Chunks of other kinds are passed over, as the format asks.
 Chunks chunks_of(const Source& source) {
   constexpr std::uint32_t json_kind = 0x4E4F534A, binary_kind = 0x004E4942;
   if (source.bytes.size() < 20) refuse_gltf(source, "the file ends within its head");
@@ -59,7 +59,9 @@ Chunks chunks_of(const Source& source) {
     if (size > length - at) refuse_gltf(source, "a chunk is longer than the file");
     const std::string_view chunk = source.bytes.substr(at, size);
     if (at == 20 && kind == json_kind) chunks.json = chunk;
-    if (at > 20 && kind == binary_kind && !chunks.binary) chunks.binary = chunk;
+    const bool is_binary = kind == binary_kind && !chunks.binary;
+    if (at > 20 && is_binary) chunks.binary = chunk;
+    if (at > 20 && !is_binary) chunks.others.append(source.bytes.substr(at - 8, size + 8));
     at += size;
     if (chunks.json.empty()) refuse_gltf(source, "the first chunk is not JSON");
   }
@@ -175,6 +177,7 @@ public:
     for (std::size_t i = 0; i < list_of(document_, "images").size(); ++i) take_image(i);
     tell_what_is_not_played();
     file_.json = document_.dump();
+    file_.other_chunks = std::move(chunks_.others);
     file_.loadable = loadable();
     return std::move(file_);
   }
@@ -228,8 +231,10 @@ private:
       const auto path = path_within(source_, uri);
       if (!path) fail("lies outside of the model's folder: " + uri.substr(0, 200));
       buffer.path = path->lexically_normal();
-      if (!beside_.insert(buffer.path).second) fail("is the same file as another buffer");
+      const bool again = !beside_.insert(buffer.path).second;
       buffer.bytes = FileBytes(*path, nullptr).view();
+      if (again && (repeated_ += buffer.bytes.size()) > most_repeated_bytes)
+        fail("is a file of other buffers, which together are too large");
     } else if (i == 0 && chunks_.binary) {
       buffer.bytes = *chunks_.binary;
     } else {
@@ -291,7 +296,11 @@ private:
     for (const char* key : {"animations", "skins", "cameras"}) {
       if (!list_of(document_, key).empty()) list += (list.empty() ? "" : ", ") + std::string(key);
     }
-    if (!list.empty()) warn(list + " are kept in the file, but not played here");
+    if (!list.empty()) warn(list + " are not played here");
+    for (const GltfJson& node : list_of(document_, "nodes")) {
+      if (member_of(member_of(node, "extensions"), "EXT_mesh_gpu_instancing").is_null()) continue;
+      return warn("EXT_mesh_gpu_instancing is not known here: each instanced mesh is shown once");
+    }
   }
 
   void warn(const std::string& text) { file_.warnings.push_back(source_.name + ": " + text); }
@@ -314,7 +323,9 @@ private:
   Chunks chunks_;
   GltfJson document_;
   GltfFile file_;
+  static constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;
   std::set<fs::path> beside_;
+  std::size_t repeated_ = 0;
   std::map<std::uint64_t, std::shared_ptr<const std::string>> of_view_;
   std::uint64_t left_for_images_ = 0;
 };
@@ -327,7 +338,8 @@ bool is_glb(const Source& source) {
 
 GltfFile take_apart(const Source& source) {
   const bool binary = is_glb(source);
-  return GltfTaker(source, binary ? chunks_of(source) : Chunks{source.bytes, std::nullopt}, binary).take();
+  return GltfTaker(source, binary ? chunks_of(source) : Chunks{source.bytes, std::nullopt, {}}, binary)
+      .take();
 }
 
 bool looks_like_gltf(const Source& source) {

@@ -33,6 +33,7 @@ struct GltfFile {
   std::vector<GltfImage> images;
   std::string loadable;               ///< the JSON of the surface alone, its buffers one byte each
   std::vector<std::string> warnings;  ///< one line each
+  std::string other_chunks;           ///< of a GLB: those of kinds that are not known here, with their heads
 };
 
 /// glTF 2.0, as text or as GLB. Buffers beside are read within its folder only, images are not opened. Throws

@@ -49,6 +49,8 @@ public:
     }
     GltfRewritten result = rewritten_gltf(file_, map_, rest, positions);
     lead_images(path, result);
+    if (!binary && !file_.other_chunks.empty())
+      result.notes.push_back("chunks of kinds that are not known here are left out: glTF as text has none");
     base::FilesTogether files;
     put_buffers(path, binary, result, files);
     files.put(path, [&](const base::ByteSink& sink) {
@@ -78,13 +80,14 @@ private:
   }
 
   // The first of its buffers is the chunk of a GLB; the others have their addresses.
-  static void put(GltfRewritten& result, bool binary, TextWriter& out) {
+  void put(GltfRewritten& result, bool binary, TextWriter& out) const {
     const auto& buffers = result.buffers;
     for (std::size_t i = 0; i < buffers.size(); ++i)
       result.document["buffers"][i]["byteLength"] = buffers[i].size();
     if (!binary) return void(out.text(result.document.dump(2)).text("\n"));
     if (!buffers.empty()) result.document["buffers"][0].erase("uri");
-    write_glb_chunks(result.document.dump(), buffers.empty() ? std::string_view() : buffers.front(), out);
+    write_glb_chunks(result.document.dump(), buffers.empty() ? std::string_view() : buffers.front(),
+                     file_.other_chunks, out);
   }
 
   // Into a GLB, or as they were: in the text, or beside it.

@@ -13,6 +13,7 @@
 #include <unordered_map>
 
 #include "base/error.h"
+#include "mesh/conversion.h"
 #include "mesh/gltf_file.h"
 #include "mesh/normals.h"
 
@@ -61,6 +62,8 @@ public:
     document["scene"] = 0;
     document["scenes"] = {{{"nodes", {0}}}};
     document["nodes"] = {{{"mesh", 0}}};
+    if (const auto names = names_of_groups(given_); names.size() == 1 && *names.begin() != "")
+      document["nodes"][0]["name"] = *names.begin();
     document["meshes"] = {{{"primitives", OutputJson::array()}}};
     add_primitives();
     add_materials();
@@ -274,7 +277,7 @@ void put_chunk(std::string_view bytes, std::string_view kind, char padding, Text
 
 void write_glb(const Content& content, TextWriter& out) {
   const GltfMaker made(content);
-  write_glb_chunks(json_text(made.document), made.bytes, out);
+  write_glb_chunks(json_text(made.document), made.bytes, {}, out);
 }
 
 void write_gltf(const Content& content, TextWriter& out) {
@@ -283,9 +286,10 @@ void write_gltf(const Content& content, TextWriter& out) {
   out.text(json_text(made.document, 2)).text("\n");
 }
 
-void write_glb_chunks(std::string_view json, std::string_view bytes, TextWriter& out) {
+void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
+                      TextWriter& out) {
   const std::size_t binary = bytes.empty() ? 0 : 8 + padded_to_four(bytes.size());
-  const std::size_t all = 20 + padded_to_four(json.size()) + binary;
+  const std::size_t all = 20 + padded_to_four(json.size()) + binary + others.size();
   if (all > std::numeric_limits<std::uint32_t>::max())
     throw base::Error("", "more than 4 GB, which a GLB file cannot hold", "write .gltf or another format");
   out.text("glTF");
@@ -293,6 +297,7 @@ void write_glb_chunks(std::string_view json, std::string_view bytes, TextWriter&
   put_word(all, out);
   put_chunk(json, {"JSON", 4}, ' ', out);
   if (!bytes.empty()) put_chunk(bytes, {"BIN\0", 4}, '\0', out);
+  out.text(others);
 }
 
 }  // namespace viete::mesh

@@ -16,7 +16,9 @@ void write_glb(const Content& content, TextWriter& out);
 /// The same as text with all bytes in it.
 void write_gltf(const Content& content, TextWriter& out);
 
-/// The JSON, and the bytes of its first buffer (there may be none). Throws base::Error past 4 GB.
-void write_glb_chunks(std::string_view json, std::string_view bytes, TextWriter& out);
+/// The JSON, the bytes of its first buffer (there may be none), and further chunks with their heads. Throws
+/// base::Error past 4 GB.
+void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
+                      TextWriter& out);
 
 }  // namespace viete::mesh

@@ -69,6 +69,8 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   const Format format = format_for(path);
   std::vector<std::string> notes;
   if (original) notes = left_out(extension_of(path), *original);
+  if (auto note = triangles_note(extension_of(path), content.surface); !note.empty())
+    notes.push_back(std::move(note));
   if (!content.attributes) {
     write_as(path, digits, progress, [&](TextWriter& out) { format(content, out); });
     return notes;

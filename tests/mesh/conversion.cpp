@@ -121,6 +121,21 @@ TEST_CASE("what_a_file_holds_besides_is_said_where_another_format_does_not_get_i
         "PLY does not get what else was in the file: animations, morph targets, second texture coordinates");
 }
 
+TEST_CASE("what_gltf_does_not_hold_is_said") {
+  const test::TemporaryFolder folder;
+  const auto notes_of = [&](const std::string& obj) {
+    const ReadResult read = test::read_kept(obj, "obj");
+    const Content content{read.surface, read.surface.positions, {}, read.attributes.get()};
+    return mesh::write(folder / "a.glb", content, read.original.get(), {});
+  };
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  CHECK(notes_of(square + "o only\nf 1 2 3\n").empty());
+  CHECK(mesh::read(folder / "a.glb").attributes->groups.at(0).object == "only");
+  CHECK(notes_of(square + "o one\nf 1 2 3 4\no two\nf 4 3 2 1\n") ==
+        std::vector<std::string>{"2 faces of more than three corners became triangles",
+                                 "GLB has no groups: 2 left out"});
+}
+
 TEST_CASE("names_and_comments_that_are_not_utf8_do_not_keep_a_model_from_gltf") {
   const test::TemporaryFolder folder;
   const ReadResult latin =

@@ -107,7 +107,7 @@ TEST_CASE("strips_fans_sparse_and_short_numbers_are_read") {
   CHECK(lines.surface.triangles.empty());
   CHECK(lines.surface.positions.size() == 6);
   REQUIRE(lines.warnings.size() == 2);
-  CHECK(holds(lines.warnings[0], "1 primitive of points or lines follow"));
+  CHECK(holds(lines.warnings[0], "1 primitive of points or lines: moved along"));
   primitive["mode"] = 4;
   const std::size_t where = parts.view(std::vector<std::uint16_t>{1});
   const std::size_t what = parts.view(std::vector<float>{1, 0, 7});
@@ -302,6 +302,46 @@ TEST_CASE("many_primitives_are_replaced_where_they_lie") {
   CHECK(again.surface.positions == posed);
   CHECK(accessor_of(test::file_bytes(folder / "b.glb"), 0, "POSITION") ==
         accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION"));
+}
+
+TEST_CASE("chunks_of_other_kinds_and_a_file_of_two_buffers_are_kept") {
+  const test::TemporaryFolder folder;
+  const GltfParts parts = test::patch();
+  std::string glb = parts.glb();
+  const std::string chunk = std::string("\x8\0\0\0XYZW12345678", 16);
+  glb += chunk;
+  const auto size = static_cast<std::uint32_t>(glb.size());
+  std::memcpy(glb.data() + 8, &size, 4);
+  const ReadResult r = test::read_kept(glb, "glb");
+  r.original->write_file(folder / "a.glb", r.surface, raised(r.surface, 1), {}, nullptr);
+  CHECK(test::file_bytes(folder / "a.glb").ends_with(chunk));
+  CHECK(read(folder / "a.glb").surface.positions == raised(r.surface, 1));
+  const auto notes = r.original->write_file(folder / "a.gltf", r.surface, raised(r.surface, 1), {}, nullptr);
+  CHECK(holds(notes.at(0), "chunks"));
+
+  GltfJson twice = GltfJson::parse(parts.beside("data.bin"));
+  twice["buffers"].push_back(twice["buffers"][0]);
+  twice["bufferViews"][1]["buffer"] = 1;  // of the normals
+  test::put_file(folder / "data.bin", parts.bytes);
+  test::put_file(folder / "b.gltf", twice.dump());
+  const ReadResult both = read(folder / "b.gltf");
+  CHECK(both.surface.positions == r.surface.positions);
+  both.original->write_file(folder / "c.gltf", both.surface, raised(both.surface, 1), {}, nullptr);
+  CHECK(std::filesystem::exists(folder / "c-2.bin"));
+  CHECK(read(folder / "c.gltf").surface.positions == raised(both.surface, 1));
+}
+
+TEST_CASE("instances_that_are_not_shown_are_told_and_keep_their_places") {
+  GltfParts parts = test::patch();
+  parts.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  parts.json["nodes"][0]["extensions"] = {
+      {"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", 0}}}}}};
+  const ReadResult r = test::read_kept(parts.glb(), "glb");
+  REQUIRE(r.warnings.size() == 1);
+  CHECK(holds(r.warnings[0], "EXT_mesh_gpu_instancing is not known here"));
+  const test::TemporaryFolder folder;
+  r.original->write_file(folder / "a.glb", r.surface, raised(r.surface, 1), {}, nullptr);
+  CHECK(accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION") != 0);  // these are of the instances
 }
 
 TEST_CASE("any_surface_becomes_a_glb") {
