@@ -62,6 +62,24 @@ bool has_sound_tables(std::string_view bytes) {
   return true;
 }
 
+// The highest byte first. The library refuses large PNG files without a word of their size.
+std::size_t word_at(std::string_view bytes, std::size_t i) {
+  return byte_at(bytes, i) << 24 | byte_at(bytes, i + 1) << 16 | byte_at(bytes, i + 2) << 8 |
+         byte_at(bytes, i + 3);
+}
+
+// The number of pixels.
+std::size_t check_size(const std::string& place, std::size_t width, std::size_t height) {
+  constexpr std::size_t longest_side = 16384, most_pixels = std::size_t{1} << 26;
+  if (width > 0 && height > 0 && width <= longest_side && height <= longest_side &&
+      width * height <= most_pixels)
+    return width * height;
+  throw Error(place,
+              "the picture is " + std::to_string(width) + " x " + std::to_string(height) +
+                  " pixels large, 64 million are shown",
+              "make it smaller");
+}
+
 void append_to(void* text, void* data, int size) {
   static_cast<std::string*>(text)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
@@ -69,8 +87,6 @@ void append_to(void* text, void* data, int size) {
 }  // namespace
 
 Picture decode_picture(const std::string& place, std::string_view bytes, int channels) {
-  constexpr int longest_side = 16384;
-  constexpr std::size_t most_pixels = std::size_t{1} << 26;
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -78,20 +94,13 @@ Picture decode_picture(const std::string& place, std::string_view bytes, int cha
   if (bytes.starts_with('\xFF') && !has_sound_tables(bytes))
     throw Error(place, "the picture is damaged", "save it again");
   Picture picture;
+  if (bytes.starts_with("\x89PNG") && bytes.size() >= 24 && bytes.substr(0, 16).ends_with("IHDR"))
+    check_size(place, word_at(bytes, 16), word_at(bytes, 20));
   if (!is_known(bytes) ||
-      stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0) {
-    const char* const reason = stbi_failure_reason();
-    if (is_known(bytes) && reason && std::string_view(reason) == "too large")
-      throw Error(place, "the picture is too large", "make it smaller");
+      stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0)
     throw Error(place, "this is not a picture that can be read here", "save it as PNG or JPEG");
-  }
-  const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
-  if (picture.width < 1 || picture.height < 1 || picture.width > longest_side ||
-      picture.height > longest_side || pixels > most_pixels)
-    throw Error(place,
-                "the picture is " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
-                    " pixels large, 64 million are shown",
-                "make it smaller");
+  const std::size_t pixels =
+      check_size(place, static_cast<std::size_t>(picture.width), static_cast<std::size_t>(picture.height));
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
       stbi_load_from_memory(data, size, &picture.width, &picture.height, &picture.channels, channels),
       stbi_image_free);

@@ -385,7 +385,7 @@ std::string encoded_uri(std::string_view path) {
   for (const char c : path) {
     const auto byte = static_cast<unsigned char>(c);
     const bool letter = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    if (letter || byte >= 128 || plain.find(c) != std::string_view::npos) {
+    if (letter || plain.find(c) != std::string_view::npos) {
       text.push_back(c);
     } else {
       text.append({'%', hexadecimal[byte >> 4], hexadecimal[byte & 15]});

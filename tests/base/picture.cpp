@@ -42,7 +42,7 @@ TEST_CASE("pictures_of_hostile_size_are_refused_before_they_are_decoded") {
   CHECK(refusal(png("\x7f\xff\xff\xff\x7f\xff\xff\xff")) != "");
   CHECK(refusal(png("\x80\0\0\0\x80\0\0\0"s)) != "");
   CHECK(refusal(png("\0\0\x40\0\0\0\x40\0"s)).find("16384 x 16384 pixels") != std::string::npos);
-  CHECK(refusal(png("\0\0\x75\x30\0\0\x75\x30"s)).find("the picture is too large") != std::string::npos);
+  CHECK(refusal(png("\0\0\x75\x30\0\0\x75\x30"s)).find("30000 x 30000 pixels") != std::string::npos);
   const std::string tga = "\0\0\xA\0\0\0\0\0\0\0\0\0\xff\xff\xff\xff\x20\0\xff\0\0\0\0"s;
   CHECK(refusal(tga).find("65535 x 65535 pixels") != std::string::npos);
   const std::string jpeg = "\xff\xd8\xff\xc0\0\x0b\x08\xff\xdc\xff\xdc\1\1\x11\0"s;
