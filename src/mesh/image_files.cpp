@@ -142,7 +142,7 @@ std::vector<std::string> copy_companions(const Companions& companions, FilesBesi
     }
   }
   std::vector<std::string> notes;
-  if (!copied.empty()) notes.push_back("beside it, where it looks for them: " + list_of_names(copied));
+  if (!copied.empty()) notes.push_back("copied beside it, where it looks for them: " + list_of_names(copied));
   if (!others.empty())
     notes.push_back("other files of these names are beside it already, and stayed: " + list_of_names(others));
   if (!stayed.empty())
