@@ -37,6 +37,12 @@ Command shading_command(std::string_view name) {
 
 void show_next_shading(Workspace& w) {
   w.view.shading = static_cast<Shading>((static_cast<std::size_t>(w.view.shading) + 1) % all_shadings().size());
+template <LengthUnit Unit>
+Command unit_command(std::string_view name) {
+  static const std::string hint = "Lengths are said in " + std::string(entry(Unit).plural) + "; no number is scaled.";
+  return {name, entry(Unit).symbol, hint, "View", {}, {}, has_model, [](Workspace& w) { w.document.model.unit = Unit; }};
+}
+
 }
 
 template <sym3::Method Method>
@@ -367,6 +373,9 @@ const std::vector<Command>& table() {
       {"toggle_error_map", "Error on the mesh", "Colour the mesh by the relative error of the exponential at each vertex.",
        "View", {key('E'), false, true}, {}, uses_method, toggle<&ViewOptions::error_map>},
       {"toggle_theme", "Dark theme", "Switch between the dark and the light theme.", "View", {key('T')}, {}, always,
+      unit_command<LengthUnit::unknown>("unit_none"), unit_command<LengthUnit::millimetre>("unit_mm"),
+      unit_command<LengthUnit::centimetre>("unit_cm"), unit_command<LengthUnit::metre>("unit_m"),
+      unit_command<LengthUnit::inch>("unit_in"), unit_command<LengthUnit::foot>("unit_ft"),
        toggle<&ViewOptions::dark>},
       {"toggle_panels", "Panels", "Show or hide the panels.", "View", {Key::f2}, {}, always,
        toggle<&ViewOptions::panels>},

@@ -62,6 +62,7 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
   opened.summary = mesh::summarize(read.surface);
   opened.bounds = mesh::used_bounds(read.surface);
   opened.warnings = std::move(read.warnings);
+  opened.unit = guessed_unit(opened.format, read.comments);
   opened.content = mesh::content_key(read.surface);
   opened.attributes = std::move(read.attributes);
   opened.original = std::move(read.original);

@@ -143,6 +143,7 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   document.scheme = session.scheme;
   document.mask = fit_to_model(session, *document.model.surface, file);
   document.probes = session.probes;
+  document.model.unit = session.unit.value_or(document.model.unit);
   if (document.has_cage()) {
     fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
     if (session.pose) document.pose = std::move(*session.pose);

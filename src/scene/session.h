@@ -44,6 +44,8 @@ struct MaskRun {
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
 ///                         "pitch" in radians, "orthographic", "up": "y" (also if missing) or "z"
 ///   "view"                flags, see ViewOptions
+///   "unit"                what one unit of the model's file measures: "mm", "cm", "m", "in", "ft" or "none";
+///                         missing: as the file says
 ///   "window"              [width, height] in logical pixels
 ///   "selecting"           "vertices", "edges" or "faces" of the cage, or "probes"
 ///   "selection"           their indices, from 0
@@ -66,6 +68,7 @@ struct Session {
   deform::Probes probes;
   std::optional<CameraPose> camera;  ///< missing: the model is framed
   ViewOptions view;
+  std::optional<LengthUnit> unit;  ///< missing: as the model's file says
   std::optional<glm::ivec2> window;
   ElementKind selecting = ElementKind::vertex;
   std::vector<std::uint32_t> selection;

@@ -24,8 +24,8 @@ std::string length(double value) {
   return print("%.3g", value);
 }
 
-std::string measured(double value) {
-  return print("%.6g", value);
+std::string measured(double value, scene::LengthUnit unit, int power) {
+  return scene::with_unit(print("%.6g", value), unit, power);
 }
 
 std::string ratio(double value) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/quantity.h"
+#include "scene/length_unit.h"
 
 namespace viete::ui {
 
@@ -19,8 +20,8 @@ inline std::string count(std::size_t n) {
 std::string error(double relative);
 /// Three significant digits: "0.123", "12.3", "1.23e+07".
 std::string length(double value);
-/// Six digits.
-std::string measured(double value);
+/// Six digits, and the unit: "12.4 cm" with a small 2 for power 2.
+std::string measured(double value, scene::LengthUnit unit, int power = 1);
 /// "124 x".
 std::string ratio(double value);
 

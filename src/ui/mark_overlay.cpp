@@ -28,7 +28,7 @@ void mark_overlay(const Context& ui) {
   line(1.5f, ui.colors.text);
   if (shown.size() < 2) return;
   const double length = glm::distance(places[0], places[1]);
-  const std::string text = measured(length);
+  const std::string text = measured(length, w.document.model.unit);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at{0.5f * (shown[0].x + shown[1].x - size.x), 0.5f * (shown[0].y + shown[1].y) - size.y - 8};
   draw.AddRectFilled({at.x - 5, at.y - 2}, {at.x + size.x + 5, at.y + size.y + 2},

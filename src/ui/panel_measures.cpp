@@ -18,8 +18,15 @@ std::string change(double now, double rest) {
   return text;
 }
 
-void row(const Context& ui, const char* label, double now, double rest) {
-  value_row(ui, label, measured(now) + "  " + change(now, rest));
+void row(const Context& ui, const char* label, double now, double rest, int power) {
+  const scene::LengthUnit unit = ui.workspace.document.model.unit;
+  value_row(ui, label, measured(now, unit, power) + "  " + change(now, rest));
+}
+
+void units(const Context& ui) {
+  note(ui, "Unit of the file");
+  command_choice(ui, {"unit_none", "unit_mm", "unit_cm", "unit_m", "unit_in", "unit_ft"},
+                 static_cast<std::size_t>(ui.workspace.document.model.unit));
 }
 
 void marks(const Context& ui) {
@@ -32,7 +39,7 @@ void marks(const Context& ui) {
                b = scene::place_of(w.document, posed, w.marks[1]);
     return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
   };
-  row(ui, "Length", between(w.posed), between({}));
+  row(ui, "Length", between(w.posed), between({}), 1);
 }
 
 }  // namespace
@@ -42,10 +49,11 @@ void panel_measures(const Context& ui) {
   const auto& model = w.document.model;
   if (!section(ui, "Measures", false) || !model.surface) return;
   const scene::Measures& now = scene::measure(w.document, w.posed, w.measures);
-  row(ui, "Area", now.area, model.summary.area);
-  if (model.summary.closed()) row(ui, "Volume", now.volume, model.summary.volume);
+  row(ui, "Area", now.area, model.summary.area, 2);
+  if (model.summary.closed()) row(ui, "Volume", now.volume, model.summary.volume, 3);
   marks(ui);
   command_row(ui, {"mark_point", "clear_marks"});
+  units(ui);
 }
 
 }  // namespace viete::ui

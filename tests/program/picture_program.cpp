@@ -414,6 +414,7 @@ void show_marks(Driver& d) {
   d.open_dragon();
   d.workspace().view.cage = false;
   d.workspace().marks = {{1000, {1, 0, 0}}, {60000, {0, 1, 0}}};
+  d.workspace().document.model.unit = scene::LengthUnit::centimetre;
   for (const char* title : {"Model", "Cage", "Measures"}) d.click(std::string("section/") + title);
   d.move({1, 1});
   put_numbers(d);
