@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/winding_number.h"
 
@@ -47,9 +48,27 @@ std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& ou
   return ways;
 }
 
+// Where to go from p to be at this distance outside of the model by the shortest way; p itself, if it is.
+Point way_out(const Point& p, const Surface& model, const mesh::TriangleTree& tree, double distance) {
+  constexpr double enough = 0.999;  // it is met up to rounding
+  const mesh::Triangle& t = model.triangles[tree.nearest(p).triangle];
+  const Point &a = model.positions[t[0]], &b = model.positions[t[1]], &c = model.positions[t[2]];
+  const mesh::Closest closest = mesh::closest_on_triangle(p, a, b, c);
+  const bool within = std::abs(tree.winding_number(p)) > 0.5;
+  const double gap = std::sqrt(closest.squared_distance);
+  if (!within && gap >= enough * distance) return p;
+  const Vec3& share = closest.barycentric;
+  const Point border = share[0] * a + share[1] * b + share[2] * c;
+  Vec3 way = within ? border - p : p - border;
+  // On the surface there is no way; then its normal is.
+  if (gap < 1e-6 * distance) way = mesh::cross(b - a, c - a);
+  const double length = mesh::norm(way);
+  return length > 0 ? border + (distance / length) * way : p;
+}
+
 }  // namespace
 
-std::vector<Point> fitted_to_box(const Surface& cage, const Surface& model, double margin) {
+Fitted fitted_to_box(const Surface& cage, const Surface& model, double margin) {
   const mesh::Bounds from = mesh::used_bounds(cage), to = mesh::used_bounds(model);
   const double more = 2 * margin * to.diagonal();
   double scale = 0;
@@ -57,9 +76,9 @@ std::vector<Point> fitted_to_box(const Surface& cage, const Surface& model, doub
     const double extent = from.high[k] - from.low[k];
     if (extent > 1e-6 * from.diagonal()) scale = std::max(scale, (to.high[k] - to.low[k] + more) / extent);
   }
-  std::vector<Point> positions = cage.positions;
-  for (Point& p : positions) p = to.center() + scale * (p - from.center());
-  return positions;
+  Fitted fitted{cage.positions, {{{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}}}};
+  for (Point& p : fitted.positions) p = to.center() + scale * (p - from.center());
+  return fitted;
 }
 
 Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
@@ -82,6 +101,29 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
     for (std::size_t v = 0; v < ways.size(); ++v) moved.positions[v] = moved.positions[v] + ways[v];
     asked = std::move(points);
   }
+}
+
+SnappedOutside snap_outside(const Surface& cage, std::span<const std::uint32_t> vertices,
+                            const Surface& model, double margin) {
+  constexpr int most_rounds = 20;
+  const double distance = margin * mesh::used_bounds(model).diagonal();
+  const mesh::TriangleTree tree(model.positions, model.triangles);
+  SnappedOutside snapped{cage.positions};
+  for (const auto v : vertices) {
+    Point p = cage.positions[v], before;
+    int round = 0;
+    do {
+      before = p;
+      p = way_out(before, model, tree, distance);
+    } while (p != before && ++round < most_rounds);
+    if (p != before) {
+      ++snapped.left;
+    } else if (p != cage.positions[v]) {
+      snapped.positions[v] = p;
+      ++snapped.moved;
+    }
+  }
+  return snapped;
 }
 
 }  // namespace viete::cages

@@ -1,9 +1,11 @@
 #include "scene/cage_editing.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/error.h"
+#include "cages/best_fit.h"
 #include "cages/edit.h"
 #include "cages/enclose.h"
 #include "scene/cage_making.h"
@@ -17,7 +19,7 @@ namespace {
 
 using mesh::operator+, mesh::operator-, mesh::operator*;
 
-constexpr double fit_margin = 0.01;  // of the model's diagonal, that a fitted cage keeps from its box
+constexpr double snug_margin = 0.2 * fit_margin;
 
 std::string edited_name(const OpenedSurface& cage) {
   constexpr std::string_view mark = ", edited";
@@ -30,27 +32,44 @@ mesh::Vec3 across(const mesh::Vec3& way, const cages::Plane& plane) {
   return way - (2 * mesh::dot(way, plane.normal)) * plane.normal;
 }
 
+// What ways from rest to pose follow by: those of images are mirrored first.
+struct Follow {
+  cages::Plane plane{};
+  std::array<mesh::Vec3, 3> linear = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // rows
+
+  mesh::Vec3 operator()(const mesh::Vec3& way) const {
+    return {mesh::dot(linear[0], way), mesh::dot(linear[1], way), mesh::dot(linear[2], way)};
+  }
+  // Of an axis with an angle for its length, which is not scaled.
+  mesh::Vec3 turn(const mesh::Vec3& rotation) const {
+    const mesh::Vec3 now = (*this)(rotation);
+    const double length = mesh::norm(now);
+    return length > 0 ? (mesh::norm(rotation) / length) * now : rotation;
+  }
+};
+
 // Whole turns go with the parts, as long as there are as many.
 deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
-                     const deform::Cage& after, const cages::Plane& plane) {
+                     const deform::Cage& after, const Follow& follow) {
   deform::Pose now;
   if (before.roots.size() == after.roots.size()) now.turns = pose.turns;
+  for (mesh::Vec3& turn : now.turns) turn = follow.turn(turn);
   for (std::size_t v = 0; v < edited.origins.size(); ++v) {
     const cages::Origin& origin = edited.origins[v];
     mesh::Vec3 way{0, 0, 0};
     const double share = 1 / static_cast<double>(origin.of.size());
     for (const auto o : origin.of) way = way + share * (pose.positions[o] - before.surface.positions[o]);
-    if (origin.mirrored) way = across(way, plane);
-    now.positions.push_back(edited.surface.positions[v] + way);
+    if (origin.mirrored) way = across(way, follow.plane);
+    now.positions.push_back(edited.surface.positions[v] + follow(way));
   }
   return now;
 }
 
 // In the mode its pose is at rest; outside of it, as far as vertices remained.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
-                const cages::Plane& plane = {}) {
+                const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
-  deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, plane);
+  deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, follow);
   document.history.record(label, snapshot_of(document));
   const bool editing = is_editing_cage(document);
   const ElementKind kind = document.selection.kind();
@@ -178,19 +197,48 @@ void mirror_cage(Document& document) {
   for (const auto v : selected_vertices(*document.cage, document.selection))
     sum += rest[v][axis] - plane.offset;
   if (sum < 0) plane = {-1 * plane.normal, -plane.offset};
-  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror the cage", plane);
+  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror the cage", {plane});
 }
 
+namespace {
+
+void put_fitted(Document& document, cages::Fitted fitted, const char* label) {
+  const Follow follow{{}, fitted.linear};
+  put_edited(document, with_positions(document.cage->surface, std::move(fitted.positions)), label, follow);
+}
+
+}  // namespace
+
 void fit_cage(Document& document) {
-  const mesh::Surface& cage = document.cage->surface;
-  put_edited(document, with_positions(cage, cages::fitted_to_box(cage, *document.model.surface, fit_margin)),
+  put_fitted(document, cages::fitted_to_box(document.cage->surface, *document.model.surface, fit_margin),
              "fit the cage");
+}
+
+double fit_cage_turned(Document& document) {
+  cages::Fitted fitted = cages::best_fit(document.cage->surface, *document.model.surface, fit_margin);
+  const double degrees = fitted.degrees;
+  put_fitted(document, std::move(fitted), degrees > 0 ? "fit the cage, turned" : "fit the cage");
+  return degrees;
+}
+
+SnapResult snap_selected(Document& document) {
+  const mesh::Surface& cage = document.cage->surface;
+  const auto vertices = selected_vertices(*document.cage, document.selection);
+  require(!document.model.surface->triangles.empty(), "the model has no faces, so that nothing is within it",
+          "move the cage by hand");
+  auto snapped = cages::snap_outside(cage, vertices, *document.model.surface, snug_margin);
+  const Selection selection = document.selection;
+  if (snapped.moved > 0) {
+    put_edited(document, with_positions(cage, std::move(snapped.positions)), "snap outside");
+    document.selection = selection;
+  }
+  return {snapped.moved, snapped.left};
 }
 
 std::size_t enclose_model(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
   require(document.cage->closed, "the cage is open, so that nothing is within it", "close it first");
-  cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, 0.2 * fit_margin);
+  cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
   if (enclosing.positions != cage.positions)
     put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");
   return enclosing.left;

@@ -5,6 +5,9 @@
 
 namespace viete::scene {
 
+/// Of the model's diagonal, that a fitted cage keeps from its box.
+inline constexpr double fit_margin = 0.01;
+
 /// True in that mode: the document's pose is the rest of the cage, and the real one is kept beside it.
 inline bool is_editing_cage(const Document& document) {
   return document.kept_pose.has_value();
@@ -25,7 +28,7 @@ void end_cage_editing(Document& document);
 bool settle_cage_edit(Document& document);
 
 /// Changes of what is selected, each one edit. Throw base::Error, and change nothing, where the result is no
-/// cage. Require the mode and a selection, but for the last four, which take all of the cage in any mode.
+/// cage. Require the mode and a selection, but for those that take all of the cage, in any mode.
 void split_selected(Document& document);    ///< edges
 void cut_selected(Document& document);      ///< faces
 void merge_selected(Document& document);    ///< vertices
@@ -34,9 +37,18 @@ void extrude_selected(Document& document);  ///< faces
 void subdivide_cage(Document& document);
 /// About the plane across the axis in which the model is most symmetric; what is on its larger side counts.
 void mirror_cage(Document& document);
-/// The cage is moved and scaled to the model's box.
+/// The cage is moved and scaled to the model's box. The pose is too, here and in the next.
 void fit_cage(Document& document);
+/// It is turned too, where that brings it nearer. Returns by how many degrees.
+double fit_cage_turned(Document& document);
 /// Moved outward where vertices of the model are outside. Returns how many still are.
 std::size_t enclose_model(Document& document);
+
+/// Vertices that were moved, and those that no short way brings out.
+struct SnapResult {
+  std::size_t moved = 0, left = 0;
+};
+/// Selected vertices of the cage that are within the model, or nearly, are moved out of it.
+SnapResult snap_selected(Document& document);
 
 }  // namespace viete::scene

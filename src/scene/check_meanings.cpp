@@ -42,8 +42,7 @@ const char* model_meaning(Defect defect) {
   switch (defect) {
     case Defect::vertices_outside:
       return "Outside, the mesh follows the nearest faces in log space just as inside; mean value weights "
-             "can be "
-             "negative there and move it against the drag.";
+             "can be negative there and move it against the drag.";
     case Defect::open: return "The mesh has holes. It deforms like any other.";
     case Defect::nonmanifold_edge: return "It deforms like any other; shading may be uneven there.";
     case Defect::pinched_vertex: return "It deforms like any other; shading may be uneven there.";
@@ -65,7 +64,8 @@ const char* model_meaning(Defect defect) {
 }  // namespace
 
 std::string meaning(const Finding& finding) {
-  return finding.subject == Subject::cage ? cage_meaning(finding.defect) : model_meaning(finding.defect);
+  if (finding.subject == Subject::cage) return cage_meaning(finding.defect);
+  return std::string(model_meaning(finding.defect)) + (finding.turned ? " Turned, the cage fits clearly better." : "");
 }
 
 bool matters(const Finding& finding) {

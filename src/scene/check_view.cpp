@@ -42,6 +42,12 @@ void take_findings(CheckState& checks, std::vector<Finding> findings) {
   ++checks.revision;
 }
 
+std::optional<std::size_t> outside_finding(const CheckState& checks) {
+  const auto found = std::ranges::find(checks.findings, Defect::vertices_outside, &Finding::defect);
+  if (found == checks.findings.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - checks.findings.begin());
+}
+
 void toggle_finding(Workspace& workspace, std::size_t index) {
   CheckState& checks = workspace.checks;
   const bool hide = checks.shown == index;

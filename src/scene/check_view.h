@@ -26,6 +26,9 @@ struct CheckState {
 /// Nothing is known any more, as when another document is opened.
 void forget_findings(CheckState& checks);
 
+/// The one about vertices of the model outside of its cage, if there is one.
+std::optional<std::size_t> outside_finding(const CheckState& checks);
+
 /// New findings, nothing shown.
 void take_findings(CheckState& checks, std::vector<Finding> findings);
 

@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "base/quantity.h"
+#include "cages/best_fit.h"
 #include "mesh/defects.h"
 #include "mesh/repair.h"
 #include "mesh/self_intersection.h"
 #include "mesh/winding_number.h"
+#include "scene/cage_editing.h"
 
 namespace viete::scene {
 
@@ -154,14 +156,30 @@ std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Su
   return Finding{Defect::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};
 }
 
+namespace {
+
+// Asked only where so many are outside that the cage may be of another orientation.
+bool fits_turned(const OpenedSurface& model, const OpenedSurface& cage, const Finding& outside,
+                 base::Progress* progress) {
+  constexpr std::size_t matters = 10;  // one in so many
+  if (matters * outside.size() < model.surface->positions.size()) return false;
+  if (!(model.bounds.diagonal() > 0 && cage.bounds.diagonal() > 0)) return false;
+  return cages::best_fit(*cage.surface, *model.surface, fit_margin, progress).degrees > 0;
+}
+
+}  // namespace
+
 std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage, base::Progress* progress) {
   std::vector<Finding> found;
   if (cage.surface) {
     if (progress) progress->section(0, 0.1);
     append(found, check_cage(*cage.surface, progress));
-    if (progress) progress->section(0.1, 0.9);
-    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress))
+    if (progress) progress->section(0.1, 0.8);
+    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress)) {
+      if (progress) progress->section(0.8, 0.9);
+      outside->turned = fits_turned(model, cage, *outside, progress);
       found.push_back(*std::move(outside));
+    }
   }
   if (progress) progress->section(0.9, 1);
   append(found, check_model(*model.surface, model.summary));

@@ -36,6 +36,7 @@ struct Finding {
   ElementKind kind = ElementKind::vertex;  ///< what they are: an edge is two vertices, a face a polygon
   std::vector<std::uint32_t> elements;     ///< vertices or faces, ascending
   std::vector<mesh::Edge> edges;           ///< or edges, ascending
+  bool turned = false;                     ///< of vertices outside: the cage fits clearly better when turned
 
   std::size_t size() const { return kind == ElementKind::edge ? edges.size() : elements.size(); }
 };

@@ -86,6 +86,9 @@ inline constexpr Condition has_cage_selected{
       return is_editing(w) && w.document.selection.kind() != ElementKind::probe && has_selection(w);
     },
     "Switch to editing the cage (Tab) and select something of it first."};
+inline constexpr Condition has_outside{
+    [](const Workspace& w) { return outside_finding(w.checks).has_value(); },
+    "The checks have found no vertices of the model outside of its cage."};
 inline constexpr Condition is_making{[](const Workspace& w) { return w.making.open; },
                                      "No cage is being made."};
 inline constexpr Condition has_cage_beside{

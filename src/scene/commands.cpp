@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "base/error.h"
@@ -35,14 +37,14 @@ Command shading_command(std::string_view name) {
   return {name, choice.label, choice.hint, "View", {}, {}, always, [](Workspace& w) { w.view.shading = Choice; }};
 }
 
-void show_next_shading(Workspace& w) {
-  w.view.shading = static_cast<Shading>((static_cast<std::size_t>(w.view.shading) + 1) % all_shadings().size());
 template <LengthUnit Unit>
 Command unit_command(std::string_view name) {
   static const std::string hint = "Lengths are said in " + std::string(entry(Unit).plural) + "; no number is scaled.";
   return {name, entry(Unit).symbol, hint, "View", {}, {}, has_model, [](Workspace& w) { w.document.model.unit = Unit; }};
 }
 
+void show_next_shading(Workspace& w) {
+  w.view.shading = static_cast<Shading>((static_cast<std::size_t>(w.view.shading) + 1) % all_shadings().size());
 }
 
 template <sym3::Method Method>
@@ -147,29 +149,41 @@ void toggle_locked(Workspace& w) {
   set_locked(w.document, !all_locked(w));
 }
 
-// What is no cage is said, and changes nothing.
-template <void (*Change)(Document&)>
-void change_cage(Workspace& w) {
-  try {
-    Change(w.document);
-  } catch (const base::Error& error) {
-    w.messages.error(error.what());
-  }
-  w.interaction.hovered.reset();
-}
-
 void switch_cage_editing(Document& document) {
   is_editing_cage(document) ? end_cage_editing(document) : begin_cage_editing(document);
 }
 
 void enclose_and_say(Workspace& w) {
+  const std::size_t left = enclose_model(w.document);
+  if (left == 0) return w.messages.info("All vertices of the model are within the cage.");
+  w.messages.warn(counted(ElementKind::vertex, left) + " of the model still outside of the cage; move it there, or make one");
+}
+
+void fit_turned_and_say(Workspace& w) {
+  const double degrees = fit_cage_turned(w.document);
+  if (degrees > 0) return w.messages.info("The cage was turned by " + base::with_thousands(static_cast<std::size_t>(std::lround(degrees))) + " degrees.");
+  w.messages.info("The cage was fitted as it stands: no turn brings it clearly nearer to the model.");
+}
+
+void snap_and_say(Workspace& w) {
+  const auto [moved, left] = snap_selected(w.document);
+  if (left > 0) return w.messages.warn(counted(ElementKind::vertex, left) + " of the cage found no short way out of the model; move them by hand");
+  w.messages.info(moved == 0 ? "What is selected is outside of the model." : counted(ElementKind::vertex, moved) + " of the cage moved out of the model.");
+}
+
+// What is no cage is said, and changes nothing. Of the document, or of the workspace with a word.
+template <auto Change>
+void change_cage(Workspace& w) {
   try {
-    const std::size_t left = enclose_model(w.document);
-    if (left == 0) return w.messages.info("All vertices of the model are within the cage.");
-    w.messages.warn(counted(ElementKind::vertex, left) + " of the model still outside of the cage; move it there, or make one");
+    if constexpr (std::is_invocable_v<decltype(Change), Document&>) {
+      Change(w.document);
+    } else {
+      Change(w);
+    }
   } catch (const base::Error& error) {
     w.messages.error(error.what());
   }
+  w.interaction.hovered.reset();
 }
 
 template <Tool Use>
@@ -275,8 +289,14 @@ const std::vector<Command>& table() {
       {"mirror_cage", "Mirror", "The half with the selection, else the one of larger coordinates, and its image.", "Cage", {}, {},
        can_edit_cage, change_cage<mirror_cage>},
       {"fit_cage", "Fit", "Move and scale the cage to the model.", "Cage", {}, {}, can_edit_cage, change_cage<fit_cage>},
+      {"fit_cage_turned", "Fit, turned", "Turn, move and scale the cage to the model.", "Cage", {}, {}, can_edit_cage,
+       change_cage<fit_turned_and_say>},
+      {"snap_outside", "Snap out", "Bring selected vertices that are within the model, or touch it, out by the shortest way.", "Cage", {}, {},
+       has_cage_selected, change_cage<snap_and_say>},
+      {"show_outside", "Show", "Highlight the vertices of the model that are outside, or hide them again; Checks steps through them.", "Cage", {}, {},
+       has_outside, [](Workspace& w) { toggle_finding(w, *outside_finding(w.checks)); }},
       {"enclose_model", "Enclose", "Move the cage outward where vertices of the model are outside.", "Cage", {}, {},
-       can_edit_cage, enclose_and_say},
+       can_edit_cage, change_cage<enclose_and_say>},
 
       {"tool_select", "Select", "No gizmo: drag an element to move the selection.", "Tool", {key('Q')}, {}, always,
        use_tool<Tool::select>},
@@ -353,6 +373,9 @@ const std::vector<Command>& table() {
        {key('Y')}, {}, has_model, mark_point},
       {"clear_marks", "Clear marks", "Take the marks away.", "View", {key('Y'), false, true}, {}, has_marks,
        [](Workspace& w) { w.marks.clear(); }},
+      unit_command<LengthUnit::unknown>("unit_none"), unit_command<LengthUnit::millimetre>("unit_mm"),
+      unit_command<LengthUnit::centimetre>("unit_cm"), unit_command<LengthUnit::metre>("unit_m"),
+      unit_command<LengthUnit::inch>("unit_in"), unit_command<LengthUnit::foot>("unit_ft"),
       {"toggle_wireframe", "Wireframe", "Show the edges of the mesh.", "View", {key('W'), false, true}, {}, always,
        toggle<&ViewOptions::wireframe>},
       shading_command<Shading::clay>("shading_clay"),
@@ -373,9 +396,6 @@ const std::vector<Command>& table() {
       {"toggle_error_map", "Error on the mesh", "Colour the mesh by the relative error of the exponential at each vertex.",
        "View", {key('E'), false, true}, {}, uses_method, toggle<&ViewOptions::error_map>},
       {"toggle_theme", "Dark theme", "Switch between the dark and the light theme.", "View", {key('T')}, {}, always,
-      unit_command<LengthUnit::unknown>("unit_none"), unit_command<LengthUnit::millimetre>("unit_mm"),
-      unit_command<LengthUnit::centimetre>("unit_cm"), unit_command<LengthUnit::metre>("unit_m"),
-      unit_command<LengthUnit::inch>("unit_in"), unit_command<LengthUnit::foot>("unit_ft"),
        toggle<&ViewOptions::dark>},
       {"toggle_panels", "Panels", "Show or hide the panels.", "View", {Key::f2}, {}, always,
        toggle<&ViewOptions::panels>},

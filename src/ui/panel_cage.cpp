@@ -1,6 +1,4 @@
-#include <algorithm>
-
-#include "scene/checks.h"
+#include "scene/check_view.h"
 #include "scene/elements.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -16,18 +14,28 @@ void editing(const Context& ui) {
   if (!on) return;
   command_row(ui, {"split_edges", "cut_faces", "extrude_faces"});
   command_row(ui, {"merge_vertices", "remove_elements", "subdivide_cage"});
-  command_row(ui, {"mirror_cage", "fit_cage", "enclose_model"});
+  command_row(ui, {"mirror_cage", "snap_outside", "enclose_model"});
+  command_row(ui, {"fit_cage", "fit_cage_turned"});
 }
 
 // Where the checks have found that cage and model do not match.
 void bring_together(const Context& ui) {
-  const auto& all = ui.workspace.checks.findings;
-  const auto found = std::ranges::find(all, scene::Defect::vertices_outside, &scene::Finding::defect);
-  if (found == all.end() || ui.workspace.document.kept_pose) return;
+  const auto& checks = ui.workspace.checks;
+  const auto at = scene::outside_finding(checks);
+  if (!at) return;
+  const scene::Finding& found = checks.findings[*at];
+  const std::string outside = scene::title(found) + ". ";
+  if (ui.workspace.document.kept_pose) {  // the other buttons are there anyway
+    note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
+    return command_row(ui, {"show_outside"});
+  }
   note(ui,
-       scene::title(*found) + ". Enclose moves the cage outward there, Fit brings all of it to the model.",
+       outside + "Enclose moves the cage outward there, Fit brings all of it to the model" +
+           (found.turned ? "; turned, it fits clearly better." : "."),
        ui.colors.warn);
-  command_row(ui, {"enclose_model", "fit_cage"});
+  if (!found.turned) return command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
+  command_row(ui, {"show_outside", "enclose_model"});
+  command_row(ui, {"fit_cage", "fit_cage_turned"});
 }
 
 }  // namespace
@@ -53,8 +61,8 @@ void panel_cage(const Context& ui) {
   transform_fields(ui);
   command_row(ui, {"undo", "redo", "reset_pose"});
   command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
-  bring_together(ui);
   editing(ui);
+  bring_together(ui);
   command_row(ui, {"open_pose", "save_pose"});
   command_row(ui, {"open_cage", "make_cage", "save_cage"});
   for (const auto& line : ui.workspace.pose_notes) note(ui, line, ui.colors.warn);

@@ -211,6 +211,33 @@ TEST_CASE("a cage that the model sticks out of is offered to enclose it, and doe
   CHECK(d.document().cage->surface.positions == small.positions);
 }
 
+TEST_CASE("a cage of another orientation is offered to be fitted turned, what is outside to be shown") {
+  const test::TemporaryFolder folder;
+  mesh::Surface turned = mesh::read(test::dragon_cage).surface;
+  for (auto& p : turned.positions) p = {3 * p[1], 3 * p[2], 3 * p[0] + 1};
+  mesh::write(folder / "turned.obj", turned);
+  Driver d;
+  REQUIRE(d.open({test::dragon, folder / "turned.obj"}));
+  d.settle();
+  d.viewer().finish_checks();
+  d.frame(3);
+  d.click("show_outside");
+  REQUIRE(d.workspace().checks.shown);
+  CHECK(d.workspace().checks.findings[*d.workspace().checks.shown].defect == scene::Defect::vertices_outside);
+  d.click("show_outside");
+  CHECK_FALSE(d.workspace().checks.shown);
+  d.click("fit_cage_turned");
+  d.frame(2);
+  const auto cage = mesh::read(test::dragon_cage).surface.positions,
+             &now = d.document().cage->surface.positions;
+  double sum = 0;
+  for (std::size_t v = 0; v < cage.size(); ++v) sum += mesh::squared_norm(now[v] - cage[v]);
+  const double size = d.document().model.bounds.diagonal();
+  CHECK(std::sqrt(sum / static_cast<double>(cage.size())) < 0.1 * size);
+  d.press_key('Z', true);
+  CHECK(d.document().cage->surface.positions == turned.positions);
+}
+
 TEST_CASE("buttons of the mode change the cage under a selection") {
   Driver d;
   d.open_dragon();

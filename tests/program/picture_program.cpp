@@ -420,6 +420,23 @@ void show_marks(Driver& d) {
   put_numbers(d);
 }
 
+// The cage is edited, and vertices of the model that are outside of it are shown.
+void show_outside(Driver& d) {
+  const test::TemporaryFolder folder;
+  mesh::Surface small = mesh::read(test::dragon_cage).surface;
+  for (auto& p : small.positions) p = {0.85 * p[0], 0.85 * p[1], 0.85 * p[2]};
+  mesh::write(folder / "small.obj", small);
+  REQUIRE(d.open({test::dragon, folder / "small.obj"}));
+  d.settle();
+  d.viewer().finish_checks();
+  d.frame(3);
+  for (const char* command : {"edit_cage", "show_outside"}) d.click(command);
+  d.settle();
+  d.click("section/Model");
+  d.move({1, 1});
+  put_numbers(d);
+}
+
 const Picture texts[] = {
     {"panels", {560, 1140}, show_panels},
     {"checks", {640, 640}, show_checks},
@@ -432,6 +449,7 @@ const Picture texts[] = {
     {"cage_offer", {860, 520}, show_cage_offer},
     {"cage_making", {860, 560}, show_making},
     {"marks", {860, 520}, show_marks},
+    {"cage_outside", {860, 800}, show_outside},
 };
 
 const Picture light_texts[] = {

@@ -23,7 +23,7 @@ inline const std::map<std::string, Room>& rooms() {
       {"sym3", {{}, {"eigen", "highway"}, {}}},
       {"python", {{"sym3"}, {"pybind11"}, {}}},
       {"mesh", {{"base"}, {"json"}, {"openmesh", "tinygltf"}}},
-      {"cages", {{"base", "mesh"}, {"openmesh"}, {}}},
+      {"cages", {{"base", "mesh"}, {"openmesh"}, {"eigen"}}},
       {"deform", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
       {"scene", {{"base", "sym3", "mesh", "cages", "deform"}, {"glm", "json"}, {}}},
       {"render", {{"base"}, {"gl", "glm"}, {}}},

@@ -9,6 +9,7 @@
 
 using namespace viete;
 using namespace viete::scene;
+using mesh::operator*;
 
 namespace {
 
@@ -138,6 +139,28 @@ TEST_CASE("model_vertices_outside_the_cage_are_named") {
   check_only(found, Defect::vertices_outside, Subject::model, ElementKind::vertex);
   CHECK(found[0].elements == List{2, 5});
   CHECK(matters(found[0]));
+}
+
+TEST_CASE("a_cage_that_would_fit_when_it_is_turned_is_said_to") {
+  mesh::Surface model = test::cube(1);
+  for (auto& p : model.positions) p = {p[0], 2 * p[1], 4 * p[2]};
+  mesh::Surface larger = model, turned = model, elsewhere = model;
+  for (auto& p : larger.positions) p = 1.1 * p;
+  for (auto& p : turned.positions) p = {1.1 * p[2], 1.1 * p[0], 1.1 * p[1]};
+  for (auto& p : elsewhere.positions) p[0] += 10;
+  const OpenedSurface opened_model = made_surface(model, "model");
+  const auto outside = [&](const mesh::Surface& cage) -> std::optional<Finding> {
+    CheckState checks;
+    take_findings(checks, check(opened_model, made_surface(cage, "cage")));
+    const auto at = outside_finding(checks);
+    return at ? std::optional(checks.findings[*at]) : std::nullopt;
+  };
+  CHECK_FALSE(outside(larger));
+  REQUIRE(outside(turned));
+  CHECK(outside(turned)->turned);
+  CHECK(meaning(*outside(turned)).ends_with("Turned, the cage fits clearly better."));
+  REQUIRE(outside(elsewhere));
+  CHECK_FALSE(outside(elsewhere)->turned);
 }
 
 TEST_CASE("faces_are_polygons_and_not_their_triangles") {
