@@ -93,7 +93,9 @@ void transform_fields(const Context& ui) {
                  static_cast<std::size_t>(w.tool));
   if (w.tool == scene::Tool::paint) return brush_fields(ui);
   const Fields shown = fields(w.document, w.tool);
-  note(ui, shown.label);
+  const scene::LengthUnit unit = w.document.model.unit;
+  const bool place = w.tool == scene::Tool::move || w.tool == scene::Tool::select;
+  note(ui, place ? scene::with_unit(shown.label, unit) : shown.label);
   ImGui::BeginDisabled(w.document.selection.empty() || w.interaction.drag);
   const float letter = ImGui::CalcTextSize("X").x + ImGui::GetStyle().ItemInnerSpacing.x;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
