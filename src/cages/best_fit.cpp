@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-constexpr std::size_t few = 100, many = 500;  // samples of each surface: to choose, and to fit
+constexpr std::size_t few = 100, many = 300;  // samples of each surface: to choose, and to fit
 
 Vector3d vector(const Point& p) {
   return {p[0], p[1], p[2]};
@@ -63,11 +63,20 @@ std::vector<Point> samples_of(const FramedModel& surface, std::size_t count) {
   return samples;
 }
 
+// A finer surface is as well told by points of it.
+FramedModel coarse(FramedModel surface) {
+  constexpr std::size_t enough = 20'000;
+  if (surface.triangles.size() <= enough) return surface;
+  FramedModel points{samples_of(surface, enough), {}, {}, false};
+  for (std::uint32_t v = 0; v < enough; ++v) points.triangles.push_back({v, v, v});
+  return points;
+}
+
 // A surface that is asked for the places nearest to others, and its samples.
 class Sampled {
 public:
   explicit Sampled(FramedModel surface)
-      : surface_(std::move(surface)), tree_(surface_.positions, surface_.triangles) {
+      : surface_(coarse(std::move(surface))), tree_(surface_.positions, surface_.triangles) {
     choosing = samples_of(surface_, few);
     fitting = samples_of(surface_, many);
   }
@@ -230,15 +239,15 @@ Fitted best_fit(const mesh::Surface& cage, const mesh::Surface& model, double ma
   const Frame from = frame_of(cage, std::nullopt), to = frame_of(model, std::nullopt);
   std::vector<Matrix3d> starts = {Matrix3d::Identity()};
   for (const Matrix3d& r : rotations(own_frame(cage), own_frame(model))) starts.push_back(r);
-  const Sampled framed(model_in(to, model));
-  const Laid best = fit(Sampled(model_in(from, cage)), framed, starts, progress);
+  const Sampled framed(shape_in(to, model));
+  const Laid best = fit(Sampled(shape_in(from, cage)), framed, starts, progress);
 
   mesh::Surface turned = cage;
   for (Point& p : turned.positions) p = to.out_of(best.similarity.of(from.into(p)));
   Fitted fitted = fitted_to_box(turned, model, margin), plain = fitted_to_box(cage, model, margin);
   const auto distance = [&](const Fitted& f) {
     turned.positions = f.positions;
-    return Fitting(Sampled(model_in(to, turned)), framed, progress).squared({});
+    return Fitting(Sampled(shape_in(to, turned)), framed, progress).squared({});
   };
   constexpr double as_good = 1.2 * 1.2;
   if (distance(plain) <= as_good * distance(fitted)) return plain;

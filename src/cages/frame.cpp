@@ -101,7 +101,7 @@ Frame own_frame(const mesh::Surface& model) {
   return frame;
 }
 
-FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
+FramedModel shape_in(const Frame& frame, const mesh::Surface& surface) {
   FramedModel model{surface.positions, surface.triangles, {}, false};
   for (Point& p : model.positions) p = frame.into(p);
   if (model.triangles.empty()) {
@@ -110,6 +110,11 @@ FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
   std::vector<std::uint32_t> used;
   for (const auto& t : model.triangles) used.insert(used.end(), t.begin(), t.end());
   model.box = mesh::bounds(model.positions, used);
+  return model;
+}
+
+FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
+  FramedModel model = shape_in(frame, surface);
   const mesh::Summary summary = mesh::summarize(surface);
   model.closed = summary.closed() && summary.manifold() && summary.oriented();
   return model;

@@ -39,5 +39,7 @@ struct FramedModel {
 };
 
 FramedModel model_in(const Frame& frame, const mesh::Surface& surface);
+/// The same, but whether it is closed is not asked, which takes longest.
+FramedModel shape_in(const Frame& frame, const mesh::Surface& surface);
 
 }  // namespace viete::cages
