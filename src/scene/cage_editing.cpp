@@ -202,6 +202,12 @@ void mirror_cage(Document& document) {
 
 namespace {
 
+const mesh::Surface& model_to_fit(const Document& document) {
+  require(document.model.bounds.diagonal() > 0, "all of the model is at one place, and a cage fits no point",
+          "move the cage by hand");
+  return *document.model.surface;
+}
+
 void put_fitted(Document& document, cages::Fitted fitted, const char* label) {
   const Follow follow{{}, fitted.linear};
   put_edited(document, with_positions(document.cage->surface, std::move(fitted.positions)), label, follow);
@@ -210,12 +216,12 @@ void put_fitted(Document& document, cages::Fitted fitted, const char* label) {
 }  // namespace
 
 void fit_cage(Document& document) {
-  put_fitted(document, cages::fitted_to_box(document.cage->surface, *document.model.surface, fit_margin),
+  put_fitted(document, cages::fitted_to_box(document.cage->surface, model_to_fit(document), fit_margin),
              "fit the cage");
 }
 
 double fit_cage_turned(Document& document) {
-  cages::Fitted fitted = cages::best_fit(document.cage->surface, *document.model.surface, fit_margin);
+  cages::Fitted fitted = cages::best_fit(document.cage->surface, model_to_fit(document), fit_margin);
   const double degrees = fitted.degrees;
   put_fitted(document, std::move(fitted), degrees > 0 ? "fit the cage, turned" : "fit the cage");
   return degrees;

@@ -167,7 +167,7 @@ void fit_turned_and_say(Workspace& w) {
 
 void snap_and_say(Workspace& w) {
   const auto [moved, left] = snap_selected(w.document);
-  if (left > 0) return w.messages.warn(counted(ElementKind::vertex, left) + " of the cage found no short way out of the model; move them by hand");
+  if (left > 0) return w.messages.warn("No short way leads out of the model from " + counted(ElementKind::vertex, left) + " of the cage; move by hand what is within");
   w.messages.info(moved == 0 ? "What is selected is outside of the model." : counted(ElementKind::vertex, moved) + " of the cage moved out of the model.");
 }
 
