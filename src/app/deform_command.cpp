@@ -47,6 +47,7 @@ int deform_file(const DeformOptions& options) {
   print_notes(opened.warnings);
   scene::Export what = scene::export_of(*opened.document, options.output);
   what.digits = options.digits;
+  if (opened.session && opened.session->camera) what.up = opened.session->camera->up;
   print_notes(scene::write_deformed(what));
   return exit_ok;
 }

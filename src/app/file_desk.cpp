@@ -53,7 +53,7 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
   if (const auto file = std::exchange(r.save_cage, std::nullopt)) scene::save_cage(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.is_movable())
-    exporter_.add(scene::export_of(w.document, *file));
+    start_export(w, *file);
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
   if (const auto file = std::exchange(r.discard, std::nullopt)) discard(w, *file);
@@ -62,6 +62,12 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   if (std::exchange(r.quit, false) && !w.question) close(w);
   show_exports(w);
   if (no_drag && !w.question) take_loaded(w, false);
+}
+
+void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
+  scene::Export what = scene::export_of(w.document, file);
+  what.up = w.camera.pose().up;
+  exporter_.add(std::move(what));
 }
 
 void FileDesk::take_loaded(scene::Workspace& w, bool wait) {

@@ -57,6 +57,7 @@ public:
   void keep_binding(const Bound& bound);
 
 private:
+  void start_export(const scene::Workspace& w, const std::filesystem::path& file);
   void take_loaded(scene::Workspace& workspace, bool wait);
   void take(scene::Workspace& workspace, Loader::Loaded&& loaded);
   void take_answer(scene::Workspace& workspace, scene::Answer answer);

@@ -8,10 +8,12 @@
 #include "base/atomic_file.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
+#include "mesh/conversion.h"
 #include "mesh/source.h"
 #include "mesh/write.h"
 #include "scene/cage_editing.h"
 #include "scene/pose_notes.h"
+#include "scene/up_axis.h"
 
 namespace viete::scene {
 
@@ -26,6 +28,8 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
              document.method,
              document.mask,
              document.probes,
+             document.model.unit,
+             guessed_up(document.model),
              {}};
   if (document.has_cage()) return all;
   all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
@@ -61,7 +65,8 @@ void keep_at_rest(const mesh::Surface& model, const deform::Cage& cage, std::vec
 }  // namespace
 
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
-  const bool as_it_was = what.original && what.original->writes(mesh::extension_of(what.file));
+  const std::string extension = mesh::extension_of(what.file);
+  const bool as_it_was = what.original && what.original->writes(extension);
   if (!as_it_was) mesh::check_format(what.file);
   base::check_replaceable(what.file);
   base::WorkerPool pool;
@@ -79,9 +84,25 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
       mesh::write(what.file, content, what.original.get(), what.digits, progress);
   std::ranges::move(deformed.warnings, std::back_inserter(notes));
   for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
-  if (const std::string note = method_note(what.method, deformed.exp_error); !note.empty())
-    notes.push_back(note);
+  const bool new_gltf = !as_it_was && (extension == "glb" || extension == "gltf");
+  for (const std::string& note :
+       {method_note(what.method, deformed.exp_error), new_gltf ? gltf_note(what.unit, what.up) : ""}) {
+    if (!note.empty()) notes.push_back(note);
+  }
   return notes;
+}
+
+std::string gltf_note(LengthUnit unit, UpAxis up) {
+  const bool scaled = unit != LengthUnit::unknown && unit != LengthUnit::metre, turned = up == UpAxis::z;
+  if (!scaled && !turned) return "";
+  const std::string scale = "scale by " + mesh::short_number(static_cast<float>(entry(unit).metres));
+  const std::string are(entry(unit).plural), turn = "turn by -90 degrees about X";
+  if (!turned)
+    return "other programs take the numbers of a glTF file as metres; these are " + are + ": " + scale +
+           " there";
+  if (!scaled) return "other programs take Y of a glTF file as up; here it is Z: " + turn + " there";
+  return "other programs take the numbers of a glTF file as metres and Y as up; these are " + are +
+         " with Z up: " + scale + " there and " + turn;
 }
 
 std::string method_note(sym3::Method method, double worst_error) {

@@ -8,6 +8,7 @@
 
 #include "base/progress.h"
 #include "mesh/text_writer.h"
+#include "scene/camera.h"
 #include "scene/document.h"
 
 namespace viete::scene {
@@ -25,10 +26,12 @@ struct Export {
   sym3::Method method;
   deform::Mask mask;
   deform::Probes probes;
+  LengthUnit unit = LengthUnit::unknown;  ///< of the model
+  UpAxis up = UpAxis::y;                  ///< which of its axes is taken as up
   mesh::Digits digits = {};
 };
 
-/// Requires that something moves the model.
+/// Requires that something moves the model. Up is as guessed of its file.
 Export export_of(const Document& document, const std::filesystem::path& file);
 
 /// Deforms the model in double and writes it; the extension chooses the format. Atomic: whatever goes wrong,
@@ -36,6 +39,10 @@ Export export_of(const Document& document, const std::filesystem::path& file);
 /// Returns what a person should know of the result, one line each. Throws base::Error and base::Cancelled.
 /// Thread-safe.
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress = nullptr);
+
+/// That other programs will take a glTF's numbers as metres and Y as up, and what to do there; empty where
+/// that is so.
+std::string gltf_note(LengthUnit unit, UpAxis up);
 
 /// That exponentials by this method were off by so much, relative, and what to do; empty where that is too
 /// little to matter.

@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include "mesh/read.h"
 #include "mesh/write.h"
+#include "scene/export.h"
 #include "scene/files.h"
 #include "scene/open.h"
 #include "scene/saving.h"
@@ -93,4 +95,29 @@ TEST_CASE("a_session_without_a_unit_or_with_one_that_is_not_known_takes_what_the
   const Workspace w = opened(files / "a.viete");
   CHECK(w.document.model.unit == LengthUnit::foot);
   CHECK(mentions(w.messages.all().front().text, "furlong"));
+}
+
+TEST_CASE("a_new_gltf_file_comes_with_a_word_where_others_will_read_its_numbers_differently") {
+  CHECK(gltf_note(LengthUnit::unknown, UpAxis::y).empty());
+  CHECK(gltf_note(LengthUnit::metre, UpAxis::y).empty());
+  CHECK(mentions(gltf_note(LengthUnit::millimetre, UpAxis::y), "scale by 0.001"));
+  CHECK(mentions(gltf_note(LengthUnit::metre, UpAxis::z), "turn by -90 degrees about X"));
+  const std::string both = gltf_note(LengthUnit::inch, UpAxis::z);
+  CHECK(mentions(both, "0.0254"));
+  CHECK(mentions(both, "turn by -90"));
+
+  const test::CubeFiles files;
+  mesh::write(files.model, test::cube(1), {"units: cm"});
+  const Document document = open_document(files.model, files.cage);
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    const auto notes = write_deformed(export_of(document, files / name));
+    REQUIRE(notes.size() == 1);
+    CHECK(mentions(notes[0], "scale by 0.01"));
+    const mesh::Bounds written = mesh::used_bounds(mesh::read(files / name).surface);
+    CHECK(written.low == document.model.bounds.low);  // not scaled
+    CHECK(written.high == document.model.bounds.high);
+  }
+  CHECK(write_deformed(export_of(document, files / "a.ply")).empty());
+  const Document back = open_document(files / "a.glb", files.cage);  // its numbers are taken as metres
+  CHECK(write_deformed(export_of(back, files / "b.glb")).empty());
 }
