@@ -31,6 +31,29 @@ bool held(std::string_view extension, const Kind& kind) {
   return extension == "off" && kind.in_off;
 }
 
+// Of parts that groups belong to.
+bool share_vertices(const Surface& surface, const Attributes& attributes,
+                    const std::vector<std::uint32_t>& part_of_group) {
+  std::vector<std::uint32_t> part_of(surface.positions.size(), none);
+  std::size_t g = 0;
+  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
+    while (g + 1 < attributes.groups.size() && attributes.groups[g + 1].first_polygon <= p) ++g;
+    for (std::uint32_t c = surface.polygon_starts[p]; c < surface.polygon_starts[p + 1]; ++c) {
+      std::uint32_t& part = part_of[surface.corners[c]];
+      if (part != none && part != part_of_group[g]) return true;
+      part = part_of_group[g];
+    }
+  }
+  return false;
+}
+
+// All have a node of their own there.
+bool are_objects(const Surface& surface, const Attributes& attributes) {
+  std::set<std::pair<std::string, std::string>> names;
+  for (const Group& g : attributes.groups) names.emplace(g.object, g.name);
+  return names.size() <= std::max<std::size_t>(1, objects_of(surface, attributes).names.size());
+}
+
 std::string upper(std::string_view word) {
   std::string text(word);
   for (char& c : text) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 32 : c);
@@ -90,10 +113,18 @@ void colors_to_materials(Attributes& a) {
   a.polygon_colors.clear();
 }
 
-std::set<std::string> names_of_groups(const Attributes& attributes) {
-  std::set<std::string> names;
-  for (const Group& g : attributes.groups) names.insert(g.object.empty() ? g.name : g.object);
-  return names;
+Objects objects_of(const Surface& surface, const Attributes& attributes) {
+  Objects objects;
+  std::map<std::string, std::uint32_t> numbers;
+  for (const Group& g : attributes.groups) {
+    const std::string& name = g.object.empty() ? g.name : g.object;
+    const auto number = static_cast<std::uint32_t>(objects.names.size());
+    const auto [at, added] = numbers.emplace(name, number);
+    if (added) objects.names.push_back(name);
+    objects.of_group.push_back(at->second);
+  }
+  if (objects.names.size() < 2 || !share_vertices(surface, attributes, objects.of_group)) return objects;
+  return {{""}, std::vector<std::uint32_t>(attributes.groups.size(), 0)};
 }
 
 std::string triangles_note(std::string_view extension, const Surface& surface) {
@@ -143,7 +174,7 @@ std::vector<std::string> left_out(std::string_view extension, const Surface& sur
       {"normals", a.normals.size(), true, normals_fit, false},
       {"colours", a.colors.size(), true, true, true},
       {"colours of faces", deformed.polygon_colors.size(), false, true, true},
-      {"groups", a.groups.size(), true, false, false, names_of_groups(a).size() < 2},
+      {"groups", a.groups.size(), true, false, false, are_objects(surface, a)},
       {"materials", a.materials.size(), true, false, false},
       {"textures", textures, true, true, false},
       {"images but those of base colours", a.images.size() - textures, false, false, false, false}};

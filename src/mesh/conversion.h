@@ -1,6 +1,7 @@
 // What becomes of a file's attributes when its surface is written in another format.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -47,8 +48,14 @@ void fill_in_materials(Attributes& attributes);
 /// and the colours no more than a thousand.
 void colors_to_materials(Attributes& attributes);
 
-/// Of objects, or of groups where these have no objects.
-std::set<std::string> names_of_groups(const Attributes& attributes);
+/// Objects, or groups where these have no objects, in the order of the file.
+struct Objects {
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> of_group;  ///< of each of Attributes::groups, a number of `names`
+};
+
+/// A single one without a name where several share vertices: apart, they would have gaps between them.
+Objects objects_of(const Surface& surface, const Attributes& attributes);
 
 /// Where polygons become triangles: "2 faces of more than three corners became triangles"; otherwise empty.
 std::string triangles_note(std::string_view extension, const Surface& surface);

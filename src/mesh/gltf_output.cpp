@@ -10,6 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 
 #include "base/error.h"
@@ -60,11 +61,8 @@ public:
     document["asset"] = {{"version", "2.0"}, {"generator", "viete"}};
     if (!content.comments.empty()) document["asset"]["extras"] = {{"comments", content.comments}};
     document["scene"] = 0;
-    document["scenes"] = {{{"nodes", {0}}}};
-    document["nodes"] = {{{"mesh", 0}}};
-    if (const auto names = names_of_groups(given_); names.size() == 1 && *names.begin() != "")
-      document["nodes"][0]["name"] = *names.begin();
-    document["meshes"] = {{{"primitives", OutputJson::array()}}};
+    objects_ = objects_of(surface_, given_);
+    for (std::size_t i = 0; i < objects_.names.size(); ++i) add_node(i, objects_.names[i]);
     add_primitives();
     add_materials();
     document["buffers"] = {{{"byteLength", bytes.size()}}};
@@ -80,22 +78,32 @@ private:
     std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
   };
 
-  // Groups of one material that are smooth, or flat, are one primitive.
+  void add_node(std::size_t number, const std::string& name) {
+    document["scenes"][0]["nodes"].push_back(number);
+    document["nodes"].push_back({{"mesh", number}});
+    document["meshes"].push_back({{"primitives", OutputJson::array()}});
+    if (!name.empty()) document["nodes"].back()["name"] = document["meshes"].back()["name"] = name;
+  }
+
+  // Groups of one object and material that are smooth, or flat, are one primitive.
   void add_primitives() {
-    std::map<std::pair<std::uint32_t, bool>, Run> runs;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, Run> runs;
     std::size_t t = 0, g = 0;
     for_each_triangle(surface_, [&](const Triangle& triangle, const Triangle& corners) {
       const std::uint32_t polygon = surface_.triangle_polygon[t++];
       while (g + 1 < given_.groups.size() && given_.groups[g + 1].first_polygon <= polygon) ++g;
-      Run& run = runs[{given_.groups[g].material, given_.groups[g].smooth}];
+      Run& run = runs[{objects_.of_group[g], given_.groups[g].material, given_.groups[g].smooth}];
       const std::uint32_t color = color_of(polygon);
       for (std::size_t k = 0; k < 3; ++k) add_corner(run, triangle[k], corners[k], color);
     });
     if (runs.empty()) {
-      Run& points = runs[{none, true}];
+      Run& points = runs[{0, none, true}];
       for (std::uint32_t v = 0; v < positions_.size(); ++v) points.vertices.push_back({v, none, none, none});
     }
-    for (const auto& [key, run] : runs) add_primitive(run, key.first, key.second);
+    for (const auto& [key, run] : runs) {
+      const auto& [object, material, smooth] = key;
+      document["meshes"][object]["primitives"].push_back(primitive_of(run, material, smooth));
+    }
   }
 
   // Of a face: the first one with this colour stands for all. Colours of vertices go before.
@@ -112,7 +120,7 @@ private:
     run.indices.push_back(at->second);
   }
 
-  void add_primitive(const Run& run, std::uint32_t material, bool smooth) {
+  OutputJson primitive_of(const Run& run, std::uint32_t material, bool smooth) {
     OutputJson primitive = {{"attributes", OutputJson::object()}};
     OutputJson& attributes = primitive["attributes"];
     const auto has = [&](std::uint32_t OutputVertex::*part) {
@@ -155,7 +163,7 @@ private:
                        TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     }
     if (material < given_.materials.size()) primitive["material"] = material;
-    document["meshes"][0]["primitives"].push_back(std::move(primitive));
+    return primitive;
   }
 
   void compute_normals() {
@@ -242,6 +250,7 @@ private:
   const Surface& surface_;
   std::span<const Point> positions_;
   Attributes given_;
+  Objects objects_;
   std::map<Color, std::uint32_t> first_with_color_;
   std::vector<Vec3> vertex_normals_;  // computed for corners without
 };

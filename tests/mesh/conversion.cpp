@@ -134,6 +134,15 @@ TEST_CASE("what_gltf_does_not_hold_is_said") {
   CHECK(notes_of(square + "o one\nf 1 2 3 4\no two\nf 4 3 2 1\n") ==
         std::vector<std::string>{"2 faces of more than three corners became triangles",
                                  "GLB has no groups: 2 left out"});
+  CHECK(mesh::read(folder / "a.glb").surface.positions.size() == 4);  // what belongs together stays so
+  CHECK(notes_of(square + "v 0 0 1\nv 1 0 1\nv 1 1 1\no one\nf 1 2 3\no two\nf 5 6 7\no one\nf 1 3 4\n")
+            .empty());
+  const ReadResult two = mesh::read(folder / "a.glb");
+  REQUIRE(two.attributes->groups.size() == 2);
+  CHECK(two.attributes->groups[0].object == "one");
+  CHECK(two.attributes->groups[1].object == "two");
+  CHECK(two.attributes->groups[1].first_polygon == 2);
+  CHECK(notes_of(square + "g left\nf 1 2 3\ng right\nf 1 3 4\n").size() == 1);
 }
 
 TEST_CASE("names_and_comments_that_are_not_utf8_do_not_keep_a_model_from_gltf") {
