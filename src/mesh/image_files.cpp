@@ -128,8 +128,7 @@ bool FilesBeside::copy(const fs::path& file, const fs::path& name) {
 }
 
 std::vector<std::string> copy_companions(const Companions& companions, FilesBeside& beside) {
-  const fs::path to = fs::absolute(beside.folder()).lexically_normal();
-  if (companions.folder.lexically_normal() == to) return {};
+  if (fs::weakly_canonical(companions.folder) == folder_of(beside.model())) return {};
   std::set<std::string> copied, others, stayed;
   for (const fs::path& file : companions.files) {
     const fs::path name = file.lexically_relative(companions.folder);
