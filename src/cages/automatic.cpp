@@ -114,11 +114,18 @@ private:
     const Closing closing{margin + 0.6 * step, gap};
     const Grid grid = grid_around(model_.box, static_cast<std::size_t>(along), closing.offset + closing.gap,
                                   mirror_.has_value());
-    const Obstacle model{tree_, model_.closed, passed_over_, parts_margin_steps * step};
-    Clearance field = clearance(model, grid, closing, pool_, stages_.until(0.1));
-    Shell shell = extract(field, closing.offset);
+    Clearance field = clearance({tree_, model_.closed}, grid, closing, pool_, stages_.until(0.1));
+    Shell shell =
+        passed_over_.empty()
+            ? extract(field, closing.offset)
+            : extract(with_balls(field, passed_over_, parts_margin_steps * step, closing.offset + 2 * step),
+                      closing.offset);
     const Topology topology = topology_of(mirror_ ? whole(shell) : shell);
     return {std::move(field), margin, std::move(shell), topology};
+  }
+
+  WorkingCage working(const Shell& shell, const Offset& of) const {
+    return {shell, tree_, of.field, of.margin, passed_over_};
   }
 
   bool is_too_much(const Topology& topology) const {
@@ -136,7 +143,7 @@ private:
     if (is_too_much(from.topology)) return std::nullopt;
     std::optional<Shell> quick;
     if (coarse) {
-      WorkingCage cage(from.shell, tree_, from.field, from.margin);
+      WorkingCage cage = working(from.shell, from);
       quick = sound(quickly_reduced(cage));
       if (!quick || is_preview()) return quick;
       stages_.begin();
@@ -173,14 +180,14 @@ private:
   }
 
   void add_draft(const Offset& of, double share, std::vector<Draft>& drafts) {
-    WorkingCage cage(of.shell, tree_, of.field, of.margin);
+    WorkingCage cage = working(of.shell, of);
     if (reduced(cage, share)) drafts.push_back({&of, cage.shell(), cage.volume()});
   }
 
   Shell finished(const Draft& draft) {
-    WorkingCage cage(draft.shell, tree_, draft.of->field, draft.of->margin);
+    WorkingCage cage = working(draft.shell, *draft.of);
     if (target_ > 150) return settled(cage);
-    WorkingCage best(exchanged(cage), tree_, draft.of->field, draft.of->margin);
+    WorkingCage best = working(exchanged(cage), *draft.of);
     return settled(best);
   }
 

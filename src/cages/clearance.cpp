@@ -216,30 +216,6 @@ double signed_distance(double to_model, double by_depth, double tolerance) {
   return std::min(to_model, by_depth);
 }
 
-// Nodes that are nearer than `reach` to where the distance to a ball around a small part is 0.
-void keep_from_small(const Obstacle& model, double reach, const Grid& grid, std::vector<float>& values) {
-  for (Point p : model.small) {
-    if (grid.mirrored) p[0] = std::abs(p[0]);
-    Index3 low, high;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto node = [&](double x) {
-        const auto last = static_cast<double>(grid.size[k] - 1);
-        return static_cast<std::size_t>(std::clamp((x - grid.origin[k]) / grid.step, 0.0, last));
-      };
-      low[k] = node(p[k] - model.radius - reach);
-      high[k] = node(p[k] + model.radius + reach);
-    }
-    for (std::size_t k = low[2]; k <= high[2]; ++k) {
-      for (std::size_t j = low[1]; j <= high[1]; ++j) {
-        for (std::size_t i = low[0]; i <= high[0]; ++i) {
-          float& value = values[grid.index(i, j, k)];
-          value = std::min(value, static_cast<float>(mesh::norm(grid.place(i, j, k) - p) - model.radius));
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 
 Grid grid_around(const mesh::Bounds& box, std::size_t cells, double padding, bool mirrored) {
@@ -323,7 +299,33 @@ Clearance clearance(const Obstacle& model, const Grid& grid, const Closing& clos
   for (std::size_t n = 0; n < values.size(); ++n) {
     if (!reached[n]) values[n] = static_cast<float>(signed_distance(values[n], least - depths[n], tolerance));
   }
-  keep_from_small(model, closing.offset + 2 * grid.step, grid, values);
+  return {grid, std::move(values)};
+}
+
+Clearance with_balls(const Clearance& clearance, std::span<const Point> centers, double radius, double most) {
+  const Grid& grid = clearance.grid();
+  std::vector<float> values(grid.node_count());
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = clearance.at_node(n);
+  for (Point p : centers) {
+    if (grid.mirrored) p[0] = std::abs(p[0]);
+    Index3 low, high;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto node = [&](double x) {
+        const auto last = static_cast<double>(grid.size[k] - 1);
+        return static_cast<std::size_t>(std::clamp((x - grid.origin[k]) / grid.step, 0.0, last));
+      };
+      low[k] = node(p[k] - radius - most);
+      high[k] = node(p[k] + radius + most);
+    }
+    for (std::size_t k = low[2]; k <= high[2]; ++k) {
+      for (std::size_t j = low[1]; j <= high[1]; ++j) {
+        for (std::size_t i = low[0]; i <= high[0]; ++i) {
+          float& value = values[grid.index(i, j, k)];
+          value = std::min(value, static_cast<float>(mesh::norm(grid.place(i, j, k) - p) - radius));
+        }
+      }
+    }
+  }
   return {grid, std::move(values)};
 }
 

@@ -72,13 +72,10 @@ private:
 };
 
 /// What is asked about the model: its triangles in a tree, and whether it has holes, so that its inside is
-/// told by winding numbers. Balls around some of its points count to it, so that parts smaller than the
-/// grid's step are not passed over.
+/// told by winding numbers.
 struct Obstacle {
   const mesh::TriangleTree& tree;
   bool closed = false;
-  std::span<const Point> small = {};
-  double radius = 0;  ///< of the balls
 };
 
 /// Outside is what is reached from the border of the grid through places farther from the model than offset +
@@ -87,5 +84,9 @@ struct Obstacle {
 /// base::Cancelled.
 Clearance clearance(const Obstacle& model, const Grid& grid, const Closing& closing, base::WorkerPool& pool,
                     base::Progress* progress = nullptr);
+
+/// The same with balls around these points taken for parts of the model, where it is less than `most`: what
+/// is smaller than the grid's step is not passed over then.
+Clearance with_balls(const Clearance& clearance, std::span<const Point> centers, double radius, double most);
 
 }  // namespace viete::cages

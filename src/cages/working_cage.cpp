@@ -4,7 +4,10 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
+
+#include "mesh/triangle.h"
 
 namespace viete::cages {
 
@@ -21,6 +24,11 @@ std::uint32_t number(VertexId v) {
   return static_cast<std::uint32_t>(v.idx());
 }
 
+// Half of the solid angle under which it is seen.
+double half_angle(const mesh::Corners& t, const Point& from) {
+  return mesh::half_solid_angle(t[0] - from, t[1] - from, t[2] - from);
+}
+
 Vec3 normal_of(const mesh::Corners& t) {
   return mesh::cross(t[1] - t[0], t[2] - t[0]);
 }
@@ -34,11 +42,12 @@ double quality(const mesh::Corners& t) {
 }
 
 WorkingCage::WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance,
-                         double margin)
+                         double margin, std::span<const Point> enclosed)
     : positions_(shell.positions),
       model_(model),
       clearance_(clearance),
       margin_(margin),
+      enclosed_(enclosed),
       faces_(shell.triangles.size()),
       placed_(shell.triangles.size()),
       cells_(cells_along * cells_along * cells_along) {
@@ -183,7 +192,7 @@ bool WorkingCage::fits(const Star& star, const Point& x, const Shape& shape) {
   for (const auto& t : now_) {
     if (!clearance_.is_clear(t.corners, margin_)) return false;
   }
-  return !crosses(now_, star.replaced) &&
+  return !passes_over_a_point(star.replaced) && !crosses(now_, star.replaced) &&
          std::ranges::none_of(now_, [&](const auto& t) { return is_near_model(t.corners, exact_margin_); });
 }
 
@@ -195,7 +204,7 @@ bool WorkingCage::fits(const std::array<mesh::Triangle, 2>& now, const std::arra
     if (quality(t.corners) < shape.least_quality || !clearance_.is_clear(t.corners, margin_)) return false;
   }
   if (mesh::cosine(normal_of(now_[0].corners), normal_of(now_[1].corners)) < shape.least_cosine) return false;
-  return !crosses(now_, replaced) &&
+  return !passes_over_a_point(replaced) && !crosses(now_, replaced) &&
          std::ranges::none_of(now_, [&](const auto& t) { return is_near_model(t.corners, exact_margin_); });
 }
 
@@ -276,6 +285,37 @@ bool WorkingCage::crosses(std::span<const Candidate> now, std::span<const FaceId
     if (crossed) return true;
   }
   return false;
+}
+
+// Between now_ and what it replaces. Both together are closed, with their image where they end in the mirror:
+// a point within is seen under the whole sphere.
+bool WorkingCage::passes_over_a_point(std::span<const FaceId> replaced) const {
+  if (enclosed_.empty()) return false;
+  mesh::Bounds box = mesh::bounds(now_.front().corners);
+  const auto widen = [&](const mesh::Corners& t) {
+    for (const Point& p : t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.low[k] = std::min(box.low[k], p[k]);
+        box.high[k] = std::max(box.high[k], p[k]);
+      }
+    }
+  };
+  for (const auto& t : now_) widen(t.corners);
+  for (const FaceId f : replaced) widen(corners(f));
+  return std::ranges::any_of(enclosed_, [&](Point p) {
+    if (mirrored()) p[0] = std::abs(p[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (p[k] < box.low[k] || p[k] > box.high[k]) return false;
+    }
+    const auto halves_at = [&](const Point& from) {
+      double halves = 0;
+      for (const auto& t : now_) halves += half_angle(t.corners, from);
+      for (const FaceId f : replaced) halves -= half_angle(corners(f), from);
+      return halves;
+    };
+    const double halves = halves_at(p) + (mirrored() ? halves_at({-p[0], p[1], p[2]}) : 0);
+    return std::abs(halves) > std::numbers::pi;
+  });
 }
 
 // The clearance is interpolated: of what is thinner than its grid only this tells.

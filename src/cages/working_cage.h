@@ -42,11 +42,12 @@ struct Star {
 };
 
 /// An oriented manifold with positions, of which any change that is asked about keeps: at least `margin` of
-/// clearance everywhere, as the grid resolves it, no triangle through another or through the model, and with
-/// a mirror no vertex beyond x = 0. Not thread-safe.
+/// clearance everywhere, as the grid resolves it, no triangle through another or through the model, these
+/// points on the side where they are, and with a mirror no vertex beyond x = 0. Not thread-safe.
 class WorkingCage {
 public:
-  WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin);
+  WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin,
+              std::span<const Point> enclosed = {});
 
   Connectivity& connectivity() { return connectivity_; }
   const Connectivity& connectivity() const { return connectivity_; }
@@ -107,6 +108,7 @@ private:
     mesh::Corners corners;
   };
   bool is_near_model(const mesh::Corners& t, double distance) const;
+  bool passes_over_a_point(std::span<const FaceId> replaced) const;
   static bool cross(const Candidate& s, const Candidate& t);
   bool crosses(std::span<const Candidate> now, std::span<const FaceId> replaced);
   // A triangle as it was placed: where it is looked for, and what for.
@@ -126,6 +128,7 @@ private:
   const mesh::TriangleTree& model_;
   const Clearance& clearance_;
   double margin_;
+  std::span<const Point> enclosed_;
   std::size_t faces_;
   double exact_margin_ = 0;                        // 0: it does not cut the model
   std::vector<Placed> placed_;                     // of each face

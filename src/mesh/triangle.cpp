@@ -54,4 +54,10 @@ Closest closest_on_triangle(const Point& p, const Point& a, const Point& b, cons
   return at(ap, ab, ac, vb / sum, vc / sum);
 }
 
+double half_solid_angle(const Point& a, const Point& b, const Point& c) {
+  const double la = norm(a), lb = norm(b), lc = norm(c);
+  const double up = dot(a, cross(b, c));
+  return std::atan2(up, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
 }  // namespace viete::mesh

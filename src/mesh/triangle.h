@@ -23,4 +23,7 @@ struct Closest {
 /// After C. Ericson, Real-Time Collision Detection (2005), 5.1.5 (regions by signs of areas).
 Closest closest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c);
 
+/// Half the signed solid angle of the triangle seen from the origin (van Oosterom and Strackee 1983, eq. 8).
+double half_solid_angle(const Point& a, const Point& b, const Point& c);
+
 }  // namespace viete::mesh

@@ -23,13 +23,6 @@ double squared_distance(const Point& p, const Bounds& box) {
   return sum;
 }
 
-// Half the signed solid angle of the triangle seen from the origin (van Oosterom and Strackee 1983, eq. 8).
-double half_solid_angle(const Point& a, const Point& b, const Point& c) {
-  const double la = norm(a), lb = norm(b), lc = norm(c);
-  const double up = dot(a, cross(b, c));
-  return std::atan2(up, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-}
-
 // Told by the middle of the other one where that is enough.
 bool are_near(const Corners& t, const Corners& other, double distance) {
   if (distance <= 0) return cut(t, other);
