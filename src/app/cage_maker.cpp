@@ -45,7 +45,8 @@ bool CageMaker::is_due(const scene::Workspace& w) const {
   if (!w.making.open) return job_.running() || asked_.has_value();
   if (job_.has_result()) return true;
   if (!is_wished(w)) return !job_.running() || effort_ == cages::Effort::full;
-  return wants_full_ && !job_.running() && base::wall_seconds() - asked_at_ > rest_seconds;
+  if (job_.running()) return false;
+  return w.making.closing || (wants_full_ && base::wall_seconds() - asked_at_ > rest_seconds);
 }
 
 void CageMaker::follow(scene::Workspace& w, bool no_drag) {
@@ -66,7 +67,9 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
     const bool busy = job_.running() && effort_ == cages::Effort::preview;
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
     wants_full_ &= job_.running() || scene::goes_on(w.document, w.making);
-    if (is_due(w)) start(w, cages::Effort::full);
+    if (is_due(w) && wants_full_) start(w, cages::Effort::full);
+    if (w.making.closing && is_wished(w) && !job_.running() && !wants_full_)
+      w.making = {.wish = w.making.wish};
   }
   w.making_cage = {job_.running(), text_, job_.done(), job_.seconds(), job_.seconds()};
 }

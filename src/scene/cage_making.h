@@ -19,6 +19,7 @@ using CageWish = cages::Wish;
 /// While it is open, the cage of the document follows the wish.
 struct CageMaking {
   bool open = false;
+  bool closing = false;  ///< done, but for the care that a preview was not made with
   CageWish wish;
   std::vector<std::string> notes{};              ///< on the cage that was made last
   std::shared_ptr<const deform::Cage> made{};    ///< the last one; what an undo leads away from is left alone

@@ -265,8 +265,8 @@ const std::vector<Command>& table() {
 
       {"make_cage", "Make a cage", "Make a cage around the model; sliders say how.", "Cage", {}, {}, can_make_cage,
        [](Workspace& w) { w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage}; }},
-      {"finish_cage", "Done", "Keep the cage as it is made now.", "Cage", {}, {}, is_making,
-       [](Workspace& w) { w.making = {.wish = w.making.wish}; }},
+      {"finish_cage", "Done", "Keep this cage; a preview is made with all care first.", "Cage", {}, {}, is_wishing,
+       [](Workspace& w) { w.making.closing = true; }},
       {"cancel_cage", "Cancel", "Take the cage back that was made here.", "Cage", {}, {}, is_making,
        [](Workspace& w) { cancel_making(w.document, w.making); w.interaction.hovered.reset(); }},
       {"hide_cage_offer", "Not now", "Work without a cage; the panel Cage still makes and opens one.", "Cage", {}, {}, has_model,

@@ -45,9 +45,10 @@ void panel_cage(const Context& ui) {
   const bool open = section(ui, "Cage");
   if (document.has_cage()) section_note(ui, document.cage_file.summary.closed() ? "closed" : "open");
   if (!open) return;
-  if (ui.workspace.making.open) panel_making(ui);
+  const bool wishing = ui.workspace.making.open && !ui.workspace.making.closing;
+  if (wishing) panel_making(ui);
   if (!document.has_cage()) {
-    if (ui.workspace.making.open) return;
+    if (wishing) return;
     note(ui, "No cage is open. A cage is a coarse mesh around the model.");
     command_row(ui, {"open_cage", "make_cage"});
     return;

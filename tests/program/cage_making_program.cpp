@@ -94,6 +94,22 @@ TEST_CASE("sliders change the cage that is being made, in the same edit; Cancel 
   CHECK_FALSE(d.document().history.can_undo());
 }
 
+TEST_CASE("what is done while a preview is seen is made with all care before it is kept") {
+  Maker d;
+  d.click("make_cage");
+  while (!d.document().has_cage()) d.frame();
+  const auto preview = d.document().cage;
+  d.click("finish_cage");
+  CHECK_FALSE(d.viewer().recorder().find("finish_cage"));
+  d.viewer().finish_making();
+  d.frame(2);
+  CHECK_FALSE(d.workspace().making.open);
+  CHECK(d.document().cage != preview);
+  CHECK(test::edit_count(d.document().history) == 1);
+  d.pull_vertex();
+  CHECK(d.drawn_error() < 2e-5);
+}
+
 TEST_CASE("a pose is kept beside a cage that is made anew: undo brings both back") {
   Driver plain;
   plain.open_dragon("pose_alert");
