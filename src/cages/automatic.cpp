@@ -163,7 +163,6 @@ private:
   // Which edges go first depends on where the grid's nodes are, and few triangles do not make up for it: then
   // two grids are tried, and the one that leads to less volume is gone on with.
   std::optional<Shell> carefully_made(const Offset& from, double gap) {
-    constexpr std::size_t few_triangles = 150;
     std::optional<Offset> other;
     if (wish_.triangles <= few_triangles) other = offset(1.1 * size() / from.field.grid().step, gap);
     std::vector<Draft> drafts;
@@ -186,7 +185,7 @@ private:
 
   Shell finished(const Draft& draft) {
     WorkingCage cage = working(draft.shell, *draft.of);
-    if (target_ > 150) return settled(cage);
+    if (wish_.triangles > few_triangles) return settled(cage);
     WorkingCage best = working(exchanged(cage), *draft.of);
     return settled(best);
   }
@@ -371,7 +370,8 @@ private:
   std::size_t too_near_ = 0;  // triangles
   // Parts of the model that are smaller than a step may be passed over, unless the cage keeps a step away.
   static constexpr double parts_margin_steps = 1.25;
-  static constexpr double coarser = 0.62;  // the grid of what has to be quick
+  static constexpr std::size_t few_triangles = 150;  // with which more care is taken
+  static constexpr double coarser = 0.62;            // the grid of what has to be quick
   double margin_steps_ = 0.1;
   std::vector<Point> passed_over_;
   std::size_t known_passed_over_ = 0;

@@ -179,8 +179,20 @@ bool TriangleTree::is_near(const Corners& t, double distance) const {
     if (gap > radius + distance) return Step::past;
     return gap + radius < distance ? Step::found : Step::into;
   };
+  // As most are that its box meets; no rounding tells that wrongly.
+  const auto is_beside = [&](const Corners& other) {
+    int sides = 0;
+    for (const Point& p : other) {
+      const Vec3 d = p - t[0];
+      const double height = dot(across, d);
+      const double sure = reach + rounding * (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]));
+      sides += height > sure ? 1 : height < -sure ? -1 : 0;
+    }
+    return std::abs(sides) == 3;
+  };
   return find(enter, [&](std::uint32_t i) {
-    return meet(bounds(corners_[i]), box) && are_near(t, corners_[i], distance);
+    const Corners& other = corners_[i];
+    return meet(bounds(other), box) && !is_beside(other) && are_near(t, other, distance);
   });
 }
 
