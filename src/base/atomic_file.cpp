@@ -88,6 +88,8 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
 // them with its content.
 constexpr mode_t kept_mode = 0777;
 
+}  // namespace
+
 // Removes the new file unless it was renamed.
 class NewFile {
 public:
@@ -151,6 +153,8 @@ private:
   std::string path_;
   int handle_ = -1;
 };
+
+namespace {
 
 // So that the new name outlives a power cut; some file systems cannot, which is no error.
 void sync_folder(const fs::path& folder) {

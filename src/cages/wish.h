@@ -21,7 +21,7 @@ enum class Kind { automatic, box, hull };
 enum class Symmetry { automatic, none, x, y, z };
 
 /// Of a preview the last triangles are taken with less care, and the margin is kept as far as a coarse grid
-/// tells: some five times as fast, and a few percent larger.
+/// tells: some four times as fast, and about as close.
 enum class Effort { preview, full };
 
 inline constexpr std::size_t least_triangles = 12, most_triangles = 20000;
