@@ -68,8 +68,7 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
     wants_full_ &= job_.running() || scene::goes_on(w.document, w.making);
     if (is_due(w) && wants_full_) start(w, cages::Effort::full);
-    if (w.making.closing && is_wished(w) && !job_.running() && !wants_full_)
-      w.making = {.wish = w.making.wish};
+    if (w.making.closing && is_wished(w) && !job_.running() && !wants_full_) close(w);
   }
   w.making_cage = {job_.running(), text_, job_.done(), job_.seconds(), job_.seconds()};
 }
@@ -91,8 +90,20 @@ void CageMaker::start(const scene::Workspace& w, cages::Effort effort) {
 
 void CageMaker::take(scene::Workspace& w, Made&& made) {
   bound_ = std::move(made.bound);
+  is_preview_ = effort_ == cages::Effort::preview && w.making.wish.kind == cages::Kind::automatic;
   scene::take_made(w.document, w.making, std::move(made.surface), std::move(made.cage),
                    std::move(made.notes));
+  if (!w.making.closing) return;
+  // The panel that shows the notes is not there any more.
+  for (const std::string& note : w.making.notes) w.messages.warn("The cage made here: " + note + ".");
+}
+
+void CageMaker::close(scene::Workspace& w) {
+  if (is_preview_ && scene::shows_made(w.document, w.making))
+    w.messages.warn(
+        "The cage is kept as its preview was, since it was posed or the work stopped: it encloses the model, "
+        "nearer to it in places than the margin says.");
+  w.making = {.wish = w.making.wish};
 }
 
 void CageMaker::stop(scene::Workspace& w) {

@@ -44,6 +44,7 @@ private:
   };
   void start(const scene::Workspace& workspace, cages::Effort effort);
   void take(scene::Workspace& workspace, Made&& made);
+  void close(scene::Workspace& workspace);
   bool is_wished(const scene::Workspace& workspace) const { return asked_ == workspace.making.wish; }
   static Made make(Workshop& workshop, const cages::Wish& wish, const deform::Scheme& scheme,
                    sym3::Method method, base::Progress& progress);
@@ -55,6 +56,7 @@ private:
   cages::Effort effort_ = cages::Effort::preview;
   double asked_at_ = 0;  // wall seconds
   bool wants_full_ = false;
+  bool is_preview_ = false;  // what was taken last, where another one was to be made with all care
   Bound bound_;
 };
 

@@ -65,7 +65,8 @@ const char* model_meaning(Defect defect) {
 
 std::string meaning(const Finding& finding) {
   if (finding.subject == Subject::cage) return cage_meaning(finding.defect);
-  return std::string(model_meaning(finding.defect)) + (finding.turned ? " Turned, the cage fits clearly better." : "");
+  return std::string(model_meaning(finding.defect)) +
+         (finding.turned ? " Turned, the cage fits clearly better." : "");
 }
 
 bool matters(const Finding& finding) {

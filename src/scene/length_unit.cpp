@@ -8,9 +8,12 @@ namespace viete::scene {
 
 namespace {
 
-constexpr LengthUnitEntry units[] = {{"none", "units that are not known", 1}, {"mm", "millimetres", 0.001},
-                                     {"cm", "centimetres", 0.01},      {"m", "metres", 1},
-                                     {"in", "inches", 0.0254},         {"ft", "feet", 0.3048}};
+constexpr LengthUnitEntry units[] = {{"none", "units that are not known", 1},
+                                     {"mm", "millimetres", 0.001},
+                                     {"cm", "centimetres", 0.01},
+                                     {"m", "metres", 1},
+                                     {"in", "inches", 0.0254},
+                                     {"ft", "feet", 0.3048}};
 
 struct Spelling {
   std::string_view word;

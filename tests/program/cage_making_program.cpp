@@ -110,6 +110,41 @@ TEST_CASE("what is done while a preview is seen is made with all care before it 
   CHECK(d.drawn_error() < 2e-5);
 }
 
+TEST_CASE("a preview that is stopped or posed on its way to all care is kept, and said to be one") {
+  Maker d;
+  d.click("make_cage");
+  while (!d.document().has_cage()) d.frame();
+  const auto preview = d.document().cage;
+  d.click("finish_cage");
+  SUBCASE("stopped") {
+    d.press_key(scene::Key::escape);
+  }
+  SUBCASE("posed") {
+    d.pull_vertex();
+  }
+  d.viewer().finish_making();
+  d.frame(2);
+  CHECK_FALSE(d.workspace().making.open);
+  CHECK(d.document().cage == preview);
+  CHECK(d.workspace().messages.all().back().text.find("as its preview was") != std::string::npos);
+}
+
+TEST_CASE("what is to be said of a cage that comes after its panel was closed is a message") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "m.obj",
+                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                 "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  Maker d(folder / "m.obj");
+  d.click("make_cage");
+  d.workspace().making.wish.triangles = 12;
+  while (!d.document().has_cage()) d.frame();
+  d.click("finish_cage");
+  d.viewer().finish_making();
+  d.frame(2);
+  CHECK_FALSE(d.workspace().making.open);
+  CHECK(d.workspace().messages.all().back().text.find("The cage made here: no cage of 12 triangles ") == 0);
+}
+
 TEST_CASE("a pose is kept beside a cage that is made anew: undo brings both back") {
   Driver plain;
   plain.open_dragon("pose_alert");
