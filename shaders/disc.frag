@@ -1,4 +1,4 @@
-// A filled disc with a thin edge, and a ring around it if asked.
+// A filled disc with a thin edge, and a ring around it if asked, which is as strong where the disc is hidden.
 #version 330 core
 
 uniform vec3 outline_color, ring_color;
@@ -15,8 +15,7 @@ void main() {
   float fill = inside(distance, shape.x);
   float body = inside(distance, shape.x + 1.25 * scale);
   float ring = shape.y * (inside(distance, shape.x + 4.5 * scale) - inside(distance, shape.x + 3.0 * scale));
-  color = vec4(mix(outline_color, disc_color.rgb, fill), disc_color.a * body);
+  color = vec4(mix(outline_color, disc_color.rgb, fill), disc_color.a * body * opacity);
   if (ring > color.a) color = vec4(ring_color, ring);
-  color.a *= opacity;
   if (color.a <= 0.0) discard;
 }

@@ -2,6 +2,7 @@
 #version 330 core
 
 uniform float width, opacity;
+uniform vec4 halo;  // instead of the line itself, if its opacity is not 0
 in vec2 place;
 flat in float segment_length;
 flat in vec4 segment_color;
@@ -11,5 +12,6 @@ void main() {
   float beyond = max(0.0, max(-place.x, place.x - segment_length));
   float distance = length(vec2(beyond, place.y));
   float coverage = clamp(0.5 * width + 0.5 - distance, 0.0, 1.0) * min(1.0, width);
-  color = vec4(segment_color.rgb, segment_color.a * opacity * coverage);
+  vec4 paint = halo.a > 0.0 ? halo : segment_color;
+  color = vec4(paint.rgb, paint.a * opacity * coverage);
 }

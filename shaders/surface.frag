@@ -74,15 +74,17 @@ vec3 shade(vec3 base, vec3 n, vec3 v, float open) {
 }
 
 #ifdef WIREFRAME
-// Edge coverage: distance to the nearest edge in pixels, thinned out where triangles shrink to a few pixels.
+// Edge coverage: distance to the nearest edge in pixels. Where triangles shrink to a few pixels their edges become
+// thinner with them, so that single ones are still seen, and all together never cover the surface.
 float edges() {
   vec3 corner = vec3(corner_and_scalar.xy, 1.0 - corner_and_scalar.x - corner_and_scalar.y);
   vec3 rate = max(fwidth(corner), vec3(1e-6));
   vec3 distance = corner / rate;
   float nearest = min(distance.x, min(distance.y, distance.z));
   float height = 1.0 / max(rate.x, max(rate.y, rate.z));
-  float coverage = clamp(0.5 * wire_width + 0.5 - nearest, 0.0, 1.0);
-  return coverage * mix(0.12, 1.0, smoothstep(3.0, 14.0, height / wire_width));
+  float width = wire_width * clamp(height / (10.0 * wire_width), 0.25, 1.0);
+  float coverage = clamp(0.5 * width + 0.5 - nearest, 0.0, 1.0);
+  return coverage * mix(0.85, 1.0, smoothstep(3.0, 14.0, height / wire_width));
 }
 #endif
 

@@ -73,7 +73,7 @@ void CageMarks::set_edges(const scene::Workspace& workspace, const render::Theme
 void CageMarks::draw(const render::View& view, const render::Theme& theme) const {
   selected_faces_.draw(view, {theme.selection, 0.22f, 0.05f, false});
   hovered_face_.draw(view, {theme.hover, 0.10f, 0.05f, false});
-  edges_.draw(view, {2.25f, 1, 0.4f});
+  edges_.draw(view, {2.25f, 1, 0.4f, theme.halo});
 }
 
 }  // namespace viete::app

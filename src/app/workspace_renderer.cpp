@@ -43,6 +43,7 @@ WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
     : gl_(gl),
       backdrop_(gl),
       grid_(gl),
+      shadow_(gl),
       model_(gl),
       cage_faces_(gl),
       cage_lines_(gl),
@@ -77,6 +78,7 @@ void WorkspaceRenderer::set_document(const scene::Document& document, const Mode
   const ModelLooks& looks = shading.looks;
   model_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles, model.positions.size());
   model_.set_looks(looks.looks);
+  shadow_.set_triangles(model.triangles, model.positions);
   file_says_something_ = looks.says_something;
   errors_.clear();
   colored_.reset();
@@ -99,6 +101,7 @@ void WorkspaceRenderer::set_another_cage(const scene::Document& document, const 
 
 void WorkspaceRenderer::set_rest(const scene::Document& document, const ModelShading& shading) {
   model_.set_positions(document.model.surface->positions, shading.normals);
+  shadow_.set_positions(document.model.surface->positions);
 }
 
 // The rooms do not know each other; their vertices are the same bytes.
@@ -107,7 +110,9 @@ void WorkspaceRenderer::set_model(std::span<const deform::FrameVertex> vertices,
   using To = render::SurfaceVertex;
   static_assert(sizeof(From) == sizeof(To) && offsetof(From, position) == offsetof(To, position) &&
                 offsetof(From, normal) == offsetof(To, normal));
-  model_.set_vertices({reinterpret_cast<const To*>(vertices.data()), vertices.size()}, origin);
+  const std::span same(reinterpret_cast<const To*>(vertices.data()), vertices.size());
+  model_.set_vertices(same, origin);
+  shadow_.set_vertices(same, origin);
 }
 
 void WorkspaceRenderer::set_cage(const scene::Workspace& workspace) {
@@ -134,7 +139,7 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   ghost_lines_.set_color(opaque(theme.cage));
 }
 
-void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float scale) const {
+void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float scale) {
   const render::Theme theme = theme_of(w);
   const auto& document = w.document;
   backdrop_.draw(theme);
@@ -154,23 +159,28 @@ void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float s
   style.scalar_low = by_mask ? 0 : static_cast<float>(scene::error_map_low);
   style.scalar_high = by_mask ? 1 : static_cast<float>(scene::error_map_high);
   if (w.view.model) model_.draw(view, theme, style);
-  if (w.view.grid) {
-    const double diagonal = document.space.diagonal();
-    const auto& c = document.space.center;
-    const bool z_up = w.camera.pose().up == scene::UpAxis::z;
-    mesh::Point ground{c[0], c[1], c[2]};
-    ground[z_up ? 2 : 1] = document.model.bounds.low[z_up ? 2 : 1];
-    grid_.draw(view, theme, {ground, scene::grid_cell(diagonal), 1.6 * diagonal, z_up ? 2 : 1, 1});
-  }
+  if (w.view.grid) draw_ground(w, view, theme);
   if (document.has_cage() && w.view.cage) draw_cage(w, view, theme);
   findings_.draw(view, theme);
+}
+
+void WorkspaceRenderer::draw_ground(const scene::Workspace& w, const render::View& view,
+                                    const render::Theme& theme) {
+  const scene::Document& document = w.document;
+  const double diagonal = document.space.diagonal();
+  const auto& c = document.space.center;
+  const int up = w.camera.pose().up == scene::UpAxis::z ? 2 : 1;
+  mesh::Point ground{c[0], c[1], c[2]};
+  ground[static_cast<std::size_t>(up)] = document.model.bounds.low[static_cast<std::size_t>(up)];
+  if (w.view.model) shadow_.draw(view, theme, {ground, up, diagonal});
+  grid_.draw(view, theme, {ground, scene::grid_cell(diagonal), 1.6 * diagonal, up, 1});
 }
 
 void WorkspaceRenderer::draw_cage(const scene::Workspace& w, const render::View& view,
                                   const render::Theme& theme) const {
   if (w.view.ghost) ghost_lines_.draw(view, {1, 0.15f, 0.5f});
   cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
-  cage_lines_.draw(view, {1.25f, 0.9f, 0.25f});
+  cage_lines_.draw(view, {1.25f, 0.9f, 0.25f, theme.halo});
   marks_.draw(view, theme);
   cage_vertices_.draw(view, {theme.outline, theme.hover, 1, 0.35f});
 }

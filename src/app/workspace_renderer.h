@@ -14,6 +14,7 @@
 #include "render/disc_layer.h"
 #include "render/face_layer.h"
 #include "render/line_layer.h"
+#include "render/shadow_layer.h"
 #include "render/surface_layer.h"
 #include "scene/workspace.h"
 
@@ -44,15 +45,17 @@ public:
   }
 
   /// Into the bound framebuffer of `size` device pixels.
-  void draw(const scene::Workspace& workspace, glm::ivec2 size, float scale) const;
+  void draw(const scene::Workspace& workspace, glm::ivec2 size, float scale);
 
 private:
+  void draw_ground(const scene::Workspace& workspace, const render::View& view, const render::Theme& theme);
   void draw_cage(const scene::Workspace& workspace, const render::View& view,
                  const render::Theme& theme) const;
 
   const render::Gl& gl_;
   render::Backdrop backdrop_;
   render::Grid grid_;
+  render::ShadowLayer shadow_;
   render::SurfaceLayer model_;
   render::FaceLayer cage_faces_;
   render::LineLayer cage_lines_, ghost_lines_;

@@ -21,8 +21,9 @@ struct DiscStyle {
   glm::vec3 outline{0, 0, 0};  ///< colour of the thin edge (theme.outline)
   glm::vec3 ring{1, 1, 1};     ///< colour of rings (theme.hover)
   float opacity = 1;
-  /// Of discs behind something, as a factor on opacity. A point less than 2.5 radii behind a face counts as
-  /// in front of it, so that the slanted faces around it do not cut into its disc.
+  /// Of discs behind something, as a factor on opacity; rings are as strong as in front. A point less
+  /// than 2.5 radii behind a face counts as in front of it, so that the slanted faces around it do not cut
+  /// into its disc.
   float hidden_opacity = 0.3F;
 };
 

@@ -49,15 +49,22 @@ void LineLayer::draw(const View& view, const LineStyle& style) const {
   program_.set("eye_from_model", eye_matrix(view, origin_));
   program_.set("clip_from_eye", glm::mat4(view.projection));
   program_.set("viewport", glm::vec2(view.size));
-  program_.set("width", style.width * view.scale);
   segments_.bind(0);
   points_.bind(1);
   colors_.bind(2);
   gl_.BindVertexArray(vertex_array_.id());
-  draw_hidden_then_visible(
-      gl_, style.opacity * style.hidden_opacity, style.opacity,
-      [&](float opacity) { program_.set("opacity", opacity); },
-      [&] { gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * segment_count_)); });
+  const auto draw_all = [&] { gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * segment_count_)); };
+  const auto set_opacity = [&](float opacity) { program_.set("opacity", opacity); };
+  constexpr float halo_width = 1.0F;  // logical pixels on each side
+  // Before all lines: the halo of one does not cut another in two.
+  if (style.halo.a > 0) {
+    program_.set("width", (style.width + 2 * halo_width) * view.scale);
+    program_.set("halo", style.halo);
+    draw_hidden_then_visible(gl_, 0, style.opacity, set_opacity, draw_all);
+  }
+  program_.set("width", style.width * view.scale);
+  program_.set("halo", glm::vec4(0));
+  draw_hidden_then_visible(gl_, style.opacity * style.hidden_opacity, style.opacity, set_opacity, draw_all);
   debug_check_gl(gl_, "lines");
 }
 

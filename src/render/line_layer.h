@@ -18,6 +18,8 @@ struct LineStyle {
   float width = 1.5F;            ///< logical pixels
   float opacity = 1;             ///< of the visible part
   float hidden_opacity = 0.25F;  ///< of the hidden part, as a factor on opacity
+  glm::vec4 halo{0};  ///< colour of a thin edge around the visible part, so that it stands out from
+                      ///< what lies behind; opacity 0: none
 };
 
 /// Not thread-safe. All spans are copied. Throws base::Error if a size does not fit or a segment names a

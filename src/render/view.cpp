@@ -30,6 +30,8 @@ Theme dark_theme() {
   theme.hover = rgb(0xffffff);
   theme.finding = rgb(0xff5c8a);
   theme.outline = rgb(0x101317);
+  theme.halo = {rgb(0x101317), 0.5F};
+  theme.shadow = {rgb(0x020305), 1.0F};
   theme.exposure = 1.0F;
   return theme;
 }
@@ -39,7 +41,7 @@ Theme light_theme() {
   theme.background_top = rgb(0xf4f5f7);
   theme.background_bottom = rgb(0xdfe3e8);
   theme.grid = rgb(0x7b8796);
-  theme.model = rgb(0xb9a48c);
+  theme.model = rgb(0xd4c5b0);
   theme.held = rgb(0x5b7fb5);
   theme.wire = rgb(0x2a2622);
   theme.cage = rgb(0x12857d);
@@ -47,6 +49,8 @@ Theme light_theme() {
   theme.hover = rgb(0x1d2733);
   theme.finding = rgb(0xc4124f);
   theme.outline = rgb(0x1d2733);
+  theme.halo = {rgb(0xffffff), 0.45F};
+  theme.shadow = {rgb(0x2c3646), 0.62F};
   theme.exposure = 1.15F;
   return theme;
 }

@@ -5,6 +5,7 @@
 //   framebuffer.begin(view.size, samples);         // our own target, cleared
 //   backdrop.draw(theme);                          // background gradient
 //   surface.draw(view, theme, surface_style);      // the model, lit
+//   shadow.draw(view, theme, shadow_style);        // of the model on the ground
 //   grid.draw(view, theme, grid_style);            // ground grid, behind and below the model
 //   faces.draw(view, face_style);                  // tinted; hide what is drawn behind them later
 //   lines.draw(view, line_style);                  // hidden parts faint, visible parts full
@@ -63,6 +64,8 @@ struct Theme {
   glm::vec3 hover;      ///< the ring under the cursor
   glm::vec3 finding;    ///< what the checks found
   glm::vec3 outline;    ///< thin edge around discs, so that they read on any ground
+  glm::vec4 halo;       ///< thin edge around lines, with its opacity
+  glm::vec4 shadow;     ///< on the ground, with the opacity of the darkest
   float exposure;       ///< brightness of the lights, 1 = neutral
 };
 

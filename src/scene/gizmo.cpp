@@ -57,11 +57,14 @@ Gizmo::Plane plane(const Layout& layout, int axis) {
 }
 
 std::vector<Gizmo::RingPoint> ring(const Layout& layout, int axis) {
+  // One that faces the viewer has no far side to speak of.
+  const bool faces = std::abs(glm::dot(unit(axis), layout.projection.to_eye())) > 0.94;
   std::vector<Gizmo::RingPoint> points;
   for (int i = 0; i < ring_points; ++i) {
     const double angle = 6.283185307179586 * i / ring_points;
     const glm::dvec3 d = std::cos(angle) * unit(axis + 1) + std::sin(angle) * unit(axis + 2);
-    points.push_back({layout.at(double(gizmo_radius) * d), glm::dot(d, layout.projection.to_eye()) > -0.03});
+    points.push_back(
+        {layout.at(double(gizmo_radius) * d), faces || glm::dot(d, layout.projection.to_eye()) > -0.03});
   }
   return points;
 }

@@ -75,7 +75,8 @@ private:
     if (gizmo_.tool == scene::Tool::scale) {
       painter_.line(square(gizmo_.center, scene::gizmo_center - 1), c, width, true);
     } else {
-      painter_.circle(gizmo_.center, scene::gizmo_center, c, width);
+      // No ring: that is what the vertex under the cursor has.
+      painter_.line(diamond(gizmo_.center, scene::gizmo_center + 1), c, width, true);
     }
   }
 
@@ -110,6 +111,11 @@ private:
   static std::array<glm::vec2, 4> square(const glm::vec2& center, float half) {
     return {center + glm::vec2(-half, -half), center + glm::vec2(half, -half), center + glm::vec2(half, half),
             center + glm::vec2(-half, half)};
+  }
+
+  static std::array<glm::vec2, 4> diamond(const glm::vec2& center, float half) {
+    return {center + glm::vec2(0, -half), center + glm::vec2(half, 0), center + glm::vec2(0, half),
+            center + glm::vec2(-half, 0)};
   }
 
   const Context& ui_;

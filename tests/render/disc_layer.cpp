@@ -58,6 +58,23 @@ TEST_CASE("hidden_disc_is_fainter_than_a_visible_one") {
   CHECK(image.pixel(210, 100)[0] < 128);
 }
 
+TEST_CASE("ring_is_as_strong_around_a_hidden_disc") {
+  test::Stage stage;
+  const test::Wall wall(stage.gl);
+  render::DiscLayer discs(stage.gl);
+  test::set_disc(discs, {5, 0, -2}, {glm::vec4(1, 0, 0, 1), 6, true});
+  render::DiscStyle style;
+  style.ring = glm::vec3(0, 1, 0);
+  const render::Image image = stage.picture([&] {
+    wall.draw(stage.view);
+    discs.draw(stage.view, style);
+  });
+  CHECK(image.pixel(210, 100)[0] < 128);
+  int green = 0;
+  for (int x = 210; x < 230; ++x) green = std::max<int>(green, image.pixel(x, 100)[1]);
+  CHECK(green > 200);
+}
+
 TEST_CASE("disc_behind_the_eye_is_not_drawn") {
   test::Stage stage;
   stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);

@@ -76,3 +76,25 @@ TEST_CASE("each_segment_has_its_own_colour") {
   CHECK(image.pixel(160, 50) == render::Rgba8{255, 0, 0, 255});
   CHECK(image.pixel(160, 150) == render::Rgba8{0, 255, 0, 255});
 }
+
+TEST_CASE("halo_lies_beside_the_line_and_under_every_other_one") {
+  test::Stage stage;
+  render::LineLayer lines(stage.gl);
+  const std::vector<render::Segment> segments{{0, 1}, {2, 3}};
+  lines.set_segments(segments, 4);
+  lines.set_positions(std::vector<Point>{{-4, 0.05, 0}, {4, 0.05, 0}, {0.05, -4, 0}, {0.05, 4, 0}});
+  lines.set_color(glm::vec4(1, 0, 0, 1));
+  render::LineStyle style;
+  style.width = 2;
+  const render::Image plain = stage.picture([&] { lines.draw(stage.view, style); });
+  style.halo = glm::vec4(0, 0, 1, 1);
+  const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
+  const auto brightest = [](const render::Image& picture, int x, int component) {
+    int most = 0;
+    for (int y = 90; y < 110; ++y) most = std::max<int>(most, picture.pixel(x, y)[component]);
+    return most;
+  };
+  CHECK(brightest(plain, 130, 2) == 0);
+  CHECK(brightest(image, 130, 2) > 100);
+  for (int x = 130; x < 190; ++x) CHECK(brightest(image, x, 0) == brightest(plain, x, 0));
+}

@@ -89,3 +89,10 @@ TEST_CASE("handles_have_names") {
   CHECK(handle_name(Tool::rotate, {Kind::axis, 2}) == "Rotate about Z");
   CHECK(handle_name(Tool::scale, {}) == "Scale evenly");
 }
+
+TEST_CASE("a_ring_that_faces_the_viewer_is_near_all_around") {
+  for (const float pitch : {0.0f, 0.1f, 0.2f}) {
+    const auto gizmo = *make_gizmo(Tool::rotate, {0.4, 0.1, 0}, camera(0, pitch), test::viewport);
+    for (const auto& point : gizmo.rings[2]) CHECK(point.front);
+  }
+}
