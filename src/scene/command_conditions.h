@@ -9,9 +9,9 @@
 
 namespace viete::scene {
 
-// What is dragged or painted is one edit, which others must not come between.
+// What is dragged, painted or brushed is one edit, which others must not come between.
 inline bool in_hand(const Workspace& w) {
-  return w.interaction.drag || w.interaction.stroke;
+  return w.interaction.drag || w.interaction.stroke || w.interaction.brushing;
 }
 inline constexpr Condition hand_is_free{[](const Workspace& w) { return !in_hand(w); },
                                         "Finish what you are dragging first."};
@@ -69,6 +69,11 @@ inline constexpr Condition has_selection_or_hover{
              (has_selection(w) || w.interaction.hovered);
     },
     "Select something of the cage first, or point at it."};
+inline constexpr Condition can_draw_selection{
+    [](const Workspace& w) { return has_elements(w) && shows_selectable(w) && !in_hand(w); },
+    "There is nothing of the kind to select: open a cage, show it (C), or add a probe."};
+inline constexpr Condition is_armed{[](const Workspace& w) { return w.interaction.armed.has_value(); },
+                                    "Neither box, lasso nor brush is in the hand."};
 inline constexpr Condition is_working{
     [](const Workspace& w) { return w.loading.running || w.binding.running || w.making_cage.running; },
     "Nothing is being read, made or bound."};

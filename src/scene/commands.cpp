@@ -13,6 +13,7 @@
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/file_commands.h"
+#include "scene/pointer.h"
 #include "scene/probes.h"
 
 namespace viete::scene {
@@ -99,6 +100,13 @@ void select_linked(Workspace& w) {
   if (w.interaction.hovered && *w.interaction.hovered < selectable(w))
     selection.apply(std::array{*w.interaction.hovered}, SelectMode::add);
   selection = linked(*w.document.cage, selection);
+}
+
+template <SelectShape Shape>
+void arm_shape(Workspace& w) {
+  arm(w, Shape);
+  w.interaction.handle.reset();
+  w.interaction.hovered.reset();
 }
 
 // What is under the cursor may be of another kind then.
@@ -247,21 +255,30 @@ const std::vector<Command>& table() {
        has_posed_selection,
        [](Workspace& w) { reset_selected(w.document); }},
 
-      {"select_vertices", "Vertices", "Select vertices of the cage.", "Select", {key('1')}, {}, always,
+      {"select_vertices", "Vertices", "Select vertices of the cage.", "Select", {key('1')}, {}, hand_is_free,
        select_by<ElementKind::vertex>},
-      {"select_edges", "Edges", "Select edges of the cage.", "Select", {key('2')}, {}, always,
+      {"select_edges", "Edges", "Select edges of the cage.", "Select", {key('2')}, {}, hand_is_free,
        select_by<ElementKind::edge>},
-      {"select_faces", "Faces", "Select faces of the cage.", "Select", {key('3')}, {}, always,
+      {"select_faces", "Faces", "Select faces of the cage.", "Select", {key('3')}, {}, hand_is_free,
        select_by<ElementKind::face>},
-      {"select_probes", "Probes", "Select probes.", "Select", {key('4')}, {}, always, select_by<ElementKind::probe>},
-      {"select_all", "All", "Select the whole cage, or all probes.", "Select", {key('A')}, {key('A'), true}, has_elements,
+      {"select_probes", "Probes", "Select probes.", "Select", {key('4')}, {}, hand_is_free, select_by<ElementKind::probe>},
+      {"select_all", "All", "Select the whole cage, or all probes.", "Select", {key('A')}, {key('A'), true}, with_free_hand<has_elements>,
        select_everything},
-      {"select_none", "None", "Select nothing.", "Select", {key('A'), false, true}, {}, has_selection,
+      {"select_none", "None", "Select nothing.", "Select", {key('A'), false, true}, {}, with_free_hand<has_selection>,
        select_nothing},
-      {"invert_selection", "Invert", "Select what is not selected.", "Select", {key('I'), true}, {}, has_elements,
+      {"invert_selection", "Invert", "Select what is not selected.", "Select", {key('I'), true}, {}, with_free_hand<has_elements>,
        invert_selection},
       {"select_linked", "Linked", "Select what is connected with it or with what is under the cursor.", "Select",
-       {key('L')}, {key('L'), true}, has_selection_or_hover, select_linked},
+       {key('L')}, {key('L'), true}, with_free_hand<has_selection_or_hover>, select_linked},
+      {"select_box", "Box", "The next left drag draws a box wherever it begins, also on vertices; Shift adds, Ctrl removes.",
+       "Select", {key('B')}, {}, can_draw_selection, arm_shape<SelectShape::box>},
+      {"select_lasso", "Lasso", "The next left drag draws a line around what it selects; Shift adds, Ctrl removes.", "Select",
+       {key('B'), false, true}, {}, can_draw_selection, arm_shape<SelectShape::lasso>},
+      {"select_brush", "Brush", "A circle that selects where it is drawn; the wheel changes its size, Ctrl removes, Esc puts it away.",
+       "Select", {key('C'), false, true}, {}, can_draw_selection, arm_shape<SelectShape::brush>},
+      {"stop_selecting", "Done", "Put box, lasso or brush away.", "Select", {Key::escape}, {Key::enter}, is_armed, disarm},
+      {"toggle_select_visible", "Visible only", "The mouse selects only what neither model nor cage hide, or through both.",
+       "Select", {key('Z')}, {}, always, toggle<&ViewOptions::select_visible>},
 
       {"make_cage", "Make a cage", "Make a cage around the model; sliders say how.", "Cage", {}, {}, can_make_cage,
        [](Workspace& w) { w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage}; }},

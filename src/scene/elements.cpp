@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/union_find.h"
+#include "scene/probes.h"
 
 namespace viete::scene {
 
@@ -53,6 +54,17 @@ std::vector<std::uint32_t> element_vertices(const deform::Cage& cage, ElementKin
   const auto& corners = cage.surface.corners;
   const auto& starts = cage.surface.polygon_starts;
   return {corners.begin() + starts[index], corners.begin() + starts[index + 1]};
+}
+
+mesh::Point element_middle(const Document& document, ElementKind kind, std::uint32_t index) {
+  if (kind == ElementKind::probe) return probe_center(document, index);
+  const auto vertices = element_vertices(*document.cage, kind, index);
+  mesh::Point sum{0, 0, 0};
+  const double share = 1 / static_cast<double>(vertices.size());
+  for (const auto v : vertices) {
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += share * document.pose.positions[v][k];
+  }
+  return sum;
 }
 
 std::vector<std::uint32_t> selected_vertices(const deform::Cage& cage, const Selection& selection) {

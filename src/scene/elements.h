@@ -20,6 +20,9 @@ std::size_t element_count(const Document& document, ElementKind kind);
 /// In the order of the polygon; two for an edge, one for a vertex.
 std::vector<std::uint32_t> element_vertices(const deform::Cage& cage, ElementKind kind, std::uint32_t index);
 
+/// In the pose: the mean of its vertices, or where the probe is.
+mesh::Point element_middle(const Document& document, ElementKind kind, std::uint32_t index);
+
 /// The vertices of all selected elements, ascending, each once: what moves with them.
 std::vector<std::uint32_t> selected_vertices(const deform::Cage& cage, const Selection& selection);
 

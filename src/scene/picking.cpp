@@ -5,6 +5,8 @@
 
 #include "scene/elements.h"
 #include "scene/probes.h"
+#include "scene/select_shape.h"
+#include "scene/sight.h"
 
 namespace viete::scene {
 
@@ -16,10 +18,12 @@ constexpr float tolerance = 8;  // logical pixels
 // front.
 class Nearest {
 public:
-  void offer(std::uint32_t index, float distance, float depth) {
-    if (!(distance <= tolerance)) return;
+  explicit Nearest(const Sight* sight) : sight_(sight) {}
+
+  void offer(std::uint32_t index, float distance, const glm::vec3& at) {
+    if (!(distance <= tolerance) || (sight_ && !sight_->sees(at))) return;
     nearest_ = std::min(nearest_, distance);
-    close_.push_back({{index, depth}, distance});
+    close_.push_back({{index, at.z}, distance});
   }
 
   std::optional<Pick> best() const {
@@ -32,30 +36,32 @@ public:
   }
 
 private:
+  const Sight* sight_;
   float nearest_ = std::numeric_limits<float>::max();
   std::vector<std::pair<Pick, float>> close_;
 };
 
 std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::Point> points,
-                               const glm::vec2& cursor) {
-  Nearest nearest;
+                               const glm::vec2& cursor, const Sight* sight) {
+  Nearest nearest(sight);
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (const auto at = project(points[i])) nearest.offer(i, glm::distance(glm::vec2(*at), cursor), at->z);
+    if (const auto at = project(points[i])) nearest.offer(i, glm::distance(glm::vec2(*at), cursor), *at);
   }
   return nearest.best();
 }
 
 // Depth is not linear on screen in perspective, but near enough to say which of two edges is in front.
 std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Point> points,
-                              std::span<const mesh::Edge> edges, const glm::vec2& cursor) {
-  Nearest nearest;
+                              std::span<const mesh::Edge> edges, const glm::vec2& cursor,
+                              const Sight* sight) {
+  Nearest nearest(sight);
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
     const auto ends = project.segment(points[edges[i][0]], points[edges[i][1]]);
     if (!ends) continue;
     const glm::vec2 a((*ends)[0]), along = glm::vec2((*ends)[1]) - a;
     const float square = glm::dot(along, along);
     const float t = square > 0 ? std::clamp(glm::dot(cursor - a, along) / square, 0.0f, 1.0f) : 0.0f;
-    nearest.offer(i, glm::distance(a + t * along, cursor), glm::mix((*ends)[0].z, (*ends)[1].z, t));
+    nearest.offer(i, glm::distance(a + t * along, cursor), glm::mix((*ends)[0], (*ends)[1], t));
   }
   return nearest.best();
 }
@@ -135,44 +141,101 @@ std::optional<std::array<glm::vec3, 2>> Projector::segment(const mesh::Point& a,
 }
 
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
-                                 const glm::vec2& cursor) {
+                                 const glm::vec2& cursor, const Sight* sight) {
   const Projector project(document.space, camera, viewport);
   if (document.selection.kind() == ElementKind::probe)
-    return pick_point(project, probe_centers(document), cursor);
+    return pick_point(project, probe_centers(document), cursor, nullptr);
   if (!document.has_cage()) return std::nullopt;
   const auto& points = document.pose.positions;
   const auto kind = document.selection.kind();
-  if (kind == ElementKind::vertex) return pick_point(project, points, cursor);
+  if (kind == ElementKind::vertex) return pick_point(project, points, cursor, sight);
   if (kind == ElementKind::face) {
-    if (const auto inside = pick_inside(document, camera, camera.ray(cursor, viewport))) return inside;
+    const auto inside = pick_inside(document, camera, camera.ray(cursor, viewport));
+    if (inside && (!sight || sight->sees({cursor, inside->depth}))) return inside;
   }
-  const auto edge = pick_edge(project, points, document.cage->edges, cursor);
+  const auto edge = pick_edge(project, points, document.cage->edges, cursor, sight);
   if (!edge || kind == ElementKind::edge) return edge;
   const auto face = face_at(*document.cage, document.cage->edges[edge->index]);
   return face ? std::optional(Pick{*face, edge->depth}) : std::nullopt;
 }
 
-std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera,
-                                                const Viewport& viewport, const glm::vec2& corner,
-                                                const glm::vec2& opposite) {
+// So many that a third of the places there is within the tolerance of one: eight in a circle of four times its
+// radius.
+bool is_crowded(const Document& document, const Camera& camera, const Viewport& viewport,
+                const glm::vec2& cursor, const Sight* sight) {
+  constexpr int crowd = 8;
+  if (!document.has_cage() || document.selection.kind() == ElementKind::probe) return false;
   const Projector project(document.space, camera, viewport);
-  if (document.selection.kind() == ElementKind::probe)
-    return pick_box(project, probe_centers(document), corner, opposite);
-  if (!document.has_cage()) return {};
-  Selection vertices;
-  vertices.apply(pick_box(project, document.pose.positions, corner, opposite), SelectMode::replace);
-  return converted(*document.cage, vertices, document.selection.kind()).indices();
+  int close = 0;
+  for (const auto& p : document.pose.positions) {
+    const auto at = project(p);
+    if (!at || glm::distance(glm::vec2(*at), cursor) > 4 * tolerance) continue;
+    if (!sight || sight->sees(*at)) ++close;
+    if (close == crowd) return true;
+  }
+  return false;
 }
 
-std::vector<std::uint32_t> pick_box(const Projector& project, std::span<const mesh::Point> points,
-                                    const glm::vec2& corner, const glm::vec2& opposite) {
-  const glm::vec2 low = glm::min(corner, opposite), high = glm::max(corner, opposite);
-  std::vector<std::uint32_t> inside;
+namespace {
+
+// inside(place on screen) says whether a vertex is.
+template <class Inside>
+std::vector<std::uint32_t> pick_within(const Document& document, const Camera& camera,
+                                       const Viewport& viewport, const Inside& inside, const Sight* sight) {
+  const Projector project(document.space, camera, viewport);
+  const auto kind = document.selection.kind();
+  const auto points = kind == ElementKind::probe ? probe_centers(document) : document.pose.positions;
+  std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const auto at = project(points[i]);
-    if (at && at->x >= low.x && at->x <= high.x && at->y >= low.y && at->y <= high.y) inside.push_back(i);
+    if (at && inside(glm::vec2(*at))) found.push_back(i);
   }
-  return inside;
+  if (kind == ElementKind::probe || !document.has_cage()) return found;
+  Selection vertices;
+  vertices.apply(found, SelectMode::replace);
+  found = converted(*document.cage, vertices, kind).indices();
+  if (sight) {
+    std::erase_if(found, [&](auto i) {
+      const auto at = project(element_middle(document, kind, i));
+      return !at || !sight->sees(*at);
+    });
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera,
+                                                const Viewport& viewport, const glm::vec2& corner,
+                                                const glm::vec2& opposite, const Sight* sight) {
+  const glm::vec2 low = glm::min(corner, opposite), high = glm::max(corner, opposite);
+  const auto inside = [&](const glm::vec2& p) {
+    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
+  };
+  return pick_within(document, camera, viewport, inside, sight);
+}
+
+std::vector<std::uint32_t> pick_elements_in_lasso(const Document& document, const Camera& camera,
+                                                  const Viewport& viewport, std::span<const glm::vec2> line,
+                                                  const Sight* sight) {
+  return pick_within(
+      document, camera, viewport, [&](const glm::vec2& p) { return encloses(line, p); }, sight);
+}
+
+std::vector<std::uint32_t> pick_elements_in_circle(const Document& document, const Camera& camera,
+                                                   const Viewport& viewport, const glm::vec2& center,
+                                                   float radius, const Sight* sight) {
+  const Projector project(document.space, camera, viewport);
+  const auto kind = document.selection.kind();
+  const auto under = pick_element(document, camera, viewport, center, sight);
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < element_count(document, kind); ++i) {
+    const auto at = project(element_middle(document, kind, i));
+    const bool within = at && glm::distance(glm::vec2(*at), center) <= radius &&
+                        (!sight || kind == ElementKind::probe || sight->sees(*at));
+    if (within || (under && under->index == i)) found.push_back(i);
+  }
+  return found;
 }
 
 }  // namespace viete::scene

@@ -32,6 +32,8 @@ private:
   glm::vec2 window_;
 };
 
+class Sight;
+
 /// An element of the cage, and how deep in front of the camera the place is at which the cursor met it, in
 /// view units.
 struct Pick {
@@ -42,14 +44,27 @@ struct Pick {
 /// The element of the selection's kind under the cursor, in the pose: the vertex nearest to it within 8
 /// logical pixels, of vertices within 2 pixels of the nearest the one in front; edges likewise, by their
 /// nearest point; of faces the one in front, and outside of all the face at the nearest edge as close. The
-/// mesh hides nothing: a cage is edited from outside and from behind. Nothing if there is no cage.
+/// mesh hides nothing: a cage is edited from outside and from behind; unless `sight` says what is seen.
+/// Nothing if there is no cage.
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
-                                 const glm::vec2& cursor);
+                                 const glm::vec2& cursor, const Sight* sight = nullptr);
+/// True if so many vertices of the cage are around the cursor that a hand hardly finds a place between them.
+bool is_crowded(const Document& document, const Camera& camera, const Viewport& viewport,
+                const glm::vec2& cursor, const Sight* sight = nullptr);
 
-/// The elements of the selection's kind that lie with all their vertices inside the rectangle, ascending.
+/// The elements of the selection's kind that lie with all their vertices inside the rectangle, ascending;
+/// with `sight` those whose middle is seen.
 std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera,
                                                 const Viewport& viewport, const glm::vec2& corner,
-                                                const glm::vec2& opposite);
+                                                const glm::vec2& opposite, const Sight* sight = nullptr);
+/// Likewise inside the closed line.
+std::vector<std::uint32_t> pick_elements_in_lasso(const Document& document, const Camera& camera,
+                                                  const Viewport& viewport, std::span<const glm::vec2> line,
+                                                  const Sight* sight = nullptr);
+/// Those whose middle is within the circle, and the one under its centre.
+std::vector<std::uint32_t> pick_elements_in_circle(const Document& document, const Camera& camera,
+                                                   const Viewport& viewport, const glm::vec2& center,
+                                                   float radius, const Sight* sight = nullptr);
 
 /// All points inside the rectangle with these opposite corners, ascending.
 std::vector<std::uint32_t> pick_box(const Projector& project, std::span<const mesh::Point> points,

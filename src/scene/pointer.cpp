@@ -14,10 +14,6 @@ SelectMode mode_of(const PointerInput& input) {
   return input.ctrl ? SelectMode::remove : SelectMode::replace;
 }
 
-std::optional<Pick> element_under(const Workspace& w, const glm::vec2& cursor) {
-  return shows_selectable(w) ? pick_element(w.document, w.camera, w.viewport, cursor) : std::nullopt;
-}
-
 std::optional<Constraint> handle_under(const Workspace& w, const glm::vec2& cursor) {
   const auto gizmo = gizmo_of(w);
   return gizmo ? pick_handle(*gizmo, cursor) : std::nullopt;
@@ -38,6 +34,16 @@ glm::dvec3 center_in_view(const Document& document) {
 }
 
 }  // namespace
+
+void arm(Workspace& w, SelectShape shape) {
+  const bool again = w.interaction.armed == shape;
+  disarm(w);
+  if (!again) w.interaction.armed = shape;
+}
+
+void disarm(Workspace& w) {
+  w.interaction.armed.reset();
+}
 
 std::optional<Gizmo> gizmo_of(const Workspace& w) {
   if (!shows_selectable(w) || w.document.selection.empty()) return std::nullopt;
@@ -68,25 +74,41 @@ void Pointer::frame(Workspace& workspace, const PointerInput& input) {
   if (active()) move(workspace, input);
   if (active() && !input.down[button_]) release(workspace, input);
   if (!active()) hover(workspace, input);
-  if (!active() && input.over_view && input.wheel != 0) {
-    if (shows_mask(workspace) && input.shift) {
-      const float radius = workspace.brush.radius * std::pow(1.1f, input.wheel);
-      workspace.brush.radius = std::clamp(radius, Brush::least_radius, Brush::largest_radius);
-      last_ = input;
-      return;
-    }
-    workspace.camera.zoom(input.wheel, input.position, workspace.viewport);
-  }
+  const bool free = !active() || gesture_ == Gesture::brushing;
+  if (free && input.over_view && input.wheel != 0) turn_wheel(workspace, input);
   last_ = input;
 }
 
-// What lies on top takes the mouse: the axis widget, the gizmo, the cage.
-void Pointer::hover(Workspace& workspace, const PointerInput& input) const {
+void Pointer::turn_wheel(Workspace& workspace, const PointerInput& input) {
+  const float factor = std::pow(1.1f, input.wheel);
+  float& select_radius = workspace.interaction.select_radius;
+  if (workspace.interaction.armed == SelectShape::brush) {
+    select_radius = std::clamp(select_radius * factor, least_select_radius, largest_select_radius);
+  } else if (shows_mask(workspace) && input.shift) {
+    const float radius = workspace.brush.radius * factor;
+    workspace.brush.radius = std::clamp(radius, Brush::least_radius, Brush::largest_radius);
+  } else {
+    workspace.camera.zoom(input.wheel, input.position, workspace.viewport);
+  }
+}
+
+std::optional<Pick> Pointer::element_under(const Workspace& w, const glm::vec2& cursor) {
+  if (!shows_selectable(w)) return std::nullopt;
+  return pick_element(w.document, w.camera, w.viewport, cursor, sight_.of(w));
+}
+
+// What lies on top takes the mouse: what is armed, the axis widget, the gizmo, the cage.
+void Pointer::hover(Workspace& workspace, const PointerInput& input) {
   Interaction& interaction = workspace.interaction;
   interaction.over_axes = input.over_view && over_axes(workspace, input.position);
   const bool free = input.over_view && !interaction.over_axes;
   interaction.brush.reset();
+  interaction.crowded = false;
   interaction.cursor = free ? std::optional(input.position) : std::nullopt;
+  if (free && interaction.armed) {
+    interaction.handle.reset(), interaction.hovered.reset();
+    return;
+  }
   if (free && shows_mask(workspace)) {
     interaction.handle.reset(), interaction.hovered.reset();
     interaction.brush = brush_under(workspace, input.position);
@@ -95,6 +117,8 @@ void Pointer::hover(Workspace& workspace, const PointerInput& input) const {
   interaction.handle = free ? handle_under(workspace, input.position) : std::nullopt;
   const auto pick = free && !interaction.handle ? element_under(workspace, input.position) : std::nullopt;
   interaction.hovered = pick ? std::optional(pick->index) : std::nullopt;
+  interaction.crowded = pick && is_crowded(workspace.document, workspace.camera, workspace.viewport,
+                                           input.position, sight_.of(workspace));
 }
 
 void Pointer::press(Workspace& workspace, const PointerInput& input) {
@@ -112,15 +136,31 @@ void Pointer::press(Workspace& workspace, const PointerInput& input) {
 
 void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
   gesture_ = over_axes(workspace, press_) ? Gesture::on_axes : Gesture::pressed;
+  mode_ = mode_of(input);
+  shape_.reset();
+  selection_before_ = workspace.document.selection;
+  if (gesture_ == Gesture::pressed && workspace.interaction.armed) return press_armed(workspace, input);
   if (gesture_ == Gesture::pressed && shows_mask(workspace)) {
     gesture_ = Gesture::painting;
     workspace.interaction.stroke.emplace(workspace.document);
     return paint(workspace, input);
   }
-  mode_ = mode_of(input);
   handle_ = handle_under(workspace, press_);
   grabbed_ = element_under(workspace, press_);
-  selection_before_ = workspace.document.selection;
+  crowded_ =
+      is_crowded(workspace.document, workspace.camera, workspace.viewport, press_, sight_.of(workspace));
+}
+
+// A click selects as it always does; a brush begins at once, and is there again for the next stroke.
+void Pointer::press_armed(Workspace& workspace, const PointerInput& input) {
+  shape_ = workspace.interaction.armed;
+  handle_.reset();
+  grabbed_ = element_under(workspace, press_);
+  if (shape_ != SelectShape::brush) return disarm(workspace);
+  gesture_ = shows_selectable(workspace) ? Gesture::brushing : Gesture::ignored;
+  if (gesture_ == Gesture::ignored) return;
+  workspace.interaction.brushing = mode_ == SelectMode::remove ? mode_ : SelectMode::add;
+  brush_on(workspace, input);
 }
 
 void Pointer::move(Workspace& workspace, const PointerInput& input) {
@@ -140,6 +180,10 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
       if (delta != glm::vec2(0)) paint(workspace, input);
       break;
     case Gesture::boxing: workspace.interaction.box->opposite = input.position; break;
+    case Gesture::lassoing: draw_on(*workspace.interaction.lasso, input.position); break;
+    case Gesture::brushing:
+      if (delta != glm::vec2(0)) brush_on(workspace, input);
+      break;
     case Gesture::orbiting:
       if (delta != glm::vec2(0)) workspace.camera.orbit(delta);
       break;
@@ -153,20 +197,26 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
   }
 }
 
-// Faces cover the cage: if each could be pulled out at once there would be no place left to begin a box.
+// Faces cover the cage, and so do close vertices: if each could be pulled out at once there would be no place
+// left to begin a box.
 bool Pointer::draws_box(const Workspace& workspace) const {
   if (handle_) return false;
   const Selection& selection = workspace.document.selection;
-  if (!grabbed_) return true;
-  return selection.kind() == ElementKind::face &&
-         (mode_ != SelectMode::replace || !selection.contains(grabbed_->index));
+  if (!grabbed_ || mode_ != SelectMode::replace) return true;
+  return (selection.kind() == ElementKind::face || crowded_) && !selection.contains(grabbed_->index);
 }
 
 void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
-  if (!draws_box(workspace)) return begin_transform(workspace);
-  gesture_ = shows_selectable(workspace) ? Gesture::boxing : Gesture::ignored;
-  if (gesture_ == Gesture::boxing)
+  if (!shape_ && !draws_box(workspace)) return begin_transform(workspace);
+  if (!shows_selectable(workspace)) {
+    gesture_ = Gesture::ignored;
+  } else if (shape_ == SelectShape::lasso) {
+    gesture_ = Gesture::lassoing;
+    workspace.interaction.lasso = Lasso{{press_}, mode_};
+  } else {
+    gesture_ = Gesture::boxing;
     workspace.interaction.box = Interaction::Box{press_, input.position, mode_};
+  }
 }
 
 // A handle uses its tool; an element moves with the selection it belongs to.
@@ -179,8 +229,7 @@ void Pointer::begin_transform(Workspace& workspace) {
     return;
   }
   if (!document.selection.contains(grabbed_->index)) {
-    document.selection.apply(std::array{grabbed_->index},
-                             mode_ == SelectMode::add ? SelectMode::add : SelectMode::replace);
+    document.selection.apply(std::array{grabbed_->index}, SelectMode::replace);
   }
   workspace.interaction.hovered = grabbed_->index;
   workspace.interaction.drag.emplace(document, Tool::move, Constraint{}, grabbed_->depth, press_,
@@ -199,6 +248,29 @@ void Pointer::transform(Workspace& workspace, const PointerInput& input) {
   if (!input.enter) return;
   drag.commit(workspace.document);
   finish(workspace, Gesture::ignored);
+}
+
+// From where it was, in steps of half of its radius: a fast hand leaves no gaps.
+void Pointer::brush_on(Workspace& w, const PointerInput& input) {
+  const float radius = w.interaction.select_radius;
+  const int steps =
+      std::max(1, static_cast<int>(std::ceil(2 * glm::distance(last_.position, input.position) / radius)));
+  w.interaction.cursor = input.position;
+  for (int step = 1; step <= steps; ++step) {
+    const float t = static_cast<float>(step) / static_cast<float>(steps);
+    const auto within = pick_elements_in_circle(
+        w.document, w.camera, w.viewport, glm::mix(last_.position, input.position, t), radius, sight_.of(w));
+    w.document.selection.apply(within, *w.interaction.brushing);
+  }
+}
+
+// Of a box or a lasso that is drawn to its end.
+void Pointer::select_inside(Workspace& w, const PointerInput& input) {
+  const auto inside =
+      gesture_ == Gesture::lassoing
+          ? pick_elements_in_lasso(w.document, w.camera, w.viewport, w.interaction.lasso->line, sight_.of(w))
+          : pick_elements_in_box(w.document, w.camera, w.viewport, press_, input.position, sight_.of(w));
+  w.document.selection.apply(inside, mode_);
 }
 
 // From where the brush was, in steps of a quarter of its radius: a fast hand leaves no gaps.
@@ -226,10 +298,8 @@ void Pointer::release(Workspace& workspace, const PointerInput& input) {
     workspace.view.hints = false;
   } else if (gesture_ == Gesture::painting) {
     workspace.interaction.stroke->commit(document);
-  } else if (gesture_ == Gesture::boxing) {
-    const auto inside =
-        pick_elements_in_box(document, workspace.camera, workspace.viewport, press_, input.position);
-    document.selection.apply(inside, mode_);
+  } else if (gesture_ == Gesture::boxing || gesture_ == Gesture::lassoing) {
+    select_inside(workspace, input);
   } else if (gesture_ == Gesture::pressed) {
     click(workspace);
   } else if (gesture_ == Gesture::on_axes) {
@@ -253,6 +323,8 @@ void Pointer::click(Workspace& workspace) {
 void Pointer::finish(Workspace& workspace, Gesture next) {
   workspace.interaction.drag.reset();
   workspace.interaction.box.reset();
+  workspace.interaction.lasso.reset();
+  workspace.interaction.brushing.reset();
   workspace.interaction.stroke.reset();
   gesture_ = next;
 }

@@ -9,6 +9,7 @@
 #include "scene/axis_widget.h"
 #include "scene/gizmo.h"
 #include "scene/picking.h"
+#include "scene/sight.h"
 #include "scene/workspace.h"
 
 namespace viete::scene {
@@ -28,6 +29,12 @@ struct PointerInput {
   std::string typed;  ///< characters of this frame
 };
 
+/// The next left drag draws this wherever it begins, also on vertices and on the gizmo; what is armed
+/// already is put away. The brush stays until it is put away.
+void arm(Workspace& workspace, SelectShape shape);
+/// Nothing is drawn any more.
+void disarm(Workspace& workspace);
+
 /// The gizmo of what is selected, as it is now; nothing while there is none, and while the cage is hidden.
 std::optional<Gizmo> gizmo_of(const Workspace& workspace);
 
@@ -41,7 +48,9 @@ public:
   static constexpr float drag_threshold = 4;  ///< logical pixels before a press becomes a drag
 
   /// Called once a frame. Left click selects (Shift adds, Ctrl removes); left drag on a handle of the gizmo
-  /// uses it, on an element moves the selection (a face must be selected already), elsewhere draws a box;
+  /// uses it, on an element moves the selection, elsewhere draws a box. With Shift or Ctrl it always draws
+  /// one, which adds or removes; so it does on an element that is not selected yet where that is a face, or
+  /// where elements are so close that there is no place between them. What is armed comes before all that;
   /// middle, right or Alt+left drag orbits, with Shift pans, with Ctrl zooms; wheel zooms to the cursor.
   /// With Tool::paint left drag paints on the model, with Ctrl what follows in full, and Shift and wheel
   /// change the brush. While something is being moved characters constrain it and set the amount, Ctrl snaps,
@@ -58,6 +67,8 @@ private:
     on_axes,
     moving,
     boxing,
+    lassoing,
+    brushing,
     painting,
     orbiting,
     panning,
@@ -65,12 +76,17 @@ private:
     ignored
   };
 
-  void hover(Workspace& workspace, const PointerInput& input) const;
+  void hover(Workspace& workspace, const PointerInput& input);
+  std::optional<Pick> element_under(const Workspace& workspace, const glm::vec2& cursor);
+  void turn_wheel(Workspace& workspace, const PointerInput& input);
   void press(Workspace& workspace, const PointerInput& input);
   void press_left(Workspace& workspace, const PointerInput& input);
   void move(Workspace& workspace, const PointerInput& input);
   void begin_left_drag(Workspace& workspace, const PointerInput& input);
   void begin_transform(Workspace& workspace);
+  void press_armed(Workspace& workspace, const PointerInput& input);
+  void brush_on(Workspace& workspace, const PointerInput& input);
+  void select_inside(Workspace& workspace, const PointerInput& input);
   void paint(Workspace& workspace, const PointerInput& input);
   void transform(Workspace& workspace, const PointerInput& input);
   void release(Workspace& workspace, const PointerInput& input);
@@ -82,11 +98,14 @@ private:
   }
   bool draws_box(const Workspace& workspace) const;
 
+  SightKeeper sight_;
   Gesture gesture_ = Gesture::none;
   int button_ = 0;
   glm::vec2 press_{0, 0};
   std::optional<Pick> grabbed_;
   std::optional<Constraint> handle_;
+  std::optional<SelectShape> shape_;  // was armed when the button went down
+  bool crowded_ = false;
   SelectMode mode_ = SelectMode::replace;
   Selection selection_before_;
   Revision surfaces_ = 0;

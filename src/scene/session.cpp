@@ -34,12 +34,17 @@ struct ViewFlag {
   bool ViewOptions::*option;
 };
 
-constexpr ViewFlag view_flags[] = {
-    {"dark", &ViewOptions::dark},           {"model", &ViewOptions::model},
-    {"wireframe", &ViewOptions::wireframe}, {"cage", &ViewOptions::cage},
-    {"grid", &ViewOptions::grid},           {"ghost", &ViewOptions::ghost},
-    {"error_map", &ViewOptions::error_map}, {"panels", &ViewOptions::panels},
-    {"hints", &ViewOptions::hints},         {"deformed", &ViewOptions::deformed}};
+constexpr ViewFlag view_flags[] = {{"dark", &ViewOptions::dark},
+                                   {"model", &ViewOptions::model},
+                                   {"wireframe", &ViewOptions::wireframe},
+                                   {"cage", &ViewOptions::cage},
+                                   {"grid", &ViewOptions::grid},
+                                   {"ghost", &ViewOptions::ghost},
+                                   {"error_map", &ViewOptions::error_map},
+                                   {"panels", &ViewOptions::panels},
+                                   {"hints", &ViewOptions::hints},
+                                   {"deformed", &ViewOptions::deformed},
+                                   {"select_visible", &ViewOptions::select_visible}};
 
 // Links in the folder are resolved, so that ".." leads where it should; the file keeps the name it was given.
 fs::path resolved(const fs::path& path) {

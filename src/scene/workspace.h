@@ -26,6 +26,7 @@
 #include "scene/question.h"
 #include "scene/recovery.h"
 #include "scene/remembered.h"
+#include "scene/select_shape.h"
 #include "scene/settings.h"
 #include "scene/tool.h"
 #include "scene/transform_drag.h"
@@ -51,9 +52,10 @@ struct ViewOptions {
   bool wireframe = false;
   bool cage = true;
   bool grid = true;
-  bool axes = true;        ///< the axis widget
-  bool ghost = false;      ///< the rest pose of the cage, faintly, while the cage is posed
-  bool error_map = false;  ///< the error of the exponential as colours on the mesh
+  bool axes = true;             ///< the axis widget
+  bool ghost = false;           ///< the rest pose of the cage, faintly, while the cage is posed
+  bool error_map = false;       ///< the error of the exponential as colours on the mesh
+  bool select_visible = false;  ///< what model or cage hide is not selected with the mouse
   bool panels = true;
   bool help = false;
   bool hints = true;  ///< of the first start; gone after the first drag
@@ -74,7 +76,12 @@ struct Interaction {
     glm::vec2 corner, opposite;  ///< logical pixels
     SelectMode mode;
   };
-  std::optional<Box> box;  ///< a selection box is being drawn
+  std::optional<Box> box;              ///< a selection box is being drawn
+  std::optional<Lasso> lasso;          ///< or a lasso
+  std::optional<SelectMode> brushing;  ///< or the brush selects
+  std::optional<SelectShape> armed;    ///< the next left drag draws it, wherever it begins; the brush stays
+  float select_radius = 40;            ///< of the brush, logical pixels
+  bool crowded = false;  ///< elements are so close under the cursor that a drag on one draws a box
 };
 
 /// What stands in a field while it is being edited.

@@ -32,8 +32,10 @@ void transform_fields(const Context& ui);  ///< a part of the cage's panel, or o
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
-void mark_overlay(const Context& ui);  ///< marks on the model, and the length between two
-void error_legend(const Context& ui);  ///< of the colours on the mesh
-void view_overlay(const Context& ui);  ///< box selection, first-start hints
+void mark_overlay(const Context& ui);    ///< marks on the model, and the length between two
+void error_legend(const Context& ui);    ///< of the colours on the mesh
+void select_overlay(const Context& ui);  ///< box, lasso and brush, being drawn or about to be
+std::string select_hint(const scene::Workspace& workspace);  ///< what the mouse does with them; empty: none
+void view_overlay(const Context& ui);                        ///< box selection, first-start hints
 
 }  // namespace viete::ui

@@ -8,11 +8,12 @@ namespace viete::ui {
 
 namespace {
 
-std::string hovered_text(const scene::Selection& selection, std::uint32_t element) {
+std::string hovered_text(const scene::Selection& selection, std::uint32_t element, bool crowded) {
   std::string name = scene::element_name(selection.kind()) + ' ' + std::to_string(element);
   name[0] = static_cast<char>(name[0] - 'a' + 'A');
-  const bool first_click = selection.kind() == scene::ElementKind::face && !selection.contains(element);
-  return name + (first_click ? ":  click selects" : ":  click selects, drag moves");
+  const bool first_click =
+      (crowded || selection.kind() == scene::ElementKind::face) && !selection.contains(element);
+  return name + (first_click ? ":  click selects, drag draws a box" : ":  click selects, drag moves");
 }
 
 // What the mouse would do now, in a few words.
@@ -20,17 +21,18 @@ std::string mouse_text(const scene::Workspace& w) {
   if (w.interaction.drag)
     return "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button takes "
            "it back";
+  if (const std::string selecting = select_hint(w); !selecting.empty()) return selecting;
   if (!w.view.deformed) return "The mesh is shown at rest, whatever moves it;  N lets it follow again";
   if (w.interaction.stroke) return "Release to keep it;  Esc or right button takes it back";
   if (scene::shows_mask(w))
     return "Drag paints what stays,  Ctrl what follows;  Shift and wheel change the brush;  middle or right "
            "drag orbits";
-  if (w.interaction.box) return "Release to select, Esc to take it back";
   if (w.interaction.over_axes) return "Click looks along an axis, drag orbits";
   if (w.interaction.handle)
     return scene::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
-  if (w.interaction.hovered) return hovered_text(w.document.selection, *w.interaction.hovered);
+  if (w.interaction.hovered)
+    return hovered_text(w.document.selection, *w.interaction.hovered, w.interaction.crowded);
   if (w.document.selection.kind() == scene::ElementKind::probe && !w.document.probes.empty())
     return "Drag a probe moves it,  on empty space selects;  middle or right drag orbits,  wheel zooms";
   if (w.document.has_cage())

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "scene/picking.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
@@ -8,14 +6,6 @@
 namespace viete::ui {
 
 namespace {
-
-void selection_box(const Context& ui, const scene::Interaction::Box& box) {
-  const ImVec2 a{std::min(box.corner.x, box.opposite.x), std::min(box.corner.y, box.opposite.y)};
-  const ImVec2 b{std::max(box.corner.x, box.opposite.x), std::max(box.corner.y, box.opposite.y)};
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  draw.AddRectFilled(a, b, faded(ui.colors.accent, 0.10f));
-  draw.AddRect(a, b, faded(ui.colors.accent, 0.80f));
-}
 
 // About as large as it reaches at the model.
 void brush_ring(const Context& ui, const scene::Workspace& w) {
@@ -57,7 +47,7 @@ void hints(const Context& ui) {
 
 void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
-  if (w.interaction.box) selection_box(ui, *w.interaction.box);
+  select_overlay(ui);
   if (w.interaction.brush) brush_ring(ui, w);
   if (w.binding.running || w.loading.running || w.making_cage.running) return;  // their bar is there
   if (w.document.kept_pose && w.view.panels) return editing_hint(ui);

@@ -74,16 +74,15 @@ TEST_CASE("points_behind_the_camera_are_never_picked") {
   const Projector project(w.document.space, w.camera, w.viewport);
   CHECK_FALSE(project(along(-3)));
   CHECK_FALSE(pick_index(w, middle));
-  CHECK(pick_box(project, w.document.pose.positions, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
+  CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
 }
 
 TEST_CASE("a_box_picks_what_is_inside_whichever_corner_comes_first") {
   const Workspace w = test::cube_workspace();
-  const Projector project(w.document.space, w.camera, w.viewport);
-  const auto& points = w.document.pose.positions;
-  const glm::vec2 at(*project(points[5]));
-  CHECK(pick_box(project, points, at + 2.0f, at - 2.0f) == std::vector<std::uint32_t>{5});
-  CHECK(pick_box(project, points, {0, 0}, {1000, 800}).size() == 8);
+  const glm::vec2 at = pixel(w, w.document.pose.positions[5]);
+  CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, at + 2.0f, at - 2.0f) ==
+        std::vector<std::uint32_t>{5});
+  CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 8);
 }
 
 TEST_CASE("the_edge_under_the_cursor_is_picked_within_eight_pixels_and_the_front_one_first") {

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+
+namespace viete::ui {
+
+namespace {
+
+using scene::SelectMode, scene::SelectShape;
+
+// Whether what is within is added or taken away stands beside the cursor.
+void sign(OverlayPainter& painter, const glm::vec2& at, SelectMode mode, ImU32 color) {
+  if (mode == SelectMode::replace) return;
+  const glm::vec2 middle = at + glm::vec2(14, 14), across(4, 0), up(0, 4);
+  painter.line(middle - across, middle + across, color, 1.5f);
+  if (mode == SelectMode::add) painter.line(middle - up, middle + up, color, 1.5f);
+}
+
+SelectMode mode_now() {
+  const ImGuiIO& io = ImGui::GetIO();
+  return io.KeyShift ? SelectMode::add : io.KeyCtrl ? SelectMode::remove : SelectMode::replace;
+}
+
+// A tint, and a line that shows over a cage of the tint's colour.
+void box_between(const Context& ui, OverlayPainter& painter, const scene::Interaction::Box& box) {
+  const glm::vec2 a = box.corner, b = box.opposite;
+  const std::array corners = {a, glm::vec2(b.x, a.y), b, glm::vec2(a.x, b.y)};
+  painter.tint(corners, faded(ui.colors.accent, 0.10f));
+  painter.line(corners, ui.colors.text, 1, true, 0.8f);
+}
+
+// Lines through the cursor, from edge to edge of the view: the corner of the box to come.
+void crosshair(const Context& ui, OverlayPainter& painter, const glm::vec2& at) {
+  const auto& v = ui.workspace.viewport;
+  painter.line({v.origin.x, at.y}, {v.origin.x + v.size.x, at.y}, ui.colors.text, 1, 0.5f);
+  painter.line({at.x, v.origin.y}, {at.x, v.origin.y + v.size.y}, ui.colors.text, 1, 0.5f);
+}
+
+// A loop with a loose end.
+void lasso_sign(const Context& ui, OverlayPainter& painter, const glm::vec2& at) {
+  const std::array loop = {at,
+                           at + glm::vec2(-9, -3),
+                           at + glm::vec2(-12, -9),
+                           at + glm::vec2(-7, -14),
+                           at + glm::vec2(2, -14),
+                           at + glm::vec2(7, -9),
+                           at + glm::vec2(4, -3)};
+  painter.line(loop, ui.colors.text, 1.5f, true);
+  painter.disc(at, 2, ui.colors.text);
+}
+
+void lasso_line(const Context& ui, OverlayPainter& painter, const scene::Lasso& lasso) {
+  const auto& line = lasso.line;
+  if (line.size() < 2) return;
+  painter.line(line, ui.colors.text, 1.5f);
+  // How it will be closed: dashes from its end to its start.
+  const glm::vec2 from = line.back(), way = line.front() - from;
+  const float length = glm::length(way);
+  for (float d = 0; d < length; d += 9)
+    painter.line(from + way * (d / length), from + way * (std::min(d + 5, length) / length), ui.colors.text,
+                 1.25f, 0.7f);
+}
+
+void circle(const Context& ui, OverlayPainter& painter, const scene::Interaction& hand, const glm::vec2& at) {
+  const bool works = hand.brushing.has_value();
+  if (works)
+    ImGui::GetBackgroundDrawList()->AddCircleFilled(vec(at), hand.select_radius,
+                                                    faded(ui.colors.accent, 0.12f));
+  painter.circle(at, hand.select_radius, ui.colors.text, 1.5f, works ? 1 : 0.8f);
+  painter.disc(at, 1.5f, ui.colors.text);
+}
+
+}  // namespace
+
+void select_overlay(const Context& ui) {
+  const auto& hand = ui.workspace.interaction;
+  OverlayPainter painter(ui);
+  if (hand.lasso) {
+    lasso_line(ui, painter, *hand.lasso);
+    return sign(painter, hand.lasso->line.back(), hand.lasso->mode, ui.colors.text);
+  }
+  if (hand.box) {
+    box_between(ui, painter, *hand.box);
+    return sign(painter, hand.box->opposite, hand.box->mode, ui.colors.text);
+  }
+  if (!hand.armed || !hand.cursor) return;
+  const glm::vec2 at = *hand.cursor;
+  switch (*hand.armed) {
+    case SelectShape::box: crosshair(ui, painter, at); break;
+    case SelectShape::lasso: lasso_sign(ui, painter, at); break;
+    case SelectShape::brush: circle(ui, painter, hand, at); break;
+  }
+  sign(painter, at, hand.brushing.value_or(mode_now()), ui.colors.text);
+}
+
+std::string select_hint(const scene::Workspace& w) {
+  const auto& hand = w.interaction;
+  if (hand.box || hand.lasso || hand.brushing) return "Release to select, Esc to take it back";
+  if (!hand.armed) return "";
+  switch (*hand.armed) {
+    case SelectShape::box: return "Box:  drag from anywhere,  Shift adds,  Ctrl removes;  Esc puts it away";
+    case SelectShape::lasso:
+      return "Lasso:  drag around what it selects,  Shift adds,  Ctrl removes;  Esc puts it away";
+    case SelectShape::brush: break;
+  }
+  return "Brush:  drag over what it selects,  Ctrl removes,  wheel changes its size;  Esc puts it away";
+}
+
+}  // namespace viete::ui
