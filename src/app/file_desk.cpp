@@ -18,11 +18,12 @@ namespace {
 fs::path recovery_folder(const fs::path& state) {
   return state.empty() ? state : state / "recovery";
 }
+
+}  // namespace
+
 fs::path remembered_file(const fs::path& state) {
   return state / "remembered.json";
 }
-
-}  // namespace
 
 FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace& workspace)
     : state_(state), saved_(std::move(saved)), autosave_(recovery_folder(state), queue_) {
@@ -36,6 +37,7 @@ FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace&
     workspace.messages.warn(std::string(error.what()) + "; starting without it");
   }
   workspace.view.hints = workspace.remembered.hints;
+  workspace.view.dark = workspace.remembered.dark;
   written_ = workspace.remembered;
 }
 

@@ -16,6 +16,9 @@
 
 namespace viete::app {
 
+/// What outlives a run, in this folder.
+std::filesystem::path remembered_file(const std::filesystem::path& state);
+
 class FileDesk {
 public:
   /// state: the folder to remember in; empty: nothing is remembered or kept. Fills the workspace with what

@@ -61,10 +61,8 @@ void Viewer::resize(glm::ivec2 logical_size) {
 }
 
 void Viewer::place_viewport() {
-  const glm::vec2 window(options_.size);
-  const glm::vec2 covered =
-      workspace_.view.panels ? glm::vec2(ui::column_width, ui::status_height) : glm::vec2(0);
-  workspace_.viewport = {window, {covered.x, 0}, glm::max(glm::vec2(1), window - covered)};
+  workspace_.viewport =
+      scene::view_between(workspace_.remembered.layout, glm::vec2(options_.size), workspace_.view.panels);
 }
 
 void Viewer::frame(float seconds) {

@@ -6,9 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "app/file_desk.h"
 #include "app/state_folder.h"
 #include "app/viewer.h"
 #include "base/clock.h"
+#include "base/error.h"
 #include "platform/window.h"
 #include "scene/saving.h"
 
@@ -61,6 +63,7 @@ void WindowViewer::listen() {
   };
   events.exposed = [this] {
     viewer_.resize(window_.size());
+    viewer_.workspace().remembered.window = window_.size();
     exposed_ = true;
   };
   window_.listen(std::move(events));
@@ -105,8 +108,18 @@ void WindowViewer::run(int frames) {
 
 }  // namespace
 
+// As it was left; what cannot be read is told of by the viewer.
+glm::ivec2 remembered_size() {
+  constexpr glm::ivec2 usual{1440, 900};
+  try {
+    return scene::read_remembered(remembered_file(state_folder())).window.value_or(usual);
+  } catch (const base::Error&) {
+    return usual;
+  }
+}
+
 bool run_window(const WindowOptions& options, std::string& reason) {
-  const auto window = platform::Window::open({1440, 900}, options.scale, reason);
+  const auto window = platform::Window::open(remembered_size(), options.scale, reason);
   if (!window) return false;
   WindowViewer shown(*window, options.binding);
   Viewer& viewer = shown.viewer();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -30,6 +31,14 @@ void toggle_weighting(Workspace& w) {
 template <bool ViewOptions::*Option>
 void toggle(Workspace& w) {
   w.view.*Option = !(w.view.*Option);
+}
+
+// With the panels, where they are hidden.
+template <Column Which>
+void toggle_column_of(Workspace& w) {
+  const bool hidden = !std::exchange(w.view.panels, true);
+  if (!hidden || !(shown_columns(w.remembered.layout, w.viewport.window.x).of(Which) > 0))
+    toggle_column(w.remembered.layout, Which, w.viewport.window.x);
 }
 
 template <Shading Choice>
@@ -413,9 +422,13 @@ const std::vector<Command>& table() {
       {"toggle_error_map", "Error on the mesh", "Colour the mesh by the relative error of the exponential at each vertex.",
        "View", {key('E'), false, true}, {}, uses_method, toggle<&ViewOptions::error_map>},
       {"toggle_theme", "Dark theme", "Switch between the dark and the light theme.", "View", {key('T')}, {}, always,
-       toggle<&ViewOptions::dark>},
+       [](Workspace& w) { w.remembered.dark = w.view.dark = !w.view.dark; }},
       {"toggle_panels", "Panels", "Show or hide the panels.", "View", {Key::f2}, {}, always,
        toggle<&ViewOptions::panels>},
+      {"toggle_tools", "Tools column", "Show or fold away the column of files, cage and tools.", "View", {}, {}, always,
+       toggle_column_of<Column::tools>},
+      {"toggle_lab", "Lab", "Show or fold away the Lab: method, timings, accuracy and benchmark.", "View", {}, {}, always,
+       toggle_column_of<Column::lab>},
       {"help", "Keys", "Show every key and mouse action.", "View", {Key::f1}, {}, always, toggle<&ViewOptions::help>},
   };
   // clang-format on

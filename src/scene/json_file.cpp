@@ -209,6 +209,13 @@ JsonReader JsonReader::at(const std::string& key) const {
   fail("the key \"" + key + "\" is missing", "add it to the file");
 }
 
+std::vector<std::string> JsonReader::keys() const {
+  if (!value_.is_object()) expected("an object");
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : value_.items()) keys.push_back(key);
+  return keys;
+}
+
 std::size_t JsonReader::size() const {
   if (!value_.is_array()) expected("a list");
   return value_.size();

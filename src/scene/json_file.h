@@ -43,6 +43,7 @@ public:
   /// Of an object. find: nothing if the key is missing or its value is null.
   std::optional<JsonReader> find(const std::string& key) const;
   JsonReader at(const std::string& key) const;
+  std::vector<std::string> keys() const;
   /// Of an array.
   std::size_t size() const;
   JsonReader item(std::size_t index) const;

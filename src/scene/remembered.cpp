@@ -5,6 +5,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "scene/json_file.h"
+#include "scene/range.h"
 
 namespace viete::scene {
 
@@ -28,6 +29,40 @@ ordered_json to_json(const RecentFile& recent) {
   ordered_json json = {{"file", path_json(recent.file)}};
   if (!recent.cage.empty()) json["cage"] = path_json(recent.cage);
   return json;
+}
+
+constexpr const char* column_names[] = {"tools", "lab"};
+
+ordered_json to_json(const PanelLayout& layout) {
+  ordered_json json;
+  for (std::size_t i = 0; i < 2; ++i)
+    json[column_names[i]] = {{"width", layout.width[i]}, {"folded", layout.folded[i]}};
+  json["last"] = column_names[static_cast<std::size_t>(layout.last)];
+  json["sections"] = layout.sections;
+  return json;
+}
+
+PanelLayout layout_of(const JsonReader& json) {
+  PanelLayout layout;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto column = json.find(column_names[i]);
+    if (!column) continue;
+    const double width = column->at("width").number();
+    layout.width[i] =
+        static_cast<float>(std::clamp<double>(width, PanelLayout::least_width, PanelLayout::largest_width));
+    layout.folded[i] = column->at("folded").boolean();
+  }
+  if (const auto last = json.find("last"); last && last->text() == column_names[1]) layout.last = Column::lab;
+  if (const auto sections = json.find("sections")) {
+    for (const std::string& title : sections->keys()) layout.sections[title] = sections->at(title).boolean();
+  }
+  return layout;
+}
+
+std::optional<glm::ivec2> size_of(const JsonReader& json) {
+  const auto [width, height] = json.numbers<2>();
+  if (!is_window(width, height)) return std::nullopt;
+  return glm::ivec2(width, height);
 }
 
 // What was there before comes behind, where it does not stand already.
@@ -69,6 +104,9 @@ Remembered read_remembered(const fs::path& file) {
   append_missing(remembered, recent);
   if (const auto folder = json.find("folder")) remembered.folder = folder->path();
   if (const auto hints = json.find("hints")) remembered.hints = hints->boolean();
+  if (const auto dark = json.find("dark")) remembered.dark = dark->boolean();
+  if (const auto window = json.find("window")) remembered.window = size_of(*window);
+  if (const auto layout = json.find("layout")) remembered.layout = layout_of(*layout);
   return remembered;
 }
 
@@ -80,6 +118,9 @@ void write_remembered(const fs::path& file, const Remembered& remembered) {
   for (const auto& entry : all.recent) json["recent"].push_back(to_json(entry));
   json["folder"] = path_json(all.folder);
   json["hints"] = all.hints;
+  json["dark"] = all.dark;
+  if (all.window) json["window"] = {all.window->x, all.window->y};
+  json["layout"] = to_json(all.layout);
   base::replace_file(file, readable(json, file), base::Durability::process);
 }
 

@@ -1,9 +1,13 @@
-// What the program remembers from run to run: recent files, the last folder, that the first hints were seen.
+// What the program remembers from run to run: recent files, the last folder, that the first hints were seen,
+// and how its window was arranged.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "scene/layout.h"
 
 namespace viete::scene {
 
@@ -17,9 +21,12 @@ struct RecentFile {
 struct Remembered {
   static constexpr std::size_t most = 12;
 
-  std::vector<RecentFile> recent;  ///< newest first, each once, at most `most`
-  std::filesystem::path folder;    ///< where a file was last chosen
-  bool hints = true;               ///< the hints of the first start are still to be shown
+  std::vector<RecentFile> recent;    ///< newest first, each once, at most `most`
+  std::filesystem::path folder;      ///< where a file was last chosen
+  bool hints = true;                 ///< the hints of the first start are still to be shown
+  bool dark = true;                  ///< the theme that was chosen last
+  std::optional<glm::ivec2> window;  ///< its size when it was used last, in logical pixels
+  PanelLayout layout;
 
   /// To the front. Paths are made absolute.
   void add(const RecentFile& file);

@@ -21,6 +21,7 @@
 #include "scene/document.h"
 #include "scene/file_browser.h"
 #include "scene/frame_stats.h"
+#include "scene/layout.h"
 #include "scene/measures.h"
 #include "scene/messages.h"
 #include "scene/question.h"

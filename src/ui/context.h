@@ -36,7 +36,7 @@ struct Context {
   std::span<const ImU32> error_colors{};  ///< of the error map, from its low end to its high one
 };
 
-inline constexpr float column_width = 320, status_height = 26;
+inline constexpr float status_height = scene::PanelLayout::status_height;
 
 /// The colour of a link of the frame, the same everywhere; index link_count + 0, 1, 2, 3 are upload, draw,
 /// panels, other.

@@ -109,9 +109,9 @@ void help_overlay(const Context& ui) {
   constexpr float gap = 32;
   const Rows hands = hands_rows(), settings = settings_rows(ui.workspace.about);
   const float both = width_of(hands) + gap + width_of(settings) + 4 * ImGui::GetStyle().WindowPadding.x;
-  const float left = ui.workspace.view.panels && display.x > column_width + both ? column_width : 0;
-  ImGui::SetNextWindowPos({left + 0.5f * (display.x - left), 0.5f * (display.y - status_height)},
-                          ImGuiCond_Always, {0.5f, 0.5f});
+  const scene::Viewport& v = ui.workspace.viewport;
+  const float middle = v.size.x > both ? v.origin.x + 0.5f * v.size.x : 0.5f * display.x;
+  ImGui::SetNextWindowPos({middle, 0.5f * (display.y - status_height)}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({420, 0}, {display.x - 40, display.y - 60});
   bool open = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);

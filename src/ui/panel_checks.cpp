@@ -120,7 +120,7 @@ void panel_checks(const Context& ui) {
   auto& checks = ui.workspace.checks;
   if (!ui.workspace.document.model.surface) return;
   const std::size_t matter = checks.running ? 0 : mattering(checks);
-  if (checks.fresh) ImGui::SetNextItemOpen(matter > 0);
+  if (checks.fresh) ui.workspace.remembered.layout.sections["Checks"] = matter > 0;
   checks.fresh = false;
   const bool open = section(ui, "Checks", false);
   section_note(ui, summary(checks), matter > 0 ? ui.colors.warn : 0);

@@ -4,24 +4,40 @@ namespace viete::ui {
 
 namespace {
 
-void column(const Context& ui) {
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize({column_width, display.y - status_height});
-  ImGui::Begin("Panels", nullptr,
+// Beside the view, over its whole height. False if there is none.
+bool begin_column(const Context& ui, const char* name, float x, float width) {
+  if (width <= 0) return false;
+  const scene::Viewport& v = ui.workspace.viewport;
+  ImGui::SetNextWindowPos({x, v.origin.y});
+  ImGui::SetNextWindowSize({width, v.size.y});
+  ImGui::Begin(name, nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavFocus |
                    ImGuiWindowFlags_NoNavInputs);
+  return true;
+}
+
+// What is worked on and with, in the order of the work.
+void tools(const Context& ui) {
+  if (!begin_column(ui, "Tools", 0, ui.workspace.viewport.origin.x)) return;
   panel_messages(ui);
   panel_model(ui);
   panel_cage(ui);
   panel_probes(ui);
   panel_checks(ui);
   panel_measures(ui);
+  panel_view(ui);
+  ImGui::End();
+}
+
+// How it is computed, how fast and how exactly.
+void lab(const Context& ui) {
+  const scene::Viewport& v = ui.workspace.viewport;
+  const float x = v.origin.x + v.size.x;
+  if (!begin_column(ui, "Lab", x, v.window.x - x)) return;
   panel_method(ui);
   panel_timings(ui);
   panel_accuracy(ui);
-  panel_view(ui);
   panel_benchmark(ui);
   ImGui::End();
 }
@@ -36,7 +52,9 @@ void draw_panels(const Context& ui) {
   mark_overlay(ui);
   error_legend(ui);
   if (ui.workspace.view.panels) {
-    column(ui);
+    tools(ui);
+    lab(ui);
+    column_edges(ui);
     status_bar(ui);
   }
   cage_offer(ui);

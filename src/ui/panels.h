@@ -5,8 +5,10 @@
 
 namespace viete::ui {
 
-/// Everything: column, status bar, overlays. Returns nothing; what the user does changes the workspace.
+/// Everything: columns, status bar, overlays. Returns nothing; what the user does changes the workspace.
 void draw_panels(const Context& ui);
+
+void column_edges(const Context& ui);  ///< to drag, and tabs that fold a column away
 
 void panel_model(const Context& ui);
 void panel_cage(const Context& ui);

@@ -39,7 +39,7 @@ void hints(const Context& ui) {
   const auto& v = ui.workspace.viewport;
   const float bottom = v.origin.y + v.size.y;
   centered(ui, bottom - 34,
-           "Drag a vertex of the cage     Switch the method at the left     F1 shows every key",
+           "Drag a vertex of the cage     Switch the method in the Lab     F1 shows every key",
            faded(ui.colors.text, 0.75f));
 }
 

@@ -55,10 +55,14 @@ void record(const Context& ui, const std::string& name, bool enabled) {
 }
 
 bool section(const Context& ui, const char* title, bool open_at_first) {
+  auto& sections = ui.workspace.remembered.layout.sections;
+  const auto known = sections.find(title);
+  const bool was_open = known == sections.end() ? open_at_first : known->second;
+  ImGui::SetNextItemOpen(was_open);
   ImGui::PushFont(ui.fonts.strong);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 3});
-  const bool open = ImGui::CollapsingHeader(
-      title, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+  const bool open = ImGui::CollapsingHeader(title);
+  if (open != was_open) sections[title] = open;
   ImGui::PopStyleVar();
   ImGui::PopFont();
   record(ui, std::string("section/") + title);

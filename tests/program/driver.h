@@ -28,7 +28,7 @@ class Driver {
 public:
   explicit Driver(app::ViewerOptions options = default_options(),
                   platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any)
-      : offscreen_(options, kind), column_end_(static_cast<float>(options.size.y) - 30) {
+      : offscreen_(options, kind) {
     // What tests ask of frames, links and reach they ask of the published way, unless they choose another.
     document().scheme = {};
   }
@@ -96,7 +96,18 @@ public:
     for (int i = 1; i <= 8; ++i) move(glm::floor(from + (to - from) * (static_cast<float>(i) / 8)));
   }
 
-  /// Scrolls the column until the widget is visible, as a person would, and clicks its middle.
+  /// Unfolds, one after the other, what is not there for want of room, until the widget is.
+  void unfold_columns(const std::string& widget) {
+    for (const char* column : {"toggle_lab", "toggle_tools"}) {
+      const bool lab = std::string_view(column) == "toggle_lab";
+      const auto shown = scene::shown_columns(workspace().remembered.layout, workspace().viewport.window.x);
+      if ((lab ? shown.lab : shown.tools) > 0) continue;
+      scene::find_command(column)->run(workspace());
+      frame(3);
+      if (viewer().recorder().find(widget)) return;
+    }
+  }
+  /// Scrolls its column until the widget is visible, as a person would, and clicks its middle.
   void click(const std::string& widget) { click(place_of(widget)); }
   /// Opens a chooser and takes one of its list.
   void choose(const std::string& chooser, const std::string& item) {
@@ -105,13 +116,18 @@ public:
     click(item);
   }
   glm::vec2 place_of(const std::string& widget) {
+    if (!viewer().recorder().find(widget)) unfold_columns(widget);
     for (int i = 0; i < 60; ++i) {
       const auto rect = viewer().recorder().find(widget);
       REQUIRE_MESSAGE(rect, "no widget named ", widget);
-      const bool whole = rect->visible && rect->y0 >= 0 && rect->y1 <= column_end_;
+      const scene::Viewport& v = workspace().viewport;
+      const float end = v.origin.x + v.size.x, top = v.origin.y, bottom = top + v.size.y;
+      const bool in_column = rect->x1 <= v.origin.x || rect->x0 >= end;
+      const bool whole = rect->visible && (!in_column || (rect->y0 >= top && rect->y1 <= bottom));
       if (whole) return {0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)};
-      move({160, 400});
-      wheel(rect->y0 < 0 ? 2.0f : -2.0f);
+      const float x = rect->x0 >= end ? 0.5f * (end + v.window.x) : 0.5f * v.origin.x;
+      move({x, top + 0.5f * v.size.y});
+      wheel(rect->y0 < top ? 2.0f : -2.0f);
     }
     FAIL("cannot scroll to " << widget);
     return {};
@@ -148,7 +164,6 @@ public:
 
 private:
   app::OffscreenViewer offscreen_;
-  float column_end_;  // where the status bar begins, roughly
 };
 
 inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {

@@ -22,6 +22,10 @@ bool overlap(const ui::WidgetRect& a, const ui::WidgetRect& b) {
   return a.x0 + rounding < b.x1 && b.x0 + rounding < a.x1 && a.y0 + rounding < b.y1 && b.y0 + rounding < a.y1;
 }
 
+bool in_column(const ui::WidgetRect& rect, glm::vec2 window) {
+  return rect.x1 <= column || rect.x0 >= window.x - column;
+}
+
 bool on_notice_bar(const std::string& name) {
   return name.ends_with("_leftover") || name.ends_with("_discard") || name.ends_with("_discarded");
 }
@@ -37,8 +41,10 @@ void check_places(const Widgets& widgets, glm::vec2 window) {
     CHECK(rect.x0 >= 0);
     CHECK(rect.x1 <= window.x);
     if (rect.x0 < column) CHECK(rect.x1 <= column);
+    if (rect.x1 > window.x - column) CHECK(rect.x0 >= window.x - column);
     for (auto b = std::next(a); b != widgets.end(); ++b) {
-      const bool both_in_column = b->second.visible && rect.x1 <= column && b->second.x1 <= column;
+      const bool both_in_column =
+          b->second.visible && in_column(rect, window) && in_column(b->second, window);
       const bool both_asked = name.starts_with("question_") && b->first.starts_with("question_");
       const bool both_told = on_notice_bar(name) && on_notice_bar(b->first);
       CHECK_MESSAGE(!((both_in_column || both_asked || both_told) && overlap(rect, b->second)), "covers ",
