@@ -33,12 +33,15 @@ Autosave::Autosave(fs::path folder, base::BackgroundQueue& queue)
 void Autosave::follow(scene::Workspace& workspace) {
   if (folder_.empty()) return;
   take_result(workspace, 0);
-  const Moment now{workspace.opened, workspace.document.history.revision(), workspace.saved.revision};
+  const scene::Document& document = workspace.document;
+  const Moment now{workspace.opened,         document.history.revision(),
+                   workspace.saved.revision, document.revisions.method,
+                   workspace.view,           document.model.unit};
   if (now == seen_) return;
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {
     take_result(workspace, patience);
-    if (!move_aside(workspace)) workspace.messages.error(problem_);
+    if (!move_aside(workspace)) workspace.messages.error(problem_, {"keep edits"});
   }
   seen_ = now;
   kept_ = false;
@@ -96,10 +99,11 @@ void Autosave::take_result(scene::Workspace& workspace, double wait_seconds) {
   try {
     writing_.get();
     kept_ = true;
+    workspace.messages.succeeded("keep edits");
     if (workspace.recovered_from == replaced_) workspace.recovered_from.clear();
   } catch (const std::exception& error) {
     problem_ = error.what();
-    workspace.messages.error(problem_);
+    workspace.messages.error(problem_, {"keep edits"});
   }
 }
 

@@ -11,11 +11,12 @@
 
 namespace viete::app {
 
-/// After each finished edit the whole session is written aside, replacing the one before; the frame waits for
-/// it a millisecond at most. The file goes away when the edits are saved or taken back. When another document
-/// is opened over unsaved edits, their file is set aside and offered as a leftover. Whatever way the program
-/// ends, the next start finds what is unsaved. Edits are kept once they are written, not before; what cannot
-/// be written is a message, and tried again with the next edit.
+/// After each finished edit, and each setting that is made after it, the whole session is written aside,
+/// replacing the one before; the frame waits for it a millisecond at most. The file goes away when the edits
+/// are saved or taken back. When another document is opened over unsaved edits, their file is set aside and
+/// offered as a leftover. Whatever way the program ends, the next start finds what is unsaved. Edits are kept
+/// once they are written, not before; what cannot be written is a message, and tried again with the next
+/// edit.
 ///
 /// Written for the end of the program, not for a power cut: then the file may be the one before.
 class Autosave {
@@ -41,6 +42,9 @@ private:
   struct Moment {
     scene::Revision opened = 0;
     unsigned long edits = 0, saved = 0;
+    scene::Revision method = 0;
+    scene::ViewOptions view;
+    scene::LengthUnit unit = scene::LengthUnit::unknown;
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 

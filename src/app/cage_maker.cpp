@@ -60,7 +60,8 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
       // What was only to better a preview that is no longer there, or is posed, is not wanted any more.
       const bool wanted = effort_ == cages::Effort::preview || scene::goes_on(w.document, w.making);
       if (result->value && wanted) take(w, *std::move(result->value));
-      if (!result->problem.empty()) w.messages.error(result->problem);
+      if (result->value) w.messages.succeeded("make a cage");
+      if (!result->problem.empty()) w.messages.error(result->problem, {"make a cage", scene::Scope::model});
       wants_full_ &= result->value.has_value();
     }
     // A preview that runs comes to its end first: else a hand that does not rest would see none.
@@ -95,14 +96,16 @@ void CageMaker::take(scene::Workspace& w, Made&& made) {
                    std::move(made.notes));
   if (!w.making.closing) return;
   // The panel that shows the notes is not there any more.
-  for (const std::string& note : w.making.notes) w.messages.warn("The cage made here: " + note + ".");
+  for (const std::string& note : w.making.notes)
+    w.messages.warn("The cage made here: " + note + ".", {.scope = scene::Scope::cage});
 }
 
 void CageMaker::close(scene::Workspace& w) {
   if (is_preview_ && scene::shows_made(w.document, w.making))
     w.messages.warn(
         "The cage is kept as its preview was, since it was posed or the work stopped: it encloses the model, "
-        "nearer to it in places than the margin says.");
+        "nearer to it in places than the margin says.",
+        {.scope = scene::Scope::cage});
   w.making = {.wish = w.making.wish};
 }
 

@@ -30,11 +30,12 @@ bool Exporter::follow(scene::Messages& messages, bool wait) {
   if (!result) return true;
   if (result->value) {
     for (const auto& note : *result->value) messages.warn(note);
+    messages.succeeded("export");
     messages.info("Saved the deformed model to " + file_.string());
   } else if (result->stopped) {
     messages.info("Stopped exporting " + file_.filename().string() + "; no file was changed.");
   } else {
-    messages.error(result->problem);
+    messages.error(result->problem, {"export"});
   }
   start_next();
   return result->value || result->stopped;

@@ -85,7 +85,7 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     const char* stopped = loader_.was_binding() ? "Stopped binding; everything is as it was."
                                                 : "Stopped reading; everything is as it was.";
     w.messages.say(result->stopped ? scene::Severity::info : scene::Severity::error,
-                   result->stopped ? stopped : result->problem);
+                   result->stopped ? stopped : result->problem, {"open"});
   }
 }
 
@@ -218,8 +218,9 @@ void FileDesk::take_written(scene::Workspace& w) {
     if (!base::is_ready(write)) return false;
     try {
       write.get();
+      w.messages.succeeded("remember");
     } catch (const std::exception& error) {
-      w.messages.error(error.what());
+      w.messages.error(error.what(), {"remember"});
     }
     return true;
   });

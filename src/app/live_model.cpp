@@ -97,9 +97,12 @@ void LiveModel::take_binding(scene::Workspace& workspace, bool wait) {
   install(workspace, *std::move(result->value));
 }
 
+constexpr scene::Concern of_cage{"bind", scene::Scope::cage};
+
 void LiveModel::install(scene::Workspace& workspace, Bound bound) {
-  for (const auto& warning : bound.binding->warnings) workspace.messages.warn(warning);
-  if (!bound.problem.empty()) workspace.messages.error(bound.problem);
+  for (const auto& warning : bound.binding->warnings) workspace.messages.warn(warning, of_cage);
+  workspace.messages.succeeded(of_cage.topic);
+  if (!bound.problem.empty()) workspace.messages.error(bound.problem, of_cage);
   if (workspace.document.has_cage()) files_.keep_binding(bound);
   bound_ = std::move(bound);
   make_deformer(scheme_of(workspace.document));
@@ -125,7 +128,7 @@ void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why
     weights_ = document.revisions.weights;  // they are those that are bound
     if (!deformer_->engine(document.method)) scene::set_method(document, sym3::Method::fast);
   }
-  workspace.messages.say(severity, why);
+  workspace.messages.say(severity, why, of_cage);
 }
 
 void LiveModel::finish_binding(scene::Workspace& workspace) {

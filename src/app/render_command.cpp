@@ -53,6 +53,7 @@ void set_up(scene::Workspace& workspace, scene::Opened&& opened, const RenderOpt
   const std::optional<scene::Session> session = opened.session;
   scene::take(workspace, std::move(opened));
   workspace.view = view_of(options, session);
+  workspace.attended = false;
 }
 
 // A session has its own camera, which another look replaces.

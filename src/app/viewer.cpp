@@ -74,6 +74,7 @@ void Viewer::frame(float seconds) {
   take_input(seconds);
   take_requests();
   follow_document();
+  settle_messages();
   deform(times);
   upload(times);
   panels(times);
@@ -125,6 +126,20 @@ void Viewer::keep_files() {
   if (workspace_.messages.revision() != said) settle(3);
 }
 
+// What was said since the last frame is of what is there now.
+void Viewer::settle_messages() {
+  auto& messages = workspace_.messages;
+  const auto& now = workspace_.document.revisions;
+  if (now.surfaces != said_of_.surfaces) {
+    messages.forget(scene::Scope::model, said_);
+  } else if (now.cage != said_of_.cage) {
+    messages.forget(scene::Scope::cage, said_);
+  }
+  said_of_ = now;
+  said_ = messages.revision();
+  messages.expire(base::wall_seconds());
+}
+
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
   const bool reports =
@@ -132,7 +147,7 @@ bool Viewer::wants_frame() const {
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
   return changing() || files_.has_news() || model_.has_result() ||
          (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
-         analysis_.has_news(workspace_, model_);
+         analysis_.has_news(workspace_, model_) || workspace_.messages.due(base::wall_seconds());
 }
 
 bool Viewer::changing() const {
@@ -167,7 +182,7 @@ void Viewer::follow_document() {
     if (files_.shading().surface != document.model.surface)
       files_.shading() = shading_of(document.model.surface, document.model.attributes.get());
     for (const std::string& warning : std::exchange(files_.shading().looks.warnings, {}))
-      workspace_.messages.warn(warning);
+      workspace_.messages.warn(warning, {.scope = scene::Scope::model});
     if (changed.document) renderer_.set_document(document, files_.shading());
     if (changed.cage && !changed.document) {
       scene::forget_findings(workspace_.checks);
@@ -274,9 +289,10 @@ void Viewer::save_screenshot() {
     std::error_code ignored;
     const fs::path path = base::unused_name(fs::current_path(ignored) / name);
     render::write_png(path, framebuffer_.read());
+    workspace_.messages.succeeded("screenshot");
     workspace_.messages.info("Saved " + path.string());
   } catch (const std::exception& error) {
-    workspace_.messages.error(error.what());
+    workspace_.messages.error(error.what(), {"screenshot"});
   }
   settle(2);
 }

@@ -97,6 +97,7 @@ private:
   void take_requests();
   void follow_document();
   void settle_cage_edit();
+  void settle_messages();
   void frame_finding();
   mesh::Point vertex(std::size_t index) const;  // of the model, as it is drawn
   void keep_files();
@@ -127,6 +128,8 @@ private:
   WorkspaceRenderer renderer_;
   std::vector<ImU32> error_colors_;
 
+  scene::Revisions said_of_;  ///< what the messages up to this revision may be of
+  unsigned said_ = 0;
   std::optional<scene::Revision> cage_drawn_;  ///< which pose; nothing: none of this cage
   bool deformed_ = false, take_screenshot_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< seconds of wall time

@@ -47,6 +47,7 @@ private:
   void draw(float seconds);
   void set_title();
   void call_for_attention();
+  void say_farewell();
 
   platform::Window& window_;
   Viewer viewer_;
@@ -70,9 +71,7 @@ void WindowViewer::listen() {
 }
 
 void WindowViewer::set_title() {
-  const auto& model = viewer_.workspace().document.model;
-  const char* unsaved = scene::has_unsaved_edits(viewer_.workspace()) ? "*" : "";
-  window_.set_title(model.surface ? model.path.filename().string() + unsaved + " - Viete" : "Viete");
+  window_.set_title(scene::window_title(viewer_.workspace()));
 }
 
 // The window may be behind others when the program is asked to end.
@@ -89,6 +88,16 @@ void WindowViewer::draw(float seconds) {
   call_for_attention();
 }
 
+// That edits are kept is said where they were made, for as long as it takes to read.
+void WindowViewer::say_farewell() {
+  constexpr double seconds = 1.5;
+  if (!viewer_.keeping()) return;
+  viewer_.workspace().farewell = true;
+  for (int i = 0; i < 3; ++i) draw(0.02f);  // a new window of the panels takes a frame to find its size
+  const double end = base::wall_seconds() + seconds;
+  while (base::wall_seconds() < end) window_.wait_for_events(0.1);
+}
+
 void WindowViewer::run(int frames) {
   double last = base::wall_seconds();
   for (int drawn = 0; frames == 0 || drawn < frames;) {
@@ -101,7 +110,7 @@ void WindowViewer::run(int frames) {
     const double now = base::wall_seconds();
     draw(static_cast<float>(std::min(now - last, 0.1)));
     last = now;
-    if (viewer_.closed()) return;
+    if (viewer_.closed()) return say_farewell();
     if (!viewer_.loading()) ++drawn;
   }
 }

@@ -96,14 +96,26 @@ float content_scale(GLFWwindow* window) {
   return scale;
 }
 
-// Where window units are pixels, a window of logical pixels is larger.
-void enlarge(GLFWwindow* window, glm::ivec2 size, float scale) {
-  int units = 0, pixels = 0;
-  glfwGetWindowSize(window, &units, nullptr);
+// What the screen has room for, without its bars and the frame of the window.
+glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
+  GLFWmonitor* screen = glfwGetPrimaryMonitor();
+  if (!screen) return otherwise;
+  glm::ivec2 place, size{0, 0}, low{0, 0}, high{0, 0};
+  glfwGetMonitorWorkarea(screen, &place.x, &place.y, &size.x, &size.y);
+  glfwGetWindowFrameSize(window, &low.x, &low.y, &high.x, &high.y);
+  const glm::ivec2 room = size - low - high;
+  return room.x > 0 && room.y > 0 ? room : otherwise;
+}
+
+// Where window units are pixels, a window of logical pixels is larger; no larger than the screen.
+void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
+  glm::ivec2 units;
+  int pixels = 0;
+  glfwGetWindowSize(window, &units.x, &units.y);
   glfwGetFramebufferSize(window, &pixels, nullptr);
-  if (units == pixels)
-    glfwSetWindowSize(window, int(static_cast<float>(size.x) * scale),
-                      int(static_cast<float>(size.y) * scale));
+  const auto wanted = units.x == pixels ? glm::ivec2(glm::vec2(size) * scale) : size;
+  const glm::ivec2 fitting = glm::min(wanted, room_for(window, wanted));
+  if (fitting != units) glfwSetWindowSize(window, fitting.x, fitting.y);
 }
 
 Window& of(GLFWwindow* window) {
@@ -125,7 +137,7 @@ std::unique_ptr<Window> Window::open(glm::ivec2 size, float scale, std::string& 
   }
   if (scale <= 0) scale = content_scale(handle);
   glfwSetWindowSizeLimits(handle, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
-  if (scale > 1.01f) enlarge(handle, size, scale);
+  fit(handle, size, scale);
   return std::unique_ptr<Window>(new Window(handle, std::max(scale, 0.5f)));
 }
 

@@ -27,8 +27,8 @@ struct WindowEvents {
 /// SIGHUP ask it to close.
 class Window {
 public:
-  /// `size` in logical pixels, of `scale` device pixels each; 0 asks the display. Null, saying why in
-  /// `reason`, if there is no display or no OpenGL 3.3.
+  /// `size` in logical pixels, of `scale` device pixels each; 0 asks the display. No larger than the screen.
+  /// Null, saying why in `reason`, if there is no display or no OpenGL 3.3.
   static std::unique_ptr<Window> open(glm::ivec2 size, float scale, std::string& reason);
   ~Window();
   Window(const Window&) = delete;

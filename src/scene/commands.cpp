@@ -170,22 +170,24 @@ void switch_cage_editing(Document& document) {
   is_editing_cage(document) ? end_cage_editing(document) : begin_cage_editing(document);
 }
 
+constexpr Concern of_cage{.scope = Scope::cage};
+
 void enclose_and_say(Workspace& w) {
   const std::size_t left = enclose_model(w.document);
-  if (left == 0) return w.messages.info("All vertices of the model are within the cage.");
-  w.messages.warn(counted(ElementKind::vertex, left) + " of the model still outside of the cage; move it there, or make one");
+  if (left == 0) return w.messages.info("All vertices of the model are within the cage.", of_cage);
+  w.messages.warn(counted(ElementKind::vertex, left) + " of the model still outside of the cage; move it there, or make one", of_cage);
 }
 
 void fit_turned_and_say(Workspace& w) {
   const double degrees = fit_cage_turned(w.document);
-  if (degrees > 0) return w.messages.info("The cage was turned by " + base::with_thousands(static_cast<std::size_t>(std::lround(degrees))) + " degrees.");
-  w.messages.info("The cage was fitted as it stands: no turn brings it clearly nearer to the model.");
+  if (degrees > 0) return w.messages.info("The cage was turned by " + base::with_thousands(static_cast<std::size_t>(std::lround(degrees))) + " degrees.", of_cage);
+  w.messages.info("The cage was fitted as it stands: no turn brings it clearly nearer to the model.", of_cage);
 }
 
 void snap_and_say(Workspace& w) {
   const auto [moved, left] = snap_selected(w.document);
-  if (left > 0) return w.messages.warn("No short way leads out of the model from " + counted(ElementKind::vertex, left) + " of the cage; move by hand what is within");
-  w.messages.info(moved == 0 ? "What is selected is outside of the model." : counted(ElementKind::vertex, moved) + " of the cage moved out of the model.");
+  if (left > 0) return w.messages.warn("No short way leads out of the model from " + counted(ElementKind::vertex, left) + " of the cage; move by hand what is within", of_cage);
+  w.messages.info(moved == 0 ? "What is selected is outside of the model." : counted(ElementKind::vertex, moved) + " of the cage moved out of the model.", of_cage);
 }
 
 // What is no cage is said, and changes nothing. Of the document, or of the workspace with a word.
@@ -197,8 +199,9 @@ void change_cage(Workspace& w) {
     } else {
       Change(w);
     }
+    w.messages.succeeded("change the cage");
   } catch (const base::Error& error) {
-    w.messages.error(error.what());
+    w.messages.error(error.what(), {"change the cage", Scope::cage});
   }
   w.interaction.hovered.reset();
 }
@@ -429,7 +432,12 @@ const std::vector<Command>& table() {
        toggle_column_of<Column::tools>},
       {"toggle_lab", "Lab", "Show or fold away the Lab: method, timings, accuracy and benchmark.", "View", {}, {}, always,
        toggle_column_of<Column::lab>},
-      {"help", "Keys", "Show every key and mouse action.", "View", {Key::f1}, {}, always, toggle<&ViewOptions::help>},
+
+      {"help", "Keys", "Show every key and mouse action.", "Help", {Key::f1}, {}, always, toggle<&ViewOptions::help>},
+      {"command_palette", "Commands", "Find any command by a few letters of its name, and run it.", "Help", {key('K'), true}, {Key::f3},
+       always, [](Workspace& w) { w.palette = {!w.palette.open, true, "", 0}; }},
+      {"show_messages", "Messages", "Show all that was said since the program was started, or hide it again.", "Help", {}, {}, always,
+       [](Workspace& w) { w.show_messages = !w.show_messages; }},
   };
   // clang-format on
   return all;
@@ -450,6 +458,7 @@ std::string key_name(Key k) {
     case Key::tab: return "Tab";
     case Key::f1: return "F1";
     case Key::f2: return "F2";
+    case Key::f3: return "F3";
     case Key::f12: return "F12";
     case Key::pad1: return "Num 1";
     case Key::pad3: return "Num 3";

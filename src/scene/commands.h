@@ -24,6 +24,7 @@ enum class Key : int {
   tab,
   f1,
   f2,
+  f3,
   f12,
   pad1,
   pad3,

@@ -56,7 +56,8 @@ std::vector<Entry> list(const fs::path& folder, const FileBrowser& browser) {
 std::span<const std::string_view> FileBrowser::formats() const {
   static constexpr std::array<std::string_view, 6> all = {"obj", "ply", "off", "stl", "glb", "gltf"};
   if (purpose == Purpose::save_session) return {};
-  const bool pose = purpose == Purpose::pose || purpose == Purpose::save_pose || purpose == Purpose::save_cage;
+  const bool pose =
+      purpose == Purpose::pose || purpose == Purpose::save_pose || purpose == Purpose::save_cage;
   return std::span(all).first(pose ? 3 : all.size());
 }
 
@@ -84,7 +85,7 @@ void enter(FileBrowser& browser, const fs::path& folder) {
     browser.path = (browser.saves() ? absolute / browser.suggested : absolute).string();
     browser.problem.clear();
     browser.filter.clear();
-    browser.highlighted = 0;
+    browser.highlighted = browser.saves() ? FileBrowser::none : 0;
   } catch (const fs::filesystem_error& error) {
     browser.problem = folder.string() + ": " + error.code().message() + "; choose another folder";
   }
@@ -101,7 +102,8 @@ std::vector<const Entry*> shown(const FileBrowser& browser) {
 
 void move_highlight(FileBrowser& browser, int steps) {
   const auto last = static_cast<std::ptrdiff_t>(shown(browser).size()) - 1;
-  const auto wanted = static_cast<std::ptrdiff_t>(browser.highlighted) + steps;
+  const bool from_none = browser.highlighted == FileBrowser::none;
+  const auto wanted = from_none ? 0 : static_cast<std::ptrdiff_t>(browser.highlighted) + steps;
   browser.highlighted =
       static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(wanted, 0, std::max<std::ptrdiff_t>(last, 0)));
 }
@@ -124,6 +126,32 @@ fs::path chosen_file(const FileBrowser& browser) {
   return file;
 }
 
+std::string problem_of_name(const FileBrowser& browser) {
+  const fs::path file = chosen_file(browser);
+  const std::string name = file.filename().string();
+  std::error_code ignored;
+  if (!browser.saves())
+    return fs::exists(file, ignored) ? "" : name + " is not there; choose one of the list, or another path";
+  if (name.empty() || fs::is_directory(file, ignored)) return "Give the file a name.";
+  if (!fs::is_directory(file.parent_path(), ignored))
+    return file.parent_path().string() + " is no folder; choose another one";
+  const auto formats = browser.formats();
+  const bool known = browser.purpose == Purpose::save_session ||
+                     std::find(formats.begin(), formats.end(), mesh::extension_of(file)) != formats.end();
+  return known ? ""
+               : name + " has an extension that is not known: files are written as " + format_list(browser);
+}
+
+std::string format_list(const FileBrowser& browser) {
+  std::string text;
+  for (const auto format : browser.formats()) {
+    const bool last = format == browser.formats().back();
+    text += text.empty() ? "" : last ? " or " : ", ";
+    for (const char c : format) text += static_cast<char>(c - 32);
+  }
+  return text;
+}
+
 std::string format_of(const FileBrowser& browser) {
   return mesh::extension_of(browser.path);
 }
@@ -132,6 +160,8 @@ void set_format(FileBrowser& browser, const std::string& extension) {
   fs::path path = browser.path;
   browser.path = path.replace_extension(extension).string();
   browser.suggested = path.filename().string();
+  browser.highlighted = FileBrowser::none;  // the hand is at the name
+  browser.problem.clear();
 }
 
 }  // namespace viete::scene

@@ -25,11 +25,13 @@ struct FileBrowser {
   std::vector<Entry>
       entries;       ///< folders first, then files that fit the purpose, each by name without regard to case
   std::string path;  ///< what the text field holds
-  std::string problem;          ///< why the folder could not be listed; empty if it could
-  std::string suggested;        ///< file name to save under; kept while folders are walked
-  std::string filter;           ///< only entries that contain it, without regard to case, are shown
-  std::string warned;           ///< the path whose file Enter would have replaced: a second Enter does
-  std::size_t highlighted = 0;  ///< among the entries that are shown; what Enter takes
+  std::string problem;    ///< why the folder could not be listed; empty if it could
+  std::string suggested;  ///< file name to save under; kept while folders are walked
+  std::string filter;     ///< only entries that contain it, without regard to case, are shown
+  std::string warned;     ///< the path whose file Enter would have replaced: a second Enter does
+  /// Among the entries that are shown: what Enter takes. Past them: none, and Enter saves under the name.
+  std::size_t highlighted = 0;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   bool saves() const { return purpose >= Purpose::save_session; }
   /// Of surfaces that fit the purpose: "obj", "ply", "off", "stl", "glb", "gltf"; of a pose without the last
@@ -57,6 +59,10 @@ bool filters_by_path(const FileBrowser& browser);
 std::filesystem::path typed_path(const FileBrowser& browser);
 /// The same with the extension that the purpose asks for if it has none.
 std::filesystem::path chosen_file(const FileBrowser& browser);
+/// Why that file cannot be opened or written as it is named; empty if it can be tried.
+std::string problem_of_name(const FileBrowser& browser);
+/// "OBJ, PLY or OFF".
+std::string format_list(const FileBrowser& browser);
 /// The extension of the file to be saved, in lower case: "ply".
 std::string format_of(const FileBrowser& browser);
 /// Another extension for it.

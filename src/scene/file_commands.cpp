@@ -7,11 +7,17 @@ namespace {
 using Purpose = FileBrowser::Purpose;
 namespace fs = std::filesystem;
 
-// Where a file was chosen last, else beside what is open.
-void browse(Workspace& w, Purpose purpose) {
-  const bool in_file = w.document.has_cage() && !w.document.cage_file.path.empty();
-  const auto& beside = in_file ? w.document.cage_file.path : w.document.model.path;
-  show(w.browser, purpose, w.remembered.folder.empty() ? beside.parent_path() : w.remembered.folder);
+// The file of the cage, or else of the model.
+const fs::path& file_of_cage(const Document& document) {
+  const bool in_file = document.has_cage() && !document.cage_file.path.empty();
+  return in_file ? document.cage_file.path : document.model.path;
+}
+
+// Beside what it belongs to.
+void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
+  std::error_code ignored;
+  const bool there = fs::is_directory(file.parent_path(), ignored);
+  show(w.browser, purpose, there ? file.parent_path() : w.remembered.folder);
 }
 
 // "cage" becomes "cage_pose.obj", in the folder of the session or else beside the file it comes from.
@@ -23,13 +29,15 @@ void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const s
 }  // namespace
 
 void browse_for_model(Workspace& w) {
-  browse(w, Purpose::model);
+  // Where a file was chosen last, else beside what is open.
+  const fs::path& last = w.remembered.folder;
+  show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
 }
 void browse_for_cage(Workspace& w) {
-  browse(w, Purpose::cage);
+  browse_beside(w, Purpose::cage, w.document.model.path);
 }
 void browse_for_pose(Workspace& w) {
-  browse(w, Purpose::pose);
+  browse_beside(w, Purpose::pose, file_of_cage(w.document));
 }
 
 void save(Workspace& w) {

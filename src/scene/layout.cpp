@@ -38,8 +38,8 @@ ColumnWidths shown_columns(const PanelLayout& layout, float window_width) {
 Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels) {
   if (!panels) return {window, {0, 0}, glm::max(glm::vec2(1), window)};
   const ColumnWidths columns = shown_columns(layout, window.x);
-  const glm::vec2 covered(columns.tools + columns.lab, PanelLayout::status_height);
-  return {window, {columns.tools, 0}, glm::max(glm::vec2(1), window - covered)};
+  const glm::vec2 covered(columns.tools + columns.lab, PanelLayout::menu_height + PanelLayout::status_height);
+  return {window, {columns.tools, PanelLayout::menu_height}, glm::max(glm::vec2(1), window - covered)};
 }
 
 void toggle_column(PanelLayout& layout, Column column, float window_width) {

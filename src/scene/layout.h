@@ -17,7 +17,7 @@ enum class Column { tools, lab };
 struct PanelLayout {
   static constexpr float least_width = 272, usual_width = 320, largest_width = 560;
   static constexpr float least_view = 320;  ///< which is left between the columns
-  static constexpr float status_height = 26;
+  static constexpr float menu_height = 26, status_height = 26;
 
   std::array<float, 2> width{usual_width, usual_width};
   std::array<bool, 2> folded{};

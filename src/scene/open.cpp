@@ -245,8 +245,12 @@ void check(const Opened& opened, void (*check_document)(const Document&)) {
 }
 
 void report(Workspace& workspace, const Opened& opened) {
-  if (!opened.taken_as.empty()) workspace.messages.info(opened.taken_as);
-  for (const auto& warning : opened.warnings) workspace.messages.warn(warning);
+  const bool same_model =
+      opened.document && opened.document->model.surface == workspace.document.model.surface;
+  const Concern concern{.scope = same_model || !opened.document ? Scope::cage : Scope::model};
+  workspace.messages.succeeded("open");
+  if (!opened.taken_as.empty()) workspace.messages.info(opened.taken_as, concern);
+  for (const auto& warning : opened.warnings) workspace.messages.warn(warning, concern);
 }
 
 void take_document(Workspace& w, Document&& document, bool keep_settings) {
@@ -315,8 +319,8 @@ void check_deformable(const Opened& opened) {
 
 void take(Workspace& w, Opened&& opened) {
   if (opened.pose && opened.pose_of != w.document.cage)
-    return w.messages.error(opened.file.string() +
-                            ": the cage was changed while this pose was read; open it again");
+    return w.messages.error(
+        opened.file.string() + ": the cage was changed while this pose was read; open it again", {"open"});
   report(w, opened);
   if (opened.pose) return take_pose(w, std::move(*opened.pose));
   const bool same_model = opened.document->model.surface == w.document.model.surface;
@@ -345,6 +349,7 @@ void take(Workspace& w, Opened&& opened) {
   if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
   if (same_model) return;
   w.camera.set_up(guessed_up(w.document.model));
+  w.camera.look(StandardView::home);  // as if nothing had been open before
   frame_all(w, false);
 }
 

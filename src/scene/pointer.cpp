@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/elements.h"
 #include "scene/probes.h"
 
 namespace viete::scene {
@@ -126,6 +127,7 @@ void Pointer::press(Workspace& workspace, const PointerInput& input) {
   for (const int button : {left_button, right_button, middle_button}) {
     if (!pressed_now(input, button)) continue;
     button_ = button;
+    travelled_ = false;
     press_ = input.position;
     last_.position = input.position;
     if (button == left_button && !input.alt) return press_left(workspace, input);
@@ -171,6 +173,7 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
   if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
   const glm::vec2 delta = input.position - last_.position;
   if (glm::distance(input.position, press_) >= drag_threshold) {
+    travelled_ = true;
     if (gesture_ == Gesture::pressed) begin_left_drag(workspace, input);
     if (gesture_ == Gesture::on_axes) gesture_ = Gesture::orbiting;
   }
@@ -185,7 +188,7 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
       if (delta != glm::vec2(0)) brush_on(workspace, input);
       break;
     case Gesture::orbiting:
-      if (delta != glm::vec2(0)) workspace.camera.orbit(delta);
+      if (delta != glm::vec2(0) && (travelled_ || button_ != right_button)) workspace.camera.orbit(delta);
       break;
     case Gesture::panning:
       if (delta != glm::vec2(0)) workspace.camera.pan(delta, workspace.viewport);
@@ -302,6 +305,8 @@ void Pointer::release(Workspace& workspace, const PointerInput& input) {
     select_inside(workspace, input);
   } else if (gesture_ == Gesture::pressed) {
     click(workspace);
+  } else if (gesture_ == Gesture::orbiting && button_ == right_button && !travelled_) {
+    ask_for_menu(workspace);
   } else if (gesture_ == Gesture::on_axes) {
     const auto axes = axis_widget_of(workspace);
     const AxisBall* ball = axes ? axes->ball(press_) : nullptr;
@@ -318,6 +323,14 @@ void Pointer::click(Workspace& workspace) {
   } else if (!handle_ && mode_ == SelectMode::replace) {
     selection.clear();
   }
+}
+
+// Of what is selected, which what is under the cursor belongs to.
+void Pointer::ask_for_menu(Workspace& workspace) {
+  Selection& selection = workspace.document.selection;
+  const auto hovered = workspace.interaction.hovered;
+  if (hovered && !selection.contains(*hovered)) selection.apply(std::array{*hovered}, SelectMode::replace);
+  workspace.interaction.menu = press_;
 }
 
 void Pointer::finish(Workspace& workspace, Gesture next) {

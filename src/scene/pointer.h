@@ -51,7 +51,8 @@ public:
   /// uses it, on an element moves the selection, elsewhere draws a box. With Shift or Ctrl it always draws
   /// one, which adds or removes; so it does on an element that is not selected yet where that is a face, or
   /// where elements are so close that there is no place between them. What is armed comes before all that;
-  /// middle, right or Alt+left drag orbits, with Shift pans, with Ctrl zooms; wheel zooms to the cursor.
+  /// middle, right or Alt+left drag orbits, with Shift pans, with Ctrl zooms; wheel zooms to the cursor. A
+  /// right click asks for the menu, of what is under the cursor or selected.
   /// With Tool::paint left drag paints on the model, with Ctrl what follows in full, and Shift and wheel
   /// change the brush. While something is being moved characters constrain it and set the amount, Ctrl snaps,
   /// Shift slows, Enter keeps it, and Esc or the right button puts everything back as it was.
@@ -91,6 +92,7 @@ private:
   void transform(Workspace& workspace, const PointerInput& input);
   void release(Workspace& workspace, const PointerInput& input);
   void click(Workspace& workspace);
+  void ask_for_menu(Workspace& workspace);
   void finish(Workspace& workspace, Gesture next);
   void cancel(Workspace& workspace);
   bool pressed_now(const PointerInput& input, int button) const {
@@ -101,6 +103,7 @@ private:
   SightKeeper sight_;
   Gesture gesture_ = Gesture::none;
   int button_ = 0;
+  bool travelled_ = false;  // by more than a hand trembles
   glm::vec2 press_{0, 0};
   std::optional<Pick> grabbed_;
   std::optional<Constraint> handle_;

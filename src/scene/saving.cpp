@@ -23,13 +23,15 @@ namespace {
 // Runs a step that writes; what goes wrong becomes a message.
 template <class Step>
 bool attempt(Workspace& workspace, const char* what, const fs::path& path, Step step) {
+  const std::string topic = std::string("save ") + what;
   try {
     base::check_replaceable(path);
     step();
+    workspace.messages.succeeded(topic);
     workspace.messages.info(std::string("Saved the ") + what + " to " + path.string());
     return true;
   } catch (const std::exception& error) {
-    workspace.messages.error(error.what());
+    workspace.messages.error(error.what(), {topic});
     return false;
   }
 }
@@ -103,6 +105,12 @@ std::optional<std::uint64_t> content_of(const fs::path& file) {
   } catch (const std::exception&) {
     return std::nullopt;
   }
+}
+
+std::string window_title(const Workspace& w) {
+  if (!w.document.model.surface) return "Viete";
+  const fs::path& file = w.saved.session.empty() ? w.document.model.path : w.saved.session;
+  return file.filename().string() + (has_unsaved_edits(w) ? "*" : "") + " - Viete";
 }
 
 bool has_unsaved_edits(const Workspace& w) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "scene/workspace.h"
 
@@ -20,6 +21,9 @@ bool save_cage(Workspace& workspace, const std::filesystem::path& path);
 bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& session);
 /// Checksum of a file; nothing if it cannot be read.
 std::optional<std::uint64_t> content_of(const std::filesystem::path& file);
+
+/// Of the window: the session, or else the model, that is open, with a star while edits are unsaved.
+std::string window_title(const Workspace& workspace);
 
 /// True if what shapes the model is neither what was opened nor what was saved last: the pose, its whole
 /// turns included, coordinates and reach. The method is not among it (every one gives the same model), nor

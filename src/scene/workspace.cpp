@@ -82,7 +82,7 @@ bool open_now(Workspace& workspace, const OpenRequest& request) {
     take(workspace, std::move(opened));
     return true;
   } catch (const std::exception& error) {
-    workspace.messages.error(error.what());
+    workspace.messages.error(error.what(), {"open"});
     return false;
   }
 }

@@ -82,7 +82,9 @@ struct Interaction {
   std::optional<SelectMode> brushing;  ///< or the brush selects
   std::optional<SelectShape> armed;    ///< the next left drag draws it, wherever it begins; the brush stays
   float select_radius = 40;            ///< of the brush, logical pixels
-  bool crowded = false;  ///< elements are so close under the cursor that a drag on one draws a box
+  bool crowded = false;           ///< elements are so close under the cursor that a drag on one draws a box
+  std::optional<glm::vec2> menu;  ///< the right button was clicked here: a menu is to open
+  glm::vec2 menu_at{0, 0};        ///< and that is what its commands are for
 };
 
 /// What stands in a field while it is being edited.
@@ -151,6 +153,14 @@ struct About {
   std::string renderer;  ///< of OpenGL
 };
 
+/// Every command by name, found by a few letters.
+struct Palette {
+  bool open = false;
+  bool appearing = false;  ///< the keyboard is to go there
+  std::string typed;
+  std::size_t highlighted = 0;  ///< among those that are found
+};
+
 struct Workspace {
   Document document;
   Camera camera;
@@ -188,6 +198,10 @@ struct Workspace {
   std::optional<Question> question;          ///< waits for an answer; nothing else is done meanwhile
   std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
   FileBrowser browser;
+  Palette palette;
+  bool show_messages = false;  ///< all of them, in a list
+  bool attended = true;        ///< somebody is there to read what is said; not so for pictures of a command
+  bool farewell = false;       ///< the window is about to close, and edits are kept
   std::map<std::string, TypedText> typed;  ///< by the name of the field
   ChoicePictures choice_pictures;
   About about;

@@ -22,14 +22,13 @@ void line(const std::string& text, ImU32 color) {
 
 }  // namespace
 
-void cage_offer(const Context& ui) {
+float cage_offer(const Context& ui, float bottom) {
   const scene::Workspace& w = ui.workspace;
-  if (!shows(w)) return;
+  if (!shows(w)) return bottom;
   constexpr const char* what = "A cage is the coarse mesh around it that you drag.";
   const float width = std::max(320.0f, ImGui::CalcTextSize(what).x);
   const auto& v = w.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + v.size.y - 28}, ImGuiCond_Always,
-                          {0.5f, 1});
+  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, bottom - 28}, ImGuiCond_Always, {0.5f, 1});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16, 14});
   ImGui::Begin("Cage offer", nullptr,
@@ -47,8 +46,10 @@ void cage_offer(const Context& ui) {
   }
   command_button(ui, "make_cage", width);
   command_row(ui, {"open_cage", "hide_cage_offer"});
+  const float top = ImGui::GetWindowPos().y;
   ImGui::End();
   ImGui::PopStyleVar(2);
+  return top + 28;
 }
 
 }  // namespace viete::ui

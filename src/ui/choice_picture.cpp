@@ -115,7 +115,8 @@ void place_beside() {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float width = scene::choice_picture_size.x + 2 * ImGui::GetStyle().WindowPadding.x;
   const float y = 0.5f * (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y);
-  const float x = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + gap;
+  const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth();
+  const float x = right + gap + width <= display.x ? right + gap : left - gap - width;
   ImGui::SetNextWindowPos({std::max(0.0f, std::min(x, display.x - width - gap)), y}, ImGuiCond_Always,
                           {0, y / display.y});
 }

@@ -55,7 +55,19 @@ void choose_typed(scene::Workspace& w) {
   if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
   const std::filesystem::path typed = scene::typed_path(w.browser);
   std::error_code ignored;
-  choose(w, std::filesystem::is_directory(typed, ignored) ? typed : scene::chosen_file(w.browser));
+  if (std::filesystem::is_directory(typed, ignored)) return choose(w, typed);
+  w.browser.problem = scene::problem_of_name(w.browser);
+  if (w.browser.problem.empty())
+    choose(w, scene::chosen_file(w.browser));  // else the name stays, to be corrected
+}
+
+// One Enter too many loses no file.
+void confirm_typed(scene::Workspace& w) {
+  if (w.browser.replaces() && w.browser.warned != w.browser.path) {
+    w.browser.warned = w.browser.path;
+  } else {
+    choose_typed(w);
+  }
 }
 
 std::string bytes_text(std::uintmax_t bytes) {
@@ -78,29 +90,22 @@ void path_field(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   if (browser.appearing && browser.saves()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  const bool enter = text_field("##path", "", browser.path, ImGuiInputTextFlags_EnterReturnsTrue);
+  // What is typed takes the place of what is proposed, wherever the caret was the time before.
+  constexpr auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+  const std::string before = browser.path;
+  const bool enter = text_field("##path", "", browser.path, flags);
   record(ui, "file_path");
   hint(browser.saves() ? "The file to write; its extension chooses the format."
                        : "Type or paste a path; Enter opens it.");
-  if (!enter) return;
-  if (!browser.replaces() || browser.warned == browser.path) return choose_typed(ui.workspace);
-  browser.warned = browser.path;  // one Enter too many loses no file
-  ImGui::SetKeyboardFocusHere(-1);
+  if (browser.path != before)
+    browser.problem.clear(), browser.highlighted = browser.saves() ? Browser::none : 0;
+  if (enter) confirm_typed(ui.workspace);
+  if (enter && browser.open) ImGui::SetKeyboardFocusHere(-1);
 }
 
 std::string in_capitals(std::string_view format) {
   std::string text(format);
   for (char& c : text) c = static_cast<char>(c - 32);
-  return text;
-}
-
-// "OBJ, PLY or OFF".
-std::string format_list(const Browser& browser) {
-  std::string text;
-  for (const auto format : browser.formats()) {
-    const bool last = format == browser.formats().back();
-    text += (text.empty() ? "" : last ? " or " : ", ") + in_capitals(format);
-  }
   return text;
 }
 
@@ -162,7 +167,7 @@ const Browser::Entry* entry_list(const Context& ui, const std::vector<const Brow
   note(ui, scene::filters_by_path(ui.workspace.browser) ? "Enter goes to this path."
            : !ui.workspace.browser.filter.empty()       ? "Nothing here has that in its name."
            : sessions                                   ? "No session here yet."
-                      : "No " + format_list(ui.workspace.browser) + " file here.");
+                      : "No " + scene::format_list(ui.workspace.browser) + " file here.");
   return clicked;
 }
 
@@ -171,6 +176,7 @@ void take(scene::Workspace& w, const Browser::Entry& entry) {
   const std::filesystem::path path = w.browser.folder / entry.name;
   if (entry.folder || !w.browser.saves()) return choose(w, path);
   w.browser.path = path.string();
+  w.browser.highlighted = Browser::none;  // the next Enter saves
 }
 
 // Up and Down walk the list, Enter takes, Backspace without a filter goes up a folder, Esc closes. Says
@@ -193,6 +199,8 @@ bool handle_keys(const Context& ui, bool typing_path) {
   if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
     browser.appearing = browser.open;  // the keyboard stays with the list
+  } else if (key_pressed(scene::Key::enter) && browser.saves()) {
+    confirm_typed(ui.workspace);
   }
   return steps != 0;
 }
@@ -202,7 +210,7 @@ void lists(const Context& ui, bool moved) {
   const bool recent = browser.purpose == Purpose::model && !ui.workspace.remembered.recent.empty();
   const float height = -(ImGui::GetFrameHeight() + 12);
   if (recent) {
-    ImGui::BeginChild("recent", {180, height}, true);
+    ImGui::BeginChild("recent", {220, height}, true);
     note(ui, "Recent");
     recent_list(ui, scene::Remembered::most);
     ImGui::EndChild();
@@ -224,7 +232,11 @@ void button_row(const Context& ui) {
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) browser.open = false;
   record(ui, "file_cancel");
-  if (replaces) {
+  if (!browser.problem.empty()) {
+    ImGui::SameLine();
+    note(ui, browser.problem, ui.colors.bad);
+    record(ui, "file_problem");
+  } else if (replaces) {
     ImGui::SameLine();
     const std::string name = scene::chosen_file(browser).filename().string();
     note(ui,
@@ -253,7 +265,6 @@ void file_panel(const Context& ui) {
   filter_row(ui);
   browser.appearing = false;
   const bool moved = browser.open && handle_keys(ui, typing_path);
-  if (!browser.problem.empty()) note(ui, browser.problem, ui.colors.bad);
   lists(ui, moved);
   button_row(ui);
   if (!open) browser.open = false;

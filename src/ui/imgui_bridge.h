@@ -24,6 +24,7 @@ constexpr int key_code(scene::Key key) {
     case Key::tab: return 258;
     case Key::f1: return 290;
     case Key::f2: return 291;
+    case Key::f3: return 292;
     case Key::f12: return 301;
     case Key::pad0: return 320;
     case Key::pad1: return 321;

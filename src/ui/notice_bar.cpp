@@ -55,7 +55,8 @@ void leftover_line(const Context& ui) {
   const std::size_t others = leftovers.size() - 1;
   const std::string more = others > 0 ? "  (and " + std::to_string(others) + " more)" : "";
   notice_words(
-      ui, "Unsaved " + edits_of(leftovers.front()) + more, leftovers.front().file.string(),
+      ui, "Kept from an earlier run: unsaved " + edits_of(leftovers.front()) + more,
+      leftovers.front().file.string(),
       buttons_width({"restore_leftover", "put_off_leftover", "discard_leftover"}, 2 * apart_gap + 16));
   command_button(ui, "restore_leftover");
   ImGui::SameLine();
@@ -76,11 +77,28 @@ void discarded_line(const Context& ui) {
   command_button(ui, "hide_discarded");
 }
 
+// As the last thing that is seen.
+void farewell(const Context& ui) {
+  const auto& v = ui.workspace.viewport;
+  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 0.5f * v.size.y}, ImGuiCond_Always,
+                          {0.5f, 0.5f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24, 16});
+  ImGui::Begin("Farewell", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::TextUnformatted("Unsaved edits are kept; the next start offers to bring them back.");
+  record(ui, "farewell");
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
 }  // namespace
 
 // Lines at the top of the view that wait and stop nothing.
 void notice_bar(const Context& ui) {
   const auto& w = ui.workspace;
+  if (w.farewell) return farewell(ui);
   const bool discarded = w.tell_discarded && !w.discarded.empty();
   if ((w.leftovers.empty() && !discarded) || w.interaction.drag || w.interaction.box) return;
   const auto& v = w.viewport;

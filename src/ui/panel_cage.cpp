@@ -1,4 +1,3 @@
-#include "scene/check_view.h"
 #include "scene/elements.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -18,32 +17,12 @@ void editing(const Context& ui) {
   command_row(ui, {"fit_cage", "fit_cage_turned"});
 }
 
-// Where the checks have found that cage and model do not match.
-void bring_together(const Context& ui) {
-  const auto& checks = ui.workspace.checks;
-  const auto at = scene::outside_finding(checks);
-  if (!at) return;
-  const scene::Finding& found = checks.findings[*at];
-  const std::string outside = scene::title(found) + ". ";
-  if (ui.workspace.document.kept_pose) {  // the other buttons are there anyway
-    note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
-    return command_row(ui, {"show_outside"});
-  }
-  note(ui,
-       outside + "Enclose moves the cage outward there, Fit brings all of it to the model" +
-           (found.turned ? "; turned, it fits clearly better." : "."),
-       ui.colors.warn);
-  if (!found.turned) return command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
-  command_row(ui, {"show_outside", "enclose_model"});
-  command_row(ui, {"fit_cage", "fit_cage_turned"});
-}
-
 }  // namespace
 
 void panel_cage(const Context& ui) {
   const auto& document = ui.workspace.document;
   const bool open = section(ui, "Cage");
-  if (document.has_cage()) section_note(ui, document.cage_file.summary.closed() ? "closed" : "open");
+  if (document.has_cage()) section_note(ui, document.cage_file.summary.closed() ? "watertight" : "open");
   if (!open) return;
   const bool wishing = ui.workspace.making.open && !ui.workspace.making.closing;
   if (wishing) panel_making(ui);
@@ -63,10 +42,8 @@ void panel_cage(const Context& ui) {
   command_row(ui, {"undo", "redo", "reset_pose"});
   command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
   editing(ui);
-  bring_together(ui);
   command_row(ui, {"open_pose", "save_pose"});
   command_row(ui, {"open_cage", "make_cage", "save_cage"});
-  for (const auto& line : ui.workspace.pose_notes) note(ui, line, ui.colors.warn);
 }
 
 }  // namespace viete::ui

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "scene/check_view.h"
 #include "scene/elements.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -114,6 +115,26 @@ void group(const Context& ui, scene::Subject subject, const char* heading) {
   }
 }
 
+// Where the checks have found that cage and model do not match.
+void bring_together(const Context& ui) {
+  const auto& checks = ui.workspace.checks;
+  const auto at = scene::outside_finding(checks);
+  if (!at) return;
+  const scene::Finding& found = checks.findings[*at];
+  const std::string outside = scene::title(found) + ". ";
+  if (ui.workspace.document.kept_pose) {  // the other buttons are there anyway
+    note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
+    return command_row(ui, {"show_outside"});
+  }
+  note(ui,
+       outside + "Enclose moves the cage outward there, Fit brings all of it to the model" +
+           (found.turned ? "; turned, it fits clearly better." : "."),
+       ui.colors.warn);
+  if (!found.turned) return command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
+  command_row(ui, {"show_outside", "enclose_model"});
+  command_row(ui, {"fit_cage", "fit_cage_turned"});
+}
+
 }  // namespace
 
 void panel_checks(const Context& ui) {
@@ -131,6 +152,7 @@ void panel_checks(const Context& ui) {
                                                 "does not cut itself and encloses the model."
                                               : "The model is a closed, oriented manifold.");
   }
+  bring_together(ui);
   group(ui, scene::Subject::cage, "Cage");
   group(ui, scene::Subject::model, "Model");
 }

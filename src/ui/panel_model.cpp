@@ -7,7 +7,7 @@ namespace viete::ui {
 namespace {
 
 std::string surface_text(const scene::Summary& summary) {
-  const std::string kind = !summary.manifold() ? "not manifold" : summary.closed() ? "closed" : "open";
+  const std::string kind = !summary.manifold() ? "not manifold" : summary.closed() ? "watertight" : "open";
   return summary.parts > 1 ? kind + ", " + count(summary.parts) + " parts" : kind;
 }
 

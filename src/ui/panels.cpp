@@ -1,5 +1,7 @@
 #include "ui/panels.h"
 
+#include <algorithm>
+
 namespace viete::ui {
 
 namespace {
@@ -20,13 +22,12 @@ bool begin_column(const Context& ui, const char* name, float x, float width) {
 // What is worked on and with, in the order of the work.
 void tools(const Context& ui) {
   if (!begin_column(ui, "Tools", 0, ui.workspace.viewport.origin.x)) return;
-  panel_messages(ui);
   panel_model(ui);
   panel_cage(ui);
   panel_probes(ui);
-  panel_checks(ui);
   panel_measures(ui);
   panel_view(ui);
+  panel_checks(ui);  // last: what is found opens it, and pushes nothing
   ImGui::End();
 }
 
@@ -52,16 +53,22 @@ void draw_panels(const Context& ui) {
   mark_overlay(ui);
   error_legend(ui);
   if (ui.workspace.view.panels) {
+    menu_bar(ui);
+    tool_strip(ui);
     tools(ui);
     lab(ui);
     column_edges(ui);
     status_bar(ui);
   }
-  cage_offer(ui);
+  context_menu(ui);
+  const scene::Viewport& v = ui.workspace.viewport;
+  const float bottom = v.origin.y + v.size.y;
   notice_bar(ui);
-  work_bar(ui);
+  toasts(ui, std::min(cage_offer(ui, bottom), work_bar(ui, bottom)) - 44);
   if (ui.workspace.view.help) help_overlay(ui);
   if (ui.workspace.browser.open && !ui.workspace.question) file_panel(ui);
+  message_log(ui);
+  command_palette(ui);
   question_panel(ui);
 }
 

@@ -8,6 +8,10 @@ namespace viete::ui {
 /// Everything: columns, status bar, overlays. Returns nothing; what the user does changes the workspace.
 void draw_panels(const Context& ui);
 
+void menu_bar(const Context& ui);
+void context_menu(const Context& ui);  ///< where the right button was clicked
+void tool_strip(const Context& ui);    ///< in the view
+void command_palette(const Context& ui);
 void column_edges(const Context& ui);  ///< to drag, and tabs that fold a column away
 
 void panel_model(const Context& ui);
@@ -22,13 +26,16 @@ void panel_timings(const Context& ui);
 void panel_accuracy(const Context& ui);
 void panel_view(const Context& ui);
 void panel_benchmark(const Context& ui);
-void panel_messages(const Context& ui);
 void status_bar(const Context& ui);
 void help_overlay(const Context& ui);
 void file_panel(const Context& ui);
-void question_panel(const Context& ui);    ///< what must be answered first, see scene/question.h
-void cage_offer(const Context& ui);        ///< ways to get a cage, while there is none
-void work_bar(const Context& ui);          ///< what is being read, bound or written, how far, and Cancel
+void question_panel(const Context& ui);        ///< what must be answered first, see scene/question.h
+void message_log(const Context& ui);           ///< all that was said
+void toasts(const Context& ui, float bottom);  ///< what was said just now, above `bottom`
+/// At the bottom of the view; returns where they begin, or `bottom` while they are not shown.
+float cage_offer(const Context& ui, float bottom);  ///< ways to get a cage, while there is none
+float work_bar(const Context& ui,
+               float bottom);              ///< what is being read, bound or written, how far, and Cancel
 void notice_bar(const Context& ui);        ///< unsaved work that can be brought back
 void transform_fields(const Context& ui);  ///< a part of the cage's panel, or of the probes'
 void probe_overlay(const Context& ui);

@@ -95,6 +95,7 @@ void apply_style(bool dark) {
   s.Colors[ImGuiCol_TextDisabled] = rgba(t.faint);
   s.Colors[ImGuiCol_WindowBg] = rgba(t.window, 0.985f);
   s.Colors[ImGuiCol_PopupBg] = rgba(t.window, 0.985f);
+  s.Colors[ImGuiCol_MenuBarBg] = rgba(t.window);
   s.Colors[ImGuiCol_FrameBg] = s.Colors[ImGuiCol_Button] = rgba(t.frame);
   s.Colors[ImGuiCol_FrameBgHovered] = s.Colors[ImGuiCol_ButtonHovered] = rgba(t.hover);
   s.Colors[ImGuiCol_FrameBgActive] = s.Colors[ImGuiCol_ButtonActive] = rgba(t.active);

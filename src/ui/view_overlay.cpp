@@ -1,3 +1,4 @@
+#include "scene/commands.h"
 #include "scene/picking.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
@@ -43,11 +44,23 @@ void hints(const Context& ui) {
            faded(ui.colors.text, 0.75f));
 }
 
+// Nobody is left alone with a view without a word.
+void way_back(const Context& ui) {
+  const scene::Command& command = *scene::find_command("toggle_panels");
+  const std::string text = scene::text(command.shortcut) + " shows the panels again";
+  const auto& v = ui.workspace.viewport;
+  ImGui::PushFont(ui.fonts.text);
+  ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 16, v.origin.y + v.size.y - 28},
+                                          faded(ui.colors.text, 0.5f), text.c_str());
+  ImGui::PopFont();
+}
+
 }  // namespace
 
 void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   select_overlay(ui);
+  if (!w.view.panels && w.attended) way_back(ui);
   if (w.interaction.brush) brush_ring(ui, w);
   if (w.binding.running || w.loading.running || w.making_cage.running) return;  // their bar is there
   if (w.document.kept_pose && w.view.panels) return editing_hint(ui);

@@ -11,13 +11,6 @@ namespace viete::ui {
 
 namespace {
 
-// What it does, its key, and why it cannot run now.
-std::string hint_of(const Context& ui, const scene::Command& command) {
-  const std::string keys = scene::text(command.shortcut);
-  const std::string what = std::string(command.hint) + (keys.empty() ? "" : "  (" + keys + ")");
-  return command.enabled(ui.workspace) ? what : what + "\n" + std::string(command.enabled.otherwise);
-}
-
 const scene::Command& require(std::string_view name) {
   const scene::Command* command = scene::find_command(name);
   IM_ASSERT(command && "no such command");
@@ -47,6 +40,12 @@ std::string typed_so_far(const Context& ui, const std::string& name, const std::
 }
 
 }  // namespace
+
+std::string hint_of(const Context& ui, const scene::Command& command) {
+  const std::string keys = scene::text(command.shortcut);
+  const std::string what = std::string(command.hint) + (keys.empty() ? "" : "  (" + keys + ")");
+  return command.enabled(ui.workspace) ? what : what + "\n" + std::string(command.enabled.otherwise);
+}
 
 void record(const Context& ui, const std::string& name, bool enabled) {
   if (!ui.recorder) return;
@@ -171,12 +170,33 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
   return number;
 }
 
+namespace {
+
+// Of a file that is named at the left: many have the same name. As much of it as there is room for.
+void folder_beside(const Context& ui, ImVec2 at, float right, const std::string& name,
+                   const std::string& folder) {
+  constexpr float gap = 16;
+  const float left = std::max(at.x + ImGui::CalcTextSize(name.c_str()).x + gap,
+                              right - ImGui::CalcTextSize(folder.c_str()).x);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRect({left, at.y}, {right, at.y + ImGui::GetTextLineHeightWithSpacing()}, true);
+  draw.AddText({left, at.y}, ui.colors.faint, folder.c_str());
+  draw.PopClipRect();
+}
+
+}  // namespace
+
 void recent_list(const Context& ui, std::size_t most) {
   const auto& recent = ui.workspace.remembered.recent;
   for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
     const scene::RecentFile file = recent[i];  // what is clicked may change the list
     const std::string id = "##recent" + std::to_string(i);
-    if (ImGui::Selectable((file.file.filename().string() + id).c_str())) {
+    const std::string name = file.file.filename().string();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float right = at.x + ImGui::GetContentRegionAvail().x;
+    const bool clicked = ImGui::Selectable((name + id).c_str());
+    folder_beside(ui, at, right, name, file.file.parent_path().filename().string());
+    if (clicked) {
       ui.workspace.requests.open =
           scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
       ui.workspace.browser.open = false;

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/commands.h"
 #include "ui/context.h"
 
 namespace viete::ui {
@@ -26,6 +27,13 @@ void command_row(const Context& ui, std::initializer_list<std::string_view> comm
 void command_choice(const Context& ui, std::initializer_list<std::string_view> commands, std::size_t chosen);
 /// A checkbox that runs a toggling command.
 void command_toggle(const Context& ui, std::string_view command, bool value);
+
+/// What a command does, its key, and why it cannot run now.
+std::string hint_of(const Context& ui, const scene::Command& command);
+
+ImU32 severity_color(const Context& ui, scene::Severity severity);
+/// "Error: ...  (3 times)".
+std::string message_text(const scene::Message& message);
 
 /// The method's label on its button.
 std::string method_label(scene::Method method);

@@ -43,15 +43,14 @@ bool shows(const scene::WorkState& work) {
 
 }  // namespace
 
-void work_bar(const Context& ui) {
+float work_bar(const Context& ui, float bottom) {
   const auto& w = ui.workspace;
   const scene::WorkState& work = w.loading.running       ? w.loading
                                  : w.making_cage.running ? w.making_cage
                                                          : w.binding;
-  if (!shows(work) && !shows(w.exporting)) return;
+  if (!shows(work) && !shows(w.exporting)) return bottom;
   const auto& v = ui.workspace.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + v.size.y - 16}, ImGuiCond_Always,
-                          {0.5f, 1});
+  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, bottom - 16}, ImGuiCond_Always, {0.5f, 1});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
   ImGui::Begin("Work", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -60,8 +59,10 @@ void work_bar(const Context& ui) {
   if (shows(w.exporting)) row(ui, w.exporting, "stop_export");
   if (shows(w.exporting) && shows(work)) ImGui::Spacing();
   if (shows(work)) row(ui, work, "stop_work");
+  const float top = ImGui::GetWindowPos().y;
   ImGui::End();
   ImGui::PopStyleVar();
+  return top + 28;
 }
 
 }  // namespace viete::ui

@@ -63,7 +63,7 @@ TEST_CASE("an_open_cage_is_found_and_a_click_shows_where") {
   d.click(widget_of(d, open));
   d.settle();
   CHECK(d.workspace().camera.pose().distance < before.distance);
-  CHECK(highlighted(d) > 200);
+  CHECK(highlighted(d) > 100);
 
   // One edge after the other, alone; and hidden again.
   const int all = highlighted(d);

@@ -249,7 +249,7 @@ TEST_CASE("edges_and_faces_are_selected_by_keys_clicks_and_boxes") {
   d.press_key('3');
   CHECK(d.document().selection.kind() == ElementKind::face);
   CHECK(d.document().selection.empty());
-  d.drag({330, 10}, {1270, 760});
+  d.drag({330, 760}, {955, 40});
   CHECK(d.document().selection.size() == d.document().cage->surface.polygon_count());
   d.press_key('1');
   CHECK(d.document().selection.size() == d.pose().size());
@@ -401,7 +401,7 @@ TEST_CASE("a_field_takes_its_number_when_it_is_left_and_not_before") {
     CHECK(d.point()[1] == 1.5);
   }
   SUBCASE("by a click into the view, for what was selected until then") {
-    d.click(glm::vec2(1270, 20));
+    d.click(glm::vec2(700, 60));
     CHECK(d.document().selection.empty());
     CHECK(d.point()[1] == 1.5);
     d.press_key('Z', true);

@@ -206,7 +206,7 @@ TEST_CASE("undo_redo_and_cancel_by_keys_restore_exactly") {
 TEST_CASE("a_box_selects_and_the_selection_moves_together") {
   Driver d;
   d.open_dragon();
-  d.drag({330, 10}, {1270, 760});
+  d.drag({330, 760}, {955, 40});
   const std::size_t all = d.document().pose.positions.size();
   CHECK(d.document().selection.size() == all);
   const auto before = positions(d);

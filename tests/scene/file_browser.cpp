@@ -141,3 +141,34 @@ TEST_CASE("the_file_to_save_gets_the_extension_it_lacks_and_an_existing_one_is_k
   browser.path = (folder / "alpha.ply").string();
   CHECK_FALSE(browser.replaces());
 }
+
+TEST_CASE("when_saving_nothing_is_highlighted_until_the_list_is_walked") {
+  const test::TemporaryFolder folder;
+  put_files(folder);
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::save_model, folder.path(), "new.obj");
+  CHECK(browser.highlighted == FileBrowser::none);
+  move_highlight(browser, 1);
+  CHECK(browser.highlighted == 0);
+  set_format(browser, "ply");
+  CHECK(browser.highlighted == FileBrowser::none);
+  show(browser, FileBrowser::Purpose::model, folder.path());
+  CHECK(browser.highlighted == 0);
+}
+
+TEST_CASE("a_name_that_cannot_be_written_is_known_before") {
+  const test::TemporaryFolder folder;
+  put_files(folder);
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::save_pose, folder.path(), "pose.obj");
+  CHECK(problem_of_name(browser).empty());
+  browser.path = "pose.xyz";
+  CHECK(problem_of_name(browser).find("OBJ, PLY or OFF") != std::string::npos);
+  browser.path = "pose";
+  CHECK(problem_of_name(browser).empty());
+  browser.path = "no/such/folder/pose.obj";
+  CHECK_FALSE(problem_of_name(browser).empty());
+  show(browser, FileBrowser::Purpose::model, folder.path());
+  browser.path = "none.ply";
+  CHECK(problem_of_name(browser).find("none.ply") != std::string::npos);
+}

@@ -38,10 +38,14 @@ TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   std::filesystem::create_directories(files / "other");
   w.remembered.folder = files / "other";
-  test::run_command(w, "open_pose");
+  test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()) / "other");
-  w.remembered.folder = files / "gone";
+  test::run_command(w, "open_pose");  // beside its cage
+  CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   test::run_command(w, "open_cage");
+  CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
+  w.remembered.folder = files / "gone";
+  test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(std::filesystem::current_path()));
   CHECK(w.browser.problem.empty());
 }

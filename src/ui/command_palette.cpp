@@ -1,0 +1,114 @@
+// Every command by name, found by a few letters of it: arrow keys and Enter, or a click.
+#include <algorithm>
+#include <cstring>
+
+#include "scene/menus.h"
+#include "ui/imgui_bridge.h"
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr float palette_width = 520, palette_row = 24, palette_rows = 12;
+
+void search_field(const Context& ui) {
+  scene::Palette& palette = ui.workspace.palette;
+  char text[256] = "";
+  palette.typed.copy(text, sizeof text - 1);
+  if (std::exchange(palette.appearing, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##typed", "Find a command", text, sizeof text);
+  record(ui, "palette_text");
+  if (palette.typed != text) palette.highlighted = 0;
+  palette.typed = text;
+}
+
+// True if it was clicked.
+bool row(const Context& ui, const scene::Command& command, bool highlighted, bool follow) {
+  const bool enabled = command.enabled(ui.workspace);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool clicked = ImGui::InvisibleButton(std::string(command.name).c_str(), {width, palette_row});
+  record(ui, "palette/" + std::string(command.name), enabled);
+  if (highlighted && follow) ImGui::SetScrollHereY();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (highlighted || ImGui::IsItemHovered())
+    draw.AddRectFilled(at, {at.x + width, at.y + palette_row},
+                       highlighted ? ui.colors.card_active : ui.colors.card_hover, 4);
+  const float y = at.y + 0.5f * (palette_row - ImGui::GetFontSize());
+  const std::string label(command.label), group(command.group);
+  draw.AddText({at.x + 8, y}, enabled ? ui.colors.text : faded(ui.colors.faint, 0.7f), label.c_str());
+  const float after = std::max(160.0f, ImGui::CalcTextSize(label.c_str()).x + 16);
+  draw.AddText({at.x + 8 + after, y}, faded(ui.colors.faint, enabled ? 0.9f : 0.5f), group.c_str());
+  text_right(ui, at.x + width - 8, scene::text(command.shortcut), ui.colors.faint, y);
+  return clicked;
+}
+
+// What the highlighted one does or, in place of it, why it cannot now: two lines are always kept for it.
+void explanation(const Context& ui, const scene::Command* command) {
+  const float line = ImGui::GetCursorPosY();
+  if (command) {
+    const bool enabled = command->enabled(ui.workspace);
+    note(ui, std::string(enabled ? command->hint : command->enabled.otherwise),
+         enabled ? ui.colors.faint : ui.colors.warn);
+    record(ui, "palette_hint");
+  }
+  ImGui::SetCursorPosY(line + 2 * ImGui::GetTextLineHeightWithSpacing());
+}
+
+void step(scene::Palette& palette, std::size_t count, int steps) {
+  if (count == 0) return;
+  const auto n = static_cast<int>(count);
+  palette.highlighted = static_cast<std::size_t>((static_cast<int>(palette.highlighted) + steps + n) % n);
+}
+
+// Closes first: a command may open what takes the keyboard.
+void run(scene::Workspace& w, const scene::Command& command) {
+  if (!command.enabled(w)) return;
+  w.palette.open = false;
+  command.run(w);
+}
+
+}  // namespace
+
+void command_palette(const Context& ui) {
+  scene::Workspace& w = ui.workspace;
+  scene::Palette& palette = w.palette;
+  if (!palette.open) return;
+  const scene::Viewport& v = w.viewport;
+  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 48}, ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowSize({std::min(palette_width, v.window.x - 32), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::Begin("Palette", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  const bool appeared = palette.appearing;
+  search_field(ui);
+  const auto found = scene::find_commands(w, palette.typed);
+  const int steps =
+      (key_pressed(scene::Key::down, true) ? 1 : 0) - (key_pressed(scene::Key::up, true) ? 1 : 0);
+  if (steps != 0) step(palette, found.size(), steps);
+  palette.highlighted = std::min(palette.highlighted, found.empty() ? 0 : found.size() - 1);
+  const float rows = std::min(palette_rows, std::floor((v.size.y - 180) / palette_row));
+  const scene::Command* chosen = nullptr;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 0});
+  ImGui::BeginChild("found", {0, std::max(3.0f, rows) * palette_row});
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (row(ui, *found[i], i == palette.highlighted, steps != 0)) chosen = found[i], palette.highlighted = i;
+  }
+  if (found.empty()) note(ui, "No command has that in its name.");
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
+  const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+  ImGui::End();
+  ImGui::PopStyleVar();
+  if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))
+    chosen = found[palette.highlighted];
+  if ((key_pressed(scene::Key::escape) || beside) && !appeared) palette.open = false;
+  if (chosen) run(w, *chosen);
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,127 @@
+// The bar at the top, and the menu that a click with the right button opens: commands by their groups.
+#include "scene/menus.h"
+#include "ui/imgui_bridge.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+void close_by_escape() {
+  if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
+}
+
+// True if it was chosen.
+bool item(const Context& ui, const scene::Command& command, std::string_view called) {
+  const bool enabled = command.enabled(ui.workspace);
+  const bool on = scene::is_on(ui.workspace, command).value_or(false);
+  const std::string label = std::string(called) + "##" + std::string(command.name);
+  const std::string keys = scene::text(command.shortcut);
+  const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);
+  record(ui, "menu/" + std::string(command.name), enabled);
+  hint(hint_of(ui, command));
+  return chosen;
+}
+
+bool is_shown(const Context& ui, const scene::Command& command) {
+  return !scene::is_passing(command) || command.enabled(ui.workspace);
+}
+
+// Commands of one choice, which follow one another, in a menu of their own.
+void items(const Context& ui, const scene::Menu& menu) {
+  std::string_view submenu, group = menu.items.empty() ? "" : menu.items.front()->group;
+  bool open = false;
+  for (const scene::Command* command : menu.items) {
+    if (!is_shown(ui, *command)) continue;
+    const std::string_view title = scene::submenu_of(*command);
+    if (title != submenu) {
+      if (open) ImGui::EndMenu();
+      open = !title.empty() && ImGui::BeginMenu(std::string(title).c_str());
+      if (!title.empty()) record(ui, "menu/" + std::string(title));
+      submenu = title;
+    }
+    if (submenu.empty() && command->group != group) ImGui::Separator();
+    group = command->group;
+    if ((submenu.empty() || open) && item(ui, *command, command->label)) command->run(ui.workspace);
+  }
+  if (open) ImGui::EndMenu();
+}
+
+struct Offer {
+  const char* command;
+  bool line;                  // above it
+  std::string_view called{};  // where its label needs the headline of its menu
+};
+
+// What one wants of what is under the cursor, in the order of the hand. What cannot be done now is left out.
+constexpr Offer offers[] = {{"undo", false},
+                            {"redo", false},
+                            {"reset_selected", true},
+                            {"frame_selection", true},
+                            {"frame_all", false},
+                            {"select_all", true, "Select all"},
+                            {"select_none", false, "Select nothing"},
+                            {"invert_selection", false, "Invert selection"},
+                            {"select_linked", false, "Select linked"},
+                            {"split_edges", true},
+                            {"cut_faces", false},
+                            {"extrude_faces", false},
+                            {"merge_vertices", false},
+                            {"remove_elements", false},
+                            {"make_cage", true},
+                            {"edit_cage", false},
+                            {"add_probe", true, "Add a probe here"},
+                            {"mark_point", false, "Mark this point"},
+                            {"command_palette", true, "All commands"}};
+
+}  // namespace
+
+void menu_bar(const Context& ui) {
+  constexpr float height = scene::PanelLayout::menu_height;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5f * (height - ImGui::GetFontSize())});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  const bool open = ImGui::BeginMainMenuBar();
+  ImGui::PopStyleVar(2);
+  if (!open) return;
+  for (const scene::Menu& menu : scene::menus()) {
+    const bool shown = ImGui::BeginMenu(std::string(menu.title).c_str());
+    record(ui, "menu/" + std::string(menu.title));
+    if (!shown) continue;
+    close_by_escape();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 8});
+    items(ui, menu);
+    ImGui::PopStyleVar();
+    ImGui::EndMenu();
+  }
+  const float line = ImGui::GetWindowPos().y + height - 1;
+  ImGui::GetWindowDrawList()->AddLine({0, line}, {ui.workspace.viewport.window.x, line}, ui.colors.line);
+  ImGui::EndMainMenuBar();
+}
+
+void context_menu(const Context& ui) {
+  auto& asked = ui.workspace.interaction.menu;
+  if (asked) {
+    ImGui::OpenPopup("Context");  // at the mouse, within the window
+    ui.workspace.interaction.menu_at = *asked;
+    asked.reset();
+  }
+  if (!ImGui::BeginPopup("Context")) return;
+  close_by_escape();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 8});
+  bool line = false, any = false;
+  for (const Offer& offer : offers) {
+    const scene::Command& command = *scene::find_command(offer.command);
+    line |= offer.line;
+    if (!command.enabled(ui.workspace)) continue;
+    if (line && any) ImGui::Separator();
+    line = false, any = true;
+    if (!item(ui, command, offer.called.empty() ? command.label : offer.called)) continue;
+    ui.workspace.interaction.cursor = ui.workspace.interaction.menu_at;
+    command.run(ui.workspace);
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndPopup();
+}
+
+}  // namespace viete::ui

@@ -1,0 +1,153 @@
+// At the left of the view: the tools, each with its picture and its key.
+#include <cmath>
+
+#include "scene/commands.h"
+#include "scene/menus.h"
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr float tool_size = 36, tool_gap = 4, strip_inset = 20, strip_top = 12, icon_radius = 8;
+constexpr float pi = 3.14159265f;
+
+// What a picture is drawn with: about its middle, 1 being as far as it reaches.
+struct Pen {
+  ImDrawList& draw;
+  ImVec2 middle;
+  ImU32 color;
+
+  ImVec2 at(float x, float y) const { return {middle.x + icon_radius * x, middle.y + icon_radius * y}; }
+  void line(float x0, float y0, float x1, float y1) const {
+    draw.AddLine(at(x0, y0), at(x1, y1), color, 1.5f);
+  }
+  void dot(float x, float y) const { draw.AddCircleFilled(at(x, y), 2.2f, color); }
+  // Its point at (x, y), pointing along (dx, dy).
+  void head(float x, float y, float dx, float dy) const {
+    draw.AddTriangleFilled(at(x, y), at(x - 0.45f * dx - 0.35f * dy, y - 0.45f * dy + 0.35f * dx),
+                           at(x - 0.45f * dx + 0.35f * dy, y - 0.45f * dy - 0.35f * dx), color);
+  }
+};
+
+void select_icon(const Pen& pen) {
+  constexpr float shape[][2] = {{-0.55f, -0.95f}, {-0.55f, 0.6f}, {-0.15f, 0.25f},
+                                {0.2f, 0.95f},    {0.4f, 0.05f},  {0.7f, 0.05f}};
+  for (std::size_t i = 0; i < std::size(shape); ++i) {
+    const auto& a = shape[i];
+    const auto& b = shape[(i + 1) % std::size(shape)];
+    pen.line(a[0], a[1], b[0], b[1]);
+  }
+}
+
+void move_icon(const Pen& pen) {
+  pen.line(-0.8f, 0, 0.8f, 0);
+  pen.line(0, -0.8f, 0, 0.8f);
+  pen.head(1, 0, 1, 0), pen.head(-1, 0, -1, 0), pen.head(0, 1, 0, 1), pen.head(0, -1, 0, -1);
+}
+
+void rotate_icon(const Pen& pen) {
+  pen.draw.PathArcTo(pen.middle, 0.8f * icon_radius, -0.35f * pi, 1.3f * pi, 24);
+  pen.draw.PathStroke(pen.color, 0, 1.5f);
+  pen.head(0.05f, -0.95f, -0.9f, -0.45f);
+}
+
+void scale_icon(const Pen& pen) {
+  pen.draw.AddRect(pen.at(-0.9f, 0.1f), pen.at(-0.1f, 0.9f), pen.color, 0, 0, 1.5f);
+  pen.line(0.05f, -0.05f, 0.75f, -0.75f);
+  pen.head(0.95f, -0.95f, 0.7f, -0.7f);
+}
+
+void paint_icon(const Pen& pen) {
+  pen.line(0.9f, -0.9f, 0, 0);
+  pen.line(0.7f, -0.95f, -0.15f, -0.1f);
+  pen.draw.AddCircleFilled(pen.at(-0.45f, 0.45f), 0.42f * icon_radius, pen.color);
+  pen.draw.AddTriangleFilled(pen.at(-0.8f, 0.25f), pen.at(-0.95f, 0.95f), pen.at(-0.25f, 0.8f), pen.color);
+}
+
+void cage_icon(const Pen& pen) {
+  constexpr float corners[][2] = {{-0.85f, 0.7f}, {0.5f, 0.9f}, {0.85f, -0.4f}, {-0.3f, -0.9f}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& a = corners[i];
+    const auto& b = corners[(i + 1) % 4];
+    pen.line(a[0], a[1], b[0], b[1]);
+    pen.dot(a[0], a[1]);
+  }
+}
+
+void probe_icon(const Pen& pen) {
+  pen.line(-0.2f, 0.2f, -0.2f, -0.9f);
+  pen.line(-0.2f, 0.2f, 0.9f, 0.2f);
+  pen.line(-0.2f, 0.2f, -0.85f, 0.85f);
+  pen.dot(-0.2f, 0.2f);
+}
+
+void mark_icon(const Pen& pen) {
+  pen.line(-0.75f, 0.6f, 0.75f, -0.6f);
+  pen.dot(-0.75f, 0.6f), pen.dot(0.75f, -0.6f);
+}
+
+struct StripTool {
+  const char* command;
+  void (*icon)(const Pen&);
+  bool apart;  // from the one before
+};
+constexpr StripTool strip[] = {{"tool_select", select_icon, false}, {"tool_move", move_icon, false},
+                               {"tool_rotate", rotate_icon, false}, {"tool_scale", scale_icon, false},
+                               {"tool_paint", paint_icon, false},   {"edit_cage", cage_icon, true},
+                               {"add_probe", probe_icon, false},    {"mark_point", mark_icon, false}};
+
+float top_of(std::size_t index) {
+  float y = static_cast<float>(index) * (tool_size + tool_gap);
+  for (std::size_t i = 0; i <= index; ++i) y += strip[i].apart ? 2 * tool_gap : 0;
+  return y;
+}
+
+void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
+  const scene::Command& command = *scene::find_command(entry.command);
+  const bool enabled = command.enabled(ui.workspace);
+  const bool on = scene::is_on(ui.workspace, command).value_or(false);
+  ImGui::SetCursorScreenPos(at);
+  ImGui::BeginDisabled(!enabled);
+  if (ImGui::InvisibleButton(entry.command, {tool_size, tool_size})) command.run(ui.workspace);
+  record(ui, std::string("strip/") + entry.command, enabled);
+  ImGui::EndDisabled();
+  const bool hovered = enabled && ImGui::IsItemHovered();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + tool_size, at.y + tool_size};
+  const ImU32 card = on ? ui.colors.card_active : hovered ? ui.colors.card_hover : ui.colors.card;
+  draw.AddRectFilled(at, end, faded(card, enabled ? 0.94f : 0.5f), 6);
+  if (on) draw.AddRect(at, end, faded(ui.colors.accent, 0.8f), 6);
+  const ImU32 color = on ? ui.colors.accent : hovered ? ui.colors.text : ui.colors.faint;
+  entry.icon({draw, {at.x + 15, at.y + 16}, faded(color, enabled ? 1 : 0.45f)});
+  const std::string key = scene::text(command.shortcut);
+  const float size = key.size() > 1 ? 9.0f : 11.0f;
+  const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 100, 0, key.c_str());
+  draw.AddText(ImGui::GetFont(), size, {end.x - room.x - 4, end.y - room.y - 2},
+               faded(ui.colors.faint, enabled ? 1 : 0.45f), key.c_str());
+  hint(std::string(command.label) + ".  " + hint_of(ui, command));
+}
+
+}  // namespace
+
+void tool_strip(const Context& ui) {
+  const scene::Viewport& v = ui.workspace.viewport;
+  const float height = top_of(std::size(strip) - 1) + tool_size;
+  if (!ui.workspace.document.model.surface || v.size.y < height + 2 * strip_top || v.size.x < 240) return;
+  const ImVec2 low{v.origin.x + strip_inset, v.origin.y + strip_top};
+  ImGui::SetNextWindowPos(low);
+  ImGui::SetNextWindowSize({tool_size, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin("Strip", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  for (std::size_t i = 0; i < std::size(strip); ++i) tool(ui, strip[i], {low.x, low.y + top_of(i)});
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace viete::ui

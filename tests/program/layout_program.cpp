@@ -1,0 +1,335 @@
+// Columns, menus, toasts and the palette, by mouse and keys.
+#include "base/clock.h"
+#include "mesh/read.h"
+#include "mesh/write.h"
+#include "program/driver.h"
+#include "scene/menus.h"
+#include "scene/remembered.h"
+#include "support/folder.h"
+
+using namespace viete;
+using test::Driver;
+
+namespace {
+
+bool is_seen(Driver& d, const std::string& widget) {
+  const auto rect = d.viewer().recorder().find(widget);
+  return rect && rect->visible;
+}
+
+glm::vec2 empty_place(Driver& d) {
+  const auto& v = d.workspace().viewport;
+  return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 70);
+}
+
+scene::PanelLayout& layout(Driver& d) {
+  return d.workspace().remembered.layout;
+}
+
+app::ViewerOptions remembering(const std::filesystem::path& state) {
+  auto options = Driver::default_options();
+  options.state = state;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narrower") {
+  Driver d;
+  d.open_dragon();
+  const auto before = d.workspace().viewport;
+  d.drag({before.origin.x + 3, 60}, {before.origin.x + 83, 60});
+  CHECK(d.workspace().viewport.origin.x == doctest::Approx(before.origin.x + 80).epsilon(0.02));
+  CHECK(d.workspace().viewport.size.x < before.size.x - 70);
+  const float end = d.workspace().viewport.origin.x + d.workspace().viewport.size.x;
+  d.drag({end - 3, 60}, {end - 43, 60});
+  CHECK(layout(d).width[1] == doctest::Approx(360).epsilon(0.02));
+  CHECK(d.document().selection.empty());
+}
+
+TEST_CASE("a_tab_folds_a_column_away_and_brings_it_back") {
+  Driver d;
+  d.open_dragon();
+  CHECK(is_seen(d, "method_diag"));
+  d.click("tab/lab");
+  d.frame();
+  CHECK_FALSE(d.viewer().recorder().find("method_diag"));
+  CHECK(d.workspace().viewport.size.x == 960);
+  d.click("tab/lab");
+  d.frame();
+  CHECK(is_seen(d, "method_diag"));
+}
+
+TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
+  const test::TemporaryFolder folder;
+  {
+    Driver d(remembering(folder / "state"));
+    d.open_dragon();
+    d.click("tab/lab");
+    d.click("section/Measures");
+    d.press_key(scene::key('T'));
+    d.frame(2);
+    d.workspace().requests.quit = true;
+    d.frame(2);
+  }
+  Driver d(remembering(folder / "state"));
+  d.open_dragon();
+  CHECK_FALSE(d.workspace().view.dark);
+  CHECK_FALSE(d.viewer().recorder().find("method_diag"));
+  CHECK(d.viewer().recorder().find("unit_mm"));
+}
+
+TEST_CASE("where_all_panels_are_hidden_a_line_says_how_they_come_back") {
+  Driver d;
+  d.open_dragon();
+  d.press_key(scene::Key::f2);
+  d.settle();
+  const auto with_line = d.picture();
+  d.workspace().attended = false;
+  d.settle();
+  const auto without = d.picture();
+  int differing = 0;
+  for (int y = 760; y < 800; ++y) {
+    for (int x = 0; x < 400; ++x) differing += with_line.pixel(x, y) != without.pixel(x, y);
+  }
+  CHECK(differing > 100);
+  d.workspace().attended = true;
+  d.press_key(scene::Key::f2);
+  d.frame(2);
+  CHECK(is_seen(d, "undo"));
+}
+
+TEST_CASE("a_menu_runs_a_command") {
+  Driver d;
+  d.open_dragon();
+  CHECK(d.workspace().view.grid);
+  d.click("menu/View");
+  d.frame(2);
+  d.click("menu/toggle_grid");
+  CHECK_FALSE(d.workspace().view.grid);
+  d.frame(2);
+  CHECK_FALSE(d.viewer().recorder().find("menu/toggle_grid"));  // it is closed again
+  d.click("menu/Lab");
+  d.frame(2);
+  d.click("menu/method_sd");
+  CHECK(d.document().method == sym3::Method::sd);
+}
+
+TEST_CASE("the_strip_switches_tools") {
+  Driver d;
+  d.open_dragon();
+  d.click("strip/tool_rotate");
+  CHECK(d.workspace().tool == scene::Tool::rotate);
+  d.click("strip/edit_cage");
+  CHECK(d.document().kept_pose.has_value());
+}
+
+TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
+  Driver d;
+  d.open_dragon();
+  const auto camera = d.workspace().camera.pose();
+  const auto v = d.free_vertex();
+  d.click(d.vertex(v), 1);
+  d.frame(2);
+  CHECK(d.document().selection.contains(v));
+  CHECK(d.workspace().camera.pose() == camera);
+  d.click("menu/select_all");
+  CHECK(d.document().selection.size() == d.document().pose.positions.size());
+  d.frame(2);
+  d.drag(empty_place(d), empty_place(d) + glm::vec2(40, 5), 1);
+  d.frame(2);
+  CHECK_FALSE(d.workspace().camera.pose() == camera);
+  CHECK_FALSE(d.viewer().recorder().find("menu/select_all"));
+}
+
+TEST_CASE("a_few_letters_and_enter_run_any_command") {
+  Driver d;
+  d.open_dragon();
+  d.press_key(scene::key('K'), true);
+  d.frame(2);
+  d.type("wire");
+  d.frame(2);
+  CHECK(is_seen(d, "palette/toggle_wireframe"));
+  d.press_key(scene::Key::enter);
+  CHECK(d.workspace().view.wireframe);
+  d.frame(2);
+  CHECK_FALSE(d.viewer().recorder().find("palette_text"));
+}
+
+TEST_CASE("the_palette_walks_by_arrow_keys_and_says_why_a_command_cannot_run") {
+  Driver d;
+  d.frame(3);
+  d.press_key(scene::Key::f3);
+  d.frame(2);
+  d.type("save");
+  d.frame(2);
+  const auto found = scene::find_commands(d.workspace(), "save");
+  REQUIRE(found.size() > 2);
+  d.press_key(scene::Key::down);
+  CHECK(d.workspace().palette.highlighted == 1);
+  d.press_key(scene::Key::up);
+  d.press_key(scene::Key::up);
+  CHECK(d.workspace().palette.highlighted == found.size() - 1);
+  d.press_key(scene::Key::down);
+  CHECK_FALSE(found.front()->enabled(d.workspace()));
+  d.press_key(scene::Key::enter);  // nothing is open that could be saved
+  CHECK(d.workspace().palette.open);
+  CHECK_FALSE(d.workspace().browser.open);
+  d.press_key(scene::Key::escape);
+  CHECK_FALSE(d.workspace().palette.open);
+}
+
+TEST_CASE("a_message_moves_no_button_and_goes_by_itself") {
+  Driver d;
+  d.open_dragon();
+  d.frame(3);
+  const auto before = *d.viewer().recorder().find("undo");
+  d.workspace().messages.info("Saved the pose to /somewhere/pose.obj");
+  d.frame(3);
+  const auto after = *d.viewer().recorder().find("undo");
+  CHECK(before.y0 == after.y0);
+  CHECK(is_seen(d, "toast/0"));
+  const double end = base::wall_seconds() + scene::Messages::info_seconds + 0.1;
+  while (base::wall_seconds() < end) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  CHECK(d.viewer().wants_frame());
+  d.frame(2);
+  CHECK_FALSE(d.viewer().recorder().find("toast/0"));
+  CHECK(d.workspace().messages.all().back().text.find("/somewhere") != std::string::npos);
+}
+
+TEST_CASE("an_error_stays_until_the_same_thing_succeeds_or_it_is_put_away") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  d.open_dragon();
+  CHECK_FALSE(d.open({folder / "none.ply"}));
+  d.frame(2);
+  CHECK(is_seen(d, "toast/0"));
+  SUBCASE("another file opens") {
+    mesh::Surface other = mesh::read(test::dragon_cage).surface;
+    mesh::write(folder / "other.obj", other);
+    CHECK(d.open({folder / "other.obj"}));
+    d.frame(2);
+    for (const auto& m : d.workspace().messages.all())
+      CHECK_FALSE((m.severity == scene::Severity::error && m.in_sight));
+  }
+  SUBCASE("it is put away") {
+    d.click("toast/0/close");
+    d.frame(2);
+    CHECK_FALSE(d.viewer().recorder().find("toast/0"));
+  }
+  SUBCASE("a click shows the list") {
+    d.click("toast/0");
+    d.frame(2);
+    CHECK(is_seen(d, "message/0"));
+    d.click("clear_messages");
+    CHECK(d.workspace().messages.all().empty());
+    d.press_key(scene::Key::escape);
+    d.frame(2);
+    CHECK_FALSE(d.workspace().show_messages);
+  }
+}
+
+TEST_CASE("messages_of_a_cage_that_is_gone_go_with_it") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  d.open_dragon();
+  d.workspace().messages.warn("The cage is open", {.scope = scene::Scope::cage});
+  d.frame();
+  CHECK(d.workspace().messages.all().size() == 1);
+  mesh::Surface other = mesh::read(test::dragon_cage).surface;
+  for (auto& p : other.positions) p[1] *= 1.1;
+  mesh::write(folder / "other.obj", other);
+  REQUIRE(d.open({folder / "other.obj"}, Driver::What::cage));
+  d.frame(2);
+  for (const auto& m : d.workspace().messages.all()) CHECK(m.text != "The cage is open");
+}
+
+namespace {
+
+// A cube in a cage of its own.
+void open_cube(Driver& d, const std::filesystem::path& folder) {
+  mesh::Surface cage = mesh::read(test::dragon_cage).surface;
+  mesh::write(folder / "cube.obj", cage);
+  REQUIRE(d.open({folder / "cube.obj"}));
+  d.frame(3);
+}
+
+}  // namespace
+
+TEST_CASE("a_name_a_format_and_enter_export_whatever_the_list_begins_with") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "a_folder");
+  Driver d;
+  d.open_dragon();
+  d.workspace().saved.session = folder / "session.viete";  // beside which exports are proposed
+  d.press_key(scene::key('E'), true);
+  d.frame(2);
+  d.type("arm.obj");
+  d.frame();
+  d.click("format_ply");
+  d.press_key(scene::Key::enter);
+  d.frame();
+  CHECK_FALSE(d.workspace().browser.open);
+  d.viewer().finish_exports();
+  CHECK(std::filesystem::exists(folder / "arm.ply"));
+}
+
+TEST_CASE("what_is_typed_in_a_save_dialog_takes_the_place_of_the_proposed_name_each_time") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  d.open_dragon();
+  d.workspace().saved.session = folder / "session.viete";
+  for (const char* name : {"first.obj", "second.obj"}) {
+    d.press_key(scene::key('P'), true, true);
+    d.frame(3);
+    d.type((folder / name).string());
+    d.press_key(scene::Key::enter);
+    d.frame(2);
+    CHECK(std::filesystem::exists(folder / name));
+  }
+}
+
+TEST_CASE("an_unknown_extension_keeps_the_dialog_and_the_name_and_says_what_is_known") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  d.open_dragon();
+  d.workspace().saved.session = folder / "session.viete";
+  d.press_key(scene::key('E'), true);
+  d.frame(3);
+  d.type("arm.xyz");
+  d.press_key(scene::Key::enter);
+  d.frame(2);
+  CHECK(d.workspace().browser.open);
+  CHECK(d.workspace().browser.path == "arm.xyz");
+  CHECK(d.viewer().recorder().find("file_problem"));
+  d.click("format_off");
+  d.click("file_choose");
+  d.frame(2);
+  d.viewer().finish_exports();
+  CHECK(std::filesystem::exists(folder / "arm.off"));
+}
+
+TEST_CASE("a_new_model_is_seen_as_if_nothing_had_been_open_before") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  d.open_dragon();
+  d.drag(empty_place(d), empty_place(d) + glm::vec2(150, 60), 2);
+  open_cube(d, folder.path());
+  const scene::CameraPose home, now = d.workspace().camera.pose();
+  CHECK(now.yaw == doctest::Approx(home.yaw));
+  CHECK(now.pitch == doctest::Approx(home.pitch));
+}
+
+TEST_CASE("a_probe_from_the_menu_stands_where_the_menu_was_asked_for") {
+  Driver d;
+  d.open_dragon();
+  d.workspace().view.cage = false;
+  const auto& v = d.workspace().viewport;
+  const glm::vec2 at = v.origin + glm::vec2(0.5f, 0.62f) * v.size;
+  d.click(at, 1);
+  d.frame(2);
+  d.click("menu/add_probe");
+  d.frame(2);
+  REQUIRE(d.document().probes.all.size() == 1);
+  CHECK_FALSE(d.workspace().interaction.menu);
+}
