@@ -24,6 +24,7 @@ constexpr MouseLine mouse_lines[] = {
     {"Ctrl, Shift while dragging", "snap to steps; go a tenth of the way"},
     {"X Y Z, digits, Enter", "while dragging: axis (Shift: plane), amount, done"},
     {"Middle, right or Alt+left drag", "orbit; with Shift pan, with Ctrl zoom"},
+    {"Right click", "a menu of what can be done there"},
     {"Wheel", "zoom to the cursor"},
     {"Esc or right button", "during a drag: everything as it was"},
 };

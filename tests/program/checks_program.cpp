@@ -70,7 +70,7 @@ TEST_CASE("an_open_cage_is_found_and_a_click_shows_where") {
   d.click("finding_next");
   d.settle();
   CHECK(d.workspace().checks.element == 0u);
-  CHECK(highlighted(d) > 50);
+  CHECK(highlighted(d) > 30);
   CHECK(highlighted(d) != all);
   d.click(widget_of(d, open));
   d.settle();
