@@ -6,6 +6,7 @@
 
 #include "render/palette.h"
 #include "scene/elements.h"
+#include "scene/selection_sets.h"
 
 namespace viete::app {
 
@@ -94,9 +95,21 @@ void WorkspaceRenderer::set_another_cage(const scene::Document& document, const 
   if (!document.has_cage()) return;
   const mesh::Surface& cage = document.cage->surface;
   cage_faces_.set_triangles(cage.triangles, cage.positions.size());
-  cage_lines_.set_segments(document.cage->edges, cage.positions.size());
+  set_shown_edges(document);
   ghost_lines_.set_segments(document.cage->edges, cage.positions.size());
   ghost_lines_.set_positions(cage.positions);
+}
+
+// An edge between hidden vertices is hidden, too.
+void WorkspaceRenderer::set_shown_edges(const scene::Document& document) {
+  hidden_ = document.groups.hidden;
+  const auto hidden = scene::hidden_elements(document, scene::ElementKind::edge);
+  std::vector<render::Segment> segments;
+  for (std::size_t e = 0; e < hidden.size(); ++e) {
+    if (!hidden[e]) segments.push_back(document.cage->edges[e]);
+  }
+  cage_lines_.set_segments(segments, document.pose.positions.size());
+  cage_lines_.set_positions(document.pose.positions);
 }
 
 void WorkspaceRenderer::set_rest(const scene::Document& document, const ModelShading& shading) {
@@ -132,6 +145,8 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   for (const auto v : scene::selected_vertices(*document.cage, document.selection)) {
     discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
   }
+  for (const auto v : document.groups.hidden) discs[v].radius = 0;
+  if (hidden_ != document.groups.hidden) set_shown_edges(document);
   if (const auto v = workspace.interaction.hovered; vertices && v && *v < discs.size()) discs[*v].ring = true;
   marks_.set(workspace, theme);
   cage_vertices_.set_discs(discs);

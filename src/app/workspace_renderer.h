@@ -49,6 +49,7 @@ public:
 
 private:
   void draw_ground(const scene::Workspace& workspace, const render::View& view, const render::Theme& theme);
+  void set_shown_edges(const scene::Document& document);
   void draw_cage(const scene::Workspace& workspace, const render::View& view,
                  const render::Theme& theme) const;
 
@@ -71,6 +72,7 @@ private:
     friend bool operator==(const Colored&, const Colored&) = default;
   };
   std::optional<Colored> colored_;
+  std::vector<std::uint32_t> hidden_;  // vertices of the cage, as its lines are drawn
   std::size_t model_vertices_ = 0;
 };
 

@@ -12,6 +12,7 @@
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/probes.h"
+#include "scene/selection_sets.h"
 
 namespace viete::scene {
 
@@ -65,6 +66,12 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
   return now;
 }
 
+CageGroups groups_of(const Document& document, const cages::Edited& edited) {
+  std::vector<std::span<const std::uint32_t>> origins;
+  for (const cages::Origin& origin : edited.origins) origins.emplace_back(origin.of);
+  return carried(document.groups, document.cage->surface.positions.size(), origins);
+}
+
 // In the mode its pose is at rest; outside of it, as far as vertices remained.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
@@ -72,14 +79,16 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, follow);
   document.history.record(label, snapshot_of(document));
   const bool editing = is_editing_cage(document);
+  CageGroups groups = groups_of(document, edited);
   const ElementKind kind = document.selection.kind();
   OpenedSurface file = made_surface(std::move(edited.surface), edited_name(document.cage_file));
   if (editing) document.kept_pose = real;
   replace_cage(document, std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
+  document.groups = std::move(groups);
   if (kind == ElementKind::probe) return;
   Selection made(ElementKind::vertex);
   made.apply(edited.selection, SelectMode::replace);
-  document.selection = converted(*document.cage, made, kind);
+  document.selection = shown(document, converted(*document.cage, made, kind));
 }
 
 // The same polygons with other places.
@@ -110,7 +119,7 @@ void require(bool any, const char* what, const char* advice) {
 void begin_cage_editing(Document& document) {
   document.history.record("edit the cage", snapshot_of(document));
   document.kept_pose = std::exchange(document.pose, deform::rest_pose(*document.cage));
-  if (document.selection.kind() == ElementKind::probe) select_kind(document, ElementKind::vertex);
+  if (document.selection.kind() == ElementKind::probe) document.selection = Selection(ElementKind::vertex);
   ++document.revisions.pose;
 }
 
@@ -127,14 +136,19 @@ bool settle_cage_edit(Document& document) {
     auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
     deform::Pose real = carried(*document.cage, *document.kept_pose, edited, *cage, {});
     const Selection selection = document.selection;
+    const CageGroups groups = document.groups;
     document.kept_pose = std::move(real);
     replace_cage(document, made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
                  deform::rest_pose(*cage));
     document.selection = selection;
+    document.groups = groups;
     document.history.go_on();
     return true;
   } catch (const base::Error& error) {
-    if (document.history.can_undo()) undo(document);
+    // The edit that moved it, and what was selected since.
+    while (document.history.can_undo() && is_editing_cage(document) &&
+           document.pose.positions != document.cage->surface.positions)
+      undo(document);
     throw base::Error("", "this would be no cage: " + error.problem(), "it is as it was before");
   }
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "scene/edit.h"
+#include "scene/selection_sets.h"
 
 namespace viete::scene {
 
@@ -20,6 +21,7 @@ void replace_cage(Document& document, OpenedSurface surface, std::shared_ptr<con
   document.cage = std::move(cage);
   document.pose = std::move(pose);
   if (document.selection.kind() != ElementKind::probe) document.selection.clear();
+  document.groups = {};
   document.carried.clear();
   ++document.revisions.cage;
   ++document.revisions.pose;
@@ -44,6 +46,8 @@ void take_made(Document& document, CageMaking& making, OpenedSurface surface,
   deform::Pose pose = deform::rest_pose(*cage);
   making.made = cage;
   making.notes = std::move(notes);
+  if (const std::string lost = lost_sets(document.groups, {}); !lost.empty())
+    making.notes.push_back("Sets of the cage before are gone: " + lost + "; undo brings them back");
   document.kept_pose.reset();
   replace_cage(document, std::move(surface), std::move(cage), std::move(pose));
 }

@@ -69,6 +69,14 @@ inline constexpr Condition has_selection_or_hover{
              (has_selection(w) || w.interaction.hovered);
     },
     "Select something of the cage first, or point at it."};
+inline constexpr Condition selects_of_cage{
+    [](const Workspace& w) { return has_cage(w) && w.document.selection.kind() != ElementKind::probe; },
+    "Open a cage, and choose its vertices, edges or faces first."};
+inline constexpr Condition has_selection_of_cage{
+    [](const Workspace& w) { return selects_of_cage(w) && has_selection(w); },
+    "Select something of the cage first."};
+inline constexpr Condition has_hidden{[](const Workspace& w) { return !w.document.groups.hidden.empty(); },
+                                      "Nothing of the cage is hidden."};
 inline constexpr Condition can_draw_selection{
     [](const Workspace& w) { return has_elements(w) && shows_selectable(w) && !in_hand(w); },
     "There is nothing of the kind to select: open a cage, show it (C), or add a probe."};

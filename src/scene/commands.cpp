@@ -16,6 +16,8 @@
 #include "scene/file_commands.h"
 #include "scene/pointer.h"
 #include "scene/probes.h"
+#include "scene/selecting.h"
+#include "scene/selection_sets.h"
 
 namespace viete::scene {
 
@@ -95,20 +97,65 @@ std::size_t selectable(const Workspace& w) {
 }
 
 void select_everything(Workspace& w) {
-  w.document.selection.select_all(selectable(w));
+  Selection all(w.document.selection.kind());
+  all.select_all(selectable(w));
+  set_selection(w.document, std::move(all));
 }
 void select_nothing(Workspace& w) {
-  w.document.selection.clear();
+  set_selection(w.document, Selection(w.document.selection.kind()));
 }
 void invert_selection(Workspace& w) {
-  w.document.selection.invert(selectable(w));
+  Selection inverted = w.document.selection;
+  inverted.invert(selectable(w));
+  set_selection(w.document, std::move(inverted));
+}
+
+// What is selected and under the cursor.
+Selection selection_at_hand(const Workspace& w) {
+  Selection selection = w.document.selection;
+  if (w.interaction.hovered && *w.interaction.hovered < selectable(w))
+    selection.apply(std::array{*w.interaction.hovered}, SelectMode::add);
+  return selection;
 }
 
 void select_linked(Workspace& w) {
-  Selection& selection = w.document.selection;
-  if (w.interaction.hovered && *w.interaction.hovered < selectable(w))
-    selection.apply(std::array{*w.interaction.hovered}, SelectMode::add);
-  selection = linked(*w.document.cage, selection);
+  set_selection(w.document, linked(*w.document.cage, selection_at_hand(w)));
+}
+
+template <Selection (*Change)(const deform::Cage&, const Selection&)>
+void change_selection(Workspace& w) {
+  set_selection(w.document, Change(*w.document.cage, w.document.selection));
+}
+
+template <Selection (*Change)(const deform::Cage&, std::span<const mesh::Point>, const Selection&)>
+void select_like(Workspace& w) {
+  set_selection(w.document, Change(*w.document.cage, w.document.pose.positions, w.document.selection));
+}
+
+void select_loop(Workspace& w) {
+  Selection loop = looped(*w.document.cage, w.document.selection);
+  if (loop == w.document.selection)
+    w.messages.info("No loop goes on from there: select an edge, or two neighbouring vertices or faces.");
+  set_selection(w.document, std::move(loop));
+}
+
+template <int Axis, bool Positive>
+void select_side(Workspace& w) {
+  const double middle = w.document.model.bounds.center()[Axis];
+  set_selection(w.document, on_side(*w.document.cage, w.document.selection.kind(), Axis, Positive, middle));
+}
+
+template <int Axis, bool Positive>
+Command side_command(std::string_view name, std::string_view label) {
+  static const std::string hint = std::string("Select what of the cage is at rest on the ") + (Positive ? "positive" : "negative") +
+                                  " side of the model's middle along " + static_cast<char>('X' + Axis) + '.';
+  return {name, label, hint, "Select", {}, {}, with_free_hand<selects_of_cage>, select_side<Axis, Positive>};
+}
+
+template <void (*Change)(Document&)>
+void change_groups(Workspace& w) {
+  Change(w.document);
+  w.interaction.hovered.reset();
 }
 
 template <SelectShape Shape>
@@ -193,6 +240,7 @@ void snap_and_say(Workspace& w) {
 // What is no cage is said, and changes nothing. Of the document, or of the workspace with a word.
 template <auto Change>
 void change_cage(Workspace& w) {
+  const CageGroups groups = w.document.groups;
   try {
     if constexpr (std::is_invocable_v<decltype(Change), Document&>) {
       Change(w.document);
@@ -203,6 +251,8 @@ void change_cage(Workspace& w) {
   } catch (const base::Error& error) {
     w.messages.error(error.what(), {"change the cage", Scope::cage});
   }
+  if (const std::string lost = lost_sets(groups, w.document.groups); !lost.empty())
+    w.messages.warn("Nothing is left of these sets: " + lost + "; undo brings them back");
   w.interaction.hovered.reset();
 }
 
@@ -289,6 +339,27 @@ const std::vector<Command>& table() {
       {"select_brush", "Brush", "A circle that selects where it is drawn; the wheel changes its size, Ctrl removes, Esc puts it away.",
        "Select", {key('C'), false, true}, {}, can_draw_selection, arm_shape<SelectShape::brush>},
       {"stop_selecting", "Done", "Put box, lasso or brush away.", "Select", {Key::escape}, {Key::enter}, is_armed, disarm},
+      {"select_more", "Grow", "Select what is next to it, too.", "Select", {Key::up, true}, {}, with_free_hand<has_selection_of_cage>,
+       change_selection<grown>},
+      {"select_less", "Shrink", "Leave out what is next to what is not selected.", "Select", {Key::down, true}, {},
+       with_free_hand<has_selection_of_cage>, change_selection<shrunk>},
+      {"select_loop", "Loop", "Select the loop that an edge is of, or that two neighbouring vertices or faces begin.", "Select",
+       {key('L'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_loop},
+      {"select_similar", "Similar", "Select vertices with as many edges, edges as long, or faces as large, within a tenth.", "Select",
+       {key('S'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_like<similar>},
+      {"select_facing", "Facing", "Select faces that look the same way, or edges that are parallel, within 15 degrees.", "Select",
+       {}, {}, with_free_hand<has_selection_of_cage>, select_like<facing>},
+      side_command<0, false>("select_left", "X -"), side_command<0, true>("select_right", "X +"),
+      side_command<1, false>("select_below", "Y -"), side_command<1, true>("select_above", "Y +"),
+      side_command<2, false>("select_behind", "Z -"), side_command<2, true>("select_before", "Z +"),
+      {"hide_selected", "Hide", "What is selected is neither shown nor selected nor moved until all is shown again.", "Select",
+       {key('H'), false, true}, {}, with_free_hand<has_selection_of_cage>, change_groups<hide_selected>},
+      {"hide_others", "Only these", "Hide everything of the cage but what is selected.", "Select", {key('H'), true, true}, {},
+       with_free_hand<has_selection_of_cage>, change_groups<hide_others>},
+      {"show_hidden", "Show all", "Show everything of the cage again.", "Select", {key('H'), true}, {}, with_free_hand<has_hidden>,
+       change_groups<show_all>},
+      {"save_set", "Keep as set", "Keep what is selected as a set, to be selected again by its name.", "Select", {}, {},
+       with_free_hand<has_selection_of_cage>, change_groups<save_set>},
       {"toggle_select_visible", "Visible only", "The mouse selects only what neither model nor cage hide, or through both.",
        "Select", {key('Z')}, {}, always, toggle<&ViewOptions::select_visible>},
 

@@ -97,6 +97,7 @@ void set_cage(Document& document, OpenedSurface cage) {
   document.cage_file = std::move(cage);
   document.pose = deform::rest_pose(*document.cage);
   document.selection.clear();
+  document.groups = {};
   document.history = {};
 }
 
@@ -108,8 +109,8 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
 }
 
 Snapshot snapshot_of(const Document& document) {
-  return {document.pose,   document.selection, document.scheme,    document.mask,
-          document.probes, document.cage,      document.cage_file, document.kept_pose};
+  return {document.pose, document.selection, document.scheme,    document.mask,  document.probes,
+          document.cage, document.cage_file, document.kept_pose, document.groups};
 }
 
 void set_pose(Document& document, deform::Pose pose) {

@@ -60,6 +60,7 @@ struct Document {
   /// they are as at rest.
   std::vector<mesh::Point> carried;
   Selection selection;
+  CageGroups groups;
   History history;
   sym3::Method method = sym3::Method::fast;
   deform::Scheme scheme = deform::default_scheme();

@@ -7,6 +7,7 @@
 
 #include "scene/elements.h"
 #include "scene/probes.h"
+#include "scene/selection_sets.h"
 
 namespace viete::scene {
 
@@ -27,6 +28,7 @@ void restore(Document& document, Snapshot&& snapshot) {
   document.kept_pose = std::move(snapshot.kept_pose);
   document.pose = std::move(snapshot.pose);
   document.selection = std::move(snapshot.selection);
+  document.groups = std::move(snapshot.groups);
   ++document.revisions.pose;
   document.mask = std::move(snapshot.mask);
   document.probes = std::move(snapshot.probes);
@@ -76,16 +78,28 @@ void reset_pose(Document& document) {
 void reset_selected(Document& document) {
   if (document.selection.kind() == ElementKind::probe) return rest_probes(document);
   document.history.record("reset selected", snapshot_of(document));
-  for (const auto v : selected_vertices(*document.cage, document.selection)) {
+  for (const auto v : without_hidden(document, selected_vertices(*document.cage, document.selection))) {
     document.pose.positions[v] = document.cage->surface.positions[v];
   }
   ++document.revisions.pose;
 }
 
+void record_selection(Document& document, const Selection& before) {
+  if (before == document.selection || (before.empty() && document.selection.empty())) return;
+  Snapshot state = snapshot_of(document);
+  state.selection = before;
+  document.history.record_selection(std::move(state));
+}
+
+void set_selection(Document& document, Selection selection) {
+  const Selection before = std::exchange(document.selection, shown(document, std::move(selection)));
+  record_selection(document, before);
+}
+
 void select_kind(Document& document, ElementKind kind) {
   const bool of_cage = kind != ElementKind::probe && document.selection.kind() != ElementKind::probe;
-  document.selection =
-      document.has_cage() && of_cage ? converted(*document.cage, document.selection, kind) : Selection(kind);
+  set_selection(document, document.has_cage() && of_cage ? converted(*document.cage, document.selection, kind)
+                                                         : Selection(kind));
 }
 
 void undo(Document& document) {

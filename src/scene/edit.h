@@ -14,8 +14,14 @@ bool differs_from_rest(const Document& document);
 void reset_pose(Document& document);
 void reset_selected(Document& document);
 
+/// Another selection as an edit, without what is hidden. Where nothing is selected before and after there is
+/// nothing to take back. Nothing may be in the hand.
+void set_selection(Document& document, Selection selection);
+/// The same for one that is there already, and was another one before.
+void record_selection(Document& document, const Selection& before);
+
 /// What of the cage is selected and moved: the selection becomes the elements of this kind whose vertices it
-/// all holds.
+/// all holds. An edit like any of the selection.
 void select_kind(Document& document, ElementKind kind);
 
 /// Require can_undo() and can_redo() of the history.

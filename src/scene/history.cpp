@@ -12,13 +12,21 @@ constexpr std::size_t memory_limit = 256u << 20;
 }  // namespace
 
 void History::record(std::string label, Snapshot before) {
+  ++revision_;
+  push(std::move(label), std::move(before));
+}
+
+void History::record_selection(Snapshot before) {
+  push("select", std::move(before));
+}
+
+void History::push(std::string label, Snapshot before) {
   constexpr std::size_t bytes_of_cage_vertex = 1000;  // about what surface, bases and neighbourhood take
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
   const std::size_t bytes = 512 + (other_cage ? bytes_of_cage_vertex * before.pose.positions.size() : 0) +
                             before.pose.positions.size() * (sizeof(mesh::Point) + sizeof(std::uint32_t)) +
                             (before.mask ? before.mask->size() * sizeof(float) : 0);
   const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);
-  ++revision_;
   redo_.clear();
   if (undo_.size() >= limit) undo_.erase(undo_.begin());
   undo_.push_back({std::move(label), std::move(before)});

@@ -9,6 +9,7 @@
 #include "deform/cage.h"
 #include "deform/probe.h"
 #include "deform/scheme.h"
+#include "scene/cage_groups.h"
 #include "scene/opened_surface.h"
 #include "scene/selection.h"
 
@@ -24,6 +25,7 @@ struct Snapshot {
   std::shared_ptr<const deform::Cage> cage{};  ///< shared, not copied
   OpenedSurface cage_file{};                   ///< likewise
   std::optional<deform::Pose> kept_pose{};
+  CageGroups groups{};
 };
 
 /// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest
@@ -32,6 +34,12 @@ class History {
 public:
   /// An edit named `label` has just led away from `before`.
   void record(std::string label, Snapshot before);
+
+  /// Likewise one that has changed the selection alone, which is no work that could be lost: the revision
+  /// stays.
+  void record_selection(Snapshot before);
+  /// What was selected before the last edit, if that has changed it. Requires can_undo().
+  void began_with(const Selection& selection) { undo_.back().state.selection = selection; }
 
   /// What the last edit has left went on to change: it is still one entry.
   void go_on() { ++revision_; }
@@ -47,7 +55,7 @@ public:
   std::string undo_label() const { return can_undo() ? undo_.back().label : ""; }
   /// What it would lead back to; null if nothing.
   const Snapshot* before_last() const { return can_undo() ? &undo_.back().state : nullptr; }
-  /// Grows with each edit that is finished, taken back or repeated.
+  /// Grows with each edit that is finished, taken back or repeated; changes of the selection apart.
   unsigned long revision() const { return revision_; }
 
   /// Gives the state before the last edit and keeps `now` for redo. Requires can_undo().
@@ -56,6 +64,8 @@ public:
   Snapshot redo(Snapshot now);
 
 private:
+  void push(std::string label, Snapshot before);
+
   struct Entry {
     std::string label;
     Snapshot state;

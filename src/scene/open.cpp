@@ -8,6 +8,7 @@
 #include "mesh/winding_number.h"
 #include "scene/edit.h"
 #include "scene/saving.h"
+#include "scene/selection_sets.h"
 #include "scene/up_axis.h"
 
 namespace viete::scene {
@@ -152,6 +153,8 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
     fit_selection(session, document, file);
     document.selection = Selection(session.selecting);
     document.selection.apply(session.selection, SelectMode::replace);
+    document.groups = fit_groups(session, document, file);
+    document.selection = shown(document, document.selection);
   }
   tell_what_changed(session, document, file);
   session.pose.reset();
@@ -329,6 +332,7 @@ void take(Workspace& w, Opened&& opened) {
   w.saved.content.reset();
   w.saved.pose = {};
   w.saved.probes = {};
+  w.saved.sets = {};
   ++w.saved.revision;
   w.recovered_from.clear();
   if (opened.session) {

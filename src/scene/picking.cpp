@@ -6,6 +6,7 @@
 #include "scene/elements.h"
 #include "scene/probes.h"
 #include "scene/select_shape.h"
+#include "scene/selection_sets.h"
 #include "scene/sight.h"
 
 namespace viete::scene {
@@ -14,14 +15,16 @@ namespace {
 
 constexpr float tolerance = 8;  // logical pixels
 
+using Flags = std::vector<std::uint8_t>;
+
 // Of candidates within the tolerance: the nearest, or, of those within 2 pixels of the nearest, the one in
 // front.
 class Nearest {
 public:
-  explicit Nearest(const Sight* sight) : sight_(sight) {}
+  Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}
 
   void offer(std::uint32_t index, float distance, const glm::vec3& at) {
-    if (!(distance <= tolerance) || (sight_ && !sight_->sees(at))) return;
+    if (!(distance <= tolerance) || hidden_[index] || (sight_ && !sight_->sees(at))) return;
     nearest_ = std::min(nearest_, distance);
     close_.push_back({{index, at.z}, distance});
   }
@@ -37,13 +40,14 @@ public:
 
 private:
   const Sight* sight_;
+  const Flags& hidden_;
   float nearest_ = std::numeric_limits<float>::max();
   std::vector<std::pair<Pick, float>> close_;
 };
 
 std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::Point> points,
-                               const glm::vec2& cursor, const Sight* sight) {
-  Nearest nearest(sight);
+                               const glm::vec2& cursor, const Sight* sight, const Flags& hidden) {
+  Nearest nearest(sight, hidden);
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (const auto at = project(points[i])) nearest.offer(i, glm::distance(glm::vec2(*at), cursor), *at);
   }
@@ -52,9 +56,9 @@ std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::P
 
 // Depth is not linear on screen in perspective, but near enough to say which of two edges is in front.
 std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Point> points,
-                              std::span<const mesh::Edge> edges, const glm::vec2& cursor,
-                              const Sight* sight) {
-  Nearest nearest(sight);
+                              std::span<const mesh::Edge> edges, const glm::vec2& cursor, const Sight* sight,
+                              const Flags& hidden) {
+  Nearest nearest(sight, hidden);
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
     const auto ends = project.segment(points[edges[i][0]], points[edges[i][1]]);
     if (!ends) continue;
@@ -76,13 +80,15 @@ std::optional<double> hit(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
   return glm::dot(v, q) / volume;
 }
 
-std::optional<Pick> pick_inside(const Document& document, const Camera& camera, const Ray& ray) {
+std::optional<Pick> pick_inside(const Document& document, const Camera& camera, const Ray& ray,
+                                const Flags& hidden) {
   const mesh::Surface& cage = document.cage->surface;
   // An orthographic eye sees what is behind it, too.
   const double start = camera.pose().orthographic ? -std::numeric_limits<double>::max() : 0;
   double first = std::numeric_limits<double>::max();
   std::optional<Pick> best;
   for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
+    if (hidden[cage.triangle_polygon[t]]) continue;
     std::array<glm::dvec3, 3> corners;
     for (int i = 0; i < 3; ++i)
       corners[i] = document.space.to_view(document.pose.positions[cage.triangles[t][i]]);
@@ -94,13 +100,13 @@ std::optional<Pick> pick_inside(const Document& document, const Camera& camera, 
   return best;
 }
 
-std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge& edge) {
+std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge& edge, const Flags& hidden) {
   for (std::uint32_t f = 0; f < cage.surface.polygon_count(); ++f) {
     const auto vertices = element_vertices(cage, ElementKind::face, f);
     const auto has = [&](std::uint32_t v) {
       return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
     };
-    if (has(edge[0]) && has(edge[1])) return f;
+    if (!hidden[f] && has(edge[0]) && has(edge[1])) return f;
   }
   return std::nullopt;
 }
@@ -143,33 +149,36 @@ std::optional<std::array<glm::vec3, 2>> Projector::segment(const mesh::Point& a,
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight) {
   const Projector project(document.space, camera, viewport);
-  if (document.selection.kind() == ElementKind::probe)
-    return pick_point(project, probe_centers(document), cursor, nullptr);
+  const auto kind = document.selection.kind();
+  const Flags hidden = hidden_elements(document, kind);
+  if (kind == ElementKind::probe)
+    return pick_point(project, probe_centers(document), cursor, nullptr, hidden);
   if (!document.has_cage()) return std::nullopt;
   const auto& points = document.pose.positions;
-  const auto kind = document.selection.kind();
-  if (kind == ElementKind::vertex) return pick_point(project, points, cursor, sight);
-  if (kind == ElementKind::face) {
-    const auto inside = pick_inside(document, camera, camera.ray(cursor, viewport));
-    if (inside && (!sight || sight->sees({cursor, inside->depth}))) return inside;
-  }
-  const auto edge = pick_edge(project, points, document.cage->edges, cursor, sight);
-  if (!edge || kind == ElementKind::edge) return edge;
-  const auto face = face_at(*document.cage, document.cage->edges[edge->index]);
+  const auto& edges = document.cage->edges;
+  if (kind == ElementKind::vertex) return pick_point(project, points, cursor, sight, hidden);
+  if (kind == ElementKind::edge) return pick_edge(project, points, edges, cursor, sight, hidden);
+  const auto inside = pick_inside(document, camera, camera.ray(cursor, viewport), hidden);
+  if (inside && (!sight || sight->sees({cursor, inside->depth}))) return inside;
+  const Flags hidden_edges = hidden_elements(document, ElementKind::edge);
+  const auto edge = pick_edge(project, points, edges, cursor, sight, hidden_edges);
+  if (!edge) return std::nullopt;
+  const auto face = face_at(*document.cage, edges[edge->index], hidden);
   return face ? std::optional(Pick{*face, edge->depth}) : std::nullopt;
 }
 
-// So many that a third of the places there is within the tolerance of one: eight in a circle of four times its
-// radius.
+// So many that a third of the places there is within the tolerance of one: eight in a circle of four times
+// its radius.
 bool is_crowded(const Document& document, const Camera& camera, const Viewport& viewport,
                 const glm::vec2& cursor, const Sight* sight) {
   constexpr int crowd = 8;
   if (!document.has_cage() || document.selection.kind() == ElementKind::probe) return false;
   const Projector project(document.space, camera, viewport);
+  const Flags hidden = hidden_elements(document, ElementKind::vertex);
   int close = 0;
-  for (const auto& p : document.pose.positions) {
-    const auto at = project(p);
-    if (!at || glm::distance(glm::vec2(*at), cursor) > 4 * tolerance) continue;
+  for (std::size_t v = 0; v < hidden.size(); ++v) {
+    const auto at = project(document.pose.positions[v]);
+    if (!at || hidden[v] || glm::distance(glm::vec2(*at), cursor) > 4 * tolerance) continue;
     if (!sight || sight->sees(*at)) ++close;
     if (close == crowd) return true;
   }
@@ -193,7 +202,7 @@ std::vector<std::uint32_t> pick_within(const Document& document, const Camera& c
   if (kind == ElementKind::probe || !document.has_cage()) return found;
   Selection vertices;
   vertices.apply(found, SelectMode::replace);
-  found = converted(*document.cage, vertices, kind).indices();
+  found = shown(document, converted(*document.cage, vertices, kind)).indices();
   if (sight) {
     std::erase_if(found, [&](auto i) {
       const auto at = project(element_middle(document, kind, i));
@@ -228,8 +237,10 @@ std::vector<std::uint32_t> pick_elements_in_circle(const Document& document, con
   const Projector project(document.space, camera, viewport);
   const auto kind = document.selection.kind();
   const auto under = pick_element(document, camera, viewport, center, sight);
+  const Flags hidden = hidden_elements(document, kind);
   std::vector<std::uint32_t> found;
-  for (std::uint32_t i = 0; i < element_count(document, kind); ++i) {
+  for (std::uint32_t i = 0; i < hidden.size(); ++i) {
+    if (hidden[i]) continue;
     const auto at = project(element_middle(document, kind, i));
     const bool within = at && glm::distance(glm::vec2(*at), center) <= radius &&
                         (!sight || kind == ElementKind::probe || sight->sees(*at));

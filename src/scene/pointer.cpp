@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/probes.h"
 
@@ -226,6 +227,7 @@ void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
 void Pointer::begin_transform(Workspace& workspace) {
   Document& document = workspace.document;
   gesture_ = Gesture::moving;
+  selection_before_ = document.selection;
   if (handle_) {
     const double depth = workspace.camera.depth(glm::vec3(center_in_view(document)));
     workspace.interaction.drag.emplace(document, workspace.tool, *handle_, depth, press_, workspace.camera);
@@ -249,8 +251,18 @@ void Pointer::transform(Workspace& workspace, const PointerInput& input) {
                 workspace.viewport);
   }
   if (!input.enter) return;
-  drag.commit(workspace.document);
+  commit_drag(workspace);
   finish(workspace, Gesture::ignored);
+}
+
+// Pulling out what was not selected has selected it: that is part of the move, or, where nothing has moved,
+// all that was done.
+void Pointer::commit_drag(Workspace& workspace) {
+  Document& document = workspace.document;
+  const unsigned long edits = document.history.revision();
+  workspace.interaction.drag->commit(document);
+  if (document.history.revision() != edits) return document.history.began_with(selection_before_);
+  record_selection(document, selection_before_);
 }
 
 // From where it was, in steps of half of its radius: a fast hand leaves no gaps.
@@ -273,7 +285,9 @@ void Pointer::select_inside(Workspace& w, const PointerInput& input) {
       gesture_ == Gesture::lassoing
           ? pick_elements_in_lasso(w.document, w.camera, w.viewport, w.interaction.lasso->line, sight_.of(w))
           : pick_elements_in_box(w.document, w.camera, w.viewport, press_, input.position, sight_.of(w));
-  w.document.selection.apply(inside, mode_);
+  Selection selection = w.document.selection;
+  selection.apply(inside, mode_);
+  set_selection(w.document, std::move(selection));
 }
 
 // From where the brush was, in steps of a quarter of its radius: a fast hand leaves no gaps.
@@ -297,12 +311,14 @@ void Pointer::paint(Workspace& workspace, const PointerInput& input) {
 void Pointer::release(Workspace& workspace, const PointerInput& input) {
   Document& document = workspace.document;
   if (gesture_ == Gesture::moving) {
-    workspace.interaction.drag->commit(document);
+    commit_drag(workspace);
     workspace.view.hints = false;
   } else if (gesture_ == Gesture::painting) {
     workspace.interaction.stroke->commit(document);
   } else if (gesture_ == Gesture::boxing || gesture_ == Gesture::lassoing) {
     select_inside(workspace, input);
+  } else if (gesture_ == Gesture::brushing) {
+    record_selection(document, selection_before_);
   } else if (gesture_ == Gesture::pressed) {
     click(workspace);
   } else if (gesture_ == Gesture::orbiting && button_ == right_button && !travelled_) {
@@ -317,19 +333,23 @@ void Pointer::release(Workspace& workspace, const PointerInput& input) {
 
 // A click on a handle reaches what is below it, but on nothing it keeps the selection.
 void Pointer::click(Workspace& workspace) {
-  Selection& selection = workspace.document.selection;
+  Selection selection = workspace.document.selection;
   if (grabbed_) {
     selection.apply(std::array{grabbed_->index}, mode_);
   } else if (!handle_ && mode_ == SelectMode::replace) {
     selection.clear();
   }
+  set_selection(workspace.document, std::move(selection));
 }
 
 // Of what is selected, which what is under the cursor belongs to.
 void Pointer::ask_for_menu(Workspace& workspace) {
-  Selection& selection = workspace.document.selection;
   const auto hovered = workspace.interaction.hovered;
-  if (hovered && !selection.contains(*hovered)) selection.apply(std::array{*hovered}, SelectMode::replace);
+  if (hovered && !workspace.document.selection.contains(*hovered)) {
+    Selection selection(workspace.document.selection.kind());
+    selection.apply(std::array{*hovered}, SelectMode::replace);
+    set_selection(workspace.document, std::move(selection));
+  }
   workspace.interaction.menu = press_;
 }
 
@@ -349,6 +369,8 @@ void Pointer::cancel(Workspace& workspace) {
     workspace.interaction.stroke->cancel(workspace.document);
     return finish(workspace, Gesture::ignored);
   }
+  if (gesture_ != Gesture::moving && gesture_ != Gesture::brushing)
+    return finish(workspace, Gesture::ignored);  // nothing was selected yet
   // What a key has taken away meanwhile is not selected again.
   const auto& before = selection_before_.indices();
   const bool all_there =

@@ -91,6 +91,7 @@ private:
   void paint(Workspace& workspace, const PointerInput& input);
   void transform(Workspace& workspace, const PointerInput& input);
   void release(Workspace& workspace, const PointerInput& input);
+  void commit_drag(Workspace& workspace);
   void click(Workspace& workspace);
   void ask_for_menu(Workspace& workspace);
   void finish(Workspace& workspace, Gesture next);

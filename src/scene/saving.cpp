@@ -115,7 +115,7 @@ std::string window_title(const Workspace& w) {
 
 bool has_unsaved_edits(const Workspace& w) {
   if (w.saved.nowhere || w.document.cage != w.saved.cage || w.document.probes != w.saved.probes ||
-      !same_mask(w.document.mask, w.saved.mask))
+      w.document.groups.sets != w.saved.sets || !same_mask(w.document.mask, w.saved.mask))
     return true;
   return w.document.is_movable() &&
          (w.document.scheme != w.saved.scheme || !same_pose(real_pose(w.document), w.saved.pose));
@@ -126,6 +126,7 @@ void mark_saved(Workspace& workspace) {
   workspace.saved.scheme = workspace.document.scheme;
   workspace.saved.mask = workspace.document.mask;
   workspace.saved.probes = workspace.document.probes;
+  workspace.saved.sets = workspace.document.groups.sets;
   mark_pose_saved(workspace);
 }
 

@@ -171,6 +171,7 @@ void run_along(const Neighbourhood& around, std::uint32_t e, std::uint32_t v, Fl
 Flags edge_loops(const deform::Cage& cage, const Neighbourhood& around, const Numbers& seeds) {
   Flags all(cage.edges.size(), 0);
   for (const auto e : seeds) {
+    if (all[e]) continue;               // of a loop that is known
     Flags taken(cage.edges.size(), 0);  // of this loop: it may cross others
     taken[e] = 1;
     for (const auto v : cage.edges[e]) run_along(around, e, v, taken);
@@ -195,8 +196,8 @@ std::uint32_t way_out(const Neighbourhood& around, std::uint32_t face, std::uint
 
 // Into `face` across `from`, on and on. The direction is that of the last two steps: triangles turn left and
 // right by turns.
-void run_across(const Neighbourhood& around, std::uint32_t face, std::uint32_t from, Vec3 along,
-                Flags& taken) {
+void run_across(const Neighbourhood& around, std::uint32_t face, std::uint32_t from, Vec3 along, Flags& taken,
+                Flags& crossed) {
   Vec3 before = around.middle(from) - along;
   for (;;) {
     const std::uint32_t out = way_out(around, face, from, along);
@@ -204,7 +205,7 @@ void run_across(const Neighbourhood& around, std::uint32_t face, std::uint32_t f
     const auto faces = around.faces_along(out);
     face = faces[0] == face ? faces[1] : faces[0];
     if (taken[face]) return;
-    taken[face] = 1;
+    taken[face] = crossed[out] = 1;
     along = unit(around.middle(out) - before);
     before = around.middle(from);
     from = out;
@@ -212,16 +213,16 @@ void run_across(const Neighbourhood& around, std::uint32_t face, std::uint32_t f
 }
 
 Flags face_loops(const deform::Cage& cage, const Neighbourhood& around, const Selection& faces) {
-  Flags all(cage.surface.polygon_count(), 0);
+  Flags all(cage.surface.polygon_count(), 0), crossed(cage.edges.size(), 0);
   for (std::uint32_t e = 0; e < cage.edges.size(); ++e) {
     const auto along = around.faces_along(e);
-    if (along.size() != 2 || !faces.contains(along[0]) || !faces.contains(along[1])) continue;
+    if (crossed[e] || along.size() != 2 || !faces.contains(along[0]) || !faces.contains(along[1])) continue;
     Flags taken(all.size(), 0);
     taken[along[0]] = taken[along[1]] = 1;
     const Vec3 way = unit(mesh::Vec3(deform::polygon_center(cage.surface, along[1], cage.surface.positions)) -
                           deform::polygon_center(cage.surface, along[0], cage.surface.positions));
-    run_across(around, along[1], e, way, taken);
-    run_across(around, along[0], e, -1 * way, taken);
+    run_across(around, along[1], e, way, taken, crossed);
+    run_across(around, along[0], e, -1 * way, taken, crossed);
     for (std::size_t i = 0; i < all.size(); ++i) all[i] |= taken[i];
   }
   return all;

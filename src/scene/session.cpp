@@ -218,6 +218,17 @@ std::optional<ElementKind> kind_from_name(std::string_view name) {
   return static_cast<ElementKind>(found - kind_names.begin());
 }
 
+std::vector<NamedSet> sets_of(const JsonReader& json) {
+  std::vector<NamedSet> sets;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const JsonReader set = json.item(i);
+    const ElementKind kind = word_of(set.at("selecting"), kind_from_name);
+    if (kind == ElementKind::probe) set.at("selecting").fail("a set is of vertices, edges or faces");
+    sets.push_back({set.at("name").text(), kind, selection_of(set.at("vertices"))});
+  }
+  return sets;
+}
+
 std::vector<MaskRun> mask_of(const JsonReader& json) {
   std::vector<MaskRun> mask;
   for (std::size_t run = 0; run + 1 < json.size(); run += 2) {
@@ -284,6 +295,7 @@ Session session_of(const Workspace& w) {
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
   session.selecting = w.document.selection.kind();
   session.selection = w.document.selection.indices();
+  session.groups = w.document.groups;
   if (w.document.has_cage()) session.pose = real_pose(w.document);
   return session;
 }
@@ -297,6 +309,19 @@ ordered_json mask_json(const std::vector<MaskRun>& mask) {
     runs.push_back(vertices);
   }
   return runs;
+}
+
+}  // namespace
+
+namespace {
+
+ordered_json sets_json(const std::vector<NamedSet>& sets) {
+  ordered_json all = ordered_json::array();
+  for (const NamedSet& set : sets)
+    all.push_back({{"name", set.name},
+                   {"selecting", kind_names[static_cast<std::size_t>(set.kind)]},
+                   {"vertices", set.vertices}});
+  return all;
 }
 
 }  // namespace
@@ -334,6 +359,8 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (session.window) json["window"] = {session.window->x, session.window->y};
   json["selecting"] = kind_names[static_cast<std::size_t>(session.selecting)];
   json["selection"] = session.selection;
+  if (!session.groups.sets.empty()) json["sets"] = sets_json(session.groups.sets);
+  if (!session.groups.hidden.empty()) json["hidden"] = session.groups.hidden;
   if (session.pose) json["pose"] = {{"turns", session.pose->turns}, {"positions", session.pose->positions}};
   return readable(json, file);
 }
@@ -363,6 +390,8 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
     return probes;
   };
   take("probes", s.probes, take_probes, "there are none instead");
+  take("sets", s.groups.sets, sets_of, "there are none instead");
+  take("hidden", s.groups.hidden, selection_of, "all of the cage is shown instead");
   take("camera", s.camera, camera_of, "the whole model is shown instead");
   take(
       "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");
@@ -414,6 +443,27 @@ void fit_selection(Session& session, const Document& document, const fs::path& f
                                             "nothing is selected instead")
                                     .what());
   session.selection.clear();
+}
+
+CageGroups fit_groups(Session& session, const Document& document, const fs::path& file) {
+  const std::size_t count = element_count(document, ElementKind::vertex);
+  const auto fits = [&](const std::vector<std::uint32_t>& vertices) {
+    return vertices.empty() || vertices.back() < count;
+  };
+  CageGroups groups = std::move(session.groups);
+  std::erase_if(groups.sets, [&](const NamedSet& set) {
+    if (fits(set.vertices)) return false;
+    session.warnings.push_back(file.string() + ": sets: \"" + set.name + "\" is of vertex " +
+                               std::to_string(set.vertices.back()) + ", the cage has " +
+                               counted(ElementKind::vertex, count) + "; this set is dropped");
+    return true;
+  });
+  if (!fits(groups.hidden)) {
+    session.warnings.push_back(file.string() +
+                               ": hidden: there are no such vertices; all of the cage is shown");
+    groups.hidden.clear();
+  }
+  return groups;
 }
 
 void tell_what_changed(Session& session, const Document& document, const fs::path& file) {

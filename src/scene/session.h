@@ -49,6 +49,9 @@ struct MaskRun {
 ///   "window"              [width, height] in logical pixels
 ///   "selecting"           "vertices", "edges" or "faces" of the cage, or "probes"
 ///   "selection"           their indices, from 0
+///   "sets"                vertices of the cage by name: [{"name", "selecting": what they are selected as,
+///                         "vertices": their indices, from 0}]; missing: there are none
+///   "hidden"              vertices of the cage that are not shown; missing: none
 ///   "pose"                "turns": rotation vectors in radians, one per part of the cage;
 ///                         "positions": [x, y, z] per cage vertex
 /// Version 1 has only such elements, weights and blends as "coordinates" has a word for: programs that know
@@ -72,6 +75,7 @@ struct Session {
   std::optional<glm::ivec2> window;
   ElementKind selecting = ElementKind::vertex;
   std::vector<std::uint32_t> selection;
+  CageGroups groups;
   std::optional<deform::Pose> pose;   ///< missing: at rest; NaN: a position that could not be read
   std::vector<std::string> warnings;  ///< one line each, naming file and key, and what is taken instead
 };
@@ -87,6 +91,9 @@ Session read_session(const std::filesystem::path& file);
 
 /// What is selected is dropped where there is no such element, with a warning.
 void fit_selection(Session& session, const Document& document, const std::filesystem::path& file);
+
+/// Sets and what is hidden, as far as the cage has such vertices; a warning names what is dropped.
+CageGroups fit_groups(Session& session, const Document& document, const std::filesystem::path& file);
 
 /// A warning if the content of model or cage is another than when the session was saved: then the pose may be
 /// that of another cage.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/selection_sets.h"
 #include "scene/workspace.h"
 
 namespace viete::scene {
@@ -88,7 +89,14 @@ Sight sight_of(const Workspace& w) {
   if (w.document.has_cage()) {
     points.clear();
     for (const auto& p : w.document.pose.positions) points.push_back(project(p));
-    hide(sight, points, w.document.cage->surface.triangles);
+    // What is hidden hides nothing.
+    const auto hidden = hidden_elements(w.document, ElementKind::face);
+    const mesh::Surface& cage = w.document.cage->surface;
+    std::vector<mesh::Triangle> triangles;
+    for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
+      if (!hidden[cage.triangle_polygon[t]]) triangles.push_back(cage.triangles[t]);
+    }
+    hide(sight, points, triangles);
   }
   return sight;
 }
@@ -97,7 +105,8 @@ const Sight* SightKeeper::of(const Workspace& w) {
   if (!w.view.select_visible) return nullptr;
   const Picture now{w.camera.pose(),         {w.viewport.window, w.viewport.origin, w.viewport.size},
                     w.document.revisions,    w.posed.frame,
-                    w.posed.vertices.data(), w.view.model};
+                    w.posed.vertices.data(), w.view.model,
+                    w.document.groups.hidden};
   if (picture_ != now) {
     picture_ = now;
     sight_.emplace(sight_of(w));

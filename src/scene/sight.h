@@ -49,6 +49,7 @@ private:
     unsigned long frame;
     const void* vertices;
     bool model;
+    std::vector<std::uint32_t> hidden;
 
     friend bool operator==(const Picture&, const Picture&) = default;
   };

@@ -7,6 +7,7 @@
 #include "scene/elements.h"
 #include "scene/probes.h"
 #include "scene/range.h"
+#include "scene/selection_sets.h"
 
 namespace viete::scene {
 
@@ -118,7 +119,7 @@ void apply(const Transform& transform, std::span<const mesh::Point> from,
 
 std::vector<std::uint32_t> moving_vertices(const Document& document) {
   if (document.selection.kind() == ElementKind::probe) return {};
-  return selected_vertices(*document.cage, document.selection);
+  return without_hidden(document, selected_vertices(*document.cage, document.selection));
 }
 
 bool moved_since(const Document& document, const Snapshot& before) {
@@ -140,8 +141,7 @@ glm::dvec3 selection_center(const Document& document) {
 
 bool place(Document& document, const Snapshot& snapshot, std::span<const std::uint32_t> vertices,
            const Transform& transform, double degrees_seen) {
-  if (snapshot.selection.kind() == ElementKind::probe)
-    return place_probes(document, snapshot, transform);
+  if (snapshot.selection.kind() == ElementKind::probe) return place_probes(document, snapshot, transform);
   const deform::Pose& before = snapshot.pose;
   Motion motion{document, before, vertices, transform};
   const double jump = transform.degrees - degrees_seen;

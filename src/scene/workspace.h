@@ -141,6 +141,7 @@ struct Saved {
   deform::Scheme scheme;                     ///< likewise
   deform::Mask mask;                         ///< likewise
   deform::Probes probes;                     ///< likewise
+  std::vector<NamedSet> sets;                ///< likewise
   bool nowhere = false;                      ///< recovered work, which is in no file of the user's
   unsigned long revision = 0;                ///< grows with each change
 };

@@ -40,7 +40,7 @@ void panel_cage(const Context& ui) {
   value_row(ui, "Selected", count(document.selection.size()) + " of " + count(elements));
   transform_fields(ui);
   command_row(ui, {"undo", "redo", "reset_pose"});
-  command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
+  panel_select(ui);
   editing(ui);
   command_row(ui, {"open_pose", "save_pose"});
   command_row(ui, {"open_cage", "make_cage", "save_cage"});

@@ -16,6 +16,7 @@ void column_edges(const Context& ui);  ///< to drag, and tabs that fold a column
 
 void panel_model(const Context& ui);
 void panel_cage(const Context& ui);
+void panel_select(const Context& ui);  ///< part of the cage's section: ways to select, and sets by name
 void panel_making(const Context& ui);  ///< part of the cage's section: one that is being made
 void panel_probes(const Context& ui);
 void panel_checks(const Context& ui);

@@ -1,4 +1,4 @@
-// How many edits a person could take back.
+// How many edits a person could take back, changes of the selection apart.
 #pragma once
 
 #include "scene/history.h"
@@ -7,7 +7,7 @@ namespace viete::test {
 
 inline std::size_t edit_count(scene::History history) {
   std::size_t count = 0;
-  for (; history.can_undo(); ++count) history.undo({});
+  for (; history.can_undo(); history.undo({})) count += history.undo_label() != "select";
   return count;
 }
 

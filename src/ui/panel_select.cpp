@@ -1,0 +1,88 @@
+// In the Cage panel: what to select, how, and sets of it by name.
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "scene/command_conditions.h"
+#include "scene/selection_sets.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+std::size_t armed_place(const scene::Workspace& w) {
+  constexpr std::size_t none = 3;
+  return w.interaction.armed ? static_cast<std::size_t>(*w.interaction.armed) : none;
+}
+
+scene::SelectMode mode_of_keys() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.KeyShift) return scene::SelectMode::add;
+  return io.KeyCtrl ? scene::SelectMode::remove : scene::SelectMode::replace;
+}
+
+// Its name, to be typed over: taken when the field is left, as it was after Esc.
+std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
+                                      float width) {
+  auto& typed = ui.workspace.typed;
+  const auto known = typed.find(id);
+  char text[64] = "";
+  (known == typed.end() ? name : known->second.text).copy(text, sizeof text - 1);
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputText(("##" + id).c_str(), text, sizeof text, ImGuiInputTextFlags_AutoSelectAll);
+  record(ui, id);
+  hint("The name of the set; type another one");
+  if (ImGui::IsItemActive()) {
+    typed[id] = {text, ImGui::GetFrameCount()};
+    return std::nullopt;
+  }
+  typed.erase(id);
+  return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
+}
+
+// One row a set. What is done to the list is done after it was drawn.
+void sets(const Context& ui) {
+  scene::Document& document = ui.workspace.document;
+  const auto& all = document.groups.sets;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float button = 64, close = ImGui::GetFrameHeight();
+  const float width = ImGui::GetContentRegionAvail().x - button - close - 2 * gap;
+  std::optional<std::size_t> selected, removed, renamed;
+  std::string name;
+  ImGui::BeginDisabled(scene::in_hand(ui.workspace));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string id = "set/" + std::to_string(i);
+    if (const auto typed = name_field(ui, id, all[i].name, width)) renamed = i, name = *typed;
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button(("Select##" + id).c_str(), {button, 0})) selected = i;
+    record(ui, id + "/select");
+    hint("Select this set; Shift adds it, Ctrl takes it out");
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button(("x##" + id).c_str(), {close, 0})) removed = i;
+    record(ui, id + "/remove");
+    hint("Delete this set; what it holds stays, and undo brings it back");
+  }
+  ImGui::EndDisabled();
+  if (renamed) scene::rename_set(document, *renamed, name);
+  if (selected) scene::select_set(document, *selected, mode_of_keys());
+  if (removed) scene::remove_set(document, *removed);
+  if (selected || removed) ui.workspace.interaction.hovered.reset();
+}
+
+}  // namespace
+
+void panel_select(const Context& ui) {
+  command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
+  command_choice(ui, {"select_box", "select_lasso", "select_brush"}, armed_place(ui.workspace));
+  command_row(ui, {"select_more", "select_less", "select_loop"});
+  command_row(ui, {"select_similar", "select_facing", "save_set"});
+  command_row(
+      ui, {"select_left", "select_right", "select_below", "select_above", "select_behind", "select_before"});
+  command_row(ui, {"hide_selected", "hide_others", "show_hidden"});
+  command_toggle(ui, "toggle_select_visible", ui.workspace.view.select_visible);
+  sets(ui);
+}
+
+}  // namespace viete::ui

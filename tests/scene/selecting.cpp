@@ -1,0 +1,190 @@
+// Selections made from selections, on closed cages, open ones, and such with edges of many faces.
+#include "scene/selecting.h"
+
+#include <doctest/doctest.h>
+
+#include "scene/ball.h"
+#include "scene/cube.h"
+#include "scene/elements.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+namespace {
+
+// n by n quads in a plane, and some more polygons.
+mesh::Surface plane_of_quads(std::uint32_t n, std::vector<std::vector<std::uint32_t>> more = {}) {
+  mesh::Surface s;
+  s.polygon_starts = {0};
+  for (std::uint32_t y = 0; y <= n; ++y) {
+    for (std::uint32_t x = 0; x <= n; ++x) s.positions.push_back({1.0 * x, 1.0 * y, 0.1 * (x == 0)});
+  }
+  for (std::uint32_t y = 0; y < n; ++y) {
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const std::uint32_t v = y * (n + 1) + x;
+      more.insert(more.begin() + y * n + x, {v, v + 1, v + n + 2, v + n + 1});
+    }
+  }
+  for (const auto& polygon : more) {
+    s.corners.insert(s.corners.end(), polygon.begin(), polygon.end());
+    s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
+  }
+  mesh::fan_triangulate(s);
+  return s;
+}
+
+Selection some(ElementKind kind, std::vector<std::uint32_t> indices) {
+  Selection selection(kind);
+  selection.apply(indices, SelectMode::replace);
+  return selection;
+}
+
+std::uint32_t edge_of(const deform::Cage& cage, std::uint32_t a, std::uint32_t b) {
+  for (std::uint32_t e = 0; e < cage.edges.size(); ++e) {
+    if (cage.edges[e] == mesh::Edge{std::min(a, b), std::max(a, b)}) return e;
+  }
+  FAIL("no such edge");
+  return 0;
+}
+
+using Numbers = std::vector<std::uint32_t>;
+constexpr ElementKind kinds_of_cages[] = {ElementKind::vertex, ElementKind::edge, ElementKind::face};
+
+}  // namespace
+
+TEST_CASE("growing_adds_what_is_next_to_it_and_shrinking_takes_it_away_again") {
+  const auto cage = deform::make_cage(plane_of_quads(6));
+  CHECK(grown(cage, some(ElementKind::vertex, {24})).indices() == Numbers{17, 23, 24, 25, 31});
+  CHECK(grown(cage, some(ElementKind::face, {14})).indices() == Numbers{7, 8, 9, 13, 14, 15, 19, 20, 21});
+  CHECK(shrunk(cage, some(ElementKind::vertex, {17, 23, 24, 25, 31})).indices() == Numbers{24});
+  CHECK(shrunk(cage, some(ElementKind::face, {7, 8, 9, 13, 14, 15, 19, 20, 21})).indices() == Numbers{14});
+  for (const auto kind : kinds_of_cages) {
+    Selection all(kind);
+    CHECK(grown(cage, all).empty());
+    CHECK(shrunk(cage, all).empty());
+    all.select_all(element_count(cage, kind));
+    CHECK(grown(cage, all) == all);
+    CHECK(shrunk(cage, all) == all);  // the rim stays
+  }
+}
+
+TEST_CASE("a_loop_goes_straight_through_quads_from_rim_to_rim_and_round_the_rim") {
+  const auto cage = deform::make_cage(plane_of_quads(4));
+  const auto row = looped(cage, some(ElementKind::edge, {edge_of(cage, 11, 12)}));
+  CHECK(selected_vertices(cage, row) == Numbers{10, 11, 12, 13, 14});
+  CHECK(looped(cage, some(ElementKind::vertex, {7, 12})).indices() == Numbers{2, 7, 12, 17, 22});
+  CHECK(looped(cage, some(ElementKind::vertex, {12})).indices() == Numbers{12});
+  CHECK(looped(cage, some(ElementKind::edge, {edge_of(cage, 0, 1)})).size() == 16);
+  CHECK(looped(cage, some(ElementKind::face, {5, 6})).indices() == Numbers{4, 5, 6, 7});
+  CHECK(looped(cage, some(ElementKind::face, {5})).indices() == Numbers{5});
+  CHECK(looped(cage, some(ElementKind::face, {1, 9, 13})).indices() == Numbers{1, 5, 9, 13});
+}
+
+TEST_CASE("a_loop_of_a_closed_cage_of_quads_comes_back_to_where_it_began") {
+  // A ring of 5 by 4 quads: the two directions of a torus.
+  mesh::Surface s;
+  s.polygon_starts = {0};
+  for (int i = 0; i < 5; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const double a = 1.2566 * i, b = 1.5708 * j;
+      s.positions.push_back({(2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a), std::sin(b)});
+      const auto at = [](int k, int l) { return static_cast<std::uint32_t>(4 * (k % 5) + l % 4); };
+      for (const auto v : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}) s.corners.push_back(v);
+      s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
+    }
+  }
+  mesh::fan_triangulate(s);
+  const auto cage = deform::make_cage(std::move(s));
+  CHECK(looped(cage, some(ElementKind::edge, {edge_of(cage, 0, 4)})).size() == 5);
+  CHECK(looped(cage, some(ElementKind::edge, {edge_of(cage, 0, 1)})).size() == 4);
+  CHECK(looped(cage, some(ElementKind::face, {0, 4})).size() == 5);
+  CHECK(looped(cage, some(ElementKind::face, {0, 1})).size() == 4);
+}
+
+TEST_CASE("on_triangles_a_loop_goes_the_straightest_way_and_ends") {
+  const auto cage = deform::make_cage(test::ball(1, 3));
+  for (const std::uint32_t e : {0u, 7u, 100u, 1000u}) {
+    const auto loop = looped(cage, some(ElementKind::edge, {e}));
+    CHECK(loop.size() > 8);
+    CHECK(loop.size() < 200);
+  }
+  const auto faces = looped(cage, some(ElementKind::face, {0, 1}));
+  CHECK(faces.size() >= 2);
+  // A cube of triangles turns by a right angle at its edges: no loop goes round them.
+  const auto cube = deform::make_cage(test::cube(1));
+  CHECK(looped(cube, some(ElementKind::edge, {edge_of(cube, 0, 1)})).size() == 1);
+}
+
+TEST_CASE("where_many_faces_meet_at_an_edge_loops_end_and_nothing_else_breaks") {
+  // Two fins, back to back, stand on the edge between vertices 5 and 6 of a plane: four faces at one edge.
+  auto s = plane_of_quads(3);
+  s.positions.push_back({1, 1, 1});
+  s.positions.push_back({2, 1, 1});
+  for (const std::vector<std::uint32_t>& fin : {Numbers{5, 6, 17, 16}, Numbers{16, 17, 6, 5}}) {
+    s.corners.insert(s.corners.end(), fin.begin(), fin.end());
+    s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
+  }
+  s.triangles.clear(), s.triangle_polygon.clear();
+  mesh::fan_triangulate(s);
+  deform::Cage cage;
+  cage.surface = s;
+  cage.edges = mesh::polygon_edges(s);
+  cage.diagonal = 5;
+  for (const auto kind : kinds_of_cages) {
+    for (std::uint32_t i = 0; i < element_count(cage, kind); ++i) {
+      const auto one = some(kind, {i});
+      CHECK(grown(cage, one).contains(i));
+      CHECK(looped(cage, one).contains(i));
+      CHECK(similar(cage, s.positions, one).contains(i));
+      CHECK(facing(cage, s.positions, one).contains(i));
+      CHECK(shrunk(cage, grown(cage, one)).contains(i));
+    }
+  }
+  CHECK(looped(cage, some(ElementKind::face, {1, 4})).size() == 2);
+}
+
+TEST_CASE("similar_is_as_many_edges_as_long_as_large_within_a_tenth") {
+  const auto cage = deform::make_cage(plane_of_quads(3));
+  const auto& p = cage.surface.positions;
+  CHECK(similar(cage, p, some(ElementKind::vertex, {0})).indices() == Numbers{0, 3, 12, 15});
+  CHECK(similar(cage, p, some(ElementKind::vertex, {5})).indices() == Numbers{5, 6, 9, 10});
+  CHECK(similar(cage, p, some(ElementKind::face, {0})).size() == 9);
+  auto stretched = p;
+  stretched[15] = {5, 3, 0};
+  CHECK(similar(cage, stretched, some(ElementKind::edge, {edge_of(cage, 14, 15)})).size() == 1);
+  CHECK(similar(cage, stretched, some(ElementKind::edge, {edge_of(cage, 5, 6)})).size() > 15);
+  CHECK(similar(cage, p, some(ElementKind::vertex, {})).empty());
+}
+
+TEST_CASE("facing_is_the_same_way_for_faces_and_either_way_for_edges") {
+  const auto cage = deform::make_cage(test::cube(1));
+  const auto& p = cage.surface.positions;
+  CHECK(facing(cage, p, some(ElementKind::face, {0})).indices() == Numbers{0, 1});
+  CHECK(facing(cage, p, some(ElementKind::edge, {edge_of(cage, 0, 1)})).size() == 4);
+  CHECK(facing(cage, p, some(ElementKind::vertex, {3})).indices() == Numbers{3});
+}
+
+TEST_CASE("a_side_has_what_does_not_reach_beyond_the_middle_and_is_not_within_it") {
+  const auto cage = deform::make_cage(plane_of_quads(4));
+  CHECK(on_side(cage, ElementKind::vertex, 0, true, 2).indices() ==
+        Numbers{3, 4, 8, 9, 13, 14, 18, 19, 23, 24});
+  CHECK(on_side(cage, ElementKind::face, 0, false, 2).size() == 8);
+  CHECK(on_side(cage, ElementKind::face, 1, true, 2).size() == 8);
+  CHECK(on_side(cage, ElementKind::edge, 0, true, 2).size() == 8 + 10);
+  CHECK(on_side(cage, ElementKind::vertex, 2, false, 0).empty());
+}
+
+TEST_CASE("of_no_cage_and_of_probes_nothing_is_made") {
+  const deform::Cage none;
+  const auto probes = some(ElementKind::probe, {0, 2});
+  CHECK(grown(none, probes) == probes);
+  CHECK(shrunk(none, probes) == probes);
+  CHECK(looped(none, probes) == probes);
+  CHECK(similar(none, {}, probes) == probes);
+  CHECK(facing(none, {}, probes) == probes);
+  for (const auto kind : kinds_of_cages) {
+    CHECK(grown(none, Selection(kind)).empty());
+    CHECK(looped(none, Selection(kind)).empty());
+    CHECK(on_side(none, kind, 0, true, 0).empty());
+  }
+}
