@@ -18,8 +18,8 @@ struct MouseLine {
 
 constexpr MouseLine mouse_lines[] = {
     {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
-    {"Left drag on it", "move the selection (faces, and vertices without room between: once selected)"},
-    {"Left drag elsewhere", "select with a box; Shift adds and Ctrl removes, also from on a vertex"},
+    {"Left drag on it", "move the selection (faces, and crowded vertices: once selected)"},
+    {"Left drag elsewhere", "select with a box; from anywhere with Shift (adds) or Ctrl (removes)"},
     {"Left drag on a handle", "move, rotate or scale along what it points at"},
     {"Ctrl, Shift while dragging", "snap to steps; go a tenth of the way"},
     {"X Y Z, digits, Enter", "while dragging: axis (Shift: plane), amount, done"},

@@ -179,8 +179,11 @@ struct Everything {
   bool operator==(const Everything&) const = default;
 };
 
+// What would be selected next, while nothing is, is a mode, no part of the document.
 Everything of(const Document& document) {
-  return {document.pose.positions, document.pose.turns, document.probes, document.selection, document.groups};
+  const Selection& selection = document.selection;
+  return {document.pose.positions, document.pose.turns, document.probes,
+          selection.empty() ? Selection() : selection, document.groups};
 }
 
 }  // namespace
