@@ -127,3 +127,39 @@ TEST_CASE("z_makes_the_mouse_select_only_what_is_seen") {
   CHECK(d.selected() < 1400);
   CHECK(d.selected() > 800);
 }
+
+TEST_CASE("selecting_is_undone_hidden_and_kept_as_a_set_by_keys_and_buttons") {
+  Selecting d;
+  d.press_key('A');
+  d.press_key('Z', true);
+  CHECK(d.selected() == 0);
+  d.press_key('Z', true, true);
+  CHECK(d.selected() == 2562);
+  const glm::vec2 at = glm::round(d.vertex(d.front()));
+  d.press_key('B');
+  d.drag(at, at + glm::vec2(80, 60));
+  const std::size_t few = d.selected();
+  CHECK(few > 10);
+  CHECK(few < 100);
+  d.click("save_set");
+  d.press_key(scene::Key::up, true);
+  CHECK(d.selected() > few);
+  d.press_key('A', false, true);
+  CHECK(d.selected() == 0);
+  d.click("set/0/select");
+  CHECK(d.selected() == few);
+  CHECK(d.amber() > 100);
+  d.press_key('H', false, true);
+  d.move({700, 20});
+  d.frame(2);
+  CHECK(d.amber() == 0);
+  d.press_key('A');
+  CHECK(d.selected() == 2562 - few);
+  d.press_key('H', true);
+  CHECK(d.document().groups.hidden.empty());
+  d.click("set/0/remove");
+  CHECK(d.document().groups.sets.empty());
+  d.press_key('Z', true);
+  CHECK(d.document().groups.sets.size() == 1);
+  CHECK_FALSE(scene::differs_from_rest(d.document()));
+}
