@@ -88,7 +88,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   if (kind == ElementKind::probe) return;
   Selection made(ElementKind::vertex);
   made.apply(edited.selection, SelectMode::replace);
-  document.selection = shown(document, converted(*document.cage, made, kind));
+  document.selection = without_hidden(document, converted(*document.cage, made, kind));
 }
 
 // The same polygons with other places.

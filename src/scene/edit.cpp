@@ -92,7 +92,7 @@ void record_selection(Document& document, const Selection& before) {
 }
 
 void set_selection(Document& document, Selection selection) {
-  const Selection before = std::exchange(document.selection, shown(document, std::move(selection)));
+  const Selection before = std::exchange(document.selection, without_hidden(document, std::move(selection)));
   record_selection(document, before);
 }
 

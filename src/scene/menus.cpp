@@ -65,6 +65,7 @@ constexpr Switch switches[] = {
     {"toggle_cage", shown<&ViewOptions::cage>},
     {"toggle_grid", shown<&ViewOptions::grid>},
     {"toggle_axes", shown<&ViewOptions::axes>},
+    {"toggle_select_visible", shown<&ViewOptions::select_visible>},
     {"toggle_ghost", shown<&ViewOptions::ghost>},
     {"toggle_error_map", shown<&ViewOptions::error_map>},
     {"toggle_theme", shown<&ViewOptions::dark>},
@@ -132,7 +133,8 @@ std::span<const Menu> menus() {
 std::string_view submenu_of(const Command& command) {
   constexpr std::pair<std::string_view, std::string_view> prefixes[] = {
       {"view_", "Look from"},    {"shading_", "Shading"}, {"unit_", "Unit of the file"},
-      {"elements_", "Elements"}, {"weights_", "Weights"}, {"blend_", "Blend"}};
+      {"elements_", "Elements"}, {"weights_", "Weights"}, {"blend_", "Blend"},
+      {"side_", "Side"}};
   for (const auto& [prefix, title] : prefixes) {
     if (command.name.starts_with(prefix)) return title;
   }
@@ -143,7 +145,7 @@ bool is_passing(const Command& command) {
   constexpr std::string_view passing[] = {
       "stop_work",      "stop_export",     "restore_leftover", "put_off_leftover", "discard_leftover",
       "undo_discard",   "hide_discarded",  "open_cage_beside", "finish_cage",      "cancel_cage",
-      "stop_benchmark", "hide_cage_offer", "show_outside"};
+      "stop_benchmark", "hide_cage_offer", "show_outside",     "stop_selecting"};
   return std::ranges::find(passing, command.name) != std::end(passing);
 }
 

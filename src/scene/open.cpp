@@ -154,7 +154,7 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
     document.selection = Selection(session.selecting);
     document.selection.apply(session.selection, SelectMode::replace);
     document.groups = fit_groups(session, document, file);
-    document.selection = shown(document, document.selection);
+    document.selection = without_hidden(document, document.selection);
   }
   tell_what_changed(session, document, file);
   session.pose.reset();

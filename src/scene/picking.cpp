@@ -202,7 +202,7 @@ std::vector<std::uint32_t> pick_within(const Document& document, const Camera& c
   if (kind == ElementKind::probe || !document.has_cage()) return found;
   Selection vertices;
   vertices.apply(found, SelectMode::replace);
-  found = shown(document, converted(*document.cage, vertices, kind)).indices();
+  found = without_hidden(document, converted(*document.cage, vertices, kind)).indices();
   if (sight) {
     std::erase_if(found, [&](auto i) {
       const auto at = project(element_middle(document, kind, i));

@@ -32,7 +32,7 @@ void put_hidden(Document& document, std::vector<std::uint32_t> hidden, const cha
   if (hidden == document.groups.hidden) return;
   document.history.record(label, snapshot_of(document));
   document.groups.hidden = std::move(hidden);
-  document.selection = shown(document, std::move(document.selection));
+  document.selection = without_hidden(document, std::move(document.selection));
 }
 
 bool has_name(const Document& document, const std::string& name) {
@@ -60,7 +60,7 @@ std::vector<std::uint8_t> hidden_elements(const Document& document, ElementKind 
   return hidden;
 }
 
-Selection shown(const Document& document, Selection selection) {
+Selection without_hidden(const Document& document, Selection selection) {
   if (document.groups.hidden.empty()) return selection;
   const auto hidden = hidden_elements(document, selection.kind());
   selection.apply(numbers_of(hidden), SelectMode::remove);

@@ -13,7 +13,7 @@ namespace viete::scene {
 /// Of the elements of a kind, 1 for those that are hidden; of probes none is.
 std::vector<std::uint8_t> hidden_elements(const Document& document, ElementKind kind);
 /// Without what is hidden.
-Selection shown(const Document& document, Selection selection);
+Selection without_hidden(const Document& document, Selection selection);
 std::vector<std::uint32_t> without_hidden(const Document& document, std::vector<std::uint32_t> vertices);
 
 /// Nothing of it is selected any more.

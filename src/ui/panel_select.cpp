@@ -78,8 +78,8 @@ void panel_select(const Context& ui) {
   command_choice(ui, {"select_box", "select_lasso", "select_brush"}, armed_place(ui.workspace));
   command_row(ui, {"select_more", "select_less", "select_loop"});
   command_row(ui, {"select_similar", "select_facing", "save_set"});
-  command_row(
-      ui, {"select_left", "select_right", "select_below", "select_above", "select_behind", "select_before"});
+  command_row(ui, {"side_x_negative", "side_x_positive", "side_y_negative", "side_y_positive",
+                   "side_z_negative", "side_z_positive"});
   command_row(ui, {"hide_selected", "hide_others", "show_hidden"});
   command_toggle(ui, "toggle_select_visible", ui.workspace.view.select_visible);
   sets(ui);
