@@ -27,17 +27,18 @@ void search_field(const Context& ui) {
 }
 
 // True if it was clicked.
-bool row(const Context& ui, const scene::Command& command, bool highlighted, bool follow) {
+bool row(const Context& ui, const scene::Command& command, std::size_t index, bool follow) {
+  const bool highlighted = index == ui.workspace.palette.highlighted;
   const bool enabled = command.enabled(ui.workspace);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool clicked = ImGui::InvisibleButton(std::string(command.name).c_str(), {width, palette_row});
   record(ui, "palette/" + std::string(command.name), enabled);
+  const bool mouse_moves = ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0;
+  if (ImGui::IsItemHovered() && mouse_moves) ui.workspace.palette.highlighted = index;
   if (highlighted && follow) ImGui::SetScrollHereY();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  if (highlighted || ImGui::IsItemHovered())
-    draw.AddRectFilled(at, {at.x + width, at.y + palette_row},
-                       highlighted ? ui.colors.card_active : ui.colors.card_hover, 4);
+  if (highlighted) draw.AddRectFilled(at, {at.x + width, at.y + palette_row}, ui.colors.card_active, 4);
   const float y = at.y + 0.5f * (palette_row - ImGui::GetFontSize());
   const std::string label(command.label), group(command.group);
   draw.AddText({at.x + 8, y}, enabled ? ui.colors.text : faded(ui.colors.faint, 0.7f), label.c_str());
@@ -82,6 +83,7 @@ void command_palette(const Context& ui) {
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 48}, ImGuiCond_Always, {0.5f, 0});
   ImGui::SetNextWindowSize({std::min(palette_width, v.window.x - 32), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::Begin("Palette", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   const bool appeared = palette.appearing;
@@ -96,7 +98,7 @@ void command_palette(const Context& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 0});
   ImGui::BeginChild("found", {0, std::max(3.0f, rows) * palette_row});
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (row(ui, *found[i], i == palette.highlighted, steps != 0)) chosen = found[i], palette.highlighted = i;
+    if (row(ui, *found[i], i, steps != 0)) chosen = found[i], palette.highlighted = i;
   }
   if (found.empty()) note(ui, "No command has that in its name.");
   ImGui::EndChild();
@@ -104,7 +106,7 @@ void command_palette(const Context& ui) {
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   ImGui::End();
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))
     chosen = found[palette.highlighted];
   if ((key_pressed(scene::Key::escape) || beside) && !appeared) palette.open = false;

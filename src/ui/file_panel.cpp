@@ -90,8 +90,11 @@ void path_field(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   if (browser.appearing && browser.saves()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  // What is typed takes the place of what is proposed, wherever the caret was the time before.
-  constexpr auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+  // What is typed takes the place of what is proposed, wherever the caret was the time before; what is to be
+  // corrected or confirmed stays.
+  const bool proposed = browser.problem.empty() && browser.warned.empty();
+  const auto flags = ImGuiInputTextFlags_EnterReturnsTrue |
+                     (proposed ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None);
   const std::string before = browser.path;
   const bool enter = text_field("##path", "", browser.path, flags);
   record(ui, "file_path");

@@ -55,7 +55,7 @@ void leftover_line(const Context& ui) {
   const std::size_t others = leftovers.size() - 1;
   const std::string more = others > 0 ? "  (and " + std::to_string(others) + " more)" : "";
   notice_words(
-      ui, "Kept from an earlier run: unsaved " + edits_of(leftovers.front()) + more,
+      ui, "Kept: unsaved " + edits_of(leftovers.front()) + more,
       leftovers.front().file.string(),
       buttons_width({"restore_leftover", "put_off_leftover", "discard_leftover"}, 2 * apart_gap + 16));
   command_button(ui, "restore_leftover");

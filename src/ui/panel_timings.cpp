@@ -102,7 +102,9 @@ void panel_timings(const Context& ui) {
   if (!section(ui, "Timings")) return;
   const auto median = ui.workspace.stats.median();
   if (!median) {
-    note(ui, "Drag a vertex of the cage, or a probe, to see what each link of the frame costs.");
+    note(ui, ui.workspace.document.is_movable()
+                 ? "Drag a vertex of the cage, or a probe, to see what each link of the frame costs."
+                 : "What each link of the frame costs is shown once a cage or a probe moves the model.");
     return;
   }
   const Parts parts = parts_of(*median);

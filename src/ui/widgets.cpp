@@ -78,11 +78,13 @@ void section_note(const Context& ui, const std::string& text, ImU32 color) {
 
 void hint(const std::string& text) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // also where the window has none
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(280);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 void command_button(const Context& ui, std::string_view name, float width) {

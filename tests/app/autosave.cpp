@@ -60,6 +60,21 @@ TEST_CASE("an_edit_is_kept_and_opens_again_as_it_was") {
   CHECK(again.document.pose.positions == k.workspace.document.pose.positions);
 }
 
+TEST_CASE("settings_made_after_the_last_edit_are_kept_too") {
+  Kept k;
+  k.edit(0.25);
+  REQUIRE(k.autosave.keep_now(k.workspace));
+  scene::set_method(k.workspace.document, sym3::Method::sd);
+  k.workspace.view.wireframe = true;
+  k.workspace.document.model.unit = scene::LengthUnit::inch;
+  REQUIRE(k.autosave.keep_now(k.workspace));
+  scene::Workspace again;
+  REQUIRE(scene::open_now(again, {scene::OpenRequest::What::recovery, {scene::recovery_file(k.folder)}}));
+  CHECK(again.document.method == sym3::Method::sd);
+  CHECK(again.view.wireframe);
+  CHECK(again.document.model.unit == scene::LengthUnit::inch);
+}
+
 TEST_CASE("what_is_saved_need_not_be_kept") {
   Kept k;
   k.edit(0.25);

@@ -165,3 +165,16 @@ TEST_CASE("recovered_work_knows_whether_its_session_has_changed_since") {
     CHECK(changed_on_disk(back, back.saved.session) == changed);
   }
 }
+
+TEST_CASE("the_title_names_the_session_and_else_the_model_with_a_star_while_edits_are_unsaved") {
+  const test::CubeFiles files;
+  CHECK(window_title(Workspace()) == "Viete");
+  Workspace w = edited(files);
+  const std::string model = files.model.filename().string();
+  CHECK(window_title(w) == model + "* - Viete");
+  REQUIRE(save_session(w, files / "walk.viete"));
+  CHECK(window_title(w) == "walk.viete - Viete");
+  Workspace again;
+  REQUIRE(open_now(again, {OpenRequest::What::model, {files / "walk.viete"}}));
+  CHECK(window_title(again) == "walk.viete - Viete");
+}
