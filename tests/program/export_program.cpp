@@ -30,7 +30,10 @@ struct LargeModel : Driver {
     workspace().requests.save_model = file;
     frame();
   }
-  const std::string& last_message() { return workspace().messages.all().back().text; }
+  std::string last_message() {
+    const auto& all = workspace().messages.all();
+    return all.empty() ? "" : all.back().text;
+  }
   template <class Done>
   void frames_until(const Done& done) {
     REQUIRE(wait_until(

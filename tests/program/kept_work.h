@@ -24,12 +24,18 @@ inline void drag_some_vertex(Driver& d, glm::vec2 by) {
 // Away from everything, until the picture rests; without the panels, whose times are never the same.
 inline render::Image rest_picture(Driver& d) {
   d.move({700, 760});
+  d.workspace().attended = false;  // messages come and go
   d.settle();
+  d.workspace().attended = true;
   render::Image picture = d.picture();
-  if (!d.workspace().view.panels) return picture;
+  const auto& v = d.workspace().viewport;
   for (int y = 0; y < picture.height; ++y) {
-    const int end = y >= picture.height - 26 ? picture.width : 320;
-    std::fill_n(picture.rgba.begin() + 4 * std::ptrdiff_t(y) * picture.width, 4 * end, std::uint8_t{0});
+    for (int x = 0; x < picture.width; ++x) {
+      const glm::vec2 in_view = glm::vec2(x, y) - v.origin;
+      const bool seen = in_view.x >= 0 && in_view.y >= 0 && in_view.x < v.size.x && in_view.y < v.size.y;
+      if (!seen)
+        std::fill_n(picture.rgba.begin() + 4 * (std::ptrdiff_t(y) * picture.width + x), 4, std::uint8_t{0});
+    }
   }
   return picture;
 }

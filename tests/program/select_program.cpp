@@ -119,7 +119,7 @@ TEST_CASE("b_arms_a_box_that_begins_on_the_gizmo_and_the_keys_of_lasso_and_brush
 
 TEST_CASE("z_makes_the_mouse_select_only_what_is_seen") {
   Selecting d;
-  const glm::vec2 corner(340, 10), opposite(1270, 760);
+  const glm::vec2 corner(330, 760), opposite(955, 40);
   d.drag(corner, opposite);
   CHECK(d.selected() == 2562);
   d.press_key('Z');
