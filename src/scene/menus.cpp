@@ -58,7 +58,15 @@ bool column_shown(const Workspace& w) {
   return w.view.panels && shown_columns(w.remembered.layout, w.viewport.window.x).of(Which) > 0;
 }
 
+template <SelectShape Shape>
+bool armed(const Workspace& w) {
+  return w.interaction.armed == Shape;
+}
+
 constexpr Switch switches[] = {
+    {"select_box", armed<SelectShape::box>},
+    {"select_lasso", armed<SelectShape::lasso>},
+    {"select_brush", armed<SelectShape::brush>},
     {"toggle_wireframe", shown<&ViewOptions::wireframe>},
     {"toggle_model", shown<&ViewOptions::model>},
     {"toggle_deformed", shown<&ViewOptions::deformed>},

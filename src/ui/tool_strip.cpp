@@ -67,6 +67,30 @@ void paint_icon(const Pen& pen) {
   pen.draw.AddTriangleFilled(pen.at(-0.8f, 0.25f), pen.at(-0.95f, 0.95f), pen.at(-0.25f, 0.8f), pen.color);
 }
 
+void box_icon(const Pen& pen) {
+  for (const float side : {-0.8f, 0.8f}) {
+    for (const float from : {-0.8f, -0.2f, 0.4f}) {  // dashes
+      pen.line(from, side, from + 0.4f, side);
+      pen.line(side, from, side, from + 0.4f);
+    }
+  }
+}
+
+void lasso_icon(const Pen& pen) {
+  constexpr int corners = 24;
+  for (int i = 0; i < corners; ++i) {
+    const float angle = 2 * pi * static_cast<float>(i) / corners;
+    pen.draw.PathLineTo(pen.at(0.95f * std::cos(angle), -0.3f + 0.6f * std::sin(angle)));
+  }
+  pen.draw.PathStroke(pen.color, ImDrawFlags_Closed, 1.5f);
+  pen.line(-0.35f, 0.25f, -0.55f, 0.95f);
+}
+
+void brush_icon(const Pen& pen) {
+  pen.draw.AddCircle(pen.middle, 0.85f * icon_radius, pen.color, 0, 1.5f);
+  pen.dot(0, 0);
+}
+
 void cage_icon(const Pen& pen) {
   constexpr float corners[][2] = {{-0.85f, 0.7f}, {0.5f, 0.9f}, {0.85f, -0.4f}, {-0.3f, -0.9f}};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -96,8 +120,10 @@ struct StripTool {
 };
 constexpr StripTool strip[] = {{"tool_select", select_icon, false}, {"tool_move", move_icon, false},
                                {"tool_rotate", rotate_icon, false}, {"tool_scale", scale_icon, false},
-                               {"tool_paint", paint_icon, false},   {"edit_cage", cage_icon, true},
-                               {"add_probe", probe_icon, false},    {"mark_point", mark_icon, false}};
+                               {"tool_paint", paint_icon, false},   {"select_box", box_icon, true},
+                               {"select_lasso", lasso_icon, false}, {"select_brush", brush_icon, false},
+                               {"edit_cage", cage_icon, true},      {"add_probe", probe_icon, false},
+                               {"mark_point", mark_icon, false}};
 
 float top_of(std::size_t index) {
   float y = static_cast<float>(index) * (tool_size + tool_gap);
@@ -134,8 +160,10 @@ void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
 
 void tool_strip(const Context& ui) {
   const scene::Viewport& v = ui.workspace.viewport;
-  const float height = top_of(std::size(strip) - 1) + tool_size;
-  if (!ui.workspace.document.model.surface || v.size.y < height + 2 * strip_top || v.size.x < 240) return;
+  std::size_t count = 0;  // as many as there is room for
+  while (count < std::size(strip) && top_of(count) + tool_size + 2 * strip_top <= v.size.y) ++count;
+  if (!ui.workspace.document.model.surface || count == 0 || v.size.x < 240) return;
+  const float height = top_of(count - 1) + tool_size;
   const ImVec2 low{v.origin.x + strip_inset, v.origin.y + strip_top};
   ImGui::SetNextWindowPos(low);
   ImGui::SetNextWindowSize({tool_size, height});
@@ -145,7 +173,7 @@ void tool_strip(const Context& ui) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  for (std::size_t i = 0; i < std::size(strip); ++i) tool(ui, strip[i], {low.x, low.y + top_of(i)});
+  for (std::size_t i = 0; i < count; ++i) tool(ui, strip[i], {low.x, low.y + top_of(i)});
   ImGui::End();
   ImGui::PopStyleVar(2);
 }
