@@ -19,10 +19,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// The columns, the bars, and the strip of tools: where the text is, whose font differs.
 void cut_panels(render::Image& image) {
+  constexpr int left = 384, right = 320, top = 40, bottom = 26;
   for (int y = 0; y < image.height; ++y) {
-    const int end = y >= image.height - 26 || y < 40 ? image.width : 320;
-    std::fill_n(image.rgba.begin() + 4 * std::ptrdiff_t(y) * image.width, 4 * end, std::uint8_t{0});
+    const bool bar = y >= image.height - bottom || y < top;
+    const auto row = image.rgba.begin() + 4 * std::ptrdiff_t(y) * image.width;
+    std::fill_n(row, 4 * (bar ? image.width : left), std::uint8_t{0});
+    std::fill_n(row + 4 * (image.width - right), 4 * right, std::uint8_t{0});
   }
 }
 
