@@ -73,6 +73,56 @@ vec3 shade(vec3 base, vec3 n, vec3 v, float open) {
   return base * (key + (fill + ambient) * open) + sheen * open;
 }
 
+#if defined(PORCELAIN) || defined(JADE)
+// What a glossy surface mirrors: a sky that brightens upwards, a large lamp, and a window at the right.
+vec3 studio(vec3 r) {
+  vec3 sky = mix(vec3(0.16, 0.15, 0.15), vec3(0.80, 0.88, 1.00), smoothstep(-0.3, 0.8, r.y));
+  float lamp = smoothstep(0.80, 0.93, dot(r, key_direction));
+  float window = smoothstep(0.88, 0.95, dot(r, fill_direction));
+  return sky + 3.2 * key_color * lamp + vec3(0.5, 0.7, 1.0) * window;
+}
+
+// Schlick's share of light that glazing mirrors.
+float mirrored(vec3 n, vec3 v) {
+  float edge = 1.0 - max(0.0, dot(n, v)), square = edge * edge;
+  return 0.05 + 0.75 * square * square * edge;
+}
+#endif
+
+#ifdef PORCELAIN
+vec3 material(vec3 n, vec3 v, float open) {
+  const vec3 body = vec3(0.69, 0.73, 0.77);
+  vec3 light = key_color * wrapped(dot(n, key_direction), 0.35) + fill_color * wrapped(dot(n, fill_direction), 0.5);
+  vec3 ambient = mix(vec3(0.16, 0.17, 0.21), vec3(0.30, 0.34, 0.40), 0.5 + 0.5 * n.y);
+  vec3 diffuse = body * (0.72 * light * mix(1.0, open, 0.6) + ambient * open);
+  return mix(diffuse, studio(reflect(-v, n)), mirrored(n, v) * open);
+}
+#endif
+
+#ifdef JADE
+// Light enters, is scattered and leaves elsewhere: it wraps far around, and thin rims glow.
+vec3 material(vec3 n, vec3 v, float open) {
+  const vec3 deep = vec3(0.015, 0.13, 0.085), bright = vec3(0.19, 0.52, 0.31);
+  float edge = 1.0 - max(0.0, dot(n, v));
+  float through = 0.75 * wrapped(dot(n, key_direction), 0.7) + 0.22 * wrapped(dot(n, rim_direction), 0.6) + 0.3 * edge * edge;
+  vec3 diffuse = mix(deep, bright, clamp(through, 0.0, 1.0)) * mix(0.45, 1.0, open);
+  return mix(diffuse, studio(reflect(-v, n)), mirrored(n, v) * open);
+}
+#endif
+
+#ifdef ZEBRA
+// Stripes of a hall of lamps, mirrored: where they bend or break, the surface's curvature does. Grey where they are
+// finer than pixels.
+vec3 material(vec3 n, vec3 v, float open) {
+  vec3 r = reflect(-v, n);
+  float at = 4.5 * r.y, width = max(fwidth(at), 1e-4);
+  float edge = clamp((abs(fract(at) - 0.5) - 0.25) / width + 0.5, 0.0, 1.0);
+  float stripe = mix(edge, 0.5, smoothstep(0.5, 1.0, width));
+  float lit = (0.55 + 0.45 * max(0.0, dot(n, v))) * mix(0.6, 1.0, open);
+  return mix(vec3(0.012, 0.016, 0.022), vec3(0.86), stripe) * lit;
+}
+#endif
+
 #ifdef WIREFRAME
 // Edge coverage: distance to the nearest edge in pixels. Where triangles shrink to a few pixels their edges become
 // thinner with them, so that single ones are still seen, and all together never cover the surface.
@@ -158,7 +208,11 @@ void main() {
     return;
   }
 #endif
+#if defined(PORCELAIN) || defined(JADE) || defined(ZEBRA)
+  vec3 lit = material(n, v, open);
+#else
   vec3 lit = shade(to_linear(base_color()), n, v, open);
+#endif
   vec3 shown = to_display(shoulder(exposure * lit));
 #ifdef WIREFRAME
   shown = mix(shown, wire.rgb, wire.a * edges());

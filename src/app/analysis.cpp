@@ -30,6 +30,7 @@ void Analysis::follow_document(scene::Workspace& workspace) {
 
 void Analysis::follow_frame(scene::Workspace& workspace, const LiveModel& model) {
   shows_news_ = false;
+  follow_path(workspace, model);
   if (probe_wanted_) follow_probe(workspace, model);
   follow_error_map(workspace, model, false);
 }
@@ -46,6 +47,26 @@ void Analysis::forget() {
 bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& model) const {
   return probe_.has_result() || probe_is_due(workspace, model) || checks_.has_result() ||
          bench_.has_result() || error_map_.has_result() || error_map_is_due(workspace, model);
+}
+
+// What was measured of another path says nothing of this one. How far cage parts turn is no matter of the path.
+void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) {
+  const scene::Revisions& now = workspace.document.revisions;
+  const deform::Deformer* deformer = model.deformer();
+  const auto engine = deformer ? deformer->ran() : std::nullopt;
+  Path path{now.surfaces, now.cage, deformer ? deformer->scheme() : deform::Scheme()};
+  path.scheme.amounts = {};
+  const bool another = path_ != path;
+  if (!another && engine_ == engine) return;
+  workspace.fused_error = 0;
+  probed_ = 0;
+  if (another) {
+    probe_.forget();
+    workspace.methods = {};
+  }
+  path_ = path;
+  engine_ = engine;
+  shows_news_ = true;
 }
 
 void Analysis::follow_benchmark(scene::Workspace& workspace) {

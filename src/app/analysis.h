@@ -47,6 +47,7 @@ private:
   void start_checks(const scene::Document& document);
   void take_checks(scene::Workspace& workspace, bool wait);
   void follow_benchmark(scene::Workspace& workspace);
+  void follow_path(scene::Workspace& workspace, const LiveModel& model);
   bool probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
   void follow_probe(scene::Workspace& workspace, const LiveModel& model);
   bool error_map_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
@@ -60,7 +61,15 @@ private:
   std::optional<std::vector<float>> errors_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
   unsigned long probed_ = 0, mapped_ = 0;  // which frame of the model
-  double probed_at_ = -1;                  // wall seconds
+  // What decides how exact a frame is but for its pose.
+  struct Path {
+    scene::Revision surfaces = 0, cage = 0;
+    deform::Scheme scheme;
+    friend bool operator==(const Path&, const Path&) = default;
+  };
+  Path path_;
+  std::optional<deform::EngineKind> engine_;
+  double probed_at_ = -1;  // wall seconds
 };
 
 }  // namespace viete::app

@@ -28,6 +28,25 @@ scene::ErrorMapStats stats_of(std::vector<double> errors, sym3::Method method) {
   return stats;
 }
 
+// The decades up to the worst of all methods, on some of the matrices: the same ones whichever method runs.
+void fit_range(std::span<const sym3::Sym3<double>> matrices, scene::ErrorMapStats& stats) {
+  constexpr std::size_t most = 4096;
+  constexpr double floor = 1e-17, fewest_decades = 2;
+  const std::size_t count = std::min(matrices.size(), most);
+  std::vector<sym3::Sym3<double>> sample(count), computed(count);
+  for (std::size_t i = 0; i < count; ++i) sample[i] = matrices[i * matrices.size() / count];
+  double worst = floor;
+  for (const sym3::Method method : scene::compared_methods) {
+    sym3::exp<double>(sample, computed, method);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double error = sym3::relative_error(computed[i], sample[i]);
+      worst = std::isnan(error) ? 1 : std::max(worst, error);
+    }
+  }
+  stats.low = std::log10(floor);
+  stats.high = std::clamp(std::ceil(std::log10(worst)), stats.low + fewest_decades, 0.0);
+}
+
 }  // namespace
 
 ErrorMap error_map(std::span<const sym3::Sym3<double>> matrices, sym3::Method method,
@@ -48,6 +67,7 @@ ErrorMap error_map(std::span<const sym3::Sym3<double>> matrices, sym3::Method me
     }
   }
   map.stats = stats_of(std::move(errors), method);
+  fit_range(matrices, map.stats);
   return map;
 }
 

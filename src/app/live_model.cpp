@@ -25,6 +25,7 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   // Other elements or another blend sum other rows over the same weights.
   const deform::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
+  follow_path(workspace.view.same_path);
   // The staged engine's weights are made when a method asks for them, and a stitching when a scheme does;
   // until then method `fast` serves, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
@@ -33,6 +34,14 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   workspace.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
                        binder_.seconds()};
   return {new_surfaces, new_cage};
+}
+
+void LiveModel::follow_path(bool same) {
+  same_path_ = same;
+  if (!deformer_ || deformer_->all_staged() == same) return;
+  deformer_->set_all_staged(same);
+  derived_.reset();
+  unprepared_ = true;
 }
 
 // What stands for a cage and its scheme where there is none.
@@ -84,7 +93,8 @@ void LiveModel::start_binding(const scene::Document& document) {
                                       : "Preparing the model for probes";
   binder_.start(
       [model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
-       method = document.method, known = bound_,
+       // Weights of the staged engine are those of any other method than `fast`.
+       method = same_path_ ? sym3::Method::diag : document.method, known = bound_,
        saved = document.has_cage() ? files_.take_saved() : SavedBindings()](base::Progress& progress) {
         return bind(model, cage, scheme, method, known, saved, progress);
       });
@@ -113,6 +123,7 @@ void LiveModel::make_deformer(const deform::Scheme& scheme) {
   deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool_,
                                                  bound_.stitches(scheme) ? bound_.stitching : nullptr);
   derived_.reset();
+  deformer_->set_all_staged(same_path_);
   unprepared_ = true;
   dragging_ = false;
 }
@@ -126,7 +137,10 @@ void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why
     if (!bound_.stitches(served)) served.iterations = 0;
     scene::give_up_scheme(document, served);
     weights_ = document.revisions.weights;  // they are those that are bound
-    if (!deformer_->engine(document.method)) scene::set_method(document, sym3::Method::fast);
+    if (!deformer_->engine(document.method)) {
+      workspace.view.same_path = false;
+      scene::set_method(document, sym3::Method::fast);
+    }
   }
   workspace.messages.say(severity, why, of_cage);
 }

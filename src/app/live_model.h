@@ -60,6 +60,7 @@ private:
   void follow_surfaces(scene::Workspace& workspace, Bound bound);
   void follow_weights(const scene::Document& document);
   void start_binding(const scene::Document& document);
+  void follow_path(bool same);
   void take_binding(scene::Workspace& workspace, bool wait);
   void install(scene::Workspace& workspace, Bound bound);
   void follow_mask(const scene::Document& document);
@@ -86,6 +87,7 @@ private:
   };
   std::optional<Derived> derived_;
   unsigned long frames_ = 0;
+  bool same_path_ = false;                   // the staged engine for all methods
   std::optional<scene::Revision> given_up_;  // pose at which the first binding was stopped
   bool unprepared_ = false, prepared_ = false, dragging_ = false;
 };

@@ -22,6 +22,8 @@ public:
   bool ready() const;
   /// Copies at most 2,048 of the matrices, evenly spread.
   void offer(std::span<const sym3::Sym3<double>> matrices);
+  /// What is being measured is not wanted any more.
+  void forget() { job_.cancel(); }
   /// The newest result, each only once.
   std::optional<scene::MethodStats> poll();
   /// True when poll() would give a result.

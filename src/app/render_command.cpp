@@ -113,8 +113,9 @@ void add_render_command(CLI::App& app, Action& action) {
   add_binding_option(*command, o->viewer.bindings.named);
   auto* look = command->add_option("--look", o->look, "home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
-  auto* shading = command->add_option("--shading", o->shading, "clay, file (as it says), checker or normals");
-  one_of(shading, {"clay", "file", "checker", "normals"})->default_str("file");
+  auto* shading = command->add_option("--shading", o->shading,
+                                      "clay, porcelain, jade, file (as it says), checker, normals or zebra");
+  one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");
   command->add_flag("--panels", o->panels, "With the panels");
   command->add_flag("--light", o->light, "Light theme");
   command->add_flag("--wireframe", o->wireframe, "With the edges of the mesh");

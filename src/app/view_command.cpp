@@ -47,6 +47,7 @@ int view(WindowOptions options) {
     const BundledModel bundled = bundled_model();
     inputs.model = bundled.model;
     inputs.cage = bundled.cage;
+    if (!bundled.poses.empty()) options.first_pose = bundled.poses.front();  // by name: the alert one
   }
   std::string reason;
   if (run_window(options, reason)) return exit_ok;

@@ -81,7 +81,9 @@ void Viewer::frame(float seconds) {
   draw(times);
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
-  if (deformed_ && !model_.prepared()) workspace_.stats.add(times);
+  const bool seen_anew = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
+  if ((deformed_ && !model_.prepared()) || (seen_anew && !deformed_ && !refined_))
+    workspace_.stats.add(times);
   keep_files();
   analysis_.follow_frame(workspace_, model_);
   if (analysis_.shows_news()) settle(2);

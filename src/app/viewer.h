@@ -136,6 +136,7 @@ private:
   bool refined_ = false;
   unsigned settle_frames_ = 3;  ///< ImGui needs a few frames after a change until sizes rest
   std::optional<bool> theme_seen_;
+  scene::CameraPose camera_seen_;
   bool at_rest_ = false;  // the model that is drawn, whatever moves it
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/file_desk.h"
+#include "app/first_motion.h"
 #include "app/state_folder.h"
 #include "app/viewer.h"
 #include "base/clock.h"
@@ -32,8 +33,10 @@ ViewerOptions viewer_options(const platform::Window& window, const std::filesyst
 // The viewer in its window, drawn when something changed.
 class WindowViewer {
 public:
-  WindowViewer(platform::Window& window, const std::filesystem::path& binding)
-      : window_(window), viewer_(window.gl(), viewer_options(window, binding)) {
+  WindowViewer(platform::Window& window, const WindowOptions& options)
+      : window_(window),
+        viewer_(window.gl(), viewer_options(window, options.binding)),
+        first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()) {
     listen();
     window_.share_clipboard();
   }
@@ -51,12 +54,17 @@ private:
 
   platform::Window& window_;
   Viewer viewer_;
+  FirstMotion first_motion_;
   bool exposed_ = true, asks_ = false;
 };
 
 void WindowViewer::listen() {
   platform::WindowEvents events;
-  events.input = [this](platform::InputEvent event) { viewer_.input().push(std::move(event)); };
+  events.input = [this](platform::InputEvent event) {
+    using Kind = platform::InputEvent::Kind;
+    if (event.kind != Kind::move && event.kind != Kind::leave) first_motion_.finish(viewer_.workspace());
+    viewer_.input().push(std::move(event));
+  };
   events.dropped = [this](std::vector<std::filesystem::path> files) {
     viewer_.workspace().requests.open =
         scene::OpenRequest{scene::OpenRequest::What::dropped, std::move(files)};
@@ -82,6 +90,8 @@ void WindowViewer::call_for_attention() {
 }
 
 void WindowViewer::draw(float seconds) {
+  const bool ready = !viewer_.working() && viewer_.deformer() && viewer_.deformer()->ran();
+  first_motion_.step(viewer_.workspace(), ready, seconds);
   viewer_.frame(seconds);
   window_.present(viewer_.framebuffer());
   set_title();
@@ -130,7 +140,7 @@ glm::ivec2 remembered_size() {
 bool run_window(const WindowOptions& options, std::string& reason) {
   const auto window = platform::Window::open(remembered_size(), options.scale, reason);
   if (!window) return false;
-  WindowViewer shown(*window, options.binding);
+  WindowViewer shown(*window, options);
   Viewer& viewer = shown.viewer();
   scene::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())

@@ -31,6 +31,9 @@ render::Theme theme_of(const scene::Workspace& w) {
 
 render::Paint paint_of(scene::Shading shading, bool file_says_something) {
   switch (shading) {
+    case scene::Shading::porcelain: return render::Paint::porcelain;
+    case scene::Shading::jade: return render::Paint::jade;
+    case scene::Shading::zebra: return render::Paint::zebra;
     case scene::Shading::checker: return render::Paint::checker;
     case scene::Shading::normals: return render::Paint::normals;
     case scene::Shading::file: return file_says_something ? render::Paint::file : render::Paint::plain;
@@ -171,8 +174,8 @@ void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float s
   style.paint = paint_of(w.view.shading, file_says_something_);
   const bool by_mask = scene::shows_mask(w);
   style.scalars = by_mask || (!errors_.empty() && scene::shows_error_map(w));
-  style.scalar_low = by_mask ? 0 : static_cast<float>(scene::error_map_low);
-  style.scalar_high = by_mask ? 1 : static_cast<float>(scene::error_map_high);
+  style.scalar_low = by_mask ? 0 : static_cast<float>(w.error_map.low);
+  style.scalar_high = by_mask ? 1 : static_cast<float>(w.error_map.high);
   if (w.view.model) model_.draw(view, theme, style);
   if (w.view.grid) draw_ground(w, view, theme);
   if (document.has_cage() && w.view.cage) draw_cage(w, view, theme);

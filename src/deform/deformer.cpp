@@ -29,7 +29,8 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
 std::optional<EngineKind> Deformer::engine(sym3::Method method) const {
   if (stitched_) return EngineKind::stitched;
   if (scheme_.stitched()) return std::nullopt;
-  if (fused_ && (!scheme_.exponential() || method == sym3::Method::fast)) return EngineKind::fused;
+  const bool fuses = !scheme_.exponential() || (method == sym3::Method::fast && !all_staged_);
+  if (fused_ && fuses) return EngineKind::fused;
   if (staged_) return EngineKind::staged;
   return std::nullopt;
 }

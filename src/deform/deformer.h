@@ -37,6 +37,10 @@ public:
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
+  /// Of the next frames: with the staged engine alone, where the blend takes exponentials, so that all
+  /// methods are compared on the same path.
+  void set_all_staged(bool all) { all_staged_ = all; }
+  bool all_staged() const { return all_staged_; }
   /// The engine that runs the method; nothing if the binding is not for it, or the scheme is stitched and
   /// there is no stitching.
   std::optional<EngineKind> engine(sym3::Method method) const;
@@ -82,6 +86,7 @@ private:
   std::unique_ptr<StagedEngine> staged_;
   std::unique_ptr<StitchedEngine> stitched_;
   std::optional<EngineKind> ran_;
+  bool all_staged_ = false;
 };
 
 }  // namespace viete::deform

@@ -33,6 +33,19 @@ void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
     gl.TexParameteri(GL_TEXTURE_2D, anisotropy, std::min(most, 8));
 }
 
+bool takes_looks(Paint paint) {
+  return paint == Paint::file || paint == Paint::checker || paint == Paint::normals;
+}
+
+std::size_t material_kind(Paint paint) {
+  switch (paint) {
+    case Paint::porcelain: return 4;
+    case Paint::jade: return 5;
+    case Paint::zebra: return 6;
+    default: return 0;
+  }
+}
+
 }  // namespace
 
 SurfaceLayer::SurfaceLayer(const Gl& gl)
@@ -144,11 +157,16 @@ void SurfaceLayer::set_looks(const SurfaceLooks& looks) {
 }
 
 const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) const {
-  static constexpr const char* kinds[] = {"", "#define SCALARS\n", "#define LOOKS\n",
-                                          "#define LOOKS\n#define FLAT\n"};
-  const bool looks = !style.scalars && style.paint != Paint::plain;
+  static constexpr const char* kinds[] = {"",
+                                          "#define SCALARS\n",
+                                          "#define LOOKS\n",
+                                          "#define LOOKS\n#define FLAT\n",
+                                          "#define PORCELAIN\n",
+                                          "#define JADE\n",
+                                          "#define ZEBRA\n"};
+  const bool looks = !style.scalars && takes_looks(style.paint);
   const bool colors = looks && has_colors_ && style.paint == Paint::file, wired = style.wireframe > 0;
-  const std::size_t kind = style.scalars ? 1 : looks ? (flat ? 3 : 2) : 0;
+  const std::size_t kind = style.scalars ? 1 : looks ? (flat ? 3 : 2) : material_kind(style.paint);
   auto& program = programs_[4 * kind + (colors ? 2 : 0) + (wired ? 1 : 0)];
   if (!program) {
     program.emplace(
@@ -176,7 +194,7 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
   gl_.DepthFunc(GL_LESS);
   if (style.closed) gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(vertex_array_.id());
-  if (style.scalars || style.paint == Paint::plain) {
+  if (style.scalars || !takes_looks(style.paint)) {
     use(program_for(style), view, theme, style);
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangle_count_));
   } else {

@@ -14,8 +14,9 @@
 
 namespace viete::render {
 
-/// What the base colour is taken from. `plain` is one colour for all.
-enum class Paint { plain, file, checker, normals };
+/// What the surface looks as if made of. `plain` is one colour for all; `zebra` mirrors stripes, whose bends
+/// show curvature; `file`, `checker` and `normals` colour it by what is known of its points.
+enum class Paint { plain, file, checker, normals, porcelain, jade, zebra };
 
 /// Consecutive triangles that look alike.
 struct SurfaceRun {
@@ -96,8 +97,8 @@ private:
 
   const Gl& gl_;
   // What is not asked for costs nothing: each has a wireframe or none, colours of vertices or none, and plain
-  // colour, scalars, looks, or looks of flat faces.
-  mutable std::array<std::optional<Program>, 16> programs_;
+  // colour, scalars, looks, looks of flat faces, or a material.
+  mutable std::array<std::optional<Program>, 28> programs_;
   VertexArray vertex_array_;
   BufferTexture indices_;         // 3 vertex numbers per triangle
   BufferTexture vertices_;        // SurfaceVertex, two texels each

@@ -90,6 +90,7 @@ Command choice_command() {
 template <StandardView View>
 void look(Workspace& w) {
   w.camera.look(View);
+  frame_all(w, true);
 }
 
 std::size_t selectable(const Workspace& w) {
@@ -448,6 +449,8 @@ const std::vector<Command>& table() {
       {"reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.", "Blend", {key('K'), false, true}, {},
        with_free_hand<has_reach>, [](Workspace& w) { step_reach(w.document, 1); }},
 
+      {"toggle_same_path", "Same path for all", "Run Fast link by link in double, too, as the other methods run, so that times compare like with like; else its frame is fused, in float.",
+       "Method", {}, {}, uses_method, toggle<&ViewOptions::same_path>},
       {"run_benchmark", "Measure", "Measure every method on random matrices, beside the view.", "Method", {}, {},
        is_not_measuring, [](Workspace& w) { w.requests.run_benchmark = true; }},
       {"stop_benchmark", "Cancel", "Stop measuring; what was measured before stays.", "Method", {}, {},
@@ -479,10 +482,13 @@ const std::vector<Command>& table() {
       {"toggle_wireframe", "Wireframe", "Show the edges of the mesh.", "View", {key('W'), false, true}, {}, always,
        toggle<&ViewOptions::wireframe>},
       shading_command<Shading::clay>("shading_clay"),
+      shading_command<Shading::porcelain>("shading_porcelain"),
+      shading_command<Shading::jade>("shading_jade"),
       shading_command<Shading::file>("shading_file"),
       shading_command<Shading::checker>("shading_checker"),
       shading_command<Shading::normals>("shading_normals"),
-      {"next_shading", "Next shading", "Show the mesh as clay, as it is, with a checker, by normals, and so on.", "View",
+      shading_command<Shading::zebra>("shading_zebra"),
+      {"next_shading", "Next shading", "Show the mesh as clay, porcelain or jade, as it is, with a checker, by normals, with stripes, and so on.", "View",
        {key('V')}, {}, always, show_next_shading},
       {"toggle_model", "Model", "Show the mesh.", "View", {key('M')}, {}, always, toggle<&ViewOptions::model>},
       {"toggle_deformed", "Deformed", "Let cage and probes move the mesh, or see it at rest meanwhile.", "View", {key('N')}, {}, always,

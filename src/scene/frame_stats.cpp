@@ -20,22 +20,13 @@ double median_of(const std::vector<const FrameTimes*>& frames, Value value) {
   return base::median(std::move(values));
 }
 
-}  // namespace
-
-void FrameStats::add(const FrameTimes& times) {
-  if (times.links.total() <= 0) return;
-  history_.push_back(times);
-  if (history_.size() > history_limit) history_.pop_front();
-}
-
-std::optional<FrameTimes> FrameStats::median() const {
-  if (history_.empty()) return std::nullopt;
+FrameTimes recent_median(const std::deque<FrameTimes>& frames) {
   std::vector<const FrameTimes*> recent;
-  for (const auto& frame : history_) {
-    if (frame.when >= history_.back().when - window_seconds) recent.push_back(&frame);
+  for (const auto& frame : frames) {
+    if (frame.when >= frames.back().when - window_seconds) recent.push_back(&frame);
   }
   FrameTimes result;
-  result.when = history_.back().when;
+  result.when = frames.back().when;
   for (std::size_t i = 0; i < deform::link_count; ++i) {
     result.links.ms[i] = median_of(recent, [i](const FrameTimes& f) { return f.links.ms[i]; });
   }
@@ -44,6 +35,26 @@ std::optional<FrameTimes> FrameStats::median() const {
   result.panels = median_of(recent, [](const FrameTimes& f) { return f.panels; });
   result.frame = median_of(recent, [](const FrameTimes& f) { return f.frame; });
   return result;
+}
+
+}  // namespace
+
+void FrameStats::add(const FrameTimes& times) {
+  const bool deformed = times.links.total() > 0;
+  if (deformed) since_.clear();
+  std::deque<FrameTimes>& frames = deformed ? history_ : since_;
+  frames.push_back(times);
+  if (frames.size() > history_limit) frames.pop_front();
+}
+
+std::optional<FrameTimes> FrameStats::median() const {
+  if (history_.empty()) return std::nullopt;
+  return recent_median(since_.empty() ? history_ : since_);
+}
+
+std::optional<FrameTimes> FrameStats::deforming_median() const {
+  if (history_.empty()) return std::nullopt;
+  return recent_median(history_);
 }
 
 }  // namespace viete::scene

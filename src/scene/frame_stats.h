@@ -27,20 +27,24 @@ struct FrameTimes {
   double other() const { return frame - links.total() - upload - draw - panels; }
 };
 
-/// The history behind the timing panel. Only frames that deformed count for the medians.
+/// The history behind the timing panel: of frames that deformed, and of those since that only showed the
+/// model anew, as when the camera moves.
 class FrameStats {
 public:
   void add(const FrameTimes& times);
 
-  /// Componentwise medians over the last half second of deforming frames, or the last one before that;
-  /// nothing before the first.
+  /// Componentwise medians over the last half second of frames like the newest one, which deformed or did
+  /// not; nothing before the first that deformed.
   std::optional<FrameTimes> median() const;
+  /// The same of those that deformed.
+  std::optional<FrameTimes> deforming_median() const;
   /// Of deforming frames, oldest first, at most 240.
   const std::deque<FrameTimes>& history() const { return history_; }
-  void clear() { history_.clear(); }
+  void clear() { history_.clear(), since_.clear(); }
 
 private:
   std::deque<FrameTimes> history_;
+  std::deque<FrameTimes> since_;  ///< that did not deform, since the last that did
 };
 
 /// One method on a sample of the frame's matrices.
@@ -65,9 +69,9 @@ struct ErrorMapStats {
   std::size_t vertices = 0;  ///< 0: not measured
   sym3::Method method = sym3::Method::fast;
   double worst = 0, median = 0;  ///< relative Frobenius errors; NaN if an answer was
+  /// The colours run from 10^low to 10^high, whole numbers: the range of all methods in this pose, so that a
+  /// switch is seen. What lies outside has the colour of the end.
+  double low = -17, high = -14;
 };
-
-/// The colours run from 1e-17 to 1e-5; what lies outside has the colour of the end.
-inline constexpr double error_map_low = -17, error_map_high = -5;
 
 }  // namespace viete::scene

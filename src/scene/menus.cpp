@@ -80,6 +80,7 @@ constexpr Switch switches[] = {
     {"toggle_panels", shown<&ViewOptions::panels>},
     {"toggle_tools", column_shown<Column::tools>},
     {"toggle_lab", column_shown<Column::lab>},
+    {"toggle_same_path", shown<&ViewOptions::same_path>},
     {"help", shown<&ViewOptions::help>},
     {"edit_cage", [](const Workspace& w) { return w.document.kept_pose.has_value(); }},
     {"toggle_orthographic", [](const Workspace& w) { return w.camera.pose().orthographic; }},

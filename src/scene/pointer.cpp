@@ -326,7 +326,7 @@ void Pointer::release(Workspace& workspace, const PointerInput& input) {
   } else if (gesture_ == Gesture::on_axes) {
     const auto axes = axis_widget_of(workspace);
     const AxisBall* ball = axes ? axes->ball(press_) : nullptr;
-    if (ball) look_from(workspace.camera, *ball);
+    if (ball) look_from(workspace.camera, *ball), frame_all(workspace, true);
   }
   finish(workspace, Gesture::none);
 }

@@ -44,7 +44,8 @@ constexpr ViewFlag view_flags[] = {{"dark", &ViewOptions::dark},
                                    {"panels", &ViewOptions::panels},
                                    {"hints", &ViewOptions::hints},
                                    {"deformed", &ViewOptions::deformed},
-                                   {"select_visible", &ViewOptions::select_visible}};
+                                   {"select_visible", &ViewOptions::select_visible},
+                                   {"same_path", &ViewOptions::same_path}};
 
 // Links in the folder are resolved, so that ".." leads where it should; the file keeps the name it was given.
 fs::path resolved(const fs::path& path) {

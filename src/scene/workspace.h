@@ -35,7 +35,7 @@
 namespace viete::scene {
 
 /// What the model is coloured by.
-enum class Shading { clay, file, checker, normals };
+enum class Shading { clay, porcelain, jade, file, checker, normals, zebra };
 
 /// By number.
 struct ShadingChoice {
@@ -57,6 +57,7 @@ struct ViewOptions {
   bool ghost = false;           ///< the rest pose of the cage, faintly, while the cage is posed
   bool error_map = false;       ///< the error of the exponential as colours on the mesh
   bool select_visible = false;  ///< what model or cage hide is not selected with the mouse
+  bool same_path = false;       ///< method `fast` runs link by link in double, too, as the others do
   bool panels = true;
   bool help = false;
   bool hints = true;  ///< of the first start; gone after the first drag
@@ -82,9 +83,10 @@ struct Interaction {
   std::optional<SelectMode> brushing;  ///< or the brush selects
   std::optional<SelectShape> armed;    ///< the next left drag draws it, wherever it begins; the brush stays
   float select_radius = 40;            ///< of the brush, logical pixels
-  bool crowded = false;           ///< elements are so close under the cursor that a drag on one draws a box
-  std::optional<glm::vec2> menu;  ///< the right button was clicked here: a menu is to open
-  glm::vec2 menu_at{0, 0};        ///< and that is what its commands are for
+  bool crowded = false;             ///< elements are so close under the cursor that a drag on one draws a box
+  std::optional<glm::vec2> menu;    ///< the right button was clicked here: a menu is to open
+  glm::vec2 menu_at{0, 0};          ///< and that is what its commands are for
+  std::optional<std::size_t> part;  ///< of the frame, under the cursor: a link, or what comes after them
 };
 
 /// What stands in a field while it is being edited.

@@ -10,11 +10,10 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float width = 264, height = 78, inset = 12, thickness = 10;
+constexpr float width = 264, height = 98, inset = 12, thickness = 10;
 
-float place(double log10) {
-  using namespace scene;
-  return static_cast<float>((log10 - error_map_low) / (error_map_high - error_map_low));
+float place(const scene::ErrorMapStats& map, double log10) {
+  return static_cast<float>((log10 - map.low) / (map.high - map.low));
 }
 
 void colors(const Context& ui, ImDrawList& draw, ImVec2 at) {
@@ -29,8 +28,10 @@ void colors(const Context& ui, ImDrawList& draw, ImVec2 at) {
 
 void ticks(const Context& ui, ImDrawList& draw, ImVec2 at) {
   ImGui::PushFont(ui.fonts.numbers);
-  for (int tick = -16; tick < scene::error_map_high; tick += 3) {
-    const float x = at.x + place(tick) * (width - 2 * inset);
+  const auto& map = ui.workspace.error_map;
+  const int low = static_cast<int>(map.low), high = static_cast<int>(map.high);
+  for (int tick = low + 1; tick < high; tick += (high - low + 4) / 5) {
+    const float x = at.x + place(map, tick) * (width - 2 * inset);
     draw.AddLine({x, at.y + thickness}, {x, at.y + thickness + 4}, ui.colors.faint);
     const std::string text = "1e" + std::to_string(tick);
     const float half = 0.5f * ImGui::CalcTextSize(text.c_str()).x;
@@ -53,10 +54,9 @@ void error_legend(const Context& ui) {
   const std::string worst = w.error_map.vertices > 0 ? "worst " + error(w.error_map.worst) : "measuring";
   ImGui::PushFont(ui.fonts.text);
   draw.AddText({low.x + inset, low.y + 8}, ui.colors.text, title.c_str());
-  const float right = ImGui::CalcTextSize(worst.c_str()).x;
-  draw.AddText({low.x + width - inset - right, low.y + 8}, ui.colors.faint, worst.c_str());
+  draw.AddText({low.x + inset, low.y + 27}, ui.colors.faint, worst.c_str());
   ImGui::PopFont();
-  const ImVec2 bar{low.x + inset, low.y + 34};
+  const ImVec2 bar{low.x + inset, low.y + 54};
   colors(ui, draw, bar);
   ticks(ui, draw, bar);
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdio>
 
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -14,22 +15,51 @@ const scene::MethodSample& running(const scene::Workspace& w) {
   return w.methods.samples[static_cast<std::size_t>(at - methods.begin()) % methods.size()];
 }
 
+// How far drawn vertices are from those of the same frame in double.
+std::string picture_error(const scene::Workspace& w) {
+  if (w.fused_error > 0) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.0e of the size", w.fused_error);
+    return text;
+  }
+  const scene::Scheme& scheme = w.document.scheme;
+  const bool fused = scheme.stitched() || !scheme.exponential() ||
+                     (w.document.method == scene::Method::fast && !w.view.same_path);
+  return fused ? "-" : "none: in double";
+}
+
+void picture_row(const Context& ui) {
+  value_row(ui, "Picture", picture_error(ui.workspace));
+  hint(
+      "Rounding of the whole frame: the largest distance of sampled vertices, as they are drawn, from the "
+      "same "
+      "frame in double, in diagonals of the cage. Far below a pixel it is not seen; exports are always in "
+      "double.");
+}
+
 }  // namespace
 
 void panel_accuracy(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   if (!w.document.has_cage()) return;
   const bool used = w.document.scheme.exponential(), measured = used && w.methods.matrices > 0;
-  const bool open = section(ui, "Accuracy", false);
-  section_note(ui, !used ? "not used" : measured ? "worst " + error(running(w).worst_error) : "");
+  const bool open = section(ui, "Accuracy");
+  section_note(ui, !used ? "" : measured ? "worst " + error(running(w).worst_error) : "");
   if (!open) return;
-  if (!used) return note(ui, "This way of blending takes no exponential.");
-  if (measured) {
-    value_row(ui, "Worst error", error(running(w).worst_error));
-    value_row(ui, "Median error", error(running(w).median_error));
-    note(ui, "Of exp by " + method_label(w.document.method) + ", relative, on " + count(w.methods.matrices) +
-                 " matrices of this frame, against 106 bits");
-  }
+  picture_row(ui);
+  const auto exponential = [&](const char* label, double value) {
+    value_row(ui, label, !used ? "not used" : measured ? error(value) : "-");
+    hint(
+        "Of the exponential alone: the relative error, in the Frobenius norm, of exp of the symmetric "
+        "matrices of "
+        "this frame, against a reference of 106 bits.");
+  };
+  exponential("Exponential, worst", running(w).worst_error);
+  exponential("Exponential, median", running(w).median_error);
+  note(ui, !used      ? "This way of blending takes no exponential."
+           : measured ? "Of exp by " + method_label(w.document.method) + ", on " + count(w.methods.matrices) +
+                            " matrices of this frame"
+                      : " ");
   command_toggle(ui, "toggle_error_map", w.view.error_map);
 }
 

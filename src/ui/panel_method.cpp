@@ -37,6 +37,13 @@ Marks marks_of(const scene::MethodStats& stats, std::size_t index) {
           index == best(stats, [](const scene::MethodSample& s) { return s.worst_error; })};
 }
 
+// An error that is seen, or adds up to one: from here on the panel points at it.
+constexpr double visible_error = 1e-10;
+
+bool fails(const scene::MethodSample& sample) {
+  return !(sample.worst_error < visible_error);
+}
+
 void card_text(const Context& ui, ImVec2 at, float width, const char* title,
                const scene::MethodSample* sample, bool used, Marks marks, bool active) {
   constexpr float margin = 10, second_line = 25;
@@ -51,7 +58,10 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
   const std::string time = nanoseconds(sample->ns_per_matrix), worst = error(sample->worst_error);
   draw.AddText({at.x + margin, at.y + second_line}, marks.time ? ui.colors.accent : text, time.c_str());
   draw.AddText({at.x + width - margin - ImGui::CalcTextSize(worst.c_str()).x, at.y + second_line},
-               marks.error ? ui.colors.accent : ui.colors.faint, worst.c_str());
+               fails(*sample) ? ui.colors.warn
+               : marks.error  ? ui.colors.accent
+                              : ui.colors.faint,
+               worst.c_str());
   ImGui::PopFont();
 }
 
@@ -81,6 +91,42 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
   hint(std::string(command.hint) + "  (" + scene::text(command.shortcut) + ")");
 }
 
+// The method that fails worst in this pose, and how far from the best one. A line is always there for it.
+void point_at_failure(const Context& ui, bool used) {
+  const scene::MethodStats& stats = ui.workspace.methods;
+  const auto error_of = [&](std::size_t i) {
+    const double e = stats.samples[i].worst_error;
+    return std::isnan(e) ? INFINITY : e;
+  };
+  std::size_t worst = 0, least = 0;
+  for (std::size_t i = 1; i < stats.samples.size(); ++i) {
+    if (error_of(i) > error_of(worst)) worst = i;
+    if (error_of(i) < error_of(least)) least = i;
+  }
+  const bool failing = used && stats.matrices > 0 && fails(stats.samples[worst]);
+  const auto name_of = [](std::size_t i) { return method_label(scene::compared_methods[i]); };
+  note(ui,
+       failing ? name_of(worst) + " fails: " + error(stats.samples[worst].worst_error) + " (" +
+                     name_of(least) + " " + error(stats.samples[least].worst_error) + ")"
+               : " ",
+       failing ? ui.colors.warn : 0);
+  hint(
+      "The largest relative error of this frame's exponentials. The published spectral methods lose digits "
+      "where "
+      "eigenvalues nearly coincide, as far from what was moved, and with a local reach.");
+}
+
+// Which path each method takes, and the same one for all.
+void path_of_frames(const Context& ui) {
+  const bool same = ui.workspace.view.same_path;
+  command_toggle(ui, "toggle_same_path", same);
+  note(ui, same ? "All: staged, in double" : "Fast: fused, in float; others: staged, in double");
+  hint(
+      "Staged: the links of the frame run one by one, in double, each timed by itself. Fused: from weights "
+      "to "
+      "positions in one pass, in float, as only Fast can.");
+}
+
 }  // namespace
 
 void panel_method(const Context& ui) {
@@ -97,12 +143,15 @@ void panel_method(const Context& ui) {
   }
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
-  if (!used) {
-    note(ui, "Not used: this way of blending takes no exponential.");
-  } else if (w.methods.matrices > 0) {
-    note(ui, "Per matrix, worst of " + count(w.methods.matrices) +
-                 (scene::differs_from_rest(w.document) ? "; best in colour" : " sampled"));
-  }
+  const std::string sampled = "Per matrix, worst of " + count(w.methods.matrices) +
+                              (scene::differs_from_rest(w.document) ? "; best in colour" : " sampled");
+  note(ui, !used                    ? "Not used: this way of blending takes no exponential."
+           : w.methods.matrices > 0 ? sampled
+                                    : " ");
+  point_at_failure(ui, used);
+  ImGui::BeginDisabled(!used);
+  path_of_frames(ui);
+  ImGui::EndDisabled();
   blending(ui);
 }
 

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 
 #include "ui/format.h"
+#include "ui/frame_parts.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -11,62 +10,70 @@ namespace viete::ui {
 
 namespace {
 
-constexpr std::size_t part_count = scene::link_count + 4;
-using Parts = std::array<double, part_count>;
+using Part = std::optional<std::size_t>;
 
-Parts parts_of(const scene::FrameTimes& frame) {
-  Parts parts{};
-  std::copy(frame.links.ms.begin(), frame.links.ms.end(), parts.begin());
-  parts[scene::link_count] = frame.upload;
-  parts[scene::link_count + 1] = frame.draw;
-  parts[scene::link_count + 2] = frame.panels;
-  parts[scene::link_count + 3] = std::max(0.0, frame.other());
-  return parts;
+constexpr std::size_t legend_rows = 6;  // as many as a stitched frame has: none comes or goes under the hand
+
+bool is_under_cursor(ImVec2 low, ImVec2 high) {
+  return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
 }
 
-std::string part_name(std::size_t part) {
-  static constexpr const char* others[] = {"upload", "draw", "panels", "other"};
-  if (part >= scene::link_count) return others[part - scene::link_count];
-  return std::string(name(static_cast<scene::Link>(part)));
-}
-
-void bar(const Parts& parts, double total) {
+Part bar(const Context& ui, const Parts& parts) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = 14;
+  double total = 0;
+  for (const double ms : parts) total += ms;
+  Part under_cursor;
   float x = at.x;
   for (std::size_t i = 0; i < part_count; ++i) {
     const float w = static_cast<float>(parts[i] / std::max(total, 1e-9)) * width;
-    ImGui::GetWindowDrawList()->AddRectFilled({x, at.y}, {x + w, at.y + height}, part_color(i));
+    const ImVec2 low{x, at.y}, high{x + w, at.y + height};
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, lit_part_color(ui, i));
+    if (w > 0 && is_under_cursor(low, high)) under_cursor = i;
     x += w;
   }
   ImGui::Dummy({width, height});
+  return under_cursor;
 }
 
-void legend_entry(const Context& ui, std::size_t part, double ms, ImVec2 at, float width) {
+// stale: of a frame before the newest ones.
+Part legend_entry(const Context& ui, std::size_t part, double ms, bool stale, ImVec2 at, float width) {
   const float line = ImGui::GetTextLineHeight(), middle = at.y + 0.5f * line;
+  const bool lit = ui.workspace.interaction.part == part;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled({at.x, middle - 4}, {at.x + 8, middle + 4}, part_color(part), 2);
-  draw.AddText({at.x + 16, at.y}, ui.colors.faint, part_name(part).c_str());
-  text_right(ui, at.x + width, milliseconds(ms), ui.colors.text);
+  draw.AddRectFilled({at.x, middle - 4}, {at.x + 8, middle + 4}, lit_part_color(ui, part), 2);
+  draw.AddText({at.x + 16, at.y}, lit ? ui.colors.text : ui.colors.faint, part_name(part).c_str());
+  text_right(ui, at.x + width, milliseconds(ms), stale ? ui.colors.faint : ui.colors.text, at.y);
+  const ImVec2 high{at.x + width, at.y + line};
+  return is_under_cursor(at, high) ? Part(part) : std::nullopt;
 }
 
-// Two columns, read downwards; links that this frame does not have are left out.
-void legend(const Context& ui, const Parts& parts) {
+// Two columns, read downwards; links that this path does not have are left out.
+Part legend(const Context& ui, const Parts& newest, const Parts& deforming) {
   std::array<std::size_t, part_count> shown{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < part_count; ++i) {
-    if (i >= scene::link_count || parts[i] > 0) shown[count++] = i;
+    if (i >= scene::link_count || deforming[i] > 0) shown[count++] = i;
   }
-  const std::size_t rows = (count + 1) / 2;
+  const std::size_t rows = std::max(legend_rows, (count + 1) / 2);
+  const bool deformed = newest[static_cast<std::size_t>(scene::Link::maps)] > 0;
   constexpr float gap = 16;
   const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  Part under_cursor;
+  const auto entry = [&](std::size_t i, ImVec2 at) {
+    const std::size_t part = shown[i];
+    const bool link = part < scene::link_count;
+    if (const Part hit =
+            legend_entry(ui, part, link ? deforming[part] : newest[part], link && !deformed, at, width))
+      under_cursor = hit;
+  };
   for (std::size_t row = 0; row < rows; ++row) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    legend_entry(ui, shown[row], parts[shown[row]], at, width);
-    const std::size_t right = row + rows;
-    if (right < count) legend_entry(ui, shown[right], parts[shown[right]], {at.x + width + gap, at.y}, width);
+    if (row < count) entry(row, at);
+    if (row + rows < count) entry(row + rows, {at.x + width + gap, at.y});
     ImGui::Dummy({0, ImGui::GetTextLineHeight()});
   }
+  return under_cursor;
 }
 
 // One column of pixels per frame, stacked like the bar, newest at the right.
@@ -87,38 +94,49 @@ void history(const Context& ui) {
     const Parts parts = parts_of(frames[f]);
     for (std::size_t i = 0; i < part_count; ++i) {
       const float h = static_cast<float>(parts[i] / top) * (height - 4);
-      draw.AddRectFilled({x, y - h}, {x + step, y}, part_color(i));
+      draw.AddRectFilled({x, y - h}, {x + step, y}, lit_part_color(ui, i));
       y -= h;
     }
   }
   ImGui::Dummy({width, height});
-  hint("The last " + count(frames.size()) + " frames that deformed; full height is " + milliseconds(top) +
-       ".");
+  const std::string which = frames.size() == 1 ? "The last frame that deformed"
+                                               : "The last " + count(frames.size()) + " frames that deformed";
+  hint(which + "; full height is " + milliseconds(top) + ".");
+}
+
+void tell_part(const std::string& text) {
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(280);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+// The part under the cursor, wherever it is shown.
+Part show_frame(const Context& ui) {
+  Part under_cursor = frame_formula(ui);
+  const auto newest = ui.workspace.stats.median(), deforming = ui.workspace.stats.deforming_median();
+  if (!newest || !deforming) {
+    note(ui, ui.workspace.document.is_movable()
+                 ? "Drag a vertex of the cage, or a probe, to see what each link of the frame costs."
+                 : "What each link of the frame costs is shown once a cage or a probe moves the model.");
+    return under_cursor;
+  }
+  const Parts parts = parts_of(*newest);
+  value_row(ui, "Frame", milliseconds(newest->frame));
+  if (const Part hit = bar(ui, parts)) under_cursor = hit;
+  if (const Part hit = legend(ui, parts, parts_of(*deforming))) under_cursor = hit;
+  history(ui);
+  return under_cursor;
 }
 
 }  // namespace
 
 void panel_timings(const Context& ui) {
-  if (!section(ui, "Timings")) return;
-  const auto median = ui.workspace.stats.median();
-  if (!median) {
-    note(ui, ui.workspace.document.is_movable()
-                 ? "Drag a vertex of the cage, or a probe, to see what each link of the frame costs."
-                 : "What each link of the frame costs is shown once a cage or a probe moves the model.");
-    return;
-  }
-  const Parts parts = parts_of(*median);
-  double total = 0;
-  for (const double ms : parts) total += ms;
-  value_row(ui, "Frame", milliseconds(median->frame));
-  bar(parts, total);
-  legend(ui, parts);
-  if (const double error = ui.workspace.fused_error; error > 0) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.0e of the size", error);
-    value_row(ui, "Error, measured", text);
-  }
-  history(ui);
+  Part& part = ui.workspace.interaction.part;
+  if (!section(ui, "Timings")) return part.reset();
+  part = show_frame(ui);
+  if (part) tell_part(part_name(*part) + ": " + part_hint(*part));
 }
 
 }  // namespace viete::ui

@@ -23,8 +23,9 @@ void panel_view(const Context& ui) {
   command_toggle(ui, "toggle_deformed", view.deformed);
   ImGui::SameLine(left + half);
   command_toggle(ui, "toggle_z_up", ui.workspace.camera.pose().up == scene::UpAxis::z);
-  command_choice(ui, {"shading_clay", "shading_file", "shading_checker", "shading_normals"},
-                 static_cast<std::size_t>(view.shading));
+  const auto shading = static_cast<std::size_t>(view.shading);
+  command_choice(ui, {"shading_clay", "shading_porcelain", "shading_jade", "shading_file"}, shading);
+  command_choice(ui, {"shading_checker", "shading_normals", "shading_zebra"}, shading - 4);
   command_row(ui, {"view_front", "view_right", "view_top"});
   command_row(ui, {"view_back", "view_left", "view_bottom"});
   command_row(ui, {"view_home", "frame_all", "help"});

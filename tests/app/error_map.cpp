@@ -42,3 +42,19 @@ TEST_CASE("an_error_map_that_is_cancelled_ends") {
   CHECK_THROWS_AS(app::error_map(std::vector<sym3::Sym3<double>>(3000), sym3::Method::fast, &progress),
                   base::Cancelled);
 }
+
+TEST_CASE("the_range_of_an_error_map_is_that_of_all_methods_whichever_runs") {
+  std::vector<sym3::Sym3<double>> easy, hard;
+  for (int i = 0; i < 300; ++i) {
+    easy.push_back({0.3, 0.1 + 1e-3 * i, -0.2, 0.9, 0.05, -0.6});
+    hard.push_back({0.3, 0, 0, 0.3 + 2e-6, 1e-9 * i, 0.3 - 2e-6});
+  }
+  const auto range = [](const auto& matrices, sym3::Method method) {
+    const auto stats = app::error_map(matrices, method).stats;
+    return std::pair(stats.low, stats.high);
+  };
+  CHECK(range(easy, sym3::Method::fast) == range(easy, sym3::Method::sd));
+  CHECK(range(hard, sym3::Method::fast) == range(hard, sym3::Method::sd));
+  CHECK(range(hard, sym3::Method::fast).second > range(easy, sym3::Method::fast).second + 2);
+  CHECK(std::round(range(hard, sym3::Method::fast).second) == range(hard, sym3::Method::fast).second);
+}

@@ -1,4 +1,6 @@
 // How exact the running method is: said in the panel, and shown on the mesh.
+#include <set>
+
 #include "program/driver.h"
 
 using namespace viete;
@@ -94,4 +96,52 @@ TEST_CASE("mean_value_coordinates_show_no_errors") {
   d.choose("weights", "weights_mean_value");
   d.settle();
   CHECK(!scene::shows_error_map(d.workspace()));
+}
+
+TEST_CASE("on_the_same_path_fast_runs_link_by_link_in_double_and_its_error_of_the_picture_is_gone") {
+  using deform::EngineKind;
+  auto options = Driver::default_options();
+  options.probe = true;
+  Driver d(options);
+  open_posed_dragon(d);
+  const auto until = [&](auto is_so) {
+    for (int i = 0; i < 3000 && !is_so(); ++i) {
+      d.frame();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return is_so();
+  };
+  CHECK(until([&] { return d.workspace().fused_error > 0 && d.workspace().methods.matrices > 0; }));
+  CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
+
+  d.click("toggle_same_path");
+  CHECK(until([&] { return d.viewer().deformer()->ran() == EngineKind::staged; }));
+  d.frame();
+  CHECK(d.document().method == sym3::Method::fast);
+  CHECK(d.workspace().fused_error == 0);
+  CHECK(d.viewer().deformer()->times()[deform::Link::blend] > 0);
+
+  d.click("toggle_same_path");
+  d.settle();
+  CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
+  CHECK(until([&] { return d.workspace().fused_error > 0; }));
+}
+
+TEST_CASE("the_term_of_the_formula_under_the_cursor_lights_its_link") {
+  Driver d;
+  open_posed_dragon(d);
+  d.place_of("formula");
+  const auto rect = d.viewer().recorder().find("formula");
+  REQUIRE(rect);
+  std::set<std::size_t> lit;
+  for (float x = rect->x0; x < rect->x1; x += 4) {
+    d.move({x, rect->y0 + 14});
+    d.frame();
+    if (const auto part = d.workspace().interaction.part) lit.insert(*part);
+  }
+  CHECK(lit.contains(static_cast<std::size_t>(deform::Link::fused)));
+  CHECK(lit.contains(static_cast<std::size_t>(deform::Link::log_maps)));
+  d.move({700, 20});
+  d.frame();
+  CHECK_FALSE(d.workspace().interaction.part);
 }

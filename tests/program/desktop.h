@@ -95,6 +95,7 @@ struct Desktop {
     std::ifstream(number) >> display;
     display = ":" + display;
     setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);  // each desktop remembers for itself
+    setenv("VIETE_REDUCED_MOTION", "1", 1);                   // what moves is moved by the test
   }
   ~Desktop() {
     server.reset();

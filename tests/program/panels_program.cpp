@@ -107,7 +107,7 @@ void visit_panels(Driver& d, const std::string& look) {
   d.settle();
   d.workspace().view.model = std::getenv("VIETE_PICTURES") != nullptr;  // places need no drawn model
   d.press_key(scene::key('A'));
-  for (const char* title : {"Checks", "Accuracy", "Benchmark"}) d.click(std::string("section/") + title);
+  for (const char* title : {"Checks", "Benchmark"}) d.click(std::string("section/") + title);
   if (!d.viewer().recorder().find("finding/0"))
     d.click("section/Checks");  // it was open, as there is a finding
   REQUIRE(d.viewer().recorder().find("finding/0"));

@@ -302,3 +302,27 @@ TEST_CASE("looks_that_do_not_fit_the_surface_are_refused") {
   card.looks.runs[0].triangles = 3;
   CHECK_THROWS_AS(card.surface.set_looks(card.looks), base::Error);
 }
+
+TEST_CASE("materials_differ_from_clay_and_from_each_other_and_zebra_has_stripes") {
+  using render::Paint;
+  test::Stage stage;
+  const test::Ball ball = test::ball(5, {0, 0, 0});
+  render::SurfaceLayer surface(stage.gl);
+  surface.set_triangles(ball.triangles, ball.positions.size());
+  surface.set_positions(ball.positions, ball.normals);
+  const auto picture = [&](Paint paint) {
+    return stage.picture([&] { surface.draw(stage.view, render::dark_theme(), {.paint = paint}); });
+  };
+  const auto clay = picture(Paint::plain).pixel(160, 100),
+             porcelain = picture(Paint::porcelain).pixel(160, 100),
+             jade = picture(Paint::jade).pixel(160, 100);
+  CHECK(clay[0] > clay[2] + 15);            // warm
+  CHECK(porcelain[2] + 5 >= porcelain[0]);  // white, a little cool
+  CHECK(jade[1] > jade[0] + 30);
+  CHECK(jade[1] > jade[2] + 15);
+  const render::Image zebra = picture(Paint::zebra);
+  int changes = 0;
+  for (int y = 40; y < 160; ++y)
+    changes += std::abs(int(zebra.pixel(160, y)[0]) - int(zebra.pixel(160, y - 4)[0])) > 60;
+  CHECK(changes >= 4);
+}

@@ -38,3 +38,15 @@ TEST_CASE("the_history_is_bounded") {
   for (int i = 0; i < 1000; ++i) stats.add(frame(i, 1));
   CHECK(stats.history().size() == 240);
 }
+
+TEST_CASE("while_only_the_camera_moves_the_frame_is_that_of_the_camera_and_links_stay_known") {
+  FrameStats stats;
+  stats.add(frame(1, 4));
+  for (int i = 0; i < 3; ++i) stats.add({.when = 2 + 0.01 * i, .links = {}, .draw = 7, .frame = 8});
+  CHECK(stats.median()->frame == 8);
+  CHECK(stats.median()->links.total() == 0);
+  CHECK(stats.deforming_median()->links[Link::blend] == 4);
+  CHECK(stats.history().size() == 1);
+  stats.add(frame(3, 6));
+  CHECK(stats.median()->links[Link::blend] == 6);
+}

@@ -27,7 +27,7 @@ _viete_value() {
     --exponent) words='1 2 3 4' ;;
     --turn | --stretch) words='0 50 100 200' ;;
     --look) words='home front back left right top bottom' ;;
-    --shading) words='clay file checker normals' ;;
+    --shading) words='clay porcelain jade file checker normals zebra' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
     --kind) words='automatic box hull' ;;
     --symmetry) words='auto none x y z' ;;

@@ -36,7 +36,7 @@ case $command in
     specs+=($files $output $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $binding $scale
       '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
       '--look=[from where]:view:(home front back left right top bottom)'
-      '--shading=[what the mesh is coloured by]:shading:(clay file checker normals)'
+      '--shading=[what the mesh is coloured by]:shading:(clay porcelain jade file checker normals zebra)'
       '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
       '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
     ;;
