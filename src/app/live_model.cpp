@@ -165,9 +165,10 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   if (!deformer_) return false;
   scene::Document& document = workspace.document;
   const auto& drag = workspace.interaction.drag;
-  if (dragging_ && !drag) {
+  if (dragging_ && (!drag || drag->softened() != softened_)) {
     deformer_->end_drag();
     derived_.reset();  // the frame at rest depends on the pose alone
+    dragging_ = false;
   }
   // While the hand changes the cage itself, the model stays as it is at rest.
   const bool editing = drag && document.kept_pose && !drag->vertices().empty();
@@ -189,6 +190,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   if (drag && !dragging_ && deformer_->ran() && !drag->vertices().empty())
     deformer_->begin_drag(drag->vertices());
   dragging_ = drag.has_value();
+  softened_ = drag ? drag->softened() : 0;
   return deformed;
 }
 

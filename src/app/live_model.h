@@ -90,6 +90,7 @@ private:
   bool same_path_ = false;                   // the staged engine for all methods
   std::optional<scene::Revision> given_up_;  // pose at which the first binding was stopped
   bool unprepared_ = false, prepared_ = false, dragging_ = false;
+  int softened_ = 0;  // of the drag that is followed
 };
 
 }  // namespace viete::app

@@ -6,6 +6,7 @@
 
 #include "render/palette.h"
 #include "scene/elements.h"
+#include "scene/pointer.h"
 #include "scene/selection_sets.h"
 
 namespace viete::app {
@@ -38,6 +39,21 @@ render::Paint paint_of(scene::Shading shading, bool file_says_something) {
     case scene::Shading::normals: return render::Paint::normals;
     case scene::Shading::file: return file_says_something ? render::Paint::file : render::Paint::plain;
     default: return render::Paint::plain;
+  }
+}
+
+}  // namespace
+
+namespace {
+
+// A ramp from the cage's colour to that of the selection, by what goes along.
+void soften(const scene::Workspace& w, const render::Theme& theme, std::vector<render::Disc>& discs) {
+  if (!w.handling.soft.on || scene::moving_vertices(w.document).empty()) return;
+  const auto& drag = w.interaction.drag;
+  for (const auto& g : drag ? drag->grip().vertices : scene::grip_of(w).vertices) {
+    const auto share = static_cast<float>(g.share);
+    if (share < 1)
+      discs[g.vertex] = {opaque(glm::mix(theme.cage, theme.selection, share)), 3 + 1.5f * share, false};
   }
 }
 
@@ -148,6 +164,7 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   for (const auto v : scene::selected_vertices(*document.cage, document.selection)) {
     discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
   }
+  soften(workspace, theme, discs);
   for (const auto v : document.groups.hidden) discs[v].radius = 0;
   if (hidden_ != document.groups.hidden) set_shown_edges(document);
   if (const auto v = workspace.interaction.hovered; vertices && v && *v < discs.size()) discs[*v].ring = true;

@@ -163,6 +163,12 @@ void Camera::ease_to(const CameraPose& goal) {
   remaining_ = ease_seconds;
 }
 
+void Camera::center(const glm::vec3& target) {
+  CameraPose goal = destination();
+  goal.target = target;
+  ease_to(goal);
+}
+
 void Camera::look(StandardView view) {
   CameraPose goal = moving() ? goal_ : current_;
   const CameraPose home;

@@ -70,6 +70,8 @@ public:
   /// steps > 0 comes nearer; the point under the cursor at the target's depth stays under it.
   void zoom(float steps, const glm::vec2& cursor, const Viewport& viewport);
 
+  /// Another target, from the same side and as large as before; eased.
+  void center(const glm::vec3& target);
   /// Seen from an axis; eased.
   void look(StandardView view);
   /// As near as all points stay in the free part of the window, with a margin; a single point is framed like

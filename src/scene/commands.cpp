@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/file_commands.h"
+#include "scene/hand_commands.h"
+#include "scene/mirror_edit.h"
 #include "scene/pointer.h"
 #include "scene/probes.h"
 #include "scene/selecting.h"
@@ -263,14 +266,14 @@ void use_tool(Workspace& w) {
   w.interaction.handle.reset();
 }
 
-const std::vector<Command>& table() {
+std::vector<Command> most_commands() {
   using M = sym3::Method;
   using E = deform::Elements;
   using W = deform::Weights;
   using B = deform::Blend;
   using V = StandardView;
   // clang-format off
-  static const std::vector<Command> all = {
+  return {
       {"open_model", "Open", "Open a mesh to deform, or a session.", "File", {key('O'), true}, {}, always,
        browse_for_model},
       {"open_cage", "Open cage", "Open a cage around the model.", "File", {key('O'), true, true}, {}, has_model,
@@ -316,7 +319,7 @@ const std::vector<Command>& table() {
        [](Workspace& w) { reset_pose(w.document); }},
       {"reset_selected", "Reset selected", "Put what is selected back to rest.", "Edit", {Key::delete_key}, {},
        has_posed_selection,
-       [](Workspace& w) { reset_selected(w.document); }},
+       [](Workspace& w) { reset_selected(w.document, mirror_of(w)); }},
 
       {"select_vertices", "Vertices", "Select vertices of the cage.", "Select", {key('1')}, {}, hand_is_free,
        select_by<ElementKind::vertex>},
@@ -517,43 +520,18 @@ const std::vector<Command>& table() {
        [](Workspace& w) { w.show_messages = !w.show_messages; }},
   };
   // clang-format on
+}
+
+const std::vector<Command>& table() {
+  static const std::vector<Command> all = [] {
+    std::vector<Command> commands = most_commands();
+    std::ranges::copy(hand_commands(), std::back_inserter(commands));
+    return commands;
+  }();
   return all;
 }
 
-std::string key_name(Key k) {
-  switch (k) {
-    case Key::none: return "";
-    case Key::escape: return "Esc";
-    case Key::home: return "Home";
-    case Key::delete_key: return "Delete";
-    case Key::enter: return "Enter";
-    case Key::backspace: return "Backspace";
-    case Key::up: return "Up";
-    case Key::down: return "Down";
-    case Key::left: return "Left";
-    case Key::right: return "Right";
-    case Key::tab: return "Tab";
-    case Key::f1: return "F1";
-    case Key::f2: return "F2";
-    case Key::f3: return "F3";
-    case Key::f12: return "F12";
-    case Key::pad1: return "Num 1";
-    case Key::pad3: return "Num 3";
-    case Key::pad5: return "Num 5";
-    case Key::pad7: return "Num 7";
-    case Key::pad0: return "Num 0";
-    case Key::pad_enter: return "Num Enter";
-  }
-  return std::string(1, static_cast<char>(k));
-}
-
 }  // namespace
-
-std::string text(const Shortcut& shortcut) {
-  if (shortcut.key == Key::none) return "";
-  return std::string(shortcut.ctrl ? "Ctrl+" : "") + (shortcut.shift ? "Shift+" : "") +
-         key_name(shortcut.key);
-}
 
 std::span<const Command> commands() {
   return table();

@@ -5,46 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "scene/shortcut.h"
 #include "scene/workspace.h"
 
 namespace viete::scene {
-
-/// Keys by name; letters and digits are their capital ASCII character.
-enum class Key : int {
-  none = 0,
-  escape = 256,
-  home,
-  delete_key,
-  enter,
-  backspace,
-  up,
-  down,
-  left,
-  right,
-  tab,
-  f1,
-  f2,
-  f3,
-  f12,
-  pad1,
-  pad3,
-  pad5,
-  pad7,
-  pad0,
-  pad_enter,
-};
-
-constexpr Key key(char c) {
-  return static_cast<Key>(c);
-}
-
-struct Shortcut {
-  Key key = Key::none;
-  bool ctrl = false, shift = false;
-};
-
-/// "Ctrl+Shift+Z"; empty for none.
-std::string text(const Shortcut& shortcut);
 
 /// When a command can run, and what to do first where it cannot.
 struct Condition {

@@ -46,8 +46,7 @@ DragGuides drag_guides(const TransformDrag& drag, const Space& space, const Came
   DragGuides guides;
   guides.start = glm::vec2(projection.at());
   for (int axis = 0; axis < 3; ++axis) {
-    glm::dvec3 direction(0);
-    direction[axis] = 1;
+    const glm::dvec3& direction = drag.grip().anchor.axes[axis];
     const glm::dvec2 motion = projection.motion(direction);
     if (!follows(drag, axis) || !(glm::length(motion) * projection.per_pixel() > 0.02)) continue;
     guides.axes.push_back(axis);

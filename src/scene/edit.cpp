@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/elements.h"
+#include "scene/mirror_edit.h"
 #include "scene/probes.h"
 #include "scene/selection_sets.h"
 
@@ -75,10 +76,11 @@ void reset_pose(Document& document) {
   ++document.revisions.pose;
 }
 
-void reset_selected(Document& document) {
+void reset_selected(Document& document, const Mirror* mirror) {
   if (document.selection.kind() == ElementKind::probe) return rest_probes(document);
   document.history.record("reset selected", snapshot_of(document));
-  for (const auto v : without_hidden(document, selected_vertices(*document.cage, document.selection))) {
+  const auto vertices = with_partners(selected_vertices(*document.cage, document.selection), mirror);
+  for (const auto v : without_hidden(document, vertices)) {
     document.pose.positions[v] = document.cage->surface.positions[v];
   }
   ++document.revisions.pose;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "scene/document.h"
+#include "scene/mirror.h"
 
 namespace viete::scene {
 
@@ -12,7 +13,7 @@ bool differs_from_rest(const Document& document);
 
 /// All vertices, or the selected ones, back to rest. Undoable.
 void reset_pose(Document& document);
-void reset_selected(Document& document);
+void reset_selected(Document& document, const Mirror* mirror = nullptr);
 
 /// Another selection as an edit, without what is hidden. Where nothing is selected before and after there is
 /// nothing to take back. Nothing may be in the hand.

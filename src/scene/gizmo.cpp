@@ -16,12 +16,6 @@ constexpr float arm_begin = 16, plane_begin = 24, plane_end = 42;  // pixels fro
 constexpr int ring_points = 96;
 constexpr float faintest = 0.25f;  // opacity of a handle that can still be hit
 
-glm::dvec3 unit(int axis) {
-  glm::dvec3 u(0);
-  u[axis % 3] = 1;
-  return u;
-}
-
 float smooth(float low, float high, double x) {
   const float t = std::clamp((static_cast<float>(x) - low) / (high - low), 0.0f, 1.0f);
   return t * t * (3 - 2 * t);
@@ -31,9 +25,12 @@ float smooth(float low, float high, double x) {
 // seen in perspective.
 struct Layout {
   const glm::dvec3& center;
+  const glm::dmat3& axes;
   const Camera& camera;
   const Viewport& viewport;
   CursorProjection projection{center, camera, viewport};
+
+  const glm::dvec3& unit(int axis) const { return axes[axis % 3]; }
 
   glm::vec2 at(const glm::dvec3& pixels) const {
     return glm::vec2(CursorProjection(center + projection.per_pixel() * pixels, camera, viewport).at());
@@ -41,16 +38,16 @@ struct Layout {
 };
 
 Gizmo::Arm arm(const Layout& layout, int axis) {
-  const glm::dvec3 a = unit(axis);
+  const glm::dvec3 a = layout.unit(axis);
   const double seen = std::sqrt(std::max(0.0, 1 - std::pow(glm::dot(a, layout.projection.to_eye()), 2)));
   const auto at = [&](float pixels) { return layout.at(double(pixels) * a); };
   return {at(arm_begin), at(gizmo_radius), at(gizmo_radius + gizmo_head), smooth(0.12f, 0.3f, seen)};
 }
 
 Gizmo::Plane plane(const Layout& layout, int axis) {
-  const glm::dvec3 u = unit(axis + 1), v = unit(axis + 2);
+  const glm::dvec3 u = layout.unit(axis + 1), v = layout.unit(axis + 2);
   const auto at = [&](double a, double b) { return layout.at(a * u + b * v); };
-  const double seen = std::abs(glm::dot(unit(axis), layout.projection.to_eye()));
+  const double seen = std::abs(glm::dot(layout.unit(axis), layout.projection.to_eye()));
   return {{at(plane_begin, plane_begin), at(plane_end, plane_begin), at(plane_end, plane_end),
            at(plane_begin, plane_end)},
           smooth(0.12f, 0.3f, seen)};
@@ -58,11 +55,11 @@ Gizmo::Plane plane(const Layout& layout, int axis) {
 
 std::vector<Gizmo::RingPoint> ring(const Layout& layout, int axis) {
   // One that faces the viewer has no far side to speak of.
-  const bool faces = std::abs(glm::dot(unit(axis), layout.projection.to_eye())) > 0.94;
+  const bool faces = std::abs(glm::dot(layout.unit(axis), layout.projection.to_eye())) > 0.94;
   std::vector<Gizmo::RingPoint> points;
   for (int i = 0; i < ring_points; ++i) {
     const double angle = 6.283185307179586 * i / ring_points;
-    const glm::dvec3 d = std::cos(angle) * unit(axis + 1) + std::sin(angle) * unit(axis + 2);
+    const glm::dvec3 d = std::cos(angle) * layout.unit(axis + 1) + std::sin(angle) * layout.unit(axis + 2);
     points.push_back(
         {layout.at(double(gizmo_radius) * d), faces || glm::dot(d, layout.projection.to_eye()) > -0.03});
   }
@@ -132,9 +129,9 @@ std::optional<Constraint> pick_plane(const Gizmo& gizmo, const glm::vec2& cursor
 
 }  // namespace
 
-std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const Camera& camera,
-                                const Viewport& viewport) {
-  const Layout layout{center, camera, viewport};
+std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::dmat3& axes,
+                                const Camera& camera, const Viewport& viewport) {
+  const Layout layout{center, axes, camera, viewport};
   if (tool == Tool::select || tool == Tool::paint || !layout.projection.in_front()) return std::nullopt;
   Gizmo gizmo;
   gizmo.tool = tool;
@@ -144,7 +141,7 @@ std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const Camer
     gizmo.arms[axis] = arm(layout, axis);
     gizmo.planes[axis] = plane(layout, axis);
   }
-  const auto nearness = [&](int axis) { return glm::dot(unit(axis), layout.projection.to_eye()); };
+  const auto nearness = [&](int axis) { return glm::dot(layout.unit(axis), layout.projection.to_eye()); };
   std::sort(gizmo.far_to_near.begin(), gizmo.far_to_near.end(),
             [&](int a, int b) { return nearness(a) < nearness(b); });
   return gizmo;

@@ -43,10 +43,10 @@ struct Gizmo {
   std::array<int, 3> far_to_near{0, 1, 2};      ///< the order in which axes are drawn
 };
 
-/// `center` in view units. Nothing for tools that have none, and where the centre is not in front of the
-/// camera.
-std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const Camera& camera,
-                                const Viewport& viewport);
+/// `center` in view units, axes as columns of length 1. Nothing for tools that have none, and where the
+/// centre is not in front of the camera.
+std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::dmat3& axes,
+                                const Camera& camera, const Viewport& viewport);
 
 /// The handle under the cursor.
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor);

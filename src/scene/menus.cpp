@@ -15,9 +15,10 @@ struct Title {
 };
 
 constexpr Title titles[] = {
-    {"File", {"File"}}, {"Edit", {"Edit"}},     {"Select", {"Select"}}, {"Cage", {"Cage"}},
-    {"Tool", {"Tool"}}, {"Probes", {"Probes"}}, {"View", {"View"}},     {"Lab", {"Method", "Blend", "Lab"}},
-    {"Help", {"Help"}}};
+    {"File", {"File"}},        {"Edit", {"Edit"}}, {"Select", {"Select"}},
+    {"Cage", {"Cage"}},        {"Tool", {"Tool"}}, {"Hand", {"Hand"}},
+    {"Probes", {"Probes"}},    {"View", {"View"}}, {"Lab", {"Method", "Blend", "Lab"}},
+    {"Help", {"Help", "Keys"}}};
 
 bool holds(const Title& title, std::string_view group) {
   return std::ranges::find(title.groups, group) != title.groups.end();
@@ -141,9 +142,10 @@ std::span<const Menu> menus() {
 
 std::string_view submenu_of(const Command& command) {
   constexpr std::pair<std::string_view, std::string_view> prefixes[] = {
-      {"view_", "Look from"},    {"shading_", "Shading"}, {"unit_", "Unit of the file"},
-      {"elements_", "Elements"}, {"weights_", "Weights"}, {"blend_", "Blend"},
-      {"side_", "Side"}};
+      {"view_", "Look from"}, {"shading_", "Shading"},   {"unit_", "Unit of the file"},
+      {"pivot_", "Pivot"},    {"axes_", "Axes"},         {"soft_", "Falloff"},
+      {"keys_", "Keys of"},   {"elements_", "Elements"}, {"weights_", "Weights"},
+      {"blend_", "Blend"},    {"side_", "Side"}};
   for (const auto& [prefix, title] : prefixes) {
     if (command.name.starts_with(prefix)) return title;
   }

@@ -285,6 +285,16 @@ void take_view(Workspace& w, const Session& session) {
   w.view.hints = old.hints && session.view.hints;
 }
 
+// A place of another model says nothing.
+void take_handling(Workspace& w, const Opened& opened, bool same_model) {
+  if (opened.session) {
+    w.handling = opened.session->handling;
+  } else if (!same_model) {
+    w.handling.point.reset();
+    if (w.handling.pivot == Pivot::point) w.handling.pivot = Pivot::median;
+  }
+}
+
 void take_pose(Workspace& w, deform::Pose&& pose) {
   const bool was_saved = !has_unsaved_edits(w);
   set_pose(w.document, std::move(pose));
@@ -340,6 +350,7 @@ void take(Workspace& w, Opened&& opened) {
     w.saved.session = opened.recovered ? opened.session->origin : opened.file;
     w.saved.content = opened.recovered ? opened.session->origin_content : opened.content;
   }
+  take_handling(w, opened, same_model);
   w.saved.nowhere = opened.recovered;
   if (opened.recovered) {
     w.recovered_from = opened.file;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scene/edit.h"
 #include "scene/elements.h"
+#include "scene/pivot_place.h"
 #include "scene/probes.h"
 
 namespace viete::scene {
@@ -30,9 +32,12 @@ bool over_axes(const Workspace& w, const glm::vec2& cursor) {
   return axes && axes->contains(cursor);
 }
 
-glm::dvec3 center_in_view(const Document& document) {
-  const glm::dvec3 c = selection_center(document);
-  return glm::dvec3(document.space.to_view({c.x, c.y, c.z}));
+glm::dvec3 in_view(const Document& document, const glm::dvec3& place) {
+  return glm::dvec3(document.space.to_view({place.x, place.y, place.z}));
+}
+
+Anchor anchor_of(const Workspace& w) {
+  return anchor_of(w.document, w.handling, mirror_of(w), w.camera);
 }
 
 }  // namespace
@@ -51,7 +56,16 @@ std::optional<Gizmo> gizmo_of(const Workspace& w) {
   if (!shows_selectable(w) || w.document.selection.empty()) return std::nullopt;
   if (w.document.selection.kind() == ElementKind::probe && !has_free_probes(w.document)) return std::nullopt;
   const Tool tool = w.interaction.drag ? w.interaction.drag->tool() : w.tool;
-  return make_gizmo(tool, center_in_view(w.document), w.camera, w.viewport);
+  const Anchor anchor = anchor_of(w);
+  // What it turns about stays where it is; what is moved takes the gizmo along.
+  const bool turning = w.interaction.drag && w.interaction.drag->tool() != Tool::move;
+  const glm::dvec3& center = turning ? w.interaction.drag->grip().anchor.center : anchor.center;
+  const glm::dmat3& axes = w.interaction.drag ? w.interaction.drag->grip().anchor.axes : anchor.axes;
+  return make_gizmo(tool, in_view(w.document, center), axes, w.camera, w.viewport);
+}
+
+Grip grip_of(const Workspace& w) {
+  return grip_of(w.document, w.handling, mirror_of(w), w.camera);
 }
 
 std::optional<AxisWidget> axis_widget_of(const Workspace& w) {
@@ -60,6 +74,7 @@ std::optional<AxisWidget> axis_widget_of(const Workspace& w) {
 }
 
 void Pointer::frame(Workspace& workspace, const PointerInput& input) {
+  workspace.mirror.follow(workspace.document.cage, workspace.handling.mirror);
   // Another document, or another cage: what was begun on the old one is void.
   const Revisions& now = workspace.document.revisions;
   if (surfaces_ != now.surfaces || cage_ != now.cage) {
@@ -67,6 +82,9 @@ void Pointer::frame(Workspace& workspace, const PointerInput& input) {
     cage_ = now.cage;
     if (active()) finish(workspace, Gesture::ignored);
   }
+  if (workspace.interaction.placing_pivot && input.escape) workspace.interaction.placing_pivot = false;
+  if (workspace.interaction.grab && !active()) begin_grab(workspace, input);
+  if (gesture_ == Gesture::grabbed) end_grab(workspace, input);
   const bool left_gesture = active() && gesture_ != Gesture::ignored && button_ == left_button;
   if (left_gesture && (input.escape || pressed_now(input, right_button))) {
     cancel(workspace);
@@ -74,7 +92,7 @@ void Pointer::frame(Workspace& workspace, const PointerInput& input) {
     press(workspace, input);
   }
   if (active()) move(workspace, input);
-  if (active() && !input.down[button_]) release(workspace, input);
+  if (active() && gesture_ != Gesture::grabbed && !input.down[button_]) release(workspace, input);
   if (!active()) hover(workspace, input);
   const bool free = !active() || gesture_ == Gesture::brushing;
   if (free && input.over_view && input.wheel != 0) turn_wheel(workspace, input);
@@ -132,13 +150,61 @@ void Pointer::press(Workspace& workspace, const PointerInput& input) {
     press_ = input.position;
     last_.position = input.position;
     if (button == left_button && !input.alt) return press_left(workspace, input);
-    gesture_ = input.shift ? Gesture::panning : input.ctrl ? Gesture::zooming : Gesture::orbiting;
+    gesture_ = camera_gesture(workspace, button, input);
     return;
   }
 }
 
+Pointer::Gesture Pointer::camera_gesture(const Workspace& workspace, int button,
+                                         const PointerInput& input) const {
+  const Keymap& keys = workspace.remembered.keymap;
+  if (keys.alt_moves_camera() && input.alt && button == middle_button) return Gesture::panning;
+  if (keys.alt_moves_camera() && input.alt && button == right_button) return Gesture::zooming;
+  if (keys.left_orbits() && button == right_button) return Gesture::panning;
+  return input.shift ? Gesture::panning : input.ctrl ? Gesture::zooming : Gesture::orbiting;
+}
+
+// As a drag by the middle of the gizmo, but without a button.
+void Pointer::begin_grab(Workspace& workspace, const PointerInput& input) {
+  const auto [tool, shape] = *std::exchange(workspace.interaction.grab, std::nullopt);
+  if (!shows_selectable(workspace) || workspace.document.selection.empty() || !input.over_view) return;
+  gesture_ = Gesture::grabbed;
+  button_ = left_button;
+  press_ = last_.position = input.position;
+  grabbed_.reset();
+  handle_.reset();
+  selection_before_ = workspace.document.selection;
+  Grip grip = grip_of(workspace);
+  if (shape != Shape::none)
+    grip.shaping = shaping_of(workspace.document, shape, grip, workspace.handling.pivot == Pivot::median,
+                              workspace.camera);
+  if (grip.shaping.shape != shape) {
+    gesture_ = Gesture::none;
+    return workspace.messages.info("The selection has no two ends to " + std::string(name(shape)) +
+                                   " between.");
+  }
+  const double depth = workspace.camera.depth(glm::vec3(in_view(workspace.document, grip.anchor.center)));
+  workspace.interaction.handle.reset(), workspace.interaction.hovered.reset();
+  workspace.interaction.drag.emplace(workspace.document, std::move(grip), tool, Constraint{}, depth, press_,
+                                     workspace.camera);
+}
+
+void Pointer::end_grab(Workspace& workspace, const PointerInput& input) {
+  if (!pressed_now(input, left_button)) return;
+  workspace.interaction.drag->commit(workspace.document);
+  workspace.view.hints = false;
+  finish(workspace, Gesture::ignored);
+}
+
 void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
   gesture_ = over_axes(workspace, press_) ? Gesture::on_axes : Gesture::pressed;
+  if (gesture_ == Gesture::pressed && workspace.interaction.placing_pivot) {
+    gesture_ = Gesture::ignored;
+    workspace.interaction.placing_pivot = false;
+    workspace.handling.pivot = Pivot::point;
+    workspace.handling.point = pivot_place(workspace, press_);
+    return;
+  }
   mode_ = mode_of(input);
   shape_.reset();
   selection_before_ = workspace.document.selection;
@@ -147,6 +213,11 @@ void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
     gesture_ = Gesture::painting;
     workspace.interaction.stroke.emplace(workspace.document);
     return paint(workspace, input);
+  }
+  if (input.double_click && gesture_ == Gesture::pressed && workspace.document.model.surface) {
+    gesture_ = Gesture::ignored;
+    const mesh::Point place = pivot_place(workspace, press_);
+    return workspace.camera.center(workspace.document.space.to_view(place));
   }
   handle_ = handle_under(workspace, press_);
   grabbed_ = element_under(workspace, press_);
@@ -179,7 +250,8 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
     if (gesture_ == Gesture::on_axes) gesture_ = Gesture::orbiting;
   }
   switch (gesture_) {
-    case Gesture::moving: transform(workspace, input); break;
+    case Gesture::moving:
+    case Gesture::grabbed: transform(workspace, input); break;
     case Gesture::painting:
       if (delta != glm::vec2(0)) paint(workspace, input);
       break;
@@ -212,7 +284,9 @@ bool Pointer::draws_box(const Workspace& workspace) const {
 
 void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
   if (!shape_ && !draws_box(workspace)) return begin_transform(workspace);
-  if (!shows_selectable(workspace)) {
+  if (!shape_ && !grabbed_ && workspace.remembered.keymap.left_orbits() && mode_ == SelectMode::replace) {
+    gesture_ = Gesture::orbiting;
+  } else if (!shows_selectable(workspace)) {
     gesture_ = Gesture::ignored;
   } else if (shape_ == SelectShape::lasso) {
     gesture_ = Gesture::lassoing;
@@ -229,16 +303,18 @@ void Pointer::begin_transform(Workspace& workspace) {
   gesture_ = Gesture::moving;
   selection_before_ = document.selection;
   if (handle_) {
-    const double depth = workspace.camera.depth(glm::vec3(center_in_view(document)));
-    workspace.interaction.drag.emplace(document, workspace.tool, *handle_, depth, press_, workspace.camera);
+    Grip grip = grip_of(workspace);
+    const double depth = workspace.camera.depth(glm::vec3(in_view(document, grip.anchor.center)));
+    workspace.interaction.drag.emplace(document, std::move(grip), workspace.tool, *handle_, depth, press_,
+                                       workspace.camera);
     return;
   }
   if (!document.selection.contains(grabbed_->index)) {
     document.selection.apply(std::array{grabbed_->index}, SelectMode::replace);
   }
   workspace.interaction.hovered = grabbed_->index;
-  workspace.interaction.drag.emplace(document, Tool::move, Constraint{}, grabbed_->depth, press_,
-                                     workspace.camera);
+  workspace.interaction.drag.emplace(document, grip_of(workspace), Tool::move, Constraint{}, grabbed_->depth,
+                                     press_, workspace.camera);
 }
 
 void Pointer::transform(Workspace& workspace, const PointerInput& input) {
@@ -246,6 +322,7 @@ void Pointer::transform(Workspace& workspace, const PointerInput& input) {
   bool changed = input.position != last_.position || input.ctrl != last_.ctrl || input.backspace;
   if (input.backspace) drag.backspace();
   for (const char c : input.typed) changed |= drag.type(c);
+  changed |= soften_by_wheel(workspace, input.wheel);
   if (changed) {
     drag.update(workspace.document, {input.position, input.ctrl, input.shift}, workspace.camera,
                 workspace.viewport);
@@ -288,6 +365,16 @@ void Pointer::select_inside(Workspace& w, const PointerInput& input) {
   Selection selection = w.document.selection;
   selection.apply(inside, mode_);
   set_selection(w.document, std::move(selection));
+}
+
+bool Pointer::soften_by_wheel(Workspace& workspace, float steps) {
+  SoftSelection& soft = workspace.handling.soft;
+  const bool shapes = workspace.interaction.drag->grip().shaping.shape != Shape::none;
+  if (!soft.on || steps == 0 || shapes) return false;  // their ways are of what was gripped
+  soft.radius = std::clamp(soft.radius * std::pow(1.1, steps), SoftSelection::least_radius,
+                           SoftSelection::largest_radius);
+  workspace.interaction.drag->soften(workspace.document, soft, mirror_of(workspace));
+  return true;
 }
 
 // From where the brush was, in steps of a quarter of its radius: a fast hand leaves no gaps.

@@ -20,7 +20,8 @@ enum MouseButton { left_button = 0, right_button = 1, middle_button = 2 };
 struct PointerInput {
   glm::vec2 position{-1, -1};
   std::array<bool, 3> down{};
-  float wheel = 0;  ///< steps, positive away from the user
+  bool double_click = false;  ///< the left button went down for the second time
+  float wheel = 0;            ///< steps, positive away from the user
   bool shift = false, ctrl = false, alt = false;
   bool over_view = true;  ///< false while a panel is under the pointer or owns it
   bool escape = false;    ///< Esc went down in this frame
@@ -38,6 +39,9 @@ void disarm(Workspace& workspace);
 /// The gizmo of what is selected, as it is now; nothing while there is none, and while the cage is hidden.
 std::optional<Gizmo> gizmo_of(const Workspace& workspace);
 
+/// What moves with the hand now, and how. Requires a selection.
+Grip grip_of(const Workspace& workspace);
+
 /// The axis widget, if it is shown.
 std::optional<AxisWidget> axis_widget_of(const Workspace& workspace);
 
@@ -54,8 +58,10 @@ public:
   /// middle, right or Alt+left drag orbits, with Shift pans, with Ctrl zooms; wheel zooms to the cursor. A
   /// right click asks for the menu, of what is under the cursor or selected.
   /// With Tool::paint left drag paints on the model, with Ctrl what follows in full, and Shift and wheel
-  /// change the brush. While something is being moved characters constrain it and set the amount, Ctrl snaps,
-  /// Shift slows, Enter keeps it, and Esc or the right button puts everything back as it was.
+  /// change the brush. A double click brings the place under it to the middle of the view, about which it
+  /// turns. What Interaction::grab asks for follows the cursor until a click. While something is being moved
+  /// characters constrain it and set the amount, Ctrl snaps, Shift slows, Enter keeps it, and Esc or the
+  /// right button puts everything back as it was.
   void frame(Workspace& workspace, const PointerInput& input);
 
   /// True while a button is held in a gesture that began in the view.
@@ -67,6 +73,7 @@ private:
     pressed,
     on_axes,
     moving,
+    grabbed,
     boxing,
     lassoing,
     brushing,
@@ -83,6 +90,9 @@ private:
   void press(Workspace& workspace, const PointerInput& input);
   void press_left(Workspace& workspace, const PointerInput& input);
   void move(Workspace& workspace, const PointerInput& input);
+  Gesture camera_gesture(const Workspace& workspace, int button, const PointerInput& input) const;
+  void begin_grab(Workspace& workspace, const PointerInput& input);
+  void end_grab(Workspace& workspace, const PointerInput& input);
   void begin_left_drag(Workspace& workspace, const PointerInput& input);
   void begin_transform(Workspace& workspace);
   void press_armed(Workspace& workspace, const PointerInput& input);
@@ -90,6 +100,7 @@ private:
   void select_inside(Workspace& workspace, const PointerInput& input);
   void paint(Workspace& workspace, const PointerInput& input);
   void transform(Workspace& workspace, const PointerInput& input);
+  static bool soften_by_wheel(Workspace& workspace, float steps);
   void release(Workspace& workspace, const PointerInput& input);
   void commit_drag(Workspace& workspace);
   void click(Workspace& workspace);

@@ -73,8 +73,7 @@ deform::ProbePose moved(const deform::ProbePose& pose, const mesh::Point& carrie
   if (t.factors != glm::dvec3(1)) result = deform::scaled(result, vector_of(t.factors));
   if (t.degrees != 0) result = deform::turned(result, vector_of(t.axis), t.degrees / 180 * std::acos(-1.0));
   const mesh::Point from = carried + pose.move;
-  mesh::Point to;
-  apply(t, std::span(&from, 1), std::array{0u}, std::span(&to, 1));
+  const mesh::Point to = PointMotion(t)(from, t.pivot);
   result.move = pose.move + (to - from);
   return result;
 }

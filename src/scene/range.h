@@ -7,6 +7,7 @@
 
 #include "deform/cage.h"
 #include "scene/space.h"
+#include "sym3/sym3.h"
 
 namespace viete::scene {
 

@@ -65,6 +65,28 @@ std::optional<glm::ivec2> size_of(const JsonReader& json) {
   return glm::ivec2(width, height);
 }
 
+// What no program of this version knows is passed over: a newer one may know it.
+Keymap keymap_of(const JsonReader& json) {
+  Keymap keymap;
+  const auto presets = all_key_presets();
+  if (const auto preset = json.find("preset")) {
+    const auto found = std::ranges::find(presets, preset->text(), &KeyPresetEntry::word);
+    if (found != presets.end()) keymap.set_preset(static_cast<KeyPreset>(found - presets.begin()));
+  }
+  if (const auto changed = json.find("changed")) {
+    for (const std::string& command : changed->keys()) {
+      if (const auto key = shortcut_of(changed->at(command).text())) keymap.change(command, *key);
+    }
+  }
+  return keymap;
+}
+
+ordered_json to_json(const Keymap& keymap) {
+  ordered_json json = {{"preset", all_key_presets()[static_cast<std::size_t>(keymap.preset())].word}};
+  for (const auto& [command, key] : keymap.changes()) json["changed"][command] = text(key);
+  return json;
+}
+
 // What was there before comes behind, where it does not stand already.
 void append_missing(Remembered& to, const std::vector<RecentFile>& more) {
   for (const auto& file : more) {
@@ -106,6 +128,7 @@ Remembered read_remembered(const fs::path& file) {
   if (const auto hints = json.find("hints")) remembered.hints = hints->boolean();
   if (const auto dark = json.find("dark")) remembered.dark = dark->boolean();
   if (const auto window = json.find("window")) remembered.window = size_of(*window);
+  if (const auto keys = json.find("keys")) remembered.keymap = keymap_of(*keys);
   if (const auto layout = json.find("layout")) remembered.layout = layout_of(*layout);
   return remembered;
 }
@@ -121,6 +144,7 @@ void write_remembered(const fs::path& file, const Remembered& remembered) {
   json["dark"] = all.dark;
   if (all.window) json["window"] = {all.window->x, all.window->y};
   json["layout"] = to_json(all.layout);
+  if (all.keymap != Keymap{}) json["keys"] = to_json(all.keymap);
   base::replace_file(file, readable(json, file), base::Durability::process);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/keymap.h"
 #include "scene/layout.h"
 
 namespace viete::scene {
@@ -27,6 +28,7 @@ struct Remembered {
   bool dark = true;                  ///< the theme that was chosen last
   std::optional<glm::ivec2> window;  ///< its size when it was used last, in logical pixels
   PanelLayout layout;
+  Keymap keymap;
 
   /// To the front. Paths are made absolute.
   void add(const RecentFile& file);

@@ -10,6 +10,10 @@ bool Selection::contains(std::uint32_t index) const {
   return std::binary_search(indices_.begin(), indices_.end(), index);
 }
 
+std::optional<std::uint32_t> Selection::active() const {
+  return has_picked_ && contains(picked_) ? std::optional(picked_) : std::nullopt;
+}
+
 void Selection::select_all(std::size_t count) {
   indices_.resize(count);
   std::iota(indices_.begin(), indices_.end(), 0u);
@@ -23,6 +27,10 @@ void Selection::invert(std::size_t count) {
 }
 
 void Selection::apply(std::span<const std::uint32_t> picked, SelectMode mode) {
+  if (mode != SelectMode::remove) {
+    has_picked_ = picked.size() == 1;
+    if (has_picked_) picked_ = picked.front();
+  }
   std::vector<std::uint32_t> result;
   const auto out = std::back_inserter(result);
   switch (mode) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,8 @@ public:
   bool empty() const { return indices_.empty(); }
   std::size_t size() const { return indices_.size(); }
   bool contains(std::uint32_t index) const;
+  /// The one that was picked alone last, as long as it is selected.
+  std::optional<std::uint32_t> active() const;
 
   void clear() { indices_.clear(); }
   void select_all(std::size_t count);
@@ -31,11 +34,16 @@ public:
   /// picked must be ascending.
   void apply(std::span<const std::uint32_t> picked, SelectMode mode);
 
-  friend bool operator==(const Selection&, const Selection&) = default;
+  /// Whichever was picked last.
+  friend bool operator==(const Selection& a, const Selection& b) {
+    return a.kind_ == b.kind_ && a.indices_ == b.indices_;
+  }
 
 private:
   ElementKind kind_ = ElementKind::vertex;
   std::vector<std::uint32_t> indices_;
+  std::uint32_t picked_ = 0;
+  bool has_picked_ = false;
 };
 
 }  // namespace viete::scene

@@ -14,6 +14,7 @@
 #include "scene/cage_editing.h"
 #include "scene/cage_json.h"
 #include "scene/elements.h"
+#include "scene/handling_json.h"
 #include "scene/json_file.h"
 #include "scene/probes_json.h"
 #include "scene/range.h"
@@ -292,6 +293,7 @@ Session session_of(const Workspace& w) {
   session.probes = w.document.probes;
   session.camera = w.camera.destination();
   session.view = w.view;
+  session.handling = w.handling;
   session.unit = w.document.model.unit;
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
   session.selecting = w.document.selection.kind();
@@ -356,6 +358,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (!session.probes.empty()) json["probes"] = probes_json(session.probes);
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
+  if (session.handling != Handling{}) json["hand"] = handling_json(session.handling);
   if (session.unit) json["unit"] = entry(*session.unit).symbol;
   if (session.window) json["window"] = {session.window->x, session.window->y};
   json["selecting"] = kind_names[static_cast<std::size_t>(session.selecting)];
@@ -396,6 +399,9 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("camera", s.camera, camera_of, "the whole model is shown instead");
   take(
       "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");
+  take(
+      "hand", s.handling, [&](const auto& v) { return handling_of(v, s.warnings); },
+      "as in a new window instead");
   take(
       "unit", s.unit, [](const auto& v) { return std::optional(word_of(v, length_unit_of_symbol)); },
       "as the model's file says instead");

@@ -44,6 +44,7 @@ struct MaskRun {
 ///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
 ///                         "pitch" in radians, "orthographic", "up": "y" (also if missing) or "z"
 ///   "view"                flags, see ViewOptions
+///   "hand"                see handling_json.h; missing: as in a new window
 ///   "unit"                what one unit of the model's file measures: "mm", "cm", "m", "in", "ft" or "none";
 ///                         missing: as the file says
 ///   "window"              [width, height] in logical pixels
@@ -71,6 +72,7 @@ struct Session {
   deform::Probes probes;
   std::optional<CameraPose> camera;  ///< missing: the model is framed
   ViewOptions view;
+  Handling handling;
   std::optional<LengthUnit> unit;  ///< missing: as the model's file says
   std::optional<glm::ivec2> window;
   ElementKind selecting = ElementKind::vertex;

@@ -5,6 +5,7 @@
 
 #include "deform/cage_state.h"
 #include "scene/elements.h"
+#include "scene/grip.h"
 #include "scene/probes.h"
 #include "scene/range.h"
 #include "scene/selection_sets.h"
@@ -50,12 +51,12 @@ mesh::Point point_of(const glm::dvec3& p) {
 struct Motion {
   Document& document;
   const deform::Pose& before;
-  std::span<const std::uint32_t> vertices;
+  const Grip& grip;
   Transform transform;
 
   void show(double degrees) {
     transform.degrees = degrees;
-    apply(transform, before.positions, vertices, document.pose.positions);
+    apply(transform, grip, before.positions, document.pose.positions);
   }
 
   // Those of the frame, or else faces: points do not turn.
@@ -89,11 +90,12 @@ struct Motion {
   }
 };
 
-bool is_in_range(const Document& document, std::span<const std::uint32_t> vertices) {
+bool is_in_range(const Document& document, const Grip& grip) {
   const deform::Pose& pose = document.pose;
   return mesh::bounds(pose.positions).diagonal() <= most_drawn &&
-         std::all_of(vertices.begin(), vertices.end(),
-                     [&](auto v) { return is_in_reach(document.space, pose.positions[v]); }) &&
+         std::all_of(
+             grip.vertices.begin(), grip.vertices.end(),
+             [&](const Gripped& g) { return is_in_reach(document.space, pose.positions[g.vertex]); }) &&
          std::all_of(pose.turns.begin(), pose.turns.end(),
                      [](const auto& turn) { return deform::norm(turn) <= largest_turn; });
 }
@@ -103,18 +105,17 @@ bool is_in_range(const Document& document, std::span<const std::uint32_t> vertic
 glm::dmat3 Transform::linear() const {
   glm::dmat3 scale(1);
   for (int i = 0; i < 3; ++i) scale[i][i] = factors[i];
+  if (axes != glm::dmat3(1) && factors != glm::dvec3(1)) scale = axes * scale * glm::transpose(axes);
   return rotation(axis, degrees) * scale;
 }
 
-void apply(const Transform& transform, std::span<const mesh::Point> from,
-           std::span<const std::uint32_t> vertices, std::span<mesh::Point> to) {
-  const glm::dmat3 linear = transform.linear();
-  const bool turns = linear != glm::dmat3(1);
-  for (const auto v : vertices) {
-    const glm::dvec3 p = vector_of(from[v]);
-    const glm::dvec3 turned = turns ? transform.pivot + linear * (p - transform.pivot) : p;
-    to[v] = point_of(turned + transform.shift);
-  }
+PointMotion::PointMotion(const Transform& transform)
+    : linear_(transform.linear()), shift_(transform.shift), turns_(linear_ != glm::dmat3(1)) {}
+
+mesh::Point PointMotion::operator()(const mesh::Point& p, const glm::dvec3& pivot) const {
+  const glm::dvec3 from = vector_of(p);
+  const glm::dvec3 turned = turns_ ? pivot + linear_ * (from - pivot) : from;
+  return point_of(turned + shift_);
 }
 
 std::vector<std::uint32_t> moving_vertices(const Document& document) {
@@ -139,11 +140,11 @@ glm::dvec3 selection_center(const Document& document) {
   return sum;
 }
 
-bool place(Document& document, const Snapshot& snapshot, std::span<const std::uint32_t> vertices,
-           const Transform& transform, double degrees_seen) {
+bool place(Document& document, const Snapshot& snapshot, const Grip& grip, const Transform& transform,
+           double degrees_seen) {
   if (snapshot.selection.kind() == ElementKind::probe) return place_probes(document, snapshot, transform);
   const deform::Pose& before = snapshot.pose;
-  Motion motion{document, before, vertices, transform};
+  Motion motion{document, before, grip, transform};
   const double jump = transform.degrees - degrees_seen;
   if (std::abs(jump) > largest_step) {
     const int whole = static_cast<int>(jump / 360);
@@ -152,16 +153,16 @@ bool place(Document& document, const Snapshot& snapshot, std::span<const std::ui
   }
   motion.show(transform.degrees);
   ++document.revisions.pose;
-  if (is_in_range(document, vertices)) return true;
+  if (is_in_range(document, grip)) return true;
   document.pose = before;
   return false;
 }
 
-bool transform_selection(Document& document, Tool tool, const Transform& transform) {
+bool transform_selection(Document& document, Tool tool, const Grip& grip, const Transform& transform) {
   const Snapshot before = snapshot_of(document);
   Transform bounded = transform;
   bounded.degrees = std::clamp(transform.degrees, -most_degrees, most_degrees);
-  if (!place(document, before, moving_vertices(document), bounded, 0)) return false;
+  if (!place(document, before, grip, bounded, 0)) return false;
   if (moved_since(document, before) || transform.degrees != 0)
     document.history.record(edit_label(tool, document.selection), before);
   return true;

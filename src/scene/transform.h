@@ -13,21 +13,34 @@
 
 namespace viete::scene {
 
-/// Scaled along the file's axes, turned, then moved. Lengths in the file's units.
+struct Grip;
+
+/// Scaled along axes, turned, then moved. Lengths in the file's units.
 struct Transform {
   glm::dvec3 pivot{0, 0, 0};
   glm::dvec3 factors{1, 1, 1};
+  glm::dmat3 axes{1};        ///< that the factors are along: columns of length 1, right-handed
   glm::dvec3 axis{0, 0, 1};  ///< of length 1
   double degrees = 0;  ///< right-handed, any number of turns; degrees, because 90 and 360 are exact in them
   glm::dvec3 shift{0, 0, 0};
+  double amount = 0;  ///< of a grip that shapes without an angle
 
   /// Turn and scale as a matrix; multiples of 90 degrees about a file axis have entries 0, 1 and -1 only.
   glm::dmat3 linear() const;
 };
 
-/// The vertices of `from` transformed; whatever maps to itself keeps its bits. to.size() == from.size().
-void apply(const Transform& transform, std::span<const mesh::Point> from,
-           std::span<const std::uint32_t> vertices, std::span<mesh::Point> to);
+/// A transform as it acts on points; whatever maps to itself keeps its bits.
+class PointMotion {
+public:
+  explicit PointMotion(const Transform& transform);
+  /// About this pivot, whatever the transform's is.
+  mesh::Point operator()(const mesh::Point& p, const glm::dvec3& pivot) const;
+
+private:
+  glm::dmat3 linear_;
+  glm::dvec3 shift_;
+  bool turns_;
+};
 
 /// The largest turn that can be asked for at once: beyond a thousand turns angles lose digits.
 inline constexpr double most_degrees = 360000;
@@ -40,17 +53,18 @@ bool moved_since(const Document& document, const Snapshot& before);
 /// The mean of the selected vertices or probes, in the file's units. Requires a selection.
 glm::dvec3 selection_center(const Document& document);
 
-/// Puts the vertices where the transform takes them from their place in `before`. If the turn differs from
-/// `degrees_seen`, the transform that the document shows, by more than a mouse can turn in a frame, it is
-/// followed in small steps, so that the pose's whole turns are what a slow turn would have made them.
-/// |degrees| is at most most_degrees. False, and the pose is as it was before, if a vertex or the turns would
-/// leave their range (scene/range.h). Selected probes go along instead where they are what is selected.
-bool place(Document& document, const Snapshot& before, std::span<const std::uint32_t> vertices,
-           const Transform& transform, double degrees_seen);
+/// Puts the vertices of the grip where the transform takes them from their place in `before`, about the
+/// grip's pivots. If the turn differs from `degrees_seen`, the transform that the document shows, by more
+/// than a mouse can turn in a frame, it is followed in small steps, so that the pose's whole turns are what a
+/// slow turn would have made them. |degrees| is at most most_degrees. False, and the pose is as it was
+/// before, if a vertex or the turns would leave their range (scene/range.h). Selected probes go along instead
+/// where they are what is selected.
+bool place(Document& document, const Snapshot& before, const Grip& grip, const Transform& transform,
+           double degrees_seen);
 
 /// The whole edit at once, one entry of the history; nothing is recorded if nothing moves. Requires
 /// a selection. False if it would leave the range of a pose: then nothing moves.
-bool transform_selection(Document& document, Tool tool, const Transform& transform);
+bool transform_selection(Document& document, Tool tool, const Grip& grip, const Transform& transform);
 
 /// "rotate 3 faces".
 std::string edit_label(Tool tool, const Selection& selection);

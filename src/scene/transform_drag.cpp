@@ -19,6 +19,7 @@ constexpr double scale_snaps = 10;         // for a factor of 1
 constexpr double move_snaps = 10;          // for the grid's cell
 constexpr double even_scale_pixels = 120;  // to the right or up for a factor of 2
 constexpr double shortest_grip = 40;       // pixels: nearer to the pivot, scaling would be too quick
+constexpr double shape_pixels_per_degree = 2, whole_share_pixels = 200;
 constexpr double degree = 57.29577951308232;
 
 // A decimal step as so many to the unit gives the same bits as the number when it is typed.
@@ -42,20 +43,29 @@ std::string length_text(double value, double cell) {
 
 }  // namespace
 
-TransformDrag::TransformDrag(const Document& document, Tool tool, Constraint constraint, double depth,
-                             const glm::vec2& cursor, const Camera& camera)
+TransformDrag::TransformDrag(const Document& document, Grip grip, Tool tool, Constraint constraint,
+                             double depth, const glm::vec2& cursor, const Camera& camera)
     : before_(snapshot_of(document)),
-      vertices_(moving_vertices(document)),
+      grip_(std::move(grip)),
+      vertices_(vertices_of(grip_)),
       space_(document.space),
       tool_(tool),
       constraint_(constraint),
       first_constraint_(constraint),
-      pivot_(selection_center(document)),
+      pivot_(grip_.anchor.center),
       view_axis_(-camera.forward()),
       depth_(depth),
       press_(cursor),
       cursor_(cursor) {
-  transform_.pivot = pivot_;
+  transform_ = still();
+}
+
+Transform TransformDrag::still() const {
+  Transform t;
+  t.pivot = pivot_;
+  t.axes = grip_.anchor.axes;
+  if (grip_.shaping.shape == Shape::taper) t.amount = 1;
+  return t;
 }
 
 void TransformDrag::update(Document& document, const DragInput& input, const Camera& camera,
@@ -66,12 +76,12 @@ void TransformDrag::update(Document& document, const DragInput& input, const Cam
   transform_ = value ? typed(*value) : by_mouse;
   const bool same_axis = transform_.axis == seen.axis;
   if (!same_axis) document.pose.turns = before_.pose.turns;
-  in_range_ = place(document, before_, vertices_, transform_, same_axis && in_range_ ? seen.degrees : 0);
+  in_range_ = place(document, before_, grip_, transform_, same_axis && in_range_ ? seen.degrees : 0);
 }
 
 bool TransformDrag::type(char c) {
   const char lower = static_cast<char>(c | 0x20);
-  if (lower < 'x' || lower > 'z') return entry_.type(c);
+  if (lower < 'x' || lower > 'z' || grip_.shaping.shape != Shape::none) return entry_.type(c);
   const Constraint wanted{c == lower ? Kind::axis : Kind::plane, lower - 'x'};
   // A turn in a plane is a turn about the plane's normal.
   const Constraint fitting = tool_ == Tool::rotate ? Constraint{Kind::axis, wanted.axis} : wanted;
@@ -87,9 +97,36 @@ void TransformDrag::constrain(const Constraint& constraint) {
 
 glm::dvec3 TransformDrag::direction() const {
   if (constraint_.kind == Kind::free) return view_axis_;
-  glm::dvec3 axis(0);
-  axis[constraint_.axis] = 1;
-  return axis;
+  return grip_.anchor.axes[constraint_.axis];
+}
+
+// Each part along the axes by itself.
+glm::dvec3 TransformDrag::snapped_shift(const glm::dvec3& shift) const {
+  const double per_unit = move_snaps / grid_cell(space_.diagonal());
+  glm::dvec3 parts = glm::transpose(grip_.anchor.axes) * shift;
+  for (int i = 0; i < 3; ++i) parts[i] = snapped(parts[i], per_unit);
+  return grip_.anchor.axes * parts;
+}
+
+// To the right is more.
+Transform TransformDrag::shaped_by_mouse(const DragInput& input, const glm::dvec2& cursor,
+                                         const CursorProjection& projection) const {
+  Transform t = still();
+  const double pixels = cursor.x - press_.x;
+  switch (grip_.shaping.shape) {
+    case Shape::bend:
+    case Shape::twist:
+      t.degrees = pixels / shape_pixels_per_degree;
+      if (input.snap) t.degrees = turn_snap * std::round(t.degrees / turn_snap);
+      return t;
+    case Shape::taper: t.amount = 1 + pixels / even_scale_pixels; break;
+    case Shape::push: t.amount = pixels * projection.per_pixel() / space_.scale; break;
+    default: t.amount = pixels / whole_share_pixels; break;
+  }
+  const bool is_length = grip_.shaping.shape == Shape::push;
+  if (input.snap)
+    t.amount = snapped(t.amount, is_length ? move_snaps / grid_cell(space_.diagonal()) : scale_snaps);
+  return t;
 }
 
 Transform TransformDrag::measured(const DragInput& input, const Camera& camera, const Viewport& viewport) {
@@ -98,9 +135,10 @@ Transform TransformDrag::measured(const DragInput& input, const Camera& camera, 
   const glm::dvec2 slowed = cursor - lag_;
   const CursorProjection projection(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera,
                                     viewport);
-  Transform t;
-  t.pivot = pivot_;
-  if (tool_ == Tool::rotate) {
+  Transform t = still();
+  if (grip_.shaping.shape != Shape::none) {
+    t = shaped_by_mouse(input, slowed, projection);
+  } else if (tool_ == Tool::rotate) {
     t.axis = direction();
     t.degrees = degree * turn_by_mouse(input, projection);
     if (input.snap) t.degrees = turn_snap * std::round(t.degrees / turn_snap);
@@ -109,8 +147,7 @@ Transform TransformDrag::measured(const DragInput& input, const Camera& camera, 
     for (int i = 0; i < 3 && input.snap; ++i) t.factors[i] = snapped(t.factors[i], scale_snaps);
   } else {
     t.shift = move_by_mouse(slowed, camera, viewport);
-    const double per_unit = move_snaps / grid_cell(space_.diagonal());
-    for (int i = 0; i < 3 && input.snap; ++i) t.shift[i] = snapped(t.shift[i], per_unit);
+    if (input.snap) t.shift = snapped_shift(t.shift);
   }
   cursor_ = cursor;
   return t;
@@ -130,7 +167,7 @@ glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const Camera& 
     const auto to = projection.in_plane(direction(), camera.ray(glm::vec2(cursor), viewport));
     if (!from || !to) return pulled_;
     moved = *to - *from;
-    moved[constraint_.axis] = 0;
+    moved -= glm::dot(moved, direction()) * direction();
   }
   return moved / space_.scale;
 }
@@ -175,9 +212,12 @@ glm::dvec3 TransformDrag::factors(double value) const {
 
 // Without an axis a number is how far to go in the direction in which the mouse has pulled.
 Transform TransformDrag::typed(double value) const {
-  Transform t;
-  t.pivot = pivot_;
-  if (tool_ == Tool::rotate) {
+  Transform t = still();
+  if (is_angle(grip_.shaping.shape)) {
+    t.degrees = std::clamp(value, -most_degrees, most_degrees);
+  } else if (grip_.shaping.shape != Shape::none) {
+    t.amount = said_in_percent() ? value / 100 : value;
+  } else if (tool_ == Tool::rotate) {
     t.axis = direction();
     t.degrees = std::clamp(value, -most_degrees, most_degrees);
   } else if (tool_ == Tool::scale) {
@@ -191,9 +231,23 @@ Transform TransformDrag::typed(double value) const {
   return t;
 }
 
+void TransformDrag::soften(Document& document, const SoftSelection& soft, const Mirror* mirror) {
+  document.pose = before_.pose;
+  grip_.vertices = gripped(document, soft, mirror, grip_.anchor);
+  vertices_ = vertices_of(grip_);
+  ++softened_;
+  transform_.degrees = 0;  // what is seen is as at the press, and turns are followed from there
+}
+
 void TransformDrag::commit(Document& document) const {
   if (!in_range_ || (!moved_since(document, before_) && transform_.degrees == 0)) return;
-  document.history.record(edit_label(tool_, before_.selection), before_);
+  document.history.record(label(), before_);
+}
+
+std::string TransformDrag::label() const {
+  if (grip_.shaping.shape == Shape::none) return edit_label(tool_, before_.selection);
+  return std::string(name(grip_.shaping.shape)) + ' ' +
+         counted(before_.selection.kind(), before_.selection.size());
 }
 
 void TransformDrag::cancel(Document& document) const {
@@ -203,29 +257,56 @@ void TransformDrag::cancel(Document& document) const {
   ++document.revisions.pose;
 }
 
+// Shares of smoothing, relaxing and flattening.
+bool TransformDrag::said_in_percent() const {
+  const Shape shape = grip_.shaping.shape;
+  return shape == Shape::smooth || shape == Shape::relax || shape == Shape::flatten;
+}
+
+std::string TransformDrag::shaped_amount() const {
+  if (is_angle(grip_.shaping.shape)) return print("%.1f", transform_.degrees) + "\u00b0";
+  if (said_in_percent()) return print("%.0f %%", 100 * transform_.amount);
+  if (grip_.shaping.shape == Shape::taper) return print("%.2f", transform_.amount);
+  return length_text(transform_.amount, grid_cell(space_.diagonal()));
+}
+
 std::string TransformDrag::amounts() const {
   if (tool_ == Tool::rotate) return print("%.1f", transform_.degrees) + "\u00b0";
   const bool scaling = tool_ == Tool::scale;
   if (scaling && constraint_.kind == Kind::free) return print("%.2f", transform_.factors.x);
   const double cell = grid_cell(space_.diagonal());
+  const glm::dvec3 shift = glm::transpose(grip_.anchor.axes) * transform_.shift;
   std::string text;
   for (int i = 0; i < 3; ++i) {
     const bool used =
         constraint_.kind == Kind::free || (constraint_.kind == Kind::axis) == (i == constraint_.axis);
     if (!used) continue;
-    const double value = scaling ? transform_.factors[i] : transform_.shift[i];
+    const double value = scaling ? transform_.factors[i] : shift[i];
     text += (text.empty() ? "" : "   ") + std::string(1, static_cast<char>('X' + i)) + ' ' +
             (scaling ? print("%.2f", value) : length_text(value, cell));
   }
   return text;
 }
 
+// "X ", "XZ " of a plane; nothing where the drag is free.
+std::string TransformDrag::axis_names() const {
+  std::string names;
+  for (int i = 0; i < 3; ++i) {
+    if (constraint_.kind != Kind::free && (constraint_.kind == Kind::axis) == (i == constraint_.axis))
+      names += static_cast<char>('X' + i);
+  }
+  return names.empty() ? "" : names + ' ';
+}
+
 std::string TransformDrag::readout() const {
-  const bool named = tool_ == Tool::rotate && constraint_.kind == Kind::axis;
-  const std::string axis = std::string(1, static_cast<char>('X' + constraint_.axis)) + ' ';
   const std::string beyond = in_range_ ? "" : "   too far";
-  if (entry_.empty()) return (named ? axis : "") + amounts() + beyond;
-  return (constraint_.kind == Kind::axis ? axis : "") + entry_.text() + '_' + beyond;
+  if (grip_.shaping.shape != Shape::none) {
+    std::string word(name(grip_.shaping.shape));
+    word[0] = static_cast<char>(word[0] - 'a' + 'A');
+    return word + ' ' + (entry_.empty() ? shaped_amount() : entry_.text() + '_') + beyond;
+  }
+  if (!entry_.empty()) return axis_names() + entry_.text() + '_' + beyond;
+  return (tool_ == Tool::rotate ? axis_names() : "") + amounts() + beyond;
 }
 
 }  // namespace viete::scene

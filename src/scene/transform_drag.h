@@ -10,6 +10,7 @@
 #include "scene/camera.h"
 #include "scene/cursor_projection.h"
 #include "scene/document.h"
+#include "scene/grip.h"
 #include "scene/number_entry.h"
 #include "scene/tool.h"
 #include "scene/transform.h"
@@ -28,9 +29,9 @@ struct DragInput {
 /// the mouse says until it is deleted.
 class TransformDrag {
 public:
-  /// The selection is what moves, about its centre; `depth` (view units) is that of the point which a free
-  /// move keeps under the cursor. Requires a selection.
-  TransformDrag(const Document& document, Tool tool, Constraint constraint, double depth,
+  /// The grip is what moves, along its axes; `depth` (view units) is that of the point which a free move
+  /// keeps under the cursor. Requires a selection.
+  TransformDrag(const Document& document, Grip grip, Tool tool, Constraint constraint, double depth,
                 const glm::vec2& cursor, const Camera& camera);
 
   void update(Document& document, const DragInput& input, const Camera& camera, const Viewport& viewport);
@@ -41,6 +42,11 @@ public:
   bool type(char c);
   void backspace() { entry_.backspace(); }
 
+  /// Other shares of what is near the selection; the next update moves it so.
+  void soften(Document& document, const SoftSelection& soft, const Mirror* mirror);
+  /// How often that was asked for: vertices() may be others since.
+  int softened() const { return softened_; }
+
   /// Ends the drag as one entry of the history; nothing is recorded if nothing moved.
   void commit(Document& document) const;
   /// Ends it with exactly the pose of the press.
@@ -49,6 +55,7 @@ public:
   Tool tool() const { return tool_; }
   /// Of the cage: those that it moves, and no others.
   std::span<const std::uint32_t> vertices() const { return vertices_; }
+  const Grip& grip() const { return grip_; }
   const Constraint& constraint() const { return constraint_; }
   /// What the selection has gone through so far.
   const Transform& transform() const { return transform_; }
@@ -66,9 +73,18 @@ private:
   double turn_by_mouse(const DragInput& input, const CursorProjection& projection);
   glm::dvec3 scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const;
   glm::dvec3 factors(double value) const;
+  glm::dvec3 snapped_shift(const glm::dvec3& shift) const;
+  Transform still() const;
+  Transform shaped_by_mouse(const DragInput& input, const glm::dvec2& cursor,
+                            const CursorProjection& projection) const;
+  bool said_in_percent() const;
+  std::string shaped_amount() const;
+  std::string label() const;
   std::string amounts() const;
+  std::string axis_names() const;
 
   Snapshot before_;
+  Grip grip_;
   std::vector<std::uint32_t> vertices_;
   Space space_;
   Tool tool_;
@@ -81,6 +97,7 @@ private:
   NumberEntry entry_;
   Transform transform_;
   bool in_range_ = true;  // of the last update
+  int softened_ = 0;
 };
 
 }  // namespace viete::scene

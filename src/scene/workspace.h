@@ -21,9 +21,11 @@
 #include "scene/document.h"
 #include "scene/file_browser.h"
 #include "scene/frame_stats.h"
+#include "scene/handling.h"
 #include "scene/layout.h"
 #include "scene/measures.h"
 #include "scene/messages.h"
+#include "scene/mirror.h"
 #include "scene/question.h"
 #include "scene/recovery.h"
 #include "scene/remembered.h"
@@ -87,6 +89,14 @@ struct Interaction {
   std::optional<glm::vec2> menu;    ///< the right button was clicked here: a menu is to open
   glm::vec2 menu_at{0, 0};          ///< and that is what its commands are for
   std::optional<std::size_t> part;  ///< of the frame, under the cursor: a link, or what comes after them
+  bool placing_pivot = false;     ///< the next click says where
+  struct Grab {
+    Tool tool;
+    Shape shape = Shape::none;
+  };
+  std::optional<Grab> grab;    ///< the selection is to follow the cursor, without a button
+  std::string setting_key;     ///< the command that gets the next key that is pressed; empty: none
+  bool show_partners = false;  ///< of the whole cage in its mirror
 };
 
 /// What stands in a field while it is being edited.
@@ -164,6 +174,13 @@ struct Palette {
   std::size_t highlighted = 0;  ///< among those that are found
 };
 
+/// A pose of some vertices that was copied.
+struct CopiedPose {
+  std::shared_ptr<const deform::Cage> cage;
+  std::vector<std::uint32_t> vertices;
+  std::vector<mesh::Point> positions;  ///< theirs
+};
+
 struct Workspace {
   Document document;
   Camera camera;
@@ -172,6 +189,9 @@ struct Workspace {
   Messages messages;
   Interaction interaction;
   Tool tool = Tool::move;
+  Handling handling;
+  KnownMirror mirror;  ///< that of the cage, as handling asks for it
+  CopiedPose copied;
   Brush brush;                      ///< of Tool::paint
   PosedModel posed;                 ///< the model as it is drawn
   std::vector<SurfacePoint> marks;  ///< on the model, two at most: the length between them is measured
@@ -213,6 +233,11 @@ struct Workspace {
 /// True if the mesh is coloured by its mask.
 inline bool shows_mask(const Workspace& workspace) {
   return workspace.tool == Tool::paint && workspace.document.is_movable();
+}
+
+/// That of the open cage, in which the hand moves both sides; null: none.
+inline const Mirror* mirror_of(const Workspace& w) {
+  return w.mirror.cage == w.document.cage ? w.mirror.get() : nullptr;
 }
 
 /// True if what can be selected is there to be seen: probes, or the cage.

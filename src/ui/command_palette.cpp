@@ -36,6 +36,7 @@ bool row(const Context& ui, const scene::Command& command, std::size_t index, bo
   record(ui, "palette/" + std::string(command.name), enabled);
   const bool mouse_moves = ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0;
   if (ImGui::IsItemHovered() && mouse_moves) ui.workspace.palette.highlighted = index;
+  if (ImGui::IsItemClicked(1)) ui.workspace.interaction.setting_key = command.name;
   if (highlighted && follow) ImGui::SetScrollHereY();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (highlighted) draw.AddRectFilled(at, {at.x + width, at.y + palette_row}, ui.colors.card_active, 4);
@@ -44,7 +45,8 @@ bool row(const Context& ui, const scene::Command& command, std::size_t index, bo
   draw.AddText({at.x + 8, y}, enabled ? ui.colors.text : faded(ui.colors.faint, 0.7f), label.c_str());
   const float after = std::max(160.0f, ImGui::CalcTextSize(label.c_str()).x + 16);
   draw.AddText({at.x + 8 + after, y}, faded(ui.colors.faint, enabled ? 0.9f : 0.5f), group.c_str());
-  text_right(ui, at.x + width - 8, scene::text(command.shortcut), ui.colors.faint, y);
+  text_right(ui, at.x + width - 8, scene::text(ui.workspace.remembered.keymap.of(command).first),
+             ui.colors.faint, y);
   return clicked;
 }
 
@@ -103,6 +105,7 @@ void command_palette(const Context& ui) {
   if (found.empty()) note(ui, "No command has that in its name.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
+  note(ui, "Right click on a command gives it another key");
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   ImGui::End();
@@ -110,7 +113,28 @@ void command_palette(const Context& ui) {
   if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))
     chosen = found[palette.highlighted];
   if ((key_pressed(scene::Key::escape) || beside) && !appeared) palette.open = false;
+  if (!w.interaction.setting_key.empty()) palette.open = false;
   if (chosen) run(w, *chosen);
+}
+
+// What the next key is for.
+void key_prompt(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  const scene::Command* const command = scene::find_command(w.interaction.setting_key);
+  if (!command) return;
+  const scene::Viewport& v = w.viewport;
+  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 0.4f * v.size.y}, ImGuiCond_Always,
+                          {0.5f, 0.5f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::Begin("New key", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  const std::string now = scene::text(w.remembered.keymap.of(*command).first);
+  ImGui::TextUnformatted(("Press the new key of \"" + std::string(command->label) + '"').c_str());
+  note(ui, (now.empty() ? "It has none now" : "It is " + now + " now") +
+               std::string(";  Delete takes it away, Esc leaves it"));
+  ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace viete::ui

@@ -35,34 +35,35 @@ struct Row {
 };
 using Rows = std::vector<Row>;
 
-std::string keys_of(const scene::Command& command) {
-  const std::string also = scene::text(command.alternative);
-  return scene::text(command.shortcut) + (also.empty() ? "" : ", " + also);
+std::string keys_of(const scene::Shortcuts& keys) {
+  const std::string first = scene::text(keys.first), second = scene::text(keys.second);
+  return first + (first.empty() || second.empty() ? "" : ", ") + second;
 }
 
 // Every key, under the headings of its groups, which the table of commands has one after the other: those of
 // files, edits and selections, or the others.
-void add_commands(Rows& rows, bool of_hands) {
+void add_commands(const scene::Keymap& keymap, Rows& rows, bool of_hands) {
   std::string_view group;
   for (const auto& command : scene::commands()) {
     const bool is_of_hands = command.group == "File" || command.group == "Edit" || command.group == "Select";
-    if (is_of_hands != of_hands || command.shortcut.key == scene::Key::none) continue;
+    const std::string keys = keys_of(keymap.of(command));
+    if (is_of_hands != of_hands || keys.empty()) continue;
     if (std::exchange(group, command.group) != command.group)
       rows.push_back({std::string(command.group), ""});
-    rows.push_back({keys_of(command), std::string(command.hint)});
+    rows.push_back({keys, std::string(command.hint)});
   }
 }
 
-Rows hands_rows() {
+Rows hands_rows(const scene::Keymap& keymap) {
   Rows rows{{"Mouse", ""}};
   for (const auto& entry : mouse_lines) rows.push_back({entry.action, entry.what});
-  add_commands(rows, true);
+  add_commands(keymap, rows, true);
   return rows;
 }
 
-Rows settings_rows(const scene::About& about) {
+Rows settings_rows(const scene::Keymap& keymap, const scene::About& about) {
   Rows rows;
-  add_commands(rows, false);
+  add_commands(keymap, rows, false);
   rows.insert(rows.end(), {{"About", ""},
                            {"Viete", about.version + ", " + about.build},
                            {"Kernel", about.kernel},
@@ -108,7 +109,8 @@ void table(const Context& ui, const char* name, const Rows& rows) {
 void help_overlay(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   constexpr float gap = 32;
-  const Rows hands = hands_rows(), settings = settings_rows(ui.workspace.about);
+  const Rows hands = hands_rows(ui.workspace.remembered.keymap),
+             settings = settings_rows(ui.workspace.remembered.keymap, ui.workspace.about);
   const float both = width_of(hands) + gap + width_of(settings) + 4 * ImGui::GetStyle().WindowPadding.x;
   const scene::Viewport& v = ui.workspace.viewport;
   const float middle = v.size.x > both ? v.origin.x + 0.5f * v.size.x : 0.5f * display.x;

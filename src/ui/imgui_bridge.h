@@ -25,7 +25,13 @@ constexpr int key_code(scene::Key key) {
     case Key::f1: return 290;
     case Key::f2: return 291;
     case Key::f3: return 292;
+    case Key::f11: return 300;
     case Key::f12: return 301;
+    case Key::insert: return 260;
+    case Key::space: return 32;
+    case Key::pad_point: return 330;
+    case Key::pad_minus: return 333;
+    case Key::pad_plus: return 334;
     case Key::pad0: return 320;
     case Key::pad1: return 321;
     case Key::pad3: return 323;
@@ -47,6 +53,11 @@ inline int imgui_key(int code) {
   if (code >= 320 && code <= 329) return ImGuiKey_Keypad0 + (code - 320);
   switch (code) {
     case 32: return ImGuiKey_Space;
+    case 44: return ImGuiKey_Comma;
+    case 45: return ImGuiKey_Minus;
+    case 46: return ImGuiKey_Period;
+    case 47: return ImGuiKey_Slash;
+    case 61: return ImGuiKey_Equal;
     case 256: return ImGuiKey_Escape;
     case 257: return ImGuiKey_Enter;
     case 258: return ImGuiKey_Tab;
@@ -61,6 +72,9 @@ inline int imgui_key(int code) {
     case 267: return ImGuiKey_PageDown;
     case 268: return ImGuiKey_Home;
     case 269: return ImGuiKey_End;
+    case 330: return ImGuiKey_KeypadDecimal;
+    case 333: return ImGuiKey_KeypadSubtract;
+    case 334: return ImGuiKey_KeypadAdd;
     case 335: return ImGuiKey_KeypadEnter;
     default: return ImGuiKey_None;
   }

@@ -2,6 +2,10 @@
 
 #include <imgui.h>
 
+#include <optional>
+#include <string>
+#include <utility>
+
 #include "scene/commands.h"
 #include "ui/imgui_bridge.h"
 
@@ -11,7 +15,28 @@ namespace {
 
 bool matches(const scene::Shortcut& shortcut, const ImGuiIO& io) {
   return shortcut.key != scene::Key::none && shortcut.ctrl == io.KeyCtrl && shortcut.shift == io.KeyShift &&
-         !io.KeyAlt && key_pressed(shortcut.key);
+         shortcut.alt == io.KeyAlt && key_pressed(shortcut.key);
+}
+
+std::optional<scene::Shortcut> pressed_shortcut() {
+  const ImGuiIO& io = ImGui::GetIO();
+  for (const scene::Key key : scene::all_keys()) {
+    if (key_pressed(key)) return scene::Shortcut{key, io.KeyCtrl, io.KeyShift, io.KeyAlt};
+  }
+  return std::nullopt;
+}
+
+// Esc leaves the key as it was, Delete takes it away.
+void set_key(scene::Workspace& workspace) {
+  const auto pressed = pressed_shortcut();
+  if (!pressed) return;
+  const std::string name = std::exchange(workspace.interaction.setting_key, "");
+  const scene::Command* const command = scene::find_command(name);
+  if (!command || *pressed == scene::Shortcut{scene::Key::escape}) return;
+  const bool none = *pressed == scene::Shortcut{scene::Key::delete_key};
+  workspace.remembered.keymap.change(name, none ? scene::Shortcut{} : *pressed);
+  workspace.messages.info('"' + std::string(command->label) + "\" has " +
+                          (none ? "no key now." : "the key " + scene::text(*pressed) + " now."));
 }
 
 // While the mouse is at work keys are its own: they must not change what it holds.
@@ -19,7 +44,8 @@ void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput || pointer.active() || workspace.question) return;
   for (const auto& command : scene::commands()) {
-    if (!matches(command.shortcut, io) && !matches(command.alternative, io)) continue;
+    const scene::Shortcuts keys = workspace.remembered.keymap.of(command);
+    if (!matches(keys.first, io) && !matches(keys.second, io)) continue;
     if (!command.enabled(workspace)) continue;  // a key may do another thing in another mode
     return command.run(workspace);
   }
@@ -31,6 +57,7 @@ scene::PointerInput pointer_input(bool keys) {
   scene::PointerInput input;
   input.position = {io.MousePos.x, io.MousePos.y};
   for (int i = 0; i < 3; ++i) input.down[i] = io.MouseDown[i];
+  input.double_click = ImGui::IsMouseDoubleClicked(0);
   input.wheel = io.MouseWheel;
   input.shift = io.KeyShift;
   input.ctrl = io.KeyCtrl;
@@ -49,6 +76,7 @@ scene::PointerInput pointer_input(bool keys) {
 }  // namespace
 
 void handle_input(scene::Workspace& workspace, scene::Pointer& pointer) {
+  if (!workspace.interaction.setting_key.empty()) return set_key(workspace);
   const bool keys = !workspace.question;
   if (keys && workspace.view.help && key_pressed(scene::Key::escape)) workspace.view.help = false;
   pointer.frame(workspace, pointer_input(keys));

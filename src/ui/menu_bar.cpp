@@ -17,7 +17,7 @@ bool item(const Context& ui, const scene::Command& command, std::string_view cal
   const bool enabled = command.enabled(ui.workspace);
   const bool on = scene::is_on(ui.workspace, command).value_or(false);
   const std::string label = std::string(called) + "##" + std::string(command.name);
-  const std::string keys = scene::text(command.shortcut);
+  const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
   const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);
   record(ui, "menu/" + std::string(command.name), enabled);
   hint(hint_of(ui, command));

@@ -88,7 +88,7 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
   const Marks marks = measured && scene::differs_from_rest(w.document) ? marks_of(w.methods, index) : Marks{};
   card_text(ui, at, width, command.label.data(), measured ? &w.methods.samples[index] : nullptr, used, marks,
             active);
-  hint(std::string(command.hint) + "  (" + scene::text(command.shortcut) + ")");
+  hint(std::string(command.hint) + "  (" + scene::text(w.remembered.keymap.of(command).first) + ")");
 }
 
 // The method that fails worst in this pose, and how far from the best one. A line is always there for it.

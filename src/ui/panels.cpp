@@ -47,6 +47,7 @@ void lab(const Context& ui) {
 
 void draw_panels(const Context& ui) {
   probe_overlay(ui);
+  hand_overlay(ui);
   gizmo_overlay(ui);
   axis_overlay(ui);
   view_overlay(ui);
@@ -69,6 +70,7 @@ void draw_panels(const Context& ui) {
   if (ui.workspace.browser.open && !ui.workspace.question) file_panel(ui);
   message_log(ui);
   command_palette(ui);
+  key_prompt(ui);
   question_panel(ui);
 }
 

@@ -12,6 +12,7 @@ void menu_bar(const Context& ui);
 void context_menu(const Context& ui);  ///< where the right button was clicked
 void tool_strip(const Context& ui);    ///< in the view
 void command_palette(const Context& ui);
+void key_prompt(const Context& ui);    ///< which command gets the key that is pressed next
 void column_edges(const Context& ui);  ///< to drag, and tabs that fold a column away
 
 void panel_model(const Context& ui);
@@ -39,6 +40,8 @@ float work_bar(const Context& ui,
                float bottom);              ///< what is being read, bound or written, how far, and Cancel
 void notice_bar(const Context& ui);        ///< unsaved work that can be brought back
 void transform_fields(const Context& ui);  ///< a part of the cage's panel, or of the probes'
+void hand_settings(const Context& ui);     ///< a part of them: pivot, axes, mirror, soft selection
+void hand_overlay(const Context& ui);      ///< partners, radius and pivot in the view
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);

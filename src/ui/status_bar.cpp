@@ -18,9 +18,18 @@ std::string hovered_text(const scene::Selection& selection, std::uint32_t elemen
 
 // What the mouse would do now, in a few words.
 std::string mouse_text(const scene::Workspace& w) {
+  if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != scene::Shape::none)
+    return "Left and right say how much,  digits set it,  Ctrl snaps,  Shift slows;  a click keeps it,  Esc "
+           "takes it "
+           "back";
   if (w.interaction.drag)
-    return "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button takes "
-           "it back";
+    return w.handling.soft.on
+               ? "X Y Z constrain,  digits set the amount,  wheel changes the radius,  Ctrl snaps,  Shift "
+                 "slows;  Esc or right button takes it back"
+               : "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button "
+                 "takes it back";
+  if (w.interaction.placing_pivot)
+    return "Click a vertex, an edge or the model: the selection turns about that place;  Esc takes it back";
   if (const std::string selecting = select_hint(w); !selecting.empty()) return selecting;
   if (!w.view.deformed) return "The mesh is shown at rest, whatever moves it;  N lets it follow again";
   if (w.interaction.stroke) return "Release to keep it;  Esc or right button takes it back";

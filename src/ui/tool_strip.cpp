@@ -148,7 +148,7 @@ void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
   if (on) draw.AddRect(at, end, faded(ui.colors.accent, 0.8f), 6);
   const ImU32 color = on ? ui.colors.accent : hovered ? ui.colors.text : ui.colors.faint;
   entry.icon({draw, {at.x + 15, at.y + 16}, faded(color, enabled ? 1 : 0.45f)});
-  const std::string key = scene::text(command.shortcut);
+  const std::string key = scene::text(ui.workspace.remembered.keymap.of(command).first);
   const float size = key.size() > 1 ? 9.0f : 11.0f;
   const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 100, 0, key.c_str());
   draw.AddText(ImGui::GetFont(), size, {end.x - room.x - 4, end.y - room.y - 2},

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/elements.h"
+#include "scene/pointer.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -17,23 +18,35 @@ struct Fields {
   glm::dvec3 values;
 };
 
-Fields fields(const scene::Document& document, scene::Tool tool) {
+// How far along each of the axes.
+glm::dvec3 along(const glm::dmat3& axes, const glm::dvec3& place) {
+  return glm::transpose(axes) * place;
+}
+
+Fields fields(const scene::Workspace& w) {
+  const scene::Tool tool = w.tool;
   if (tool == scene::Tool::rotate)
     return {"Rotate by (degrees)", "Type an angle and press Enter: rotates about this axis", {0, 0, 0}};
   if (tool == scene::Tool::scale)
     return {"Scale by", "Type a factor and press Enter: scales along this axis", {1, 1, 1}};
-  const glm::dvec3 center = document.selection.empty() ? glm::dvec3(0) : scene::selection_center(document);
-  return {"Centre", "Where the centre of the selection is; type a place and press Enter", center};
+  glm::dvec3 place(0);
+  if (!w.document.selection.empty()) {
+    const scene::Anchor anchor = scene::grip_of(w).anchor;
+    place = along(anchor.axes, anchor.center);
+  }
+  return {w.handling.pivot == scene::Pivot::median ? "Centre" : "Pivot",
+          "Where the selection is, along the axes chosen below; type a place and press Enter", place};
 }
 
 void apply(scene::Workspace& workspace, int axis, double value) {
   scene::Document& document = workspace.document;
   scene::Tool tool = workspace.tool;
   scene::Transform transform;
-  transform.pivot = scene::selection_center(document);
+  const scene::Grip grip = scene::grip_of(workspace);
+  transform.pivot = grip.anchor.center;
+  transform.axes = grip.anchor.axes;
   if (tool == scene::Tool::rotate) {
-    transform.axis = glm::dvec3(0);
-    transform.axis[axis] = 1;
+    transform.axis = grip.anchor.axes[axis];
     transform.degrees = std::clamp(value, -scene::most_degrees, scene::most_degrees);
     if (transform.degrees != value)
       workspace.messages.info("Turned by " + count(static_cast<std::size_t>(scene::most_degrees)) +
@@ -41,10 +54,11 @@ void apply(scene::Workspace& workspace, int axis, double value) {
   } else if (tool == scene::Tool::scale) {
     transform.factors[axis] = value;
   } else {
-    transform.shift[axis] = value - transform.pivot[axis];
+    const double way = value - along(grip.anchor.axes, grip.anchor.center)[axis];
+    transform.shift = way * grip.anchor.axes[axis];
     tool = scene::Tool::move;
   }
-  if (scene::transform_selection(document, tool, transform)) return;
+  if (scene::transform_selection(document, tool, grip, transform)) return;
   workspace.messages.warn(tool == scene::Tool::rotate
                               ? "The cage has been turned round as often as it can be; nothing was changed"
                               : "That is too far away from the model to be drawn; nothing was moved");
@@ -92,7 +106,7 @@ void transform_fields(const Context& ui) {
   command_choice(ui, {"tool_select", "tool_move", "tool_rotate", "tool_scale", "tool_paint"},
                  static_cast<std::size_t>(w.tool));
   if (w.tool == scene::Tool::paint) return brush_fields(ui);
-  const Fields shown = fields(w.document, w.tool);
+  const Fields shown = fields(w);
   const scene::LengthUnit unit = w.document.model.unit;
   const bool place = w.tool == scene::Tool::move || w.tool == scene::Tool::select;
   note(ui, place ? scene::with_unit(shown.label, unit) : shown.label);
@@ -108,6 +122,7 @@ void transform_fields(const Context& ui) {
     field(ui, shown, axis, width);
   }
   ImGui::EndDisabled();
+  hand_settings(ui);
 }
 
 }  // namespace viete::ui

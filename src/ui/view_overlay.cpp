@@ -47,7 +47,8 @@ void hints(const Context& ui) {
 // Nobody is left alone with a view without a word.
 void way_back(const Context& ui) {
   const scene::Command& command = *scene::find_command("toggle_panels");
-  const std::string text = scene::text(command.shortcut) + " shows the panels again";
+  const std::string text =
+      scene::text(ui.workspace.remembered.keymap.of(command).first) + " shows the panels again";
   const auto& v = ui.workspace.viewport;
   ImGui::PushFont(ui.fonts.text);
   ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 16, v.origin.y + v.size.y - 28},

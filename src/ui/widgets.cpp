@@ -42,7 +42,7 @@ std::string typed_so_far(const Context& ui, const std::string& name, const std::
 }  // namespace
 
 std::string hint_of(const Context& ui, const scene::Command& command) {
-  const std::string keys = scene::text(command.shortcut);
+  const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
   const std::string what = std::string(command.hint) + (keys.empty() ? "" : "  (" + keys + ")");
   return command.enabled(ui.workspace) ? what : what + "\n" + std::string(command.enabled.otherwise);
 }

@@ -76,7 +76,7 @@ TEST_CASE("a_whole_turn_and_another_reach_are_kept_without_a_moved_vertex") {
   d.press_key(scene::key('A'));
   scene::Transform turn;
   turn.degrees = 360;
-  scene::transform_selection(d.document(), scene::Tool::rotate, turn);
+  scene::transform_selection(d.document(), scene::Tool::rotate, scene::plain_grip(d.document()), turn);
   REQUIRE(settled(1));
   const auto kept = scene::read_session(kept_files(state).front());
   CHECK(kept.pose->positions == d.document().cage->surface.positions);

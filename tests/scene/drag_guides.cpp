@@ -13,7 +13,7 @@ namespace {
 DragGuides guides(Tool tool, Constraint constraint, const char* typed) {
   Workspace w = test::cube_workspace();
   w.document.selection.select_all(8);
-  TransformDrag drag(w.document, tool, constraint, 1, {700, 390}, w.camera);
+  TransformDrag drag(w.document, plain_grip(w.document), tool, constraint, 1, {700, 390}, w.camera);
   for (; *typed; ++typed) drag.type(*typed);
   drag.update(w.document, {{710, 390}}, w.camera, w.viewport);
   return drag_guides(drag, w.document.space, w.camera, w.viewport);

@@ -19,11 +19,11 @@ Camera camera(float yaw = 0.65f, float pitch = 0.32f, float distance = 4, bool o
 }  // namespace
 
 TEST_CASE("the_gizmo_has_the_same_size_in_pixels_at_every_distance_and_in_both_cameras") {
-  const auto reference = *make_gizmo(Tool::move, {0, 0, 0}, camera(), test::viewport);
+  const auto reference = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
   for (const bool orthographic : {false, true}) {
     for (const float distance : {0.05f, 1.0f, 200.0f}) {
-      const auto gizmo =
-          *make_gizmo(Tool::move, {0, 0, 0}, camera(0.65f, 0.32f, distance, orthographic), test::viewport);
+      const auto gizmo = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1),
+                                     camera(0.65f, 0.32f, distance, orthographic), test::viewport);
       for (int i = 0; i < 3; ++i) {
         const float length = glm::distance(gizmo.center, gizmo.arms[i].tip);
         // Perspective makes an arm that comes towards the viewer longer, by as much as it is nearer: a few
@@ -37,7 +37,7 @@ TEST_CASE("the_gizmo_has_the_same_size_in_pixels_at_every_distance_and_in_both_c
 
 TEST_CASE("each_handle_is_hit_where_it_is_drawn") {
   for (const Tool tool : {Tool::move, Tool::scale}) {
-    const auto gizmo = *make_gizmo(tool, {0.2, -0.1, 0.3}, camera(), test::viewport);
+    const auto gizmo = *make_gizmo(tool, {0.2, -0.1, 0.3}, glm::dmat3(1), camera(), test::viewport);
     CHECK(pick_handle(gizmo, gizmo.center) == Constraint{});
     for (int i = 0; i < 3; ++i) {
       CHECK(pick_handle(gizmo, gizmo.arms[i].tip) == Constraint{Kind::axis, i});
@@ -50,7 +50,7 @@ TEST_CASE("each_handle_is_hit_where_it_is_drawn") {
 }
 
 TEST_CASE("rings_are_hit_on_the_viewers_side_and_the_outer_one_all_around") {
-  const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, camera(), test::viewport);
+  const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
   for (int i = 0; i < 3; ++i) {
     int front = 0;
     for (const auto& point : gizmo.rings[i]) {
@@ -68,7 +68,7 @@ TEST_CASE("rings_are_hit_on_the_viewers_side_and_the_outer_one_all_around") {
 }
 
 TEST_CASE("handles_that_point_at_the_viewer_fade_and_cannot_be_hit") {
-  const auto gizmo = *make_gizmo(Tool::move, {0, 0, 0}, camera(0, 0), test::viewport);
+  const auto gizmo = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera(0, 0), test::viewport);
   CHECK(gizmo.arms[2].opacity == 0);
   CHECK(gizmo.arms[0].opacity == 1);
   CHECK(gizmo.planes[2].opacity == 1);
@@ -78,9 +78,9 @@ TEST_CASE("handles_that_point_at_the_viewer_fade_and_cannot_be_hit") {
 }
 
 TEST_CASE("there_is_no_gizmo_for_the_select_tool_or_behind_the_eye") {
-  CHECK_FALSE(make_gizmo(Tool::select, {0, 0, 0}, camera(), test::viewport));
-  CHECK_FALSE(make_gizmo(Tool::move, {0, 0, 20}, camera(0, 0), test::viewport));
-  CHECK(make_gizmo(Tool::move, {0, 0, 20}, camera(0, 0, 4, true), test::viewport));
+  CHECK_FALSE(make_gizmo(Tool::select, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport));
+  CHECK_FALSE(make_gizmo(Tool::move, {0, 0, 20}, glm::dmat3(1), camera(0, 0), test::viewport));
+  CHECK(make_gizmo(Tool::move, {0, 0, 20}, glm::dmat3(1), camera(0, 0, 4, true), test::viewport));
 }
 
 TEST_CASE("handles_have_names") {
@@ -92,7 +92,8 @@ TEST_CASE("handles_have_names") {
 
 TEST_CASE("a_ring_that_faces_the_viewer_is_near_all_around") {
   for (const float pitch : {0.0f, 0.1f, 0.2f}) {
-    const auto gizmo = *make_gizmo(Tool::rotate, {0.4, 0.1, 0}, camera(0, pitch), test::viewport);
+    const auto gizmo =
+        *make_gizmo(Tool::rotate, {0.4, 0.1, 0}, glm::dmat3(1), camera(0, pitch), test::viewport);
     for (const auto& point : gizmo.rings[2]) CHECK(point.front);
   }
 }

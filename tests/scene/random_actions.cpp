@@ -100,6 +100,7 @@ private:
     static const std::string keys = "xyzXYZ0123456789.-";
     if (once_in(6)) input_.typed = keys[static_cast<std::size_t>(below(static_cast<int>(keys.size())))];
     if (once_in(20)) input_.backspace = true;
+    if (once_in(15)) input_.wheel = static_cast<float>(below(7) - 3);
     if (once_in(20)) input_.enter = true;
     if (once_in(30)) input_.escape = true;
     if (once_in(10)) press_modifiers();

@@ -5,6 +5,7 @@
 #include "mesh/read.h"
 #include "scene/edit.h"
 #include "scene/files.h"
+#include "scene/grip.h"
 #include "scene/session.h"
 #include "scene/transform.h"
 #include "support/commands.h"
@@ -60,7 +61,7 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   Transform turn;
   turn.degrees = 360;
   w.document.selection.select_all(w.document.pose.positions.size());
-  transform_selection(w.document, Tool::rotate, turn);
+  transform_selection(w.document, Tool::rotate, plain_grip(w.document), turn);
   CHECK(w.document.pose.positions == w.saved.pose.positions);
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_pose(w, files / "p.obj"));

@@ -116,7 +116,9 @@ TEST_CASE("what_is_hidden_is_not_selected_picked_or_moved_until_all_is_shown") {
   CHECK(test::run_command(w, "select_faces"));
   CHECK(test::run_command(w, "select_all"));
   CHECK(w.document.selection.size() == 12);
-  CHECK(transform_selection(w.document, Tool::move, {.shift = {1, 0, 0}}));
+  Transform t;
+  t.shift = {1, 0, 0};
+  CHECK(transform_selection(w.document, Tool::move, plain_grip(w.document), t));
   CHECK(w.document.pose.positions[7] == w.document.cage->surface.positions[7]);
   CHECK(w.document.pose.positions[5] != w.document.cage->surface.positions[5]);
   CHECK(test::run_command(w, "show_hidden"));

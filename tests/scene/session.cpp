@@ -10,6 +10,7 @@
 #include "mesh/read.h"
 #include "scene/edit.h"
 #include "scene/files.h"
+#include "scene/grip.h"
 #include "scene/json_file.h"
 #include "scene/open.h"
 #include "scene/saving.h"
@@ -255,7 +256,8 @@ TEST_CASE("whatever_is_typed_or_looked_at_can_be_saved_and_opened_again") {
     t.shift = {amount, 0, 0};
     t.factors = {1, amount, 1};
     t.degrees = amount;
-    for (const Tool tool : {Tool::move, Tool::scale, Tool::rotate}) transform_selection(w.document, tool, t);
+    for (const Tool tool : {Tool::move, Tool::scale, Tool::rotate})
+      transform_selection(w.document, tool, plain_grip(w.document), t);
     frame_selection(w, false);
     w.camera.pan({1e30f, -1e30f}, w.viewport);
     REQUIRE(save_session(w, files / "a.viete"));

@@ -6,6 +6,7 @@
 
 #include "scene/cube.h"
 #include "scene/edit.h"
+#include "scene/grip.h"
 #include "support/edits.h"
 
 using namespace viete;
@@ -28,6 +29,11 @@ Transform turn(double degrees, glm::dvec3 axis = {0, 1, 0}) {
   return t;
 }
 
+void apply(const Transform& t, const std::vector<mesh::Point>& from, std::vector<mesh::Point>& to) {
+  const PointMotion motion(t);
+  for (std::size_t i = 0; i < from.size(); ++i) to[i] = motion(from[i], t.pivot);
+}
+
 constexpr double degree = 3.14159265358979323846 / 180;
 
 }  // namespace
@@ -39,7 +45,7 @@ TEST_CASE("nothing_and_whole_turns_keep_every_bit") {
     auto to = from;
     Transform t = turn(degrees, glm::normalize(glm::dvec3(1, 2, 3)));
     t.pivot = {0.3, 0.1, 77};
-    apply(t, from, both, to);
+    apply(t, from, to);
     CHECK(to == from);
   }
 }
@@ -48,13 +54,13 @@ TEST_CASE("quarter_turns_about_an_axis_are_exact_and_right_handed") {
   const std::vector<mesh::Point> from{{1, 0, 0}};
   const std::vector<std::uint32_t> one{0};
   auto to = from;
-  apply(turn(90, {0, 0, 1}), from, one, to);
+  apply(turn(90, {0, 0, 1}), from, to);
   CHECK(to[0] == mesh::Point{0, 1, 0});
-  apply(turn(450, {0, 0, 1}), from, one, to);
+  apply(turn(450, {0, 0, 1}), from, to);
   CHECK(to[0] == mesh::Point{0, 1, 0});
-  apply(turn(-90, {0, 0, 1}), from, one, to);
+  apply(turn(-90, {0, 0, 1}), from, to);
   CHECK(to[0] == mesh::Point{0, -1, 0});
-  apply(turn(180, {0, 1, 0}), from, one, to);
+  apply(turn(180, {0, 1, 0}), from, to);
   CHECK(to[0] == mesh::Point{-1, 0, 0});
 }
 
@@ -63,12 +69,12 @@ TEST_CASE("turns_keep_lengths_and_scales_keep_the_pivot") {
   const std::vector<std::uint32_t> both{0, 1};
   auto to = from;
   Transform t = turn(37, glm::normalize(glm::dvec3(1, -2, 0.5)));
-  apply(t, from, both, to);
+  apply(t, from, to);
   CHECK(std::hypot(to[0][0], to[0][1], to[0][2]) == doctest::Approx(std::sqrt(14.0)).epsilon(1e-14));
   Transform s;
   s.pivot = {4, 4, 4};
   s.factors = {2, 1, 0.5};
-  apply(s, from, both, to);
+  apply(s, from, to);
   CHECK(to[0] == mesh::Point{-2, 2, 3.5});
   CHECK(to[1] == from[1]);
 }
@@ -83,7 +89,7 @@ TEST_CASE("the_centre_is_the_mean_of_the_selected_vertices") {
 TEST_CASE("the_whole_cage_turned_at_once_has_made_all_its_turns") {
   for (const double degrees : {90.0, 200.0, 400.0, -1000.0}) {
     Document document = selected_cube();
-    transform_selection(document, Tool::rotate, turn(degrees));
+    transform_selection(document, Tool::rotate, plain_grip(document), turn(degrees));
     REQUIRE(document.pose.turns.size() == 1);
     CHECK(document.pose.turns[0][1] == doctest::Approx(degrees * degree).epsilon(1e-12));
     CHECK(document.pose.turns[0][0] == doctest::Approx(0).epsilon(1e-12));
@@ -94,7 +100,7 @@ TEST_CASE("the_whole_cage_turned_at_once_has_made_all_its_turns") {
 
 TEST_CASE("a_whole_turn_leaves_the_cage_at_rest_but_is_an_edit_that_can_be_undone") {
   Document document = selected_cube();
-  transform_selection(document, Tool::rotate, turn(360));
+  transform_selection(document, Tool::rotate, plain_grip(document), turn(360));
   CHECK(document.pose.positions == document.cage->surface.positions);
   CHECK(document.pose.turns[0][1] == doctest::Approx(360 * degree));
   CHECK(differs_from_rest(document));
@@ -105,14 +111,14 @@ TEST_CASE("a_whole_turn_leaves_the_cage_at_rest_but_is_an_edit_that_can_be_undon
 
 TEST_CASE("turning_on_and_back_again_forgets_the_turns") {
   Document document = selected_cube();
-  transform_selection(document, Tool::rotate, turn(500));
-  transform_selection(document, Tool::rotate, turn(-500));
+  transform_selection(document, Tool::rotate, plain_grip(document), turn(500));
+  transform_selection(document, Tool::rotate, plain_grip(document), turn(-500));
   CHECK(std::abs(document.pose.turns[0][1]) < 1e-12);
 }
 
 TEST_CASE("an_edit_that_moves_nothing_is_not_recorded") {
   Document document = selected_cube();
-  transform_selection(document, Tool::move, {});
+  transform_selection(document, Tool::move, plain_grip(document), {});
   CHECK_FALSE(document.history.can_undo());
 }
 
@@ -126,16 +132,16 @@ TEST_CASE("grid_snapping_suits_the_model_whatever_its_size") {
 
 TEST_CASE("absurd_amounts_neither_hang_nor_leave_the_range_of_numbers") {
   Document document = selected_cube();
-  transform_selection(document, Tool::rotate, turn(1e15));
+  transform_selection(document, Tool::rotate, plain_grip(document), turn(1e15));
   CHECK(document.pose.turns[0][1] == doctest::Approx(most_degrees * degree));
   undo(document);
   Transform grow;
   grow.factors = {1e5, 1e5, 1e5};
-  CHECK(transform_selection(document, Tool::scale, grow));
+  CHECK(transform_selection(document, Tool::scale, plain_grip(document), grow));
   const auto large = document.pose.positions;
   for (const double factor : {1e5, 1e300, 1e308}) {
     grow.factors = {factor, 1, factor};
-    CHECK_FALSE(transform_selection(document, Tool::scale, grow));
+    CHECK_FALSE(transform_selection(document, Tool::scale, plain_grip(document), grow));
     CHECK(document.pose.positions == large);
   }
   CHECK(test::edit_count(document.history) == 1);
@@ -151,13 +157,13 @@ TEST_CASE("an_edit_stays_within_what_can_be_drawn_whatever_the_size_and_place_of
     const auto before = document.pose.positions;
     Transform far;
     far.shift = {1e7 * size, 0, 0};
-    CHECK_FALSE(transform_selection(document, Tool::move, far));
+    CHECK_FALSE(transform_selection(document, Tool::move, plain_grip(document), far));
     CHECK(document.pose.positions == before);
     far.shift = {1e5 * size, 0, 0};
-    CHECK(transform_selection(document, Tool::move, far));
+    CHECK(transform_selection(document, Tool::move, plain_grip(document), far));
     CHECK(document.pose.positions != before);
     far.shift = {-1e5 * size, 0, 0};
-    CHECK(transform_selection(document, Tool::move, far));
+    CHECK(transform_selection(document, Tool::move, plain_grip(document), far));
   }
 }
 
@@ -167,24 +173,26 @@ TEST_CASE("an_edit_of_a_huge_model_leaves_a_pose_that_can_be_opened_again") {
   document.space = {{0, 0, 0}, 2 / (3e31 * std::sqrt(3.0))};
   Transform far;
   far.shift = {5e31, 0, 0};
-  CHECK(transform_selection(document, Tool::move, far));
-  CHECK_FALSE(transform_selection(document, Tool::move, far));
+  CHECK(transform_selection(document, Tool::move, plain_grip(document), far));
+  CHECK_FALSE(transform_selection(document, Tool::move, plain_grip(document), far));
   Transform grow;
   grow.factors = {1, 4, 1};
-  CHECK_FALSE(transform_selection(document, Tool::scale, grow));
+  CHECK_FALSE(transform_selection(document, Tool::scale, plain_grip(document), grow));
 }
 
 TEST_CASE("turns_add_up_to_what_a_session_can_hold_and_no_further") {
   Document document = selected_cube();
   int times = 0;
-  while (times < 1000 && transform_selection(document, Tool::rotate, turn(most_degrees))) ++times;
+  while (times < 1000 &&
+         transform_selection(document, Tool::rotate, plain_grip(document), turn(most_degrees)))
+    ++times;
   CHECK(times > 100);  // of about 6283 radians each
   CHECK(times < 1000);
   const auto turns = document.pose.turns;
   CHECK(std::hypot(turns[0][0], turns[0][1], turns[0][2]) <= deform::largest_turn);
-  CHECK_FALSE(transform_selection(document, Tool::rotate, turn(most_degrees)));
+  CHECK_FALSE(transform_selection(document, Tool::rotate, plain_grip(document), turn(most_degrees)));
   CHECK(document.pose.turns == turns);
-  CHECK(transform_selection(document, Tool::rotate, turn(-most_degrees)));
+  CHECK(transform_selection(document, Tool::rotate, plain_grip(document), turn(-most_degrees)));
 }
 
 TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
@@ -192,11 +200,12 @@ TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
   for (const double degrees : {170.0, 500.0, 1500.0}) {
     Document at_once = test::cube_document(), slowly = test::cube_document();
     at_once.selection.apply(upper, SelectMode::replace);
-    transform_selection(at_once, Tool::rotate, turn(degrees));
+    transform_selection(at_once, Tool::rotate, plain_grip(at_once), turn(degrees));
     slowly.selection.apply(upper, SelectMode::replace);
     const Snapshot before = snapshot_of(slowly);
+    const Grip grip = plain_grip(slowly);
     for (double seen = 0; seen < degrees; seen += 10) {
-      place(slowly, before, upper, turn(seen + 10), seen - 30);  // a jump of 40: followed
+      place(slowly, before, grip, turn(seen + 10), seen - 30);  // a jump of 40: followed
     }
     CHECK(at_once.pose.positions == slowly.pose.positions);
     for (int i = 0; i < 3; ++i)

@@ -26,7 +26,8 @@ struct Drag {
     const std::uint32_t two[] = {6, 7};
     w.document.selection.apply(two, SelectMode::replace);
     input.cursor = center() + from_center;
-    drag.emplace(w.document, tool, constraint, w.camera.depth(view_center()), input.cursor, w.camera);
+    drag.emplace(w.document, plain_grip(w.document), tool, constraint, w.camera.depth(view_center()),
+                 input.cursor, w.camera);
   }
   glm::vec3 view_center() const {
     const glm::dvec3 c = selection_center(w.document);
@@ -75,7 +76,8 @@ TEST_CASE("updates_do_not_accumulate") {
 TEST_CASE("cancelling_brings_positions_turns_and_selection_back") {
   Drag d(Tool::move, {}, {0, 0});
   d.w.document.pose.turns = {{1, 2, 3}};
-  d.drag.emplace(d.w.document, Tool::rotate, Constraint{}, 1, d.input.cursor, d.w.camera);
+  d.drag.emplace(d.w.document, plain_grip(d.w.document), Tool::rotate, Constraint{}, 1, d.input.cursor,
+                 d.w.camera);
   const auto before = d.w.document.pose;
   d.type("77");
   CHECK(d.w.document.pose.positions != before.positions);
@@ -224,7 +226,8 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
   Drag d(Tool::rotate, {}, {100, 0});
   d.drag->cancel(d.w.document);
   d.w.document.selection.select_all(8);
-  d.drag.emplace(d.w.document, Tool::rotate, Constraint{Kind::axis, 1}, 1, d.input.cursor, d.w.camera);
+  d.drag.emplace(d.w.document, plain_grip(d.w.document), Tool::rotate, Constraint{Kind::axis, 1}, 1,
+                 d.input.cursor, d.w.camera);
   d.type("4");
   d.type("0");
   d.type("0");

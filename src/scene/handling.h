@@ -1,0 +1,67 @@
+// How the hand moves what is selected: about what, along which axes, on both sides of a mirror, and how much
+// of what is near goes along.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "mesh/surface.h"
+
+namespace viete::scene {
+
+/// About what the selection turns and scales.
+enum class Pivot { median, active, individual, joint, point };
+
+/// Along what handles and typed axes point.
+enum class Axes { world, view, selection, active, mirror };
+
+/// Across what both sides of the cage are moved.
+enum class MirrorPlane { none, x, y, z, fit };
+
+/// How the share of the motion falls from the selection to the radius.
+enum class SoftCurve { smooth, sharp, linear, constant };
+
+/// How far away something is.
+enum class SoftDistance { edges, space };
+
+/// By number.
+struct HandChoice {
+  std::string_view word;   ///< in sessions
+  std::string_view label;  ///< in lists
+  std::string_view hint;   ///< one sentence
+};
+std::span<const HandChoice> choices(Pivot);
+std::span<const HandChoice> choices(Axes);
+std::span<const HandChoice> choices(MirrorPlane);
+std::span<const HandChoice> choices(SoftCurve);
+std::span<const HandChoice> choices(SoftDistance);
+
+template <class Choice>
+const HandChoice& entry_of(Choice choice) {
+  return choices(choice)[static_cast<std::size_t>(choice)];
+}
+
+struct SoftSelection {
+  static constexpr double least_radius = 0.005, largest_radius = 2;
+
+  bool on = false;
+  double radius = 0.35;  ///< where the share is 0, of the diagonal of the view's space; least to largest
+  SoftCurve curve = SoftCurve::smooth;
+  SoftDistance distance = SoftDistance::edges;
+
+  friend bool operator==(const SoftSelection&, const SoftSelection&) = default;
+};
+
+struct Handling {
+  Pivot pivot = Pivot::median;
+  std::optional<mesh::Point> point{};  ///< of Pivot::point, in the file's coordinates; else the median
+  Axes axes = Axes::world;
+  MirrorPlane mirror = MirrorPlane::none;
+  SoftSelection soft{};
+
+  friend bool operator==(const Handling&, const Handling&) = default;
+};
+
+}  // namespace viete::scene

@@ -1,0 +1,168 @@
+#include "scene/keymap.h"
+
+#include <algorithm>
+#include <array>
+
+#include "scene/commands.h"
+
+namespace viete::scene {
+
+namespace {
+
+struct PresetKeys {
+  std::string_view command;
+  Shortcut first, second;
+};
+
+constexpr Shortcut plain(char c) {
+  return {key(c)};
+}
+constexpr Shortcut ctrl(char c) {
+  return {key(c), true};
+}
+constexpr Shortcut shift(char c) {
+  return {key(c), false, true};
+}
+constexpr Shortcut alt(char c) {
+  return {key(c), false, false, true};
+}
+
+// Where hands from Blender expect something else.
+constexpr auto blender_keys = std::to_array<PresetKeys>({
+    {"grab", plain('G'), {}},
+    {"grab_rotate", plain('R'), {}},
+    {"grab_scale", plain('S'), {}},
+    {"select_all", plain('A'), {}},
+    {"select_none", alt('A'), {}},
+    {"select_box", plain('B'), {}},
+    {"select_brush", plain('C'), {}},
+    {"hide_selected", plain('H'), {}},
+    {"show_hidden", alt('H'), {}},
+    {"select_more", {Key::pad_plus, true}, {}},
+    {"select_less", {Key::pad_minus, true}, {}},
+    {"toggle_soft", plain('O'), {}},
+    {"place_pivot", {}, {}},
+    {"frame_selection", {Key::pad_point}, {}},
+    {"reset_selected", alt('G'), {Key::delete_key}},
+    {"remove_elements", plain('X'), {Key::delete_key}},
+    {"extrude_faces", plain('E'), {}},
+    {"merge_vertices", plain('M'), {}},
+    {"next_shading", plain('Z'), {}},
+    {"toggle_select_visible", alt('Z'), {}},
+    {"toggle_wireframe", {key('Z'), false, true, true}, {}},
+    {"command_palette", {Key::f3}, {}},
+    {"toggle_panels", plain('N'), {}},
+    {"redo", {key('Z'), true, true}, {}},
+});
+
+// And from Maya.
+constexpr auto maya_keys = std::to_array<PresetKeys>({
+    {"frame_all", plain('A'), {Key::home}},
+    {"frame_selection", plain('F'), {}},
+    {"select_all", {key('A'), true, true}, {}},
+    {"select_none", {key('D'), false, false, true}, {}},
+    {"place_pivot", {Key::insert}, plain('D')},
+    {"toggle_soft", plain('B'), {}},
+    {"undo", plain('Z'), ctrl('Z')},
+    {"redo", shift('Z'), ctrl('Y')},
+    {"select_more", {key('.'), false, true}, {}},
+    {"select_less", {key(','), false, true}, {}},
+    {"hide_selected", ctrl('H'), {}},
+    {"show_hidden", {key('H'), true, true}, {}},
+    {"toggle_wireframe", plain('4'), {}},
+    {"next_shading", plain('5'), {}},
+});
+
+std::span<const PresetKeys> keys_of_preset(KeyPreset preset) {
+  switch (preset) {
+    case KeyPreset::blender: return blender_keys;
+    case KeyPreset::maya: return maya_keys;
+    case KeyPreset::viete:
+    case KeyPreset::viewer: break;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::span<const KeyPresetEntry> all_key_presets() {
+  static constexpr KeyPresetEntry all[] = {
+      {"viete", "Viete", "Q W E R choose tools, single letters switch what is seen."},
+      {"blender", "Blender",
+       "G R S move, turn and scale at once; B C A H select and hide; Tab edits the cage."},
+      {"maya", "Maya", "Q W E R choose tools, F and A frame, Alt and the mouse move the camera."},
+      {"viewer", "Viewer", "As Viete, and the left button turns the view where it is pressed on nothing."}};
+  return all;
+}
+
+bool shares_keys(std::string_view command, std::string_view other) {
+  // What has moved is reset, and in the mode that edits the cage what is selected is removed. Esc stops
+  // whatever is at work.
+  const auto is_pair = [&](std::string_view a, std::string_view b) {
+    return (command == a && other == b) || (command == b && other == a);
+  };
+  return is_pair("remove_elements", "reset_selected") || is_pair("stop_work", "stop_selecting");
+}
+
+void Keymap::set_preset(KeyPreset preset) {
+  preset_ = preset;
+  resolve();
+}
+
+void Keymap::change(std::string_view command, const Shortcut& shortcut) {
+  changes_[std::string(command)] = shortcut;
+  if (shortcut.key != Key::none) {
+    for (auto& [name, key] : changes_) {
+      if (name != command && key == shortcut && !shares_keys(name, command)) key = {};
+    }
+  }
+  resolve();
+}
+
+void Keymap::take_back(std::string_view command) {
+  if (const auto found = changes_.find(command); found != changes_.end()) changes_.erase(found);
+  resolve();
+}
+
+void Keymap::take_all_back() {
+  changes_.clear();
+  resolve();
+}
+
+Shortcuts Keymap::of(const Command& command) const {
+  const auto found = keys_.find(command.name);
+  return found == keys_.end() ? Shortcuts{} : found->second;
+}
+
+std::vector<const Command*> Keymap::commands_of(const Shortcut& shortcut) const {
+  std::vector<const Command*> found;
+  if (shortcut.key == Key::none) return found;
+  for (const Command& command : commands()) {
+    const Shortcuts keys = of(command);
+    if (keys.first == shortcut || keys.second == shortcut) found.push_back(&command);
+  }
+  return found;
+}
+
+void Keymap::give(const Command& command, const Shortcuts& shortcuts) {
+  for (auto& [name, keys] : keys_) {
+    if (shares_keys(name, command.name)) continue;
+    for (Shortcut* own : {&keys.first, &keys.second}) {
+      if (own->key != Key::none && (*own == shortcuts.first || *own == shortcuts.second)) *own = {};
+    }
+  }
+  keys_[command.name] = shortcuts;
+}
+
+void Keymap::resolve() {
+  keys_.clear();
+  for (const Command& command : commands()) keys_[command.name] = {command.shortcut, command.alternative};
+  for (const auto& [name, first, second] : keys_of_preset(preset_)) {
+    if (const Command* command = find_command(name)) give(*command, {first, second});
+  }
+  for (const auto& [name, shortcut] : changes_) {
+    if (const Command* command = find_command(name)) give(*command, {shortcut, {}});
+  }
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,68 @@
+#include "scene/mirror_edit.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "scene/anchor.h"
+#include "scene/transform.h"
+
+namespace viete::scene {
+
+using mesh::operator+, mesh::operator*;
+
+namespace {
+
+// Begins an edit of the pose; returns the positions as they were.
+std::vector<mesh::Point> begin_edit(Document& document, const char* label) {
+  document.history.record(label, snapshot_of(document));
+  ++document.revisions.pose;
+  return document.pose.positions;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> with_partners(std::vector<std::uint32_t> vertices, const Mirror* mirror) {
+  if (!mirror) return vertices;
+  const std::size_t count = vertices.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (mirror->is_paired(vertices[i])) vertices.push_back(mirror->partners[vertices[i]]);
+  }
+  std::ranges::sort(vertices);
+  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+  return vertices;
+}
+
+void copy_to_other_side(Document& document, const Mirror& mirror) {
+  const auto leading = leading_vertices(document, &mirror);
+  const auto before = begin_edit(document, "copy to the other side");
+  for (const auto v : leading) {
+    if (mirror.partners[v] == Mirror::none) continue;
+    const mesh::Point image = reflected(mirror.plane, before[v]);
+    document.pose.positions[mirror.partners[v]] = mirror.is_on_plane(v) ? 0.5 * (before[v] + image) : image;
+  }
+}
+
+void swap_sides(Document& document, const Mirror& mirror) {
+  std::vector<std::uint32_t> vertices = moving_vertices(document);
+  if (vertices.empty()) {
+    vertices.resize(mirror.partners.size());
+    std::iota(vertices.begin(), vertices.end(), 0u);
+  }
+  const auto before = begin_edit(document, "swap sides");
+  for (const auto v : with_partners(std::move(vertices), &mirror)) {
+    if (mirror.partners[v] == Mirror::none) continue;
+    document.pose.positions[v] = reflected(mirror.plane, before[mirror.partners[v]]);
+  }
+}
+
+void paste_pose(Document& document, std::span<const std::uint32_t> vertices,
+                std::span<const mesh::Point> positions, const Mirror* mirror) {
+  begin_edit(document, "paste pose");
+  for (std::size_t i = 0; i < vertices.size() && mirror; ++i) {
+    if (mirror->is_paired(vertices[i]))
+      document.pose.positions[mirror->partners[vertices[i]]] = reflected(mirror->plane, positions[i]);
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) document.pose.positions[vertices[i]] = positions[i];
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,117 @@
+// In the Cage panel: about what, along what and with what else the selection moves.
+#include "scene/hand_commands.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr float hand_label = 56;
+
+// A list of commands that choose; what it stands on is marked.
+template <class Choice>
+void hand_list(const Context& ui, const char* name, Choice now, float width) {
+  ImGui::SetNextItemWidth(width);
+  const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), scene::entry_of(now).label.data());
+  record(ui, name);
+  if (!open) return hint(std::string(scene::entry_of(now).hint));
+  const auto all = scene::choices(now);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const scene::Command& command = *scene::find_command(scene::choice_command_name(static_cast<Choice>(i)));
+    if (ImGui::Selectable(all[i].label.data(), static_cast<Choice>(i) == now) &&
+        command.enabled(ui.workspace))
+      command.run(ui.workspace);
+    record(ui, std::string(command.name));
+    hint(std::string(all[i].hint));
+  }
+  ImGui::EndCombo();
+}
+
+void hand_row(const Context& ui, const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
+  ImGui::SameLine(hand_label + ImGui::GetStyle().WindowPadding.x);
+}
+
+float half_of_rest() {
+  return 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+}
+
+void pivot_row(const Context& ui) {
+  const scene::Handling& handling = ui.workspace.handling;
+  hand_row(ui, "Pivot");
+  const float width = half_of_rest();
+  hand_list(ui, "pivot", handling.pivot, width);
+  ImGui::SameLine();
+  hand_list(ui, "axes", handling.axes, width);
+}
+
+std::string pairs_text(const scene::KnownMirror& known) {
+  if (!known.mirror) return "";
+  const std::size_t without = known.mirror->unpaired();
+  return without == 0 ? "all paired" : count(without) + " unpaired";
+}
+
+void mirror_row(const Context& ui) {
+  scene::Workspace& w = ui.workspace;
+  hand_row(ui, "Mirror");
+  const float width = half_of_rest();
+  hand_list(ui, "mirror", w.handling.mirror, width);
+  w.interaction.show_partners = ImGui::IsItemHovered() && w.mirror.mirror.has_value();
+  ImGui::SameLine();
+  const float right = ImGui::GetCursorScreenPos().x + width;
+  const bool lacks = w.mirror.mirror && w.mirror.mirror->unpaired() > 0;
+  text_right(ui, right, pairs_text(w.mirror), lacks ? ui.colors.warn : ui.colors.faint,
+             ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y);
+  ImGui::NewLine();
+}
+
+// How far it reaches, in the file's units.
+void soft_radius(const Context& ui, float width) {
+  scene::SoftSelection& soft = ui.workspace.handling.soft;
+  const double diagonal = ui.workspace.document.space.diagonal();
+  auto value = static_cast<float>(soft.radius);
+  ImGui::SetNextItemWidth(width);
+  constexpr auto flags =
+      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_Logarithmic;
+  const std::string shown = length(soft.radius * diagonal);
+  std::string format;  // a percent sign would be read as one of ImGui's
+  for (const char c : shown) format += c == '%' ? "%%" : std::string(1, c);
+  if (ImGui::SliderFloat("##soft_radius", &value, static_cast<float>(scene::SoftSelection::least_radius), 1,
+                         format.c_str(), flags))
+    soft.radius = std::max(scene::SoftSelection::least_radius, static_cast<double>(value));
+  record(ui, "soft_radius", soft.on);
+  hint("How far from the selection something still moves. During a drag the wheel changes it.");
+}
+
+void soft_rows(const Context& ui) {
+  const scene::SoftSelection& soft = ui.workspace.handling.soft;
+  const float left = ImGui::GetCursorPosX(), column = left + hand_label;
+  command_toggle(ui, "toggle_soft", soft.on);
+  ImGui::SameLine(column);
+  ImGui::BeginDisabled(!soft.on);
+  soft_radius(ui, -1);
+  ImGui::SetCursorPosX(column);
+  const float width = half_of_rest();
+  hand_list(ui, "soft_curve", soft.curve, width);
+  ImGui::SameLine();
+  hand_list(ui, "soft_distance", soft.distance, width);
+  ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void hand_settings(const Context& ui) {
+  if (!ui.workspace.document.has_cage()) return pivot_row(ui);
+  pivot_row(ui);
+  mirror_row(ui);
+  soft_rows(ui);
+  command_row(ui, {"bend", "twist", "taper", "push"});
+  command_row(ui, {"smooth", "relax", "flatten"});
+}
+
+}  // namespace viete::ui

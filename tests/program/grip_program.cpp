@@ -1,0 +1,275 @@
+// Pivot, axes, mirror and soft selection, by the mouse and the keyboard in the real program.
+#include <cmath>
+
+#include "program/driver.h"
+#include "scene/pointer.h"
+#include "scene/saving.h"
+#include "support/commands.h"
+#include "support/edits.h"
+#include "support/folder.h"
+
+using namespace viete;
+using mesh::operator-;
+using test::Driver;
+
+namespace {
+
+struct Hand : Driver {
+  Hand() { open_dragon(); }
+  explicit Hand(const std::filesystem::path& folder) {
+    test::put_file(folder / "model.obj", box(1));
+    test::put_file(folder / "cage.obj", box(1.5));
+    REQUIRE(open({folder / "model.obj", folder / "cage.obj"}));
+    settle();
+  }
+  static std::string box(double half) {
+    std::string text;
+    for (int i = 0; i < 8; ++i) {
+      text += "v";
+      for (int k = 0; k < 3; ++k) text += ' ' + std::to_string(i >> k & 1 ? half : -half);
+      text += '\n';
+    }
+    return text + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  }
+
+  std::vector<mesh::Point>& positions() { return document().pose.positions; }
+  const std::vector<mesh::Point>& rest() { return document().cage->surface.positions; }
+  std::vector<std::uint32_t> moved() {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t v = 0; v < positions().size(); ++v) {
+      if (positions()[v] != rest()[v]) all.push_back(v);
+    }
+    return all;
+  }
+  // One that is paired, and that the mouse reaches without another one in its way.
+  std::uint32_t paired_vertex() {
+    const scene::Mirror& mirror = *scene::mirror_of(workspace());
+    for (std::uint32_t v = 0; v < positions().size(); ++v) {
+      if (!mirror.is_paired(v)) continue;
+      const auto pick = scene::pick_element(document(), workspace().camera, workspace().viewport, vertex(v));
+      if (pick && pick->index == v) return v;
+    }
+    FAIL("no vertex is paired and to be seen");
+    return 0;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a drag with a mirror moves both sides, in one edit, and undo takes both back") {
+  const test::TemporaryFolder folder;
+  Hand d(folder.path());
+  d.choose("mirror", "mirror_x");
+  d.frame(2);
+  const scene::Mirror* mirror = scene::mirror_of(d.workspace());
+  REQUIRE(mirror);
+  const auto v = d.paired_vertex(), partner = mirror->partners[v];
+  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(35, -20));
+  CHECK(d.moved() == std::vector<std::uint32_t>{std::min(v, partner), std::max(v, partner)});
+  const auto way = d.positions()[v] - d.rest()[v];
+  const auto image = scene::reflected_direction(mirror->plane, d.positions()[partner] - d.rest()[partner]);
+  CHECK(mesh::norm(way - image) < 1e-9 * mesh::norm(way));
+  CHECK(d.drawn_error() < 2e-5);
+  CHECK(test::edit_count(d.document().history) == 1);
+  d.press_key('Z', true);
+  CHECK(d.moved().empty());
+}
+
+TEST_CASE("Delete with a mirror puts both sides back") {
+  const test::TemporaryFolder folder;
+  Hand d(folder.path());
+  d.choose("mirror", "mirror_x");
+  d.frame(2);
+  const auto v = d.paired_vertex();
+  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(35, -20));
+  REQUIRE(d.moved().size() == 2);
+  d.press_key(scene::Key::delete_key);
+  CHECK(d.moved().empty());
+}
+
+TEST_CASE("the wheel changes the radius of a soft selection while it is dragged") {
+  Hand d;
+  d.press_key('S');
+  REQUIRE(d.workspace().handling.soft.on);
+  const auto v = d.free_vertex();
+  const double before = d.workspace().handling.soft.radius;
+  d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(30, -20));
+  const auto few = d.moved();
+  for (int i = 0; i < 8; ++i) d.wheel(1);
+  const auto more = d.moved();
+  CHECK(d.workspace().handling.soft.radius == doctest::Approx(before * std::pow(1.1, 8)));
+  CHECK(few.size() >= 1);
+  CHECK(more.size() > few.size());
+  CHECK(d.drawn_error() < 2e-5);
+  for (int i = 0; i < 60; ++i) d.wheel(-1);
+  CHECK(d.moved() == std::vector<std::uint32_t>{v});
+  CHECK(d.drawn_error() < 2e-5);
+  d.button(0, false);
+  d.frame(2);
+  CHECK(test::edit_count(d.document().history) == 1);
+  CHECK(d.drawn_error() < 2e-5);
+  d.press_key('Z', true);
+  CHECK(d.moved().empty());
+}
+
+TEST_CASE("a pivot is placed by a click, snaps to a vertex, and is what a typed turn goes about") {
+  Hand d;
+  const auto v = d.free_vertex();
+  d.press_key('J');
+  CHECK(d.workspace().interaction.placing_pivot);
+  d.click(d.vertex(v) + glm::vec2(3, 2));
+  CHECK_FALSE(d.workspace().interaction.placing_pivot);
+  CHECK(d.workspace().handling.pivot == scene::Pivot::point);
+  REQUIRE(d.workspace().handling.point);
+  CHECK(*d.workspace().handling.point == d.positions()[v]);
+  CHECK(d.document().selection.empty());
+  d.press_key('A');
+  d.press_key('E');
+  d.frame(2);
+  d.click("transform_y");
+  d.type("90");
+  d.press_key(scene::Key::enter);
+  d.frame(3);
+  CHECK(d.positions()[v] == d.rest()[v]);
+  CHECK(d.moved().size() + 1 == d.positions().size());
+}
+
+TEST_CASE("Esc gives up placing a pivot, and a click selects again") {
+  Hand d;
+  d.press_key('J');
+  d.press_key(scene::Key::escape);
+  CHECK_FALSE(d.workspace().interaction.placing_pivot);
+  const auto v = d.free_vertex();
+  d.click(d.vertex(v));
+  CHECK(d.document().selection.contains(v));
+  CHECK(d.workspace().handling.pivot == scene::Pivot::median);
+}
+
+TEST_CASE("along the view's axes an arrow to the right moves to the right") {
+  Hand d;
+  const auto v = d.free_vertex();
+  d.click(d.vertex(v));
+  d.choose("axes", "axes_view");
+  d.frame(2);
+  const auto gizmo = scene::gizmo_of(d.workspace());
+  REQUIRE(gizmo);
+  const auto& arm = gizmo->arms[0];
+  CHECK(arm.end.x > gizmo->center.x + 60);
+  CHECK(std::abs(arm.end.y - gizmo->center.y) < 12);
+  const glm::vec2 before = d.vertex(v);
+  d.drag(glm::round(arm.tip), glm::round(arm.tip) + glm::vec2(40, 0));
+  const glm::vec2 after = d.vertex(v);
+  CHECK(after.x == doctest::Approx(before.x + 40).epsilon(0.01));
+  CHECK(after.y == doctest::Approx(before.y).epsilon(0.01));
+}
+
+TEST_CASE("a session remembers how the hand moves, and another model forgets the placed point") {
+  const test::TemporaryFolder folder;
+  Hand d;
+  scene::Handling& hand = d.workspace().handling;
+  hand = {scene::Pivot::point,
+          mesh::Point{0.25, 1, -3},
+          scene::Axes::view,
+          scene::MirrorPlane::x,
+          {true, 0.4, scene::SoftCurve::sharp, scene::SoftDistance::space}};
+  const scene::Handling chosen = hand;
+  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+  d.open_dragon();
+  CHECK(hand == chosen);  // the same model
+  hand = {};
+  REQUIRE(d.open({folder / "a.viete"}));
+  CHECK(hand == chosen);
+  test::put_file(folder / "other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  REQUIRE(d.open({folder / "other.obj"}));
+  CHECK(hand.pivot == scene::Pivot::median);
+  CHECK_FALSE(hand.point);
+  CHECK(hand.mirror == scene::MirrorPlane::x);
+}
+
+TEST_CASE(
+    "with Blender's keys G follows the cursor without a button, X and digits say how far, a click keeps it") {
+  Hand d;
+  scene::find_command("keys_blender")->run(d.workspace());
+  const auto v = d.free_vertex();
+  d.click(d.vertex(v));
+  d.move(d.vertex(v) + glm::vec2(60, 60));
+  d.press_key('G');
+  REQUIRE(d.workspace().interaction.drag);
+  d.move(d.vertex(v) + glm::vec2(90, 50));
+  CHECK(d.moved() == std::vector<std::uint32_t>{v});
+  d.type("x");
+  d.type("2");
+  d.frame();
+  CHECK(d.positions()[v][0] == doctest::Approx(d.rest()[v][0] + 2));
+  CHECK(d.positions()[v][1] == d.rest()[v][1]);
+  d.button(0, true);
+  d.button(0, false);
+  d.frame();
+  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK(d.positions()[v][0] == doctest::Approx(d.rest()[v][0] + 2));
+  CHECK(test::edit_count(d.document().history) == 1);
+  d.press_key('R');
+  d.move({700, 200});
+  d.press_key(scene::Key::escape);
+  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK(test::edit_count(d.document().history) == 1);
+  d.press_key('G');
+  d.move({800, 300});
+  d.button(1, true);
+  d.button(1, false);
+  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK(d.positions()[v][0] == doctest::Approx(d.rest()[v][0] + 2));
+}
+
+TEST_CASE("as a viewer the left button turns the view on empty space, and still drags a vertex") {
+  Hand d;
+  scene::find_command("keys_viewer")->run(d.workspace());
+  const auto before = d.workspace().camera.pose();
+  d.drag({400, 740}, {460, 720});
+  CHECK(d.workspace().camera.pose().yaw != before.yaw);
+  CHECK(d.document().selection.empty());
+  const auto v = d.free_vertex();
+  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
+  CHECK(d.moved() == std::vector<std::uint32_t>{v});
+}
+
+TEST_CASE("a double click brings a place to the middle, about which the view turns") {
+  Hand d;
+  const auto v = d.free_vertex();
+  const glm::vec2 at = d.vertex(v);
+  d.click(at);
+  d.click(at);
+  d.settle();
+  d.frame(30);
+  const auto& port = d.workspace().viewport;
+  const glm::vec2 middle = port.origin + 0.5f * port.size;
+  CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
+  d.drag({400, 740}, {480, 700}, 2);
+  CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
+}
+
+TEST_CASE("any command gets another key by a right click in the palette, and that is remembered") {
+  Hand d;
+  scene::find_command("command_palette")->run(d.workspace());
+  d.frame(2);
+  d.type("undo");
+  d.click(d.place_of("palette/undo"), 1);
+  d.frame(2);
+  REQUIRE(d.workspace().interaction.setting_key == "undo");
+  d.press_key('U', true);
+  CHECK(d.workspace().interaction.setting_key.empty());
+  const auto v = d.free_vertex();
+  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
+  REQUIRE(d.moved().size() == 1);
+  d.press_key('Z', true);
+  CHECK(d.moved().size() == 1);
+  d.press_key('U', true);
+  CHECK(d.moved().empty());
+  const test::TemporaryFolder folder;
+  scene::find_command("keys_blender")->run(d.workspace());
+  scene::write_remembered(folder / "remembered.json", d.workspace().remembered);
+  const auto read = scene::read_remembered(folder / "remembered.json");
+  CHECK(read.keymap == d.workspace().remembered.keymap);
+  CHECK(scene::text(read.keymap.of(*scene::find_command("undo")).first) == "Ctrl+U");
+  CHECK(scene::text(read.keymap.of(*scene::find_command("grab")).first) == "G");
+}

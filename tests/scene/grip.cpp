@@ -1,0 +1,265 @@
+#include "scene/grip.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+#include "scene/cube.h"
+#include "scene/edit.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+namespace {
+
+// A chain of cubes' rings along x: an arm of square rings at x = 0, 1, 2 ... 9, four vertices each.
+Document arm() {
+  Document document = test::cube_document();
+  std::vector<mesh::Point> points;
+  for (int ring = 0; ring < 10; ++ring) {
+    for (const auto& [y, z] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+      points.push_back({double(ring), double(y), double(z)});
+  }
+  std::vector<mesh::Triangle> triangles = {{0, 1, 2}, {0, 2, 3}, {38, 37, 36}, {39, 38, 36}};
+  for (std::uint32_t ring = 0; ring < 9; ++ring) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const std::uint32_t a = 4 * ring + k, b = 4 * ring + (k + 1) % 4;
+      triangles.push_back({a, a + 4, b});
+      triangles.push_back({b, a + 4, b + 4});
+    }
+  }
+  document.cage =
+      std::make_shared<const deform::Cage>(deform::make_cage(mesh::from_triangles(points, triangles)));
+  document.pose = deform::rest_pose(*document.cage);
+  return document;
+}
+
+void select(Document& document, std::uint32_t from, std::uint32_t end) {
+  std::vector<std::uint32_t> all;
+  for (auto v = from; v < end; ++v) all.push_back(v);
+  document.selection.apply(all, SelectMode::replace);
+}
+
+void check_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-12) {
+  CHECK(glm::length(a - b) <= tolerance);
+}
+
+Transform quarter_about(const Grip& grip, int axis) {
+  Transform t;
+  t.axis = grip.anchor.axes[axis];
+  t.degrees = 90;
+  return t;
+}
+
+}  // namespace
+
+TEST_CASE("a_joint_is_where_the_selection_borders_on_most_of_the_rest") {
+  Document document = arm();
+  const Camera camera;
+  select(document, 24, 40);  // the hand: rings 6 to 9
+  check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {6, 0, 0});
+  check_near(anchor_of(document, {}, nullptr, camera).center, {7.5, 0, 0});
+  select(document, 24, 32);  // rings 6 and 7: six rings stay on the left, two on the right
+  check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {6, 0, 0});
+  select(document, 4, 12);
+  check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {2, 0, 0});
+  select(document, 0, 40);  // all: nothing to join
+  check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {4.5, 0, 0});
+}
+
+TEST_CASE("turning_a_forearm_about_its_joint_leaves_the_elbow_where_it_is") {
+  Document document = arm();
+  select(document, 24, 40);
+  const Grip grip = grip_of(document, {.pivot = Pivot::joint}, nullptr, Camera());
+  REQUIRE(transform_selection(document, Tool::rotate, grip, quarter_about(grip, 2)));
+  glm::dvec3 elbow(0), tip(0);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const auto &e = document.pose.positions[24 + k], &t = document.pose.positions[36 + k];
+    elbow += 0.25 * glm::dvec3(e[0], e[1], e[2]);
+    tip += 0.25 * glm::dvec3(t[0], t[1], t[2]);
+  }
+  check_near(elbow, {6, 0, 0});
+  check_near(tip, {6, 3, 0});
+}
+
+TEST_CASE("the_active_element_is_what_was_clicked_last") {
+  Document document = arm();
+  select(document, 24, 40);
+  const Camera camera;
+  CHECK_FALSE(document.selection.active());
+  check_near(anchor_of(document, {.pivot = Pivot::active}, nullptr, camera).center, {7.5, 0, 0});
+  document.selection.apply(std::array{3u}, SelectMode::add);
+  CHECK(document.selection.active() == 3u);
+  check_near(anchor_of(document, {.pivot = Pivot::active}, nullptr, camera).center, {0, -1, 1});
+  document.selection.apply(std::array{3u}, SelectMode::remove);
+  CHECK_FALSE(document.selection.active());
+}
+
+TEST_CASE("with_pivots_of_their_own_two_ends_turn_about_their_middles") {
+  Document document = arm();
+  std::vector<std::uint32_t> ends{0, 1, 2, 3, 36, 37, 38, 39};
+  document.selection.apply(ends, SelectMode::replace);
+  const Grip grip = grip_of(document, {.pivot = Pivot::individual}, nullptr, Camera());
+  CHECK(grip.anchor.pivots.size() == 2);
+  REQUIRE(transform_selection(document, Tool::rotate, grip, quarter_about(grip, 2)));
+  // (0, 1, -1) turns about (0, 0, 0) to (-1, 0, -1), (9, 1, -1) about (9, 0, 0) to (8, 0, -1).
+  CHECK(document.pose.positions[1] == mesh::Point{-1, 0, -1});
+  CHECK(document.pose.positions[37] == mesh::Point{8, 0, -1});
+}
+
+TEST_CASE("a_placed_point_is_the_pivot_and_the_median_where_none_is_placed") {
+  Document document = arm();
+  select(document, 36, 40);
+  const Handling at_origin{.pivot = Pivot::point, .point = mesh::Point{0, 0, 0}};
+  check_near(anchor_of(document, at_origin, nullptr, Camera()).center, {0, 0, 0});
+  check_near(anchor_of(document, {.pivot = Pivot::point}, nullptr, Camera()).center, {9, 0, 0});
+}
+
+TEST_CASE("axes_are_of_length_1_and_right_handed_whatever_is_asked_for") {
+  Document document = arm();
+  const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
+  for (const ElementKind kind : {ElementKind::vertex, ElementKind::edge, ElementKind::face}) {
+    document.selection = Selection(kind);
+    for (const std::uint32_t first : {0u, 5u, 11u}) {
+      document.selection.apply(std::array{first}, SelectMode::replace);
+      for (int i = 0; i < 5; ++i) {
+        const Anchor a =
+            anchor_of(document, {.axes = static_cast<Axes>(i)}, i == 4 ? &*mirror : nullptr, Camera());
+        const glm::dmat3 square = glm::transpose(a.axes) * a.axes;
+        for (int k = 0; k < 3; ++k) check_near(square[k], glm::dmat3(1)[k], 1e-6);  // the camera's are floats
+        check_near(glm::cross(a.axes[0], a.axes[1]), a.axes[2], 1e-6);
+      }
+    }
+  }
+  document.selection = Selection(ElementKind::vertex);
+  select(document, 24, 40);  // four rings: longest along x
+  const Anchor own = anchor_of(document, {.axes = Axes::selection}, nullptr, Camera());
+  check_near(own.axes[0], {1, 0, 0}, 1e-9);
+  document.selection = Selection(ElementKind::face);
+  document.selection.apply(std::array{0u}, SelectMode::replace);
+  const Anchor of_face = anchor_of(document, {.axes = Axes::active}, nullptr, Camera());
+  CHECK(std::abs(of_face.axes[2].x) == doctest::Approx(1));  // the end's normal
+  const Anchor across = anchor_of(document, {.axes = Axes::mirror}, &*mirror, Camera());
+  check_near(across.axes[0], {0, 0, 1});
+  check_near(across.axes[1], {0, 1, 0});
+}
+
+TEST_CASE("typed_axes_are_those_that_were_chosen") {
+  Document document = arm();
+  select(document, 36, 40);
+  Grip grip = plain_grip(document);
+  grip.anchor.axes = glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
+  Transform t;
+  t.axes = grip.anchor.axes;
+  t.factors = {3, 1, 1};  // along y
+  REQUIRE(transform_selection(document, Tool::scale, grip, t));
+  CHECK(document.pose.positions[37] == mesh::Point{9, 3, -1});
+}
+
+TEST_CASE("in_a_mirror_the_other_side_moves_as_its_image") {
+  Document document = arm();
+  const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
+  REQUIRE(mirror->unpaired() == 0);
+  document.selection.apply(std::array{37u}, SelectMode::replace);  // (9, 1, -1); partner 38 (9, 1, 1)
+  const Grip grip = grip_of(document, {.mirror = MirrorPlane::z}, &*mirror, Camera());
+  CHECK(vertices_of(grip) == std::vector<std::uint32_t>{37, 38});
+  Transform t;
+  t.shift = {0.25, 2, -0.5};
+  REQUIRE(transform_selection(document, Tool::move, grip, t));
+  CHECK(document.pose.positions[37] == mesh::Point{9.25, 3, -1.5});
+  CHECK(document.pose.positions[38] == mesh::Point{9.25, 3, 1.5});
+  undo(document);
+  CHECK(document.pose.positions == document.cage->surface.positions);
+}
+
+TEST_CASE("where_both_sides_are_selected_one_leads_and_the_other_follows") {
+  Document document = arm();
+  const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
+  select(document, 36, 40);
+  CHECK(leading_vertices(document, &*mirror).size() == 2);
+  document.selection.apply(std::array{36u}, SelectMode::add);  // z = -1 is active
+  CHECK(leading_vertices(document, &*mirror) == std::vector<std::uint32_t>{36, 37});
+  const Grip grip = grip_of(document, {}, &*mirror, Camera());
+  check_near(grip.anchor.center, {9, 0, -1});
+  Transform t;
+  t.shift = {0, 0, -1};
+  REQUIRE(transform_selection(document, Tool::move, grip, t));
+  for (std::uint32_t v = 36; v < 40; ++v) CHECK(std::abs(document.pose.positions[v][2]) == 2);
+}
+
+TEST_CASE("what_is_on_the_mirrors_plane_does_not_leave_it") {
+  Document document = arm();
+  std::vector<mesh::Point> points = document.cage->surface.positions;
+  for (auto& p : points)
+    p[2] = p[2] > 0 ? 0 : p[2];  // now two rows are on z = 0, and have no partner but themselves
+  mesh::Surface surface = document.cage->surface;
+  surface.positions = points;
+  document.cage = std::make_shared<const deform::Cage>(deform::make_cage(surface));
+  document.pose = deform::rest_pose(*document.cage);
+  const Mirror mirror{{{0, 0, 1}, 0}, [] {
+                        std::vector<std::uint32_t> partners(40, Mirror::none);
+                        for (std::uint32_t v = 0; v < 40; ++v) partners[v] = v % 4 >= 2 ? v : Mirror::none;
+                        return partners;
+                      }()};
+  select(document, 36, 40);
+  const Grip grip = grip_of(document, {}, &mirror, Camera());
+  Transform t;
+  t.shift = {0.5, 0.5, 3};
+  REQUIRE(transform_selection(document, Tool::move, grip, t));
+  CHECK(document.pose.positions[38] == mesh::Point{9.5, 1.5, 0});
+  CHECK(document.pose.positions[36] == mesh::Point{9.5, -0.5, 2});
+}
+
+TEST_CASE("what_goes_along_softly_moves_by_its_share_and_turns_by_its_share") {
+  Document document = arm();
+  select(document, 36, 40);
+  Handling handling;
+  handling.soft = {.on = true, .radius = 4 / document.space.diagonal(), .curve = SoftCurve::linear};
+  const Grip grip = grip_of(document, handling, nullptr, Camera());
+  CHECK(grip.vertices.size() == 16);  // rings 6 to 9; ring 5 is at the radius
+  Transform t;
+  t.shift = {0, 0, 2};
+  REQUIRE(transform_selection(document, Tool::move, grip, t));
+  CHECK(document.pose.positions[36][2] == doctest::Approx(1));
+  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // 3 quarters of 2
+  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // a quarter
+  CHECK(document.pose.positions[20][2] == -1);
+  undo(document);
+  const Grip turning = grip_of(document, handling, nullptr, Camera());
+  REQUIRE(transform_selection(document, Tool::rotate, turning, quarter_about(turning, 0)));
+  // Of ring 7 half of 90 degrees: (y, z) = (-1, -1) to (0, -sqrt 2).
+  CHECK(document.pose.positions[28][1] == doctest::Approx(0).epsilon(1e-12));
+  CHECK(document.pose.positions[28][2] == doctest::Approx(-std::sqrt(2)));
+}
+
+TEST_CASE("soft_selection_respects_the_mirror") {
+  Document document = arm();
+  const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
+  document.selection.apply(std::array{37u}, SelectMode::replace);
+  Handling handling;
+  handling.soft = {.on = true, .radius = 2.5 / document.space.diagonal(), .curve = SoftCurve::linear};
+  const Grip grip = grip_of(document, handling, &*mirror, Camera());
+  Transform t;
+  t.shift = {0, 1, -1};
+  REQUIRE(transform_selection(document, Tool::move, grip, t));
+  for (std::uint32_t v = 0; v < 40; ++v) {
+    const auto &p = document.pose.positions[v], &q = document.pose.positions[mirror->partners[v]];
+    CHECK(p[0] == doctest::Approx(q[0]));
+    CHECK(p[1] == doctest::Approx(q[1]));
+    CHECK(p[2] == doctest::Approx(-q[2]));
+  }
+  CHECK(document.pose.positions[33][1] == doctest::Approx(1.6));
+}
+
+TEST_CASE("what_a_grip_does_not_move_keeps_its_bits") {
+  Document document = arm();
+  for (auto& p : document.pose.positions) p = {p[0] / 3, p[1] / 7, p[2] / 11};
+  const auto before = document.pose.positions;
+  const Mirror mirror{{{0.6, 0, 0.8}, 0.1}, mirror_of(*document.cage, MirrorPlane::z)->partners};
+  select(document, 20, 40);
+  Handling handling;
+  handling.soft.on = true;
+  const Grip grip = grip_of(document, handling, &mirror, Camera());
+  apply(Transform{}, grip, before, document.pose.positions);
+  CHECK(document.pose.positions == before);
+}

@@ -1,0 +1,86 @@
+#include "scene/keymap.h"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "scene/commands.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+namespace {
+
+Shortcuts keys_of(const Keymap& keymap, std::string_view command) {
+  return keymap.of(*find_command(command));
+}
+
+}  // namespace
+
+TEST_CASE("every_key_is_written_and_read_back") {
+  for (const char* written :
+       {"Ctrl+Shift+Z", "Num +", "Ctrl+Num -", "Alt+.", "F11", "Shift+Alt+A", "Num .", "Esc"}) {
+    const auto shortcut = shortcut_of(written);
+    REQUIRE_MESSAGE(shortcut, written);
+    CHECK(text(*shortcut) == written);
+  }
+  CHECK(shortcut_of("shift+CTRL+z") == shortcut_of("Ctrl+Shift+Z"));
+  CHECK(shortcut_of("") == Shortcut{});
+  for (const char* wrong : {"Hyper+A", "Ctrl+", "F99", "AB", "\xC3\xA9", "+", "Ctrl++A"})
+    CHECK_MESSAGE(!shortcut_of(wrong), wrong);
+}
+
+TEST_CASE("in_every_preset_a_key_runs_one_command") {
+  for (std::size_t i = 0; i < all_key_presets().size(); ++i) {
+    Keymap keymap;
+    keymap.set_preset(static_cast<KeyPreset>(i));
+    for (const Command& command : commands()) {
+      const Shortcuts keys = keymap.of(command);
+      for (const Shortcut& key : {keys.first, keys.second}) {
+        for (const Command* other : keymap.commands_of(key))
+          CHECK_MESSAGE((other == &command || shares_keys(other->name, command.name)), command.name, " and ",
+                        other->name, " by ", text(key), " in ", all_key_presets()[i].word);
+      }
+    }
+  }
+}
+
+TEST_CASE("presets_give_hands_their_keys_and_take_them_from_others") {
+  Keymap keymap;
+  CHECK(text(keys_of(keymap, "toggle_grid").first) == "G");
+  CHECK(text(keys_of(keymap, "grab").first).empty());
+  keymap.set_preset(KeyPreset::blender);
+  CHECK(text(keys_of(keymap, "grab").first) == "G");
+  CHECK(text(keys_of(keymap, "toggle_grid").first).empty());
+  CHECK(text(keys_of(keymap, "select_none").first) == "Alt+A");
+  CHECK(text(keys_of(keymap, "undo").first) == "Ctrl+Z");
+  keymap.set_preset(KeyPreset::maya);
+  CHECK(text(keys_of(keymap, "frame_all").first) == "A");
+  CHECK(text(keys_of(keymap, "place_pivot").first) == "Insert");
+  CHECK(keymap.alt_moves_camera());
+  keymap.set_preset(KeyPreset::viewer);
+  CHECK(keymap.left_orbits());
+  CHECK(text(keys_of(keymap, "toggle_grid").first) == "G");
+}
+
+TEST_CASE("a_changed_key_is_taken_from_others_and_given_back") {
+  Keymap keymap;
+  const Keymap fresh;
+  keymap.change("toggle_grid", {key('F'), true});
+  CHECK(text(keys_of(keymap, "toggle_grid").first) == "Ctrl+F");
+  keymap.change("toggle_axes", {key('G')});
+  keymap.change("toggle_ghost", {key('G')});  // takes it from the axes, whose own key does not come back
+  CHECK(text(keys_of(keymap, "toggle_ghost").first) == "G");
+  CHECK(text(keys_of(keymap, "toggle_axes").first).empty());
+  keymap.change("undo", {});
+  CHECK(text(keys_of(keymap, "undo").first).empty());
+  keymap.set_preset(KeyPreset::blender);
+  CHECK(text(keys_of(keymap, "toggle_ghost").first) == "G");  // own changes stay
+  CHECK(text(keys_of(keymap, "grab").first).empty());
+  keymap.take_back("toggle_ghost");
+  CHECK(text(keys_of(keymap, "grab").first) == "G");
+  keymap.take_all_back();
+  keymap.set_preset(KeyPreset::viete);
+  CHECK(keymap == fresh);
+  CHECK(text(keys_of(keymap, "undo").first) == "Ctrl+Z");
+}

@@ -1,0 +1,102 @@
+#include "scene/mirror.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+#include "scene/cube.h"
+#include "scene/edit.h"
+#include "scene/mirror_edit.h"
+#include "support/edits.h"
+
+using namespace viete;
+using namespace viete::scene;
+
+TEST_CASE("vertices_of_a_cube_are_partners_across_every_axis") {
+  const Document document = test::cube_document();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto mirror = mirror_of(*document.cage, static_cast<MirrorPlane>(1 + axis));
+    REQUIRE(mirror);
+    CHECK(mirror->unpaired() == 0);
+    for (std::uint32_t v = 0; v < 8; ++v) CHECK(mirror->partners[v] == (v ^ (1u << axis)));
+  }
+  CHECK_FALSE(mirror_of(*document.cage, MirrorPlane::none));
+}
+
+TEST_CASE("the_plane_goes_through_the_middle_of_a_cage_that_stands_aside") {
+  mesh::Surface surface = test::cube(1);
+  for (auto& p : surface.positions) p[0] += 7;
+  const deform::Cage cage = deform::make_cage(std::move(surface));
+  const auto mirror = mirror_of(cage, MirrorPlane::x);
+  REQUIRE(mirror);
+  CHECK(mirror->plane.offset == doctest::Approx(7));
+  CHECK(mirror->unpaired() == 0);
+}
+
+TEST_CASE("the_plane_that_fits_a_turned_cage_pairs_all_of_it") {
+  mesh::Surface surface = test::cube(1);
+  for (auto& p : surface.positions) {
+    p[1] *= 2, p[2] *= 3;
+    p = {0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2]};
+  }
+  const deform::Cage cage = deform::make_cage(std::move(surface));
+  const auto mirror = mirror_of(cage, MirrorPlane::fit);
+  REQUIRE(mirror);
+  CHECK(mirror->unpaired() == 0);
+  for (std::uint32_t v = 0; v < 8; ++v) CHECK(mirror->partners[mirror->partners[v]] == v);
+}
+
+TEST_CASE("a_vertex_without_an_image_has_no_partner_and_one_on_the_plane_is_its_own") {
+  // A roof: two feet, and a ridge on the plane; one more vertex hangs on the right alone.
+  const deform::Cage cage = deform::make_cage(
+      mesh::from_triangles({{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 2}, {1, 0, 2}, {0, 1, 2}, {3, 0, 1}},
+                           {{0, 2, 3}, {2, 5, 3}, {1, 4, 2}, {4, 5, 2}, {1, 6, 4}}));
+  const auto mirror = mirror_of(cage, MirrorPlane::x);
+  REQUIRE(mirror);
+  CHECK(mirror->partners == std::vector<std::uint32_t>{1, 0, 2, 4, 3, 5, Mirror::none});
+  CHECK(mirror->unpaired() == 1);
+  CHECK(mirror->is_on_plane(2));
+  CHECK_FALSE(mirror->is_paired(2));
+}
+
+TEST_CASE("reflecting_twice_brings_back") {
+  const cages::Plane plane{{0.6, 0, 0.8}, 0.3};
+  const mesh::Point p{1.7, -2, 0.4};
+  const mesh::Point image = reflected(plane, p), back = reflected(plane, image);
+  CHECK(mesh::dot(plane.normal, image) + mesh::dot(plane.normal, p) == doctest::Approx(2 * plane.offset));
+  for (int i = 0; i < 3; ++i) CHECK(back[i] == doctest::Approx(p[i]));
+}
+
+TEST_CASE("a_side_is_copied_to_the_other_and_swapped_and_undone") {
+  Document document = test::cube_document();
+  const auto rest = document.pose.positions;
+  const auto mirror = mirror_of(*document.cage, MirrorPlane::x);
+  document.pose.positions[1] = {2, -1, -1};  // of the side of larger x
+  document.pose.positions[0] = {-9, 0, 0};   // its partner
+  const auto posed = document.pose.positions;
+  document.selection.apply(std::array{1u}, SelectMode::replace);
+  copy_to_other_side(document, *mirror);
+  CHECK(document.pose.positions[0] == mesh::Point{-2, -1, -1});
+  CHECK(document.pose.positions[1] == mesh::Point{2, -1, -1});
+  undo(document);
+  CHECK(document.pose.positions == posed);
+  document.selection.clear();
+  swap_sides(document, *mirror);
+  CHECK(document.pose.positions[0] == mesh::Point{-2, -1, -1});
+  CHECK(document.pose.positions[1] == mesh::Point{9, 0, 0});
+  swap_sides(document, *mirror);
+  CHECK(document.pose.positions == posed);
+  CHECK(test::edit_count(document.history) == 2);
+}
+
+TEST_CASE("what_is_known_of_a_mirror_follows_cage_and_choice") {
+  KnownMirror known;
+  Document document = test::cube_document();
+  known.follow(document.cage, MirrorPlane::y);
+  REQUIRE(known.get());
+  CHECK(known.get()->partners[0] == 2);
+  known.follow(document.cage, MirrorPlane::none);
+  CHECK_FALSE(known.get());
+  known.follow(nullptr, MirrorPlane::x);
+  CHECK_FALSE(known.get());
+}
