@@ -214,11 +214,8 @@ void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
     workspace.interaction.stroke.emplace(workspace.document);
     return paint(workspace, input);
   }
-  if (input.double_click && gesture_ == Gesture::pressed && workspace.document.model.surface) {
-    gesture_ = Gesture::ignored;
-    const mesh::Point place = pivot_place(workspace, press_);
-    return workspace.camera.center(workspace.document.space.to_view(place));
-  }
+  again_ = input.double_click && clicked_;
+  clicked_ = false;
   handle_ = handle_under(workspace, press_);
   grabbed_ = element_under(workspace, press_);
   crowded_ =
@@ -420,6 +417,11 @@ void Pointer::release(Workspace& workspace, const PointerInput& input) {
 
 // A click on a handle reaches what is below it, but on nothing it keeps the selection.
 void Pointer::click(Workspace& workspace) {
+  clicked_ = !again_;
+  if (std::exchange(again_, false) && workspace.document.model.surface) {
+    const mesh::Point place = pivot_place(workspace, press_);
+    return workspace.camera.center(workspace.document.space.to_view(place));
+  }
   Selection selection = workspace.document.selection;
   if (grabbed_) {
     selection.apply(std::array{grabbed_->index}, mode_);

@@ -122,6 +122,7 @@ private:
   std::optional<SelectShape> shape_;  // was armed when the button went down
   bool crowded_ = false;
   SelectMode mode_ = SelectMode::replace;
+  bool clicked_ = false, again_ = false;  // the last press was a click; this one is the second of two
   Selection selection_before_;
   Revision surfaces_ = 0;
   Revision cage_ = 0;

@@ -40,7 +40,6 @@ void panel_cage(const Context& ui) {
   value_row(ui, "Selected", count(document.selection.size()) + " of " + count(elements));
   transform_fields(ui);
   command_row(ui, {"undo", "redo", "reset_pose"});
-  panel_select(ui);
   editing(ui);
   command_row(ui, {"open_pose", "save_pose"});
   command_row(ui, {"open_cage", "make_cage", "save_cage"});

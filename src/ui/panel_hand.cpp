@@ -1,4 +1,4 @@
-// In the Cage panel: about what, along what and with what else the selection moves.
+// About what, along what and with what else the selection moves.
 #include "scene/hand_commands.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -103,11 +103,23 @@ void soft_rows(const Context& ui) {
   ImGui::EndDisabled();
 }
 
+// What is in force while it is closed.
+std::string hand_text(const scene::Workspace& w) {
+  std::string text(scene::entry_of(w.handling.pivot).label);
+  if (scene::mirror_of(w)) text += ", mirrored";
+  if (w.handling.soft.on) text += ", soft";
+  return text;
+}
+
 }  // namespace
 
-void hand_settings(const Context& ui) {
-  if (!ui.workspace.document.has_cage()) return pivot_row(ui);
+void panel_hand(const Context& ui) {
+  if (!ui.workspace.document.is_movable()) return;
+  const bool open = section(ui, "Hand");
+  section_note(ui, hand_text(ui.workspace));
+  if (!open) return;
   pivot_row(ui);
+  if (!ui.workspace.document.has_cage()) return;
   mirror_row(ui);
   soft_rows(ui);
   command_row(ui, {"bend", "twist", "taper", "push"});

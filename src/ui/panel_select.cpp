@@ -1,4 +1,4 @@
-// In the Cage panel: what to select, how, and sets of it by name.
+// What to select, how, and sets of it by name.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -74,6 +74,7 @@ void sets(const Context& ui) {
 }  // namespace
 
 void panel_select(const Context& ui) {
+  if (!ui.workspace.document.has_cage() || !section(ui, "Select")) return;
   command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
   command_choice(ui, {"select_box", "select_lasso", "select_brush"}, armed_place(ui.workspace));
   command_row(ui, {"select_more", "select_less", "select_loop"});

@@ -24,6 +24,8 @@ void tools(const Context& ui) {
   if (!begin_column(ui, "Tools", 0, ui.workspace.viewport.origin.x)) return;
   panel_model(ui);
   panel_cage(ui);
+  panel_hand(ui);
+  panel_select(ui);
   panel_probes(ui);
   panel_measures(ui);
   panel_view(ui);

@@ -17,8 +17,9 @@ void column_edges(const Context& ui);  ///< to drag, and tabs that fold a column
 
 void panel_model(const Context& ui);
 void panel_cage(const Context& ui);
-void panel_select(const Context& ui);  ///< part of the cage's section: ways to select, and sets by name
+void panel_select(const Context& ui);  ///< ways to select, and sets by name
 void panel_making(const Context& ui);  ///< part of the cage's section: one that is being made
+void panel_hand(const Context& ui);
 void panel_probes(const Context& ui);
 void panel_checks(const Context& ui);
 void panel_measures(const Context& ui);
@@ -40,7 +41,6 @@ float work_bar(const Context& ui,
                float bottom);              ///< what is being read, bound or written, how far, and Cancel
 void notice_bar(const Context& ui);        ///< unsaved work that can be brought back
 void transform_fields(const Context& ui);  ///< a part of the cage's panel, or of the probes'
-void hand_settings(const Context& ui);     ///< a part of them: pivot, axes, mirror, soft selection
 void hand_overlay(const Context& ui);      ///< partners, radius and pivot in the view
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);

@@ -122,7 +122,6 @@ void transform_fields(const Context& ui) {
     field(ui, shown, axis, width);
   }
   ImGui::EndDisabled();
-  hand_settings(ui);
 }
 
 }  // namespace viete::ui

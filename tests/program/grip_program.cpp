@@ -174,8 +174,6 @@ TEST_CASE("a session remembers how the hand moves, and another model forgets the
           {true, 0.4, scene::SoftCurve::sharp, scene::SoftDistance::space}};
   const scene::Handling chosen = hand;
   REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
-  d.open_dragon();
-  CHECK(hand == chosen);  // the same model
   hand = {};
   REQUIRE(d.open({folder / "a.viete"}));
   CHECK(hand == chosen);
@@ -246,6 +244,18 @@ TEST_CASE("a double click brings a place to the middle, about which the view tur
   CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
   d.drag({400, 740}, {480, 700}, 2);
   CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
+}
+
+TEST_CASE("a drag at once after a click is a drag and no double click") {
+  Hand d;
+  const auto v = d.free_vertex();
+  const auto before = d.workspace().camera.destination();
+  d.click(d.vertex(v));
+  d.click("tool_select");  // no gizmo is in the way
+  d.click(d.vertex(v));
+  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
+  CHECK(d.moved() == std::vector<std::uint32_t>{v});
+  CHECK(d.workspace().camera.destination() == before);
 }
 
 TEST_CASE("any command gets another key by a right click in the palette, and that is remembered") {

@@ -404,6 +404,9 @@ TEST_CASE("a_field_takes_its_number_when_it_is_left_and_not_before") {
     d.click(glm::vec2(700, 60));
     CHECK(d.document().selection.empty());
     CHECK(d.point()[1] == 1.5);
+    d.press_key('Z', true);  // selects again
+    CHECK_FALSE(d.document().selection.empty());
+    CHECK(d.point()[1] == 1.5);
     d.press_key('Z', true);
     CHECK(d.pose() == d.rest);
   }
@@ -513,6 +516,7 @@ TEST_CASE("what_is_painted_stays_while_the_cage_moves_and_ctrl_and_undo_let_it_f
   CHECK((!after || std::ranges::count(*after, 0.0f) < stays));
   d.press_key('Z', true);
   CHECK(d.document().mask == painted);
+  d.press_key('Z', true);  // what was selected
   d.press_key('Z', true);
   CHECK_FALSE(d.document().mask);
   // Esc takes back what is being painted.
