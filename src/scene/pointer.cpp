@@ -166,8 +166,10 @@ Pointer::Gesture Pointer::camera_gesture(const Workspace& workspace, int button,
 
 // As a drag by the middle of the gizmo, but without a button.
 void Pointer::begin_grab(Workspace& workspace, const PointerInput& input) {
+  const bool wanted = !input.escape && shows_selectable(workspace) && !workspace.document.selection.empty();
+  if (wanted && !input.over_view) return;  // a button of the panels was clicked: it begins in the view
   const auto [tool, shape] = *std::exchange(workspace.interaction.grab, std::nullopt);
-  if (!shows_selectable(workspace) || workspace.document.selection.empty() || !input.over_view) return;
+  if (!wanted) return;
   gesture_ = Gesture::grabbed;
   button_ = left_button;
   press_ = last_.position = input.position;

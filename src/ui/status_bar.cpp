@@ -28,6 +28,8 @@ std::string mouse_text(const scene::Workspace& w) {
                  "slows;  Esc or right button takes it back"
                : "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button "
                  "takes it back";
+  if (w.interaction.grab)
+    return "Move the pointer into the view: the selection follows it;  Esc leaves it as it is";
   if (w.interaction.placing_pivot)
     return "Click a vertex, an edge or the model: the selection turns about that place;  Esc takes it back";
   if (const std::string selecting = select_hint(w); !selecting.empty()) return selecting;

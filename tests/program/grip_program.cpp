@@ -219,6 +219,29 @@ TEST_CASE(
   CHECK(d.positions()[v][0] == doctest::Approx(d.rest()[v][0] + 2));
 }
 
+TEST_CASE("a button of the panel twists what is selected once the pointer is in the view") {
+  Hand d;
+  d.press_key('A');
+  d.click("twist");
+  CHECK_FALSE(d.workspace().interaction.drag);
+  d.move({700, 300});
+  d.frame();
+  REQUIRE(d.workspace().interaction.drag);
+  d.move({760, 300});
+  CHECK_FALSE(d.moved().empty());
+  d.type("90");
+  d.press_key(scene::Key::enter);
+  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK_FALSE(d.moved().empty());
+  d.press_key('Z', true);
+  CHECK(d.moved().empty());
+  d.click("bend");
+  d.press_key(scene::Key::escape);
+  d.move({700, 300});
+  d.frame();
+  CHECK_FALSE(d.workspace().interaction.drag);
+}
+
 TEST_CASE("as a viewer the left button turns the view on empty space, and still drags a vertex") {
   Hand d;
   scene::find_command("keys_viewer")->run(d.workspace());

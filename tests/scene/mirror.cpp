@@ -89,6 +89,23 @@ TEST_CASE("a_side_is_copied_to_the_other_and_swapped_and_undone") {
   CHECK(test::edit_count(document.history) == 2);
 }
 
+TEST_CASE("what_is_hidden_on_the_other_side_stays_where_it_is") {
+  Document document = test::cube_document();
+  const auto mirror = mirror_of(*document.cage, MirrorPlane::x);
+  document.groups.hidden = {0};
+  document.pose.positions[1] = {2, -1, -1};
+  const auto posed = document.pose.positions;
+  document.selection.apply(std::array{1u}, SelectMode::replace);
+  copy_to_other_side(document, *mirror);
+  CHECK(document.pose.positions[0] == posed[0]);
+  swap_sides(document, *mirror);
+  CHECK(document.pose.positions[0] == posed[0]);
+  const std::vector<mesh::Point> pasted{{5, 5, 5}};
+  paste_pose(document, std::array{1u}, pasted, &*mirror);
+  CHECK(document.pose.positions[0] == posed[0]);
+  CHECK(document.pose.positions[1] == mesh::Point{5, 5, 5});
+}
+
 TEST_CASE("what_is_known_of_a_mirror_follows_cage_and_choice") {
   KnownMirror known;
   Document document = test::cube_document();

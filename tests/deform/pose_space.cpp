@@ -1,0 +1,193 @@
+#include "deform/pose_space.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "deform/face_maps.h"
+#include "deform/shapes.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+struct Posed {
+  std::shared_ptr<const Cage> cage;
+  PoseSpace space;
+
+  explicit Posed(mesh::Surface surface)
+      : cage(std::make_shared<const Cage>(make_cage(std::move(surface)))), space(cage) {}
+
+  const std::vector<mesh::Point>& rest() const { return cage->surface.positions; }
+  Pose by(const Affine& map) const { return {mapped(rest(), map), {}}; }
+  // A share of one pose, and the way between two.
+  Pose share(const Pose& pose, double factor) const {
+    const PoseVector v = space.vector(pose);
+    const std::array terms{PoseTerm{&v, factor}};
+    return space.pose(sum(*cage, terms), space.held_from_rest(terms));
+  }
+  Pose between(const PoseVector& a, const PoseVector& b, double t) const {
+    const std::array terms{PoseTerm{&a, 1 - t}, PoseTerm{&b, t}};
+    return space.pose(sum(*cage, terms), space.held_between(a, b));
+  }
+  double error(const Pose& pose, const std::vector<mesh::Point>& expected) const {
+    return largest_distance(pose.positions, expected) / cage->diagonal;
+  }
+};
+
+std::vector<mesh::Point> shaken(const Posed& p, double size) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(0, size * p.cage->diagonal);
+  auto positions = p.rest();
+  for (auto& x : positions) x = x + Vec3{normal(random), normal(random), normal(random)};
+  return positions;
+}
+
+}  // namespace
+
+TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
+  const Posed p(tube(9, 7, 0.3, 2));
+  for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 2, -3}}) {
+    for (const double angle : {180.0, 179.999, 90.0, 20.0, -150.0}) {
+      const Pose half = p.share(p.by(similarity(axis, angle * degree)), 0.5);
+      const auto quarter = mapped(p.rest(), similarity(axis, angle * degree / 2));
+      // At 180 degrees a turn to either side is half of it.
+      const auto other = mapped(p.rest(), similarity(axis, -angle * degree / 2));
+      const double error = p.error(half, quarter);
+      CHECK((angle == 180 ? std::min(error, p.error(half, other)) : error) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("a_pose_comes_back_from_its_vector") {
+  const Posed p(tube(9, 7, 0.3, 2));
+  for (const double size : {0.001, 0.01, 0.1, 1.0}) {
+    const Pose pose{shaken(p, size), {}};
+    CHECK(p.error(p.share(pose, 1), pose.positions) < 1e-12);
+    CHECK(p.error(p.share(pose, 0), p.rest()) == 0);
+  }
+}
+
+TEST_CASE("a_pose_that_collapses_or_mirrors_comes_back_too") {
+  const Posed p(box());
+  for (const Vec3& scale : {Vec3{1, 1, 0}, Vec3{-1, 1, 1}, Vec3{0, 0, 0}, Vec3{1, 1e-9, 1}}) {
+    const Pose pose = p.by({{scale[0], 0, 0, 0, scale[1], 0, 0, 0, scale[2]}, {0.5, 0, 0}});
+    CHECK(p.error(p.share(pose, 1), pose.positions) < 1e-12);
+    CHECK(all_finite(p.share(pose, 0.5).positions));
+    CHECK(all_finite(p.share(pose, 1.5).positions));
+  }
+}
+
+TEST_CASE("shares_of_a_stretch_are_its_powers_and_a_negative_one_undoes_it") {
+  const Posed p(tube(9, 7, 0.3, 2));
+  const Pose doubled = p.by({{2, 0, 0, 0, 2, 0, 0, 0, 2}});
+  for (const double share : {0.5, 1.0, 1.5, -0.5, -1.0}) {
+    const double s = std::pow(2, share);
+    CHECK(p.error(p.share(doubled, share), mapped(p.rest(), Affine{{s, 0, 0, 0, s, 0, 0, 0, s}})) < 1e-12);
+  }
+}
+
+TEST_CASE("a_turn_and_a_stretch_in_one_are_shared_each_for_itself") {
+  const Posed p(box());
+  const Pose pose = p.by(similarity({1, 1, 0}, 100 * degree, 4));
+  CHECK(p.error(p.share(pose, 0.5), mapped(p.rest(), similarity({1, 1, 0}, 50 * degree, 2))) < 1e-12);
+}
+
+TEST_CASE("540_degrees_are_three_half_turns") {
+  const Posed p(box());
+  const double whole = 540 * degree;
+  Pose pose = p.by(similarity({0, 0, 1}, whole));
+  pose.turns = {{0, 0, whole}};
+  for (const double share : {1.0 / 3, 2.0 / 3, 1.0, 0.25}) {
+    const Pose part = p.share(pose, share);
+    CHECK(p.error(part, mapped(p.rest(), similarity({0, 0, 1}, share * whole))) < 1e-12);
+    CHECK(part.turns[0][2] == doctest::Approx(share * whole));
+  }
+}
+
+TEST_CASE("a_pose_that_says_nothing_of_whole_turns_takes_those_nearest_to_the_pose_before") {
+  const Posed p(box());
+  PoseVector before = p.space.vector(p.by({}));
+  for (double angle = 0; angle <= 720; angle += 90) {
+    const PoseVector v = p.space.vector(p.by(similarity({0, 0, 1}, angle * degree)), before.turns);
+    CHECK(v.turns[0][2] == doctest::Approx(angle * degree));
+    if (angle > 0)
+      CHECK(p.error(p.between(before, v, 0.5),
+                    mapped(p.rest(), similarity({0, 0, 1}, (angle - 45) * degree))) < 1e-12);
+    before = v;
+  }
+}
+
+TEST_CASE("what_stands_still_stands_and_the_limb_turns_about_where_it_hangs") {
+  const Posed p(tube(9, 8, 0.3, 4));
+  // The upper half turns about y by 90 degrees, at the middle of the tube.
+  Pose pose{p.rest(), {}};
+  const Affine turn = similarity({0, 1, 0}, 90 * degree);
+  for (auto& x : pose.positions)
+    if (x[2] > 0.1) x = turn(x);
+  const PoseVector rest = p.space.vector({p.rest(), {}}), posed = p.space.vector(pose);
+  double tip = 0, least = 1e9;
+  for (int i = 0; i <= 20; ++i) {
+    const Pose part = p.between(rest, posed, i / 20.0);
+    for (std::size_t v = 0; v < p.rest().size(); ++v)
+      if (p.rest()[v][2] < -0.1) CHECK(norm(part.positions[v] - p.rest()[v]) < 2e-2);
+    tip = norm(part.positions.back());
+    least = std::min(least, tip);
+  }
+  // In a straight line it would come to 1.41.
+  CHECK(least > 1.9);
+  const std::array half{PoseTerm{&rest, 0.5}, PoseTerm{&posed, 0.5}};
+  CHECK(norm(p.space.straight(sum(*p.cage, half)).positions.back()) == doctest::Approx(std::sqrt(2.0)));
+}
+
+TEST_CASE("parts_and_loose_vertices_each_go_their_way") {
+  mesh::Surface surface = together(box(), box({1, 1, 1}, {5, 0, 0}));
+  surface.positions.push_back({9, 9, 9});
+  const Posed p(surface);
+  Pose pose{p.rest(), {}};
+  const Affine turn = similarity({0, 0, 1}, 180 * degree * (1 - 1e-9), 1);
+  for (std::size_t v = 8; v < 16; ++v) pose.positions[v] = turn(p.rest()[v] - Vec3{5, 0, 0}) + Vec3{5, 2, 0};
+  pose.positions[16] = {9, 9, 11};
+  const Pose half = p.share(pose, 0.5);
+  const Affine quarter = similarity({0, 0, 1}, 90 * degree);
+  for (std::size_t v = 0; v < 8; ++v) CHECK(norm(half.positions[v] - p.rest()[v]) < 1e-12);
+  for (std::size_t v = 8; v < 16; ++v)
+    CHECK(norm(half.positions[v] - (quarter(p.rest()[v] - Vec3{5, 1, 0}) + Vec3{5, 1, 0})) < 1e-7);
+  CHECK(half.positions[16] == mesh::Point{9, 9, 10});
+}
+
+TEST_CASE("vertices_at_the_same_place_stay_together_where_both_poses_have_them_so") {
+  mesh::Surface surface = tube(5, 6, 0.5, 2);
+  // Every triangle has corners of its own.
+  mesh::Surface cut;
+  std::vector<mesh::Point> positions;
+  std::vector<mesh::Triangle> triangles;
+  for (const auto& t : surface.triangles) {
+    const auto n = static_cast<std::uint32_t>(positions.size());
+    for (const auto v : t) positions.push_back(surface.positions[v]);
+    triangles.push_back({n, n + 1, n + 2});
+  }
+  const Posed whole(surface), p(mesh::from_triangles(positions, triangles));
+  const auto bend = [](const mesh::Point& x) {
+    return mesh::Point{x[0] + 0.3 * x[2] * x[2], x[1] + 0.2 * x[0] * x[2], x[2]};
+  };
+  const Pose half = p.share({mapped(p.rest(), bend), {}}, 0.5);
+  const Pose expected = whole.share({mapped(whole.rest(), bend), {}}, 0.5);
+  for (std::size_t e = 0; e < surface.triangles.size(); ++e)
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(norm(half.positions[3 * e + k] - expected.positions[surface.triangles[e][k]]) < 0.01);
+}
+
+TEST_CASE("poses_far_from_rest_lose_nothing_but_what_their_numbers_cannot_hold") {
+  const Posed p(tube(9, 7, 0.3, 2));
+  const Vec3 far{1e6, -3e5, 7e5};
+  const PoseVector a = p.space.vector(p.by({.shift = far}));
+  const PoseVector b = p.space.vector(p.by(similarity({0, 0, 1}, 120 * degree, 1, far)));
+  CHECK(p.error(p.between(a, b, 0.5), mapped(p.rest(), similarity({0, 0, 1}, 60 * degree, 1, far))) < 1e-9);
+}
+
+TEST_CASE("a_pose_of_another_number_of_vertices_is_refused") {
+  const Posed p(box());
+  CHECK_THROWS(p.space.vector({{{0, 0, 0}}, {}}));
+}
