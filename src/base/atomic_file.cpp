@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -57,16 +58,20 @@ std::string_view process_of_part(std::string_view name) {
   return ours ? process : "";
 }
 
-// A process in another container, or on another machine that shares the folder, is not in our list of
-// processes, but its part is locked.
-void remove_if_stale(const fs::path& part) {
-  if (process_runs(process_of_part(part.filename().string()))) return;
+// What a running program writes is locked.
+void remove_if_left(const fs::path& part) {
   const int handle = open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (handle < 0) return;
   struct stat status {};
   const bool ours = fstat(handle, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid();
   if (ours && flock(handle, LOCK_EX | LOCK_NB) == 0) unlink(part.c_str());
   close(handle);
+}
+
+// A process in another container, or on another machine that shares the folder, is not in our list of
+// processes, but its part is locked.
+void remove_if_stale(const fs::path& part) {
+  if (!process_runs(process_of_part(part.filename().string()))) remove_if_left(part);
 }
 
 // Those of one target, or of any for an empty name.
@@ -82,6 +87,23 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
     parts.push_back(at->path());
   }
   std::for_each(parts.begin(), parts.end(), remove_if_stale);
+}
+
+// "dragon.pc2.0123456789abcdef.unfinished"; without a key all after it.
+constexpr std::string_view unfinished_extension = ".unfinished";
+constexpr std::size_t key_digits = 16;
+
+fs::path unfinished_of(const fs::path& target, std::uint64_t key) {
+  char digits[key_digits + 1];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(key));
+  return target.string() + "." + digits + std::string(unfinished_extension);
+}
+
+bool is_unfinished_of(const std::string& target, std::string_view name) {
+  if (!name.starts_with(target + ".") || !name.ends_with(unfinished_extension)) return false;
+  name.remove_prefix(target.size() + 1);
+  name.remove_suffix(unfinished_extension.size());
+  return name.size() == key_digits && name.find_first_not_of("0123456789abcdef") == name.npos;
 }
 
 // What may be kept of an existing file's mode: a program that was handed other rights (setuid, setgid) loses
@@ -105,12 +127,55 @@ public:
     if (handle_ < 0) fail(target, errno);
     flock(handle_, LOCK_EX | LOCK_NB);  // tells others that it is at work, where the file system can
   }
+
+  // One that an earlier run may have begun, and that stays for the next one.
+  NewFile(const fs::path& target, const fs::path& unfinished)
+      : target_(target), path_(unfinished), stays_(true) {
+    while (handle_ < 0) {
+      handle_ = open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+      if (handle_ < 0) fail(target, errno);
+      if (flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        close(handle_);
+        throw Error(target.string(), "another program is writing this file right now",
+                    "wait for it, or choose another name");
+      }
+      struct stat opened {
+      }, named{};
+      if (fstat(handle_, &opened) != 0 || !S_ISREG(opened.st_mode)) {
+        close(handle_);
+        throw Error(path_, "this is not a regular file", "remove it, or choose another name");
+      }
+      const bool same = stat(path_.c_str(), &named) == 0 && named.st_ino == opened.st_ino;
+      if (!same) close(std::exchange(handle_, -1));  // another program has just finished it
+    }
+  }
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
 
   ~NewFile() {
     if (handle_ >= 0) close(handle_);
-    if (!path_.empty()) unlink(path_.c_str());
+    if (!path_.empty() && !stays_) unlink(path_.c_str());
+  }
+
+  void discard() { stays_ = false; }
+
+  std::uint64_t size() const {
+    struct stat status {};
+    if (fstat(handle_, &status) != 0) fail(target_, errno);
+    return static_cast<std::uint64_t>(status.st_size);
+  }
+
+  std::string beginning(std::size_t bytes) const {
+    std::string read(bytes, '\0');
+    const ssize_t got = pread(handle_, read.data(), bytes, 0);
+    if (got < 0) fail(target_, errno);
+    read.resize(static_cast<std::size_t>(got));
+    return read;
+  }
+
+  void cut(std::uint64_t size) {
+    if (ftruncate(handle_, static_cast<off_t>(size)) != 0 || lseek(handle_, 0, SEEK_END) < 0)
+      fail(target_, errno);
   }
 
   void write_all(std::string_view bytes) {
@@ -140,6 +205,14 @@ public:
     path_.clear();
   }
 
+  // While it is still locked, so that no other program goes on with it.
+  void become_target_locked() {
+    if (rename(path_.c_str(), target_.c_str()) != 0) fail(target_, errno);
+    path_.clear();
+    if (close(std::exchange(handle_, -1)) != 0) fail(target_, errno);
+  }
+
+  const fs::path& target() const { return target_; }
   fs::path folder() const { return target_.parent_path(); }
 
 private:
@@ -152,6 +225,7 @@ private:
   fs::path target_;
   std::string path_;
   int handle_ = -1;
+  bool stays_ = false;
 };
 
 namespace {
@@ -262,6 +336,50 @@ void FilesTogether::replace() {
     if (durability_ == Durability::power_cut) sync_folder(file->folder());
   }
   files_.clear();
+}
+
+GrowingFile::GrowingFile(const fs::path& path, std::uint64_t key) {
+  const fs::path target = checked_target(path);
+  file_ = std::make_unique<NewFile>(target, unfinished_of(target, key));
+  cut(file_->size());
+}
+
+GrowingFile::~GrowingFile() {
+  if (size_ == 0) file_->discard();
+}
+
+std::string GrowingFile::beginning(std::size_t bytes) const {
+  return file_->beginning(bytes);
+}
+
+void GrowingFile::cut(std::uint64_t size) {
+  file_->cut(size);
+  size_ = size;
+}
+
+void GrowingFile::append(std::string_view bytes) {
+  file_->write_all(bytes);
+  size_ += bytes.size();
+}
+
+void GrowingFile::finish(Durability durability) {
+  file_->settle(durability);
+  file_->become_target_locked();
+  if (durability == Durability::power_cut) sync_folder(file_->folder());
+  const std::string name = file_->target().filename().string();
+  std::vector<fs::path> left;
+  std::error_code code;
+  const fs::path folder = file_->folder();
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end;
+       at.increment(code)) {
+    if (is_unfinished_of(name, at->path().filename().string())) left.push_back(at->path());
+  }
+  std::ranges::for_each(left, remove_if_left);
+}
+
+void GrowingFile::discard() {
+  file_->discard();
+  size_ = 0;
 }
 
 }  // namespace viete::base

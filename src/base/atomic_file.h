@@ -1,10 +1,12 @@
 // Replaces a file as a whole or not at all.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -56,6 +58,37 @@ private:
   struct File;
   std::vector<std::unique_ptr<File>> files_;
   Durability durability_;
+};
+
+/// A file that several runs of a program may write, one going on where the last one was ended, however
+/// sudden: until finish() it is called `NAME.KEY.unfinished` beside its place, and what is at its place stays
+/// as it was. Bytes are there in the order they were appended, also after a power cut as far as the file
+/// system keeps a file's size behind its bytes (ext4, XFS and btrfs do). One thread at a time.
+class GrowingFile {
+public:
+  /// key: of all that the bytes are made from, so that no run goes on with what was meant differently. Throws
+  /// what replace_file() throws, and Error where another program writes the same right now.
+  GrowingFile(const std::filesystem::path& path, std::uint64_t key);
+  /// The unfinished file stays for the next run, unless it is empty.
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  std::uint64_t size() const { return size_; }
+  /// Its first bytes, at most so many. Throws Error.
+  std::string beginning(std::size_t bytes) const;
+  /// Keeps its first bytes only. Throws Error.
+  void cut(std::uint64_t size);
+  /// Throws Error: a full disk.
+  void append(std::string_view bytes);
+  /// Takes its place; what other runs have left unfinished for this place is removed. Throws Error.
+  void finish(Durability durability = Durability::power_cut);
+  /// Removes it; what is at its place stays as it was.
+  void discard();
+
+private:
+  std::unique_ptr<class NewFile> file_;
+  std::uint64_t size_ = 0;
 };
 
 /// Throws what replace_file() would throw now for this place, for work that takes long before it writes; and

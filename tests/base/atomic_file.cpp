@@ -199,3 +199,73 @@ TEST_CASE("a_name_that_is_taken_is_numbered") {
   CHECK(base::unused_name(folder / "a.b.png") == folder / "a.b-3.png");
   CHECK(base::unused_name(folder / "none" / "a") == folder / "none" / "a");
 }
+
+namespace {
+
+constexpr const char* unfinished = "a.00000000000000ff.unfinished";
+
+}  // namespace
+
+TEST_CASE("a_growing_file_goes_on_where_the_last_run_ended_and_then_takes_its_place") {
+  const test::TemporaryFolder folder;
+  replace_file(folder / "a", "older");
+  {
+    base::GrowingFile file(folder / "a", 255);
+    CHECK(file.size() == 0);
+    file.append("one two th");
+  }
+  CHECK(test::file_bytes(folder / "a") == "older");
+  CHECK(test::file_bytes(folder / unfinished) == "one two th");
+  base::GrowingFile file(folder / "a", 255);
+  CHECK(file.size() == 10);
+  CHECK(file.beginning(3) == "one");
+  CHECK(file.beginning(99) == "one two th");
+  file.cut(8);
+  file.append("three");
+  CHECK(file.size() == 13);
+  file.finish();
+  CHECK(test::file_bytes(folder / "a") == "one two three");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("what_is_made_of_something_else_is_not_gone_on_with_and_leaves_with_the_finished_file") {
+  const test::TemporaryFolder folder;
+  base::GrowingFile(folder / "a", 1).append("old");
+  base::GrowingFile(folder / "ab", 1).append("another file's");
+  base::GrowingFile file(folder / "a", 2);
+  CHECK(file.size() == 0);
+  file.append("new");
+  base::GrowingFile locked(folder / "a", 3);
+  locked.append("somebody else's");
+  CHECK(folder.entries() == 4);
+  file.finish();
+  CHECK(folder.entries() == 3);  // the finished one, that of another name, and the one that is being written
+  CHECK(test::file_bytes(folder / "a") == "new");
+  CHECK(test::file_bytes(folder / "ab.0000000000000001.unfinished") == "another file's");
+}
+
+TEST_CASE("a_growing_file_is_one_program_s_alone_and_an_empty_or_discarded_one_leaves_nothing") {
+  const test::TemporaryFolder folder;
+  {
+    base::GrowingFile file(folder / "a", 255);
+    CHECK_THROWS_WITH_AS(base::GrowingFile(folder / "a", 255),
+                         doctest::Contains("another program is writing this file"), base::Error);
+  }
+  CHECK(folder.entries() == 0);
+  {
+    base::GrowingFile file(folder / "a", 255);
+    file.append("bytes");
+    file.discard();
+  }
+  CHECK(folder.entries() == 0);
+  fs::create_symlink("/etc/passwd", folder / unfinished);
+  CHECK_THROWS_AS(base::GrowingFile(folder / "a", 255), base::Error);
+  CHECK_THROWS_AS(base::GrowingFile(folder / "none/a", 255), base::Error);
+  {
+    base::GrowingFile file(folder / "b", 255);
+    file.append("bytes");
+    const test::FullDisk full(8);
+    CHECK_THROWS_AS(file.append("more than there is room for"), base::Error);
+  }
+  CHECK_FALSE(fs::exists(folder / "b"));
+}

@@ -1,0 +1,72 @@
+#include "base/numbered_files.h"
+
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+#include "support/folder.h"
+
+using namespace viete;
+using base::NumberedFile;
+using base::NumberedName;
+
+TEST_CASE("a_pattern_names_the_files_of_a_sequence") {
+  CHECK(NumberedName("a/frame_####.obj").file(7) == "a/frame_0007.obj");
+  CHECK(NumberedName("frame_%04d.obj").file(7) == "frame_0007.obj");
+  CHECK(NumberedName("frame_%d.obj").file(7) == "frame_7.obj");
+  CHECK(NumberedName("#.ply").file(12345) == "12345.ply");
+  CHECK(NumberedName("a_####.ply").file(-7) == "a_-007.ply");
+  CHECK(NumberedName("100%_##.ply").file(3) == "100%_03.ply");  // a sign of its own
+  CHECK(NumberedName("a#b/c%d.ply").file(3) == "a#b/c3.ply");   // a place in the folder is none
+  CHECK(NumberedName("x/a_%03d.obj").pattern() == "x/a_###.obj");
+}
+
+TEST_CASE("a_pattern_without_one_place_for_the_number_is_refused_with_an_example") {
+  for (const char* bad : {"frame.obj", "a#_#.obj", "%d_##.obj", "%4d.obj", "%x.obj", "####/a.obj", ""}) {
+    try {
+      NumberedName name{std::filesystem::path(bad)};
+      FAIL_CHECK(bad);
+    } catch (const base::Error& error) {
+      CHECK(error.place() == bad);
+      CHECK(error.advice().find("frame_####") != std::string::npos);
+    }
+  }
+  CHECK(NumberedName::is_pattern("a_#.obj"));
+  CHECK_FALSE(NumberedName::is_pattern("a_#/b.obj"));
+}
+
+TEST_CASE("a_number_is_read_back_from_the_names_that_are_given_and_from_no_others") {
+  const NumberedName name("frame_###.obj");
+  for (const std::int64_t n : {0L, 1L, 999L, 1000L, 123456789012L, -1L, -12345L})
+    CHECK(name.number(name.file(n).string()) == n);
+  for (const char* other : {"frame_1.obj", "frame_0001.obj", "frame_abc.obj", "frame_.obj", "frame_001.ply",
+                            "frame_001.obj.bak", "frame_+01.obj", "frame_99999999999999999999.obj"})
+    CHECK_MESSAGE(!name.number(other), other);
+}
+
+TEST_CASE("files_of_a_sequence_are_found_by_number_and_gaps_are_told") {
+  const test::TemporaryFolder folder;
+  const NumberedName name(folder / "f_##.obj");
+  CHECK(name.find().empty());
+  CHECK(NumberedName(folder / "none/f_##.obj").find().empty());
+  for (const int n : {100, 2, 1, 4, 9, 8}) test::put_file(name.file(n), "x");
+  for (const char* other : {"f_1.obj", "g_01.obj", "f_01.ply"}) test::put_file(folder / other, "x");
+  const auto found = name.find();
+  std::vector<std::int64_t> numbers;
+  for (const NumberedFile& f : found) numbers.push_back(f.number);
+  CHECK(numbers == std::vector<std::int64_t>{1, 2, 4, 8, 9, 100});
+  CHECK(found[5].path == folder / "f_100.obj");
+  CHECK(base::missing_numbers(found) == "3, 5 to 7, 10 to 99");
+  std::vector<NumberedFile> many;
+  for (int n = 0; n < 40; n += 2) many.push_back({n, ""});
+  CHECK(base::missing_numbers(many) == "1, 3, 5, 7, 9, 11, 13, 15 and 11 more gaps");
+}
+
+TEST_CASE("one_file_leads_to_its_sequence") {
+  const test::TemporaryFolder folder;
+  for (int n = 1; n <= 12; ++n) test::put_file(folder / ("wing" + std::to_string(n) + ".obj"), "x");
+  CHECK(NumberedName::of_file(folder / "wing10.obj")->find().size() == 12);
+  CHECK(NumberedName::of_file(folder / "wing2.obj")->find().size() == 12);
+  for (int n = 1; n <= 12; ++n) test::put_file(NumberedName(folder / "v2_pose_###_a.obj").file(n), "x");
+  CHECK(NumberedName::of_file(folder / "v2_pose_010_a.obj")->find().size() == 12);
+  CHECK_FALSE(NumberedName::of_file(folder / "plain.obj"));
+}

@@ -1,0 +1,36 @@
+// One input as a point cache: it must answer with frames of numbers or with base::Error, and nothing else.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "base/error.h"
+#include "mesh/point_cache.h"
+
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace viete;
+  try {
+    const mesh::PointCache cache("fuzz", {reinterpret_cast<const char*>(data), size});
+    const mesh::PointCacheHead& head = cache.head();
+    require(head.points > 0 && head.frames > 0);
+    require(head.points <= size && head.frames <= size && 12 * head.points * head.frames <= size);
+    require(head.seconds.size() == (head.format == mesh::PointCacheFormat::mdd ? head.frames : 0));
+    require(std::isfinite(head.start) && std::isfinite(head.rate) && head.rate > 0);
+    for (const std::size_t i : {std::size_t{0}, head.frames - 1}) {
+      const auto points = cache.frame(i);
+      require(points.size() == head.points);
+      for (const auto& p : points) require(std::isfinite(p[0] + p[1] + p[2]));
+    }
+  } catch (const base::Error& error) {
+    require(!error.place().empty());
+  }
+  return 0;
+}
