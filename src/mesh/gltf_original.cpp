@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "mesh/gltf_beyond.h"
+#include "mesh/gltf_morphs.h"
 #include "mesh/gltf_output.h"
 #include "mesh/gltf_rewriter.h"
 #include "mesh/image_files.h"
@@ -23,8 +24,10 @@ public:
   GltfOriginal(const Source& source, GltfFile file, GltfMap map)
       : owner_(source.owner),
         bytes_(source.owner ? source.bytes : std::string_view()),
-        file_(std::move(file)),
-        map_(std::move(map)) {}
+        shared_file_(std::make_shared<const GltfFile>(std::move(file))),
+        shared_map_(std::make_shared<const GltfMap>(std::move(map))),
+        file_(*shared_file_),
+        map_(*shared_map_) {}
 
   bool writes(std::string_view extension) const override { return extension == "gltf" || extension == "glb"; }
   std::vector<std::string> beyond_attributes() const override { return mesh::beyond_attributes(file_); }
@@ -47,7 +50,22 @@ public:
       base::replace_file(path, bytes_);
       return {};
     }
-    GltfRewritten result = rewritten_gltf(file_, map_, rest, positions);
+    return write_result(path, rewritten_gltf(file_, map_, rest, positions), progress);
+  }
+
+  std::vector<std::string> write_animated(const fs::path& path, const Surface& rest,
+                                          std::span<const Point> positions, const MorphAnimation& animation,
+                                          base::Progress* progress) const override {
+    check_animation(animation, rest.positions.size());
+    return write_result(path, rewritten_gltf(file_, map_, rest, positions, &animation, progress), progress);
+  }
+
+  std::shared_ptr<const MorphClip> morphs() const override { return gltf_morphs(shared_file_, shared_map_); }
+
+private:
+  std::vector<std::string> write_result(const fs::path& path, GltfRewritten result,
+                                        base::Progress* progress) const {
+    const bool binary = extension_of(path) == "glb";
     lead_images(path, result);
     if (!binary && !file_.other_chunks.empty())
       result.notes.push_back("chunks of kinds that are not known here are left out: glTF as text has none");
@@ -62,7 +80,6 @@ public:
     return std::move(result.notes);
   }
 
-private:
   bool is_at_rest(const Surface& rest, std::span<const Point> positions) const {
     return !bytes_.empty() && std::ranges::equal(rest.positions, positions);
   }
@@ -148,8 +165,10 @@ private:
 
   std::shared_ptr<const void> owner_;
   std::string_view bytes_;
-  GltfFile file_;
-  GltfMap map_;
+  std::shared_ptr<const GltfFile> shared_file_;
+  std::shared_ptr<const GltfMap> shared_map_;
+  const GltfFile& file_;
+  const GltfMap& map_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@
 #include "base/error.h"
 #include "mesh/conversion.h"
 #include "mesh/gltf_file.h"
+#include "mesh/gltf_morph_output.h"
 #include "mesh/normals.h"
 
 namespace viete::mesh {
@@ -54,7 +56,8 @@ struct HashOfVertex {
 
 class GltfMaker {
 public:
-  explicit GltfMaker(const Content& content) : surface_(content.surface), positions_(content.positions) {
+  explicit GltfMaker(const Content& content, bool animated = false)
+      : surface_(content.surface), positions_(content.positions), animated_(animated) {
     if (content.attributes) given_ = *content.attributes;
     if (given_.groups.empty() || given_.groups.front().first_polygon != 0)
       given_.groups.insert(given_.groups.begin(), Group{});
@@ -71,12 +74,94 @@ public:
   OutputJson document;
   std::string bytes;
 
+  // After all else.
+  void animate(const MorphAnimation& animation, base::Progress* progress) {
+    const MorphTargets targets = morph_targets(animation, positions_);
+    if (targets.keys.empty()) return;
+    Surface base = surface_;
+    base.positions.assign(positions_.begin(), positions_.end());
+    list_normals();
+    GltfMorphs out(document, bytes);
+    for (std::size_t t = 0; t < targets.keys.size(); ++t) {
+      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(targets.keys.size()));
+      add_target(out, base, animation.keys[targets.keys[t]].positions, animation.normals);
+    }
+    std::vector<std::size_t> nodes;  // of which each primitive is one of consecutive ones
+    for (const Made& made : made_) {
+      if (nodes.empty() || nodes.back() != made.as_written.node) nodes.push_back(made.as_written.node);
+    }
+    out.finish(animation, targets, nodes, std::vector<std::size_t>(nodes.size(), 0),
+               [](int) { return std::vector<double>(); });
+    document["buffers"] = {{{"byteLength", bytes.size()}}};
+  }
+
 private:
   struct Run {
     std::vector<OutputVertex> vertices;
     std::vector<std::uint32_t> indices;
     std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
   };
+
+  // A primitive that is there, and what its vertices are.
+  struct Made {
+    MorphedVertices as_written;
+    std::vector<OutputVertex> vertices;
+    bool has_normals;
+  };
+
+  // Those of the file and then those computed for vertices without, as corners and vertices name them.
+  void list_normals() {
+    normals_ = given_.normals;
+    normals_.insert(normals_.end(), vertex_normals_.begin(), vertex_normals_.end());
+    corner_normal_.resize(surface_.corners.size());
+    for (std::size_t c = 0; c < corner_normal_.size(); ++c)
+      corner_normal_[c] =
+          normal_of(surface_.corners[c], given_.corner_normal.empty() ? none : given_.corner_normal[c]);
+  }
+
+  std::uint32_t normal_of(std::uint32_t vertex, std::uint32_t normal) const {
+    if (normal != none || vertex_normals_.empty()) return normal;
+    return static_cast<std::uint32_t>(given_.normals.size()) + vertex;
+  }
+
+  void add_target(GltfMorphs& out, const Surface& base, std::span<const Point> now, bool with_normals) const {
+    std::vector<Vec3> normals;
+    if (with_normals) normals = deformed_normals(base, now, normals_, corner_normal_);
+    for (const Made& made : made_) {
+      const bool turns = with_normals && made.has_normals;
+      std::vector<double> places(made.as_written.positions.begin(), made.as_written.positions.end()), turned;
+      if (turns) turned.assign(made.as_written.normals.begin(), made.as_written.normals.end());
+      for (std::size_t i = 0; i < made.vertices.size(); ++i) {
+        const OutputVertex& v = made.vertices[i];
+        const auto at = static_cast<std::ptrdiff_t>(3 * i);
+        if (now[v.vertex] != positions_[v.vertex]) std::ranges::copy(now[v.vertex], places.begin() + at);
+        if (!turns) continue;
+        const Vec3& n = normals[normal_of(v.vertex, v.normal)];
+        const double length = norm(n);
+        if (n != normals_[normal_of(v.vertex, v.normal)] && length > 0)
+          std::ranges::copy((1 / length) * n, turned.begin() + at);
+      }
+      out.add_target(made.as_written, places, turned, {});
+    }
+  }
+
+  void keep_as_written(std::size_t object, const OutputJson& primitive, const Run& run) {
+    Made made{{object, {document["meshes"][object]["primitives"].size()}, {}, {}, {}}, run.vertices, false};
+    const OutputJson& attributes = primitive["attributes"];
+    made.as_written.positions = floats_of(attributes["POSITION"]);
+    made.has_normals = attributes.contains("NORMAL");
+    if (made.has_normals) made.as_written.normals = floats_of(attributes["NORMAL"]);
+    made_.push_back(std::move(made));
+  }
+
+  std::vector<float> floats_of(std::size_t accessor) const {
+    const OutputJson& view =
+        document["bufferViews"][document["accessors"][accessor]["bufferView"].get<std::size_t>()];
+    std::vector<float> values(view["byteLength"].get<std::size_t>() / sizeof(float));
+    std::memcpy(values.data(), bytes.data() + view["byteOffset"].get<std::size_t>(),
+                values.size() * sizeof(float));
+    return values;
+  }
 
   void add_node(std::size_t number, const std::string& name) {
     document["scenes"][0]["nodes"].push_back(number);
@@ -102,7 +187,9 @@ private:
     }
     for (const auto& [key, run] : runs) {
       const auto& [object, material, smooth] = key;
-      document["meshes"][object]["primitives"].push_back(primitive_of(run, material, smooth));
+      OutputJson primitive = primitive_of(run, material, smooth);
+      if (animated_) keep_as_written(object, primitive, run);
+      document["meshes"][object]["primitives"].push_back(std::move(primitive));
     }
   }
 
@@ -253,6 +340,10 @@ private:
   Objects objects_;
   std::map<Color, std::uint32_t> first_with_color_;
   std::vector<Vec3> vertex_normals_;  // computed for corners without
+  bool animated_;
+  std::vector<Made> made_;  // of what is animated
+  std::vector<Vec3> normals_;
+  std::vector<std::uint32_t> corner_normal_;
 };
 
 // Names of other files may hold bytes that are not UTF-8.
@@ -282,17 +373,29 @@ void put_chunk(std::string_view bytes, std::string_view kind, char padding, Text
   out.text(std::string(padded_to_four(bytes.size()) - bytes.size(), padding));
 }
 
+void put_made(GltfMaker& made, bool binary, TextWriter& out) {
+  if (binary) return write_glb_chunks(json_text(made.document), made.bytes, {}, out);
+  made.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(made.bytes);
+  out.text(json_text(made.document, 2)).text("\n");
+}
+
 }  // namespace
 
 void write_glb(const Content& content, TextWriter& out) {
-  const GltfMaker made(content);
-  write_glb_chunks(json_text(made.document), made.bytes, {}, out);
+  GltfMaker made(content);
+  put_made(made, true, out);
 }
 
 void write_gltf(const Content& content, TextWriter& out) {
   GltfMaker made(content);
-  made.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(made.bytes);
-  out.text(json_text(made.document, 2)).text("\n");
+  put_made(made, false, out);
+}
+
+void write_gltf_animated(const Content& content, const MorphAnimation& animation, bool binary,
+                         TextWriter& out, base::Progress* progress) {
+  GltfMaker made(content, true);
+  made.animate(animation, progress);
+  put_made(made, binary, out);
 }
 
 void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,

@@ -8,11 +8,15 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <tuple>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "base/error.h"
+#include "base/quantity.h"
 #include "mesh/gltf_accessors.h"
+#include "mesh/gltf_morph_output.h"
+#include "mesh/gltf_sharing.h"
 #include "mesh/normals.h"
 
 namespace viete::mesh {
@@ -25,7 +29,7 @@ using Json = GltfJson;
 class GltfRewriter {
 public:
   GltfRewriter(const GltfFile& file, const GltfMap& map, const Surface& rest,
-               std::span<const Point> positions)
+               std::span<const Point> positions, const MorphAnimation* animation, base::Progress* progress)
       : file_(file),
         map_(map),
         rest_(rest),
@@ -34,10 +38,12 @@ public:
         accessors_(file, *model_),
         document_(Json::parse(file.json)) {
     for (const GltfBuffer& buffer : file.buffers) buffers_.push_back(buffer.bytes);
+    if (animation) find_morphing(*animation);
     for (const GltfPiece& piece : map.pieces) {
-      if (moves(piece)) moved_.push_back(&piece);
+      if (moves(piece) || morphs(piece)) moved_.push_back(&piece);
     }
     if (!moved_.empty()) rewrite();
+    if (animation) put_morphs(*animation, progress);
   }
 
   GltfRewritten take() && { return {std::move(document_), std::move(buffers_), std::move(notes_)}; }
@@ -55,23 +61,43 @@ private:
     return false;
   }
 
+  // Placements of which a vertex is elsewhere at some key.
+  void find_morphing(const MorphAnimation& animation) {
+    std::vector<char> vertices(posed_.size(), 0);
+    for (const MorphKey& key : animation.keys) {
+      for (std::size_t v = 0; v < posed_.size(); ++v) vertices[v] |= key.positions[v] != posed_[v];
+    }
+    morphing_.assign(map_.placements.size(), false);
+    for (const GltfPiece& piece : map_.pieces) {
+      for (std::size_t i = 0; i < piece.count && !morphing_[piece.placement]; ++i)
+        morphing_[piece.placement] = vertices[map_.surface_vertex[piece.first + i]];
+    }
+  }
+
+  bool morphs(const GltfPiece& piece) const { return !morphing_.empty() && morphing_[piece.placement]; }
+
   void rewrite() {
     part_instances();
-    count_uses();
-    list_bytes();
+    sharing_.emplace(document_, *model_, accessors_);
     list_primitives();
     carry_vectors();
     for (const GltfPiece* piece : moved_) {
-      const GltfPlacement& placement = map_.placements[piece->placement];
-      const auto inverse = placement.map.inverse();
-      if (!inverse)
-        throw base::Error(file_.name + ": node " + std::to_string(placement.node),
-                          "flattens its mesh, so that no deformation can be put back into it",
-                          "apply the node's scale in a modelling program first, or write another format");
-      put_positions(*piece, *inverse);
-      put_normals(*piece, *inverse);
-      put_tangents(*piece, *inverse);
+      const AffineMap inverse = inverse_of(*piece);
+      if (!moves(*piece)) continue;
+      put(*piece, "POSITION", piece->positions, 3, positions_of(*piece, inverse));
+      if (piece->normals >= 0) put(*piece, "NORMAL", piece->normals, 3, normals_of(*piece, inverse));
+      if (piece->tangents >= 0) put(*piece, "TANGENT", piece->tangents, 4, tangents_of(*piece, inverse));
     }
+  }
+
+  AffineMap inverse_of(const GltfPiece& piece) const {
+    const GltfPlacement& placement = map_.placements[piece.placement];
+    const auto inverse = placement.map.inverse();
+    if (!inverse)
+      throw base::Error(file_.name + ": node " + std::to_string(placement.node),
+                        "flattens its mesh, so that no deformation can be put back into it",
+                        "apply the node's scale in a modelling program first, or write another format");
+    return *inverse;
   }
 
   // Each node that has moved a mesh of several gets its own.
@@ -93,31 +119,6 @@ private:
       notes_.push_back(
           std::string(parted == 1 ? "1 copy" : std::to_string(parted) + " copies") +
           " of meshes that several nodes share are meshes of their own now, for each deforms differently");
-  }
-
-  // How often each accessor is named, wherever that is.
-  void count_uses() {
-    uses_.assign(document_["accessors"].size(), 0);
-    const auto use = [&](const Json& value) {
-      if (const auto accessor = count_of(value); accessor && *accessor < uses_.size()) ++uses_[*accessor];
-    };
-    const auto use_all = [&](const Json& attributes) {
-      if (!attributes.is_object()) return;
-      for (const auto& [key, value] : attributes.items()) use(value);
-    };
-    for (const Json& mesh : list_of(document_, "meshes")) {
-      for (const Json& primitive : list_of(mesh, "primitives")) {
-        use_all(member_of(primitive, "attributes"));
-        use(member_of(primitive, "indices"));
-        for (const Json& target : list_of(primitive, "targets")) use_all(target);
-      }
-    }
-    for (const Json& node : list_of(document_, "nodes"))
-      use_all(member_of(member_of(member_of(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes"));
-    for (const Json& animation : list_of(document_, "animations")) {
-      for (const Json& sampler : list_of(animation, "samplers")) use_all(sampler);
-    }
-    for (const Json& skin : list_of(document_, "skins")) use(member_of(skin, "inverseBindMatrices"));
   }
 
   // Normals and tangents of all vertices of the file, in the scene.
@@ -142,37 +143,130 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
-  void put_positions(const GltfPiece& piece, const AffineMap& inverse) {
+  std::vector<float> positions_of(const GltfPiece& piece, const AffineMap& inverse) const {
     std::vector<float> values = floats(piece.positions, 3);
     for (std::size_t i = 0; i < piece.count; ++i) {
       if (moves(piece.first + i))
         set(values, 3 * i, inverse.of_point(posed_[map_.surface_vertex[piece.first + i]]));
     }
-    put(piece, "POSITION", piece.positions, 3, values);
+    return values;
   }
 
-  void put_normals(const GltfPiece& piece, const AffineMap& inverse) {
-    if (piece.normals < 0) return;
+  std::vector<float> normals_of(const GltfPiece& piece, const AffineMap& inverse) const {
     std::vector<float> values = floats(piece.normals, 3);
     for (std::size_t i = 0; i < piece.count; ++i) {
       const Vec3& n = normals_[piece.first + i];
       if (n != unmoved_normals_[piece.first + i]) set(values, 3 * i, unit_or_zero(inverse.of_normal(n)));
     }
-    put(piece, "NORMAL", piece.normals, 3, values);
+    return values;
   }
 
-  void put_tangents(const GltfPiece& piece, const AffineMap& inverse) {
-    if (piece.tangents < 0) return;
+  // Of a piece without normals it need not be at a right angle to anything.
+  static Vec3 local_tangent(const AffineMap& inverse, const Vec3& tangent, const Vec3& normal) {
+    const Vec3 n = unit_or_zero(inverse.of_normal(normal)), t = inverse.of_vector(tangent);
+    return unit_or_zero(t - dot(t, n) * n);
+  }
+
+  std::vector<float> tangents_of(const GltfPiece& piece, const AffineMap& inverse) const {
     std::vector<float> values = floats(piece.tangents, 4);
     for (std::size_t i = 0; i < piece.count; ++i) {
-      const Vec3 &t = tangents_[piece.first + i], &old = unmoved_tangents_[piece.first + i];
-      if (t == old) continue;
-      const Vec3 n =
-          piece.normals < 0 ? Vec3{0, 0, 0} : unit_or_zero(inverse.of_normal(normals_[piece.first + i]));
-      const Vec3 local = inverse.of_vector(t);
-      set(values, 4 * i, unit_or_zero(local - dot(local, n) * n));
+      const std::size_t v = piece.first + i;
+      if (tangents_[v] != unmoved_tangents_[v])
+        set(values, 4 * i, local_tangent(inverse, tangents_[v], normal_of(piece, normals_, v)));
     }
-    put(piece, "TANGENT", piece.tangents, 4, values);
+    return values;
+  }
+
+  static Vec3 normal_of(const GltfPiece& piece, const std::vector<Vec3>& normals, std::size_t vertex) {
+    return piece.normals < 0 ? Vec3{0, 0, 0} : normals[vertex];
+  }
+
+  struct MorphedPiece {
+    const GltfPiece* piece;
+    AffineMap inverse;
+    MorphedVertices vertices;
+  };
+
+  // Pieces that differ in nothing but texture points have their primitives in common.
+  std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
+    std::vector<MorphedPiece> found;
+    std::set<std::array<int, 4>> seen;
+    for (const GltfPiece* piece : moved_) {
+      const bool is_new =
+          seen.insert({static_cast<int>(piece->placement), piece->positions, piece->normals, piece->tangents})
+              .second;
+      if (!morphs(*piece) || !is_new) continue;
+      const GltfPlacement& placement = map_.placements[piece->placement];
+      MorphedPiece made{piece, inverse_of(*piece), {}};
+      made.vertices.node = static_cast<std::size_t>(placement.node);
+      made.vertices.primitives = primitive_numbers(*piece);
+      made.vertices.positions = positions_of(*piece, made.inverse);
+      if (with_normals && piece->normals >= 0) made.vertices.normals = normals_of(*piece, made.inverse);
+      if (with_normals && piece->tangents >= 0) {
+        const std::vector<float> four = tangents_of(*piece, made.inverse);
+        for (std::size_t i = 0; i < four.size(); i += 4)
+          made.vertices.tangents.insert(made.vertices.tangents.end(), {four[i], four[i + 1], four[i + 2]});
+      }
+      found.push_back(std::move(made));
+    }
+    return found;
+  }
+
+  void put_morphs(const MorphAnimation& animation, base::Progress* progress) {
+    const std::vector<MorphedPiece> pieces = morphed_pieces(animation.normals);
+    if (pieces.empty()) return void(notes_.push_back("no key moves the model: no animation is written"));
+    const std::size_t own = list_of(document_, "animations").size();
+    const MorphTargets targets = morph_targets(animation, posed_);
+    GltfMorphs out(document_, buffers_.front());
+    std::vector<std::size_t> nodes, before;
+    for (const MorphedPiece& p : pieces) {
+      if (!nodes.empty() && nodes.back() == p.vertices.node) continue;
+      nodes.push_back(p.vertices.node);
+      before.push_back(out.targets_before(p.vertices.node));
+    }
+    for (std::size_t t = 0; t < targets.keys.size(); ++t) {
+      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(targets.keys.size()));
+      add_target(out, pieces, animation.keys[targets.keys[t]].positions, animation.normals);
+    }
+    out.finish(animation, targets, nodes, before, [&](int output) { return accessors_.numbers(output, 1); });
+    if (own > 0)
+      notes_.push_back(base::counted(own, "animation") + " of the file " + (own == 1 ? "stays" : "stay") +
+                       " beside that which is new");
+  }
+
+  // What is where it is at rest has no difference, not even of rounding.
+  void add_target(GltfMorphs& out, const std::vector<MorphedPiece>& pieces, std::span<const Point> now,
+                  bool with_normals) const {
+    std::vector<Vec3> normals, tangents;
+    if (with_normals && !normals_.empty())
+      normals = deformed_normals(rest_, now, unmoved_normals_, map_.corner_vertex);
+    if (with_normals && !tangents_.empty())
+      tangents = deformed_tangents(rest_, now, unmoved_tangents_, map_.corner_vertex);
+    for (const MorphedPiece& p : pieces) {
+      const auto values = [&](const std::vector<float>& base, const auto& moved, const auto& local) {
+        std::vector<double> all(base.begin(), base.end());
+        for (std::size_t i = 0; 3 * i < all.size(); ++i) {
+          const std::size_t v = p.piece->first + i;
+          if (!moved(v)) continue;
+          const Vec3 to = local(v);
+          std::copy(to.begin(), to.end(), all.begin() + static_cast<std::ptrdiff_t>(3 * i));
+        }
+        return all;
+      };
+      const auto place = [&](std::size_t v) { return map_.surface_vertex[v]; };
+      out.add_target(p.vertices,
+                     values(
+                         p.vertices.positions, [&](auto v) { return now[place(v)] != posed_[place(v)]; },
+                         [&](auto v) { return p.inverse.of_point(now[place(v)]); }),
+                     values(
+                         p.vertices.normals, [&](auto v) { return normals[v] != normals_[v]; },
+                         [&](auto v) { return unit_or_zero(p.inverse.of_normal(normals[v])); }),
+                     values(
+                         p.vertices.tangents, [&](auto v) { return tangents[v] != tangents_[v]; },
+                         [&](auto v) {
+                           return local_tangent(p.inverse, tangents[v], normal_of(*p.piece, normals, v));
+                         }));
+    }
   }
 
   static Vec3 unit_or_zero(const Vec3& v) {
@@ -199,7 +293,8 @@ private:
            const std::vector<float>& values) {
     const std::vector<Json*> primitives = primitives_of(piece);
     const auto index = static_cast<std::size_t>(accessor);
-    const bool in_place = uses_[index] == primitives.size() && is_alone(accessor, components);
+    const bool in_place =
+        sharing_->uses(index) == primitives.size() && sharing_->is_alone(accessor, components);
     const std::size_t to = in_place ? index : appended(index, components, values);
     if (in_place) {
       const GltfPlace place = accessors_.place(accessor);
@@ -228,84 +323,18 @@ private:
   }
 
   // Those of its mesh that have the piece's vertices, as the file names them.
+  const std::vector<std::size_t>& primitive_numbers(const GltfPiece& piece) {
+    return primitives_[{map_.placements[piece.placement].mesh, piece.positions, piece.normals,
+                        piece.tangents}];
+  }
+
   std::vector<Json*> primitives_of(const GltfPiece& piece) {
     const GltfPlacement& placement = map_.placements[piece.placement];
     const std::size_t mesh = document_["nodes"][static_cast<std::size_t>(placement.node)]["mesh"];
     Json& primitives = document_["meshes"][mesh]["primitives"];
     std::vector<Json*> found;
-    for (const std::size_t i : primitives_[{placement.mesh, piece.positions, piece.normals, piece.tangents}])
-      found.push_back(&primitives[i]);
+    for (const std::size_t i : primitive_numbers(piece)) found.push_back(&primitives[i]);
     return found;
-  }
-
-  struct Bytes {
-    std::size_t buffer, begin, end, stride;
-    std::size_t accessor;      // that of an image: npos
-    std::size_t furthest = 0;  // end of those of the buffer up to this one
-
-    friend bool operator<(const Bytes& a, const Bytes& b) {
-      return std::tie(a.buffer, a.begin) < std::tie(b.buffer, b.begin);
-    }
-  };
-
-  // Which bytes somebody reads, by where they begin.
-  void list_bytes() {
-    for (std::size_t i = 0; i < model_->accessors.size(); ++i) {
-      const auto place = uses_[i] > 0 ? place_if_sound(static_cast<int>(i)) : std::nullopt;
-      if (place) bytes_.push_back(bytes_of(*place, i));
-    }
-    for (const Json& image : list_of(document_, "images")) list_image(image);
-    std::sort(bytes_.begin(), bytes_.end());
-    for (std::size_t i = 0; i < bytes_.size(); ++i) {
-      const bool follows = i > 0 && bytes_[i - 1].buffer == bytes_[i].buffer;
-      bytes_[i].furthest = std::max(bytes_[i].end, follows ? bytes_[i - 1].furthest : 0);
-    }
-  }
-
-  void list_image(const Json& image) {
-    const auto view = count_of(image, "bufferView");
-    if (!view || *view >= model_->bufferViews.size()) return;
-    const tinygltf::BufferView& v = model_->bufferViews[*view];
-    bytes_.push_back({static_cast<std::size_t>(v.buffer), v.byteOffset, v.byteOffset + v.byteLength, 0,
-                      std::string::npos});
-  }
-
-  static Bytes bytes_of(const GltfPlace& p, std::size_t accessor) {
-    return {p.buffer, p.offset, p.offset + (p.count - 1) * p.stride + p.size, p.stride, accessor};
-  }
-
-  // Neighbours in an interleaved view lie between each other's elements, not over them.
-  bool interleaved(const GltfPlace& a, const Bytes& other) const {
-    if (a.stride != other.stride) return false;
-    const GltfPlace b = accessors_.place(static_cast<int>(other.accessor));
-    const std::size_t from = a.offset % a.stride, to = b.offset % b.stride;
-    return from + a.size <= to || to + b.size <= from;
-  }
-
-  // Floats that no other accessor or image shares a byte with.
-  bool is_alone(int accessor, std::size_t components) {
-    const auto index = static_cast<std::size_t>(accessor);
-    const tinygltf::Accessor& a = model_->accessors[index];
-    const GltfPlace place = accessors_.place(accessor);
-    if (!place.has_bytes || a.sparse.isSparse || a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT ||
-        place.size != components * sizeof(float))
-      return false;
-    const Bytes mine = bytes_of(place, index);
-    auto at = std::lower_bound(bytes_.begin(), bytes_.end(), Bytes{mine.buffer, mine.end, 0, 0, 0});
-    while (at != bytes_.begin() && (--at)->buffer == mine.buffer && at->furthest > mine.begin) {
-      if (++comparisons_ > 100'000'000) return false;  // a file made to take long
-      if (at->accessor != index && at->end > mine.begin && !interleaved(place, *at)) return false;
-    }
-    return true;
-  }
-
-  std::optional<GltfPlace> place_if_sound(int accessor) const {
-    try {
-      const GltfPlace place = accessors_.place(accessor);
-      if (place.has_bytes) return place;
-    } catch (const base::Error&) {  // what nobody reads need not be sound
-    }
-    return std::nullopt;
   }
 
   // A new accessor like the old one, over new bytes at the end of its buffer.
@@ -352,18 +381,18 @@ private:
   std::vector<std::string> buffers_;
   std::vector<const GltfPiece*> moved_;
   std::vector<std::string> notes_;
-  std::vector<std::size_t> uses_;
-  std::vector<Bytes> bytes_;
+  std::optional<GltfSharing> sharing_;
   std::map<Vertices, std::vector<std::size_t>> primitives_;
   std::vector<Vec3> normals_, tangents_, unmoved_normals_, unmoved_tangents_;
-  std::size_t comparisons_ = 0;
+  std::vector<bool> morphing_;  // of each placement; empty without an animation
 };
 
 }  // namespace
 
 GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const Surface& rest,
-                             std::span<const Point> positions) {
-  return GltfRewriter(file, map, rest, positions).take();
+                             std::span<const Point> positions, const MorphAnimation* animation,
+                             base::Progress* progress) {
+  return GltfRewriter(file, map, rest, positions, animation, progress).take();
 }
 
 }  // namespace viete::mesh

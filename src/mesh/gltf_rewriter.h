@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "mesh/gltf_file.h"
 #include "mesh/gltf_json.h"
 #include "mesh/gltf_scene.h"
+#include "mesh/morphs.h"
 #include "mesh/surface.h"
 
 namespace viete::mesh {
@@ -19,9 +21,11 @@ struct GltfRewritten {
 };
 
 /// Everything of the file, but for positions that differ from those of `rest`, and normals and tangents that
-/// follow them: where they lie if nothing else in the file shares them, otherwise in new accessors. Throws
-/// base::Error.
+/// follow them: where they lie if nothing else in the file shares them, otherwise in new accessors.
+/// animation, if there is one, comes behind the file's own, and its targets behind those of the file.
+/// progress may be null. Throws base::Error and base::Cancelled.
 GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const Surface& rest,
-                             std::span<const Point> positions);
+                             std::span<const Point> positions, const MorphAnimation* animation = nullptr,
+                             base::Progress* progress = nullptr);
 
 }  // namespace viete::mesh

@@ -1,6 +1,7 @@
 #include "mesh/original.h"
 
 #include "base/atomic_file.h"
+#include "base/error.h"
 
 namespace viete::mesh {
 
@@ -14,6 +15,12 @@ std::vector<std::string> Original::write_file(const std::filesystem::path& path,
     out.finish();
   });
   return notes;
+}
+
+std::vector<std::string> Original::write_animated(const std::filesystem::path& path, const Surface&,
+                                                  std::span<const Point>, const MorphAnimation&,
+                                                  base::Progress*) const {
+  throw base::Error(path.string(), "this format has no morph targets", "write .glb or .gltf");
 }
 
 }  // namespace viete::mesh

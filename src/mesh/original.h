@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/progress.h"
+#include "mesh/morphs.h"
 #include "mesh/surface.h"
 #include "mesh/text_writer.h"
 
@@ -46,6 +48,15 @@ public:
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const Surface& rest,
                                               std::span<const Point> positions, Digits digits,
                                               base::Progress* progress) const;
+
+  /// The same with morph targets, see check_animation(). Of formats that have them: others throw base::Error.
+  virtual std::vector<std::string> write_animated(const std::filesystem::path& path, const Surface& rest,
+                                                  std::span<const Point> positions,
+                                                  const MorphAnimation& animation,
+                                                  base::Progress* progress) const;
+
+  /// How its meshes morph; null where they do not. Throws base::Error where that is not sound.
+  virtual std::shared_ptr<const MorphClip> morphs() const { return nullptr; }
 };
 
 }  // namespace viete::mesh

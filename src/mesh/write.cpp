@@ -97,6 +97,37 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   return notes;
 }
 
+std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
+                                        const Original* original, const MorphAnimation& animation,
+                                        base::Progress* progress) {
+  const Format format = format_for(path);
+  if (format != write_glb && format != write_gltf)
+    throw base::Error(path.string(), "this format has no morph targets", "write .glb or .gltf");
+  check_animation(animation, content.surface.positions.size());
+  const std::string extension = extension_of(path);
+  if (original && original->writes(extension)) {
+    FilesBeside beside(path);
+    std::vector<std::string> notes = copy_companions(original->companions(), beside);
+    append(notes, original->write_animated(path, content.surface, content.positions, animation, progress));
+    beside.keep();
+    return notes;
+  }
+  std::vector<std::string> notes;
+  if (original) notes = left_out(extension, *original);
+  if (auto note = triangles_note(extension, content.surface); !note.empty()) notes.push_back(std::move(note));
+  Attributes now;
+  if (content.attributes) {
+    now = deformed_attributes(content.surface, content.positions, *content.attributes);
+    append(notes, left_out(extension, content.surface, *content.attributes, now));
+    append(notes, take_images_within(now));
+  }
+  const Content converted{content.surface, content.positions, content.comments, &now};
+  write_as(path, {}, nullptr, [&](TextWriter& out) {
+    write_gltf_animated(converted, animation, format == write_glb, out, progress);
+  });
+  return notes;
+}
+
 void check_format(const std::filesystem::path& path) {
   format_for(path);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "mesh/morphs.h"
 #include "mesh/original.h"
 #include "mesh/surface.h"
 #include "mesh/text_writer.h"
@@ -33,6 +34,14 @@ void write(const std::filesystem::path& path, const Surface& surface, std::span<
 /// beside, a failure leaves nothing new. Returns what a person should know of the result, one line each.
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress = nullptr);
+
+/// The same as .glb or .gltf with morph targets and an animation that plays them: at rest the model has the
+/// positions of the content. Where the original can write itself, its own targets and animations stay. All
+/// targets are in memory until they are written. Throws base::Error too for an animation that is none, see
+/// check_animation(), and for other formats.
+std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
+                                        const Original* original, const MorphAnimation& animation,
+                                        base::Progress* progress = nullptr);
 
 /// Throws what write() throws for this name's extension.
 void check_format(const std::filesystem::path& path);

@@ -81,6 +81,16 @@ void check_moved(const ReadResult& read) {
     require(again.surface.corners == read.surface.corners);
 }
 
+// Moments of an animation have a place for every vertex.
+void check_morphs(const ReadResult& read) {
+  const auto clip = read.original ? read.original->morphs() : nullptr;
+  if (!clip) return;
+  for (const double t : clip->seconds()) require(std::isfinite(t));
+  const std::size_t vertices = read.surface.positions.size();
+  require(clip->at_target(clip->targets().size() - 1).size() == vertices);
+  if (!clip->seconds().empty()) require(clip->at_key(clip->seconds().size() - 1).size() == vertices);
+}
+
 // What was written is never refused.
 ReadResult read_back(ReadResult (*read)(const Source&), const std::string& bytes) noexcept {
   return read(Source{"written", "", bytes, nullptr});
@@ -130,6 +140,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     check_invariants(read.surface, size);
     if (size < 20000) {
+      check_morphs(read);
       summarize(read.surface);
       check_converted(read);
     }

@@ -1,0 +1,65 @@
+// Morph targets of glTF: positions that a model's vertices take one after another, as an animation of
+// weights.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/surface.h"
+
+namespace viete::mesh {
+
+/// What a model looks like at one moment.
+struct MorphKey {
+  double seconds = 0;
+  std::string name;                  ///< of the target; may be empty
+  std::span<const Point> positions;  ///< of all vertices of the surface
+};
+
+/// Between two keys every vertex goes in a straight line, which is how weights blend targets.
+struct MorphAnimation {
+  std::string name;
+  std::vector<MorphKey> keys;  ///< by time, which ascends
+  bool normals = true;         ///< with targets of normals and tangents where the model has these
+};
+
+/// Throws base::Error where there is no key, times do not ascend, or positions are not as many as `vertices`.
+void check_animation(const MorphAnimation& animation, std::size_t vertices);
+
+/// The targets that an animation needs: keys of the same positions share one, and the model at rest needs
+/// none.
+struct MorphTargets {
+  std::vector<std::size_t> keys;    ///< the first one that shows it, of each target
+  std::vector<std::size_t> target;  ///< of each key; npos: rest
+
+  static constexpr std::size_t npos = static_cast<std::size_t>(-1);
+};
+MorphTargets morph_targets(const MorphAnimation& animation, std::span<const Point> rest);
+
+/// What a glTF file says of how its meshes morph. Positions are made when they are asked for. Immutable and
+/// thread-safe.
+class MorphClip {
+public:
+  virtual ~MorphClip() = default;
+
+  const std::string& name() const { return name_; }                     ///< of the animation; or empty
+  const std::vector<double>& seconds() const { return seconds_; }       ///< of its keys, ascending; or none
+  const std::vector<std::string>& targets() const { return targets_; }  ///< their names, none empty
+  const std::vector<std::string>& notes() const {
+    return notes_;
+  }  ///< what is taken otherwise than the file has it
+
+  /// Positions of the surface that was read, at a key, or with one target alone at full weight. Between keys
+  /// they go straight. Throws base::Error where the file's numbers are not sound.
+  virtual std::vector<Point> at_key(std::size_t key) const = 0;
+  virtual std::vector<Point> at_target(std::size_t target) const = 0;
+
+protected:
+  std::string name_;
+  std::vector<double> seconds_;
+  std::vector<std::string> targets_, notes_;
+};
+
+}  // namespace viete::mesh

@@ -1,0 +1,404 @@
+#include "mesh/morphs.h"
+
+#include <doctest/doctest.h>
+#include <tiny_gltf.h>
+
+#include "mesh/shapes.h"
+#include "mesh/write.h"
+#include "support/full_disk.h"
+#include "support/gltf.h"
+
+using namespace viete;
+using namespace viete::mesh;
+using test::GltfJson;
+using test::GltfParts;
+using test::holds;
+
+namespace {
+
+std::vector<Point> bent(const Surface& s, double by) {
+  std::vector<Point> posed = s.positions;
+  for (Point& p : posed) p[2] += by * p[0] * p[0];
+  return posed;
+}
+
+struct Wave {
+  std::vector<std::vector<Point>> positions;
+  MorphAnimation animation;
+
+  // Rest, up, down, rest.
+  explicit Wave(const Surface& s) {
+    for (const double by : {0.0, 0.5, -0.25, 0.0}) positions.push_back(bent(s, by));
+    animation.name = "wave";
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      animation.keys.push_back({0.5 * static_cast<double>(i), "key " + std::to_string(i), positions[i]});
+  }
+};
+
+// The judge is a reader that is not ours.
+class MorphJudge {
+public:
+  explicit MorphJudge(const std::filesystem::path& path) {
+    tinygltf::TinyGLTF loader;
+    std::string problem, warning;
+    loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
+                             const unsigned char*, int, void*) { return true; },
+                          nullptr);
+    const bool good = path.extension() == ".glb"
+                          ? loader.LoadBinaryFromFile(&model, &problem, &warning, path.string())
+                          : loader.LoadASCIIFromFile(&model, &problem, &warning, path.string());
+    REQUIRE_MESSAGE(good, problem);
+    CHECK(warning == "");
+  }
+
+  template <class T>
+  std::vector<T> view(int number, std::size_t offset, std::size_t count) const {
+    const auto& v = model.bufferViews.at(static_cast<std::size_t>(number));
+    const auto& bytes = model.buffers.at(static_cast<std::size_t>(v.buffer)).data;
+    REQUIRE(offset + count * sizeof(T) <= v.byteLength);
+    std::vector<T> values(count);
+    std::memcpy(values.data(), bytes.data() + v.byteOffset + offset, count * sizeof(T));
+    return values;
+  }
+
+  std::vector<float> floats(int accessor) const {
+    const auto& a = model.accessors.at(static_cast<std::size_t>(accessor));
+    REQUIRE(a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT);
+    const auto parts =
+        static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(a.type)));
+    std::vector<float> all(a.count * parts, 0.0F);
+    if (a.bufferView >= 0) all = view<float>(a.bufferView, a.byteOffset, all.size());
+    if (!a.sparse.isSparse) return all;
+    const auto count = static_cast<std::size_t>(a.sparse.count);
+    const auto values = view<float>(a.sparse.values.bufferView, 0, count * parts);
+    std::vector<std::uint32_t> where;
+    if (a.sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) {
+      for (const auto i : view<std::uint16_t>(a.sparse.indices.bufferView, 0, count)) where.push_back(i);
+    } else {
+      where = view<std::uint32_t>(a.sparse.indices.bufferView, 0, count);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i > 0) CHECK(where[i] > where[i - 1]);
+      for (std::size_t k = 0; k < parts; ++k) all.at(where[i] * parts + k) = values[i * parts + k];
+    }
+    return all;
+  }
+
+  const tinygltf::Primitive& primitive(std::size_t mesh, std::size_t i) const {
+    return model.meshes.at(mesh).primitives.at(i);
+  }
+
+  // What a player shows of a primitive at a key: a base attribute with weighed targets.
+  std::vector<double> shown(std::size_t node, std::size_t i, const char* attribute, std::size_t key,
+                            std::size_t animation = 0) const {
+    const auto mesh = static_cast<std::size_t>(model.nodes.at(node).mesh);
+    const auto& p = primitive(mesh, i);
+    const auto base = floats(p.attributes.at(attribute));
+    std::vector<double> sum(base.begin(), base.end());
+    const auto w = weights(node, key, animation);
+    REQUIRE(w.size() == p.targets.size());
+    REQUIRE(model.meshes.at(mesh).weights.size() == w.size());
+    for (std::size_t t = 0; t < w.size(); ++t) {
+      if (p.targets[t].count(attribute) == 0) continue;
+      const auto delta = floats(p.targets[t].at(attribute));
+      REQUIRE(delta.size() == sum.size());
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += static_cast<double>(w[t] * delta[k]);
+    }
+    return sum;
+  }
+
+  std::vector<float> weights(std::size_t node, std::size_t key, std::size_t animation = 0) const {
+    const auto& played = model.animations.at(animation);
+    for (const auto& channel : played.channels) {
+      if (channel.target_node != static_cast<int>(node)) continue;
+      CHECK(channel.target_path == "weights");
+      const auto& sampler = played.samplers.at(static_cast<std::size_t>(channel.sampler));
+      const auto times = floats(sampler.input), all = floats(sampler.output);
+      REQUIRE(all.size() % times.size() == 0);
+      const std::size_t count = all.size() / times.size();
+      return {all.begin() + static_cast<std::ptrdiff_t>(key * count),
+              all.begin() + static_cast<std::ptrdiff_t>((key + 1) * count)};
+    }
+    return {};
+  }
+
+  tinygltf::Model model;
+};
+
+void check_near(std::span<const double> found, std::span<const Point> expected, double near = 1e-6) {
+  REQUIRE(found.size() == 3 * expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    CHECK(found[i] == doctest::Approx(expected[i / 3][i % 3]).epsilon(near).scale(1));
+}
+
+void check_near(const std::vector<Point>& found, const std::vector<Point>& expected, double near = 1e-6) {
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) CHECK(norm(found[i] - expected[i]) < near);
+}
+
+// Those of the surface's vertices for each of the file's eight, see test::patch().
+std::vector<Point> of_patch(const std::vector<Point>& p) {
+  return {p[0], p[1], p[2], p[3], p[1], p[4], p[3], p[5]};
+}
+
+}  // namespace
+
+TEST_CASE("keys_become_targets_that_another_reader_plays_and_all_else_is_kept") {
+  const test::TemporaryFolder folder;
+  const GltfParts parts = test::patch();
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    test::put_file(folder / name, holds(name, "glb") ? parts.glb() : parts.text());
+    const ReadResult r = read(folder / name);
+    const Wave wave(r.surface);
+    const auto out = folder / (std::string("out-") + name);
+    CHECK(
+        write_animated(out, {r.surface, r.surface.positions, {}}, r.original.get(), wave.animation).empty());
+    const MorphJudge judge(out);
+    REQUIRE(judge.model.animations.size() == 1);
+    CHECK(judge.model.animations[0].name == "wave");
+    CHECK(judge.floats(judge.model.animations[0].samplers.at(0).input) ==
+          std::vector<float>{0, 0.5F, 1, 1.5F});
+    REQUIRE(judge.primitive(0, 0).targets.size() == 2);  // rest needs none
+    for (std::size_t key = 0; key < 4; ++key) {
+      check_near(judge.shown(0, 0, "POSITION", key), of_patch(wave.positions[key]));
+      const auto w = judge.weights(0, key);
+      CHECK(w == std::vector<float>{key == 1 ? 1.0F : 0, key == 2 ? 1.0F : 0});
+    }
+    const auto normals = judge.shown(0, 0, "NORMAL", 1);
+    CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // of the left quad alone
+    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // of the right one: split as it was
+    CHECK(judge.model.meshes[0].extras.Get("targetNames").Get(1).Get<std::string>() == "key 2");
+    CHECK(read(out).surface.positions == r.surface.positions);
+    CHECK(judge.model.materials.at(0).name == "paint");
+    CHECK(judge.model.asset.extras.Get("kept").Get<std::string>() == "as it is");
+    CHECK(
+        judge.model.accessors.at(static_cast<std::size_t>(judge.primitive(0, 0).attributes.at("TEXCOORD_0")))
+            .count == 8);
+  }
+}
+
+TEST_CASE("targets_are_read_again_as_positions_at_times") {
+  const test::TemporaryFolder folder;
+  const GltfParts parts = test::patch();
+  test::put_file(folder / "a.glb", parts.glb());
+  const ReadResult r = read(folder / "a.glb");
+  CHECK(r.original->morphs() == nullptr);
+  const Wave wave(r.surface);
+  write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), wave.animation);
+  const auto clip = read(folder / "b.glb").original->morphs();
+  REQUIRE(clip);
+  CHECK(clip->name() == "wave");
+  CHECK(clip->seconds() == std::vector<double>{0, 0.5, 1, 1.5});
+  CHECK(clip->targets() == std::vector<std::string>{"key 1", "key 2"});
+  CHECK(clip->notes().empty());
+  for (std::size_t key = 0; key < 4; ++key) check_near(clip->at_key(key), wave.positions[key]);
+  check_near(clip->at_target(0), wave.positions[1]);
+  check_near(clip->at_target(1), wave.positions[2]);
+}
+
+TEST_CASE("few_moved_vertices_make_sparse_targets_and_unmoved_meshes_get_none") {
+  const test::TemporaryFolder folder;
+  const Surface ball = test::sphere(3);
+  std::vector<Point> dented = ball.positions;
+  dented[7] = 0.5 * dented[7];
+  write(folder / "a.glb", ball);
+  GltfJson two;
+  const ReadResult r = read(folder / "a.glb");
+  MorphAnimation animation{"dent", {{0, "", r.surface.positions}, {1, "", {}}}, false};
+  std::vector<Point> posed = r.surface.positions;
+  posed[3][0] += 1;
+  animation.keys[1].positions = posed;
+  write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), animation);
+  const MorphJudge judge(folder / "b.glb");
+  const auto& target = judge.primitive(0, 0).targets.at(0);
+  CHECK(target.count("NORMAL") == 0);
+  const auto& accessor = judge.model.accessors.at(static_cast<std::size_t>(target.at("POSITION")));
+  CHECK(accessor.sparse.isSparse);
+  CHECK(accessor.sparse.count == 1);
+  CHECK(accessor.maxValues == std::vector<double>{1, 0, 0});
+  CHECK(std::filesystem::file_size(folder / "b.glb") < std::filesystem::file_size(folder / "a.glb") + 2000);
+  check_near(read(folder / "b.glb").original->morphs()->at_key(1), posed);
+}
+
+TEST_CASE("targets_and_animations_of_the_file_stay_and_are_widened") {
+  const test::TemporaryFolder folder;
+  GltfParts parts = test::patch();
+  std::vector<float> lift;
+  for (int i = 0; i < 8; ++i) lift.insert(lift.end(), {0, 1, 0});
+  const std::size_t delta = parts.accessor(lift, 5126, "VEC3", 3);
+  auto& mesh = parts.json["meshes"][0];
+  mesh["primitives"][0]["targets"] = {{{"POSITION", delta}}};
+  mesh["weights"] = {0.25};
+  parts.json["nodes"][0]["weights"] = {0.5};
+  const std::size_t input = parts.accessor(std::vector<float>{0, 2, 3}, 5126, "SCALAR", 1);
+  const std::size_t output = parts.accessor(std::vector<float>{0, 1, 0.5F}, 5126, "SCALAR", 1);
+  parts.json["animations"] = {
+      {{"name", "lift"},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
+       {"samplers", {{{"input", input}, {"output", output}}}}}};
+  test::put_file(folder / "a.glb", parts.glb());
+  const ReadResult r = read(folder / "a.glb");
+  const auto before = r.original->morphs();
+  REQUIRE(before);
+  CHECK(before->seconds() == std::vector<double>{0, 2, 3});
+  CHECK(before->at_key(2)[5] == Point{2, 1.5, 0});
+  const Wave wave(r.surface);
+  const auto notes = write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(),
+                                    wave.animation);
+  CHECK(holds(notes.at(0), "1 animation of the file stays"));
+  const MorphJudge judge(folder / "b.glb");
+  REQUIRE(judge.model.animations.size() == 2);
+  CHECK(judge.weights(0, 1, 0) == std::vector<float>{1, 0, 0});
+  CHECK(judge.weights(0, 2, 0) == std::vector<float>{0.5F, 0, 0});
+  CHECK(judge.weights(0, 2, 1) == std::vector<float>{0, 0, 1});
+  CHECK(judge.model.nodes[0].weights == std::vector<double>{0.5, 0, 0});
+  CHECK(judge.model.meshes[0].extras.Get("targetNames").Get(0).Get<std::string>() == "target 1");
+  check_near(judge.shown(0, 0, "POSITION", 1, 1), of_patch(wave.positions[1]));
+  const auto clip = read(folder / "b.glb").original->morphs();
+  CHECK(clip->name() == "lift");
+  CHECK(clip->targets().size() == 3);
+  CHECK(holds(clip->notes().at(0), "of 2 animations of weights the first one is taken"));
+}
+
+TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
+  const test::TemporaryFolder folder;
+  GltfParts parts = test::patch();
+  parts.json["nodes"] = {
+      {{"mesh", 0}},
+      {{"mesh", 0}, {"translation", {5, 0, 0}}, {"rotation", {0, 0.6, 0, 0.8}}, {"scale", {2, 1, 3}}},
+      {{"mesh", 0}, {"translation", {0, 9, 0}}}};
+  parts.json["scenes"] = {{{"nodes", {0, 1, 2}}}};
+  test::put_file(folder / "a.glb", parts.glb());
+  const ReadResult r = read(folder / "a.glb");
+  REQUIRE(r.surface.positions.size() == 18);
+  std::vector<Point> posed = r.surface.positions;
+  for (std::size_t i = 0; i < 12; ++i) posed[i][1] += 0.5 * posed[i][0] * posed[i][0];
+  const MorphAnimation animation{"a", {{0, "rest", r.surface.positions}, {1, "posed", posed}}};
+  const auto notes =
+      write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), animation);
+  CHECK(holds(notes.at(0), "meshes of their own"));
+  const auto clip = read(folder / "b.glb").original->morphs();
+  REQUIRE(clip);
+  check_near(clip->at_key(0), r.surface.positions, 1e-5);
+  check_near(clip->at_key(1), posed, 1e-5);
+  const MorphJudge judge(folder / "b.glb");
+  CHECK(judge.model.animations.at(0).channels.size() == 2);
+  CHECK(judge.weights(2, 0).empty());  // that node stands still
+}
+
+TEST_CASE("models_of_other_formats_become_glb_with_targets") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "a.obj",
+                 "o left\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                 "f 1/1 2/2 3/3 4/4\no right\nv 2 0 0\nv 3 0 0\nv 3 1 0\nf 5 6 7\n");
+  const ReadResult r = read(folder / "a.obj");
+  const Wave wave(r.surface);
+  for (const char* name : {"b.glb", "b.gltf"}) {
+    const Content content{r.surface, r.surface.positions, r.comments, r.attributes.get()};
+    write_animated(folder / name, content, r.original.get(), wave.animation);
+    const MorphJudge judge(folder / name);
+    REQUIRE(judge.model.nodes.size() == 2);
+    for (std::size_t key = 0; key < 4; ++key) {
+      const auto left = judge.shown(0, 0, "POSITION", key), right = judge.shown(1, 0, "POSITION", key);
+      check_near(left, std::vector<Point>(wave.positions[key].begin(), wave.positions[key].begin() + 4));
+      check_near(right, std::vector<Point>(wave.positions[key].begin() + 4, wave.positions[key].end()));
+    }
+    const auto turned = judge.shown(1, 0, "NORMAL", 1), flat = judge.shown(1, 0, "NORMAL", 0);
+    CHECK(flat[2] == doctest::Approx(1));
+    CHECK(turned[0] / turned[2] == doctest::Approx(-2.5));  // z = 0.5 x^2 from 2 to 3
+    const auto clip = read(folder / name).original->morphs();
+    check_near(clip->at_key(2), wave.positions[2]);
+  }
+  CHECK_THROWS_WITH_AS(write_animated(folder / "b.obj", {r.surface, r.surface.positions, {}},
+                                      r.original.get(), wave.animation),
+                       doctest::Contains("no morph targets"), base::Error);
+}
+
+TEST_CASE("a_computed_normal_has_no_seam_where_the_texture_has_one") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "a.obj",
+                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0.5 0\n"
+                 "f 1/1 2/2 3/2 4/1\nf 2/3 5/1 6/1 3/3\n");
+  const ReadResult r = read(folder / "a.obj");
+  const Wave wave(r.surface);
+  write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}, r.attributes.get()}, r.original.get(),
+                 wave.animation);
+  const MorphJudge judge(folder / "b.glb");
+  const auto places = judge.shown(0, 0, "POSITION", 1), normals = judge.shown(0, 0, "NORMAL", 1);
+  std::map<std::vector<double>, std::vector<double>> at;
+  std::size_t split = 0;
+  for (std::size_t i = 0; i < places.size(); i += 3) {
+    const std::vector<double> n(&normals[i], &normals[i] + 3);
+    const auto [found, added] = at.try_emplace({places[i], places[i + 1], places[i + 2]}, n);
+    CHECK(found->second == n);
+    split += !added;
+  }
+  CHECK(split == 2);
+}
+
+TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
+  const test::TemporaryFolder folder;
+  const Surface cube = test::cube();
+  const std::vector<Point> few(3), rest = cube.positions, far(8, Point{1e300, 0, 0});
+  const Content content{cube, cube.positions, {}};
+  const auto refused = [&](std::vector<MorphKey> keys) {
+    try {
+      write_animated(folder / "a.glb", content, nullptr, {"a", std::move(keys)});
+    } catch (const base::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(holds(refused({}), "without keys"));
+  CHECK(holds(refused({{0, "", few}}), "3 positions for 8"));
+  CHECK(holds(refused({{0, "", rest}, {0, "", rest}}), "key 1: its time"));
+  CHECK(holds(refused({{std::nan(""), "", rest}}), "key 0: its time"));
+  CHECK(holds(refused({{0, "", far}}), "does not fit into the floats"));
+  CHECK(folder.entries() == 0);
+  base::Progress progress;
+  progress.cancel();
+  std::vector<Point> moved = rest;
+  moved[0][0] = 7;
+  CHECK_THROWS_AS(write_animated(folder / "a.glb", content, nullptr, {"a", {{0, "", moved}}}, &progress),
+                  base::Cancelled);
+  {
+    const test::FullDisk full(300);
+    CHECK_THROWS_AS(write_animated(folder / "a.glb", content, nullptr, {"a", {{0, "", moved}}}), base::Error);
+  }
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("weights_that_jump_or_follow_curves_are_read_and_unsound_ones_refused") {
+  GltfParts parts = test::patch();
+  std::vector<float> lift;
+  for (int i = 0; i < 8; ++i) lift.insert(lift.end(), {0, 0, 1});
+  const std::size_t delta = parts.accessor(lift, 5126, "VEC3", 3);
+  parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}, {{"POSITION", delta}}};
+  const std::size_t input = parts.accessor(std::vector<float>{0, 1}, 5126, "SCALAR", 1);
+  const std::size_t cubic =
+      parts.accessor(std::vector<float>{9, 9, 0, 1, 9, 9, 9, 9, 2, 3, 9, 9}, 5126, "SCALAR", 1);
+  const std::size_t plain = parts.accessor(std::vector<float>{0, 1, 2, 3}, 5126, "SCALAR", 1);
+  const std::size_t back = parts.accessor(std::vector<float>{1, 0}, 5126, "SCALAR", 1);
+  const std::size_t nan = parts.accessor(std::vector<float>{0, std::nanf(""), 2, 3}, 5126, "SCALAR", 1);
+  const auto clip_of = [&](std::size_t in, std::size_t out, const char* way) {
+    parts.json["animations"] = {
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
+         {"samplers", {{{"input", in}, {"output", out}, {"interpolation", way}}}}}};
+    return test::read_kept(parts.glb(), "glb").original->morphs();
+  };
+  for (const char* way : {"STEP", "CUBICSPLINE"}) {
+    const auto clip = clip_of(input, *way == 'S' ? plain : cubic, way);
+    CHECK(clip->at_key(0)[0] == Point{0, 0, 1});
+    CHECK(clip->at_key(1)[0] == Point{0, 0, 5});
+    CHECK(holds(clip->notes().at(0), "straight"));
+    CHECK(clip->targets() == std::vector<std::string>{"target 1", "target 2"});
+  }
+  CHECK_THROWS_WITH_AS(clip_of(back, plain, "LINEAR"), doctest::Contains("do not ascend"), base::Error);
+  CHECK_THROWS_WITH_AS(clip_of(input, nan, "LINEAR"), doctest::Contains("no number"), base::Error);
+  CHECK_THROWS_WITH_AS(clip_of(input, cubic, "LINEAR"),
+                       doctest::Contains("12 weights for 2 times and 2 targets"), base::Error);
+  CHECK_THROWS_AS(clip_of(99, plain, "LINEAR"), base::Error);
+  parts.json["accessors"][delta]["count"] = 7;
+  const auto short_one = clip_of(input, plain, "LINEAR");
+  CHECK_THROWS_WITH_AS(short_one->at_key(0), doctest::Contains("7 differences for 8 positions"), base::Error);
+}
