@@ -73,6 +73,7 @@ void Viewer::frame(float seconds) {
   scene::FrameTimes times;
   take_input(seconds);
   take_requests();
+  scene::follow_time(workspace_, seconds);
   follow_document();
   settle_messages();
   deform(times);
@@ -156,7 +157,7 @@ bool Viewer::changing() const {
   const scene::Document& document = workspace_.document;
   const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions.pose;
   return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
-         model_.is_due(document);
+         workspace_.playback.playing || model_.is_due(document);
 }
 
 void Viewer::take_requests() {

@@ -218,7 +218,19 @@ PoseVector PoseSpace::vector(const Pose& pose, std::span<const Vec3> turns_befor
     vector.ways.push_back(pose.positions[v] - rest[v]);
     vector.leftovers[v] = vector.ways[v] - vector.leftovers[v];
   }
+  center(vector.leftovers);
   return vector;
+}
+
+// Where a part is, is told by the point that is held: only its shape is left over.
+void PoseSpace::center(std::vector<Vec3>& leftovers) const {
+  for (std::size_t part = 0; part + 1 < system_.parts.starts.size(); ++part) {
+    const auto vertices = system_.parts.of(part);
+    Vec3 mean{0, 0, 0};
+    for (const auto v : vertices) mean = mean + leftovers[v];
+    mean = (1 / static_cast<double>(vertices.size())) * mean;
+    for (const auto v : vertices) leftovers[v] = leftovers[v] - mean;
+  }
 }
 
 Pose PoseSpace::straight(const PoseVector& vector) const {
@@ -236,16 +248,16 @@ Pose PoseSpace::pose(const PoseVector& vector, const Held& held) const {
   return pose;
 }
 
-Held PoseSpace::held_from_rest(std::span<const PoseTerm> terms) const {
-  const auto& rest = cage_->surface.positions;
-  std::vector<Vec3> ways(rest.size());
-  std::vector<double> squares(rest.size());
+Held PoseSpace::held_from(const PoseVector& from, std::span<const PoseTerm> terms) const {
+  const Pose start = straight(from);
+  std::vector<Vec3> ways(start.positions.size());
+  std::vector<double> squares(start.positions.size());
   for (const auto& [vector, factor] : terms) {
     add(ways, vector->ways, factor);
-    for (std::size_t v = 0; v < rest.size(); ++v)
+    for (std::size_t v = 0; v < ways.size(); ++v)
       squares[v] += std::abs(factor) * squared_norm(vector->ways[v]);
   }
-  return held(rest, ways, squares);
+  return held(start.positions, ways, squares);
 }
 
 Held PoseSpace::held_between(const PoseVector& from, const PoseVector& to) const {

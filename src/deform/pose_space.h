@@ -18,9 +18,9 @@ namespace viete::deform {
 /// number by number.
 struct PoseVector {
   std::vector<std::array<double, 9>> logs;  ///< of each triangle: log of stretch (6), rotation vector (3)
-  std::vector<Vec3> leftovers;              ///< of each vertex: what the cage that follows the logs misses
-  std::vector<Vec3> ways;                   ///< of each vertex: from rest
-  std::vector<Vec3> turns;                  ///< of each part of the cage: its mean rotation vector
+  std::vector<Vec3> leftovers;  ///< of each vertex: what the cage that follows the logs misses, but its place
+  std::vector<Vec3> ways;       ///< of each vertex: from rest
+  std::vector<Vec3> turns;      ///< of each part of the cage: its mean rotation vector
 };
 
 /// A share of a pose in a sum. The vector outlives it.
@@ -61,8 +61,8 @@ public:
   /// as of the pose that came before it (missing: 0). Throws base::Error if the pose has not one position per
   /// vertex.
   PoseVector vector(const Pose& pose, std::span<const Vec3> turns_before = {}) const;
-  /// On the way from rest to a sum of poses, which goes on with it: continuous in the factors.
-  Held held_from_rest(std::span<const PoseTerm> terms) const;
+  /// On the way that goes on from a pose by a sum of others; continuous in the factors.
+  Held held_from(const PoseVector& from, std::span<const PoseTerm> terms) const;
   /// On the way from one pose to another.
   Held held_between(const PoseVector& from, const PoseVector& to) const;
   /// The pose of a vector, or of a sum of them.
@@ -86,6 +86,7 @@ private:
 
   std::vector<Vec3> following(std::span<const std::array<double, 9>> logs) const;
   Held held(std::span<const Vec3> from, std::span<const Vec3> ways, std::span<const double> squares) const;
+  void center(std::vector<Vec3>& leftovers) const;
   void hold(std::vector<Vec3>& ways, const PoseVector& vector, const Held& held) const;
 
   std::shared_ptr<const Cage> cage_;

@@ -11,6 +11,7 @@
 #include "scene/cage_making.h"
 #include "scene/edit.h"
 #include "scene/elements.h"
+#include "scene/pose_edit.h"
 #include "scene/probes.h"
 #include "scene/selection_sets.h"
 
@@ -78,6 +79,8 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
   deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, follow);
   document.history.record(label, snapshot_of(document));
+  carry_poses(document,
+              [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, follow); });
   const bool editing = is_editing_cage(document);
   CageGroups groups = groups_of(document, edited);
   const ElementKind kind = document.selection.kind();
@@ -137,6 +140,8 @@ bool settle_cage_edit(Document& document) {
     deform::Pose real = carried(*document.cage, *document.kept_pose, edited, *cage, {});
     const Selection selection = document.selection;
     const CageGroups groups = document.groups;
+    carry_poses(document,
+                [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, {}); });
     document.kept_pose = std::move(real);
     replace_cage(document, made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
                  deform::rest_pose(*cage));

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "scene/edit.h"
+#include "scene/pose_edit.h"
 #include "scene/selection_sets.h"
 
 namespace viete::scene {
@@ -48,6 +49,8 @@ void take_made(Document& document, CageMaking& making, OpenedSurface surface,
   making.notes = std::move(notes);
   if (const std::string lost = lost_sets(document.groups, {}); !lost.empty())
     making.notes.push_back("Sets of the cage before are gone: " + lost + "; undo brings them back");
+  if (const std::string lost = drop_poses(document); !lost.empty())
+    making.notes.push_back("Poses of the cage before are gone: " + lost + "; undo brings them back");
   document.kept_pose.reset();
   replace_cage(document, std::move(surface), std::move(cage), std::move(pose));
 }

@@ -109,8 +109,9 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
 }
 
 Snapshot snapshot_of(const Document& document) {
-  return {document.pose, document.selection, document.scheme,    document.mask,  document.probes,
-          document.cage, document.cage_file, document.kept_pose, document.groups};
+  return {document.pose,   document.selection, document.scheme,    document.mask,
+          document.probes, document.cage,      document.cage_file, document.kept_pose,
+          document.groups, document.library,   document.timeline,  document.frame};
 }
 
 void set_pose(Document& document, deform::Pose pose) {

@@ -17,6 +17,7 @@
 #include "mesh/surface.h"
 #include "scene/history.h"
 #include "scene/opened_surface.h"
+#include "scene/pose_library.h"
 #include "scene/selection.h"
 #include "scene/space.h"
 #include "sym3/exp.h"
@@ -61,6 +62,9 @@ struct Document {
   std::vector<mesh::Point> carried;
   Selection selection;
   CageGroups groups;
+  PoseLibrary library;
+  Timeline timeline;
+  double frame = 1;  ///< of the timeline: where it is now
   History history;
   sym3::Method method = sym3::Method::fast;
   deform::Scheme scheme = deform::default_scheme();

@@ -30,6 +30,9 @@ void restore(Document& document, Snapshot&& snapshot) {
   document.pose = std::move(snapshot.pose);
   document.selection = std::move(snapshot.selection);
   document.groups = std::move(snapshot.groups);
+  document.library = std::move(snapshot.library);
+  document.timeline = std::move(snapshot.timeline);
+  document.frame = snapshot.frame;
   ++document.revisions.pose;
   document.mask = std::move(snapshot.mask);
   document.probes = std::move(snapshot.probes);
@@ -37,17 +40,24 @@ void restore(Document& document, Snapshot&& snapshot) {
   put_scheme(document, snapshot.scheme);
 }
 
-// As by a slider: one after the other they are one edit.
 void slide_scheme(Document& document, const deform::Scheme& scheme, const char* label) {
-  if (document.history.undo_label() == label && !document.history.can_redo()) {
-    document.history.go_on();
-  } else {
-    document.history.record(label, snapshot_of(document));
-  }
+  record_step(document, label);
   put_scheme(document, scheme);
 }
 
 }  // namespace
+
+void record_edit(Document& document, const std::string& label) {
+  document.history.record(label, snapshot_of(document));
+}
+
+void record_step(Document& document, const std::string& label) {
+  if (document.history.undo_label() == label && !document.history.can_redo()) {
+    document.history.go_on();
+  } else {
+    record_edit(document, label);
+  }
+}
 
 void put_scheme(Document& document, const deform::Scheme& scheme) {
   const deform::Scheme old = std::exchange(document.scheme, scheme);

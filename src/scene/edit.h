@@ -2,11 +2,18 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "scene/document.h"
 #include "scene/mirror.h"
 
 namespace viete::scene {
+
+/// An edit begins: what is there now is what undo leads back to.
+void record_edit(Document& document, const std::string& label);
+/// The same for one that is made in small steps, as by a slider: steps with the same label that follow one
+/// another are one edit.
+void record_step(Document& document, const std::string& label);
 
 /// True if some cage vertex or a probe that is not locked is not at rest, or is there after whole turns.
 bool differs_from_rest(const Document& document);

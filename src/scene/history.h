@@ -11,6 +11,7 @@
 #include "deform/scheme.h"
 #include "scene/cage_groups.h"
 #include "scene/opened_surface.h"
+#include "scene/pose_library.h"
 #include "scene/selection.h"
 
 namespace viete::scene {
@@ -26,6 +27,9 @@ struct Snapshot {
   OpenedSurface cage_file{};                   ///< likewise
   std::optional<deform::Pose> kept_pose{};
   CageGroups groups{};
+  PoseLibrary library{};  ///< poses are shared, not copied
+  Timeline timeline{};    ///< likewise
+  double frame = 1;
 };
 
 /// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest

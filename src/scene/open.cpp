@@ -7,6 +7,7 @@
 #include "deform/pose_io.h"
 #include "mesh/winding_number.h"
 #include "scene/edit.h"
+#include "scene/pose_json.h"
 #include "scene/saving.h"
 #include "scene/selection_sets.h"
 #include "scene/up_axis.h"
@@ -149,6 +150,10 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
     fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
     if (session.pose) document.pose = std::move(*session.pose);
   }
+  fit_poses(session.library, session.timeline, document.cage.get(), file.string(), session.warnings);
+  document.library = std::move(session.library);
+  document.timeline = std::move(session.timeline);
+  document.frame = session.frame;
   if (document.is_movable()) {
     fit_selection(session, document, file);
     document.selection = Selection(session.selecting);
@@ -343,6 +348,8 @@ void take(Workspace& w, Opened&& opened) {
   w.saved.pose = {};
   w.saved.probes = {};
   w.saved.sets = {};
+  w.saved.library = {};
+  w.saved.timeline = {};
   ++w.saved.revision;
   w.recovered_from.clear();
   if (opened.session) {

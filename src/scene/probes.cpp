@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mesh/point_tree.h"
+#include "scene/pose_edit.h"
 #include "scene/range.h"
 
 namespace viete::scene {
@@ -112,7 +113,9 @@ void remove_probes(Document& document) {
   auto& all = edit(document, label("remove", document)).all;
   const auto& selected = document.selection.indices();
   for (auto i = selected.rbegin(); i != selected.rend(); ++i) {
-    if (!all[*i].locked) all.erase(all.begin() + *i);
+    if (all[*i].locked) continue;
+    all.erase(all.begin() + *i);
+    forget_probe(document, *i);
   }
   document.carried.clear();
   document.selection.clear();

@@ -115,7 +115,8 @@ std::string window_title(const Workspace& w) {
 
 bool has_unsaved_edits(const Workspace& w) {
   if (w.saved.nowhere || w.document.cage != w.saved.cage || w.document.probes != w.saved.probes ||
-      w.document.groups.sets != w.saved.sets || !same_mask(w.document.mask, w.saved.mask))
+      w.document.groups.sets != w.saved.sets || w.document.library != w.saved.library ||
+      w.document.timeline != w.saved.timeline || !same_mask(w.document.mask, w.saved.mask))
     return true;
   return w.document.is_movable() &&
          (w.document.scheme != w.saved.scheme || !same_pose(real_pose(w.document), w.saved.pose));
@@ -127,6 +128,8 @@ void mark_saved(Workspace& workspace) {
   workspace.saved.mask = workspace.document.mask;
   workspace.saved.probes = workspace.document.probes;
   workspace.saved.sets = workspace.document.groups.sets;
+  workspace.saved.library = workspace.document.library;
+  workspace.saved.timeline = workspace.document.timeline;
   mark_pose_saved(workspace);
 }
 

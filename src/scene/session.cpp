@@ -13,9 +13,11 @@
 #include "mesh/text_cursor.h"
 #include "scene/cage_editing.h"
 #include "scene/cage_json.h"
+#include "scene/camera_json.h"
 #include "scene/elements.h"
 #include "scene/handling_json.h"
 #include "scene/json_file.h"
+#include "scene/pose_json.h"
 #include "scene/probes_json.h"
 #include "scene/range.h"
 #include "scene/scheme_json.h"
@@ -28,7 +30,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr const char* format_name = "viete session";
-constexpr std::uint32_t newest_version = 4;
+constexpr std::uint32_t newest_version = 5;
 
 struct ViewFlag {
   const char* key;
@@ -62,15 +64,6 @@ ordered_json stored(const fs::path& path, const fs::path& file, bool portable) {
   return path_json(relative.empty() ? target : relative);
 }
 
-// 0.3f as 0.3, not as 0.30000001192092896, where that gives the same float back.
-double tidy(float value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  double shortest = 0;
-  std::from_chars(text, end, shortest);
-  return static_cast<float>(shortest) == value ? shortest : value;
-}
-
 std::string hexadecimal(std::uint64_t number) {
   char text[16];
   const auto end = std::to_chars(text, text + sizeof text, number, 16).ptr;
@@ -86,49 +79,12 @@ std::uint64_t from_hexadecimal(const JsonReader& json) {
   return number;
 }
 
-ordered_json camera_json(const CameraPose& c) {
-  ordered_json json = {{"target", {tidy(c.target.x), tidy(c.target.y), tidy(c.target.z)}},
-                       {"distance", tidy(c.distance)},
-                       {"yaw", tidy(c.yaw)},
-                       {"pitch", tidy(c.pitch)},
-                       {"orthographic", c.orthographic}};
-  if (c.up == UpAxis::z) json["up"] = "z";
-  return json;
-}
-
 ordered_json view_json(const ViewOptions& view) {
   ordered_json json;
   for (const auto& flag : view_flags) json[flag.key] = view.*flag.option;
   if (view.shading != Shading::file)
     json["shading"] = all_shadings()[static_cast<std::size_t>(view.shading)].word;
   return json;
-}
-
-float number_within(const JsonReader& json, double least, double most) {
-  const double number = json.number();
-  if (!(number >= least && number <= most)) json.fail("this number is out of range");
-  return static_cast<float>(number);
-}
-
-CameraPose camera_of(const JsonReader& json) {
-  CameraPose pose;
-  const JsonReader target = json.at("target");
-  const auto place = target.numbers<3>();
-  for (int i = 0; i < 3; ++i) {
-    if (!(std::abs(place[i]) <= farthest_place)) target.fail("this is too far away");
-    pose.target[i] = static_cast<float>(place[i]);
-  }
-  pose.distance = number_within(json.at("distance"), nearest_camera, farthest_camera);
-  const double yaw = json.at("yaw").number();
-  pose.yaw = static_cast<float>(std::abs(yaw) < 4 ? yaw : std::remainder(yaw, 6.283185307179586));
-  pose.pitch = number_within(json.at("pitch"), -1.6, 1.6);  // a quarter turn, however it was rounded
-  if (const auto v = json.find("orthographic")) pose.orthographic = v->boolean();
-  if (const auto v = json.find("up")) {
-    const std::string axis = v->text();
-    if (axis != "y" && axis != "z") v->fail("the axis that points up is y or z");
-    pose.up = axis == "z" ? UpAxis::z : UpAxis::y;
-  }
-  return pose;
 }
 
 std::optional<Shading> shading_of_word(std::string_view word) {
@@ -150,55 +106,6 @@ ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) 
       json, "shading", view.shading, [](const JsonReader& v) { return word_of(v, shading_of_word); },
       "the model is shown as its file says", warnings);
   return view;
-}
-
-struct Points {
-  std::vector<mesh::Point> all;
-  std::vector<std::size_t> unread;
-};
-
-Points points_of(const JsonReader& json, double limit, double otherwise) {
-  Points points{std::vector<mesh::Point>(json.size(), {otherwise, otherwise, otherwise}), {}};
-  for (std::size_t i = 0; i < points.all.size(); ++i) {
-    if (const auto point = json.point(i, limit)) {
-      points.all[i] = *point;
-    } else {
-      points.unread.push_back(i);
-    }
-  }
-  return points;
-}
-
-// "vertex 5 is at rest instead".
-void tell_unread(const JsonReader& json, const std::vector<std::size_t>& unread, const std::string& element,
-                 const std::string& instead, std::vector<std::string>& warnings) {
-  if (unread.empty()) return;
-  const bool one = unread.size() == 1;
-  const std::string others = one ? "" : " and " + std::to_string(unread.size() - 1) + " more";
-  try {
-    json.item(unread.front()).numbers<3>();
-    json.item(unread.front()).fail("a number is too large");
-  } catch (const base::Error& error) {
-    warnings.emplace_back(base::Error(error.place(), error.problem(),
-                                      element + ' ' + std::to_string(unread.front()) + others +
-                                          (one ? " is " : " are ") + instead)
-                              .what());
-  }
-}
-
-deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  const JsonReader positions = json.at("positions");
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  Points points = points_of(positions, largest_coordinate, unknown);
-  tell_unread(positions, points.unread, "vertex", "at rest instead", warnings);
-  deform::Pose pose{std::move(points.all), {}};
-  const auto turns_of = [&](const JsonReader& turns) {
-    Points read = points_of(turns, largest_turn, 0);
-    tell_unread(turns, read.unread, "part", "without whole turns instead", warnings);
-    return std::move(read.all);
-  };
-  take_part(json, "turns", pose.turns, turns_of, "no part has made a whole turn", warnings);
-  return pose;
 }
 
 // Keys are of bytes as the machine stores them: others than the common ones say nothing.
@@ -300,6 +207,9 @@ Session session_of(const Workspace& w) {
   session.selection = w.document.selection.indices();
   session.groups = w.document.groups;
   if (w.document.has_cage()) session.pose = real_pose(w.document);
+  session.library = w.document.library;
+  session.timeline = w.document.timeline;
+  session.frame = w.document.frame;
   return session;
 }
 
@@ -333,6 +243,7 @@ namespace {
 
 // The oldest whose programs read all of it.
 std::uint32_t version_of(const Session& session) {
+  if (!session.library.poses.empty() || session.timeline != Timeline{}) return 5;
   if (session.made_cage) return 4;
   if (!session.probes.empty()) return 3;
   return is_plain(session.scheme) && session.mask.empty() ? 1 : 2;
@@ -365,7 +276,9 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   json["selection"] = session.selection;
   if (!session.groups.sets.empty()) json["sets"] = sets_json(session.groups.sets);
   if (!session.groups.hidden.empty()) json["hidden"] = session.groups.hidden;
-  if (session.pose) json["pose"] = {{"turns", session.pose->turns}, {"positions", session.pose->positions}};
+  if (session.pose) json["pose"] = pose_json(*session.pose);
+  if (!session.library.poses.empty()) json["poses"] = library_json(session.library);
+  if (session.timeline != Timeline{}) json["time"] = timeline_json(session.timeline, session.frame);
   return readable(json, file);
 }
 
@@ -396,7 +309,13 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("probes", s.probes, take_probes, "there are none instead");
   take("sets", s.groups.sets, sets_of, "there are none instead");
   take("hidden", s.groups.hidden, selection_of, "all of the cage is shown instead");
-  take("camera", s.camera, camera_of, "the whole model is shown instead");
+  take(
+      "poses", s.library, [&](const auto& v) { return library_of(v, s.warnings); }, "there are none instead");
+  take(
+      "time", s.timeline, [&](const auto& v) { return timeline_of(v, s.frame, s.warnings); },
+      "there are no keys instead");
+  take(
+      "camera", s.camera, [](const auto& v) { return camera_of(v); }, "the whole model is shown instead");
   take(
       "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");
   take(

@@ -18,8 +18,8 @@ struct MaskRun {
   friend bool operator==(const MaskRun&, const MaskRun&) = default;
 };
 
-/// What a session file holds. JSON, version 1 to 4:
-///   "format": "viete session", "version": 1 to 4,
+/// What a session file holds. JSON, version 1 to 5:
+///   "format": "viete session", "version": 1 to 5,
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
 ///                         that are not UTF-8 as path_json() writes them
 ///   "made_cage"           instead of "cage", one that is in no file: "name", "positions": [x, y, z] a
@@ -41,8 +41,7 @@ struct MaskRun {
 ///   "mask"                painted shares of the model's vertices in their order, in 255ths: [share, for how
 ///                         many vertices, share, ...]; missing: every vertex follows the cage
 ///   "probes"              see probes_json.h; missing: there are none
-///   "camera"              "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and
-///                         "pitch" in radians, "orthographic", "up": "y" (also if missing) or "z"
+///   "camera"              see camera_json.h
 ///   "view"                flags, see ViewOptions
 ///   "hand"                see handling_json.h; missing: as in a new window
 ///   "unit"                what one unit of the model's file measures: "mm", "cm", "m", "in", "ft" or "none";
@@ -55,8 +54,10 @@ struct MaskRun {
 ///   "hidden"              vertices of the cage that are not shown; missing: none
 ///   "pose"                "turns": rotation vectors in radians, one per part of the cage;
 ///                         "positions": [x, y, z] per cage vertex
+///   "poses", "time"       those with names, and keys: see pose_json.h; missing: there are none
 /// Version 1 has only such elements, weights and blends as "coordinates" has a word for: programs that know
-/// no others read it; version 3 is what has probes, version 4 what has a cage that is in no file. Only
+/// no others read it; version 3 is what has probes, version 4 what has a cage that is in no file,
+/// version 5 what has poses with names, or keys. Only
 /// format, version and model are required. Unknown keys are ignored, so that newer programs may add some.
 /// Ranges are those of scene/range.h. What is damaged beside model, cage and the list of positions costs its
 /// own part: it counts as missing, and a warning says so.
@@ -78,6 +79,9 @@ struct Session {
   ElementKind selecting = ElementKind::vertex;
   std::vector<std::uint32_t> selection;
   CageGroups groups;
+  PoseLibrary library;
+  Timeline timeline;
+  double frame = 1;                   ///< of the timeline
   std::optional<deform::Pose> pose;   ///< missing: at rest; NaN: a position that could not be read
   std::vector<std::string> warnings;  ///< one line each, naming file and key, and what is taken instead
 };

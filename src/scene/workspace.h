@@ -26,6 +26,7 @@
 #include "scene/measures.h"
 #include "scene/messages.h"
 #include "scene/mirror.h"
+#include "scene/playback.h"
 #include "scene/question.h"
 #include "scene/recovery.h"
 #include "scene/remembered.h"
@@ -89,7 +90,7 @@ struct Interaction {
   std::optional<glm::vec2> menu;    ///< the right button was clicked here: a menu is to open
   glm::vec2 menu_at{0, 0};          ///< and that is what its commands are for
   std::optional<std::size_t> part;  ///< of the frame, under the cursor: a link, or what comes after them
-  bool placing_pivot = false;     ///< the next click says where
+  bool placing_pivot = false;       ///< the next click says where
   struct Grab {
     Tool tool;
     Shape shape = Shape::none;
@@ -154,6 +155,8 @@ struct Saved {
   deform::Mask mask;                         ///< likewise
   deform::Probes probes;                     ///< likewise
   std::vector<NamedSet> sets;                ///< likewise
+  PoseLibrary library;                       ///< likewise
+  Timeline timeline;                         ///< likewise
   bool nowhere = false;                      ///< recovered work, which is in no file of the user's
   unsigned long revision = 0;                ///< grows with each change
 };
@@ -192,6 +195,7 @@ struct Workspace {
   Handling handling;
   KnownMirror mirror;  ///< that of the cage, as handling asks for it
   CopiedPose copied;
+  Playback playback;
   Brush brush;                      ///< of Tool::paint
   PosedModel posed;                 ///< the model as it is drawn
   std::vector<SurfacePoint> marks;  ///< on the model, two at most: the length between them is measured

@@ -25,7 +25,7 @@ struct Posed {
   Pose share(const Pose& pose, double factor) const {
     const PoseVector v = space.vector(pose);
     const std::array terms{PoseTerm{&v, factor}};
-    return space.pose(sum(*cage, terms), space.held_from_rest(terms));
+    return space.pose(sum(*cage, terms), space.held_from(sum(*cage, {}), terms));
   }
   Pose between(const PoseVector& a, const PoseVector& b, double t) const {
     const std::array terms{PoseTerm{&a, 1 - t}, PoseTerm{&b, t}};

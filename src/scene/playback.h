@@ -1,0 +1,48 @@
+// Time passes: the document shows the pose of its frame.
+#pragma once
+
+#include <memory>
+
+#include "scene/animation.h"
+
+namespace viete::scene {
+
+struct Document;
+struct Workspace;
+
+/// What plays, and what is known of the motion. Of a workspace.
+struct Playback {
+  bool playing = false;
+  bool backward = false;  ///< as ping-pong comes back
+  bool auto_key = false;  ///< what a hand changes becomes a key of its frame
+  bool paths = false;     ///< the ways of the selected vertices are drawn
+  KnownVectors vectors;
+  std::shared_ptr<const Animation> animation;  ///< of `timeline`; null where that has no keys
+  Timeline timeline;
+  std::shared_ptr<const deform::Cage> cage;
+  SharedPose shown;                 ///< as time has put it there; null: not by time
+  unsigned long seen_revision = 0;  ///< of the history
+};
+
+/// Of the timeline as it is now; null where it has no keys, or while the cage itself is edited.
+std::shared_ptr<const Animation> animation_of(Workspace& workspace);
+
+/// True if what is there was changed since time has put it there, so that going to another frame would change
+/// it: there are keys, and it is in none.
+bool has_unkeyed_pose(const Workspace& workspace);
+
+/// Shows the frame: pose, probes and camera keys. A pose that is in no key is not lost: undo leads back to
+/// it. Ends the mix. Does nothing while something is in the hand.
+void go_to_frame(Workspace& workspace, double frame);
+/// To the next frame that has a key, or the one before; from the last one to the first.
+void go_to_key(Workspace& workspace, bool forward);
+
+void start_playing(Workspace& workspace);
+/// Where it comes to rest is a whole frame.
+void stop_playing(Workspace& workspace);
+
+/// Once a frame of the window, `seconds` after the last one: plays; keys what a hand has changed, if that is
+/// wanted; and shows what an edit of the timeline has made of this frame.
+void follow_time(Workspace& workspace, double seconds);
+
+}  // namespace viete::scene

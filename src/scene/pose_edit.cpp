@@ -1,0 +1,300 @@
+#include "scene/pose_edit.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "scene/cage_editing.h"
+#include "scene/edit.h"
+#include "scene/elements.h"
+
+namespace viete::scene {
+
+namespace {
+
+constexpr const char* no_room_for_poses = "there are as many poses as a document can have";
+
+bool moves_alike(const WholePose& a, const WholePose& b) {
+  return a.cage.positions == b.cage.positions && a.probes == b.probes;
+}
+
+// What of a pose acts on some vertices of the cage: of a triangle as many thirds as it has corners there.
+deform::PoseVector limited_to(const deform::Cage& cage, const deform::PoseVector& vector,
+                              const std::vector<std::uint32_t>& part) {
+  using mesh::operator*;
+  deform::PoseVector limited = vector;
+  if (part.empty()) return limited;
+  std::vector<double> share(cage.surface.positions.size());
+  for (const auto v : part) share[v] = 1;
+  for (std::size_t v = 0; v < share.size(); ++v) {
+    limited.ways[v] = share[v] * vector.ways[v];
+    limited.leftovers[v] = share[v] * vector.leftovers[v];
+  }
+  std::vector<double> shares(cage.roots.size()), counts(cage.roots.size());
+  for (std::size_t e = 0; e < limited.logs.size(); ++e) {
+    const auto& [a, b, c] = cage.surface.triangles[e];
+    const double of = (share[a] + share[b] + share[c]) / 3;
+    for (double& x : limited.logs[e]) x *= of;
+    if (cage.parts[e] < shares.size()) shares[cage.parts[e]] += of, counts[cage.parts[e]] += 1;
+  }
+  for (std::size_t p = 0; p < shares.size(); ++p)
+    limited.turns[p] = (counts[p] > 0 ? shares[p] / counts[p] : 0) * vector.turns[p];
+  return limited;
+}
+
+// The pose `from`, and upon it `sign` times what the library mixes.
+WholePose mix_of(const Document& document, KnownVectors& vectors, const SharedPose& from, double sign) {
+  std::vector<ProbeTerm> probes{{&from->probes, 1}};
+  for (const NamedPose& named : document.library.poses)
+    if (named.part.empty()) probes.push_back({&named.pose->probes, sign * named.weight});
+  WholePose pose{from->cage, blended_probes(probes)};
+  if (!document.has_cage()) return pose;
+  std::vector<deform::PoseVector> parts;
+  std::vector<double> factors;
+  for (const NamedPose& named : document.library.poses) {
+    if (named.weight == 0) continue;
+    parts.push_back(limited_to(*document.cage, *vectors.of(named.pose), named.part));
+    factors.push_back(sign * named.weight);
+  }
+  const auto base = vectors.of(from);
+  std::vector<deform::PoseTerm> terms;
+  for (std::size_t i = 0; i < parts.size(); ++i) terms.push_back({&parts[i], factors[i]});
+  const deform::Held held = vectors.space()->held_from(*base, terms);
+  terms.push_back({base.get(), 1});
+  pose.cage = vectors.space()->pose(deform::sum(*document.cage, terms), held);
+  return pose;
+}
+
+bool is_rest_pose(const Document& document, const WholePose& pose) {
+  return (!document.has_cage() || pose.cage.positions == document.cage->surface.positions) &&
+         std::ranges::all_of(pose.probes, [](const auto& p) { return p == deform::ProbePose{}; }) &&
+         std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
+}
+
+// One pose alone, all of it: that, to the last bit.
+const NamedPose* mixed_alone(const PoseLibrary& library) {
+  const NamedPose* found = nullptr;
+  for (const NamedPose& named : library.poses) {
+    if (named.weight == 0) continue;
+    if (found || named.weight != 1 || !named.part.empty()) return nullptr;
+    found = &named;
+  }
+  return found;
+}
+
+// The mix as it was is left aside: what remains is made by hand.
+SharedPose without_mix(const Document& document, KnownVectors& vectors) {
+  const PoseLibrary& library = document.library;
+  const SharedPose now = shared_pose(document);
+  if (!library.mixes()) return now;
+  if (library.mixed && library.unmixed && moves_alike(*library.mixed, *now)) return library.unmixed;
+  return std::make_shared<const WholePose>(mix_of(document, vectors, now, -1));
+}
+
+void show_mix(Document& document, KnownVectors& vectors, const SharedPose& base) {
+  PoseLibrary& library = document.library;
+  const NamedPose* alone = mixed_alone(library);
+  if (!library.mixes()) {
+    put_whole_pose(document, *base);
+    library.unmixed = library.mixed = nullptr;
+    return;
+  }
+  if (alone && is_rest_pose(document, *base)) {
+    put_whole_pose(document, *alone->pose);
+  } else {
+    put_whole_pose(document, mix_of(document, vectors, base, 1));
+  }
+  library.unmixed = base;
+  library.mixed = shared_pose(document);
+}
+
+// Changes weights, and shows it.
+template <class Change>
+void remix(Document& document, KnownVectors& vectors, Change change) {
+  vectors.follow(document.cage);
+  const SharedPose base = without_mix(document, vectors);
+  change(document.library);
+  show_mix(document, vectors, base);
+}
+
+void check_room_for_poses(const PoseLibrary& library, std::size_t more) {
+  if (library.poses.size() + more > PoseLibrary::most_poses)
+    throw base::Error("", no_room_for_poses, "delete some of the " + std::to_string(library.poses.size()));
+}
+
+}  // namespace
+
+bool PoseLibrary::mixes() const {
+  return std::ranges::any_of(poses, [](const NamedPose& p) { return p.weight != 0; });
+}
+
+WholePose whole_pose(const Document& document) {
+  WholePose pose;
+  if (document.has_cage()) {
+    pose.cage = real_pose(document);
+    pose.cage.turns.resize(document.cage->roots.size());  // those that are missing are known to be 0
+  }
+  for (const deform::Probe& probe : document.probes.all) pose.probes.push_back(probe.pose);
+  return pose;
+}
+
+SharedPose shared_pose(const Document& document) {
+  return std::make_shared<const WholePose>(whole_pose(document));
+}
+
+void put_whole_pose(Document& document, const WholePose& pose) {
+  if (document.has_cage()) {
+    document.kept_pose.reset();
+    document.pose = pose.cage;
+  }
+  auto& probes = document.probes.all;
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    if (!probes[i].locked) probes[i].pose = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
+  ++document.revisions.pose;
+}
+
+void end_mix(Document& document) {
+  for (NamedPose& named : document.library.poses) named.weight = 0, named.part.clear();
+  document.library.unmixed = document.library.mixed = nullptr;
+}
+
+std::string free_name(const PoseLibrary& library, const std::string& wish) {
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::any_of(library.poses, [&](const NamedPose& p) { return p.name == name; });
+  };
+  const std::string base = wish.empty() ? "pose" : wish.substr(0, PoseLibrary::longest_name);
+  std::string name = base;
+  for (int n = 2; taken(name); ++n) name = base + " " + std::to_string(n);
+  return name;
+}
+
+std::size_t keep_pose(Document& document, const std::string& name) {
+  check_room_for_poses(document.library, 1);
+  record_edit(document, "keep a pose");
+  document.library.poses.push_back({free_name(document.library, name), shared_pose(document)});
+  return document.library.poses.size() - 1;
+}
+
+void add_poses(Document& document, std::vector<NamedPose> poses) {
+  check_room_for_poses(document.library, poses.size());
+  record_edit(document, "import poses");
+  for (NamedPose& pose : poses) {
+    pose.name = free_name(document.library, pose.name);
+    document.library.poses.push_back(std::move(pose));
+  }
+}
+
+void update_pose(Document& document, std::size_t pose) {
+  record_edit(document, "update a pose");
+  const SharedPose now = shared_pose(document);
+  end_mix(document);
+  document.library.poses[pose].pose = now;
+}
+
+void apply_pose(Document& document, std::size_t pose) {
+  record_edit(document, "apply a pose");
+  end_mix(document);
+  put_whole_pose(document, *document.library.poses[pose].pose);
+}
+
+void rename_pose(Document& document, std::size_t pose, const std::string& name) {
+  if (document.library.poses[pose].name == name || name.empty()) return;
+  record_edit(document, "rename a pose");
+  document.library.poses[pose].name.clear();
+  document.library.poses[pose].name = free_name(document.library, name);
+}
+
+void move_pose(Document& document, std::size_t pose, std::size_t to) {
+  auto& poses = document.library.poses;
+  if (to == pose || to == pose + 1) return;
+  record_edit(document, "move a pose");
+  NamedPose moved = std::move(poses[pose]);
+  poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(to > pose ? to - 1 : to), std::move(moved));
+}
+
+void duplicate_pose(Document& document, std::size_t pose) {
+  check_room_for_poses(document.library, 1);
+  record_edit(document, "duplicate a pose");
+  NamedPose copy = document.library.poses[pose];
+  copy.weight = 0;
+  copy.part.clear();
+  copy.name = free_name(document.library, copy.name);
+  auto& poses = document.library.poses;
+  poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(pose) + 1, std::move(copy));
+}
+
+void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose) {
+  record_edit(document, "delete a pose");
+  const auto erase = [pose](PoseLibrary& library) {
+    library.poses.erase(library.poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  };
+  if (document.library.poses[pose].weight == 0) return erase(document.library);
+  remix(document, vectors, erase);
+}
+
+void set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight) {
+  weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
+  const NamedPose& named = document.library.poses[pose];
+  if (named.weight == weight) return;
+  record_step(document, "mix in " + named.name);
+  remix(document, vectors, [&](PoseLibrary& library) {
+    NamedPose& changed = library.poses[pose];
+    if (changed.weight == 0) {
+      const bool of_cage = document.has_cage() && document.selection.kind() != ElementKind::probe;
+      changed.part =
+          of_cage ? selected_vertices(*document.cage, document.selection) : std::vector<std::uint32_t>{};
+    }
+    changed.weight = weight;
+    if (weight == 0) changed.part.clear();
+  });
+}
+
+void clear_mix(Document& document, KnownVectors& vectors) {
+  record_edit(document, "clear the mix");
+  remix(document, vectors, [](PoseLibrary& library) {
+    for (NamedPose& named : library.poses) named.weight = 0, named.part.clear();
+  });
+}
+
+void average_mix(Document& document, KnownVectors& vectors) {
+  double sum = 0;
+  for (const NamedPose& named : document.library.poses) sum += named.weight;
+  record_edit(document, "average poses");
+  remix(document, vectors, [sum](PoseLibrary& library) {
+    for (NamedPose& named : library.poses) named.weight /= sum;
+  });
+}
+
+void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried) {
+  const auto carry = [&](SharedPose& pose) {
+    pose = std::make_shared<const WholePose>(WholePose{carried(pose->cage), pose->probes});
+  };
+  end_mix(document);
+  for (NamedPose& named : document.library.poses) carry(named.pose);
+  for (PoseKey& key : document.timeline.keys) carry(key.pose);
+}
+
+std::string drop_poses(Document& document) {
+  const auto counted = [](std::size_t n, const std::string& what) {
+    return n == 0 ? std::string() : std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
+  };
+  const std::string poses = counted(document.library.poses.size(), "pose");
+  const std::string keys = counted(document.timeline.keys.size(), "key");
+  document.library = {};
+  document.timeline.keys.clear();
+  return poses.empty() || keys.empty() ? poses + keys : poses + " and " + keys;
+}
+
+void forget_probe(Document& document, std::size_t probe) {
+  const auto forget = [probe](SharedPose& pose) {
+    if (probe >= pose->probes.size()) return;
+    WholePose without = *pose;
+    without.probes.erase(without.probes.begin() + static_cast<std::ptrdiff_t>(probe));
+    pose = std::make_shared<const WholePose>(std::move(without));
+  };
+  for (NamedPose& named : document.library.poses) forget(named.pose);
+  for (PoseKey& key : document.timeline.keys) forget(key.pose);
+  document.library.unmixed = document.library.mixed = nullptr;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,153 @@
+#include "scene/time_edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "scene/edit.h"
+
+namespace viete::scene {
+
+namespace {
+
+constexpr const char* move_label = "move keys";
+constexpr const char* play_label = "change what plays";
+constexpr const char* curve_label = "shape a curve";
+
+void check_frame(int frame) {
+  if (frame < Timeline::least_frame || frame > Timeline::largest_frame)
+    throw base::Error("", "frame " + std::to_string(frame) + " is out of range",
+                      "choose one from " + std::to_string(Timeline::least_frame) + " to " +
+                          std::to_string(Timeline::largest_frame));
+}
+
+template <class Keys>
+auto place_for(Keys& keys, int frame) {
+  return std::ranges::lower_bound(keys, frame, {}, [](const auto& key) { return key.frame; });
+}
+
+// The key of the frame, made if it is not there.
+template <class Key>
+Key& key_for(std::vector<Key>& keys, int frame) {
+  const auto place = place_for(keys, frame);
+  if (place != keys.end() && place->frame == frame) return *place;
+  if (keys.size() >= Timeline::most_keys)
+    throw base::Error("", "there are as many keys as a document can have", "delete some");
+  return *keys.insert(place, Key{frame});
+}
+
+void include(Timeline& timeline, int frame) {
+  timeline.first = std::min(timeline.first, frame);
+  timeline.last = std::max(timeline.last, frame);
+}
+
+void put_key(Timeline& timeline, int frame, SharedPose pose) {
+  check_frame(frame);
+  key_for(timeline.keys, frame).pose = std::move(pose);
+  include(timeline, frame);
+}
+
+bool among(std::span<const int> frames, int frame) {
+  return std::ranges::find(frames, frame) != frames.end();
+}
+
+template <class Key>
+void move_in(std::vector<Key>& keys, std::span<const int> frames, std::span<const int> to) {
+  std::vector<Key> moved;
+  std::erase_if(keys, [&](const Key& key) {
+    const auto found = std::ranges::find(frames, key.frame);
+    if (found == frames.end()) return false;
+    moved.push_back(key);
+    moved.back().frame = to[static_cast<std::size_t>(found - frames.begin())];
+    return true;
+  });
+  for (Key& key : moved) key_for(keys, key.frame) = key;
+}
+
+}  // namespace
+
+int current_frame(const Document& document) {
+  return static_cast<int>(std::lround(document.frame));
+}
+
+void set_key(Document& document, int frame) {
+  Timeline timeline = document.timeline;
+  put_key(timeline, frame, shared_pose(document));
+  record_edit(document, "set a key");
+  document.timeline = std::move(timeline);
+}
+
+void add_key_to_edit(Document& document, int frame) {
+  put_key(document.timeline, frame, shared_pose(document));
+  document.history.go_on();
+}
+
+void set_camera_key(Document& document, int frame, const CameraPose& camera) {
+  check_frame(frame);
+  Timeline timeline = document.timeline;
+  key_for(timeline.cameras, frame).camera = camera;
+  include(timeline, frame);
+  record_edit(document, "set a camera key");
+  document.timeline = std::move(timeline);
+}
+
+void remove_keys(Document& document, std::span<const int> frames) {
+  record_edit(document, "delete keys");
+  const auto gone = [&](const auto& key) { return among(frames, key.frame); };
+  std::erase_if(document.timeline.keys, gone);
+  std::erase_if(document.timeline.cameras, gone);
+}
+
+void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
+               std::span<const int> to) {
+  for (const int frame : to) check_frame(frame);
+  record_step(document, move_label);
+  Timeline timeline = before;
+  move_in(timeline.keys, frames, to);
+  move_in(timeline.cameras, frames, to);
+  for (const int frame : to) include(timeline, frame);
+  document.timeline = std::move(timeline);
+}
+
+void set_easing(Document& document, std::span<const int> frames, Easing easing) {
+  record_edit(document, "change the easing");
+  for (PoseKey& key : document.timeline.keys)
+    if (among(frames, key.frame)) key.easing = easing;
+}
+
+void set_handles(Document& document, int frame, const Handles& handles) {
+  record_step(document, curve_label);
+  for (PoseKey& key : document.timeline.keys) {
+    if (key.frame != frame) continue;
+    key.easing = Easing::bezier;
+    key.handles = {std::clamp(handles[0], 0.0, 1.0), std::clamp(handles[1], -4.0, 5.0),
+                   std::clamp(handles[2], 0.0, 1.0), std::clamp(handles[3], -4.0, 5.0)};
+  }
+}
+
+bool are_handles(const Handles& h) {
+  const auto within = [](double x, double least, double most) { return x >= least && x <= most; };
+  return within(h[0], 0, 1) && within(h[1], -4, 5) && within(h[2], 0, 1) && within(h[3], -4, 5);
+}
+
+void put_timeline(Document& document, Timeline timeline, const std::string& label) {
+  document.history.record(label, snapshot_of(document));
+  document.timeline = std::move(timeline);
+}
+
+Play play_of(const Timeline& t) {
+  return {t.first, t.last, t.rate, t.repeat, t.straight};
+}
+
+void set_play(Document& document, const Play& play) {
+  if (play == play_of(document.timeline)) return;
+  record_step(document, play_label);
+  Timeline& t = document.timeline;
+  t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
+  t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);
+  t.rate = std::clamp(play.rate, Timeline::least_rate, Timeline::largest_rate);
+  t.repeat = play.repeat;
+  t.straight = play.straight;
+}
+
+}  // namespace viete::scene
