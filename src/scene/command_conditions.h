@@ -11,7 +11,9 @@ namespace viete::scene {
 
 // What is dragged, painted or brushed is one edit, which others must not come between.
 inline bool in_hand(const Workspace& w) {
-  return w.interaction.drag || w.interaction.stroke || w.interaction.brushing;
+  const auto& time = w.time_view.drag;
+  return w.interaction.drag || w.interaction.stroke || w.interaction.brushing ||
+         (time && time->what == TimeView::What::keys);
 }
 inline constexpr Condition hand_is_free{[](const Workspace& w) { return !in_hand(w); },
                                         "Finish what you are dragging first."};
@@ -96,7 +98,8 @@ inline constexpr Condition is_editing{
     "Switch to editing the cage first (Tab)."};
 inline constexpr Condition has_cage_selected{
     [](const Workspace& w) {
-      return is_editing(w) && w.document.selection.kind() != ElementKind::probe && has_selection(w);
+      return is_editing(w) && w.document.selection.kind() != ElementKind::probe && has_selection(w) &&
+             !w.time_view.hovered;  // there keys of the keyboard are of keys in time
     },
     "Switch to editing the cage (Tab) and select something of it first."};
 inline constexpr Condition has_outside{
@@ -132,7 +135,8 @@ inline constexpr Condition is_posed{
 inline constexpr Condition has_posed_selection{
     [](const Workspace& w) {
       const bool of_cage = w.document.selection.kind() != ElementKind::probe;
-      return has_selection(w) && is_posed(w) && !(of_cage && is_editing_cage(w.document));
+      return has_selection(w) && is_posed(w) && !(of_cage && is_editing_cage(w.document)) &&
+             !w.time_view.hovered;
     },
     "Nothing that is selected has moved."};
 

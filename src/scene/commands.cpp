@@ -21,6 +21,7 @@
 #include "scene/probes.h"
 #include "scene/selecting.h"
 #include "scene/selection_sets.h"
+#include "scene/time_commands.h"
 
 namespace viete::scene {
 
@@ -526,6 +527,7 @@ const std::vector<Command>& table() {
   static const std::vector<Command> all = [] {
     std::vector<Command> commands = most_commands();
     std::ranges::copy(hand_commands(), std::back_inserter(commands));
+    std::ranges::copy(time_commands(), std::back_inserter(commands));
     return commands;
   }();
   return all;

@@ -53,6 +53,7 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"command_palette", {Key::f3}, {}},
     {"toggle_panels", plain('N'), {}},
     {"redo", {key('Z'), true, true}, {}},
+    {"delete_keys", plain('X'), {Key::delete_key}},
 });
 
 // And from Maya.
@@ -71,6 +72,12 @@ constexpr auto maya_keys = std::to_array<PresetKeys>({
     {"show_hidden", {key('H'), true, true}, {}},
     {"toggle_wireframe", plain('4'), {}},
     {"next_shading", plain('5'), {}},
+    {"set_key", plain('S'), {}},
+    {"play", alt('V'), {Key::space}},
+    {"previous_key", plain(','), {Key::down}},
+    {"next_key", plain('.'), {Key::up}},
+    {"previous_frame", alt(','), {Key::left}},
+    {"next_frame", alt('.'), {Key::right}},
 });
 
 std::span<const PresetKeys> keys_of_preset(KeyPreset preset) {
@@ -97,11 +104,12 @@ std::span<const KeyPresetEntry> all_key_presets() {
 
 bool shares_keys(std::string_view command, std::string_view other) {
   // What has moved is reset, and in the mode that edits the cage what is selected is removed. Esc stops
-  // whatever is at work.
+  // whatever is at work. Over the timeline keys are deleted.
   const auto is_pair = [&](std::string_view a, std::string_view b) {
     return (command == a && other == b) || (command == b && other == a);
   };
-  return is_pair("remove_elements", "reset_selected") || is_pair("stop_work", "stop_selecting");
+  return is_pair("remove_elements", "reset_selected") || is_pair("stop_work", "stop_selecting") ||
+         is_pair("delete_keys", "reset_selected") || is_pair("delete_keys", "remove_elements");
 }
 
 void Keymap::set_preset(KeyPreset preset) {

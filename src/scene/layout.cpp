@@ -35,10 +35,15 @@ ColumnWidths shown_columns(const PanelLayout& layout, float window_width) {
   return {shown[0], shown[1]};
 }
 
+float column_height(float window_height) {
+  return std::max(1.0f, window_height - PanelLayout::menu_height - PanelLayout::status_height);
+}
+
 Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels) {
   if (!panels) return {window, {0, 0}, glm::max(glm::vec2(1), window)};
   const ColumnWidths columns = shown_columns(layout, window.x);
-  const glm::vec2 covered(columns.tools + columns.lab, PanelLayout::menu_height + PanelLayout::status_height);
+  const float below = PanelLayout::status_height + (layout.timeline ? PanelLayout::timeline_height : 0);
+  const glm::vec2 covered(columns.tools + columns.lab, PanelLayout::menu_height + below);
   return {window, {columns.tools, PanelLayout::menu_height}, glm::max(glm::vec2(1), window - covered)};
 }
 

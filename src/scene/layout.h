@@ -17,11 +17,12 @@ enum class Column { tools, lab };
 struct PanelLayout {
   static constexpr float least_width = 272, usual_width = 320, largest_width = 560;
   static constexpr float least_view = 320;  ///< which is left between the columns
-  static constexpr float menu_height = 26, status_height = 26;
+  static constexpr float menu_height = 26, status_height = 26, timeline_height = 156;
 
   std::array<float, 2> width{usual_width, usual_width};
   std::array<bool, 2> folded{};
   Column last = Column::tools;           ///< unfolded last: shown where there is room for one
+  bool timeline = false;                 ///< below the view, between the columns
   std::map<std::string, bool> sections;  ///< by title, of those that were opened or closed: open?
 
   bool is_folded(Column column) const { return folded[static_cast<std::size_t>(column)]; }
@@ -36,7 +37,10 @@ struct ColumnWidths {
 };
 ColumnWidths shown_columns(const PanelLayout& layout, float window_width);
 
-/// What the columns and bars leave of a window; all of it without panels.
+/// Between menu and status bar.
+float column_height(float window_height);
+
+/// What columns, bars and timeline leave of a window; all of it without panels.
 Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels);
 
 /// Shows a column that is not shown, if need be instead of the other; folds away one that is.

@@ -14,11 +14,12 @@ struct Title {
   std::array<std::string_view, 3> groups;
 };
 
-constexpr Title titles[] = {
-    {"File", {"File"}},        {"Edit", {"Edit"}}, {"Select", {"Select"}},
-    {"Cage", {"Cage"}},        {"Tool", {"Tool"}}, {"Hand", {"Hand"}},
-    {"Probes", {"Probes"}},    {"View", {"View"}}, {"Lab", {"Method", "Blend", "Lab"}},
-    {"Help", {"Help", "Keys"}}};
+constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
+                            {"Select", {"Select"}},    {"Cage", {"Cage"}},
+                            {"Tool", {"Tool"}},        {"Hand", {"Hand"}},
+                            {"Probes", {"Probes"}},    {"Time", {"Poses", "Time"}},
+                            {"View", {"View"}},        {"Lab", {"Method", "Blend", "Lab"}},
+                            {"Help", {"Help", "Keys"}}};
 
 bool holds(const Title& title, std::string_view group) {
   return std::ranges::find(title.groups, group) != title.groups.end();
@@ -92,6 +93,11 @@ constexpr Switch switches[] = {
     {"tool_rotate", [](const Workspace& w) { return w.tool == Tool::rotate; }},
     {"tool_scale", [](const Workspace& w) { return w.tool == Tool::scale; }},
     {"tool_paint", [](const Workspace& w) { return w.tool == Tool::paint; }},
+    {"play", [](const Workspace& w) { return w.playback.playing; }},
+    {"toggle_auto_key", [](const Workspace& w) { return w.playback.auto_key; }},
+    {"toggle_paths", [](const Workspace& w) { return w.playback.paths; }},
+    {"toggle_straight", [](const Workspace& w) { return w.document.timeline.straight; }},
+    {"toggle_timeline", [](const Workspace& w) { return w.remembered.layout.timeline; }},
 };
 
 std::string in_lower(std::string_view text) {
@@ -141,11 +147,19 @@ std::span<const Menu> menus() {
 }
 
 std::string_view submenu_of(const Command& command) {
-  constexpr std::pair<std::string_view, std::string_view> prefixes[] = {
-      {"view_", "Look from"}, {"shading_", "Shading"},   {"unit_", "Unit of the file"},
-      {"pivot_", "Pivot"},    {"axes_", "Axes"},         {"soft_", "Falloff"},
-      {"keys_", "Keys of"},   {"elements_", "Elements"}, {"weights_", "Weights"},
-      {"blend_", "Blend"},    {"side_", "Side"}};
+  constexpr std::pair<std::string_view, std::string_view> prefixes[] = {{"view_", "Look from"},
+                                                                        {"shading_", "Shading"},
+                                                                        {"unit_", "Unit of the file"},
+                                                                        {"pivot_", "Pivot"},
+                                                                        {"axes_", "Axes"},
+                                                                        {"soft_", "Falloff"},
+                                                                        {"keys_", "Keys of"},
+                                                                        {"elements_", "Elements"},
+                                                                        {"weights_", "Weights"},
+                                                                        {"blend_", "Blend"},
+                                                                        {"side_", "Side"},
+                                                                        {"easing_", "Easing"},
+                                                                        {"repeat_", "After the last frame"}};
   for (const auto& [prefix, title] : prefixes) {
     if (command.name.starts_with(prefix)) return title;
   }

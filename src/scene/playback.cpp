@@ -39,7 +39,8 @@ void show_frame(Workspace& w, double frame) {
 void follow_edits(Workspace& w) {
   Playback& p = w.playback;
   const unsigned long revision = w.document.history.revision();
-  if (revision == p.seen_revision || in_hand(w)) return;
+  const bool moves_keys = w.time_view.drag.has_value();  // which is seen at once
+  if (revision == p.seen_revision || (in_hand(w) && !moves_keys)) return;
   p.seen_revision = revision;
   const bool retimed = p.timeline != w.document.timeline;
   if (!animation_of(w)) {

@@ -38,6 +38,7 @@ ordered_json to_json(const PanelLayout& layout) {
   for (std::size_t i = 0; i < 2; ++i)
     json[column_names[i]] = {{"width", layout.width[i]}, {"folded", layout.folded[i]}};
   json["last"] = column_names[static_cast<std::size_t>(layout.last)];
+  json["timeline"] = layout.timeline;
   json["sections"] = layout.sections;
   return json;
 }
@@ -53,6 +54,7 @@ PanelLayout layout_of(const JsonReader& json) {
     layout.folded[i] = column->at("folded").boolean();
   }
   if (const auto last = json.find("last"); last && last->text() == column_names[1]) layout.last = Column::lab;
+  if (const auto timeline = json.find("timeline")) layout.timeline = timeline->boolean();
   if (const auto sections = json.find("sections")) {
     for (const std::string& title : sections->keys()) layout.sections[title] = sections->at(title).boolean();
   }

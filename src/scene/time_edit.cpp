@@ -10,7 +10,6 @@ namespace viete::scene {
 
 namespace {
 
-constexpr const char* move_label = "move keys";
 constexpr const char* play_label = "change what plays";
 constexpr const char* curve_label = "shape a curve";
 
@@ -101,7 +100,7 @@ void remove_keys(Document& document, std::span<const int> frames) {
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
                std::span<const int> to) {
   for (const int frame : to) check_frame(frame);
-  record_step(document, move_label);
+  record_step(document, move_keys_label);
   Timeline timeline = before;
   move_in(timeline.keys, frames, to);
   move_in(timeline.cameras, frames, to);

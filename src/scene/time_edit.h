@@ -20,6 +20,7 @@ void add_key_to_edit(Document& document, int frame);
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
 /// Of frames in any order; those without a key are passed over.
 void remove_keys(Document& document, std::span<const int> frames);
+inline constexpr const char* move_keys_label = "move keys";
 /// Keys and camera keys of these frames go to `to`, one each; keys of others that are there give way. Moves
 /// one after the other, of the same keys, are one edit: `before` is the timeline at the first of them.
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,

@@ -26,12 +26,15 @@
 #include "scene/measures.h"
 #include "scene/messages.h"
 #include "scene/mirror.h"
+#include "scene/motion_path.h"
 #include "scene/playback.h"
+#include "scene/pose_picture.h"
 #include "scene/question.h"
 #include "scene/recovery.h"
 #include "scene/remembered.h"
 #include "scene/select_shape.h"
 #include "scene/settings.h"
+#include "scene/time_view.h"
 #include "scene/tool.h"
 #include "scene/transform_drag.h"
 
@@ -196,6 +199,10 @@ struct Workspace {
   KnownMirror mirror;  ///< that of the cage, as handling asks for it
   CopiedPose copied;
   Playback playback;
+  std::optional<std::size_t> chosen_pose;  ///< of the library: what the commands of poses act on
+  TimeView time_view;
+  KnownPaths paths;
+  PosePictures pose_pictures;
   Brush brush;                      ///< of Tool::paint
   PosedModel posed;                 ///< the model as it is drawn
   std::vector<SurfacePoint> marks;  ///< on the model, two at most: the length between them is measured

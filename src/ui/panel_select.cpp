@@ -23,25 +23,6 @@ scene::SelectMode mode_of_keys() {
   return io.KeyCtrl ? scene::SelectMode::remove : scene::SelectMode::replace;
 }
 
-// Its name, to be typed over: taken when the field is left, as it was after Esc.
-std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
-                                      float width) {
-  auto& typed = ui.workspace.typed;
-  const auto known = typed.find(id);
-  char text[64] = "";
-  (known == typed.end() ? name : known->second.text).copy(text, sizeof text - 1);
-  ImGui::SetNextItemWidth(width);
-  ImGui::InputText(("##" + id).c_str(), text, sizeof text, ImGuiInputTextFlags_AutoSelectAll);
-  record(ui, id);
-  hint("The name of the set; type another one");
-  if (ImGui::IsItemActive()) {
-    typed[id] = {text, ImGui::GetFrameCount()};
-    return std::nullopt;
-  }
-  typed.erase(id);
-  return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
-}
-
 // One row a set. What is done to the list is done after it was drawn.
 void sets(const Context& ui) {
   scene::Document& document = ui.workspace.document;
@@ -54,7 +35,7 @@ void sets(const Context& ui) {
   ImGui::BeginDisabled(scene::in_hand(ui.workspace));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string id = "set/" + std::to_string(i);
-    if (const auto typed = name_field(ui, id, all[i].name, width)) renamed = i, name = *typed;
+    if (const auto typed = name_field(ui, id, all[i].name, width, "The name of the set; type another one")) renamed = i, name = *typed;
     ImGui::SameLine(0, gap);
     if (ImGui::Button(("Select##" + id).c_str(), {button, 0})) selected = i;
     record(ui, id + "/select");

@@ -11,7 +11,7 @@ bool begin_column(const Context& ui, const char* name, float x, float width) {
   if (width <= 0) return false;
   const scene::Viewport& v = ui.workspace.viewport;
   ImGui::SetNextWindowPos({x, v.origin.y});
-  ImGui::SetNextWindowSize({width, v.size.y});
+  ImGui::SetNextWindowSize({width, scene::column_height(v.window.y)});
   ImGui::Begin(name, nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavFocus |
@@ -24,6 +24,7 @@ void tools(const Context& ui) {
   if (!begin_column(ui, "Tools", 0, ui.workspace.viewport.origin.x)) return;
   panel_model(ui);
   panel_cage(ui);
+  panel_poses(ui);
   panel_hand(ui);
   panel_select(ui);
   panel_probes(ui);
@@ -48,6 +49,7 @@ void lab(const Context& ui) {
 }  // namespace
 
 void draw_panels(const Context& ui) {
+  path_overlay(ui);
   probe_overlay(ui);
   hand_overlay(ui);
   gizmo_overlay(ui);
@@ -60,6 +62,7 @@ void draw_panels(const Context& ui) {
     tool_strip(ui);
     tools(ui);
     lab(ui);
+    timeline_panel(ui);
     column_edges(ui);
     status_bar(ui);
   }

@@ -21,6 +21,11 @@ void panel_select(const Context& ui);  ///< ways to select, and sets by name
 void panel_making(const Context& ui);  ///< part of the cage's section: one that is being made
 void panel_hand(const Context& ui);
 void panel_probes(const Context& ui);
+void panel_poses(const Context& ui);     ///< poses with names, and how much of each is mixed in
+void timeline_panel(const Context& ui);  ///< below the view
+void timeline_track(const Context& ui, ImVec2 low, ImVec2 high);  ///< part of it: ruler, keys and playhead
+void easing_graph(const Context& ui, ImVec2 size);  ///< part of it: how a key comes to the next one
+void path_overlay(const Context& ui);               ///< the ways of the selected vertices
 void panel_checks(const Context& ui);
 void panel_measures(const Context& ui);
 void panel_method(const Context& ui);

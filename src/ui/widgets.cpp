@@ -172,6 +172,22 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
   return number;
 }
 
+std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
+                                      float width, const char* what) {
+  char text[200] = "";
+  typed_so_far(ui, id, name).copy(text, sizeof text - 1);
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputText(("##" + id).c_str(), text, sizeof text, ImGuiInputTextFlags_AutoSelectAll);
+  record(ui, id);
+  hint(what);
+  if (ImGui::IsItemActive()) {
+    ui.workspace.typed[id] = {text, ImGui::GetFrameCount()};
+    return std::nullopt;
+  }
+  ui.workspace.typed.erase(id);
+  return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
+}
+
 namespace {
 
 // Of a file that is named at the left: many have the same name. As much of it as there is room for.

@@ -50,6 +50,11 @@ void hint(const std::string& text);
 /// changed. What is no number is said in the messages.
 std::optional<double> number_field(const Context& ui, const std::string& name, double value);
 
+/// A name to be typed over, at most 199 bytes: what was typed, when the field is left; nothing while it is
+/// being edited, and after Esc.
+std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
+                                      float width, const char* what);
+
 /// The newest recent files, at most so many, each a line that opens it.
 void recent_list(const Context& ui, std::size_t most);
 

@@ -1,0 +1,17 @@
+// Commands of poses with names, and of time.
+#pragma once
+
+#include <vector>
+
+#include "scene/commands.h"
+
+namespace viete::scene {
+
+/// In the order of the help.
+std::vector<Command> time_commands();
+
+/// "repeat_loop", "easing_smooth": of the command that chooses it.
+std::string choice_command_name(Repeat);
+std::string choice_command_name(Easing);
+
+}  // namespace viete::scene

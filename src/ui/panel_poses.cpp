@@ -1,0 +1,153 @@
+// The Poses panel: poses with names, each with its picture and a slider that mixes it in.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "scene/command_conditions.h"
+#include "scene/pose_edit.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/picture_painter.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+using scene::pose_picture_size;
+
+constexpr const char* dragged_pose = "pose";
+constexpr float percent_width = 54;
+
+// What a row asks for: done after all rows are drawn, since it changes the list.
+struct PoseWish {
+  std::optional<std::size_t> chosen, applied;
+  std::optional<std::pair<std::size_t, std::string>> name;
+  std::optional<std::pair<std::size_t, double>> weight;
+  std::optional<std::pair<std::size_t, std::size_t>> moved;
+};
+
+void draw_pose(const Context& ui, const scene::NamedPose& named, ImVec2 low, bool chosen, bool hovered) {
+  scene::Workspace& w = ui.workspace;
+  const ImVec2 high{low.x + pose_picture_size.x, low.y + pose_picture_size.y};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, high, hovered ? ui.colors.card_hover : ui.colors.card, 4);
+  if (w.document.has_cage()) {
+    list.PushClipRect(low, high, true);
+    PicturePainter painter(ui, low);
+    for (const auto& shape : w.pose_pictures.of(w.document.cage, named.pose, w.camera.pose().up))
+      painter.draw(shape);
+    list.PopClipRect();
+  }
+  if (chosen) list.AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
+}
+
+// Rows go where they are dropped: above the one that is below the pointer, or at the end.
+void drag_row(std::size_t row, PoseWish& wish) {
+  if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
+    ImGui::SetDragDropPayload(dragged_pose, &row, sizeof row);
+    ImGui::EndDragDropSource();
+  }
+  if (!ImGui::BeginDragDropTarget()) return;
+  if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(dragged_pose)) {
+    std::size_t from = 0;
+    std::memcpy(&from, payload->Data, sizeof from);
+    wish.moved = std::pair(from, from < row ? row + 1 : row);
+  }
+  ImGui::EndDragDropTarget();
+}
+
+void picture(const Context& ui, std::size_t row, const scene::NamedPose& named, PoseWish& wish) {
+  const std::string id = "pose/" + std::to_string(row);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton(id.c_str(), {pose_picture_size.x, pose_picture_size.y})) wish.chosen = row;
+  record(ui, id);
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered && ImGui::IsMouseDoubleClicked(0)) wish.applied = row;
+  hint("Click chooses it, a double click applies it, a drag moves it in the list");
+  drag_row(row, wish);
+  draw_pose(ui, named, low, ui.workspace.chosen_pose == row, hovered);
+}
+
+void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, PoseWish& wish) {
+  const std::string id = "pose_weight/" + std::to_string(row);
+  const double percent = 100 * named.weight;
+  auto slid = static_cast<float>(percent);
+  ImGui::SetNextItemWidth(-percent_width - ImGui::GetStyle().ItemInnerSpacing.x);
+  if (ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, "", ImGuiSliderFlags_NoInput))
+    wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
+  record(ui, id);
+  const std::string part =
+      named.part.empty() ? ""
+                         : " It moves " + count(named.part.size()) + " vertices: those that were selected.";
+  hint("How much of it is mixed in, in log space: 0 % none, 100 % all, also beyond and below." + part);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::SetNextItemWidth(percent_width);
+  if (const auto typed = number_field(ui, id + "/typed", percent))
+    wish.weight = std::pair(row, 0.01 * *typed);
+  record(ui, id + "/typed");
+  hint("The same in percent, from -200 to 300");
+}
+
+void row(const Context& ui, std::size_t index, PoseWish& wish) {
+  const scene::NamedPose& named = ui.workspace.document.library.poses[index];
+  const std::string id = std::to_string(index);
+  picture(ui, index, named, wish);
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 2});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 1});
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (const auto name =
+          name_field(ui, "pose_name/" + id, named.name, width, "The name of the pose; type another one"))
+    wish.name = std::pair(index, *name);
+  weight(ui, index, named, wish);
+  ImGui::PopStyleVar(2);
+  ImGui::EndGroup();
+}
+
+void grant(scene::Workspace& w, const PoseWish& wish) {
+  if (wish.chosen) w.chosen_pose = wish.chosen;
+  if (wish.weight) {
+    scene::stop_playing(w);
+    scene::set_weight(w.document, w.playback.vectors, wish.weight->first, wish.weight->second);
+  }
+  if (wish.name) scene::rename_pose(w.document, wish.name->first, wish.name->second);
+  if (wish.applied) {
+    scene::stop_playing(w);
+    scene::apply_pose(w.document, *wish.applied);
+  }
+  if (wish.moved) {
+    const auto [from, to] = *wish.moved;
+    scene::move_pose(w.document, from, to);
+    w.chosen_pose = to > from ? to - 1 : to;
+  }
+}
+
+}  // namespace
+
+void panel_poses(const Context& ui) {
+  scene::Workspace& w = ui.workspace;
+  if (!w.document.is_movable()) return;
+  const std::size_t poses = w.document.library.poses.size();
+  const bool open = section(ui, "Poses", false);
+  if (poses > 0) section_note(ui, count(poses));
+  if (!open) return;
+  if (poses == 0)
+    note(ui, "Keep what you have posed under a name; then sliders mix poses, and keys play them.");
+  const bool free = !scene::in_hand(w) && !scene::is_editing_cage(w.document);
+  PoseWish wish;
+  ImGui::BeginDisabled(!free);
+  for (std::size_t i = 0; i < poses; ++i) row(ui, i, wish);
+  ImGui::EndDisabled();
+  if (free) grant(w, wish);
+  command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
+  if (poses > 0) {
+    command_row(ui, {"duplicate_pose", "remove_pose", "pose_up", "pose_down"});
+    command_row(ui, {"clear_mix", "average_mix"});
+  }
+  command_row(ui, {"set_key", "toggle_timeline"});
+}
+
+}  // namespace viete::ui

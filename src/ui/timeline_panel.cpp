@@ -1,0 +1,236 @@
+// The timeline below the view: what plays, its keys, and how one comes to the next.
+#include <cmath>
+
+#include "scene/command_conditions.h"
+#include "scene/menus.h"
+#include "scene/time_commands.h"
+#include "scene/time_edit.h"
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr float bar_height = 24, graph_width = 128, icon = 5;
+
+// Pictures of what a button does, about its middle: 1 being as far as they reach.
+struct TimePen {
+  ImDrawList& draw;
+  ImVec2 middle;
+  ImU32 color;
+
+  ImVec2 at(float x, float y) const { return {middle.x + icon * x, middle.y + icon * y}; }
+  void arrow(float x, float way) const {
+    draw.AddTriangleFilled(at(x + way, 0), at(x - 0.4f * way, -0.9f), at(x - 0.4f * way, 0.9f), color);
+  }
+  void bar(float x) const { draw.AddRectFilled(at(x - 0.18f, -0.9f), at(x + 0.18f, 0.9f), color); }
+  void diamond(float x) const {
+    draw.AddQuadFilled(at(x, -0.7f), at(x + 0.6f, 0), at(x, 0.7f), at(x - 0.6f, 0), color);
+  }
+};
+
+void first_icon(const TimePen& pen, bool) {
+  pen.bar(-0.9f), pen.arrow(0.1f, -0.8f);
+}
+void previous_key_icon(const TimePen& pen, bool) {
+  pen.diamond(0.8f), pen.arrow(-0.4f, -0.8f);
+}
+void play_icon(const TimePen& pen, bool playing) {
+  if (!playing) return pen.arrow(-0.15f, 1.1f);
+  pen.bar(-0.45f), pen.bar(0.45f);
+}
+void next_key_icon(const TimePen& pen, bool) {
+  pen.diamond(-0.8f), pen.arrow(0.4f, 0.8f);
+}
+void last_icon(const TimePen& pen, bool) {
+  pen.bar(0.9f), pen.arrow(-0.1f, 0.8f);
+}
+void key_icon(const TimePen& pen, bool) {
+  pen.diamond(0);
+}
+void camera_icon(const TimePen& pen, bool) {
+  pen.draw.AddRect(pen.at(-1, -0.6f), pen.at(0.4f, 0.6f), pen.color, 1, 0, 1.25f);
+  pen.draw.AddTriangleFilled(pen.at(0.4f, 0), pen.at(1, -0.5f), pen.at(1, 0.5f), pen.color);
+}
+void auto_icon(const TimePen& pen, bool on) {
+  if (on) return pen.draw.AddCircleFilled(pen.middle, 0.8f * icon, pen.color);
+  pen.draw.AddCircle(pen.middle, 0.8f * icon, pen.color, 0, 1.25f);
+}
+void paths_icon(const TimePen& pen, bool) {
+  pen.draw.PathArcTo(pen.at(0, 1.0f), 1.2f * icon, 3.5f, 5.9f, 12);
+  pen.draw.PathStroke(pen.color, 0, 1.25f);
+  pen.draw.AddCircleFilled(pen.at(-1.1f, 0.6f), 1.8f, pen.color);
+  pen.draw.AddCircleFilled(pen.at(1.1f, 0.6f), 1.8f, pen.color);
+}
+
+void icon_button(const Context& ui, const char* name, void (*draw)(const TimePen&, bool)) {
+  const scene::Command& command = *scene::find_command(name);
+  const bool enabled = command.enabled(ui.workspace);
+  const bool on = scene::is_on(ui.workspace, command).value_or(false);
+  ImGui::BeginDisabled(!enabled);
+  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
+  if (ImGui::Button((std::string("##") + name).c_str(), {28, bar_height})) command.run(ui.workspace);
+  if (on) ImGui::PopStyleColor();
+  record(ui, std::string("time/") + name, enabled);
+  ImGui::EndDisabled();
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImU32 color = faded(on ? ui.colors.accent : ui.colors.text, enabled ? 1 : 0.35f);
+  draw({*ImGui::GetWindowDrawList(), {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, color}, on);
+  hint(std::string(command.label) + ".  " + hint_of(ui, command));
+}
+
+// A whole number with a word before it.
+std::optional<int> frame_field(const Context& ui, const char* label, const char* name, double value,
+                               float width, const char* what) {
+  if (*label) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
+    ImGui::TextUnformatted(label);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, 4);
+  }
+  ImGui::SetNextItemWidth(width);
+  const auto typed = number_field(ui, name, value);
+  record(ui, name);
+  hint(what);
+  if (!typed || !std::isfinite(*typed)) return std::nullopt;
+  constexpr double largest = scene::Timeline::largest_frame;
+  return static_cast<int>(std::lround(std::clamp(*typed, -largest, largest)));
+}
+
+void transport(const Context& ui) {
+  scene::Workspace& w = ui.workspace;
+  icon_button(ui, "first_frame", first_icon);
+  ImGui::SameLine();
+  icon_button(ui, "previous_key", previous_key_icon);
+  ImGui::SameLine();
+  icon_button(ui, "play", play_icon);
+  ImGui::SameLine();
+  icon_button(ui, "next_key", next_key_icon);
+  ImGui::SameLine();
+  icon_button(ui, "last_frame", last_icon);
+  ImGui::SameLine(0, 12);
+  const double shown = std::round(w.document.frame * 10) / 10;
+  if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "The frame that is shown")) {
+    scene::stop_playing(w);
+    scene::go_to_frame(w, *frame);
+  }
+  ImGui::SameLine(0, 12);
+  icon_button(ui, "set_key", key_icon);
+  ImGui::SameLine();
+  icon_button(ui, "set_camera_key", camera_icon);
+  ImGui::SameLine();
+  icon_button(ui, "toggle_auto_key", auto_icon);
+  ImGui::SameLine();
+  icon_button(ui, "toggle_paths", paths_icon);
+}
+
+void repeat_choice(const Context& ui) {
+  const auto repeats = scene::all_repeats();
+  const auto now = static_cast<std::size_t>(ui.workspace.document.timeline.repeat);
+  ImGui::SetNextItemWidth(92);
+  const bool open = ImGui::BeginCombo("##time/repeat", repeats[now].label.data());
+  record(ui, "time/repeat");
+  if (!open) return hint(std::string(repeats[now].hint));
+  for (std::size_t i = 0; i < repeats.size(); ++i) {
+    const auto name = scene::choice_command_name(static_cast<scene::Repeat>(i));
+    if (ImGui::Selectable(repeats[i].label.data(), i == now)) scene::find_command(name)->run(ui.workspace);
+    record(ui, "time/" + name);
+    hint(std::string(repeats[i].hint));
+  }
+  ImGui::EndCombo();
+}
+
+// The two ways, side by side.
+void way_choice(const Context& ui) {
+  const bool straight = ui.workspace.document.timeline.straight;
+  const scene::Command& command = *scene::find_command("toggle_straight");
+  const char* labels[] = {"Log space", "Straight"};
+  const char* hints[] = {
+      "Between keys the logs of the cage's maps are blended: halfway to a half turn is a quarter turn.",
+      "Between keys vertices of the cage go in straight lines, as in other programs: what turns shrinks."};
+  ImGui::BeginDisabled(!command.enabled(ui.workspace));
+  for (int i = 0; i < 2; ++i) {
+    if (i > 0) ImGui::SameLine(0, 2);
+    const bool on = straight == (i == 1);
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
+    if (on) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
+    if (ImGui::Button(labels[i], {76, bar_height}) && !on) command.run(ui.workspace);
+    if (on) ImGui::PopStyleColor(2);
+    record(ui, i == 0 ? "time/log_space" : "time/straight");
+    hint(hints[i]);
+  }
+  ImGui::EndDisabled();
+}
+
+void range(const Context& ui) {
+  scene::Document& document = ui.workspace.document;
+  scene::Play play = scene::play_of(document.timeline);
+  if (const auto first = frame_field(ui, "From", "time/first", play.first, 52, "The first frame that plays"))
+    play.first = *first, play.last = std::max(play.last, *first + 1);
+  ImGui::SameLine(0, 8);
+  if (const auto last = frame_field(ui, "to", "time/last", play.last, 52, "The last frame that plays"))
+    play.last = *last, play.first = std::min(play.first, *last - 1);
+  ImGui::SameLine(0, 8);
+  ImGui::SetNextItemWidth(40);
+  if (const auto rate = number_field(ui, "time/rate", play.rate)) play.rate = *rate;
+  record(ui, "time/rate");
+  hint("Frames a second, 1 to 240");
+  ImGui::SameLine(0, 4);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
+  ImGui::TextUnformatted("fps");
+  ImGui::PopStyleColor();
+  if (std::isfinite(play.rate)) scene::set_play(document, play);
+  ImGui::SameLine(0, 8);
+  repeat_choice(ui);
+  ImGui::SameLine(0, 8);
+  way_choice(ui);
+}
+
+bool begin_panel(const Context& ui) {
+  const scene::Viewport& v = ui.workspace.viewport;
+  constexpr float height = scene::PanelLayout::timeline_height;
+  const float top = v.origin.y + v.size.y;
+  ImGui::SetNextWindowPos({v.origin.x, top});
+  ImGui::SetNextWindowSize({v.size.x, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 8});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 6});
+  ImGui::Begin("Timeline", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  ui.workspace.time_view.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  ImGui::GetWindowDrawList()->AddLine({v.origin.x, top}, {v.origin.x + v.size.x, top}, ui.colors.line);
+  return true;
+}
+
+}  // namespace
+
+void timeline_panel(const Context& ui) {
+  scene::Workspace& w = ui.workspace;
+  w.time_view.hovered = false;
+  if (!w.remembered.layout.timeline) return;
+  begin_panel(ui);
+  const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const bool graph = room.x > 520;
+  const float width = room.x - (graph ? graph_width + 10 : 0);
+  ImGui::BeginDisabled(!w.document.model.surface);
+  transport(ui);
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  const float bottom = low.y + room.y - bar_height - 6;
+  timeline_track(ui, top, {low.x + width, bottom});
+  ImGui::SetCursorScreenPos({low.x, bottom + 6});
+  range(ui);
+  if (graph) {
+    ImGui::SetCursorScreenPos({low.x + width + 10, low.y});
+    easing_graph(ui, {graph_width, room.y});
+  }
+  ImGui::EndDisabled();
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace viete::ui

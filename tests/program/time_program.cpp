@@ -1,0 +1,283 @@
+// Poses with names and a timeline in the real program: kept, mixed, keyed, played, retimed, with real events.
+//
+// VIETE_PICTURES=FOLDER also writes pictures, to be looked at.
+#include <cmath>
+#include <cstdlib>
+
+#include "program/driver.h"
+#include "render/image.h"
+#include "scene/edit.h"
+#include "scene/saving.h"
+#include "scene/time_edit.h"
+#include "support/folder.h"
+
+using namespace viete;
+using test::Driver;
+using scene::Easing;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Timed : Driver {
+  explicit Timed(glm::ivec2 size = {1440, 900}) : Driver(options(size)) {
+    open_dragon();
+    workspace().remembered.layout.sections["Poses"] = true;
+    frame(3);
+  }
+
+  static app::ViewerOptions options(glm::ivec2 size) {
+    app::ViewerOptions options = default_options();
+    options.size = size;
+    return options;
+  }
+
+  std::vector<mesh::Point>& pose() { return document().pose.positions; }
+  const scene::Timeline& timeline() { return document().timeline; }
+  void open_pose(const std::string& name) {
+    REQUIRE(open({test::dragon.parent_path() / (name + ".obj")}, What::pose));
+    frame(2);
+  }
+  void keep(const std::string& file) {
+    open_pose(file);
+    click("keep_pose");
+  }
+  void go_to(int to) {
+    scene::go_to_frame(workspace(), to);
+    frame(2);
+  }
+  void key_pose_of(const std::string& file, int at) {
+    go_to(at);
+    open_pose(file);
+    press_key('I');
+    frame(2);
+  }
+  // Where a frame is on the track: `y` is the share of its height.
+  glm::vec2 on_track(double at, float y) {
+    const auto rect = viewer().recorder().find("time/track");
+    REQUIRE(rect);
+    const auto share = static_cast<float>(workspace().time_view.seen.share_of(at));
+    return {rect->x0 + share * (rect->x1 - rect->x0), rect->y0 + y * (rect->y1 - rect->y0)};
+  }
+  void show(const std::string& name) {
+    const char* folder = std::getenv("VIETE_PICTURES");
+    if (!folder) return;
+    settle();
+    render::write_png(fs::path(folder) / (name + ".png"), picture());
+  }
+};
+
+constexpr float ruler = 0.05f, keys = 0.5f;
+
+double distance_of(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
+  double largest = 0;
+  for (std::size_t v = 0; v < a.size(); ++v)
+    largest = std::max(largest, mesh::norm(mesh::operator-(a[v], b[v])));
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("poses_are_kept_with_a_picture_and_mixed_by_sliders") {
+  Timed d;
+  d.keep("pose_alert");
+  const auto alert = d.pose();
+  d.keep("pose_flight");
+  const auto flight = d.pose();
+  d.keep("pose_coil");
+  REQUIRE(d.document().library.poses.size() == 3);
+  d.press_key('R', true);  // to rest
+  const auto rest = d.pose();
+  REQUIRE(rest == d.document().cage->surface.positions);
+
+  const auto slider = d.viewer().recorder().find("pose_weight/0");
+  REQUIRE(slider);
+  const glm::vec2 from{slider->x0 + 0.3f * (slider->x1 - slider->x0), 0.5f * (slider->y0 + slider->y1)};
+  d.drag(from, {slider->x1 - 40, from.y});
+  CHECK(d.document().library.poses[0].weight > 0.5);
+  CHECK(d.pose() != rest);
+  d.show("poses_mixed");
+  d.press_key('Z', true);
+  CHECK(d.pose() == rest);
+  CHECK(d.document().library.poses[0].weight == 0);
+
+  d.click("pose_weight/0/typed");
+  d.press_key('A', true);
+  d.type("100");
+  d.press_key(scene::Key::enter);
+  CHECK(d.document().library.poses[0].weight == 1);
+  CHECK(d.pose() == alert);
+  d.click("pose_weight/0/typed");
+  d.press_key('A', true);
+  d.type("150");
+  d.press_key(scene::Key::enter);
+  CHECK(distance_of(d.pose(), rest) > distance_of(alert, rest));
+  d.click("clear_mix");
+  CHECK(d.pose() == rest);
+
+  d.click("pose/1");
+  CHECK(d.workspace().chosen_pose == 1);
+  d.click("apply_pose");
+  CHECK(d.pose() == flight);
+  d.click("pose_name/1");
+  d.press_key('A', true);
+  d.type("Wings");
+  d.press_key(scene::Key::enter);
+  CHECK(d.document().library.poses[1].name == "Wings");
+  d.click("pose_up");
+  CHECK(d.document().library.poses[0].name == "Wings");
+  d.click("remove_pose");
+  CHECK(d.document().library.poses.size() == 2);
+  d.press_key('Z', true);
+  CHECK(d.document().library.poses.size() == 3);
+}
+
+TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
+  Timed d;
+  const auto rest = d.pose();
+  d.press_key('I');
+  REQUIRE(d.timeline().keys.size() == 1);
+  CHECK(d.workspace().remembered.layout.timeline);
+  d.frame(3);
+  d.key_pose_of("pose_alert", 24);
+  const auto alert = d.pose();
+  d.key_pose_of("pose_flight", 48);
+  REQUIRE(d.timeline().keys.size() == 3);
+  d.show("timeline");
+
+  // The ruler scrubs; what is there at a key is that key, to the bit.
+  d.drag(d.on_track(30, ruler), d.on_track(24, ruler));
+  CHECK(d.document().frame == 24);
+  CHECK(d.pose() == alert);
+  d.click(d.on_track(12, ruler));
+  CHECK(d.document().frame == 12);
+  const auto halfway = d.pose();
+  CHECK(halfway != rest);
+  CHECK(halfway != alert);
+  d.press_key(scene::Key::right);
+  CHECK(d.document().frame == 13);
+  d.press_key(scene::Key::up);
+  CHECK(d.document().frame == 24);
+  d.press_key(scene::Key::left, false, true);
+  CHECK(d.document().frame == 1);
+
+  // Playing goes on with time, and stops at a whole frame.
+  d.press_key(scene::Key::space);
+  CHECK(d.workspace().playback.playing);
+  CHECK(d.viewer().wants_frame());
+  d.frame(30);
+  CHECK(d.document().frame > 5);
+  d.press_key(scene::Key::space);
+  CHECK_FALSE(d.workspace().playback.playing);
+  CHECK(d.document().frame == std::round(d.document().frame));
+
+  // A key is dragged to another frame, Esc takes it back, and so does undo.
+  d.drag(d.on_track(24, keys), d.on_track(30, keys));
+  CHECK(scene::key_at(d.timeline(), 30));
+  CHECK_FALSE(scene::key_at(d.timeline(), 24));
+  d.press_key('Z', true);
+  CHECK(scene::key_at(d.timeline(), 24));
+  d.press_and_move(d.on_track(24, keys), d.on_track(36, keys));
+  CHECK(scene::key_at(d.timeline(), 36));
+  d.press_key(scene::Key::escape);
+  d.button(0, false);
+  CHECK(scene::key_at(d.timeline(), 24));
+  CHECK_FALSE(scene::key_at(d.timeline(), 36));
+
+  // Delete is of keys while the pointer is over the timeline.
+  d.click(d.on_track(48, keys));
+  d.press_key(scene::Key::delete_key);
+  CHECK(d.timeline().keys.size() == 2);
+  d.press_key('Z', true);
+  CHECK(d.timeline().keys.size() == 3);
+}
+
+TEST_CASE("easing_is_chosen_and_its_curve_is_dragged") {
+  Timed d;
+  d.press_key('I');
+  d.key_pose_of("pose_alert", 25);
+  d.go_to(7);
+  const auto smooth = d.pose();
+  d.choose("time/easing", "time/easing_linear");
+  CHECK(d.timeline().keys[0].easing == Easing::linear);
+  CHECK(d.pose() != smooth);
+  const auto handle = d.viewer().recorder().find("time/handle1");
+  REQUIRE(handle);
+  const glm::vec2 at{0.5f * (handle->x0 + handle->x1), 0.5f * (handle->y0 + handle->y1)};
+  d.drag(at, at + glm::vec2(30, -30));
+  CHECK(d.timeline().keys[0].easing == Easing::bezier);
+  CHECK(d.timeline().keys[0].handles[0] > scene::usual_handles[0]);
+  d.show("timeline_curve");
+  d.choose("time/easing", "time/easing_hold");
+  CHECK(d.pose() == d.timeline().keys[0].pose->cage.positions);
+}
+
+TEST_CASE("auto_key_keeps_what_the_hand_does_and_without_it_undo_leads_back") {
+  Timed d;
+  d.press_key('I');
+  d.key_pose_of("pose_alert", 25);
+  d.go_to(13);
+  const std::uint32_t v = d.free_vertex();
+  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(40, -20));
+  const auto moved = d.pose();
+  CHECK(d.timeline().keys.size() == 2);
+  d.go_to(20);
+  CHECK(d.pose() != moved);
+  d.press_key('Z', true);
+  CHECK(d.pose() == moved);
+  d.go_to(20);
+  d.click("time/toggle_auto_key");
+  d.go_to(13);
+  const std::uint32_t again = d.free_vertex();
+  d.drag(d.vertex(again), d.vertex(again) + glm::vec2(40, -20));
+  REQUIRE(d.timeline().keys.size() == 3);
+  const auto keyed = d.pose();
+  d.go_to(20);
+  d.go_to(13);
+  CHECK(d.pose() == keyed);
+}
+
+TEST_CASE("paths_of_the_selected_vertices_are_drawn_in_both_ways") {
+  Timed d;
+  d.press_key('I');
+  d.key_pose_of("pose_coil", 25);
+  d.go_to(12);
+  d.click(d.vertex(d.free_vertex()));
+  const auto before = d.picture();
+  d.click("time/toggle_paths");
+  d.move({720, 100});
+  d.frame(2);
+  CHECK(d.picture().rgba != before.rgba);
+  d.show("paths");
+  const auto& paths = d.workspace().paths.of(d.workspace());
+  REQUIRE(paths.paths.size() == 1);
+  CHECK(paths.paths[0].by_logs.front() == paths.paths[0].straight.front());
+  CHECK(paths.paths[0].by_logs.back() == paths.paths[0].straight.back());
+  CHECK(distance_of(paths.paths[0].by_logs, paths.paths[0].straight) > 1e-3);
+}
+
+TEST_CASE("a_session_brings_poses_keys_and_frame_back") {
+  const test::TemporaryFolder folder;
+  std::vector<mesh::Point> there;
+  {
+    Timed d;
+    d.keep("pose_coil");
+    d.go_to(1);
+    d.press_key('I');
+    d.key_pose_of("pose_alert", 25);
+    d.press_key('I', false, true);
+    d.go_to(11);
+    there = d.pose();
+    d.workspace().requests.save_session = folder / "a.viete";
+    d.frame(2);
+    CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+  }
+  Timed d;
+  REQUIRE(d.open({folder / "a.viete"}));
+  d.frame(3);
+  CHECK(d.document().library.poses.size() == 1);
+  CHECK(d.timeline().keys.size() == 2);
+  CHECK(d.timeline().cameras.size() == 1);
+  CHECK(d.document().frame == 11);
+  CHECK(d.pose() == there);
+  CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+}
