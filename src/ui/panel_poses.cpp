@@ -144,7 +144,7 @@ void panel_poses(const Context& ui) {
   if (free) grant(w, wish);
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
   if (poses > 0) {
-    command_row(ui, {"duplicate_pose", "remove_pose", "pose_up", "pose_down"});
+    command_row(ui, {"duplicate_pose", "remove_pose"});
     command_row(ui, {"clear_mix", "average_mix"});
   }
   command_row(ui, {"set_key", "toggle_timeline"});

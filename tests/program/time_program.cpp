@@ -1,6 +1,7 @@
 // Poses with names and a timeline in the real program: kept, mixed, keyed, played, retimed, with real events.
 //
 // VIETE_PICTURES=FOLDER also writes pictures, to be looked at.
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -50,6 +51,14 @@ struct Timed : Driver {
     open_pose(file);
     press_key('I');
     frame(2);
+  }
+  std::uint32_t farthest_from_rest() {
+    const auto& rest = document().cage->surface.positions;
+    std::uint32_t farthest = 0;
+    const auto way = [&](std::uint32_t v) { return mesh::norm(mesh::operator-(pose()[v], rest[v])); };
+    for (std::uint32_t v = 0; v < rest.size(); ++v)
+      if (way(v) > way(farthest)) farthest = v;
+    return farthest;
   }
   // Where a frame is on the track: `y` is the share of its height.
   glm::vec2 on_track(double at, float y) {
@@ -123,7 +132,8 @@ TEST_CASE("poses_are_kept_with_a_picture_and_mixed_by_sliders") {
   d.type("Wings");
   d.press_key(scene::Key::enter);
   CHECK(d.document().library.poses[1].name == "Wings");
-  d.click("pose_up");
+  scene::find_command("pose_up")->run(d.workspace());
+  d.frame();
   CHECK(d.document().library.poses[0].name == "Wings");
   d.click("remove_pose");
   CHECK(d.document().library.poses.size() == 2);
@@ -241,7 +251,9 @@ TEST_CASE("paths_of_the_selected_vertices_are_drawn_in_both_ways") {
   d.press_key('I');
   d.key_pose_of("pose_coil", 25);
   d.go_to(12);
-  d.click(d.vertex(d.free_vertex()));
+  const std::uint32_t far = d.farthest_from_rest();
+  d.document().selection.apply(std::array{far}, scene::SelectMode::replace);
+  d.frame(2);
   const auto before = d.picture();
   d.click("time/toggle_paths");
   d.move({720, 100});
