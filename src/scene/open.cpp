@@ -273,6 +273,9 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.document = std::move(document);
   w.interaction = {};
   w.making = {.wish = w.making.wish};
+  w.playback = {.auto_key = w.playback.auto_key, .paths = w.playback.paths};
+  w.chosen_pose.reset();
+  w.time_view = {};
   w.offer_cage = true;
   if (!same_model) w.marks.clear();
   w.stats.clear();

@@ -71,6 +71,8 @@ constexpr Offer offers[] = {{"undo", false},
                             {"remove_elements", false},
                             {"make_cage", true},
                             {"edit_cage", false},
+                            {"set_key", true},
+                            {"keep_pose", false, "Keep this pose"},
                             {"add_probe", true, "Add a probe here"},
                             {"mark_point", false, "Mark this point"},
                             {"command_palette", true, "All commands"}};

@@ -138,6 +138,7 @@ void panel_poses(const Context& ui) {
     note(ui, "Keep what you have posed under a name; then sliders mix poses, and keys play them.");
   const bool free = !scene::in_hand(w) && !scene::is_editing_cage(w.document);
   PoseWish wish;
+  w.pose_pictures.tidy();
   ImGui::BeginDisabled(!free);
   for (std::size_t i = 0; i < poses; ++i) row(ui, i, wish);
   ImGui::EndDisabled();

@@ -41,7 +41,7 @@ void path_overlay(const Context& ui) {
   const scene::Projector project(w.document.space, w.camera, w.viewport);
   OverlayPainter painter(ui);
   for (const scene::MotionPath& path : paths.paths) {
-    way(painter, project, path.straight, ui.colors.faint, true);
+    way(painter, project, path.straight, ui.colors.neutral, true);
     way(painter, project, path.by_logs, ui.colors.accent, false);
     for (const std::size_t key : paths.keys)
       if (const auto at = project(path.by_logs[key])) painter.disc(glm::vec2(*at), 3, ui.colors.accent);

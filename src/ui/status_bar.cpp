@@ -28,6 +28,9 @@ std::string mouse_text(const scene::Workspace& w) {
                  "slows;  Esc or right button takes it back"
                : "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button "
                  "takes it back";
+  if (w.time_view.hovered)
+    return "Drag in the ruler goes to frames,  on a key moves it,  beside them selects;  wheel zooms,  middle "
+           "drag pans,  right click on a key eases";
   if (w.interaction.grab)
     return "Move the pointer into the view: the selection follows it;  Esc leaves it as it is";
   if (w.interaction.placing_pivot)

@@ -20,7 +20,8 @@ void brush_ring(const Context& ui, const scene::Workspace& w) {
   draw.AddCircleFilled(at, 2, faded(ui.colors.text, 0.9f));
 }
 
-void centered(const Context& ui, float y, const char* text, ImU32 color) {
+// False if there is no room for it.
+bool centered(const Context& ui, float y, const char* text, ImU32 color) {
   const auto& v = ui.workspace.viewport;
   ImGui::PushFont(ui.fonts.text);
   const ImVec2 size = ImGui::CalcTextSize(text);
@@ -28,6 +29,7 @@ void centered(const Context& ui, float y, const char* text, ImU32 color) {
   if (fits)
     ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 0.5f * (v.size.x - size.x), y}, color, text);
   ImGui::PopFont();
+  return fits;
 }
 
 void editing_hint(const Context& ui) {
@@ -37,11 +39,16 @@ void editing_hint(const Context& ui) {
 }
 
 void hints(const Context& ui) {
-  const auto& v = ui.workspace.viewport;
-  const float bottom = v.origin.y + v.size.y;
-  centered(ui, bottom - 34,
-           "Drag a vertex of the cage     Switch the method in the Lab     F1 shows every key",
-           faded(ui.colors.text, 0.75f));
+  const auto& w = ui.workspace;
+  const float y = w.viewport.origin.y + w.viewport.size.y - 34;
+  const ImU32 color = faded(ui.colors.text, 0.75f);
+  const std::string space = scene::text(w.remembered.keymap.of(*scene::find_command("play")).first);
+  const std::string plays =
+      w.document.timeline.keys.empty() || space.empty() ? "" : "     " + space + " plays it";
+  for (const char* method : {"     Switch the method in the Lab", ""}) {
+    const std::string text = "Drag a vertex of the cage" + plays + method + "     F1 shows every key";
+    if (centered(ui, y, text.c_str(), color)) return;
+  }
 }
 
 // Nobody is left alone with a view without a word.

@@ -13,8 +13,8 @@
 #include "support/folder.h"
 
 using namespace viete;
-using test::Driver;
 using scene::Easing;
+using test::Driver;
 namespace fs = std::filesystem;
 
 namespace {

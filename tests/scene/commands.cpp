@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <map>
 #include <set>
 
 #include "scene/cube.h"
@@ -13,16 +14,17 @@ using namespace viete;
 using namespace viete::scene;
 
 TEST_CASE("names_and_shortcuts_are_unique_and_every_command_has_a_hint") {
-  std::set<std::string> names, keys;
+  std::set<std::string> names;
+  std::multimap<std::string, std::string_view> keys;
   for (const auto& command : commands()) {
     CHECK(names.insert(std::string(command.name)).second);
     CHECK_FALSE(command.hint.empty());
     for (const auto& shortcut : {command.shortcut, command.alternative}) {
-      // In the mode that edits the cage nothing is posed that could be reset.
-      // Esc puts away what is in the hand, where nothing is being worked at.
-      const bool shared = command.name == "remove_elements" || command.name == "stop_selecting";
-      const std::string mode = shared ? " in the mode" : "";
-      if (shortcut.key != Key::none) CHECK_MESSAGE(keys.insert(text(shortcut) + mode).second, text(shortcut));
+      if (shortcut.key == Key::none) continue;
+      const auto [first, last] = keys.equal_range(text(shortcut));
+      for (auto other = first; other != last; ++other)
+        CHECK_MESSAGE(shares_keys(other->second, command.name), other->second, " and ", command.name);
+      keys.emplace(text(shortcut), command.name);
     }
   }
 }
