@@ -100,7 +100,14 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
   return static_cast<int>(std::lround(std::clamp(*typed, -largest, largest)));
 }
 
-void transport(const Context& ui) {
+// Beside what is there; false where there is no room, and the menu Time has it.
+bool beside(float width, float right, float gap = 4) {
+  if (ImGui::GetItemRectMax().x + gap + width > right) return false;
+  ImGui::SameLine(0, gap);
+  return true;
+}
+
+void transport(const Context& ui, float right) {
   scene::Workspace& w = ui.workspace;
   icon_button(ui, "first_frame", first_icon);
   ImGui::SameLine();
@@ -111,20 +118,16 @@ void transport(const Context& ui) {
   icon_button(ui, "next_key", next_key_icon);
   ImGui::SameLine();
   icon_button(ui, "last_frame", last_icon);
-  ImGui::SameLine(0, 12);
+  if (!beside(112, right, 12)) return;
   const double shown = std::round(w.document.frame * 10) / 10;
   if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "The frame that is shown")) {
     scene::stop_playing(w);
     scene::go_to_frame(w, *frame);
   }
-  ImGui::SameLine(0, 12);
-  icon_button(ui, "set_key", key_icon);
-  ImGui::SameLine();
-  icon_button(ui, "set_camera_key", camera_icon);
-  ImGui::SameLine();
-  icon_button(ui, "toggle_auto_key", auto_icon);
-  ImGui::SameLine();
-  icon_button(ui, "toggle_paths", paths_icon);
+  if (beside(28, right, 12)) icon_button(ui, "set_key", key_icon);
+  if (beside(28, right)) icon_button(ui, "set_camera_key", camera_icon);
+  if (beside(28, right)) icon_button(ui, "toggle_auto_key", auto_icon);
+  if (beside(28, right)) icon_button(ui, "toggle_paths", paths_icon);
 }
 
 void repeat_choice(const Context& ui) {
@@ -165,15 +168,7 @@ void way_choice(const Context& ui) {
   ImGui::EndDisabled();
 }
 
-void range(const Context& ui) {
-  scene::Document& document = ui.workspace.document;
-  scene::Play play = scene::play_of(document.timeline);
-  if (const auto first = frame_field(ui, "From", "time/first", play.first, 52, "The first frame that plays"))
-    play.first = *first, play.last = std::max(play.last, *first + 1);
-  ImGui::SameLine(0, 8);
-  if (const auto last = frame_field(ui, "to", "time/last", play.last, 52, "The last frame that plays"))
-    play.last = *last, play.first = std::min(play.first, *last - 1);
-  ImGui::SameLine(0, 8);
+void rate_field(const Context& ui, scene::Play& play) {
   ImGui::SetNextItemWidth(40);
   if (const auto rate = number_field(ui, "time/rate", play.rate)) play.rate = *rate;
   record(ui, "time/rate");
@@ -183,11 +178,21 @@ void range(const Context& ui) {
   ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
   ImGui::TextUnformatted("fps");
   ImGui::PopStyleColor();
+}
+
+void range(const Context& ui, float right) {
+  scene::Document& document = ui.workspace.document;
+  scene::Play play = scene::play_of(document.timeline);
+  if (const auto first = frame_field(ui, "From", "time/first", play.first, 52, "The first frame that plays"))
+    play.first = *first, play.last = std::max(play.last, *first + 1);
+  ImGui::SameLine(0, 8);
+  if (const auto last = frame_field(ui, "to", "time/last", play.last, 52, "The last frame that plays"))
+    play.last = *last, play.first = std::min(play.first, *last - 1);
+  const bool room = beside(76, right, 8);
+  if (room) rate_field(ui, play);
   if (std::isfinite(play.rate)) scene::set_play(document, play);
-  ImGui::SameLine(0, 8);
-  repeat_choice(ui);
-  ImGui::SameLine(0, 8);
-  way_choice(ui);
+  if (room && beside(92, right, 8)) repeat_choice(ui);
+  if (room && beside(156, right, 8)) way_choice(ui);
 }
 
 bool begin_panel(const Context& ui) {
@@ -218,12 +223,12 @@ void timeline_panel(const Context& ui) {
   const bool graph = room.x > 520;
   const float width = room.x - (graph ? graph_width + 10 : 0);
   ImGui::BeginDisabled(!w.document.model.surface);
-  transport(ui);
+  transport(ui, low.x + width);
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float bottom = low.y + room.y - bar_height - 6;
   timeline_track(ui, top, {low.x + width, bottom});
   ImGui::SetCursorScreenPos({low.x, bottom + 6});
-  range(ui);
+  range(ui, low.x + width);
   if (graph) {
     ImGui::SetCursorScreenPos({low.x + width + 10, low.y});
     easing_graph(ui, {graph_width, room.y});

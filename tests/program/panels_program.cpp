@@ -6,6 +6,7 @@
 #include "program/open_cage.h"
 #include "render/image.h"
 #include "scene/open.h"
+#include "scene/time_edit.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -48,8 +49,9 @@ void check_places(const Widgets& widgets, glm::vec2 window) {
           b->second.visible && in_column(rect, window) && in_column(b->second, window);
       const bool both_asked = name.starts_with("question_") && b->first.starts_with("question_");
       const bool both_told = on_notice_bar(name) && on_notice_bar(b->first);
-      CHECK_MESSAGE(!((both_in_column || both_asked || both_told) && overlap(rect, b->second)), "covers ",
-                    b->first);
+      const bool both_timed = name.starts_with("time/") && b->first.starts_with("time/");
+      CHECK_MESSAGE(!((both_in_column || both_asked || both_told || both_timed) && overlap(rect, b->second)),
+                    "covers ", b->first);
     }
   }
 }
@@ -99,6 +101,21 @@ void visit_notices(Driver& d, const std::string& look) {
   d.frame(2);
 }
 
+void visit_time(Driver& d, const std::string& look) {
+  auto& w = d.workspace();
+  d.click("section/Poses");
+  for (int i = 0; i < 2; ++i) d.click("keep_pose");
+  w.document.frame = 1;
+  scene::set_key(w.document, 1);
+  scene::set_key(w.document, 30);
+  scene::set_camera_key(w.document, 10, w.camera.pose());
+  w.remembered.layout.timeline = true;
+  d.frame(3);
+  show(d, look + "_time");
+  w.remembered.layout.timeline = false;
+  d.click("section/Poses");
+}
+
 void visit_panels(Driver& d, const std::string& look) {
   const test::TemporaryFolder scratch;
   const fs::path cage = test::open_cage(scratch.path());
@@ -128,6 +145,7 @@ void visit_panels(Driver& d, const std::string& look) {
   d.press_key(scene::key('E'), true);
   show(d, look + "_export");
   d.press_key(scene::Key::escape);
+  visit_time(d, look);
   visit_questions(d, look);
   visit_notices(d, look);
   d.press_key(scene::Key::f1);
