@@ -272,6 +272,9 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
                         old.revisions.pose + 1, old.revisions.method + 1};
   w.document = std::move(document);
   w.interaction = {};
+  Playback stopped;
+  stopped.auto_key = w.playback.auto_key, stopped.paths = w.playback.paths;
+  w.playback = std::move(stopped);
   w.making = {.wish = w.making.wish};
   w.offer_cage = true;
   if (!same_model) w.marks.clear();

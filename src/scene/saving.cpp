@@ -1,8 +1,5 @@
 #include "scene/saving.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -40,23 +37,6 @@ std::uint64_t checksum(std::string_view bytes) {
   base::Checksum sum;
   sum.add(bytes.data(), bytes.size());
   return sum.value();
-}
-
-// Turns that were missing are filled in at the first frame, by half a turn at most; another branch of the
-// same rotation is a whole turn away.
-bool same_turns(const deform::Vec3& a, const deform::Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < std::numbers::pi + 1e-3;
-}
-
-bool same_pose(const deform::Pose& a, const deform::Pose& b) {
-  if (a.positions != b.positions) return false;
-  const auto turn = [](const deform::Pose& pose, std::size_t part) {
-    return part < pose.turns.size() ? pose.turns[part] : deform::Vec3{0, 0, 0};
-  };
-  for (std::size_t part = 0; part < std::max(a.turns.size(), b.turns.size()); ++part) {
-    if (!same_turns(turn(a, part), turn(b, part))) return false;
-  }
-  return true;
 }
 
 }  // namespace
