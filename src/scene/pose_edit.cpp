@@ -93,9 +93,7 @@ SharedPose without_mix(const Document& document, KnownVectors& vectors) {
   const PoseLibrary& library = document.library;
   const SharedPose now = shared_pose(document);
   if (!library.mixes()) return now;
-  if (library.mixed && library.unmixed && same_pose(library.mixed->cage, now->cage) &&
-      library.mixed->probes == now->probes)
-    return library.unmixed;
+  if (const SharedPose known = unmixed_pose(document)) return known;
   return std::make_shared<const WholePose>(mix_of(document, library, vectors, now, -1));
 }
 
@@ -177,6 +175,14 @@ void put_whole_pose(Document& document, const WholePose& pose) {
 void end_mix(Document& document) {
   for (NamedPose& named : document.library.poses) named.weight = 0, named.part.clear();
   document.library.unmixed = document.library.mixed = nullptr;
+}
+
+SharedPose unmixed_pose(const Document& document) {
+  const PoseLibrary& library = document.library;
+  if (!library.mixes() || !library.mixed || !library.unmixed) return nullptr;
+  const WholePose now = whole_pose(document);
+  const bool same = same_pose(library.mixed->cage, now.cage) && library.mixed->probes == now.probes;
+  return same ? library.unmixed : nullptr;
 }
 
 std::string free_name(const PoseLibrary& library, const std::string& wish) {

@@ -19,6 +19,10 @@ void put_whole_pose(Document& document, const WholePose& pose);
 /// All weights become 0: what is there counts as made by hand. No edit.
 void end_mix(Document& document);
 
+/// What is there without the mix, as it was before; null where nothing is mixed, or a hand has changed it
+/// since.
+SharedPose unmixed_pose(const Document& document);
+
 /// A name that no other pose has: the same, or with a number behind it. Cut to PoseLibrary::longest_name.
 std::string free_name(const PoseLibrary& library, const std::string& wish);
 

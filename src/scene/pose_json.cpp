@@ -68,27 +68,6 @@ sym3::Sym3<double> probe_stretch_of(const JsonReader& json) {
   return stretch;
 }
 
-void put_whole(ordered_json& json, const WholePose& pose) {
-  if (!pose.cage.positions.empty()) json.update(pose_json(pose.cage));
-  if (pose.probes.empty()) return;
-  json["probes"] = ordered_json::array();
-  for (const auto& probe : pose.probes) {
-    ordered_json one = ordered_json::object();
-    put_probe_pose(one, probe);
-    json["probes"].push_back(std::move(one));
-  }
-}
-
-SharedPose whole_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  WholePose pose;
-  if (json.find("positions")) pose.cage = pose_of(json, warnings);
-  if (const auto probes = json.find("probes")) {
-    if (probes->size() > most_probes) probes->fail("there are too many probes");
-    for (std::size_t i = 0; i < probes->size(); ++i) pose.probes.push_back(probe_pose_of(probes->item(i)));
-  }
-  return std::make_shared<const WholePose>(std::move(pose));
-}
-
 double within(const JsonReader& json, double least, double most) {
   const double number = json.number();
   if (!(number >= least && number <= most)) json.fail("this number is out of range");
@@ -135,7 +114,7 @@ double percent_of(double weight) {
 }
 
 NamedPose named_pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  NamedPose named{json.at("name").text(), whole_of(json, warnings)};
+  NamedPose named{json.at("name").text(), whole_pose_of(json, warnings)};
   if (named.name.size() > PoseLibrary::longest_name) json.at("name").fail("this name is too long");
   const auto weight_of = [](const JsonReader& v) {
     return within(v, 100 * PoseLibrary::least_weight, 100 * PoseLibrary::largest_weight) / 100;
@@ -148,7 +127,7 @@ NamedPose named_pose_of(const JsonReader& json, std::vector<std::string>& warnin
 }
 
 PoseKey key_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  PoseKey key{frame_of(json.at("frame")), whole_of(json, warnings)};
+  PoseKey key{frame_of(json.at("frame")), whole_pose_of(json, warnings)};
   const auto easing_of = [](const JsonReader& v) { return choice_of<Easing>(v, all_easings()); };
   const auto handles_of = [](const JsonReader& v) {
     const Handles handles = v.numbers<4>();
@@ -233,13 +212,36 @@ deform::ProbePose probe_pose_of(const JsonReader& json) {
   return pose;
 }
 
+ordered_json whole_pose_json(const WholePose& pose) {
+  ordered_json json = ordered_json::object();
+  if (!pose.cage.positions.empty()) json.update(pose_json(pose.cage));
+  if (pose.probes.empty()) return json;
+  json["probes"] = ordered_json::array();
+  for (const auto& probe : pose.probes) {
+    ordered_json one = ordered_json::object();
+    put_probe_pose(one, probe);
+    json["probes"].push_back(std::move(one));
+  }
+  return json;
+}
+
+SharedPose whole_pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  WholePose pose;
+  if (json.find("positions")) pose.cage = pose_of(json, warnings);
+  if (const auto probes = json.find("probes")) {
+    if (probes->size() > most_probes) probes->fail("there are too many probes");
+    for (std::size_t i = 0; i < probes->size(); ++i) pose.probes.push_back(probe_pose_of(probes->item(i)));
+  }
+  return std::make_shared<const WholePose>(std::move(pose));
+}
+
 ordered_json library_json(const PoseLibrary& library) {
   ordered_json all = ordered_json::array();
   for (const NamedPose& named : library.poses) {
     ordered_json json = {{"name", named.name}};
     if (named.weight != 0) json["weight"] = percent_of(named.weight);
     if (!named.part.empty()) json["part"] = named.part;
-    put_whole(json, *named.pose);
+    json.update(whole_pose_json(*named.pose));
     all.push_back(std::move(json));
   }
   return all;
@@ -257,7 +259,7 @@ ordered_json timeline_json(const Timeline& timeline, double frame) {
     ordered_json one = {{"frame", key.frame},
                         {"easing", all_easings()[static_cast<std::size_t>(key.easing)].word}};
     if (key.easing == Easing::bezier) one["handles"] = key.handles;
-    put_whole(one, *key.pose);
+    one.update(whole_pose_json(*key.pose));
     json["keys"].push_back(std::move(one));
   }
   if (timeline.cameras.empty()) return json;
@@ -322,6 +324,8 @@ void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cag
   };
   drop(library.poses, "poses", "pose");
   drop(timeline.keys, "time", "key");
+  if (library.unmixed && !fits(*library.unmixed, cage)) library.unmixed = nullptr;
+  if (library.unmixed && cage) rest_unread(library.unmixed, *cage);
   for (NamedPose& named : library.poses) {
     const auto unknown = [&](auto v) { return !cage || v >= cage->surface.positions.size(); };
     if (std::ranges::none_of(named.part, unknown)) continue;

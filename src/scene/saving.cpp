@@ -1,5 +1,6 @@
 #include "scene/saving.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -37,6 +38,24 @@ std::uint64_t checksum(std::string_view bytes) {
   base::Checksum sum;
   sum.add(bytes.data(), bytes.size());
   return sum.value();
+}
+
+}  // namespace
+
+namespace {
+
+// What is there is as the keys have it at this frame: playing is no work that could be lost.
+bool is_by_time(const Workspace& w) {
+  return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
+}
+
+// Or differ in their poses alone, and these are by time.
+bool same_probes(const Workspace& w, bool by_time) {
+  deform::Probes now = w.document.probes;
+  const auto& saved = w.saved.probes.all;
+  for (std::size_t i = 0; by_time && i < std::min(now.all.size(), saved.size()); ++i)
+    if (!now.all[i].locked) now.all[i].pose = saved[i].pose;
+  return now == w.saved.probes;
 }
 
 }  // namespace
@@ -94,12 +113,13 @@ std::string window_title(const Workspace& w) {
 }
 
 bool has_unsaved_edits(const Workspace& w) {
-  if (w.saved.nowhere || w.document.cage != w.saved.cage || w.document.probes != w.saved.probes ||
+  const bool by_time = is_by_time(w);
+  if (w.saved.nowhere || w.document.cage != w.saved.cage || !same_probes(w, by_time) ||
       w.document.groups.sets != w.saved.sets || w.document.library != w.saved.library ||
       w.document.timeline != w.saved.timeline || !same_mask(w.document.mask, w.saved.mask))
     return true;
-  return w.document.is_movable() &&
-         (w.document.scheme != w.saved.scheme || !same_pose(real_pose(w.document), w.saved.pose));
+  return w.document.is_movable() && (w.document.scheme != w.saved.scheme ||
+                                     (!by_time && !same_pose(real_pose(w.document), w.saved.pose)));
 }
 
 void mark_saved(Workspace& workspace) {

@@ -208,7 +208,7 @@ TEST_CASE("a_mix_that_cannot_be_drawn_changes_nothing") {
 TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
   Mixed m;
   const Document start = m.document;
-  for (double weight = 0.1; weight < 1; weight += 0.1) m.weigh(0, weight);
+  for (int i = 1; i < 10; ++i) m.weigh(0, 0.1 * i);
   CHECK(test::edit_count(m.document.history) == 1);
   m.weigh(1, 0.5);
   m.weigh(1, 0.6);
@@ -230,8 +230,8 @@ TEST_CASE("what_is_selected_when_a_slider_leaves_0_is_what_it_moves") {
   m.weigh(1, 1);
   CHECK(m.poses()[1].part == std::vector<std::uint32_t>{4, 5, 6, 7});
   const auto upper = m.positions();
-  // The lower face is as it was, where it can be: it turns and stretches by nothing.
-  CHECK(upper[1][0] - upper[0][0] == doctest::Approx(3).epsilon(0.15));
+  // The faces between both move by as much of it as they have corners there, and take the lower one along.
+  CHECK(upper[1][0] - upper[0][0] < 4);
   CHECK(upper[5][0] - upper[4][0] > 4.5);
   m.document.selection.clear();
   m.weigh(1, 0.5);

@@ -164,8 +164,8 @@ TEST_CASE("a_camera_key_takes_the_short_way_from_the_one_before") {
   set_camera_key(t.document, 11, {.yaw = -3});
   CHECK(t.timeline().cameras[1].camera.yaw == doctest::Approx(2 * std::numbers::pi - 3));
   CHECK(camera_at(t.timeline(), 6)->yaw == doctest::Approx(std::numbers::pi));
-  set_camera_key(t.document, 21, {.yaw = 0.5f});
-  CHECK(t.timeline().cameras[2].camera.yaw == doctest::Approx(2 * std::numbers::pi + 0.5));
+  set_camera_key(t.document, 21, {.yaw = -2});
+  CHECK(t.timeline().cameras[2].camera.yaw == doctest::Approx(2 * std::numbers::pi - 2));
 }
 
 TEST_CASE("a_turntable_is_one_whole_turn_at_an_even_speed_and_one_edit") {
