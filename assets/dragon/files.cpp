@@ -12,7 +12,8 @@ void append_little_endian(std::string& bytes, std::uint32_t word) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 255);
 }
 
-/// Writes beside the target and renames, so that no reader sees half a file.
+}  // namespace
+
 void write_whole(const std::filesystem::path& path, const std::string& bytes) {
   std::filesystem::path beside = path;
   beside += ".part";
@@ -22,8 +23,6 @@ void write_whole(const std::filesystem::path& path, const std::string& bytes) {
   if (!stream) throw std::runtime_error(beside.string() + ": cannot be written");
   std::filesystem::rename(beside, path);
 }
-
-}  // namespace
 
 void write_ply(const std::filesystem::path& path, const Mesh& mesh, const std::string& comment) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment " + comment + "\nelement vertex " +

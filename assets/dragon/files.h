@@ -14,4 +14,7 @@ void write_ply(const std::filesystem::path& path, const Mesh& mesh, const std::s
 /// OBJ with four decimals, comment in the first line.
 void write_obj(const std::filesystem::path& path, const Mesh& mesh, const std::string& comment);
 
+/// Writes beside the target and renames, so that no reader sees half a file.
+void write_whole(const std::filesystem::path& path, const std::string& bytes);
+
 }  // namespace viete::dragon

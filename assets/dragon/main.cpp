@@ -1,4 +1,4 @@
-// generate_dragon FOLDER: makes the bundled dragon, its cage and the poses of the cage.
+// generate_dragon FOLDER: makes the bundled dragon, its cage, the poses of the cage and its loop.
 #include <cstdio>
 #include <exception>
 
@@ -7,7 +7,7 @@
 int main(int count, char** arguments) {
   if (count != 2) {
     std::fprintf(stderr,
-                 "usage: generate_dragon FOLDER\nWrites dragon.ply, cage.obj and pose_*.obj there.\n");
+                 "usage: generate_dragon FOLDER\nWrites dragon.ply, cage.obj, pose_*.obj and loop.viete there.\n");
     return 2;
   }
   try {

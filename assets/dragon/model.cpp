@@ -5,6 +5,7 @@
 
 #include "dragon/anatomy.h"
 #include "dragon/files.h"
+#include "dragon/loop.h"
 #include "dragon/polygonise.h"
 #include "dragon/poses.h"
 #include "dragon/relax.h"
@@ -58,6 +59,7 @@ void write_files(const std::filesystem::path& folder) {
             "Viete dragon, the cage at rest, made by generate_dragon; MIT licence");
   for (const Pose& pose : dragon_poses(cage))
     write_obj(folder / (pose.name + ".obj"), pose.mesh, pose.comment);
+  write_whole(folder / "loop.viete", loop_session(cage));
 }
 
 }  // namespace viete::dragon

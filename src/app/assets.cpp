@@ -33,7 +33,7 @@ fs::path assets_folder() {
 
 BundledModel bundled_model() {
   const fs::path folder = assets_folder() / "dragon";
-  BundledModel bundled{folder / "dragon.ply", folder / "cage.obj", {}};
+  BundledModel bundled{folder / "dragon.ply", folder / "cage.obj", {}, folder / "loop.viete"};
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().filename().string().starts_with("pose_")) bundled.poses.push_back(entry.path());
   }

@@ -13,6 +13,7 @@ std::filesystem::path assets_folder();
 struct BundledModel {
   std::filesystem::path model, cage;
   std::vector<std::filesystem::path> poses;  ///< of the cage, by name
+  std::filesystem::path loop;                ///< a session of both, with poses and keys
 };
 BundledModel bundled_model();
 

@@ -1,4 +1,4 @@
-// viete bench exp|eigen|frame|bind|files|cage|modes|stitched|accuracy|sym3: the paper's figures, and its
+// viete bench exp|eigen|frame|bind|files|cage|modes|stitched|time|accuracy|sym3: the paper's figures, and its
 // future work, on this machine.
 #include <cstdio>
 #include <memory>
@@ -20,6 +20,7 @@
 #include "bench/modes.h"
 #include "bench/stitched.h"
 #include "bench/sym3.h"
+#include "bench/time.h"
 #include "sym3/kernel.h"
 
 namespace viete::app {
@@ -235,6 +236,26 @@ void add_stitched_bench(CLI::App& bench, Action& action) {
   });
 }
 
+void add_time_bench(CLI::App& bench, Action& action) {
+  auto* command = bench.add_subcommand(
+      "time", "Between keys, in log space and straight: volumes, and what a frame costs");
+  auto options = std::make_shared<bench::TimeOptions>();
+  auto files = std::make_shared<BenchFiles>();
+  add_file_option(*command, "SESSION", options->session, "Session with a cage and keys")
+      ->default_str("the bundled dragon's loop");
+  add_rounds_option(*command, options->rounds, "11");
+  add_bench_files(*command, *files);
+  command->callback([options, files, &action] {
+    action = [options, files] {
+      files->check({options->session});
+      if (options->session.empty()) options->session = bundled_model().loop;
+      options->json = files->json;
+      bench::bench_time(*options);
+      return exit_ok;
+    };
+  });
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
@@ -278,6 +299,7 @@ void add_bench_command(CLI::App& app, Action& action) {
   add_cage_bench(*command, action);
   add_modes_bench(*command, action);
   add_stitched_bench(*command, action);
+  add_time_bench(*command, action);
 }
 
 }  // namespace viete::app

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "app/bundled_loop.h"
 #include "app/file_desk.h"
 #include "app/first_motion.h"
 #include "app/state_folder.h"
@@ -36,7 +37,8 @@ public:
   WindowViewer(platform::Window& window, const WindowOptions& options)
       : window_(window),
         viewer_(window.gl(), viewer_options(window, options.binding)),
-        first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()) {
+        first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()),
+        loop_(options.loop) {
     listen();
     window_.share_clipboard();
   }
@@ -55,6 +57,7 @@ private:
   platform::Window& window_;
   Viewer viewer_;
   FirstMotion first_motion_;
+  std::filesystem::path loop_;  // empty once the model has it, or never will
   bool exposed_ = true, asks_ = false;
 };
 
@@ -91,6 +94,7 @@ void WindowViewer::call_for_attention() {
 
 void WindowViewer::draw(float seconds) {
   const bool ready = !viewer_.working() && viewer_.deformer() && viewer_.deformer()->ran();
+  if (ready && !loop_.empty()) add_loop(viewer_.workspace(), std::exchange(loop_, {}));
   first_motion_.step(viewer_.workspace(), ready, seconds);
   viewer_.frame(seconds);
   window_.present(viewer_.framebuffer());

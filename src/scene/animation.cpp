@@ -1,6 +1,10 @@
 #include "scene/animation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/range.h"
 
 namespace viete::scene {
 
@@ -31,13 +35,13 @@ void KnownVectors::follow(const std::shared_ptr<const deform::Cage>& cage) {
 std::shared_ptr<const deform::PoseVector> KnownVectors::of(const SharedPose& pose,
                                                            std::span<const mesh::Vec3> turns_before) {
   if (!space_) return nullptr;
-  Known& known = known_[pose.get()];
   const bool depends = pose->cage.turns.empty();
-  if (known.vector && (!depends || std::ranges::equal(known.turns_before, turns_before))) return known.vector;
-  known = {pose,
-           {turns_before.begin(), turns_before.end()},
-           std::make_shared<const deform::PoseVector>(space_->vector(pose->cage, turns_before))};
-  return known.vector;
+  const auto found = known_.find(pose.get());
+  if (found != known_.end() && (!depends || std::ranges::equal(found->second.turns_before, turns_before)))
+    return found->second.vector;
+  const auto vector = std::make_shared<const deform::PoseVector>(space_->vector(pose->cage, turns_before));
+  known_[pose.get()] = {pose, {turns_before.begin(), turns_before.end()}, vector};
+  return vector;
 }
 
 std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms) {
@@ -47,6 +51,30 @@ std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms) 
   for (const auto& [poses, factor] : terms)
     for (std::size_t i = 0; i < poses->size(); ++i) add_share(sum[i], (*poses)[i], factor);
   return sum;
+}
+
+bool in_range(const WholePose& pose) {
+  const auto drawn = [](const mesh::Vec3& p) {
+    return std::ranges::all_of(p, [](double x) { return std::abs(x) <= most_drawn; });
+  };
+  const auto turned = [](const mesh::Vec3& turn) { return mesh::norm(turn) <= largest_turn; };
+  return std::ranges::all_of(pose.cage.positions, drawn) && std::ranges::all_of(pose.cage.turns, turned) &&
+         std::ranges::all_of(pose.probes, [&](const deform::ProbePose& p) {
+           return turned(p.turn) && drawn(p.move) && is_probe_stretch(p.stretch);
+         });
+}
+
+// Turns that were missing are filled in at the first frame, by half a turn at most; another branch of the
+// same rotation is a whole turn away.
+bool same_pose(const deform::Pose& a, const deform::Pose& b) {
+  using mesh::operator-;
+  if (a.positions != b.positions) return false;
+  const auto turn = [](const deform::Pose& pose, std::size_t part) {
+    return part < pose.turns.size() ? pose.turns[part] : deform::Vec3{0, 0, 0};
+  };
+  for (std::size_t part = 0; part < std::max(a.turns.size(), b.turns.size()); ++part)
+    if (!(mesh::norm(turn(a, part) - turn(b, part)) < std::numbers::pi + 1e-3)) return false;
+  return true;
 }
 
 Animation::Animation(const Timeline& timeline, KnownVectors& vectors)
@@ -65,15 +93,21 @@ WholePose Animation::at(double frame) const {
   return at(frame, timeline_.straight);
 }
 
+WholePose Animation::key(std::size_t key) const {
+  WholePose pose = *timeline_.keys[key].pose;
+  if (space_ && pose.cage.turns.empty()) pose.cage.turns = vectors_[key]->turns;
+  return pose;
+}
+
 WholePose Animation::at(double frame, bool straight) const {
-  const auto& keys = timeline_.keys;
   const Moment moment = moment_at(timeline_, frame);
-  if (moment.shares.size() == 1) {
-    const std::size_t key = moment.shares.front().key;
-    WholePose pose = *keys[key].pose;
-    if (space_ && pose.cage.turns.empty()) pose.cage.turns = vectors_[key]->turns;
-    return pose;
-  }
+  if (moment.shares.size() == 1) return key(moment.shares.front().key);
+  WholePose pose = blend(moment, straight);
+  return in_range(pose) ? pose : key(moment.from);
+}
+
+WholePose Animation::blend(const Moment& moment, bool straight) const {
+  const auto& keys = timeline_.keys;
   WholePose pose;
   std::vector<ProbeTerm> probes;
   for (const auto& [key, factor] : moment.shares) probes.push_back({&keys[key].pose->probes, factor});

@@ -38,7 +38,8 @@ private:
 /// nearest to the key before.
 ///
 /// What is shown between keys is the cage that follows the blended logs, see PoseSpace; a timeline that is
-/// straight moves its vertices on straight lines. Probes are blended by their logs in either case.
+/// straight moves its vertices on straight lines. Probes are blended by their logs in either case. Where that
+/// leaves what can be drawn, as a curve that overshoots far may, the key before stays.
 class Animation {
 public:
   /// Requires keys, of this cage.
@@ -49,6 +50,9 @@ public:
   WholePose at(double frame, bool straight) const;
 
 private:
+  WholePose key(std::size_t key) const;
+  WholePose blend(const Moment& moment, bool straight) const;
+
   Timeline timeline_;
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::PoseVector>> vectors_;  // of the keys; null without a cage

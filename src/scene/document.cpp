@@ -9,6 +9,7 @@
 #include "deform/pose_io.h"
 #include "mesh/content_key.h"
 #include "mesh/read.h"
+#include "scene/pose_edit.h"
 #include "scene/range.h"
 
 namespace viete::scene {
@@ -116,6 +117,7 @@ Snapshot snapshot_of(const Document& document) {
 
 void set_pose(Document& document, deform::Pose pose) {
   document.history.record("open pose", snapshot_of(document));
+  end_mix(document);
   document.kept_pose.reset();  // it is a pose, not another cage
   document.pose = std::move(pose);
   ++document.revisions.pose;

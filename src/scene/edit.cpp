@@ -7,6 +7,7 @@
 
 #include "scene/elements.h"
 #include "scene/mirror_edit.h"
+#include "scene/pose_edit.h"
 #include "scene/probes.h"
 #include "scene/selection_sets.h"
 
@@ -79,6 +80,7 @@ bool differs_from_rest(const Document& document) {
 
 void reset_pose(Document& document) {
   document.history.record("reset pose", snapshot_of(document));
+  end_mix(document);
   if (document.has_cage()) document.pose = deform::rest_pose(*document.cage);
   for (deform::Probe& probe : document.probes.all) {
     if (!probe.locked) probe.pose = {};

@@ -6,7 +6,9 @@
 #include "base/error.h"
 #include "deform/pose_io.h"
 #include "mesh/winding_number.h"
+#include "scene/animation.h"
 #include "scene/edit.h"
+#include "scene/pose_edit.h"
 #include "scene/pose_json.h"
 #include "scene/saving.h"
 #include "scene/selection_sets.h"
@@ -132,6 +134,14 @@ Document document_of_session(const Session& session, const fs::path& file, base:
   }
 }
 
+// Of a session that says nothing of the pose: what its keys make of its frame.
+void pose_by_keys(Document& document) {
+  if (document.timeline.keys.empty()) return;
+  KnownVectors vectors;
+  vectors.follow(document.cage);
+  put_whole_pose(document, Animation(document.timeline, vectors).at(document.frame));
+}
+
 Opened open_session(const fs::path& file, bool recovered, base::Progress* progress) {
   Opened opened;
   opened.file = file;
@@ -146,14 +156,17 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   document.mask = fit_to_model(session, *document.model.surface, file);
   document.probes = session.probes;
   document.model.unit = session.unit.value_or(document.model.unit);
+  const bool has_pose = session.pose.has_value() || !document.has_cage();
   if (document.has_cage()) {
     fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
     if (session.pose) document.pose = std::move(*session.pose);
   }
   fit_poses(session.library, session.timeline, document.cage.get(), file.string(), session.warnings);
   document.library = std::move(session.library);
+  if (document.library.unmixed) document.library.mixed = shared_pose(document);
   document.timeline = std::move(session.timeline);
   document.frame = session.frame;
+  if (!has_pose) pose_by_keys(document);
   if (document.is_movable()) {
     fit_selection(session, document, file);
     document.selection = Selection(session.selecting);
@@ -272,6 +285,9 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
                         old.revisions.pose + 1, old.revisions.method + 1};
   w.document = std::move(document);
   w.interaction = {};
+  Playback stopped;
+  stopped.auto_key = w.playback.auto_key, stopped.paths = w.playback.paths;
+  w.playback = std::move(stopped);
   w.making = {.wish = w.making.wish};
   w.playback = {.auto_key = w.playback.auto_key, .paths = w.playback.paths};
   w.chosen_pose.reset();

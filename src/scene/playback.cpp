@@ -13,14 +13,24 @@ namespace viete::scene {
 
 namespace {
 
-bool is_shown(const Workspace& w) {
-  if (!w.playback.shown) return false;
-  const WholePose& shown = *w.playback.shown;
-  if (w.document.has_cage() && shown.cage.positions != real_pose(w.document).positions) return false;
+// That pose is there. Locked probes are no part of it.
+bool is_there(const Workspace& w, const WholePose& pose) {
+  if (w.document.has_cage() && !same_pose(pose.cage, real_pose(w.document))) return false;
   const auto& probes = w.document.probes.all;
-  for (std::size_t i = 0; i < probes.size() && i < shown.probes.size(); ++i)
-    if (!probes[i].locked && !(probes[i].pose == shown.probes[i])) return false;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const deform::ProbePose there = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
+    if (!probes[i].locked && !(probes[i].pose == there)) return false;
+  }
   return true;
+}
+
+// What is known of the motion is of this timeline.
+bool is_of_now(const Workspace& w) {
+  return w.playback.cage == w.document.cage && w.playback.timeline == w.document.timeline;
+}
+
+bool is_shown(const Workspace& w) {
+  return w.playback.shown && is_there(w, *w.playback.shown);
 }
 
 // What the document's frame looks like, without a word about what was there.
@@ -47,7 +57,7 @@ void follow_edits(Workspace& w) {
     p.shown = nullptr;
     return;
   }
-  if (p.auto_key && !retimed && !is_shown(w)) {
+  if (p.auto_key && !retimed && !is_shown(w) && !is_there(w, p.animation->at(w.document.frame))) {
     try {
       add_key_to_edit(w.document, current_frame(w.document));
       p.seen_revision = w.document.history.revision();
@@ -56,12 +66,12 @@ void follow_edits(Workspace& w) {
     }
     animation_of(w);
   }
-  const WholePose now = p.animation->at(w.document.frame);
-  const SharedPose there = shared_pose(w.document);
-  if (now.cage.positions == there->cage.positions) {
-    p.shown = there;
+  if (is_there(w, p.animation->at(w.document.frame))) {
+    p.shown = shared_pose(w.document);
   } else if (retimed && is_shown(w)) {
     show_frame(w, w.document.frame);
+  } else {
+    p.playing = false;
   }
 }
 
@@ -78,8 +88,7 @@ std::shared_ptr<const Animation> animation_of(Workspace& w) {
   Playback& p = w.playback;
   const Document& document = w.document;
   if (is_editing_cage(document)) return nullptr;
-  if (p.cage == document.cage && p.timeline == document.timeline && (p.animation || p.timeline.keys.empty()))
-    return p.animation;
+  if (is_of_now(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
   p.vectors.follow(document.cage);
   p.cage = document.cage;
   p.timeline = document.timeline;
@@ -88,19 +97,18 @@ std::shared_ptr<const Animation> animation_of(Workspace& w) {
 }
 
 bool has_unkeyed_pose(const Workspace& w) {
-  return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !is_shown(w);
+  if (w.document.timeline.keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
+  const bool known = w.playback.animation && is_of_now(w);
+  return !known || !is_there(w, w.playback.animation->at(w.document.frame));
 }
 
 void go_to_frame(Workspace& w, double frame) {
-  if (in_hand(w) || is_editing_cage(w.document)) return;
+  if (in_hand(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
   frame = std::clamp<double>(frame, Timeline::least_frame, Timeline::largest_frame);
+  animation_of(w);
   if (has_unkeyed_pose(w)) {
-    const WholePose there = whole_pose(w.document);
-    const auto animation = animation_of(w);
-    if (animation && animation->at(w.document.frame).cage.positions != there.cage.positions) {
-      w.document.history.record("go to another frame", snapshot_of(w.document));
-      w.messages.info("The pose was in no key; undo leads back to it.");
-    }
+    w.document.history.record("go to another frame", snapshot_of(w.document));
+    w.messages.info("The pose was in no key; undo leads back to it.");
   }
   show_frame(w, frame);
   w.playback.seen_revision = w.document.history.revision();

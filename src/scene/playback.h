@@ -27,8 +27,8 @@ struct Playback {
 /// Of the timeline as it is now; null where it has no keys, or while the cage itself is edited.
 std::shared_ptr<const Animation> animation_of(Workspace& workspace);
 
-/// True if what is there was changed since time has put it there, so that going to another frame would change
-/// it: there are keys, and it is in none.
+/// True if what is there is not what time would show at this frame, so that going to another frame and back
+/// would change it.
 bool has_unkeyed_pose(const Workspace& workspace);
 
 /// Shows the frame: pose, probes and camera keys. A pose that is in no key is not lost: undo leads back to
@@ -42,7 +42,8 @@ void start_playing(Workspace& workspace);
 void stop_playing(Workspace& workspace);
 
 /// Once a frame of the window, `seconds` after the last one: plays; keys what a hand has changed, if that is
-/// wanted; and shows what an edit of the timeline has made of this frame.
+/// wanted; and shows what an edit of the timeline has made of this frame. An edit of the pose that is not
+/// keyed ends the playing, so that it is there to be seen.
 void follow_time(Workspace& workspace, double seconds);
 
 }  // namespace viete::scene

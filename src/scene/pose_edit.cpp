@@ -1,6 +1,7 @@
 #include "scene/pose_edit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "scene/cage_editing.h"
@@ -12,10 +13,6 @@ namespace viete::scene {
 namespace {
 
 constexpr const char* no_room_for_poses = "there are as many poses as a document can have";
-
-bool moves_alike(const WholePose& a, const WholePose& b) {
-  return a.cage.positions == b.cage.positions && a.probes == b.probes;
-}
 
 // What of a pose acts on some vertices of the cage: of a triangle as many thirds as it has corners there.
 deform::PoseVector limited_to(const deform::Cage& cage, const deform::PoseVector& vector,
@@ -41,16 +38,26 @@ deform::PoseVector limited_to(const deform::Cage& cage, const deform::PoseVector
   return limited;
 }
 
+// Locked probes are as they are, whatever is mixed.
+void keep_locked(const Document& document, WholePose& pose) {
+  const auto& all = document.probes.all;
+  pose.probes.resize(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].locked) pose.probes[i] = all[i].pose;
+}
+
 // The pose `from`, and upon it `sign` times what the library mixes.
-WholePose mix_of(const Document& document, KnownVectors& vectors, const SharedPose& from, double sign) {
+WholePose mix_of(const Document& document, const PoseLibrary& library, KnownVectors& vectors,
+                 const SharedPose& from, double sign) {
   std::vector<ProbeTerm> probes{{&from->probes, 1}};
-  for (const NamedPose& named : document.library.poses)
+  for (const NamedPose& named : library.poses)
     if (named.part.empty()) probes.push_back({&named.pose->probes, sign * named.weight});
   WholePose pose{from->cage, blended_probes(probes)};
+  keep_locked(document, pose);
   if (!document.has_cage()) return pose;
   std::vector<deform::PoseVector> parts;
   std::vector<double> factors;
-  for (const NamedPose& named : document.library.poses) {
+  for (const NamedPose& named : library.poses) {
     if (named.weight == 0) continue;
     parts.push_back(limited_to(*document.cage, *vectors.of(named.pose), named.part));
     factors.push_back(sign * named.weight);
@@ -86,34 +93,47 @@ SharedPose without_mix(const Document& document, KnownVectors& vectors) {
   const PoseLibrary& library = document.library;
   const SharedPose now = shared_pose(document);
   if (!library.mixes()) return now;
-  if (library.mixed && library.unmixed && moves_alike(*library.mixed, *now)) return library.unmixed;
-  return std::make_shared<const WholePose>(mix_of(document, vectors, now, -1));
+  if (const SharedPose known = unmixed_pose(document)) return known;
+  return std::make_shared<const WholePose>(mix_of(document, library, vectors, now, -1));
 }
 
-void show_mix(Document& document, KnownVectors& vectors, const SharedPose& base) {
-  PoseLibrary& library = document.library;
+SharedPose mixed_upon(const Document& document, const PoseLibrary& library, KnownVectors& vectors,
+                      const SharedPose& base) {
+  if (!library.mixes()) return base;
   const NamedPose* alone = mixed_alone(library);
-  if (!library.mixes()) {
-    put_whole_pose(document, *base);
-    library.unmixed = library.mixed = nullptr;
-    return;
-  }
-  if (alone && is_rest_pose(document, *base)) {
-    put_whole_pose(document, *alone->pose);
-  } else {
-    put_whole_pose(document, mix_of(document, vectors, base, 1));
-  }
-  library.unmixed = base;
-  library.mixed = shared_pose(document);
+  if (alone && is_rest_pose(document, *base)) return alone->pose;
+  return std::make_shared<const WholePose>(mix_of(document, library, vectors, base, 1));
 }
 
-// Changes weights, and shows it.
-template <class Change>
-void remix(Document& document, KnownVectors& vectors, Change change) {
+bool are_weights(const PoseLibrary& library) {
+  return std::ranges::all_of(library.poses, [](const NamedPose& p) {
+    return p.weight >= PoseLibrary::least_weight && p.weight <= PoseLibrary::largest_weight;
+  });
+}
+
+// Changes weights, and shows it. Says whether it did: not where that would leave what can be drawn.
+template <class Record, class Change>
+bool remix(Document& document, KnownVectors& vectors, Record record, Change change) {
   vectors.follow(document.cage);
   const SharedPose base = without_mix(document, vectors);
-  change(document.library);
-  show_mix(document, vectors, base);
+  PoseLibrary library = document.library;
+  change(library);
+  const SharedPose pose = mixed_upon(document, library, vectors, base);
+  if (!are_weights(library) || !in_range(*pose)) return false;
+  record();
+  document.library = std::move(library);
+  put_whole_pose(document, *pose);
+  const bool mixes = document.library.mixes();
+  document.library.unmixed = mixes ? base : nullptr;
+  document.library.mixed = mixes ? shared_pose(document) : nullptr;
+  return true;
+}
+
+// At most so many bytes, and no part of a character of UTF-8.
+std::string cut(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
 }
 
 void check_room_for_poses(const PoseLibrary& library, std::size_t more) {
@@ -157,13 +177,24 @@ void end_mix(Document& document) {
   document.library.unmixed = document.library.mixed = nullptr;
 }
 
+SharedPose unmixed_pose(const Document& document) {
+  const PoseLibrary& library = document.library;
+  if (!library.mixes() || !library.mixed || !library.unmixed) return nullptr;
+  const WholePose now = whole_pose(document);
+  const bool same = same_pose(library.mixed->cage, now.cage) && library.mixed->probes == now.probes;
+  return same ? library.unmixed : nullptr;
+}
+
 std::string free_name(const PoseLibrary& library, const std::string& wish) {
   const auto taken = [&](const std::string& name) {
     return std::ranges::any_of(library.poses, [&](const NamedPose& p) { return p.name == name; });
   };
-  const std::string base = wish.empty() ? "pose" : wish.substr(0, PoseLibrary::longest_name);
+  const std::string base = wish.empty() ? "pose" : cut(wish, PoseLibrary::longest_name);
   std::string name = base;
-  for (int n = 2; taken(name); ++n) name = base + " " + std::to_string(n);
+  for (int n = 2; taken(name); ++n) {
+    const std::string number = ' ' + std::to_string(n);
+    name = cut(base, PoseLibrary::longest_name - number.size()) + number;
+  }
   return name;
 }
 
@@ -224,20 +255,23 @@ void duplicate_pose(Document& document, std::size_t pose) {
 }
 
 void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose) {
-  record_edit(document, "delete a pose");
+  const auto record = [&] { record_edit(document, "delete a pose"); };
   const auto erase = [pose](PoseLibrary& library) {
     library.poses.erase(library.poses.begin() + static_cast<std::ptrdiff_t>(pose));
   };
-  if (document.library.poses[pose].weight == 0) return erase(document.library);
-  remix(document, vectors, erase);
+  if (document.library.poses[pose].weight != 0 && remix(document, vectors, record, erase)) return;
+  record();
+  if (document.library.poses[pose].weight != 0) end_mix(document);
+  erase(document.library);
 }
 
-void set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight) {
+bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight) {
+  if (std::isnan(weight)) return false;
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
-  if (named.weight == weight) return;
-  record_step(document, "mix in " + named.name);
-  remix(document, vectors, [&](PoseLibrary& library) {
+  if (named.weight == weight) return true;
+  const auto record = [&, label = "mix in " + named.name] { record_step(document, label); };
+  return remix(document, vectors, record, [&](PoseLibrary& library) {
     NamedPose& changed = library.poses[pose];
     if (changed.weight == 0) {
       const bool of_cage = document.has_cage() && document.selection.kind() != ElementKind::probe;
@@ -249,18 +283,20 @@ void set_weight(Document& document, KnownVectors& vectors, std::size_t pose, dou
   });
 }
 
-void clear_mix(Document& document, KnownVectors& vectors) {
-  record_edit(document, "clear the mix");
-  remix(document, vectors, [](PoseLibrary& library) {
+bool clear_mix(Document& document, KnownVectors& vectors) {
+  if (!document.library.mixes()) return true;
+  const auto record = [&] { record_edit(document, "clear the mix"); };
+  return remix(document, vectors, record, [](PoseLibrary& library) {
     for (NamedPose& named : library.poses) named.weight = 0, named.part.clear();
   });
 }
 
-void average_mix(Document& document, KnownVectors& vectors) {
+bool average_mix(Document& document, KnownVectors& vectors) {
   double sum = 0;
   for (const NamedPose& named : document.library.poses) sum += named.weight;
-  record_edit(document, "average poses");
-  remix(document, vectors, [sum](PoseLibrary& library) {
+  if (!(sum > 0)) return false;
+  const auto record = [&] { record_edit(document, "average poses"); };
+  return remix(document, vectors, record, [sum](PoseLibrary& library) {
     for (NamedPose& named : library.poses) named.weight /= sum;
   });
 }

@@ -19,6 +19,10 @@ void put_whole_pose(Document& document, const WholePose& pose);
 /// All weights become 0: what is there counts as made by hand. No edit.
 void end_mix(Document& document);
 
+/// What is there without the mix, as it was before; null where nothing is mixed, or a hand has changed it
+/// since.
+SharedPose unmixed_pose(const Document& document);
+
 /// A name that no other pose has: the same, or with a number behind it. Cut to PoseLibrary::longest_name.
 std::string free_name(const PoseLibrary& library, const std::string& wish);
 
@@ -40,12 +44,14 @@ void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose);
 
 /// Mixes in so much of it, PoseLibrary::least_weight to largest_weight. One that was at 0 moves the part of
 /// the cage that is selected, if any of its vertices is; then what was mixed of it before goes. Weights of
-/// the same pose that are chosen one after the other are one edit.
-void set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight);
-/// All become 0.
-void clear_mix(Document& document, KnownVectors& vectors);
-/// Weights are divided by their sum: an average of poses. Requires a sum above 0.
-void average_mix(Document& document, KnownVectors& vectors);
+/// the same pose that are chosen one after the other are one edit. Says whether it did: not where the mix
+/// would leave what can be drawn, see in_range(); then nothing has changed.
+bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight);
+/// All become 0. Likewise.
+bool clear_mix(Document& document, KnownVectors& vectors);
+/// Weights are divided by their sum: an average of poses. Likewise; not where the sum is 0 or less, or so
+/// small that weights would leave their range.
+bool average_mix(Document& document, KnownVectors& vectors);
 
 /// Another cage, or another number of probes: all poses, those of keys too, go with it. Part of the edit that
 /// is being made.

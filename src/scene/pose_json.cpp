@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "scene/camera_json.h"
+#include "scene/pose_edit.h"
 #include "scene/probes.h"
 #include "scene/range.h"
 #include "scene/time_edit.h"
@@ -67,27 +68,6 @@ sym3::Sym3<double> probe_stretch_of(const JsonReader& json) {
   return stretch;
 }
 
-void put_whole(ordered_json& json, const WholePose& pose) {
-  if (!pose.cage.positions.empty()) json.update(pose_json(pose.cage));
-  if (pose.probes.empty()) return;
-  json["probes"] = ordered_json::array();
-  for (const auto& probe : pose.probes) {
-    ordered_json one = ordered_json::object();
-    put_probe_pose(one, probe);
-    json["probes"].push_back(std::move(one));
-  }
-}
-
-SharedPose whole_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  WholePose pose;
-  if (json.find("positions")) pose.cage = pose_of(json, warnings);
-  if (const auto probes = json.find("probes")) {
-    if (probes->size() > most_probes) probes->fail("there are too many probes");
-    for (std::size_t i = 0; i < probes->size(); ++i) pose.probes.push_back(probe_pose_of(probes->item(i)));
-  }
-  return std::make_shared<const WholePose>(std::move(pose));
-}
-
 double within(const JsonReader& json, double least, double most) {
   const double number = json.number();
   if (!(number >= least && number <= most)) json.fail("this number is out of range");
@@ -121,24 +101,57 @@ void take_items(const JsonReader& json, std::size_t most, const char* instead,
   }
 }
 
+std::vector<std::uint32_t> indices_of(const JsonReader& json) {
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < json.size(); ++i) indices.push_back(json.item(i).index());
+  return indices;
+}
+
+// As it was typed, where that gives the same weight back.
+double percent_of(double weight) {
+  const double typed = std::round(1e8 * weight) / 1e6;
+  return typed / 100 == weight ? typed : 100 * weight;
+}
+
 NamedPose named_pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  NamedPose named{json.at("name").text(), whole_of(json, warnings)};
+  NamedPose named{json.at("name").text(), whole_pose_of(json, warnings)};
   if (named.name.size() > PoseLibrary::longest_name) json.at("name").fail("this name is too long");
-  if (const auto v = json.find("weight"))
-    named.weight = within(*v, 100 * PoseLibrary::least_weight, 100 * PoseLibrary::largest_weight) / 100;
-  if (const auto v = json.find("part"))
-    for (std::size_t i = 0; i < v->size(); ++i) named.part.push_back(v->item(i).index());
+  const auto weight_of = [](const JsonReader& v) {
+    return within(v, 100 * PoseLibrary::least_weight, 100 * PoseLibrary::largest_weight) / 100;
+  };
+  take_part(json, "weight", named.weight, weight_of, "it counts as made by hand", warnings);
+  const std::size_t told = warnings.size();
+  take_part(json, "part", named.part, indices_of, "it counts as made by hand", warnings);
+  if (warnings.size() > told) named.weight = 0;
   return named;
 }
 
 PoseKey key_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  PoseKey key{frame_of(json.at("frame")), whole_of(json, warnings)};
-  if (const auto v = json.find("easing")) key.easing = choice_of<Easing>(*v, all_easings());
-  if (const auto v = json.find("handles")) {
-    key.handles = v->numbers<4>();
-    if (!are_handles(key.handles)) v->fail("x is 0 to 1, y is -4 to 5");
-  }
+  PoseKey key{frame_of(json.at("frame")), whole_pose_of(json, warnings)};
+  const auto easing_of = [](const JsonReader& v) { return choice_of<Easing>(v, all_easings()); };
+  const auto handles_of = [](const JsonReader& v) {
+    const Handles handles = v.numbers<4>();
+    if (!are_handles(handles)) v.fail("x is 0 to 1, y is -4 to 5");
+    return handles;
+  };
+  take_part(json, "easing", key.easing, easing_of, "smooth instead", warnings);
+  take_part(json, "handles", key.handles, handles_of, "the usual curve instead", warnings);
   return key;
+}
+
+std::vector<PoseKey> keys_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  std::vector<PoseKey> keys;
+  take_items(json, Timeline::most_keys, "this key is left out", warnings,
+             [&](const JsonReader& item) { keys.push_back(key_of(item, warnings)); });
+  return keys;
+}
+
+std::vector<CameraKey> cameras_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  std::vector<CameraKey> keys;
+  take_items(json, Timeline::most_keys, "this camera key is left out", warnings, [&](const JsonReader& item) {
+    keys.push_back({frame_of(item.at("frame")), camera_of(item, true)});
+  });
+  return keys;
 }
 
 // By frame; of two of the same frame the first one stays.
@@ -199,13 +212,36 @@ deform::ProbePose probe_pose_of(const JsonReader& json) {
   return pose;
 }
 
+ordered_json whole_pose_json(const WholePose& pose) {
+  ordered_json json = ordered_json::object();
+  if (!pose.cage.positions.empty()) json.update(pose_json(pose.cage));
+  if (pose.probes.empty()) return json;
+  json["probes"] = ordered_json::array();
+  for (const auto& probe : pose.probes) {
+    ordered_json one = ordered_json::object();
+    put_probe_pose(one, probe);
+    json["probes"].push_back(std::move(one));
+  }
+  return json;
+}
+
+SharedPose whole_pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  WholePose pose;
+  if (json.find("positions")) pose.cage = pose_of(json, warnings);
+  if (const auto probes = json.find("probes")) {
+    if (probes->size() > most_probes) probes->fail("there are too many probes");
+    for (std::size_t i = 0; i < probes->size(); ++i) pose.probes.push_back(probe_pose_of(probes->item(i)));
+  }
+  return std::make_shared<const WholePose>(std::move(pose));
+}
+
 ordered_json library_json(const PoseLibrary& library) {
   ordered_json all = ordered_json::array();
   for (const NamedPose& named : library.poses) {
     ordered_json json = {{"name", named.name}};
-    if (named.weight != 0) json["weight"] = 100 * named.weight;
+    if (named.weight != 0) json["weight"] = percent_of(named.weight);
     if (!named.part.empty()) json["part"] = named.part;
-    put_whole(json, *named.pose);
+    json.update(whole_pose_json(*named.pose));
     all.push_back(std::move(json));
   }
   return all;
@@ -223,7 +259,7 @@ ordered_json timeline_json(const Timeline& timeline, double frame) {
     ordered_json one = {{"frame", key.frame},
                         {"easing", all_easings()[static_cast<std::size_t>(key.easing)].word}};
     if (key.easing == Easing::bezier) one["handles"] = key.handles;
-    put_whole(one, *key.pose);
+    one.update(whole_pose_json(*key.pose));
     json["keys"].push_back(std::move(one));
   }
   if (timeline.cameras.empty()) return json;
@@ -238,8 +274,11 @@ ordered_json timeline_json(const Timeline& timeline, double frame) {
 
 PoseLibrary library_of(const JsonReader& json, std::vector<std::string>& warnings) {
   PoseLibrary library;
-  take_items(json, PoseLibrary::most_poses, "this pose is left out", warnings,
-             [&](const JsonReader& item) { library.poses.push_back(named_pose_of(item, warnings)); });
+  take_items(json, PoseLibrary::most_poses, "this pose is left out", warnings, [&](const JsonReader& item) {
+    NamedPose named = named_pose_of(item, warnings);
+    named.name = free_name(library, named.name);  // each name once
+    library.poses.push_back(std::move(named));
+  });
   return library;
 }
 
@@ -250,7 +289,8 @@ Timeline timeline_of(const JsonReader& json, double& frame, std::vector<std::str
   };
   take("first", t.first, frame_of, "1 instead");
   take("last", t.last, frame_of, "60 instead");
-  if (t.last <= t.first) t.last = t.first + 1;
+  t.first = std::min(t.first, Timeline::largest_frame - 1);
+  t.last = std::max(t.last, t.first + 1);
   take(
       "rate", t.rate, [](const auto& v) { return within(v, Timeline::least_rate, Timeline::largest_rate); },
       "24 frames a second instead");
@@ -258,13 +298,10 @@ Timeline timeline_of(const JsonReader& json, double& frame, std::vector<std::str
       "repeat", t.repeat, [](const auto& v) { return choice_of<Repeat>(v, all_repeats()); }, "loop instead");
   take(
       "straight", t.straight, [](const auto& v) { return v.boolean(); }, "in log space instead");
-  take_items(json.at("keys"), Timeline::most_keys, "this key is left out", warnings,
-             [&](const JsonReader& item) { t.keys.push_back(key_of(item, warnings)); });
-  if (const auto cameras = json.find("cameras"))
-    take_items(*cameras, Timeline::most_keys, "this camera key is left out", warnings,
-               [&](const JsonReader& item) {
-                 t.cameras.push_back({frame_of(item.at("frame")), camera_of(item, true)});
-               });
+  take(
+      "keys", t.keys, [&](const auto& v) { return keys_of(v, warnings); }, "there are none instead");
+  take(
+      "cameras", t.cameras, [&](const auto& v) { return cameras_of(v, warnings); }, "there are none instead");
   put_in_order(t.keys);
   put_in_order(t.cameras);
   frame = t.first;
@@ -287,9 +324,15 @@ void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cag
   };
   drop(library.poses, "poses", "pose");
   drop(timeline.keys, "time", "key");
-  for (NamedPose& named : library.poses)
-    if (std::ranges::any_of(named.part, [&](auto v) { return !cage || v >= cage->surface.positions.size(); }))
-      named.part.clear(), named.weight = 0;
+  if (library.unmixed && !fits(*library.unmixed, cage)) library.unmixed = nullptr;
+  if (library.unmixed && cage) rest_unread(library.unmixed, *cage);
+  for (NamedPose& named : library.poses) {
+    const auto unknown = [&](auto v) { return !cage || v >= cage->surface.positions.size(); };
+    if (std::ranges::none_of(named.part, unknown)) continue;
+    warnings.push_back(file + ": poses: " + mesh::in_quotes(named.name) +
+                       " is mixed into vertices that the cage does not have; it counts as made by hand");
+    named.part.clear(), named.weight = 0;
+  }
 }
 
 }  // namespace viete::scene

@@ -21,8 +21,12 @@ deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings)
 void put_probe_pose(nlohmann::ordered_json& json, const deform::ProbePose& pose);
 deform::ProbePose probe_pose_of(const JsonReader& json);
 
+/// "turns", "positions": as of a pose, missing without a cage; "probes": as above, missing: none.
+nlohmann::ordered_json whole_pose_json(const WholePose& pose);
+SharedPose whole_pose_of(const JsonReader& json, std::vector<std::string>& warnings);
+
 /// [{"name", "weight": percent, missing: 0, "part": vertices of the cage that it moves, missing: all,
-///   "turns", "positions": as of a pose, missing without a cage, "probes": as above, missing: none}, ...]
+///   and a pose as above}, ...]
 nlohmann::ordered_json library_json(const PoseLibrary& library);
 
 /// {"first", "last": what plays, "rate": frames a second, "frame": where it is, "repeat": "once", "loop" or

@@ -40,4 +40,10 @@ struct ProbeTerm {
 };
 std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms);
 
+/// True if it can be drawn, and kept in a session: the ranges of scene/range.h. Sums of logs may leave them.
+bool in_range(const WholePose& pose);
+/// The same places, to the last bit, and the same whole turns; of what each part is turned by, only these
+/// tell poses apart.
+bool same_pose(const deform::Pose& a, const deform::Pose& b);
+
 }  // namespace viete::scene

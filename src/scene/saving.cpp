@@ -1,8 +1,6 @@
 #include "scene/saving.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -42,21 +40,22 @@ std::uint64_t checksum(std::string_view bytes) {
   return sum.value();
 }
 
-// Turns that were missing are filled in at the first frame, by half a turn at most; another branch of the
-// same rotation is a whole turn away.
-bool same_turns(const deform::Vec3& a, const deform::Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < std::numbers::pi + 1e-3;
+}  // namespace
+
+namespace {
+
+// What is there is as the keys have it at this frame: playing is no work that could be lost.
+bool is_by_time(const Workspace& w) {
+  return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
-bool same_pose(const deform::Pose& a, const deform::Pose& b) {
-  if (a.positions != b.positions) return false;
-  const auto turn = [](const deform::Pose& pose, std::size_t part) {
-    return part < pose.turns.size() ? pose.turns[part] : deform::Vec3{0, 0, 0};
-  };
-  for (std::size_t part = 0; part < std::max(a.turns.size(), b.turns.size()); ++part) {
-    if (!same_turns(turn(a, part), turn(b, part))) return false;
-  }
-  return true;
+// Or differ in their poses alone, and these are by time.
+bool same_probes(const Workspace& w, bool by_time) {
+  deform::Probes now = w.document.probes;
+  const auto& saved = w.saved.probes.all;
+  for (std::size_t i = 0; by_time && i < std::min(now.all.size(), saved.size()); ++i)
+    if (!now.all[i].locked) now.all[i].pose = saved[i].pose;
+  return now == w.saved.probes;
 }
 
 }  // namespace
@@ -114,12 +113,13 @@ std::string window_title(const Workspace& w) {
 }
 
 bool has_unsaved_edits(const Workspace& w) {
-  if (w.saved.nowhere || w.document.cage != w.saved.cage || w.document.probes != w.saved.probes ||
+  const bool by_time = is_by_time(w);
+  if (w.saved.nowhere || w.document.cage != w.saved.cage || !same_probes(w, by_time) ||
       w.document.groups.sets != w.saved.sets || w.document.library != w.saved.library ||
       w.document.timeline != w.saved.timeline || !same_mask(w.document.mask, w.saved.mask))
     return true;
-  return w.document.is_movable() &&
-         (w.document.scheme != w.saved.scheme || !same_pose(real_pose(w.document), w.saved.pose));
+  return w.document.is_movable() && (w.document.scheme != w.saved.scheme ||
+                                     (!by_time && !same_pose(real_pose(w.document), w.saved.pose)));
 }
 
 void mark_saved(Workspace& workspace) {

@@ -26,7 +26,8 @@ std::optional<std::uint64_t> content_of(const std::filesystem::path& file);
 std::string window_title(const Workspace& workspace);
 
 /// True if what shapes the model is neither what was opened nor what was saved last: the pose, its whole
-/// turns included, coordinates and reach, or sets by name. The method is not among it (every one gives the
+/// turns included, unless it is what the keys make of the frame; poses with names, and keys; coordinates and
+/// reach, or sets by name. The method is not among it (every one gives the
 /// same model), nor are camera, view and selection: a session keeps them, but they are no work that could be
 /// lost.
 bool has_unsaved_edits(const Workspace& workspace);

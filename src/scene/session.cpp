@@ -17,6 +17,7 @@
 #include "scene/elements.h"
 #include "scene/handling_json.h"
 #include "scene/json_file.h"
+#include "scene/pose_edit.h"
 #include "scene/pose_json.h"
 #include "scene/probes_json.h"
 #include "scene/range.h"
@@ -208,6 +209,7 @@ Session session_of(const Workspace& w) {
   session.groups = w.document.groups;
   if (w.document.has_cage()) session.pose = real_pose(w.document);
   session.library = w.document.library;
+  session.library.unmixed = unmixed_pose(w.document);
   session.timeline = w.document.timeline;
   session.frame = w.document.frame;
   return session;
@@ -278,6 +280,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (!session.groups.hidden.empty()) json["hidden"] = session.groups.hidden;
   if (session.pose) json["pose"] = pose_json(*session.pose);
   if (!session.library.poses.empty()) json["poses"] = library_json(session.library);
+  if (session.library.unmixed) json["unmixed"] = whole_pose_json(*session.library.unmixed);
   if (session.timeline != Timeline{}) json["time"] = timeline_json(session.timeline, session.frame);
   return readable(json, file);
 }
@@ -311,6 +314,9 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("hidden", s.groups.hidden, selection_of, "all of the cage is shown instead");
   take(
       "poses", s.library, [&](const auto& v) { return library_of(v, s.warnings); }, "there are none instead");
+  take(
+      "unmixed", s.library.unmixed, [&](const auto& v) { return whole_pose_of(v, s.warnings); },
+      "it is found anew from what is mixed");
   take(
       "time", s.timeline, [&](const auto& v) { return timeline_of(v, s.frame, s.warnings); },
       "there are no keys instead");

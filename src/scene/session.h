@@ -55,6 +55,7 @@ struct MaskRun {
 ///   "pose"                "turns": rotation vectors in radians, one per part of the cage;
 ///                         "positions": [x, y, z] per cage vertex
 ///   "poses", "time"       those with names, and keys: see pose_json.h; missing: there are none
+///   "unmixed"             while poses are mixed: what is there without them
 /// Version 1 has only such elements, weights and blends as "coordinates" has a word for: programs that know
 /// no others read it; version 3 is what has probes, version 4 what has a cage that is in no file,
 /// version 5 what has poses with names, or keys. Only

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/error.h"
 #include "scene/edit.h"
@@ -10,14 +11,19 @@ namespace viete::scene {
 
 namespace {
 
+constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr const char* move_label = "move keys";
 constexpr const char* play_label = "change what plays";
-constexpr const char* curve_label = "shape a curve";
 
 void check_frame(int frame) {
   if (frame < Timeline::least_frame || frame > Timeline::largest_frame)
     throw base::Error("", "frame " + std::to_string(frame) + " is out of range",
                       "choose one from " + std::to_string(Timeline::least_frame) + " to " +
                           std::to_string(Timeline::largest_frame));
+}
+
+bool among(std::span<const int> frames, int frame) {
+  return std::ranges::find(frames, frame) != frames.end();
 }
 
 template <class Keys>
@@ -35,6 +41,16 @@ Key& key_for(std::vector<Key>& keys, int frame) {
   return *keys.insert(place, Key{frame});
 }
 
+// The number itself, or the least one where it is none.
+double brought_into(double x, double least, double most) {
+  return x >= least ? std::min(x, most) : least;
+}
+
+bool has_keys(const Timeline& timeline, std::span<const int> frames) {
+  const auto of_these = [&](const auto& key) { return among(frames, key.frame); };
+  return std::ranges::any_of(timeline.keys, of_these) || std::ranges::any_of(timeline.cameras, of_these);
+}
+
 void include(Timeline& timeline, int frame) {
   timeline.first = std::min(timeline.first, frame);
   timeline.last = std::max(timeline.last, frame);
@@ -44,10 +60,6 @@ void put_key(Timeline& timeline, int frame, SharedPose pose) {
   check_frame(frame);
   key_for(timeline.keys, frame).pose = std::move(pose);
   include(timeline, frame);
-}
-
-bool among(std::span<const int> frames, int frame) {
-  return std::ranges::find(frames, frame) != frames.end();
 }
 
 template <class Key>
@@ -84,13 +96,36 @@ void add_key_to_edit(Document& document, int frame) {
 void set_camera_key(Document& document, int frame, const CameraPose& camera) {
   check_frame(frame);
   Timeline timeline = document.timeline;
-  key_for(timeline.cameras, frame).camera = camera;
+  CameraKey& key = key_for(timeline.cameras, frame);
+  key.camera = camera;
+  if (&key != &timeline.cameras.front()) {
+    const float before = (&key)[-1].camera.yaw;
+    key.camera.yaw = before + static_cast<float>(std::remainder(double(camera.yaw) - before, whole_turn));
+  }
   include(timeline, frame);
   record_edit(document, "set a camera key");
   document.timeline = std::move(timeline);
 }
 
+void set_turntable(Document& document, const CameraPose& camera, int turns) {
+  constexpr int most_turns = 100;
+  turns = std::clamp(turns, -most_turns, most_turns);
+  record_edit(document, "set a turntable");
+  Timeline& t = document.timeline;
+  const int middle = t.first + (t.last - t.first) / 2;
+  t.cameras.clear();
+  for (const int frame : {t.first, middle, t.last}) {
+    if (!t.cameras.empty() && t.cameras.back().frame == frame) continue;
+    CameraPose pose = camera;
+    const double share = double(frame - t.first) / (t.last - t.first);
+    pose.yaw =
+        static_cast<float>(std::remainder(double(camera.yaw), whole_turn) + share * turns * whole_turn);
+    t.cameras.push_back({frame, pose});
+  }
+}
+
 void remove_keys(Document& document, std::span<const int> frames) {
+  if (!has_keys(document.timeline, frames)) return;
   record_edit(document, "delete keys");
   const auto gone = [&](const auto& key) { return among(frames, key.frame); };
   std::erase_if(document.timeline.keys, gone);
@@ -100,7 +135,13 @@ void remove_keys(Document& document, std::span<const int> frames) {
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
                std::span<const int> to) {
   for (const int frame : to) check_frame(frame);
-  record_step(document, move_keys_label);
+  const Snapshot* last = document.history.before_last();
+  const bool goes_on = document.history.undo_label() == move_label && last->timeline == before;
+  if (goes_on && !document.history.can_redo()) {
+    document.history.go_on();
+  } else {
+    record_edit(document, move_label);
+  }
   Timeline timeline = before;
   move_in(timeline.keys, frames, to);
   move_in(timeline.cameras, frames, to);
@@ -109,19 +150,20 @@ void move_keys(Document& document, const Timeline& before, std::span<const int> 
 }
 
 void set_easing(Document& document, std::span<const int> frames, Easing easing) {
+  const auto changes = [&](const PoseKey& key) { return among(frames, key.frame) && key.easing != easing; };
+  if (std::ranges::none_of(document.timeline.keys, changes)) return;
   record_edit(document, "change the easing");
   for (PoseKey& key : document.timeline.keys)
     if (among(frames, key.frame)) key.easing = easing;
 }
 
 void set_handles(Document& document, int frame, const Handles& handles) {
-  record_step(document, curve_label);
-  for (PoseKey& key : document.timeline.keys) {
-    if (key.frame != frame) continue;
-    key.easing = Easing::bezier;
-    key.handles = {std::clamp(handles[0], 0.0, 1.0), std::clamp(handles[1], -4.0, 5.0),
-                   std::clamp(handles[2], 0.0, 1.0), std::clamp(handles[3], -4.0, 5.0)};
-  }
+  if (!key_at(document.timeline, frame)) return;
+  record_step(document, "shape the curve of frame " + std::to_string(frame));
+  PoseKey& key = key_for(document.timeline.keys, frame);
+  key.easing = Easing::bezier;
+  key.handles = {brought_into(handles[0], 0, 1), brought_into(handles[1], -4, 5),
+                 brought_into(handles[2], 0, 1), brought_into(handles[3], -4, 5)};
 }
 
 bool are_handles(const Handles& h) {
@@ -144,7 +186,7 @@ void set_play(Document& document, const Play& play) {
   Timeline& t = document.timeline;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);
-  t.rate = std::clamp(play.rate, Timeline::least_rate, Timeline::largest_rate);
+  t.rate = brought_into(play.rate, Timeline::least_rate, Timeline::largest_rate);
   t.repeat = play.repeat;
   t.straight = play.straight;
 }

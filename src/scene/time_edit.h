@@ -17,12 +17,16 @@ int current_frame(const Document& document);
 void set_key(Document& document, int frame);
 /// The same as a part of the edit that was just made.
 void add_key_to_edit(Document& document, int frame);
+/// Its yaw is taken on the branch that is nearest to the camera key before.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
+/// One whole turn of the camera about the up axis, over the range of what plays, at an even speed and so that
+/// the last frame is the first one again: these take the place of all other camera keys. `turns` may be
+/// several, or negative: the other way round.
+void set_turntable(Document& document, const CameraPose& camera, int turns = 1);
 /// Of frames in any order; those without a key are passed over.
 void remove_keys(Document& document, std::span<const int> frames);
-inline constexpr const char* move_keys_label = "move keys";
 /// Keys and camera keys of these frames go to `to`, one each; keys of others that are there give way. Moves
-/// one after the other, of the same keys, are one edit: `before` is the timeline at the first of them.
+/// one after the other from the same timeline `before` are one edit: those of one drag.
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
                std::span<const int> to);
 void set_easing(Document& document, std::span<const int> frames, Easing easing);

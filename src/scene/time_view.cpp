@@ -36,7 +36,6 @@ void drag_keys(Workspace& w, TimeView::Drag& drag, double frame) {
   if (shift == 0 && !drag.moved) return;
   std::vector<int> to;
   for (const int from : drag.frames) to.push_back(from + shift);
-  if (!drag.moved) record_edit(w.document, move_keys_label);
   move_keys(w.document, drag.before, drag.frames, to);
   drag.moved = true;
   w.time_view.selected = std::move(to);

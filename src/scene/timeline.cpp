@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace viete::scene {
 
@@ -115,10 +116,25 @@ Moment moment_on(const Track& track, double frame) {
   return {shares_in_piece(track, from, t), from, next};
 }
 
+// Whatever whole turns were made in between: slopes are of each piece alone.
 bool is_closed(const Timeline& timeline) {
   const auto& keys = timeline.keys;
-  return timeline.repeat == Repeat::loop && keys.size() > 2 &&
-         (keys.front().pose == keys.back().pose || *keys.front().pose == *keys.back().pose);
+  if (timeline.repeat != Repeat::loop || keys.size() < 3) return false;
+  const WholePose &first = *keys.front().pose, &last = *keys.back().pose;
+  return &first == &last || (first.cage.positions == last.cage.positions && first.probes == last.probes);
+}
+
+// A camera that comes back after whole turns goes on, even where it plays once: it is a turntable.
+bool comes_back(const Timeline& timeline) {
+  constexpr double whole_turn = 2 * std::numbers::pi;
+  const auto& cameras = timeline.cameras;
+  if (cameras.size() < 3) return false;
+  CameraPose first = cameras.front().camera;
+  const CameraPose& last = cameras.back().camera;
+  const double turns = (double(last.yaw) - first.yaw) / whole_turn;
+  first.yaw = last.yaw;
+  const bool whole = std::abs(turns - std::round(turns)) < 1e-5;
+  return first == last && whole && (timeline.repeat == Repeat::loop || std::abs(turns) > 0.5);
 }
 
 double cubic(double a, double b, double t) {
@@ -161,18 +177,19 @@ std::optional<double> played(const Timeline& timeline, double frame, double seco
   const double first = timeline.first, length = timeline.last - timeline.first;
   const double way = (backward ? -1 : 1) * seconds * timeline.rate;
   const double place = std::clamp(frame - first, 0.0, length) + way;
+  if (!std::isfinite(place)) return std::nullopt;
   if (place >= 0 && place <= length) return first + place;
   if (timeline.repeat == Repeat::once) return std::nullopt;
   if (timeline.repeat == Repeat::loop) return first + place - length * std::floor(place / length);
   const double folded = place - 2 * length * std::floor(place / (2 * length));
   // Every length it turns round once.
-  if (static_cast<long>(std::floor(place / length)) % 2 != 0) backward = !backward;
+  if (std::fmod(std::floor(place / length), 2) != 0) backward = !backward;
   return first + (folded > length ? 2 * length - folded : folded);
 }
 
 std::optional<CameraPose> camera_at(const Timeline& timeline, double frame) {
   if (timeline.cameras.empty()) return std::nullopt;
-  const Moment moment = moment_on({timeline.cameras.size(), timeline, true, false}, frame);
+  const Moment moment = moment_on({timeline.cameras.size(), timeline, true, comes_back(timeline)}, frame);
   CameraPose pose = timeline.cameras[moment.from].camera;
   glm::dvec3 target(0);
   double distance = 0, yaw = 0, pitch = 0;
@@ -186,7 +203,7 @@ std::optional<CameraPose> camera_at(const Timeline& timeline, double frame) {
   pose.target = target;
   pose.distance = static_cast<float>(std::exp(distance));
   pose.yaw = static_cast<float>(yaw);
-  pose.pitch = static_cast<float>(std::clamp(pitch, -1.5707963, 1.5707963));
+  pose.pitch = static_cast<float>(std::clamp(pitch, -std::numbers::pi / 2, std::numbers::pi / 2));
   return pose;
 }
 

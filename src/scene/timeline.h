@@ -106,7 +106,8 @@ double eased(const Handles& handles, double t);
 /// nothing where it has come to the end.
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward);
 
-/// Between camera keys, smoothly; nothing where there are none.
+/// Between camera keys, smoothly; nothing where there are none. It comes to rest at the first and the last
+/// one, unless it is there again after whole turns, or loops and is there again.
 std::optional<CameraPose> camera_at(const Timeline& timeline, double frame);
 
 }  // namespace viete::scene

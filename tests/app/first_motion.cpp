@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
+#include "app/bundled_loop.h"
 #include "deform/pose_io.h"
 #include "scene/edit.h"
 #include "scene/open.h"
@@ -49,6 +52,45 @@ TEST_CASE("the_first_motion_leads_from_rest_into_the_pose_and_is_no_edit") {
   CHECK_FALSE(s.w.document.history.can_undo());
   s.motion.step(s.w, true, 1);
   CHECK_FALSE(s.motion.moving());
+}
+
+TEST_CASE("the_bundled_model_has_a_loop_that_plays_from_where_the_first_motion_ends") {
+  Start s;
+  CHECK(app::add_loop(s.w, folder / "loop.viete"));
+  CHECK_FALSE(app::add_loop(s.w, folder / "loop.viete"));  // it has one
+  s.motion.step(s.w, true, 0);
+  s.motion.step(s.w, true, 0.3);
+  scene::follow_time(s.w, 0.3);
+  CHECK_FALSE(s.at_goal());
+  s.motion.step(s.w, true, 1);
+  CHECK(s.at_goal());
+  scene::follow_time(s.w, 0);
+  CHECK_FALSE(scene::has_unsaved_edits(s.w));
+  scene::start_playing(s.w);
+  CHECK(s.at_goal());  // it begins there
+  double farthest = 0;
+  for (int i = 0; i < 60; ++i) {
+    scene::follow_time(s.w, 0.1);
+    CHECK(s.w.playback.playing);
+    CHECK_FALSE(scene::has_unsaved_edits(s.w));
+    farthest = std::max(farthest, deform::norm(mesh::operator-(s.w.document.pose.positions.back(),
+                                                               s.w.document.cage->surface.positions.back())));
+  }
+  CHECK(farthest > 0.2);
+  CHECK_FALSE(s.w.document.history.can_undo());
+  CHECK(s.w.saved.session.empty());  // Save asks for a name
+}
+
+TEST_CASE("another_model_and_one_that_was_changed_get_no_loop") {
+  Start changed;
+  scene::record_edit(changed.w.document, "move");
+  CHECK_FALSE(app::add_loop(changed.w, folder / "loop.viete"));
+  Start other;
+  REQUIRE(scene::open_now(other.w,
+                          {scene::OpenRequest::What::model, {folder / "cage.obj", folder / "cage.obj"}}));
+  CHECK_FALSE(app::add_loop(other.w, folder / "loop.viete"));
+  CHECK_FALSE(app::add_loop(other.w, folder / "none.viete"));
+  CHECK(other.w.document.library.poses.empty());
 }
 
 TEST_CASE("a_hand_ends_the_first_motion_or_keeps_it_from_beginning") {

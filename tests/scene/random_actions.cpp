@@ -4,12 +4,15 @@
 #include <random>
 #include <string>
 
+#include "scene/command_conditions.h"
 #include "scene/commands.h"
 #include "scene/cube.h"
 #include "scene/edit.h"
 #include "scene/pointer.h"
+#include "scene/pose_edit.h"
 #include "scene/probes.h"
 #include "scene/selection_sets.h"
+#include "scene/time_edit.h"
 #include "support/commands.h"
 #include "support/edits.h"
 
@@ -29,7 +32,10 @@ public:
   Workspace w = test::cube_workspace();
 
   void act() {
-    switch (below(13)) {
+    switch (below(16)) {
+      case 13: return use_poses();
+      case 14: return use_keys();
+      case 15: return pass_time();
       case 11: return select_otherwise();
       case 12: return use_sets();
       case 10: return edit_probes();
@@ -159,6 +165,60 @@ private:
         w.document.selection.kind() == ElementKind::probe)
       set_radius(w.document, parts[below(3)], radii[below(3)]);
   }
+  std::size_t any_of(std::size_t count) { return static_cast<std::size_t>(below(static_cast<int>(count))); }
+  double percent(int least, int most) { return 0.01 * (least + below(most - least + 1)); }
+  void use_poses() {
+    Document& d = w.document;
+    auto& poses = d.library.poses;
+    if (in_hand(w)) return;
+    if (poses.size() < 2) return void(keep_pose(d, "pose"));
+    const std::size_t pose = any_of(poses.size());
+    switch (below(12)) {
+      case 0: return void(poses.size() < 9 ? keep_pose(d, "pose") : 0);
+      case 1: return rename_pose(d, pose, "name " + std::to_string(below(5)));
+      case 2: return move_pose(d, pose, any_of(poses.size() + 1));
+      case 3: return duplicate_pose(d, pose);
+      case 4: return remove_pose(d, w.playback.vectors, pose);
+      case 5: return update_pose(d, pose);
+      case 6: return apply_pose(d, pose);
+      case 7: return void(clear_mix(d, w.playback.vectors));
+      case 8: return void(average_mix(d, w.playback.vectors));
+      default:
+        for (int i = below(4); i >= 0; --i) set_weight(d, w.playback.vectors, pose, percent(-50, 150));
+    }
+  }
+  void use_keys() {
+    Document& d = w.document;
+    if (in_hand(w)) return;
+    const auto frame = [this] { return below(40) - 5; };
+    const std::vector<int> some = {frame(), frame(), current_frame(d)};
+    switch (below(10)) {
+      case 0: return set_camera_key(d, frame(), w.camera.pose());
+      case 1: return remove_keys(d, some);
+      case 2: return set_easing(d, some, static_cast<Easing>(below(4)));
+      case 3: return set_handles(d, some[0], {percent(0, 100), percent(-400, 500), percent(0, 100), 1});
+      case 4:
+        return set_play(d, {frame(), frame(), percent(0, 9999), static_cast<Repeat>(below(3)), once_in(2)});
+      case 5: {
+        const Timeline before = d.timeline;
+        for (int i = below(4); i >= 0; --i)
+          move_keys(d, before, some, std::vector{frame(), frame(), frame()});
+        return;
+      }
+      case 6: return once_in(5) ? set_turntable(d, w.camera.pose(), below(5) - 2) : set_key(d, frame());
+      default: return set_key(d, current_frame(d));
+    }
+  }
+  void pass_time() {
+    switch (below(8)) {
+      case 0: w.playback.auto_key = !w.playback.auto_key; break;
+      case 1: start_playing(w); break;
+      case 2: stop_playing(w); break;
+      case 3: go_to_key(w, once_in(2)); break;
+      case 4: go_to_frame(w, 0.25 * (below(160) - 20)); break;
+      default: follow_time(w, 0.1 * below(20));
+    }
+  }
   void run_any_command() {
     const auto all = commands();
     const Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
@@ -177,20 +237,25 @@ struct Everything {
   deform::Probes probes;
   Selection selection;
   CageGroups groups;
+  PoseLibrary library;
+  Timeline timeline;
+  double frame;
   bool operator==(const Everything&) const = default;
 };
 
 // What would be selected next, while nothing is, is a mode, no part of the document.
 Everything of(const Document& document) {
   const Selection& selection = document.selection;
-  return {document.pose.positions, document.pose.turns, document.probes,
-          selection.empty() ? Selection() : selection, document.groups};
+  return {document.pose.positions, document.pose.turns,
+          document.probes,         selection.empty() ? Selection() : selection,
+          document.groups,         document.library,
+          document.timeline,       document.frame};
 }
 
 }  // namespace
 
 TEST_CASE("ten_thousand_random_actions_are_undone_to_the_last_bit_and_redone_as_well") {
-  std::size_t edits = 0;
+  std::size_t edits = 0, poses = 0, keys = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     CAPTURE(seed);
     RandomPerson person(seed);
@@ -201,10 +266,13 @@ TEST_CASE("ten_thousand_random_actions_are_undone_to_the_last_bit_and_redone_as_
     for (const auto& p : document.pose.positions) {
       for (const double x : p) REQUIRE(std::isfinite(x));
     }
+    for (const NamedPose& named : document.library.poses) REQUIRE(in_range(*named.pose));
+    poses += document.library.poses.size(), keys += document.timeline.keys.size();
     const std::size_t count = test::edit_count(document.history);
     edits += count;
     std::size_t steps = 0;
     for (; document.history.can_undo(); ++steps) undo(document);
+    document.frame = start.frame;  // going there is no edit
     CHECK(of(document) == start);
     CHECK_FALSE(differs_from_rest(document));
     for (std::size_t i = 0; i < steps; ++i) redo(document);
@@ -212,4 +280,6 @@ TEST_CASE("ten_thousand_random_actions_are_undone_to_the_last_bit_and_redone_as_
     CHECK(test::edit_count(document.history) == count);
   }
   CHECK_MESSAGE(edits > 1000, "the actions must reach the document: ", edits);
+  CHECK_MESSAGE(poses > 10, "and its poses: ", poses);
+  CHECK_MESSAGE(keys > 10, "and its keys: ", keys);
 }

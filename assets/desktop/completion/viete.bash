@@ -64,7 +64,7 @@ _viete_options() {
     'bench modes') options+=' --force --method --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --stitched --iterations --pins --hold --rounds --json' ;;
     'bench cage') options+=' --force --json' ;;
     'bench files') options+=' --force --rounds --json' ;;
-    'bench stitched') options+=' --force --rounds --json' ;;
+    'bench stitched' | 'bench time') options+=' --force --rounds --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))
 }
@@ -73,7 +73,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform bind cage info bench help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched'
+  local commands='view render deform bind cage info bench help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -84,6 +84,7 @@ _viete() {
     -*) _viete_options "$command" ;;
     *:bench) COMPREPLY=($(compgen -W "$benches" -- "$cur")) ;;
     *:bench\ frame | *:bench\ bind | *:bench\ files | *:bench\ cage | *:bench\ modes | *:bench\ stitched) _filedir "$_viete_meshes" ;;
+    *:bench\ time) _filedir viete ;;
     *:bench\ *) ;;
     *:info | *:cage) _filedir "$_viete_meshes" ;;
     *)

@@ -58,7 +58,8 @@ case $command in
   'bench cage') specs+=("1:mesh:$mesh" $json) ;;
   'bench files') specs+=("1:mesh:$mesh" $json $rounds) ;;
   'bench stitched') specs+=($meshes "*:pose:$mesh" $json $rounds) ;;
-  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files cage modes stitched)') ;;
+  'bench time') specs+=("1:session:_files -g '*.(#i)viete(-.)'" $json $rounds) ;;
+  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files cage modes stitched time)') ;;
   *) # view, which may be left out
     specs+=($files $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
@@ -77,7 +78,7 @@ fi
 # The words of the command are no files.
 local -i skip=0
 [[ $command == (view|render|deform|bind|cage|info|bench\ *) ]] && skip=1
-[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched) ]] && ((CURRENT > 3)) && skip=2
+[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched|time) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))
 _arguments -s $specs

@@ -1,0 +1,20 @@
+#!/bin/sh
+# Makes the two rows of pictures in the README: three moments between two keys of the dragon's loop, in a
+# straight line and in log space. time.sh [VIETE]
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+viete=${1:-$here/../../build/viete}
+dragon=$(cd "$here/../dragon" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+picture() {  # NAME FRAME STRAIGHT
+  sed -e "s|\"dragon.ply\"|\"$dragon/dragon.ply\"|" -e "s|\"cage.obj\"|\"$dragon/cage.obj\"|" \
+    -e "s|\"frame\": 1, \"repeat\"|\"frame\": $2, \"straight\": $3, \"repeat\"|" "$dragon/loop.viete" > "$scratch/at.viete"
+  "$viete" render "$scratch/at.viete" --look front --size 420x400 --no-cage --no-grid --force -o "$here/time_$1.png" 2>/dev/null
+}
+
+for frame in 41 46 51; do
+  picture "straight_$frame" $frame true
+  picture "log_$frame" $frame false
+done

@@ -1,0 +1,204 @@
+#include "scene/animation.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "base/worker_pool.h"
+#include "deform/deformer.h"
+#include "scene/posed_cube.h"
+
+using namespace viete;
+using namespace viete::scene;
+using test::distance, test::key, test::stretched_cube, test::turned_cube;
+
+namespace {
+
+struct Keyed {
+  Document document = test::cube_document();
+  KnownVectors vectors;
+
+  Animation animation(const Timeline& timeline) {
+    vectors.follow(document.cage);
+    return {timeline, vectors};
+  }
+};
+
+Timeline two_keys(const deform::Pose& from, const deform::Pose& to, Easing easing = Easing::linear) {
+  Timeline timeline;
+  timeline.keys = {key(1, from, easing), key(11, to)};
+  return timeline;
+}
+
+}  // namespace
+
+TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
+  Keyed k;
+  for (const Easing easing : {Easing::linear, Easing::smooth, Easing::bezier}) {
+    const Animation a = k.animation(two_keys(turned_cube(0), turned_cube(180), easing));
+    CHECK(distance(a.at(6).cage.positions, turned_cube(90).positions) < 1e-12);
+  }
+  const Animation even = k.animation(two_keys(turned_cube(0), turned_cube(180)));
+  for (double share = 0; share <= 1; share += 0.05)
+    CHECK(distance(even.at(1 + 10 * share).cage.positions, turned_cube(180 * share).positions) < 1e-12);
+  // In a straight line it passes through nothing.
+  const auto middle = even.at(6, true).cage.positions;
+  for (const auto& p : middle) CHECK(std::hypot(p[0], p[1]) < 1e-12);
+}
+
+TEST_CASE("540_degrees_from_key_to_key_are_three_half_turns") {
+  Keyed k;
+  const Animation a = k.animation(two_keys(turned_cube(0), turned_cube(540)));
+  for (double degrees = 0; degrees <= 540; degrees += 45) {
+    const WholePose pose = a.at(1 + degrees / 54);
+    CHECK(distance(pose.cage.positions, turned_cube(degrees).positions) < 1e-12);
+    CHECK(pose.cage.turns[0][2] == doctest::Approx(degrees / 180 * std::numbers::pi));
+  }
+}
+
+TEST_CASE("poses_that_say_nothing_of_whole_turns_have_those_nearest_to_the_key_before") {
+  Keyed k;
+  Timeline t;
+  for (int i = 0; i <= 9; ++i) {
+    deform::Pose pose = turned_cube(60 * i);
+    pose.turns.clear();
+    t.keys.push_back(key(1 + 10 * i, pose, Easing::linear));
+  }
+  const Animation a = k.animation(t);
+  for (double degrees = 0; degrees <= 540; degrees += 30) {
+    const WholePose pose = a.at(1 + degrees / 6);
+    CHECK(distance(pose.cage.positions, turned_cube(degrees).positions) < 1e-12);
+    CHECK(pose.cage.turns[0][2] == doctest::Approx(degrees / 180 * std::numbers::pi));
+  }
+}
+
+TEST_CASE("the_frame_of_a_key_is_its_pose_to_the_bit_in_either_way") {
+  Keyed k;
+  const Timeline t = test::three_keys();
+  const Animation a = k.animation(t);
+  for (const PoseKey& each : t.keys) {
+    CHECK(a.at(each.frame) == *each.pose);
+    CHECK(a.at(each.frame, true) == *each.pose);
+  }
+  CHECK(a.at(-100) == *t.keys.front().pose);
+  CHECK(a.at(100) == *t.keys.back().pose);
+}
+
+TEST_CASE("a_chain_of_keys_moves_the_model_as_the_same_poses_applied_by_hand_to_the_bit") {
+  Document document = test::cube_document();
+  const std::vector<deform::Pose> poses = {turned_cube(70), turned_cube(250), turned_cube(400),
+                                           stretched_cube(2, 0.5), turned_cube(-30)};
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    set_pose(document, poses[i]);
+    keep_pose(document, "pose");
+    set_key(document, static_cast<int>(1 + 12 * i));
+  }
+  KnownVectors vectors;
+  vectors.follow(document.cage);
+  const Animation animation(document.timeline, vectors);
+  base::WorkerPool pool(1);
+  const auto binding = std::make_shared<const deform::Binding>(
+      deform::bind(*document.model.surface, *document.cage, document.scheme.weighting, pool));
+  deform::Deformer deformer(document.cage, binding, document.scheme, pool);
+  const auto deformed = [&](const deform::Pose& pose) {
+    deformer.deform(pose, sym3::Method::fast);
+    std::vector<mesh::Point> positions;
+    for (const auto& v : deformer.vertices())
+      positions.push_back({v.position[0], v.position[1], v.position[2]});
+    return positions;
+  };
+  std::vector<std::vector<mesh::Point>> by_hand;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    apply_pose(document, i);
+    by_hand.push_back(deformed(document.pose));
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    CHECK(deformed(animation.at(static_cast<double>(1 + 12 * i)).cage) == by_hand[i]);
+}
+
+TEST_CASE("any_order_of_seeking_gives_the_same_bits") {
+  Keyed k;
+  const Animation a = k.animation(test::three_keys());
+  std::vector<double> frames;
+  for (double frame = 0; frame <= 32; frame += 0.37) frames.push_back(frame);
+  std::vector<WholePose> in_order;
+  for (const double frame : frames) in_order.push_back(a.at(frame));
+  std::vector<std::size_t> order(frames.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::shuffle(order, std::mt19937(1));
+  Keyed other;
+  const Animation b = other.animation(test::three_keys());
+  for (const auto i : order) {
+    CHECK(a.at(frames[i]) == in_order[i]);
+    CHECK(b.at(frames[i]) == in_order[i]);
+  }
+}
+
+TEST_CASE("a_straight_timeline_goes_straight_and_keeps_its_keys") {
+  Keyed k;
+  Timeline t = two_keys(turned_cube(0), turned_cube(180));
+  t.straight = true;
+  const Animation a = k.animation(t);
+  const auto from = turned_cube(0).positions, to = turned_cube(180).positions;
+  for (const double share : {0.1, 0.5, 0.8}) {
+    std::vector<mesh::Point> expected;
+    for (std::size_t v = 0; v < from.size(); ++v) {
+      using mesh::operator+, mesh::operator*;
+      expected.push_back((1 - share) * from[v] + share * to[v]);
+    }
+    CHECK(distance(a.at(1 + 10 * share).cage.positions, expected) < 1e-15);
+    CHECK(distance(a.at(1 + 10 * share, false).cage.positions, turned_cube(180 * share).positions) < 1e-12);
+  }
+}
+
+TEST_CASE("a_key_that_holds_stays_to_the_bit_until_the_next_one") {
+  Keyed k;
+  Timeline t = test::three_keys();
+  t.keys[1].easing = Easing::hold;
+  const Animation a = k.animation(t);
+  for (double frame = 11; frame < 31; frame += 1.9) CHECK(a.at(frame) == *t.keys[1].pose);
+}
+
+TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {
+  const deform::ProbePose half{{0, 0, std::numbers::pi}, {2, 0, 0, 0, 0, 0}, {4, 0, 0}};
+  Timeline t;
+  t.keys = {{1, test::shared({}, {}), Easing::linear}, {11, test::shared({}, {half})}};
+  KnownVectors none;
+  none.follow(nullptr);
+  const WholePose pose = Animation(t, none).at(6);
+  CHECK(pose.cage.positions.empty());
+  REQUIRE(pose.probes.size() == 1);
+  CHECK(pose.probes[0].turn[2] == doctest::Approx(std::numbers::pi / 2));
+  CHECK(pose.probes[0].stretch.xx == doctest::Approx(1));
+  CHECK(pose.probes[0].move[0] == doctest::Approx(2));
+}
+
+TEST_CASE("a_curve_that_overshoots_beyond_what_can_be_drawn_stays_at_the_key_before") {
+  Keyed k;
+  Timeline t = two_keys(stretched_cube(1), stretched_cube(1e30), Easing::bezier);
+  t.keys[0].handles = {0.5, 5, 0.5, 5};
+  const Animation a = k.animation(t);
+  bool stayed = false;
+  for (double frame = 1; frame <= 11; frame += 0.1) {
+    const WholePose pose = a.at(frame);
+    CHECK(in_range(pose));
+    stayed |= frame > 2 && pose == *t.keys[0].pose;
+  }
+  CHECK(stayed);
+}
+
+TEST_CASE("vectors_of_poses_are_taken_once_and_forgotten_with_the_pose") {
+  Keyed k;
+  const Timeline t = test::three_keys();
+  { const Animation a = k.animation(t); }
+  const auto known = k.vectors.of(t.keys[1].pose);
+  CHECK(k.vectors.of(t.keys[1].pose) == known);
+  k.vectors.follow(k.document.cage);
+  CHECK(k.vectors.of(t.keys[1].pose) == known);
+  k.vectors.follow(std::make_shared<const deform::Cage>(deform::make_cage(test::cube(1.5))));
+  CHECK(k.vectors.of(t.keys[1].pose) != known);
+  CHECK_THROWS(k.vectors.of(test::shared({{{0, 0, 0}}, {}})));
+  k.vectors.follow(nullptr);
+  CHECK(k.vectors.of(t.keys[1].pose) == nullptr);
+}

@@ -1,0 +1,287 @@
+#include "scene/playback.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "scene/cage_editing.h"
+#include "scene/edit.h"
+#include "scene/posed_cube.h"
+#include "support/edits.h"
+
+using namespace viete;
+using namespace viete::scene;
+using test::distance, test::turned_cube;
+
+namespace {
+
+// Keys: rest at 1, a half turn at 11, twice as wide at 31; ten frames a second.
+struct Played {
+  Workspace w = test::cube_workspace();
+
+  Played() {
+    timeline() = test::three_keys();
+    timeline().rate = 10;
+    for (PoseKey& key : timeline().keys) key.easing = Easing::linear;
+    follow_time(w, 0);
+  }
+  Document& document() { return w.document; }
+  Timeline& timeline() { return w.document.timeline; }
+  const std::vector<mesh::Point>& positions() const { return w.document.pose.positions; }
+  void pass(double seconds) { follow_time(w, seconds); }
+  // As a hand does.
+  void put(const deform::Pose& pose) {
+    record_edit(document(), "move by hand");
+    document().pose = pose;
+  }
+  void hold_something() { w.interaction.brushing = SelectMode::replace; }
+  std::size_t edits() const { return test::edit_count(w.document.history); }
+  bool stands_at(double degrees) const {
+    return distance(positions(), turned_cube(degrees).positions) < 1e-12;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a_frame_shows_its_pose_and_its_camera_and_is_no_edit") {
+  Played p;
+  p.timeline().cameras = {{1, {.distance = 3}}, {11, {.distance = 12}}};
+  go_to_frame(p.w, 6);
+  CHECK(p.stands_at(90));
+  CHECK(p.w.camera.pose().distance == doctest::Approx(6));
+  go_to_frame(p.w, 11);
+  CHECK(p.positions() == turned_cube(180).positions);
+  go_to_frame(p.w, 3.5);
+  CHECK(p.stands_at(45));
+  CHECK(p.document().frame == 3.5);
+  CHECK(current_frame(p.document()) == 4);
+  go_to_frame(p.w, 1e300);
+  CHECK(p.document().frame == Timeline::largest_frame);
+  go_to_frame(p.w, std::nan(""));
+  CHECK(p.document().frame == Timeline::largest_frame);
+  CHECK_FALSE(has_unkeyed_pose(p.w));
+  CHECK(p.edits() == 0);
+}
+
+TEST_CASE("a_pose_that_is_in_no_key_is_not_lost_by_going_elsewhere") {
+  Played p;
+  const auto lost_without_a_word = [&](auto change) {
+    go_to_frame(p.w, 6);
+    p.pass(0);
+    const std::size_t edits = p.edits();
+    change();
+    p.pass(0);
+    CHECK(has_unkeyed_pose(p.w));
+    const auto there = p.document().pose;
+    const auto probes = p.document().probes;
+    go_to_frame(p.w, 11);
+    CHECK(p.positions() == turned_cube(180).positions);
+    CHECK(p.edits() == edits + 2);
+    undo(p.document());
+    CHECK(p.positions() == there.positions);
+    CHECK(p.document().probes == probes);
+    CHECK(p.document().frame == 6);
+    undo(p.document());
+    p.pass(0);
+    CHECK_FALSE(has_unkeyed_pose(p.w));
+  };
+  lost_without_a_word([&] { p.put(turned_cube(33)); });
+  lost_without_a_word([&] {
+    // The same places after a whole turn.
+    deform::Pose pose = p.document().pose;
+    pose.turns[0][2] += 2 * std::numbers::pi;
+    p.put(pose);
+  });
+  p.document().probes.all.resize(1);
+  lost_without_a_word([&] {
+    record_edit(p.document(), "move a probe");
+    p.document().probes.all[0].pose.move = {1, 2, 3};
+  });
+}
+
+TEST_CASE("a_mix_ends_where_time_goes_on_and_comes_back_with_undo") {
+  Played p;
+  test::add_two_poses(p.document());
+  set_weight(p.document(), p.w.playback.vectors, 1, 0.5);
+  go_to_frame(p.w, 6);
+  CHECK(p.stands_at(90));
+  CHECK_FALSE(p.document().library.mixes());
+  undo(p.document());
+  CHECK(p.document().library.poses[1].weight == 0.5);
+}
+
+TEST_CASE("locked_probes_stay_where_time_goes_on") {
+  Played p;
+  p.document().probes.all.resize(1);
+  p.document().probes.all[0].locked = true;
+  p.document().probes.all[0].pose.move = {1, 1, 1};
+  go_to_frame(p.w, 6);
+  CHECK(p.document().probes.all[0].pose.move == mesh::Vec3{1, 1, 1});
+  CHECK_FALSE(has_unkeyed_pose(p.w));
+}
+
+TEST_CASE("nothing_moves_by_time_while_something_is_in_the_hand_or_the_cage_is_edited") {
+  Played p;
+  p.document().selection.apply(std::vector<std::uint32_t>{0}, SelectMode::replace);
+  p.hold_something();
+  go_to_frame(p.w, 6);
+  CHECK(p.document().frame == 1);
+  start_playing(p.w);
+  CHECK_FALSE(p.w.playback.playing);
+  p.w.interaction.brushing.reset();
+  start_playing(p.w);
+  p.pass(0.1);
+  CHECK(p.w.playback.playing);
+  p.hold_something();
+  p.pass(0.1);
+  CHECK_FALSE(p.w.playback.playing);
+  p.w.interaction.brushing.reset();
+  begin_cage_editing(p.document());
+  p.pass(0);
+  const double frame = p.document().frame;
+  go_to_frame(p.w, 20);
+  start_playing(p.w);
+  p.pass(0.1);
+  CHECK(p.document().frame == frame);
+  CHECK(p.positions() == test::cube(1.5).positions);
+  CHECK(animation_of(p.w) == nullptr);
+  end_cage_editing(p.document());
+  go_to_frame(p.w, 6);
+  CHECK(p.stands_at(90));
+}
+
+TEST_CASE("it_plays_by_seconds_and_comes_to_rest_at_a_whole_frame") {
+  Played p;
+  start_playing(p.w);
+  p.pass(0.53);
+  CHECK(p.document().frame == doctest::Approx(6.3));
+  CHECK(p.stands_at(95.4));
+  stop_playing(p.w);
+  CHECK(p.document().frame == 6);
+  CHECK(p.stands_at(90));
+  p.pass(1);
+  CHECK(p.document().frame == 6);
+  start_playing(p.w);
+  p.pass(2.6);  // beyond the end: a loop
+  CHECK(p.document().frame == doctest::Approx(2));
+  CHECK(p.edits() == 0);
+}
+
+TEST_CASE("what_plays_once_ends_at_the_last_frame_and_begins_anew") {
+  Played p;
+  p.timeline().repeat = Repeat::once;
+  start_playing(p.w);
+  p.pass(100);
+  CHECK_FALSE(p.w.playback.playing);
+  CHECK(p.document().frame == 31);
+  CHECK(p.positions() == test::stretched_cube(2).positions);
+  start_playing(p.w);
+  CHECK(p.document().frame == 1);
+  p.timeline().repeat = Repeat::ping_pong;
+  p.pass(3.5);
+  CHECK(p.document().frame == doctest::Approx(26));
+  p.pass(0.5);
+  CHECK(p.document().frame == doctest::Approx(21));
+  p.pass(2.5);
+  CHECK(p.document().frame == doctest::Approx(6));
+}
+
+TEST_CASE("without_keys_nothing_plays") {
+  Played p;
+  p.timeline() = {};
+  start_playing(p.w);
+  p.pass(1);
+  CHECK_FALSE(p.w.playback.playing);
+  go_to_frame(p.w, 7);
+  CHECK(p.document().frame == 7);
+  CHECK(p.positions() == test::cube(1.5).positions);
+}
+
+TEST_CASE("edits_of_the_timeline_are_seen_at_once_while_it_plays_too") {
+  Played p;
+  go_to_frame(p.w, 6);
+  p.pass(0);
+  const Timeline before = p.timeline();
+  move_keys(p.document(), before, std::vector{11}, std::vector{21});
+  p.pass(0);
+  CHECK(p.stands_at(45));
+  undo(p.document());
+  p.pass(0);
+  CHECK(p.stands_at(90));
+  start_playing(p.w);
+  p.pass(0.1);
+  move_keys(p.document(), p.timeline(), std::vector{11}, std::vector{21});
+  p.pass(0.3);
+  CHECK(p.w.playback.playing);
+  CHECK(p.stands_at(81));
+  remove_keys(p.document(), std::vector{1, 21, 31});
+  p.pass(0.1);
+  CHECK_FALSE(p.w.playback.playing);
+  CHECK(p.stands_at(81));
+}
+
+TEST_CASE("an_edit_of_the_pose_while_it_plays_stops_it_and_stays") {
+  Played p;
+  start_playing(p.w);
+  p.pass(0.5);
+  reset_pose(p.document());
+  p.pass(0.1);
+  CHECK_FALSE(p.w.playback.playing);
+  CHECK(p.positions() == test::cube(1.5).positions);
+  CHECK(has_unkeyed_pose(p.w));
+}
+
+TEST_CASE("with_auto_key_what_a_hand_changes_is_a_key_and_one_edit") {
+  Played p;
+  p.w.playback.auto_key = true;
+  go_to_frame(p.w, 21);
+  p.pass(0);
+  CHECK(p.timeline().keys.size() == 3);
+  p.put(turned_cube(77));
+  p.pass(0);
+  REQUIRE(key_at(p.timeline(), 21));
+  CHECK(key_at(p.timeline(), 21)->pose->cage.positions == turned_cube(77).positions);
+  CHECK_FALSE(has_unkeyed_pose(p.w));
+  CHECK(p.edits() == 1);
+  p.pass(0);
+  go_to_frame(p.w, 1);
+  go_to_frame(p.w, 21);
+  CHECK(p.positions() == turned_cube(77).positions);
+  undo(p.document());
+  p.pass(0);
+  CHECK(p.timeline().keys.size() == 3);
+  CHECK(p.edits() == 0);
+  // Undo and redo are no edits of a hand.
+  redo(p.document());
+  p.pass(0);
+  CHECK(p.timeline().keys.size() == 4);
+  undo(p.document());
+  p.pass(0);
+  CHECK(p.timeline().keys.size() == 3);
+  CHECK(p.document().history.can_redo());
+}
+
+TEST_CASE("auto_key_makes_no_key_of_what_changes_no_pose") {
+  Played p;
+  p.w.playback.auto_key = true;
+  go_to_frame(p.w, 6);
+  p.pass(0);
+  set_reach(p.document(), 3);
+  p.pass(0);
+  set_selection(p.document(), Selection(ElementKind::face));
+  p.pass(0);
+  CHECK(p.timeline().keys.size() == 3);
+}
+
+TEST_CASE("steps_go_from_key_to_key_and_round") {
+  Played p;
+  p.timeline().cameras = {{5, {}}};
+  std::vector<double> frames;
+  for (int i = 0; i < 4; ++i) go_to_key(p.w, true), frames.push_back(p.document().frame);
+  CHECK(frames == std::vector<double>{5, 11, 31, 1});
+  for (double& frame : frames) go_to_key(p.w, false), frame = p.document().frame;
+  CHECK(frames == std::vector<double>{31, 11, 5, 1});
+  go_to_frame(p.w, 7.5);
+  go_to_key(p.w, false);
+  CHECK(p.document().frame == 5);
+}

@@ -1,0 +1,62 @@
+// Poses of the cube's cage, and a workspace that has a few keys.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/cube.h"
+#include "scene/pose_edit.h"
+#include "scene/time_edit.h"
+
+namespace viete::test {
+
+/// All of the cage turned about z, whole turns included.
+inline deform::Pose turned_cube(double degrees) {
+  deform::Pose pose{cube(1.5).positions, {{0, 0, degrees / 180 * std::numbers::pi}}};
+  const double c = std::cos(pose.turns[0][2]), s = std::sin(pose.turns[0][2]);
+  for (auto& [x, y, z] : pose.positions) {
+    const double old = x;
+    x = c * old - s * y;
+    y = s * old + c * y;
+  }
+  return pose;
+}
+
+/// Wider along x, and longer along z.
+inline deform::Pose stretched_cube(double x, double z = 1) {
+  deform::Pose pose{cube(1.5).positions, {{0, 0, 0}}};
+  for (auto& p : pose.positions) p[0] *= x, p[2] *= z;
+  return pose;
+}
+
+inline scene::SharedPose shared(deform::Pose pose, std::vector<deform::ProbePose> probes = {}) {
+  return std::make_shared<const scene::WholePose>(scene::WholePose{std::move(pose), std::move(probes)});
+}
+
+inline scene::PoseKey key(int frame, const deform::Pose& pose, scene::Easing easing = scene::Easing::smooth) {
+  return {frame, shared(pose), easing};
+}
+
+/// Rest at 1, a half turn at 11, twice as wide at 31.
+inline scene::Timeline three_keys() {
+  scene::Timeline timeline;
+  timeline.keys = {key(1, turned_cube(0)), key(11, turned_cube(180)), key(31, stretched_cube(2))};
+  timeline.last = 31;
+  return timeline;
+}
+
+/// Named "turned" (90 degrees) and "wide" (twice).
+inline void add_two_poses(scene::Document& document) {
+  document.library.poses = {{"turned", shared(turned_cube(90))}, {"wide", shared(stretched_cube(2))}};
+}
+
+/// The largest distance between vertices, in cage diagonals.
+inline double distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
+  using mesh::operator-;
+  double largest = a.size() == b.size() ? 0 : 1e300;
+  for (std::size_t v = 0; v < a.size() && v < b.size(); ++v)
+    largest = std::max(largest, mesh::norm(a[v] - b[v]));
+  return largest / (3 * std::sqrt(3.0));
+}
+
+}  // namespace viete::test
