@@ -140,7 +140,7 @@ void add_attributes(base::Checksum& sum, const mesh::Attributes& a) {
   }
   for (const mesh::ImageFile& image : a.images) {
     add_text(sum, image.path.string() + '\n' + image.name);
-    if (image.bytes) add_text(sum, *image.bytes);
+    image.bytes ? add_text(sum, *image.bytes) : add_number(sum, content_of(image.path).value_or(0));
   }
 }
 

@@ -59,7 +59,8 @@ std::span<const std::string_view> FileBrowser::formats() const {
   static constexpr std::array<std::string_view, 6> all = {"obj", "ply", "off", "stl", "glb", "gltf"};
   static constexpr std::array<std::string_view, 7> animated = {"pc2", "mdd", "glb", "gltf",
                                                                "obj", "ply", "off"};
-  static constexpr std::array<std::string_view, 6> exported = {"pc2", "mdd", "glb", "gltf", "obj", "ply"};
+  static constexpr std::array<std::string_view, 7> exported = {"pc2", "mdd", "glb", "gltf",
+                                                               "obj", "ply", "stl"};
   if (purpose == Purpose::save_session) return {};
   if (purpose == Purpose::animation) return animated;
   if (purpose == Purpose::save_animation) return exported;
@@ -166,7 +167,7 @@ std::string format_list(const FileBrowser& browser) {
   for (const auto format : browser.formats()) {
     const bool last = format == browser.formats().back();
     text += text.empty() ? "" : last ? " or " : ", ";
-    for (const char c : format) text += static_cast<char>(c - 32);
+    for (const char c : format) text += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
   }
   return text;
 }

@@ -114,7 +114,8 @@ void path_field(const Context& ui) {
 
 std::string in_capitals(std::string_view format) {
   std::string text(format);
-  for (char& c : text) c = static_cast<char>(c - 32);
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
   return text;
 }
 
@@ -241,6 +242,15 @@ void button_row(const Context& ui) {
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) browser.open = false;
   record(ui, "file_cancel");
+  if (browser.purpose == Purpose::poses) {
+    ImGui::SameLine();
+    if (ImGui::Button("All of this folder")) {
+      request(ui.workspace.requests, browser.purpose, browser.folder);
+      browser.open = false;
+    }
+    record(ui, "file_folder");
+    hint("Every model of this folder that is a pose of the cage.");
+  }
   if (!browser.problem.empty()) {
     ImGui::SameLine();
     note(ui, browser.problem, ui.colors.bad);
