@@ -1,5 +1,4 @@
 // viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: the deformed mesh as a file.
-#include <charconv>
 #include <filesystem>
 #include <memory>
 
@@ -19,27 +18,6 @@ struct DeformOptions {
   mesh::Digits digits;
   bool force = false;
 };
-
-void add_digits_option(CLI::App& command, mesh::Digits& digits) {
-  const auto take = [&digits](const std::string& text) {
-    int decimals = -1;
-    const char* const end = text.data() + text.size();
-    const bool whole = std::from_chars(text.data(), end, decimals).ptr == end;
-    if (text == "all") {
-      digits = {mesh::Digits::Kind::all};
-    } else if (whole && decimals >= 0 && decimals <= 17) {
-      digits = {mesh::Digits::Kind::decimals, decimals};
-    } else {
-      throw CLI::ValidationError("--digits", "needs a number from 0 to 17, or all, not " + text);
-    }
-  };
-  command
-      .add_option_function<std::string>(
-          "--digits", take,
-          "Decimals of what moved in text files, or all: as many as give the very same numbers again")
-      ->option_text("NUMBER|all")
-      ->default_str("as many as the model's file has");
-}
 
 int deform_file(const DeformOptions& options) {
   check_output(options.output, Content::surface, files_read(options.inputs), options.force);

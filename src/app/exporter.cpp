@@ -2,25 +2,46 @@
 
 #include <utility>
 
+#include "base/numbered_files.h"
+#include "base/quantity.h"
+
 namespace viete::app {
 
 void Exporter::add(scene::Export what) {
-  waiting_.push_back(std::move(what));
+  const std::filesystem::path file = what.file;
+  add({file, "no file was changed", [what = std::move(what)](base::Progress& progress) {
+         return Written{"Saved the deformed model to " + what.file.string(),
+                        scene::write_deformed(what, &progress)};
+       }});
+}
+
+void Exporter::add(scene::AnimationExport what) {
+  const std::filesystem::path file = what.model.file;
+  const bool numbered = base::NumberedName::is_pattern(file);
+  add({file, numbered ? "frames that are there are whole" : "no file was changed",
+       [what = std::move(what)](base::Progress& progress) {
+         scene::AnimationReport report = scene::write_animation(what, &progress);
+         std::string said = "Saved the animation to " + what.model.file.string() + ": " + report.summary;
+         if (report.there > 0) said += "; " + base::with_thousands(report.there) + " were there already";
+         return Written{std::move(said), std::move(report.notes)};
+       }});
+}
+
+void Exporter::add(Work work) {
+  waiting_.push_back(std::move(work));
   if (!running()) start_next();
 }
 
 void Exporter::start_next() {
   if (waiting_.empty()) return;
-  file_ = waiting_.front().file;
-  job_.start([what = std::move(waiting_.front())](base::Progress& progress) {
-    return scene::write_deformed(what, &progress);
-  });
+  now_ = std::move(waiting_.front());
   waiting_.pop_front();
+  job_.start(std::move(now_.write));
 }
 
 scene::WorkState Exporter::state() const {
   if (!running()) return {};
-  std::string what = "Exporting " + file_.filename().string();
+  std::string what = "Exporting " + now_.file.filename().string();
   if (!waiting_.empty()) what += ", then " + waiting_.front().file.filename().string();
   return {true, std::move(what), job_.done(), job_.seconds(), job_.seconds()};
 }
@@ -29,11 +50,11 @@ bool Exporter::follow(scene::Messages& messages, bool wait) {
   const auto result = job_.poll(wait);
   if (!result) return true;
   if (result->value) {
-    for (const auto& note : *result->value) messages.warn(note);
+    for (const auto& note : result->value->notes) messages.warn(note);
     messages.succeeded("export");
-    messages.info("Saved the deformed model to " + file_.string());
+    messages.info(result->value->said);
   } else if (result->stopped) {
-    messages.info("Stopped exporting " + file_.filename().string() + "; no file was changed.");
+    messages.info("Stopped exporting " + now_.file.filename().string() + "; " + now_.stopped + ".");
   } else {
     messages.error(result->problem, {"export"});
   }

@@ -1,11 +1,14 @@
-// Writes deformed models aside, so that the view stays live.
+// Writes deformed models, and animations of them, aside, so that the view stays live.
 #pragma once
 
 #include <deque>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/background.h"
+#include "scene/animation_export.h"
 #include "scene/export.h"
 #include "scene/messages.h"
 #include "scene/workspace.h"
@@ -17,6 +20,7 @@ namespace viete::app {
 class Exporter {
 public:
   void add(scene::Export what);
+  void add(scene::AnimationExport what);
   /// Asks the one that is being written to stop, which it does within moments; those that wait follow.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
@@ -26,11 +30,21 @@ public:
   bool follow(scene::Messages& messages, bool wait = false);
 
 private:
+  struct Written {
+    std::string said;
+    std::vector<std::string> notes;
+  };
+  struct Work {
+    std::filesystem::path file;
+    std::string stopped;  ///< what is said then
+    std::function<Written(base::Progress&)> write;
+  };
+  void add(Work work);
   void start_next();
 
-  std::deque<scene::Export> waiting_;
-  std::filesystem::path file_;  ///< that is being written
-  base::BackgroundJob<std::vector<std::string>> job_;
+  std::deque<Work> waiting_;
+  Work now_;  ///< that is being done, but for how
+  base::BackgroundJob<Written> job_;
 };
 
 }  // namespace viete::app

@@ -56,6 +56,9 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   if (const auto file = std::exchange(r.save_cage, std::nullopt)) scene::save_cage(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.is_movable())
     start_export(w, *file);
+  if (const auto file = std::exchange(r.save_animation, std::nullopt);
+      file && w.document.is_movable() && !w.document.timeline.keys.empty())
+    start_animation_export(w, *file);
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
   if (const auto file = std::exchange(r.discard, std::nullopt)) discard(w, *file);
@@ -69,6 +72,13 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
 void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
   scene::Export what = scene::export_of(w.document, file);
   what.up = w.camera.pose().up;
+  exporter_.add(std::move(what));
+}
+
+void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path& file) {
+  scene::AnimationExport what = scene::animation_export_of(w.document, file);
+  what.model.up = w.camera.pose().up;
+  what.keeps_unfinished = false;  // who stops it here does not go on with it
   exporter_.add(std::move(what));
 }
 

@@ -61,6 +61,7 @@ public:
 
 private:
   void start_export(const scene::Workspace& w, const std::filesystem::path& file);
+  void start_animation_export(const scene::Workspace& w, const std::filesystem::path& file);
   void take_loaded(scene::Workspace& workspace, bool wait);
   void take(scene::Workspace& workspace, Loader::Loaded&& loaded);
   void take_answer(scene::Workspace& workspace, scene::Answer answer);

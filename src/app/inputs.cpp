@@ -20,7 +20,7 @@ void add_files(CLI::App& app, Inputs& inputs) {
       "Mesh (OBJ, PLY, OFF, STL, glTF), or a session (.viete), which names its own cage and pose");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
   add_file_option(app, "CAGE", inputs.cage, "Cage around it, at rest");
-  if (inputs.use == Use::binding) return;
+  if (inputs.use == Use::binding || inputs.use == Use::animation) return;
   add_file_option(app, "--pose", inputs.pose, "Posed version of the cage, same vertices in the same order");
 }
 
@@ -73,7 +73,8 @@ void check_usage(const Inputs& inputs) {
                                "the session " + inputs.model.string() + " names its own: leave it out");
   }
   const bool file = inputs.use == Use::file;
-  if ((file || inputs.use == Use::binding) && inputs.cage.empty()) throw CLI::RequiredError("CAGE");
+  const bool needs_cage = file || inputs.use == Use::binding || inputs.use == Use::animation;
+  if (needs_cage && inputs.cage.empty()) throw CLI::RequiredError("CAGE");
   if (file && inputs.pose.empty()) throw CLI::RequiredError("--pose");
   scene::Document tried;
   put_settings(tried, inputs.settings);
@@ -83,8 +84,9 @@ scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
   scene::Opened opened = scene::open_files(inputs.request(), {});
   check(opened);
   const scene::Document& document = *opened.document;
-  const bool movable = inputs.use == Use::file ? document.is_movable() : document.has_cage();
-  if ((inputs.use == Use::file || inputs.use == Use::binding) && !movable) {
+  const bool deforms = inputs.use == Use::file || inputs.use == Use::animation;
+  const bool movable = deforms ? document.is_movable() : document.has_cage();
+  if ((deforms || inputs.use == Use::binding) && !movable) {
     print_notes(opened.warnings);
     throw base::Error(inputs.model.string(), "the session has no cage", "open it and add one");
   }

@@ -15,6 +15,7 @@ enum class Use {
   window,   ///< MODEL may be left out
   picture,  ///< needs a MODEL
   file,     ///< needs CAGE and --pose too
+  animation,  ///< needs a CAGE; keys in place of a pose
   binding,  ///< needs CAGE; neither pose nor method nor blend matter
 };
 

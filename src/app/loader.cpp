@@ -19,6 +19,7 @@ scene::Document without_history(const scene::Document& document) {
   copy.probes = document.probes;
   copy.method = document.method;
   copy.scheme = document.scheme;
+  copy.timeline = document.timeline;
   return copy;
 }
 

@@ -76,6 +76,7 @@ int run(int argc, char** argv) {
   add_view_command(app, action);
   add_render_command(app, action);
   add_deform_command(app, action);
+  add_animate_command(app, action);
   add_cage_command(app, action);
   add_bind_command(app, action);
   add_info_command(app, action);

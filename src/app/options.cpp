@@ -196,6 +196,26 @@ void add_binding_option(CLI::App& app, std::filesystem::path& file) {
                   "What viete bind has saved of this model and cage, instead of binding them");
 }
 
+void add_digits_option(CLI::App& app, mesh::Digits& digits) {
+  const auto take = [&digits](const std::string& text) {
+    int decimals = -1;
+    const char* const end = text.data() + text.size();
+    const bool whole = std::from_chars(text.data(), end, decimals).ptr == end;
+    if (text == "all") {
+      digits = {mesh::Digits::Kind::all};
+    } else if (whole && decimals >= 0 && decimals <= 17) {
+      digits = {mesh::Digits::Kind::decimals, decimals};
+    } else {
+      throw CLI::ValidationError("--digits", "needs a number from 0 to 17, or all, not " + text);
+    }
+  };
+  app.add_option_function<std::string>(
+         "--digits", take,
+         "Decimals of what moved in text files, or all: as many as give the very same numbers again")
+      ->option_text("NUMBER|all")
+      ->default_str("as many as the model's file has");
+}
+
 void add_size_option(CLI::App& app, glm::ivec2& size) {
   app.add_option_function<std::string>(
          "--size",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/output.h"
+#include "mesh/text_writer.h"
 #include "scene/settings.h"
 #include "sym3/exp.h"
 
@@ -49,6 +50,8 @@ void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked);
 CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take);
 /// --binding FILE, written by `viete bind`.
 void add_binding_option(CLI::App& app, std::filesystem::path& file);
+/// --digits NUMBER|all, of coordinates in text files.
+void add_digits_option(CLI::App& app, mesh::Digits& digits);
 /// --size WxH in logical pixels, 16 to 8192 each.
 void add_size_option(CLI::App& app, glm::ivec2& size);
 

@@ -40,6 +40,7 @@ bool holds(const fs::path& file, Content content) {
     case Content::surface: return !scene::is_session(file);
     case Content::binding: return deform::is_binding(bytes);
     case Content::picture: return bytes.starts_with("\x89PNG\r\n\x1a\n");
+    case Content::animation: return !scene::is_session(file);
     case Content::json: return mesh::extension_of(file) == "json";
     case Content::svg: break;
   }
@@ -47,8 +48,8 @@ bool holds(const fs::path& file, Content content) {
 }
 
 const char* name_of(Content content) {
-  constexpr const char* names[] = {"a surface", "a saved binding", "a PNG picture", "a JSON file",
-                                   "an SVG picture"};
+  constexpr const char* names[] = {"a surface",   "a saved binding", "a PNG picture",
+                                   "a JSON file", "an SVG picture",  "an animation"};
   return names[static_cast<std::size_t>(content)];
 }
 

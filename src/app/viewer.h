@@ -66,7 +66,9 @@ public:
   /// True while files are being read, and what they hold is bound, aside.
   bool loading() const { return files_.loading(); }
   /// True while deformed models are written aside.
-  bool exporting() const { return files_.exporting() || workspace_.requests.save_model.has_value(); }
+  bool exporting() const {
+    return files_.exporting() || workspace_.requests.save_model || workspace_.requests.save_animation;
+  }
   /// True while something is read, bound or written aside that a person waits for.
   bool working() const { return loading() || exporting() || model_.binding() || cages_.running(); }
   /// Waits for the files that are being read.

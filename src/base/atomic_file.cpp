@@ -213,6 +213,7 @@ public:
   }
 
   const fs::path& target() const { return target_; }
+  const std::string& path() const { return path_; }
   fs::path folder() const { return target_.parent_path(); }
 
 private:
@@ -336,6 +337,21 @@ void FilesTogether::replace() {
     if (durability_ == Durability::power_cut) sync_folder(file->folder());
   }
   files_.clear();
+}
+
+FileOfProgram::FileOfProgram(const fs::path& path)
+    : file_(std::make_unique<NewFile>(checked_target(path))) {}
+
+FileOfProgram::~FileOfProgram() = default;
+
+fs::path FileOfProgram::part() const {
+  return file_->path();
+}
+
+void FileOfProgram::replace(Durability durability) {
+  file_->settle(durability);
+  file_->become_target();
+  if (durability == Durability::power_cut) sync_folder(file_->folder());
 }
 
 GrowingFile::GrowingFile(const fs::path& path, std::uint64_t key) {

@@ -60,6 +60,23 @@ private:
   Durability durability_;
 };
 
+/// A file that another program writes, under the name part(), which is there and empty at first. replace()
+/// makes it the file; without it everything stays as it was.
+class FileOfProgram {
+public:
+  /// Throws what replace_file() throws.
+  explicit FileOfProgram(const std::filesystem::path& path);
+  ~FileOfProgram();
+  FileOfProgram(const FileOfProgram&) = delete;
+  FileOfProgram& operator=(const FileOfProgram&) = delete;
+
+  std::filesystem::path part() const;
+  void replace(Durability durability = Durability::power_cut);
+
+private:
+  std::unique_ptr<class NewFile> file_;
+};
+
 /// A file that several runs of a program may write, one going on where the last one was ended, however
 /// sudden: until finish() it is called `NAME.KEY.unfinished` beside its place, and what is at its place stays
 /// as it was. Bytes are there in the order they were appended, also after a power cut as far as the file

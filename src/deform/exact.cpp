@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "deform/apply.h"
 #include "deform/blend.h"
 #include "deform/map_rows.h"
@@ -127,57 +128,110 @@ void stitch_positions(const Stitching& stitching, const Rows& rows, std::span<co
 
 }  // namespace
 
+namespace {
+
+bool holds_shares(const Mask& mask, const Weighting& weighting) {
+  return mask || weighting.partial();
+}
+
+const mesh::Surface& with_vertices(const mesh::Surface& model) {
+  if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
+  return model;
+}
+
+// Weights, offset and rest.
+bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
+  const double bytes = static_cast<double>(vertices) * (8.0 * static_cast<double>(handles) + 56);
+  return bytes < 0.25 * base::free_memory().value_or(0);
+}
+
+}  // namespace
+
+ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const Cage> cage,
+                             const Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
+                             Weights weights, const Mask& mask, base::Progress* progress)
+    : model_(with_vertices(model)),
+      cage_(std::move(cage)),
+      scheme_(scheme),
+      method_(method),
+      pool_(pool),
+      mask_(mask),
+      state_(cage_, scheme.weighting.elements, scheme.blend),
+      weigher_(*cage_, scheme.weighting),
+      layer_(model.positions, pool) {
+  const std::size_t n = model_.positions.size();
+  state_.set_amounts(scheme.amounts);
+  state_.keep_origin(holds_shares(mask_, scheme.weighting));
+  if (scheme.stitched()) {
+    stitching_ = stitch(model_, *cage_, scheme.weighting.elements, pool_, settings_of(scheme.holding));
+    sums_.resize(n * state_.rows().columns());
+    if (holds_shares(mask_, scheme.weighting)) shares_.resize(n);
+  }
+  if (entry(scheme.weighting.weights).on_surface) {
+    surface_weights_ = bind(model_, *cage_, scheme.weighting, pool_, progress);
+  } else if (weights == Weights::kept && has_room_to_keep(n, weigher_.handles())) {
+    const std::size_t block = weighed_at_once(weigher_.handles());
+    parts_.resize((n + block - 1) / block);
+  }
+}
+
+BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) const {
+  BoundPart part = surface_weights_.weights.empty()
+                       ? bind_part(weigher_, std::span(model_.positions).subspan(begin, count))
+                       : BoundPart{part_of(surface_weights_, begin, begin + count)};
+  part.binding.shares = product(std::move(part.binding.shares), part_of(mask_, begin, begin + count));
+  return part;
+}
+
+// Returns what place_vertices() does.
+double ExactDeformer::place(const BoundPart& part, const Rows& rows, std::size_t begin,
+                            std::span<mesh::Point> positions) {
+  const Binding& binding = part.binding;
+  const std::size_t count = positions.size(), columns = rows.columns();
+  if (!shares_.empty()) std::ranges::copy(binding.shares, shares_.begin() + std::ptrdiff_t(begin));
+  const double error = place_vertices(binding, rows, method_, positions);
+  if (!stitching_) return error;
+  const auto sums = std::span(sums_).subspan(begin * columns, count * columns);
+  blend(binding, rows, 0, count, sums);
+  share_sums(binding, binding.shares, rows.form, 0, count, sums);
+  return error;
+}
+
+ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, base::Progress* progress) {
+  state_.set_pose(pose);
+  const Rows rows = state_.rows();
+  const std::size_t n = model_.positions.size(), at_once = weighed_at_once(weigher_.handles());
+  ExactModel exact;
+  exact.report = state_.report();
+  exact.positions.resize(n);
+  std::size_t done = 0, failed = 0;
+  std::mutex mutex;  // of these, and of exp_error
+  pool_.for_blocks(n, at_once, [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = end - begin;
+    BoundPart made;
+    BoundPart& bound = parts_.empty() ? made : parts_[begin / at_once];
+    if (bound.binding.vertices == 0) bound = part(begin, count);
+    const double error = place(bound, rows, begin, std::span(exact.positions).subspan(begin, count));
+    const std::lock_guard lock(mutex);
+    done += count;
+    failed += bound.failed;
+    exact.exp_error = std::max(exact.exp_error, error);
+    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(n));
+  });
+  if (stitching_)
+    stitch_positions(*stitching_, rows, sums_, shares_, scheme_, method_, pool_, exact.positions);
+  layer_.set(probes, mask_);
+  if (layer_.moves()) layer_.move_all(exact.positions, method_);
+  exact.warnings = weight_warnings(*cage_, scheme_.weighting.weights, failed, n);
+  return exact;
+}
+
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
                           base::Progress* progress, const Mask& mask, const Probes& probes) {
-  const std::span<const mesh::Point> rest = model.positions;
-  if (rest.empty()) throw base::Error("", "the model has no vertices", "choose another file");
-  CageState state(cage, scheme.weighting.elements, scheme.blend);
-  state.set_amounts(scheme.amounts);
-  state.keep_origin(mask || scheme.weighting.partial());
-  state.set_pose(pose);
-  const Rows rows = state.rows();
-  std::optional<Stitching> stitching;
-  if (scheme.stitched())
-    stitching = stitch(model, *cage, scheme.weighting.elements, pool, settings_of(scheme.holding));
-  const Weigher weigher(*cage, scheme.weighting);
-  Binding whole;
-  const bool on_surface = entry(scheme.weighting.weights).on_surface;
-  if (on_surface) whole = bind(model, *cage, scheme.weighting, pool, progress);
-  ExactModel exact;
-  exact.report = state.report();
-  exact.positions.resize(rest.size());
-  std::vector<double> sums(stitching ? rest.size() * rows.columns() : 0);
-  Shares shares(stitching && (mask || scheme.weighting.partial()) ? rest.size() : 0);
-  std::size_t done = 0, failed = 0;
-  std::mutex mutex;  // of these, and of exp_error
-  const auto take = [&](std::size_t count, std::size_t lost, double error) {
-    const std::lock_guard lock(mutex);
-    done += count;
-    failed += lost;
-    exact.exp_error = std::max(exact.exp_error, error);
-    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(rest.size()));
-  };
-  pool.for_blocks(rest.size(), weighed_at_once(weigher.handles()), [&](std::size_t begin, std::size_t end) {
-    const std::size_t count = end - begin;
-    BoundPart part =
-        on_surface ? BoundPart{part_of(whole, begin, end)} : bind_part(weigher, rest.subspan(begin, count));
-    part.binding.shares = product(std::move(part.binding.shares), part_of(mask, begin, end));
-    if (!shares.empty()) std::ranges::copy(part.binding.shares, shares.begin() + std::ptrdiff_t(begin));
-    const auto positions = std::span(exact.positions).subspan(begin, count);
-    take(count, part.failed, place_vertices(part.binding, rows, method, positions));
-    const std::size_t columns = rows.columns();
-    if (!stitching) return;
-    const auto part_sums = std::span(sums).subspan(begin * columns, count * columns);
-    blend(part.binding, rows, 0, count, part_sums);
-    share_sums(part.binding, part.binding.shares, rows.form, 0, count, part_sums);
-  });
-  if (stitching) stitch_positions(*stitching, rows, sums, shares, scheme, method, pool, exact.positions);
-  ProbeLayer layer(rest, pool);
-  layer.set(probes, mask);
-  if (layer.moves()) layer.move_all(exact.positions, method);
-  exact.warnings = weight_warnings(*cage, scheme.weighting.weights, failed, rest.size());
-  return exact;
+  ExactDeformer deformer(model, std::move(cage), scheme, method, pool, ExactDeformer::Weights::dropped, mask,
+                         progress);
+  return deformer.deform(pose, probes, progress);
 }
 
 }  // namespace viete::deform

@@ -1,8 +1,9 @@
-// The deformed model in double, for files: weights are made, blended and dropped block by block, so that
-// those of all vertices never exist at once.
+// The deformed model in double, for files: weights are made and blended block by block, so that those of all
+// vertices need not exist at once.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,10 @@
 #include "deform/binding.h"
 #include "deform/cage_state.h"
 #include "deform/probe.h"
+#include "deform/probe_layer.h"
+#include "deform/stitching.h"
+#include "deform/vertex_sample.h"
+#include "deform/weigher.h"
 #include "sym3/exp.h"
 
 namespace viete::deform {
@@ -30,12 +35,48 @@ struct ExactModel {
   double exp_error = 0;                ///< of the worst vertex, see place_vertices()
 };
 
-/// Agrees with the staged engine to 1e-12 of the cage's diagonal (its weights come from vector
-/// code, see Weigher); the same bits for any number of threads. Memory: the positions, and a megabyte or so
-/// for each thread, more for cages of more than 10,000 elements; with
-/// weights along the surface those of all vertices. Throws base::Error when the pose has not one
-/// position per cage vertex or the model no vertices, and base::Cancelled. progress may be null; a mask has
-/// one share a vertex. cage must not be null. Probes are a layer upon it, see ProbeLayer.
+/// Deforms one model by pose after pose. Agrees with the staged engine to 1e-12 of the cage's diagonal (its
+/// weights come from vector code, see Weigher); the same bits for any number of threads, and whatever poses
+/// came before. Memory: the positions, and a megabyte or so for each thread, more for cages of more than
+/// 10,000 elements; with weights along the surface those of all vertices. Not thread-safe.
+class ExactDeformer {
+public:
+  /// What becomes of weights once a pose is made: those of all vertices may be kept for the next one, where
+  /// they take no more than a quarter of the memory that is free.
+  enum class Weights { dropped, kept };
+
+  /// model and pool must outlive it; cage must not be null; a mask has one share a vertex. progress, of what
+  /// is made before the first pose, may be null. Throws base::Error when the model has no vertices, and
+  /// base::Cancelled.
+  ExactDeformer(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
+                sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
+                base::Progress* progress = nullptr);
+
+  /// Probes are a layer upon it, see ProbeLayer. Throws base::Error when the pose has not one position per
+  /// cage vertex, and base::Cancelled.
+  ExactModel deform(const Pose& pose, const Probes& probes = {}, base::Progress* progress = nullptr);
+
+private:
+  BoundPart part(std::size_t begin, std::size_t count) const;
+  double place(const BoundPart& part, const Rows& rows, std::size_t begin, std::span<mesh::Point> positions);
+
+  const mesh::Surface& model_;
+  std::shared_ptr<const Cage> cage_;
+  Scheme scheme_;
+  sym3::Method method_;
+  base::WorkerPool& pool_;
+  Mask mask_;
+  CageState state_;
+  Weigher weigher_;
+  std::optional<Stitching> stitching_;
+  std::vector<double> sums_;      // of rows, of all vertices, for stitching
+  Shares shares_;                 // likewise
+  Binding surface_weights_;       // of all vertices, where they live on the surface
+  std::vector<BoundPart> parts_;  // block by block, where weights are kept
+  ProbeLayer layer_;
+};
+
+/// Of one pose.
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
                           base::Progress* progress = nullptr, const Mask& mask = nullptr,

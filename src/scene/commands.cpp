@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/quantity.h"
+#include "scene/animation_file_commands.h"
 #include "scene/cage_editing.h"
 #include "scene/command_conditions.h"
 #include "scene/edit.h"
@@ -295,7 +296,7 @@ std::vector<Command> most_commands() {
        browse_to_save_model},
       {"stop_work", "Cancel", "Stop reading, making a cage or binding; everything stays as it is.", "File", {Key::escape}, {}, is_working,
        [](Workspace& w) { w.requests.stop_work = true; }},
-      {"stop_export", "Cancel", "Stop writing the deformed mesh; no file is changed.", "File", {}, {}, is_exporting,
+      {"stop_export", "Cancel", "Stop writing the deformed mesh or its animation; every file is whole or as it was.", "File", {}, {}, is_exporting,
        [](Workspace& w) { w.requests.stop_export = true; }},
       {"restore_leftover", "Restore", "Bring unsaved edits back.", "File", {key('B'), true}, {}, has_leftover,
        restore_leftover},
@@ -528,6 +529,7 @@ const std::vector<Command>& table() {
     std::vector<Command> commands = most_commands();
     std::ranges::copy(hand_commands(), std::back_inserter(commands));
     std::ranges::copy(time_commands(), std::back_inserter(commands));
+    std::ranges::copy(animation_file_commands(), std::back_inserter(commands));
     return commands;
   }();
   return all;

@@ -6,13 +6,18 @@
 #include <iterator>
 
 #include "base/atomic_file.h"
+#include "base/checksum.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
+#include "mesh/content_key.h"
 #include "mesh/conversion.h"
 #include "mesh/source.h"
 #include "mesh/write.h"
 #include "scene/cage_editing.h"
 #include "scene/pose_notes.h"
+#include "scene/probes_json.h"
+#include "scene/saving.h"
+#include "scene/scheme_json.h"
 #include "scene/up_axis.h"
 
 namespace viete::scene {
@@ -28,6 +33,7 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
              document.method,
              document.mask,
              document.probes,
+             document.model.path,
              document.model.unit,
              guessed_up(document.model),
              {}};
@@ -62,18 +68,25 @@ void keep_at_rest(const mesh::Surface& model, const deform::Cage& cage, std::vec
   }
 }
 
+bool writes_original(const Export& what) {
+  return what.original && what.original->writes(mesh::extension_of(what.file));
+}
+
 }  // namespace
 
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
-  const std::string extension = mesh::extension_of(what.file);
-  const bool as_it_was = what.original && what.original->writes(extension);
-  if (!as_it_was) mesh::check_format(what.file);
+  if (!writes_original(what)) mesh::check_format(what.file);
   base::check_replaceable(what.file);
   base::WorkerPool pool;
   if (progress) progress->section(0, 0.5);
   deform::ExactModel deformed = deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose,
                                                        what.method, pool, progress, what.mask, what.probes);
   if (progress) progress->section(0.5, 1);
+  return write_exact(what, std::move(deformed), progress);
+}
+
+std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
+                                     base::Progress* progress) {
   if (is_at_rest(what)) {
     deformed.positions = what.model->positions;
   } else {
@@ -84,12 +97,74 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
       mesh::write(what.file, content, what.original.get(), what.digits, progress);
   std::ranges::move(deformed.warnings, std::back_inserter(notes));
   for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
-  const bool new_gltf = !as_it_was && (extension == "glb" || extension == "gltf");
+  const std::string extension = mesh::extension_of(what.file);
+  const bool new_gltf = !writes_original(what) && (extension == "glb" || extension == "gltf");
   for (const std::string& note :
        {method_note(what.method, deformed.exp_error), new_gltf ? gltf_note(what.unit, what.up) : ""}) {
     if (!note.empty()) notes.push_back(note);
   }
   return notes;
+}
+
+namespace {
+
+template <class Value>
+void add_all(base::Checksum& sum, const std::vector<Value>& values) {
+  sum.add(values.data(), values.size() * sizeof(Value));
+}
+
+void add_text(base::Checksum& sum, const std::string& text) {
+  sum.add(text.data(), text.size());
+}
+
+void add_number(base::Checksum& sum, std::uint64_t number) {
+  sum.add(&number, sizeof number);
+}
+
+void add_attributes(base::Checksum& sum, const mesh::Attributes& a) {
+  add_all(sum, a.texture_points);
+  add_all(sum, a.corner_texture);
+  add_all(sum, a.normals);
+  add_all(sum, a.corner_normal);
+  add_all(sum, a.colors);
+  add_all(sum, a.polygon_colors);
+  for (const mesh::Group& group : a.groups) {
+    add_text(sum, group.object + '\n' + group.name);
+    add_number(sum, std::uint64_t{group.first_polygon} << 32 | group.material);
+    add_number(sum, group.smooth);
+  }
+  for (const mesh::Material& material : a.materials) {
+    add_text(sum, material.name);
+    sum.add(material.base_color.data(), sizeof material.base_color);
+    add_number(sum, std::uint64_t{material.base_color_image} << 32 | std::uint64_t{material.repeats});
+  }
+  for (const mesh::ImageFile& image : a.images) {
+    add_text(sum, image.path.string() + '\n' + image.name);
+    image.bytes ? add_text(sum, *image.bytes) : add_number(sum, content_of(image.path).value_or(0));
+  }
+}
+
+}  // namespace
+
+std::uint64_t content_key(const Export& what) {
+  constexpr std::uint64_t how_files_are_made = 1;  // to grow when the same input gives other files
+  base::Checksum sum;
+  add_number(sum, how_files_are_made);
+  add_number(sum, mesh::content_key(*what.model));
+  if (what.attributes) add_attributes(sum, *what.attributes);
+  if (what.original) add_number(sum, content_of(what.model_file).value_or(0));
+  add_number(sum, mesh::content_key(what.cage->surface));
+  deform::Probes probes = what.probes;
+  for (Probe& probe : probes.all)
+    if (!probe.locked) probe.pose = {};
+  add_text(sum, scheme_json(what.scheme).dump() + probes_json(probes).dump() +
+                    std::string(sym3::name(what.method)));
+  if (what.mask) add_all(sum, *what.mask);
+  add_number(sum, static_cast<std::uint64_t>(what.unit));
+  add_number(sum, static_cast<std::uint64_t>(what.up));
+  add_number(sum, static_cast<std::uint64_t>(what.digits.kind) << 32 |
+                      static_cast<std::uint64_t>(what.digits.decimals));
+  return sum.value();
 }
 
 std::string gltf_note(LengthUnit unit, UpAxis up) {

@@ -1,12 +1,14 @@
 // The deformed model as a file: the same from the window and from the command line.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
+#include "deform/exact.h"
 #include "mesh/text_writer.h"
 #include "scene/camera.h"
 #include "scene/document.h"
@@ -26,6 +28,7 @@ struct Export {
   sym3::Method method;
   deform::Mask mask;
   deform::Probes probes;
+  std::filesystem::path model_file;       ///< that the original is of; empty: none
   LengthUnit unit = LengthUnit::unknown;  ///< of the model
   UpAxis up = UpAxis::y;                  ///< which of its axes is taken as up
   mesh::Digits digits = {};
@@ -39,6 +42,15 @@ Export export_of(const Document& document, const std::filesystem::path& file);
 /// Returns what a person should know of the result, one line each. Throws base::Error and base::Cancelled.
 /// Thread-safe.
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress = nullptr);
+
+/// The second half of it: the model deformed already, by deform_exactly() or an ExactDeformer, of all that is
+/// in `what`.
+std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
+                                     base::Progress* progress = nullptr);
+
+/// A checksum of all that the file is made from but its pose, the probes' poses and its name. Reads the
+/// model's file again, which the exported one may be a copy of.
+std::uint64_t content_key(const Export& what);
 
 /// That other programs will take a glTF's numbers as metres and Y as up, and what to do there; empty where
 /// that is so.

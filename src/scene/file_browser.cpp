@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdlib>
 
+#include "base/numbered_files.h"
 #include "mesh/source.h"
+#include "scene/animation_export.h"
 #include "scene/session.h"
 
 namespace viete::scene {
@@ -55,7 +57,13 @@ std::vector<Entry> list(const fs::path& folder, const FileBrowser& browser) {
 
 std::span<const std::string_view> FileBrowser::formats() const {
   static constexpr std::array<std::string_view, 6> all = {"obj", "ply", "off", "stl", "glb", "gltf"};
+  static constexpr std::array<std::string_view, 7> animated = {"pc2", "mdd", "glb", "gltf",
+                                                               "obj", "ply", "off"};
+  static constexpr std::array<std::string_view, 7> exported = {"pc2", "mdd", "glb", "gltf",
+                                                               "obj", "ply", "stl"};
   if (purpose == Purpose::save_session) return {};
+  if (purpose == Purpose::animation) return animated;
+  if (purpose == Purpose::save_animation) return exported;
   const bool pose =
       purpose == Purpose::pose || purpose == Purpose::save_pose || purpose == Purpose::save_cage;
   return std::span(all).first(pose ? 3 : all.size());
@@ -118,12 +126,24 @@ fs::path typed_path(const FileBrowser& browser) {
   return browser.folder / browser.path;
 }
 
+namespace {
+
+// What holds one model gets a place for the number of the frame.
+fs::path animation_name(const fs::path& file) {
+  const std::string extension = mesh::extension_of(file);
+  if (is_animation_format(extension) || base::NumberedName::is_pattern(file)) return file;
+  return file.parent_path() / (file.stem().string() + "_####" + file.extension().string());
+}
+
+}  // namespace
+
 fs::path chosen_file(const FileBrowser& browser) {
   fs::path file = typed_path(browser);
   const bool session = browser.purpose == Purpose::save_session;
   if (session && !is_session(file)) file += session_extension;
-  if (browser.saves() && !session && file.extension().empty()) file += ".obj";
-  return file;
+  const bool animation = browser.purpose == Purpose::save_animation;
+  if (browser.saves() && !session && file.extension().empty()) file += animation ? ".pc2" : ".obj";
+  return animation ? animation_name(file) : file;
 }
 
 std::string problem_of_name(const FileBrowser& browser) {
@@ -147,7 +167,7 @@ std::string format_list(const FileBrowser& browser) {
   for (const auto format : browser.formats()) {
     const bool last = format == browser.formats().back();
     text += text.empty() ? "" : last ? " or " : ", ";
-    for (const char c : format) text += static_cast<char>(c - 32);
+    for (const char c : format) text += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
   }
   return text;
 }

@@ -11,7 +11,18 @@
 namespace viete::scene {
 
 struct FileBrowser {
-  enum class Purpose { model, cage, pose, save_session, save_pose, save_cage, save_model };
+  enum class Purpose {
+    model,
+    cage,
+    pose,
+    poses,
+    animation,
+    save_session,
+    save_pose,
+    save_cage,
+    save_model,
+    save_animation
+  };
   struct Entry {
     std::string name;
     bool folder = false;
@@ -35,7 +46,7 @@ struct FileBrowser {
 
   bool saves() const { return purpose >= Purpose::save_session; }
   /// Of surfaces that fit the purpose: "obj", "ply", "off", "stl", "glb", "gltf"; of a pose without the last
-  /// three, which keep no order of the vertices.
+  /// three, which keep no order of the vertices; of animations "pc2", "mdd" and "glb" too.
   std::span<const std::string_view> formats() const;
   /// Whether the file of the text field is there, so that saving would replace it.
   bool replaces() const;

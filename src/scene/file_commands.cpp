@@ -39,6 +39,12 @@ void browse_for_cage(Workspace& w) {
 void browse_for_pose(Workspace& w) {
   browse_beside(w, Purpose::pose, file_of_cage(w.document));
 }
+void browse_for_poses(Workspace& w) {
+  browse_beside(w, Purpose::poses, file_of_cage(w.document));
+}
+void browse_for_animation(Workspace& w) {
+  browse_beside(w, Purpose::animation, file_of_cage(w.document));
+}
 
 void save(Workspace& w) {
   if (w.saved.session.empty()) return browse_to_save_session(w);
@@ -62,6 +68,10 @@ void browse_to_save_cage(Workspace& w) {
 
 void browse_to_save_model(Workspace& w) {
   browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
+}
+
+void browse_to_save_animation(Workspace& w) {
+  browse_to_save(w, Purpose::save_animation, w.document.model.path, "_animation.pc2");
 }
 
 void restore_leftover(Workspace& w) {

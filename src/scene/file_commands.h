@@ -8,12 +8,15 @@ namespace viete::scene {
 void browse_for_model(Workspace& workspace);
 void browse_for_cage(Workspace& workspace);
 void browse_for_pose(Workspace& workspace);
+void browse_for_poses(Workspace& workspace);
+void browse_for_animation(Workspace& workspace);
 /// Writes where the session was saved last, or asks where.
 void save(Workspace& workspace);
 void browse_to_save_session(Workspace& workspace);
 void browse_to_save_pose(Workspace& workspace);
 void browse_to_save_cage(Workspace& workspace);
 void browse_to_save_model(Workspace& workspace);
+void browse_to_save_animation(Workspace& workspace);
 
 /// With the first leftover: open it, move it aside until the program ends, or leave it for another day.
 /// Require one.

@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/quantity.h"
 #include "deform/pose_io.h"
 #include "mesh/winding_number.h"
 #include "scene/animation.h"
+#include "scene/animation_import.h"
 #include "scene/edit.h"
 #include "scene/pose_edit.h"
 #include "scene/pose_json.h"
@@ -115,6 +117,32 @@ Opened open_pose(const fs::path& file, const Document& current) {
   posed.cage_file = current.cage_file;
   posed.pose = *opened.pose;
   check_drawable(posed);
+  return opened;
+}
+
+Opened of_open_cage(const fs::path& file, const Document& current) {
+  if (!current.has_cage())
+    throw base::Error(file.string(), "poses need a cage and none is open", "open the cage first");
+  Opened opened;
+  opened.file = file;
+  opened.pose_of = current.cage;
+  return opened;
+}
+
+Opened open_poses(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
+  Opened opened = of_open_cage(files.front(), current);
+  ImportedPoses read = read_poses(files, *current.cage, progress);
+  opened.poses = std::move(read.poses);
+  opened.warnings = std::move(read.warnings);
+  return opened;
+}
+
+Opened open_animation(const fs::path& file, const Document& current, base::Progress* progress) {
+  Opened opened = of_open_cage(file, current);
+  const ImportTimes times{current.timeline.first, current.timeline.rate};
+  ImportedKeys read = read_keys(file, *current.cage, times, progress);
+  opened.keys = std::move(read.keys);
+  opened.warnings = std::move(read.warnings);
   return opened;
 }
 
@@ -250,6 +278,8 @@ Opened read(const OpenRequest& request, const Document& current, base::Progress*
   switch (request.what) {
     case What::cage: return open_cage(first, current, progress);
     case What::pose: return open_pose(first, current);
+    case What::poses: return open_poses(files, current, progress);
+    case What::animation: return open_animation(first, current, progress);
     case What::dropped: return open_dropped(files, current, progress);
     default: return open_model(files, progress);
   }
@@ -319,6 +349,27 @@ void take_handling(Workspace& w, const Opened& opened, bool same_model) {
   }
 }
 
+// What was read of poses is an edit. Says whether it was that.
+bool take_poses(Workspace& w, Opened& opened) {
+  const std::string name = opened.file.filename().string();
+  if (!opened.poses.empty()) {
+    const std::size_t count = opened.poses.size();
+    try {
+      add_poses(w.document, std::move(opened.poses));
+      w.messages.info("Added " + base::counted(count, "pose") + " of " + name + ".");
+    } catch (const base::Error& error) {
+      w.messages.error(error.what(), {"open"});
+    }
+    return true;
+  }
+  if (opened.keys.empty()) return false;
+  const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
+  put_keys(w.document, std::move(opened.keys), "Import animation");
+  w.messages.info("Took " + base::counted(count, "key") + " of " + name +
+                  (before > 0 ? "; undo brings the " + std::to_string(before) + " before back." : "."));
+  return true;
+}
+
 void take_pose(Workspace& w, deform::Pose&& pose) {
   const bool was_saved = !has_unsaved_edits(w);
   set_pose(w.document, std::move(pose));
@@ -355,10 +406,11 @@ void check_deformable(const Opened& opened) {
 }
 
 void take(Workspace& w, Opened&& opened) {
-  if (opened.pose && opened.pose_of != w.document.cage)
+  if (opened.pose_of && opened.pose_of != w.document.cage)
     return w.messages.error(
         opened.file.string() + ": the cage was changed while this pose was read; open it again", {"open"});
   report(w, opened);
+  if (take_poses(w, opened)) return;
   if (opened.pose) return take_pose(w, std::move(*opened.pose));
   const bool same_model = opened.document->model.surface == w.document.model.surface;
   take_document(w, std::move(*opened.document), !opened.has_settings);

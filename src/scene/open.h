@@ -16,9 +16,11 @@ namespace viete::scene {
 struct Opened {
   std::optional<Document> document;             ///< another model, another cage, or a session
   std::optional<deform::Pose> pose;             ///< or another pose of the open cage
-  std::shared_ptr<const deform::Cage> pose_of;  ///< which was open when it was read
+  std::vector<NamedPose> poses;                 ///< or poses to be added
+  std::vector<PoseKey> keys;                    ///< or keys in place of those that are there
+  std::shared_ptr<const deform::Cage> pose_of;  ///< which was open when these were read
   std::optional<Session> session;
-  std::filesystem::path file;            ///< the session or pose
+  std::filesystem::path file;            ///< the session, pose or animation
   std::optional<std::uint64_t> content;  ///< checksum of the session file; of unsaved work nothing
   bool recovered = false;                ///< the session is unsaved work
   bool has_settings = false;             ///< of the document: from the session, or asked for

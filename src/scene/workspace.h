@@ -112,11 +112,13 @@ struct TypedText {
 /// Files to be opened: see open_files() in scene/open.h.
 struct OpenRequest {
   enum class What {
-    model,    ///< a session, or a model and, where they are named, its cage and a pose
-    cage,     ///< of the open model
-    pose,     ///< of the open cage
-    dropped,  ///< whatever they are
-    recovery  ///< unsaved work
+    model,      ///< a session, or a model and, where they are named, its cage and a pose
+    cage,       ///< of the open model
+    pose,       ///< of the open cage
+    poses,      ///< likewise, to be added to those with names: see read_poses()
+    animation,  ///< likewise, in place of the keys that are there: see read_keys()
+    dropped,    ///< whatever they are
+    recovery    ///< unsaved work
   };
   What what = What::model;
   std::vector<std::filesystem::path> files;
@@ -132,7 +134,7 @@ struct Requests {
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool run_benchmark = false, stop_benchmark = false;
   std::optional<OpenRequest> open;
-  std::optional<std::filesystem::path> save_session, save_pose, save_cage, save_model;
+  std::optional<std::filesystem::path> save_session, save_pose, save_cage, save_model, save_animation;
   std::optional<std::filesystem::path> discard;  ///< a leftover
   bool undo_discard = false;                     ///< the last one that was discarded
   std::optional<Answer> answer;                  ///< to the question

@@ -22,10 +22,13 @@ const char* title(Purpose purpose) {
     case Purpose::model: return "Open a model or a session###file_panel";
     case Purpose::cage: return "Open a cage###file_panel";
     case Purpose::pose: return "Open a pose###file_panel";
+    case Purpose::poses: return "Import poses: a file, or all of its folder###file_panel";
+    case Purpose::animation: return "Import an animation of the cage###file_panel";
     case Purpose::save_session: return "Save the session###file_panel";
     case Purpose::save_pose: return "Save the posed cage###file_panel";
     case Purpose::save_cage: return "Save the cage at rest###file_panel";
     case Purpose::save_model: return "Export the deformed mesh###file_panel";
+    case Purpose::save_animation: return "Export the animation###file_panel";
   }
   return "###file_panel";
 }
@@ -35,10 +38,13 @@ void request(scene::Requests& requests, Purpose purpose, const std::filesystem::
     case Purpose::model: requests.open = scene::OpenRequest{What::model, {path}}; break;
     case Purpose::cage: requests.open = scene::OpenRequest{What::cage, {path}}; break;
     case Purpose::pose: requests.open = scene::OpenRequest{What::pose, {path}}; break;
+    case Purpose::poses: requests.open = scene::OpenRequest{What::poses, {path}}; break;
+    case Purpose::animation: requests.open = scene::OpenRequest{What::animation, {path}}; break;
     case Purpose::save_session: requests.save_session = path; break;
     case Purpose::save_pose: requests.save_pose = path; break;
     case Purpose::save_cage: requests.save_cage = path; break;
     case Purpose::save_model: requests.save_model = path; break;
+    case Purpose::save_animation: requests.save_animation = path; break;
   }
 }
 
@@ -108,7 +114,8 @@ void path_field(const Context& ui) {
 
 std::string in_capitals(std::string_view format) {
   std::string text(format);
-  for (char& c : text) c = static_cast<char>(c - 32);
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
   return text;
 }
 
@@ -235,6 +242,15 @@ void button_row(const Context& ui) {
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) browser.open = false;
   record(ui, "file_cancel");
+  if (browser.purpose == Purpose::poses) {
+    ImGui::SameLine();
+    if (ImGui::Button("All of this folder")) {
+      request(ui.workspace.requests, browser.purpose, browser.folder);
+      browser.open = false;
+    }
+    record(ui, "file_folder");
+    hint("Every model of this folder that is a pose of the cage.");
+  }
   if (!browser.problem.empty()) {
     ImGui::SameLine();
     note(ui, browser.problem, ui.colors.bad);

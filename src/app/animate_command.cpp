@@ -1,0 +1,215 @@
+// viete animate SESSION -o PATTERN --frames A-B: the deformed model at the frames of a timeline, as files.
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/animation_pictures.h"
+#include "app/command_line.h"
+#include "app/inputs.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/picture_options.h"
+#include "app/terminal_progress.h"
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/printable.h"
+#include "base/quantity.h"
+#include "mesh/source.h"
+#include "scene/animation_export.h"
+#include "scene/animation_import.h"
+
+namespace viete::app {
+
+namespace {
+
+struct FrameRange {
+  int first, last;
+};
+
+struct AnimateOptions {
+  Inputs inputs{Use::animation};
+  std::filesystem::path output;
+  std::optional<FrameRange> frames;
+  std::optional<double> rate;
+  int step = 1;
+  double tolerance = 1e-4;
+  bool every_frame = false, straight = false, turntable = false, force = false;
+  mesh::Digits digits;
+  std::filesystem::path keys;
+  PictureOptions picture;
+};
+
+// "1-48", "-10--1", "7". Nothing for other words.
+std::optional<FrameRange> frame_range(const std::string& text) {
+  FrameRange range{};
+  const char *at = text.data(), *const end = at + text.size();
+  const auto first = std::from_chars(at, end, range.first);
+  if (first.ec != std::errc()) return std::nullopt;
+  range.last = range.first;
+  if (first.ptr != end) {
+    if (*first.ptr != '-') return std::nullopt;
+    const auto last = std::from_chars(first.ptr + 1, end, range.last);
+    if (last.ec != std::errc() || last.ptr != end) return std::nullopt;
+  }
+  using scene::Timeline;
+  const bool fits = Timeline::least_frame <= range.first && range.first <= range.last &&
+                    range.last <= Timeline::largest_frame;
+  return fits ? std::optional(range) : std::nullopt;
+}
+
+void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
+  command
+      .add_option_function<std::string>(
+          "--frames",
+          [&frames](const std::string& text) {
+            frames = frame_range(text);
+            if (!frames)
+              throw CLI::ValidationError("--frames", "needs first-last, such as 1-48, not " + text);
+          },
+          "First and last frame; frames are independent, so that several programs can share them")
+      ->option_text("A-B")
+      ->default_str("what plays in the session");
+}
+
+// What is opened, with the frames that were asked for.
+scene::Opened opened_for(const AnimateOptions& options, void (*check)(const scene::Opened&)) {
+  scene::Opened opened = open(options.inputs, check);
+  scene::Document& document = *opened.document;
+  scene::Timeline& timeline = document.timeline;
+  timeline.rate = options.rate.value_or(timeline.rate);
+  timeline.straight |= options.straight;
+  if (!options.keys.empty()) {
+    if (!document.has_cage())
+      throw base::Error(options.inputs.model.string(), "keys need a cage, and the session has none",
+                        "open it and add one");
+    scene::ImportedKeys keys =
+        scene::read_keys(options.keys, *document.cage, {timeline.first, timeline.rate});
+    opened.warnings.insert(opened.warnings.end(), keys.warnings.begin(), keys.warnings.end());
+    timeline.keys = std::move(keys.keys);
+    timeline.first = timeline.keys.front().frame;
+    timeline.last = timeline.keys.back().frame;
+  }
+  if (options.frames) timeline.first = options.frames->first, timeline.last = options.frames->last;
+  return opened;
+}
+
+scene::AnimationExport export_of(const AnimateOptions& options, const scene::Opened& opened) {
+  scene::AnimationExport what = scene::animation_export_of(*opened.document, options.output);
+  if (opened.session && opened.session->camera) what.model.up = opened.session->camera->up;
+  what.model.digits = options.digits;
+  what.step = options.step;
+  what.tolerance = options.tolerance;
+  what.every_frame = options.every_frame;
+  what.replaces_foreign = options.force;
+  return what;
+}
+
+void check_output(const AnimateOptions& options) {
+  const std::string extension = mesh::extension_of(options.output);
+  const bool numbered = base::NumberedName::is_pattern(options.output);
+  if (numbered || !(scene::is_animation_format(extension) || is_video_format(extension))) return;
+  check_output(options.output, Content::animation, files_read(options.inputs), options.force);
+}
+
+void say(const std::filesystem::path& file, const scene::AnimationReport& report) {
+  std::string text = report.summary;
+  if (report.there > 0) text += "; " + base::with_thousands(report.there) + " of them were there already";
+  std::printf("%s: %s\n", base::printable(file.string()).c_str(), text.c_str());
+}
+
+int write_models(const AnimateOptions& options) {
+  const scene::Opened opened = opened_for(options, scene::check_deformable);
+  print_notes(opened.warnings);
+  const scene::AnimationExport what = export_of(options, opened);
+  scene::check_animation_export(what);
+  TerminalProgress work("Writing " + options.output.filename().string());
+  const scene::AnimationReport report = scene::write_animation(what, &work.progress());
+  print_notes(report.notes);
+  say(options.output, report);
+  return exit_ok;
+}
+
+PictureRun picture_run(const AnimateOptions& options, const scene::Timeline& timeline) {
+  PictureRun run{options.output, {}, timeline.rate, options.step, options.turntable, options.force};
+  for (int frame = timeline.first; frame <= timeline.last; frame += options.step) run.frames.push_back(frame);
+  return run;
+}
+
+int write_pictures(const AnimateOptions& options) {
+  const bool video = is_video_format(mesh::extension_of(options.output));
+  if (video == base::NumberedName::is_pattern(options.output))
+    throw base::Error(options.output.string(),
+                      video ? "a video holds all frames" : "a picture holds one frame",
+                      video ? "leave the #### out of its name" : "write numbered pictures, frame_####.png");
+  scene::Opened opened = opened_for(options, scene::check_drawable);
+  if (opened.document->timeline.empty() && !options.turntable)
+    throw base::Error(options.inputs.model.string(), "there are no keys in time, so that nothing moves",
+                      "set keys on the timeline and save the session, or add --turntable");
+  base::check_replaceable(video ? options.output : base::NumberedName(options.output).file(1));
+  TerminalProgress work("Drawing " + options.output.filename().string());
+  PictureOptions picture = options.picture;
+  picture.viewer.probe = picture.panels;
+  picture.panels_of_session = false;
+  const PictureRun run = picture_run(options, opened.document->timeline);
+  const auto offscreen = viewer_of(picture, std::move(opened));
+  const PicturesReport report = write_pictures(*offscreen, run, work.progress());
+  print_messages(offscreen->viewer().workspace());
+  say(options.output, {run.frames.size(), report.there, base::counted(run.frames.size(), "picture"), {}});
+  return exit_ok;
+}
+
+int animate(const AnimateOptions& options) {
+  const std::string extension = mesh::extension_of(options.output);
+  try {
+    check_output(options);
+    return extension == "png" || is_video_format(extension) ? write_pictures(options) : write_models(options);
+  } catch (const base::Cancelled&) {
+    throw base::Error(options.output.string(), "stopped",
+                      is_video_format(extension)
+                          ? "no file was changed"
+                          : "what is whole stays; the same command goes on from there");
+  }
+}
+
+}  // namespace
+
+void add_animate_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("animate", "Write the frames of a session's timeline");
+  auto o = std::make_shared<AnimateOptions>();
+  add_input_options(*command, o->inputs);
+  add_file_option(*command, "-o,--output", o->output,
+                  "File to write; the extension chooses the format: .pc2 and .mdd (point caches), .glb and "
+                  ".gltf (morph targets), numbered models or pictures (frame_####.obj, .ply, .off, .stl, "
+                  ".glb, .png), or, by ffmpeg, .mp4, .webm, .mkv and .gif")
+      ->required();
+  add_file_option(*command, "--keys", o->keys,
+                  "Keys in place of the session's: numbered posed cages (pose_####.obj: the number is the "
+                  "frame), a point cache of the cage, or a glTF file of it with morph targets");
+  add_frames_option(*command, o->frames);
+  auto* step = command->add_option("--step", o->step, "Every so many frames; of glTF, morph targets there");
+  whole_in_range(step, 1, 1'000'000)->default_str("1; of glTF, as many as --tolerance needs");
+  auto* rate = command->add_option("--rate", o->rate, "Frames a second");
+  in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)
+      ->default_str("as in the session");
+  auto* tolerance = command->add_option(
+      "--tolerance", o->tolerance,
+      "Of morph targets: how far the lines between them may lead from the motion, in diagonals of the model");
+  in_range(tolerance, 1e-7, 1)->default_str("0.0001");
+  command->add_flag("--straight", o->straight, "The cage's vertices go straight from key to key");
+  command->add_flag("--turntable", o->turntable, "Pictures go once round the model");
+  add_digits_option(*command, o->digits);
+  add_force_option(*command, o->force);
+  add_picture_options(*command, o->picture);
+  command->callback([o, command, &action] {
+    check_usage(o->inputs);
+    if (!o->inputs.session() && o->keys.empty() && !o->turntable) throw CLI::RequiredError("--keys");
+    take_given(*command, o->picture);
+    o->every_frame = command->count("--step") > 0;
+    action = [o] { return animate(*o); };
+  });
+}
+
+}  // namespace viete::app

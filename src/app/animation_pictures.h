@@ -1,0 +1,39 @@
+// Pictures of the frames of a timeline: numbered PNG files, or a video made by ffmpeg.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/offscreen_viewer.h"
+#include "base/progress.h"
+
+namespace viete::app {
+
+struct PictureRun {
+  std::filesystem::path file;  ///< frame_####.png, or a video
+  std::vector<int> frames;
+  double rate = 24;               ///< frames of the timeline a second
+  int step = 1;                   ///< frames of it from one picture to the next
+  bool turntable = false;         ///< once round the model, from the first picture to the last
+  bool replaces_foreign = false;  ///< pictures that somebody else has made are replaced
+};
+
+struct PicturesReport {
+  std::size_t there = 0;  ///< pictures that an earlier run had made
+};
+
+/// "mp4", "webm", "mkv" and "gif".
+bool is_video_format(const std::string& extension);
+
+/// Of the viewer's document, whose timeline and camera keys are followed. Pictures are whole files or none,
+/// and those of the same that an earlier run has made are not made again, see base::MadeFiles; a video is
+/// there as a whole or not at all. Throws base::Error, also where ffmpeg is not installed, and
+/// base::Cancelled.
+PicturesReport write_pictures(OffscreenViewer& offscreen, const PictureRun& run, base::Progress& progress);
+
+/// The words that run ffmpeg for a video of pictures of that size, four bytes a pixel, which it reads.
+std::vector<std::string> ffmpeg_words(const std::string& extension, int width, int height, double rate,
+                                      const std::filesystem::path& to);
+
+}  // namespace viete::app

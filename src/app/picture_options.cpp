@@ -1,0 +1,97 @@
+#include "app/picture_options.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/inputs.h"
+#include "app/options.h"
+#include "base/error.h"
+
+namespace viete::app {
+
+namespace {
+
+const std::map<std::string, scene::StandardView> looks = {
+    {"home", scene::StandardView::home},    {"front", scene::StandardView::front},
+    {"back", scene::StandardView::back},    {"left", scene::StandardView::left},
+    {"right", scene::StandardView::right},  {"top", scene::StandardView::top},
+    {"bottom", scene::StandardView::bottom}};
+
+// Flags switch on top of what the session, or else the default for pictures, has.
+scene::ViewOptions view_of(const PictureOptions& options, const std::optional<scene::Session>& session) {
+  scene::ViewOptions view = session ? session->view : scene::ViewOptions{.panels = false, .hints = false};
+  view.panels = options.panels || (options.panels_of_session && view.panels);
+  view.hints = false;
+  view.dark &= !options.light;
+  view.cage &= !options.no_cage;
+  view.wireframe |= options.wireframe;
+  view.error_map |= options.error_map;
+  view.grid &= !options.no_grid;
+  const auto all = scene::all_shadings();
+  const auto asked = std::ranges::find(all, options.shading, &scene::ShadingChoice::word);
+  if (asked != all.end()) view.shading = static_cast<scene::Shading>(asked - all.begin());
+  return view;
+}
+
+// A session has its own camera, which another look replaces.
+void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
+  viewer.frame(0);  // places the viewport that framing needs
+  if (has_camera && !options.look_given) return;
+  scene::Workspace& workspace = viewer.workspace();
+  workspace.camera.look(looks.at(options.look));
+  workspace.camera.animate(1);
+  scene::frame_all(workspace, false);
+}
+
+}  // namespace
+
+std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene::Opened&& opened) {
+  const std::optional<scene::Session> session = opened.session;
+  ViewerOptions viewer = options.viewer;
+  if (session && session->window && !options.size_given) viewer.size = *session->window;
+  auto offscreen = std::make_unique<OffscreenViewer>(viewer);
+  scene::Workspace& workspace = offscreen->viewer().workspace();
+  scene::take(workspace, std::move(opened));
+  workspace.view = view_of(options, session);
+  workspace.attended = false;
+  aim(offscreen->viewer(), session && session->camera, options);
+  return offscreen;
+}
+
+void print_messages(const scene::Workspace& workspace) {
+  if (const auto& cage = workspace.document.cage) print_notes(cage->warnings);
+  for (const auto& message : workspace.messages.all()) {
+    if (message.severity == scene::Severity::error) throw base::Error("", message.text);
+    print_notes({message.text});
+  }
+  print_notes(workspace.pose_notes);
+}
+
+void add_picture_options(CLI::App& command, PictureOptions& options) {
+  add_size_option(command, options.viewer.size);
+  auto* scale = command.add_option("--scale", options.viewer.scale, "Device pixels per logical pixel");
+  in_range(scale, 0.5, 4)->default_str("1");
+  add_binding_option(command, options.viewer.bindings.named);
+  auto* look = command.add_option("--look", options.look, "home, front, back, left, right, top or bottom");
+  one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
+  auto* shading = command.add_option("--shading", options.shading,
+                                     "clay, porcelain, jade, file (as it says), checker, normals or zebra");
+  one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");
+  command.add_flag("--panels", options.panels, "With the panels");
+  command.add_flag("--light", options.light, "Light theme");
+  command.add_flag("--wireframe", options.wireframe, "With the edges of the mesh");
+  command.add_flag("--error-map", options.error_map,
+                   "With the error of the exponential as colours on the mesh");
+  command.add_flag("--no-cage", options.no_cage, "Without the cage");
+  command.add_flag("--no-grid", options.no_grid, "Without the ground grid");
+}
+
+void take_given(const CLI::App& command, PictureOptions& options) {
+  options.size_given = command.count("--size") > 0;
+  options.look_given = command.count("--look") > 0;
+}
+
+}  // namespace viete::app

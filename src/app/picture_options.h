@@ -1,0 +1,34 @@
+// How a command's pictures look: size, camera and what is shown, and a viewer without a window that is set up
+// so.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "app/offscreen_viewer.h"
+#include "app/saved_bindings.h"
+#include "scene/open.h"
+
+namespace viete::app {
+
+struct PictureOptions {
+  ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
+  bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
+  std::string look = "home", shading;
+  bool panels_of_session = true;                ///< are shown where its window had them
+  bool size_given = false, look_given = false;  ///< after parsing, see take_given()
+};
+
+/// --size, --scale, --binding, --look, --shading and flags. The target must outlive parsing.
+void add_picture_options(CLI::App& command, PictureOptions& options);
+/// What was given, and not left as it is.
+void take_given(const CLI::App& command, PictureOptions& options);
+
+/// A viewer of what was opened, with the camera and the view of its session where these are not asked for
+/// otherwise. Its first picture is there once it has settled.
+std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene::Opened&& opened);
+
+/// What the viewer has to say, on stderr. Throws base::Error where it could not do its work.
+void print_messages(const scene::Workspace& workspace);
+
+}  // namespace viete::app

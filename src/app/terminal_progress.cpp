@@ -1,0 +1,72 @@
+#include "app/terminal_progress.h"
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <utility>
+
+#include "base/clock.h"
+
+namespace viete::app {
+
+namespace {
+
+constexpr const char* clear_line = "\r\x1B[K";
+
+}  // namespace
+
+TerminalProgress::TerminalProgress(std::string what)
+    : what_(std::move(what)), shows_(isatty(STDERR_FILENO) == 1) {
+  sigemptyset(&signals_);
+  sigaddset(&signals_, SIGINT);
+  sigaddset(&signals_, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals_, &before_);
+  watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+}
+
+TerminalProgress::~TerminalProgress() {
+  watcher_.request_stop();
+  watcher_.join();
+  if (shows_) std::fputs(clear_line, stderr);
+  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void TerminalProgress::watch(const std::stop_token& stop) {
+  constexpr timespec tick{0, 50'000'000};
+  constexpr double shown_every = 0.2;
+  const double begun = base::wall_seconds();
+  double shown = begun;
+  bool told = false;
+  while (!stop.stop_requested()) {
+    if (sigtimedwait(&signals_, nullptr, &tick) > 0) {
+      if (std::exchange(told, true)) std::_Exit(128 + SIGINT);
+      progress_.cancel();
+    }
+    const double now = base::wall_seconds();
+    if (!shows_ || now - shown < shown_every) continue;
+    show(now - begun);
+    shown = now;
+  }
+}
+
+void TerminalProgress::show(double seconds) const {
+  std::fprintf(stderr, "%s%s: %s", clear_line, what_.c_str(),
+               progress_text(progress_.done(), seconds).c_str());
+  std::fflush(stderr);
+}
+
+std::string progress_text(double done, double seconds) {
+  constexpr double known = 0.01, surely = 1;  // before these nothing is foreseen
+  std::string text = std::to_string(static_cast<int>(100 * done)) + " %";
+  if (done < known || seconds < surely) return text;
+  const double left = std::ceil(seconds * (1 - done) / done);
+  constexpr double minute = 60, long_time = 120;
+  if (left < long_time) return text + ", " + std::to_string(static_cast<long>(left)) + " s left";
+  return text + ", " + std::to_string(static_cast<long>(std::ceil(left / minute))) + " min left";
+}
+
+}  // namespace viete::app

@@ -1,0 +1,125 @@
+#include "base/child_program.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include "base/error.h"
+#include "base/printable.h"
+
+namespace viete::base {
+
+namespace {
+
+// What it inherits: no more than its three files, no signal that is held back, and a group of its own.
+struct SpawnSettings {
+  posix_spawn_file_actions_t files{};
+  posix_spawnattr_t attributes{};
+
+  SpawnSettings(int input, int errors) {
+    posix_spawn_file_actions_init(&files);
+    posix_spawnattr_init(&attributes);
+    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
+    sigset_t none;
+    sigemptyset(&none);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+  }
+  ~SpawnSettings() {
+    posix_spawn_file_actions_destroy(&files);
+    posix_spawnattr_destroy(&attributes);
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+};
+
+}  // namespace
+
+ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::string& advice)
+    : name_(words.front()) {
+  // A socket, because a pipe that nobody reads would end this program by a signal.
+  int ends[2] = {-1, -1};
+  errors_ = memfd_create("errors", MFD_CLOEXEC);
+  if (errors_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    const int code = errno;
+    if (errors_ >= 0) close(errors_);
+    throw Error(name_, std::string("cannot be run: ") + std::strerror(code), "close other programs");
+  }
+  input_ = ends[0];
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  const SpawnSettings settings(ends[1], errors_);
+  const int code = posix_spawnp(&process_, name_.c_str(), &settings.files, &settings.attributes,
+                                arguments.data(), environ);
+  close(ends[1]);
+  if (code == 0) return;
+  process_ = 0;
+  close_input();
+  close(errors_);
+  const bool missing = code == ENOENT;
+  throw Error(
+      name_, missing ? "this program is not installed" : std::string("cannot be run: ") + std::strerror(code),
+      advice);
+}
+
+ChildProgram::~ChildProgram() {
+  close_input();
+  if (process_ > 0) {
+    kill(process_, SIGKILL);
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+  close(errors_);
+}
+
+void ChildProgram::close_input() {
+  if (input_ >= 0) close(std::exchange(input_, -1));
+}
+
+void ChildProgram::write(std::span<const unsigned char> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t sent = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) {
+      finish();  // says what it has said
+      fail();
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(sent));
+  }
+}
+
+void ChildProgram::finish() {
+  close_input();
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = 0;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
+}
+
+void ChildProgram::fail() {
+  const std::string text = said();
+  throw Error(name_, text.empty() ? "it ended before its work was done" : "it says: " + printable(text, 600),
+              "check that its installation is whole, and the disk has space");
+}
+
+std::string ChildProgram::said() const {
+  std::string text(4096, '\0');
+  const ssize_t got = pread(errors_, text.data(), text.size(), 0);
+  text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  return text;
+}
+
+}  // namespace viete::base

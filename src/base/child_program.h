@@ -1,0 +1,37 @@
+// Another program that is run with bytes on its standard input.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace viete::base {
+
+/// Its standard output is thrown away, its standard error kept to be said. Ctrl+C in a terminal does not
+/// reach it: who runs it ends it. One thread at a time.
+class ChildProgram {
+public:
+  /// words: the program, looked for in PATH, and its arguments, as they are: no shell. Throws Error where it
+  /// is not installed, with this advice, or cannot be run.
+  ChildProgram(const std::vector<std::string>& words, const std::string& advice);
+  /// One that still runs is killed.
+  ~ChildProgram();
+  ChildProgram(const ChildProgram&) = delete;
+  ChildProgram& operator=(const ChildProgram&) = delete;
+
+  /// Throws Error where it takes no more: with what it has said.
+  void write(std::span<const unsigned char> bytes);
+  /// Waits for its end. Throws Error where that is no success, with what it has said.
+  void finish();
+
+private:
+  [[noreturn]] void fail();
+  void close_input();
+  std::string said() const;
+
+  std::string name_;
+  int process_ = 0, input_ = -1, errors_ = -1;
+};
+
+}  // namespace viete::base

@@ -1,0 +1,13 @@
+// Commands that read and write poses and animations.
+#pragma once
+
+#include <vector>
+
+#include "scene/commands.h"
+
+namespace viete::scene {
+
+/// In the order of the help.
+std::vector<Command> animation_file_commands();
+
+}  // namespace viete::scene
