@@ -1,5 +1,6 @@
 #include "scene/commands.h"
 #include "scene/picking.h"
+#include "ui/mouse_words.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -20,7 +21,8 @@ void brush_ring(const Context& ui, const scene::Workspace& w) {
   draw.AddCircleFilled(at, 2, faded(ui.colors.text, 0.9f));
 }
 
-void centered(const Context& ui, float y, const char* text, ImU32 color) {
+void centered(const Context& ui, float y, const std::string& line, ImU32 color) {
+  const char* const text = line.c_str();
   const auto& v = ui.workspace.viewport;
   ImGui::PushFont(ui.fonts.text);
   const ImVec2 size = ImGui::CalcTextSize(text);
@@ -32,7 +34,8 @@ void centered(const Context& ui, float y, const char* text, ImU32 color) {
 
 void editing_hint(const Context& ui) {
   const auto& v = ui.workspace.viewport;
-  centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     Tab goes back to posing it",
+  const std::string key = key_or_label(ui.workspace.remembered.keymap, "edit_cage");
+  centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     " + key + " goes back to posing it",
            ui.colors.accent);
 }
 
@@ -40,7 +43,8 @@ void hints(const Context& ui) {
   const auto& v = ui.workspace.viewport;
   const float bottom = v.origin.y + v.size.y;
   centered(ui, bottom - 34,
-           "Drag a vertex of the cage     Switch the method in the Lab     F1 shows every key",
+           "Drag a vertex of the cage     Switch the method in the Lab     " +
+               key_or_label(ui.workspace.remembered.keymap, "help") + " shows every key",
            faded(ui.colors.text, 0.75f));
 }
 
@@ -65,7 +69,8 @@ void view_overlay(const Context& ui) {
   if (w.interaction.brush) brush_ring(ui, w);
   if (w.binding.running || w.loading.running || w.making_cage.running) return;  // their bar is there
   if (w.document.kept_pose && w.view.panels) return editing_hint(ui);
-  const bool room = !scene::shows_error_map(w) && !scene::shows_mask(w);  // the legend takes it, or paint
+  const bool room =  // the legend takes it, or paint, or what is to be done first
+      !scene::shows_error_map(w) && !scene::shows_mask(w) && !offers_next_step(w);
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }
 
