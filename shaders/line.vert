@@ -2,14 +2,14 @@
 #version 330 core
 
 uniform usamplerBuffer segments;  // two point numbers
-uniform samplerBuffer points, colors;
+uniform samplerBuffer points, colors;  // colours: two a segment, of its ends
 uniform mat4 eye_from_model, clip_from_eye;
 uniform vec2 viewport;
 uniform float width;  // device pixels
 
 out vec2 place;  // pixels along and across the segment, from its first end
 flat out float segment_length;
-flat out vec4 segment_color;
+flat out vec4 first_color, last_color;
 
 // Clip position with a depth a little nearer to the eye than the truth: lines win over faces they lie on. Nearer by a
 // share of what the view is high there, which a perspective and an orthographic camera have in common.
@@ -24,7 +24,8 @@ vec4 project(uint point) {
 void main() {
   int segment = gl_VertexID / 6, corner = gl_VertexID % 6;
   uvec2 ends = texelFetch(segments, segment).xy;
-  segment_color = texelFetch(colors, segment);
+  first_color = texelFetch(colors, 2 * segment);
+  last_color = texelFetch(colors, 2 * segment + 1);
   vec4 a = clip_from_eye * (eye_from_model * vec4(texelFetch(points, int(ends.x)).xyz, 1.0));
   vec4 b = clip_from_eye * (eye_from_model * vec4(texelFetch(points, int(ends.y)).xyz, 1.0));
   float front_a = a.z + a.w, front_b = b.z + b.w;  // distance in front of the near plane

@@ -111,15 +111,17 @@ vec3 material(vec3 n, vec3 v, float open) {
 #endif
 
 #ifdef ZEBRA
-// Stripes of a hall of lamps, mirrored: where they bend or break, the surface's curvature does. Grey where they are
-// finer than pixels.
+// Stripes of a hall of lamps, mirrored: where they bend or break, the surface's curvature does. Their edges are soft,
+// and the more of them follow one another within a few pixels, as on scales, the fainter they are: it is the forms that
+// are read by them.
 vec3 material(vec3 n, vec3 v, float open) {
   vec3 r = reflect(-v, n);
-  float at = 4.5 * r.y, width = max(fwidth(at), 1e-4);
-  float edge = clamp((abs(fract(at) - 0.5) - 0.25) / width + 0.5, 0.0, 1.0);
-  float stripe = mix(edge, 0.5, smoothstep(0.5, 1.0, width));
+  float at = 3.0 * r.y, width = max(fwidth(at), 1e-4);  // stripes, and how many of them a pixel takes
+  float soft = max(0.07, 0.5 * width);
+  float edge = smoothstep(0.25 - soft, 0.25 + soft, abs(fract(at) - 0.5));
+  float stripe = mix(edge, 0.5, 0.8 * smoothstep(0.02, 0.3, width));
   float lit = (0.55 + 0.45 * max(0.0, dot(n, v))) * mix(0.6, 1.0, open);
-  return mix(vec3(0.012, 0.016, 0.022), vec3(0.86), stripe) * lit;
+  return mix(vec3(0.02, 0.025, 0.033), vec3(0.80), stripe) * lit;
 }
 #endif
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/clock.h"
 #include "base/error.h"
 #include "scene/saving.h"
 #include "scene/session.h"
@@ -13,8 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double longest_wait = 1e-3;  // seconds of a frame
-constexpr double patience = 10;        // seconds before the question whether to go on without
+constexpr double settled_seconds = 0.5;  // until what moves is written
+constexpr double longest_wait = 1e-3;    // seconds of a frame
+constexpr double patience = 10;          // seconds before the question whether to go on without
 
 void make_folder(const fs::path& folder) {
   std::error_code code;
@@ -37,7 +39,7 @@ void Autosave::follow(scene::Workspace& workspace) {
   const Moment now{workspace.opened,         document.history.revision(),
                    workspace.saved.revision, document.revisions.method,
                    workspace.view,           document.model.unit};
-  if (now == seen_) return;
+  if (now == seen_) return follow_surroundings(workspace);
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {
     take_result(workspace, patience);
@@ -54,15 +56,29 @@ void Autosave::follow(scene::Workspace& workspace) {
   take_result(workspace, longest_wait);
 }
 
+bool Autosave::rested() const {
+  return around_changed_ && base::wall_seconds() - *around_changed_ > settled_seconds;
+}
+
+// They are no edits: only where a file keeps some they are kept with them.
+void Autosave::follow_surroundings(scene::Workspace& workspace) {
+  const Surroundings now{workspace.camera.destination(), workspace.handling, workspace.document.frame};
+  if (std::exchange(around_, now) != now) around_changed_ = base::wall_seconds();
+  if (!has_file_) around_changed_.reset();
+  if (!rested() || writing_.valid()) return;
+  write(workspace);
+  take_result(workspace, longest_wait);
+}
+
 bool Autosave::has_news() const {
-  return base::is_ready(writing_);
+  return base::is_ready(writing_) || (rested() && !writing_.valid());
 }
 
 bool Autosave::keep_now(scene::Workspace& workspace) {
   follow(workspace);
   if (folder_.empty()) return false;
   take_result(workspace, patience);
-  if (!kept_ && !writing_.valid()) {
+  if ((!kept_ || around_changed_) && !writing_.valid()) {
     write(workspace);
     take_result(workspace, patience);
   }
@@ -83,6 +99,8 @@ std::string Autosave::problem() const {
 void Autosave::write(scene::Workspace& workspace) {
   kept_ = false;
   has_file_ = true;
+  around_ = {workspace.camera.destination(), workspace.handling, workspace.document.frame};
+  around_changed_.reset();
   replaced_ = workspace.recovered_from;
   std::erase_if(workspace.leftovers, [&](const auto& leftover) { return leftover.file == replaced_; });
   writing_ =

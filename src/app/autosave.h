@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <future>
+#include <optional>
 #include <string>
 
 #include "base/background.h"
@@ -12,7 +13,8 @@
 namespace viete::app {
 
 /// After each finished edit, and each setting that is made after it, the whole session is written aside,
-/// replacing the one before; the frame waits for it a millisecond at most. The file goes away when the edits
+/// replacing the one before; the frame waits for it a millisecond at most. Where one looks from and how the
+/// hand works are written once they have rested for half a second. The file goes away when the edits
 /// are saved or taken back. When another document is opened over unsaved edits, their file is set aside and
 /// offered as a leftover. Whatever way the program ends, the next start finds what is unsaved. Edits are kept
 /// once they are written, not before; what cannot be written is a message, and tried again with the next
@@ -48,6 +50,16 @@ private:
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 
+  // What goes on changing while the mouse moves, and is no edit.
+  struct Surroundings {
+    scene::CameraPose camera;
+    scene::Handling handling;
+    double frame = 1;
+    friend bool operator==(const Surroundings&, const Surroundings&) = default;
+  };
+
+  void follow_surroundings(scene::Workspace& workspace);
+  bool rested() const;
   void write(scene::Workspace& workspace);
   void take_result(scene::Workspace& workspace, double wait_seconds);
   bool move_aside(scene::Workspace& workspace);
@@ -56,6 +68,8 @@ private:
   std::filesystem::path folder_, file_;
   base::BackgroundQueue& queue_;
   Moment seen_;
+  Surroundings around_;
+  std::optional<double> around_changed_;  // seconds of wall time; nothing: they are written
   std::future<void> writing_;
   std::filesystem::path replaced_;  // the leftover that is open and goes once its edits are written here
   bool kept_ = false, has_file_ = false;

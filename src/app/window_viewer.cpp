@@ -14,6 +14,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "platform/window.h"
+#include "scene/commands.h"
 #include "scene/saving.h"
 
 namespace viete::app {
@@ -51,6 +52,7 @@ private:
   void listen();
   void draw(float seconds);
   void set_title();
+  void follow_full_screen();
   void call_for_attention();
   void say_farewell();
 
@@ -75,7 +77,7 @@ void WindowViewer::listen() {
   };
   events.exposed = [this] {
     viewer_.resize(window_.size());
-    viewer_.workspace().remembered.window = window_.size();
+    if (!window_.full_screen()) viewer_.workspace().remembered.window = window_.size();
     exposed_ = true;
   };
   window_.listen(std::move(events));
@@ -83,6 +85,19 @@ void WindowViewer::listen() {
 
 void WindowViewer::set_title() {
   window_.set_title(scene::window_title(viewer_.workspace()));
+}
+
+// Without a title bar nothing says how to come back, so that is said.
+void WindowViewer::follow_full_screen() {
+  scene::Workspace& w = viewer_.workspace();
+  if (w.full_screen == window_.full_screen()) return;
+  window_.set_full_screen(w.full_screen);
+  w.full_screen = window_.full_screen();  // as far as there is a screen to fill
+  exposed_ = true;
+  if (!w.full_screen) return;
+  const scene::Command& command = *scene::find_command("toggle_full_screen");
+  const std::string key = scene::text(w.remembered.keymap.of(command).first);
+  w.messages.info(key.empty() ? "The menu View leaves full screen." : key + " leaves full screen.");
 }
 
 // The window may be behind others when the program is asked to end.
@@ -100,6 +115,7 @@ void WindowViewer::draw(float seconds) {
   window_.present(viewer_.framebuffer());
   set_title();
   call_for_attention();
+  follow_full_screen();
 }
 
 // That edits are kept is said where they were made, for as long as it takes to read.

@@ -46,15 +46,36 @@ render::Paint paint_of(scene::Shading shading, bool file_says_something) {
 
 namespace {
 
-// A ramp from the cage's colour to that of the selection, by what goes along.
-void soften(const scene::Workspace& w, const render::Theme& theme, std::vector<render::Disc>& discs) {
-  if (!w.handling.soft.on || scene::moving_vertices(w.document).empty()) return;
+// How much of the motion each vertex of the cage makes; nothing where nothing goes along softly.
+std::vector<float> soft_shares(const scene::Workspace& w) {
+  if (!w.handling.soft.on || scene::moving_vertices(w.document).empty()) return {};
+  std::vector<float> shares(w.document.pose.positions.size(), 0.0f);
   const auto& drag = w.interaction.drag;
-  for (const auto& g : drag ? drag->grip().vertices : scene::grip_of(w).vertices) {
-    const auto share = static_cast<float>(g.share);
-    if (share < 1)
-      discs[g.vertex] = {opaque(glm::mix(theme.cage, theme.selection, share)), 3 + 1.5f * share, false};
+  for (const auto& g : drag ? drag->grip().vertices : scene::grip_of(w).vertices)
+    shares[g.vertex] = static_cast<float>(g.share);
+  return shares;
+}
+
+// A ramp from the cage's colour to that of the selection, by what goes along.
+glm::vec4 ramp(const render::Theme& theme, float share) {
+  return opaque(glm::mix(theme.cage, theme.selection, share));
+}
+
+void soften(const std::vector<float>& shares, const render::Theme& theme, std::vector<render::Disc>& discs) {
+  for (std::size_t v = 0; v < shares.size(); ++v) {
+    const float share = shares[v];
+    if (share > 0 && share < 1) discs[v] = {ramp(theme, share), 3 + 1.5f * share, false};
   }
+}
+
+std::vector<glm::vec4> ramp_of_ends(const std::vector<float>& shares, const render::Theme& theme,
+                                    const std::vector<render::Segment>& segments) {
+  std::vector<glm::vec4> colors;
+  colors.reserve(2 * segments.size());
+  for (const auto& segment : segments) {
+    for (const auto v : segment) colors.push_back(ramp(theme, shares[v]));
+  }
+  return colors;
 }
 
 }  // namespace
@@ -123,11 +144,11 @@ void WorkspaceRenderer::set_another_cage(const scene::Document& document, const 
 void WorkspaceRenderer::set_shown_edges(const scene::Document& document) {
   hidden_ = document.groups.hidden;
   const auto hidden = scene::hidden_elements(document, scene::ElementKind::edge);
-  std::vector<render::Segment> segments;
+  shown_edges_.clear();
   for (std::size_t e = 0; e < hidden.size(); ++e) {
-    if (!hidden[e]) segments.push_back(document.cage->edges[e]);
+    if (!hidden[e]) shown_edges_.push_back(document.cage->edges[e]);
   }
-  cage_lines_.set_segments(segments, document.pose.positions.size());
+  cage_lines_.set_segments(shown_edges_, document.pose.positions.size());
   cage_lines_.set_positions(document.pose.positions);
 }
 
@@ -164,13 +185,18 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   for (const auto v : scene::selected_vertices(*document.cage, document.selection)) {
     discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
   }
-  soften(workspace, theme, discs);
+  const std::vector<float> shares = soft_shares(workspace);
+  soften(shares, theme, discs);
   for (const auto v : document.groups.hidden) discs[v].radius = 0;
   if (hidden_ != document.groups.hidden) set_shown_edges(document);
   if (const auto v = workspace.interaction.hovered; vertices && v && *v < discs.size()) discs[*v].ring = true;
   marks_.set(workspace, theme);
   cage_vertices_.set_discs(discs);
-  cage_lines_.set_color(opaque(theme.cage));
+  if (shares.empty()) {
+    cage_lines_.set_color(opaque(theme.cage));
+  } else {
+    cage_lines_.set_end_colors(ramp_of_ends(shares, theme, shown_edges_));
+  }
   ghost_lines_.set_color(opaque(theme.cage));
 }
 

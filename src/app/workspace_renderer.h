@@ -72,7 +72,8 @@ private:
     friend bool operator==(const Colored&, const Colored&) = default;
   };
   std::optional<Colored> colored_;
-  std::vector<std::uint32_t> hidden_;  // vertices of the cage, as its lines are drawn
+  std::vector<std::uint32_t> hidden_;         // vertices of the cage, as its lines are drawn
+  std::vector<render::Segment> shown_edges_;  // which those are
   std::size_t model_vertices_ = 0;
 };
 

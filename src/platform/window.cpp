@@ -77,6 +77,7 @@ GLFWwindow* open_window(glm::ivec2 size) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, 0);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // full screen stays while one works on another screen
     // Whose window it is: the desktop looks for these in assets/desktop/viete.desktop.
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
@@ -116,6 +117,33 @@ void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   const auto wanted = units.x == pixels ? glm::ivec2(glm::vec2(size) * scale) : size;
   const glm::ivec2 fitting = glm::min(wanted, room_for(window, wanted));
   if (fitting != units) glfwSetWindowSize(window, fitting.x, fitting.y);
+}
+
+struct Area {
+  glm::ivec2 low, high;
+};
+
+Area area_of(GLFWmonitor* screen) {
+  glm::ivec2 corner{0, 0};
+  glfwGetMonitorPos(screen, &corner.x, &corner.y);
+  const GLFWvidmode* mode = glfwGetVideoMode(screen);
+  return {corner, corner + (mode ? glm::ivec2(mode->width, mode->height) : glm::ivec2(0))};
+}
+
+// Which shows most of it; null if there is none. Some systems do not tell where windows are: the first one
+// then.
+GLFWmonitor* screen_of(const Area& window) {
+  int count = 0;
+  GLFWmonitor** const screens = glfwGetMonitors(&count);
+  GLFWmonitor* best = glfwGetPrimaryMonitor();
+  int most = 0;
+  for (int i = 0; i < count; ++i) {
+    const Area screen = area_of(screens[i]);
+    const glm::ivec2 shared =
+        glm::max(glm::ivec2(0), glm::min(window.high, screen.high) - glm::max(window.low, screen.low));
+    if (shared.x * shared.y > most) best = screens[i], most = shared.x * shared.y;
+  }
+  return best;
 }
 
 Window& of(GLFWwindow* window) {
@@ -245,6 +273,27 @@ bool Window::asked_to_close() {
 void Window::set_title(const std::string& title) {
   if (title != title_) glfwSetWindowTitle(handle_, title.c_str());
   title_ = title;
+}
+
+bool Window::full_screen() const {
+  return windowed_.has_value();
+}
+
+void Window::set_full_screen(bool full) {
+  if (full == full_screen()) return;
+  if (!full) {
+    const Place place = *std::exchange(windowed_, std::nullopt);
+    return glfwSetWindowMonitor(handle_, nullptr, place.corner.x, place.corner.y, place.size.x, place.size.y,
+                                GLFW_DONT_CARE);
+  }
+  Place place{};
+  glfwGetWindowPos(handle_, &place.corner.x, &place.corner.y);
+  glfwGetWindowSize(handle_, &place.size.x, &place.size.y);
+  GLFWmonitor* const screen = screen_of({place.corner, place.corner + place.size});
+  const GLFWvidmode* const mode = screen ? glfwGetVideoMode(screen) : nullptr;
+  if (!mode) return;
+  windowed_ = place;
+  glfwSetWindowMonitor(handle_, screen, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 void Window::call_for_attention() {

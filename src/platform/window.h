@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ public:
   bool asked_to_close();
 
   void set_title(const std::string& title);
+  /// Over the whole screen that shows most of it, or back to its place and size there. Nothing where it is
+  /// so.
+  void set_full_screen(bool full);
+  bool full_screen() const;
   /// The window may be behind others.
   void call_for_attention();
   void present(render::Framebuffer& framebuffer);
@@ -64,6 +69,10 @@ private:
   std::unique_ptr<render::Gl> gl_;
   WindowEvents events_;
   std::string title_;
+  struct Place {
+    glm::ivec2 corner, size;
+  };
+  std::optional<Place> windowed_;  ///< where it goes back to, while it fills the screen
 };
 
 }  // namespace viete::platform

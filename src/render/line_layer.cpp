@@ -14,7 +14,7 @@ LineLayer::LineLayer(const Gl& gl)
 
 void LineLayer::set_segments(std::span<const Segment> segments, std::size_t point_count) {
   require_indices("line segments", segments, point_count);
-  require_texels(gl_, "line segments", segments.size());
+  require_texels(gl_, "line ends", 2 * segments.size());
   require_texels(gl_, "line points", point_count);
   segments_.buffer.upload(segments.data(), segments.size_bytes(), GL_STATIC_DRAW);
   segment_count_ = segments.size();
@@ -32,12 +32,20 @@ void LineLayer::set_positions(std::span<const Point> positions) {
 
 void LineLayer::set_colors(std::span<const glm::vec4> colors) {
   require_count("line colours", colors.size(), segment_count_);
+  std::vector<glm::vec4> ends;
+  ends.reserve(2 * colors.size());
+  for (const glm::vec4& color : colors) ends.insert(ends.end(), 2, color);
+  set_end_colors(ends);
+}
+
+void LineLayer::set_end_colors(std::span<const glm::vec4> colors) {
+  require_count("colours of line ends", colors.size(), 2 * segment_count_);
   colors_.buffer.upload(colors.data(), colors.size_bytes(), GL_DYNAMIC_DRAW);
 }
 
 void LineLayer::set_color(const glm::vec4& color) {
-  const std::vector<glm::vec4> colors(segment_count_, color);
-  set_colors(colors);
+  const std::vector<glm::vec4> colors(2 * segment_count_, color);
+  set_end_colors(colors);
 }
 
 void LineLayer::draw(const View& view, const LineStyle& style) const {

@@ -34,6 +34,8 @@ public:
   void set_positions(std::span<const Point> positions);
   /// One colour per segment as displayed, alpha 0 to 1. Until then lines are white.
   void set_colors(std::span<const glm::vec4> colors);
+  /// Two per segment: of its ends, and between them what lies between.
+  void set_end_colors(std::span<const glm::vec4> colors);
   /// The same colour for all.
   void set_color(const glm::vec4& color);
 

@@ -13,6 +13,7 @@
 #include "scene/animation_file_commands.h"
 #include "scene/cage_editing.h"
 #include "scene/command_conditions.h"
+#include "scene/edge_rings.h"
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/file_commands.h"
@@ -143,6 +144,14 @@ void select_loop(Workspace& w) {
   if (loop == w.document.selection)
     w.messages.info("No loop goes on from there: select an edge, or two neighbouring vertices or faces.");
   set_selection(w.document, std::move(loop));
+}
+
+void select_ring(Workspace& w) {
+  Selection ring = ringed(*w.document.cage, w.document.selection);
+  if (ring == w.document.selection)
+    w.messages.info("No ring goes on from there: select an edge, or two neighbouring vertices, of a quad or of two "
+                    "triangles that make one.");
+  set_selection(w.document, std::move(ring));
 }
 
 template <int Axis, bool Positive>
@@ -351,6 +360,8 @@ std::vector<Command> most_commands() {
        with_free_hand<has_selection_of_cage>, change_selection<shrunk>},
       {"select_loop", "Loop", "Select the loop of an edge, or of two neighbouring vertices or faces.", "Select",
        {key('L'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_loop},
+      {"select_ring", "Ring", "Select the edges that lie opposite, across quads and pairs of triangles, of an edge or two neighbouring vertices.", "Select",
+       {key('R'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_ring},
       {"select_similar", "Similar", "Select vertices with as many edges, edges as long, faces as large.", "Select",
        {key('S'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_like<similar>},
       {"select_facing", "Facing", "Select faces that look the same way, or edges that are parallel, within 15 degrees.", "Select",
@@ -375,7 +386,7 @@ std::vector<Command> most_commands() {
        [](Workspace& w) { w.making.closing = true; }},
       {"cancel_cage", "Cancel", "Take the cage back that was made here.", "Cage", {}, {}, is_making,
        [](Workspace& w) { cancel_making(w.document, w.making); w.interaction.hovered.reset(); }},
-      {"hide_cage_offer", "Not now", "Work without a cage; the panel Cage still makes and opens one.", "Cage", {}, {}, has_model,
+      {"hide_cage_offer", "Not now", "Go on without it; the panels Cage and Checks still offer it.", "Cage", {}, {}, has_model,
        [](Workspace& w) { w.offer_cage = false; }},
 
       {"edit_cage", "Edit cage", "Change the cage itself, which is shown at rest; the pose is carried along.", "Cage",
@@ -461,7 +472,7 @@ std::vector<Command> most_commands() {
       {"stop_benchmark", "Cancel", "Stop measuring; what was measured before stays.", "Method", {}, {},
        is_measuring, [](Workspace& w) { w.requests.stop_benchmark = true; }},
 
-      {"frame_all", "Frame all", "See the whole model and cage.", "View", {Key::home}, {}, has_model,
+      {"frame_all", "Frame all", "See the whole model and cage.", "View", {key('F'), false, true}, {}, has_model,
        [](Workspace& w) { frame_all(w, true); }},
       {"frame_selection", "Frame selection", "See what is selected, or all if nothing is.", "View", {key('F')}, {},
        has_model, [](Workspace& w) { frame_selection(w, true); }},
@@ -471,7 +482,7 @@ std::vector<Command> most_commands() {
       {"view_left", "Left", "Look from the left.", "View", {Key::pad3, true}, {}, always, look<V::left>},
       {"view_top", "Top", "Look from above.", "View", {Key::pad7}, {}, always, look<V::top>},
       {"view_bottom", "Bottom", "Look from below.", "View", {Key::pad7, true}, {}, always, look<V::bottom>},
-      {"view_home", "Home", "Look from the front, to the right and above.", "View", {Key::pad0}, {}, always,
+      {"view_home", "Home", "Look from the front, to the right and above, at all of it.", "View", {Key::home}, {Key::pad0}, always,
        look<V::home>},
       {"toggle_orthographic", "Orthographic", "Look without perspective: equal lengths look equal.", "View", {Key::pad5},
        {key('O')}, always, [](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); }},
@@ -510,6 +521,8 @@ std::vector<Command> most_commands() {
        [](Workspace& w) { w.remembered.dark = w.view.dark = !w.view.dark; }},
       {"toggle_panels", "Panels", "Show or hide the panels.", "View", {Key::f2}, {}, always,
        toggle<&ViewOptions::panels>},
+      {"toggle_full_screen", "Full screen", "Let the window fill the screen, or give it its size back.", "View", {Key::f11}, {}, always,
+       [](Workspace& w) { w.full_screen = !w.full_screen; }},
       {"toggle_tools", "Tools column", "Show or fold away the column of files, cage and tools.", "View", {}, {}, always,
        toggle_column_of<Column::tools>},
       {"toggle_lab", "Lab", "Show or fold away the Lab: method, timings, accuracy and benchmark.", "View", {}, {}, always,
@@ -518,6 +531,8 @@ std::vector<Command> most_commands() {
       {"help", "Keys", "Show every key and mouse action.", "Help", {Key::f1}, {}, always, toggle<&ViewOptions::help>},
       {"command_palette", "Commands", "Find any command by a few letters of its name, and run it.", "Help", {key('K'), true}, {Key::f3},
        always, [](Workspace& w) { w.palette = {!w.palette.open, true, "", 0}; }},
+      {"edit_keys", "All keys", "Every command with its key, to give it another one.", "Help", {}, {}, always,
+       [](Workspace& w) { w.key_list = {!w.key_list.open, true, "", false, {}}; }},
       {"show_messages", "Messages", "Show all that was said since the program was started, or hide it again.", "Help", {}, {}, always,
        [](Workspace& w) { w.show_messages = !w.show_messages; }},
   };

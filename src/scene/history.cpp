@@ -13,14 +13,20 @@ constexpr std::size_t memory_limit = 256u << 20;
 
 void History::record(std::string label, Snapshot before) {
   ++revision_;
-  push(std::move(label), std::move(before));
+  push(std::move(label), std::move(before), false);
 }
 
 void History::record_selection(Snapshot before) {
-  push("select", std::move(before));
+  push("select", std::move(before), true);
 }
 
-void History::push(std::string label, Snapshot before) {
+// Snapshots are whole: without one between them, the edits beside it are taken back as before.
+void History::drop_oldest() {
+  const auto selection = std::ranges::find_if(undo_, &Entry::of_selection);
+  undo_.erase(selection == undo_.end() ? undo_.begin() : selection);
+}
+
+void History::push(std::string label, Snapshot before, bool of_selection) {
   constexpr std::size_t bytes_of_cage_vertex = 1000;  // about what surface, bases and neighbourhood take
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
   const std::size_t bytes = 512 + (other_cage ? bytes_of_cage_vertex * before.pose.positions.size() : 0) +
@@ -28,8 +34,8 @@ void History::push(std::string label, Snapshot before) {
                             (before.mask ? before.mask->size() * sizeof(float) : 0);
   const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);
   redo_.clear();
-  if (undo_.size() >= limit) undo_.erase(undo_.begin());
-  undo_.push_back({std::move(label), std::move(before)});
+  if (undo_.size() >= limit) drop_oldest();
+  undo_.push_back({std::move(label), std::move(before), of_selection});
 }
 
 void History::file_replaced(const std::filesystem::path& file,
@@ -54,7 +60,7 @@ Snapshot History::undo(Snapshot now) {
   ++revision_;
   Entry entry = std::move(undo_.back());
   undo_.pop_back();
-  redo_.push_back({entry.label, std::move(now)});
+  redo_.push_back({entry.label, std::move(now), entry.of_selection});
   return std::move(entry.state);
 }
 
@@ -62,7 +68,7 @@ Snapshot History::redo(Snapshot now) {
   ++revision_;
   Entry entry = std::move(redo_.back());
   redo_.pop_back();
-  undo_.push_back({entry.label, std::move(now)});
+  undo_.push_back({entry.label, std::move(now), entry.of_selection});
   return std::move(entry.state);
 }
 

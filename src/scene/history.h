@@ -32,8 +32,9 @@ struct Snapshot {
   double frame = 1;
 };
 
-/// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. The oldest
-/// entries are dropped beyond 256 MB.
+/// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. Beyond
+/// 256 MB the oldest entries are dropped, those of the selection alone first: no number of clicks takes an
+/// edit out of reach.
 class History {
 public:
   /// An edit named `label` has just led away from `before`.
@@ -68,11 +69,13 @@ public:
   Snapshot redo(Snapshot now);
 
 private:
-  void push(std::string label, Snapshot before);
+  void push(std::string label, Snapshot before, bool of_selection);
+  void drop_oldest();
 
   struct Entry {
     std::string label;
     Snapshot state;
+    bool of_selection;  // alone
   };
   std::vector<Entry> undo_, redo_;
   unsigned long revision_ = 0;

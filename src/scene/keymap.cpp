@@ -58,7 +58,7 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
 
 // And from Maya.
 constexpr auto maya_keys = std::to_array<PresetKeys>({
-    {"frame_all", plain('A'), {Key::home}},
+    {"frame_all", plain('A'), {}},
     {"frame_selection", plain('F'), {}},
     {"select_all", {key('A'), true, true}, {}},
     {"select_none", {key('D'), false, false, true}, {}},
@@ -137,6 +137,11 @@ void Keymap::take_all_back() {
   resolve();
 }
 
+void Keymap::put(Changes changes) {
+  changes_ = std::move(changes);
+  resolve();
+}
+
 Shortcuts Keymap::of(const Command& command) const {
   const auto found = keys_.find(command.name);
   return found == keys_.end() ? Shortcuts{} : found->second;
@@ -149,6 +154,14 @@ std::vector<const Command*> Keymap::commands_of(const Shortcut& shortcut) const 
     const Shortcuts keys = of(command);
     if (keys.first == shortcut || keys.second == shortcut) found.push_back(&command);
   }
+  return found;
+}
+
+std::vector<const Command*> Keymap::losers(std::string_view command, const Shortcut& shortcut) const {
+  std::vector<const Command*> found = commands_of(shortcut);
+  std::erase_if(found, [&](const Command* other) {
+    return other->name == command || shares_keys(other->name, command);
+  });
   return found;
 }
 

@@ -47,10 +47,15 @@ public:
   /// As the preset has it.
   void take_back(std::string_view command);
   void take_all_back();
+  /// Instead of those that there are.
+  void put(Changes changes);
 
   Shortcuts of(const Command& command) const;
   /// All of them that the key may run.
   std::vector<const Command*> commands_of(const Shortcut& shortcut) const;
+
+  /// Who would lose the key to this command.
+  std::vector<const Command*> losers(std::string_view command, const Shortcut& shortcut) const;
 
   /// The left button turns the view where it is pressed on nothing.
   bool left_orbits() const { return preset_ == KeyPreset::viewer; }

@@ -80,6 +80,7 @@ constexpr Switch switches[] = {
     {"toggle_error_map", shown<&ViewOptions::error_map>},
     {"toggle_theme", shown<&ViewOptions::dark>},
     {"toggle_panels", shown<&ViewOptions::panels>},
+    {"toggle_full_screen", [](const Workspace& w) { return w.full_screen; }},
     {"toggle_tools", column_shown<Column::tools>},
     {"toggle_lab", column_shown<Column::lab>},
     {"toggle_same_path", shown<&ViewOptions::same_path>},

@@ -304,6 +304,17 @@ void report(Workspace& workspace, const Opened& opened) {
   for (const auto& warning : opened.warnings) workspace.messages.warn(warning, concern);
 }
 
+// Another cage of the same model: sets and poses are of the one before. Where they are in a file it is named.
+void tell_what_is_lost(Workspace& w, bool in_file) {
+  const std::string file = w.saved.session.filename().string();
+  const std::string where = in_file && !file.empty() ? "; " + file + " has them" : "";
+  const Concern concern{.scope = Scope::cage};
+  if (const std::string sets = lost_sets(w.document.groups, {}); !sets.empty())
+    w.messages.warn("Sets of the cage before are gone: " + sets + where, concern);
+  if (const std::string poses = counted_poses(w.document); !poses.empty())
+    w.messages.warn("Poses of the cage before are gone: " + poses + where, concern);
+}
+
 void take_document(Workspace& w, Document&& document, bool keep_settings) {
   const Document& old = w.document;
   const bool same_model = document.model.surface == old.model.surface;
@@ -413,6 +424,7 @@ void take(Workspace& w, Opened&& opened) {
   if (take_poses(w, opened)) return;
   if (opened.pose) return take_pose(w, std::move(*opened.pose));
   const bool same_model = opened.document->model.surface == w.document.model.surface;
+  if (same_model && !opened.session) tell_what_is_lost(w, !has_unsaved_edits(w));
   take_document(w, std::move(*opened.document), !opened.has_settings);
   w.saved.session.clear();
   w.saved.content.reset();

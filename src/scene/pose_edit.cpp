@@ -310,15 +310,20 @@ void carry_poses(Document& document, const std::function<deform::Pose(const defo
   for (PoseKey& key : document.timeline.keys) carry(key.pose);
 }
 
-std::string drop_poses(Document& document) {
+std::string counted_poses(const Document& document) {
   const auto counted = [](std::size_t n, const std::string& what) {
     return n == 0 ? std::string() : std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
   };
   const std::string poses = counted(document.library.poses.size(), "pose");
   const std::string keys = counted(document.timeline.keys.size(), "key");
+  return poses.empty() || keys.empty() ? poses + keys : poses + " and " + keys;
+}
+
+std::string drop_poses(Document& document) {
+  const std::string lost = counted_poses(document);
   document.library = {};
   document.timeline.keys.clear();
-  return poses.empty() || keys.empty() ? poses + keys : poses + " and " + keys;
+  return lost;
 }
 
 void forget_probe(Document& document, std::size_t probe) {

@@ -56,6 +56,8 @@ bool average_mix(Document& document, KnownVectors& vectors);
 /// Another cage, or another number of probes: all poses, those of keys too, go with it. Part of the edit that
 /// is being made.
 void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried);
+/// What the document has of them: "3 poses and 2 keys"; empty if there are none.
+std::string counted_poses(const Document& document);
 /// They are of another cage, and are gone: "3 poses and 2 keys"; empty if there were none.
 std::string drop_poses(Document& document);
 void forget_probe(Document& document, std::size_t probe);

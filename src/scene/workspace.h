@@ -182,11 +182,21 @@ struct Palette {
   std::size_t highlighted = 0;  ///< among those that are found
 };
 
+/// Every command with its keys, to give it others.
+struct KeyList {
+  bool open = false;
+  bool appearing = false;  ///< the keyboard is to go to its field
+  std::string typed;       ///< which commands are shown, as in the palette
+  bool waiting = false;    ///< in the last frame a command was waiting for its key
+  std::optional<Keymap::Changes> taken_back;  ///< all at once, while it is open
+};
+
 /// A pose of some vertices that was copied.
 struct CopiedPose {
   std::shared_ptr<const deform::Cage> cage;
   std::vector<std::uint32_t> vertices;
-  std::vector<mesh::Point> positions;  ///< theirs
+  std::vector<mesh::Point> positions;   ///< theirs
+  std::optional<std::uint32_t> active;  ///< among them, if one was
 };
 
 struct Workspace {
@@ -235,8 +245,10 @@ struct Workspace {
   std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
   FileBrowser browser;
   Palette palette;
+  KeyList key_list;
   bool show_messages = false;  ///< all of them, in a list
   bool attended = true;        ///< somebody is there to read what is said; not so for pictures of a command
+  bool full_screen = false;    ///< the window is to fill the screen
   bool farewell = false;       ///< the window is about to close, and edits are kept
   std::map<std::string, TypedText> typed;  ///< by the name of the field
   ChoicePictures choice_pictures;

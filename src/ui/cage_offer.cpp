@@ -1,7 +1,9 @@
-// In the middle of the view of a model without a cage: ways to get one.
+// What comes next with a model that was just opened, at the bottom of the view, and never more than one
+// thing: a cage, while it has none; what of it is outside of its cage.
 #include <algorithm>
 
 #include "scene/cage_making.h"
+#include "scene/check_view.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -9,9 +11,17 @@ namespace viete::ui {
 
 namespace {
 
-bool shows(const scene::Workspace& w) {
-  return w.offer_cage && w.document.model.surface && !w.document.is_movable() && !w.making.open &&
-         !w.loading.running && !w.browser.open && !w.question && w.view.panels && !w.view.help;
+bool is_free(const scene::Workspace& w) {
+  return w.offer_cage && w.document.model.surface && !w.making.open && !w.loading.running &&
+         !w.browser.open && !w.question && w.view.panels && !w.view.help;
+}
+
+// The finding, until work on the pose has begun.
+const scene::Finding* outside(const scene::Workspace& w) {
+  const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.interaction.drag;
+  if (!w.document.has_cage() || begun || w.checks.running) return nullptr;
+  const auto at = scene::outside_finding(w.checks);
+  return at ? &w.checks.findings[*at] : nullptr;
 }
 
 void line(const std::string& text, ImU32 color) {
@@ -20,13 +30,47 @@ void line(const std::string& text, ImU32 color) {
   ImGui::PopStyleColor();
 }
 
+// Returns how wide it is.
+float words(const Context& ui, const std::string& title, const std::string& what) {
+  ImGui::PushFont(ui.fonts.strong);
+  const float wide = ImGui::CalcTextSize(title.c_str()).x;
+  line(title, ui.colors.text);
+  ImGui::PopFont();
+  line(what, ui.colors.faint);
+  const float width = std::max({320.0f, wide, ImGui::CalcTextSize(what.c_str()).x});
+  ImGui::Dummy({width, 2});
+  return width;
+}
+
+void ways_to_a_cage(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  const float width =
+      words(ui, "This model has no cage yet", "A cage is the coarse mesh around it that you drag.");
+  if (!w.document.cage_beside.empty()) {
+    line(w.document.cage_beside.filename().string() + " lies beside it.", ui.colors.text);
+    command_button(ui, "open_cage_beside", width);
+  }
+  command_button(ui, "make_cage", width);
+  command_row(ui, {"open_cage", "hide_cage_offer"});
+}
+
+void ways_around_it(const Context& ui, const scene::Finding& finding) {
+  words(ui, scene::title(finding),
+        finding.turned ? "The cage should be around all of it; turned, it fits clearly better."
+                       : "The cage should be around all of it.");
+  if (finding.turned) command_row(ui, {"fit_cage", "fit_cage_turned"});
+  command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
+}
+
 }  // namespace
+
+bool offers_next_step(const scene::Workspace& w) {
+  return is_free(w) && (!w.document.is_movable() || outside(w));
+}
 
 float cage_offer(const Context& ui, float bottom) {
   const scene::Workspace& w = ui.workspace;
-  if (!shows(w)) return bottom;
-  constexpr const char* what = "A cage is the coarse mesh around it that you drag.";
-  const float width = std::max(320.0f, ImGui::CalcTextSize(what).x);
+  if (!offers_next_step(w)) return bottom;
   const auto& v = w.viewport;
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, bottom - 28}, ImGuiCond_Always, {0.5f, 1});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
@@ -35,17 +79,11 @@ float cage_offer(const Context& ui, float bottom) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNav);
-  ImGui::PushFont(ui.fonts.strong);
-  line("This model has no cage yet", ui.colors.text);
-  ImGui::PopFont();
-  line(what, ui.colors.faint);
-  ImGui::Dummy({width, 2});
-  if (!w.document.cage_beside.empty()) {
-    line(w.document.cage_beside.filename().string() + " lies beside it.", ui.colors.text);
-    command_button(ui, "open_cage_beside", width);
+  if (const scene::Finding* finding = outside(w)) {
+    ways_around_it(ui, *finding);
+  } else {
+    ways_to_a_cage(ui);
   }
-  command_button(ui, "make_cage", width);
-  command_row(ui, {"open_cage", "hide_cage_offer"});
   const float top = ImGui::GetWindowPos().y;
   ImGui::End();
   ImGui::PopStyleVar(2);

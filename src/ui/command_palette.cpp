@@ -105,7 +105,7 @@ void command_palette(const Context& ui) {
   if (found.empty()) note(ui, "No command has that in its name.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  note(ui, "Right click on a command gives it another key");
+  note(ui, "Right click on a command gives it another key;  Help, All keys lists every one");
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   ImGui::End();
@@ -121,7 +121,7 @@ void command_palette(const Context& ui) {
 void key_prompt(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   const scene::Command* const command = scene::find_command(w.interaction.setting_key);
-  if (!command) return;
+  if (!command || w.key_list.open) return;  // the list says it itself
   const scene::Viewport& v = w.viewport;
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 0.4f * v.size.y}, ImGuiCond_Always,
                           {0.5f, 0.5f});

@@ -4,30 +4,13 @@
 #include <vector>
 
 #include "scene/commands.h"
+#include "ui/mouse_words.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
 
 namespace {
-
-struct MouseLine {
-  const char* action;
-  const char* what;
-};
-
-constexpr MouseLine mouse_lines[] = {
-    {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
-    {"Left drag on it", "move the selection (faces, and crowded vertices: once selected)"},
-    {"Left drag elsewhere", "select with a box; from anywhere with Shift (adds) or Ctrl (removes)"},
-    {"Left drag on a handle", "move, rotate or scale along what it points at"},
-    {"Ctrl, Shift while dragging", "snap to steps; go a tenth of the way"},
-    {"X Y Z, digits, Enter", "while dragging: axis (Shift: plane), amount, done"},
-    {"Middle, right or Alt+left drag", "orbit; with Shift pan, with Ctrl zoom"},
-    {"Right click", "a menu of what can be done there"},
-    {"Wheel", "zoom to the cursor"},
-    {"Esc or right button", "during a drag: everything as it was"},
-};
 
 // A line of the table; a heading where there is nothing on its right.
 struct Row {
@@ -56,7 +39,7 @@ void add_commands(const scene::Keymap& keymap, Rows& rows, bool of_hands) {
 
 Rows hands_rows(const scene::Keymap& keymap) {
   Rows rows{{"Mouse", ""}};
-  for (const auto& entry : mouse_lines) rows.push_back({entry.action, entry.what});
+  for (const auto& entry : mouse_lines(keymap)) rows.push_back({entry.action, entry.what});
   add_commands(keymap, rows, true);
   return rows;
 }
@@ -103,6 +86,12 @@ void table(const Context& ui, const char* name, const Rows& rows) {
   ImGui::EndGroup();
 }
 
+std::string preset_label(const Context& ui) {
+  const scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  const std::string label(scene::all_key_presets()[static_cast<std::size_t>(keymap.preset())].label);
+  return label + (keymap.changes().empty() ? "" : ", changed");
+}
+
 }  // namespace
 
 // Two tables side by side where there is room, else one below the other.
@@ -114,13 +103,16 @@ void help_overlay(const Context& ui) {
   const float both = width_of(hands) + gap + width_of(settings) + 4 * ImGui::GetStyle().WindowPadding.x;
   const scene::Viewport& v = ui.workspace.viewport;
   const float middle = v.size.x > both ? v.origin.x + 0.5f * v.size.x : 0.5f * display.x;
-  ImGui::SetNextWindowPos({middle, 0.5f * (display.y - status_height)}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({420, 0}, {display.x - 40, display.y - 60});
+  ImGui::SetNextWindowPos({middle, 0.5f * (display.y + scene::PanelLayout::menu_height - status_height)},
+                          ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints(
+      {420, 0}, {display.x - 40, display.y - scene::PanelLayout::menu_height - status_height - 16});
   bool open = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
   ImGui::Begin(
       "Keys and mouse", &open,
       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+  note(ui, "Keys of " + preset_label(ui) + ".  Help, All keys gives any command another one.");
   table(ui, "hands", hands);
   if (both < display.x - 40) ImGui::SameLine(0, gap);
   table(ui, "settings", settings);

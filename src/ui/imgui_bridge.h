@@ -14,6 +14,9 @@ constexpr int key_code(scene::Key key) {
     case Key::none: return -1;
     case Key::escape: return 256;
     case Key::home: return 268;
+    case Key::end: return 269;
+    case Key::page_up: return 266;
+    case Key::page_down: return 267;
     case Key::delete_key: return 261;
     case Key::enter: return 257;
     case Key::backspace: return 259;
@@ -25,6 +28,13 @@ constexpr int key_code(scene::Key key) {
     case Key::f1: return 290;
     case Key::f2: return 291;
     case Key::f3: return 292;
+    case Key::f4: return 293;
+    case Key::f5: return 294;
+    case Key::f6: return 295;
+    case Key::f7: return 296;
+    case Key::f8: return 297;
+    case Key::f9: return 298;
+    case Key::f10: return 299;
     case Key::f11: return 300;
     case Key::f12: return 301;
     case Key::insert: return 260;
@@ -34,9 +44,14 @@ constexpr int key_code(scene::Key key) {
     case Key::pad_plus: return 334;
     case Key::pad0: return 320;
     case Key::pad1: return 321;
+    case Key::pad2: return 322;
     case Key::pad3: return 323;
+    case Key::pad4: return 324;
     case Key::pad5: return 325;
+    case Key::pad6: return 326;
     case Key::pad7: return 327;
+    case Key::pad8: return 328;
+    case Key::pad9: return 329;
     case Key::pad_enter: return 335;
   }
   return static_cast<int>(key);

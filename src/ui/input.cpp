@@ -34,9 +34,15 @@ void set_key(scene::Workspace& workspace) {
   const scene::Command* const command = scene::find_command(name);
   if (!command || *pressed == scene::Shortcut{scene::Key::escape}) return;
   const bool none = *pressed == scene::Shortcut{scene::Key::delete_key};
-  workspace.remembered.keymap.change(name, none ? scene::Shortcut{} : *pressed);
+  scene::Keymap& keymap = workspace.remembered.keymap;
+  std::string losers;
+  for (const scene::Command* loser :
+       none ? std::vector<const scene::Command*>{} : keymap.losers(name, *pressed))
+    losers += (losers.empty() ? " It was of \"" : ", \"") + std::string(loser->label) + '"';
+  keymap.change(name, none ? scene::Shortcut{} : *pressed);
   workspace.messages.info('"' + std::string(command->label) + "\" has " +
-                          (none ? "no key now." : "the key " + scene::text(*pressed) + " now."));
+                          (none ? "no key now." : "the key " + scene::text(*pressed) + " now.") + losers +
+                          (losers.empty() ? "" : "."));
 }
 
 // While the mouse is at work keys are its own: they must not change what it holds.

@@ -54,16 +54,18 @@ void sets(const Context& ui) {
 
 }  // namespace
 
+// What is used most; the rest is in the menu Select, in the palette and on keys.
 void panel_select(const Context& ui) {
   if (!ui.workspace.document.has_cage() || !section(ui, "Select")) return;
-  command_row(ui, {"select_all", "select_none", "invert_selection", "select_linked"});
   command_choice(ui, {"select_box", "select_lasso", "select_brush"}, armed_place(ui.workspace));
-  command_row(ui, {"select_more", "select_less", "select_loop"});
-  command_row(ui, {"select_similar", "select_facing", "save_set"});
-  command_row(ui, {"side_x_negative", "side_x_positive", "side_y_negative", "side_y_positive",
-                   "side_z_negative", "side_z_positive"});
-  command_row(ui, {"hide_selected", "hide_others", "show_hidden"});
+  command_row(ui, {"select_all", "select_none", "invert_selection"});
+  command_row(ui, {"select_more", "select_less", "save_set"});
+  const float half = ImGui::GetCursorPosX() + 0.5f * ImGui::GetContentRegionAvail().x;
   command_toggle(ui, "toggle_select_visible", ui.workspace.view.select_visible);
+  if (!ui.workspace.document.groups.hidden.empty()) {
+    ImGui::SameLine(half);
+    command_button(ui, "show_hidden", -1);
+  }
   sets(ui);
 }
 

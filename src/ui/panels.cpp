@@ -75,6 +75,7 @@ void draw_panels(const Context& ui) {
   if (ui.workspace.browser.open && !ui.workspace.question) file_panel(ui);
   message_log(ui);
   command_palette(ui);
+  key_list(ui);
   key_prompt(ui);
   question_panel(ui);
 }

@@ -12,6 +12,7 @@ void menu_bar(const Context& ui);
 void context_menu(const Context& ui);  ///< where the right button was clicked
 void tool_strip(const Context& ui);    ///< in the view
 void command_palette(const Context& ui);
+void key_list(const Context& ui);      ///< every command with its keys, to change them
 void key_prompt(const Context& ui);    ///< which command gets the key that is pressed next
 void column_edges(const Context& ui);  ///< to drag, and tabs that fold a column away
 
@@ -41,7 +42,8 @@ void question_panel(const Context& ui);        ///< what must be answered first,
 void message_log(const Context& ui);           ///< all that was said
 void toasts(const Context& ui, float bottom);  ///< what was said just now, above `bottom`
 /// At the bottom of the view; returns where they begin, or `bottom` while they are not shown.
-float cage_offer(const Context& ui, float bottom);  ///< ways to get a cage, while there is none
+float cage_offer(const Context& ui, float bottom);  ///< the next step: a cage, or what is outside of it
+bool offers_next_step(const scene::Workspace& workspace);
 float work_bar(const Context& ui,
                float bottom);              ///< what is being read, bound or written, how far, and Cancel
 void notice_bar(const Context& ui);        ///< unsaved work that can be brought back

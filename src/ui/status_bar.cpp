@@ -1,6 +1,7 @@
 #include "scene/elements.h"
 #include "scene/gizmo.h"
 #include "ui/format.h"
+#include "ui/mouse_words.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -18,6 +19,7 @@ std::string hovered_text(const scene::Selection& selection, std::uint32_t elemen
 
 // What the mouse would do now, in a few words.
 std::string mouse_text(const scene::Workspace& w) {
+  const scene::Keymap& keymap = w.remembered.keymap;
   if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != scene::Shape::none)
     return "Left and right say how much,  digits set it,  Ctrl snaps,  Shift slows;  a click keeps it,  Esc "
            "takes it "
@@ -36,11 +38,14 @@ std::string mouse_text(const scene::Workspace& w) {
   if (w.interaction.placing_pivot)
     return "Click a vertex, an edge or the model: the selection turns about that place;  Esc takes it back";
   if (const std::string selecting = select_hint(w); !selecting.empty()) return selecting;
-  if (!w.view.deformed) return "The mesh is shown at rest, whatever moves it;  N lets it follow again";
+  if (!w.view.deformed)
+    return "The mesh is shown at rest, whatever moves it;  " + key_or_label(keymap, "toggle_deformed") +
+           " lets it follow again";
   if (w.interaction.stroke) return "Release to keep it;  Esc or right button takes it back";
   if (scene::shows_mask(w))
     return "Drag paints what stays,  Ctrl what follows;  Shift and wheel change the brush;  middle or right "
-           "drag orbits";
+           "drag " +
+           std::string(keymap.left_orbits() ? "orbits or pans" : "orbits");
   if (w.interaction.over_axes) return "Click looks along an axis, drag orbits";
   if (w.interaction.handle)
     return scene::handle_name(w.tool, *w.interaction.handle) +
@@ -48,11 +53,10 @@ std::string mouse_text(const scene::Workspace& w) {
   if (w.interaction.hovered)
     return hovered_text(w.document.selection, *w.interaction.hovered, w.interaction.crowded);
   if (w.document.selection.kind() == scene::ElementKind::probe && !w.document.probes.empty())
-    return "Drag a probe moves it,  on empty space selects;  middle or right drag orbits,  wheel zooms";
+    return "Drag a probe moves it,  " + empty_space_words(keymap);
   if (w.document.has_cage())
-    return "Drag a vertex, edge or selected face moves it,  on empty space selects;  middle or right drag "
-           "orbits,  wheel zooms";
-  return "Middle or right drag orbits,  Shift pans,  wheel zooms";
+    return "Drag a vertex, edge or selected face moves it,  " + empty_space_words(keymap);
+  return looking_words(keymap);
 }
 
 // As many of the phrases, between which there are two spaces, as there is room for.

@@ -1,5 +1,6 @@
 #include "scene/commands.h"
 #include "scene/picking.h"
+#include "ui/mouse_words.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -21,7 +22,8 @@ void brush_ring(const Context& ui, const scene::Workspace& w) {
 }
 
 // False if there is no room for it.
-bool centered(const Context& ui, float y, const char* text, ImU32 color) {
+bool centered(const Context& ui, float y, const std::string& line, ImU32 color) {
+  const char* const text = line.c_str();
   const auto& v = ui.workspace.viewport;
   ImGui::PushFont(ui.fonts.text);
   const ImVec2 size = ImGui::CalcTextSize(text);
@@ -34,7 +36,8 @@ bool centered(const Context& ui, float y, const char* text, ImU32 color) {
 
 void editing_hint(const Context& ui) {
   const auto& v = ui.workspace.viewport;
-  centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     Tab goes back to posing it",
+  const std::string key = key_or_label(ui.workspace.remembered.keymap, "edit_cage");
+  centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     " + key + " goes back to posing it",
            ui.colors.accent);
 }
 
@@ -43,11 +46,13 @@ void hints(const Context& ui) {
   const float y = w.viewport.origin.y + w.viewport.size.y - 34;
   const ImU32 color = faded(ui.colors.text, 0.75f);
   const std::string space = scene::text(w.remembered.keymap.of(*scene::find_command("play")).first);
+  const std::string help = key_or_label(w.remembered.keymap, "help");
   const std::string plays =
       w.document.timeline.keys.empty() || space.empty() ? "" : "     " + space + " plays it";
   for (const char* method : {"     Switch the method in the Lab", ""}) {
-    const std::string text = "Drag a vertex of the cage" + plays + method + "     F1 shows every key";
-    if (centered(ui, y, text.c_str(), color)) return;
+    const std::string text =
+        "Drag a vertex of the cage" + plays + method + "     " + help + " shows every key";
+    if (centered(ui, y, text, color)) return;
   }
 }
 
@@ -72,7 +77,8 @@ void view_overlay(const Context& ui) {
   if (w.interaction.brush) brush_ring(ui, w);
   if (w.binding.running || w.loading.running || w.making_cage.running) return;  // their bar is there
   if (w.document.kept_pose && w.view.panels) return editing_hint(ui);
-  const bool room = !scene::shows_error_map(w) && !scene::shows_mask(w);  // the legend takes it, or paint
+  const bool room =  // the legend takes it, or paint, or what is to be done first
+      !scene::shows_error_map(w) && !scene::shows_mask(w) && !offers_next_step(w);
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }
 

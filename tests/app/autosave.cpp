@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "scene/edit.h"
 #include "scene/files.h"
@@ -73,6 +75,34 @@ TEST_CASE("settings_made_after_the_last_edit_are_kept_too") {
   CHECK(again.document.method == sym3::Method::sd);
   CHECK(again.view.wireframe);
   CHECK(again.document.model.unit == scene::LengthUnit::inch);
+}
+
+TEST_CASE("where_one_looks_from_and_how_the_hand_works_are_kept_with_edits_once_they_rest") {
+  Kept k;
+  k.workspace.camera.orbit({30, 0});
+  k.autosave.follow(k.workspace);
+  CHECK(k.kept_files() == 0);  // no edit
+  k.edit(0.25);
+  REQUIRE(k.autosave.keep_now(k.workspace));
+  const auto kept = [&] { return scene::read_session(scene::recovery_file(k.folder)); };
+  k.workspace.camera.orbit({40, 10});
+  k.workspace.handling.soft.on = true;
+  const auto camera = k.workspace.camera.pose();
+  k.autosave.follow(k.workspace);
+  CHECK(kept().camera != camera);  // not yet
+  CHECK_FALSE(k.autosave.has_news());
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  CHECK(k.autosave.has_news());  // a frame is wanted, in which it is written
+  k.autosave.follow(k.workspace);
+  k.queue.add([] {}).wait();
+  k.autosave.follow(k.workspace);
+  CHECK(k.autosave.kept());
+  CHECK_FALSE(k.autosave.has_news());
+  CHECK(kept().camera == camera);
+  CHECK(kept().handling.soft.on);
+  k.workspace.camera.orbit({-40, 10});
+  REQUIRE(k.autosave.keep_now(k.workspace));  // at the end, at once
+  CHECK(kept().camera == k.workspace.camera.pose());
 }
 
 TEST_CASE("what_is_saved_need_not_be_kept") {

@@ -1,5 +1,6 @@
 // Pivot, axes, mirror and soft selection, by the mouse and the keyboard in the real program.
 #include <cmath>
+#include <cstdlib>
 
 #include "program/driver.h"
 #include "scene/pointer.h"
@@ -279,6 +280,88 @@ TEST_CASE("a drag at once after a click is a drag and no double click") {
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
   CHECK(d.moved() == std::vector<std::uint32_t>{v});
   CHECK(d.workspace().camera.destination() == before);
+}
+
+TEST_CASE("an end of the cage is posed like another one by two keys, and what does not match is said") {
+  const test::TemporaryFolder folder;
+  Hand d(folder.path());
+  const auto select_side = [&](bool positive) {
+    scene::find_command(positive ? "side_x_positive" : "side_x_negative")->run(d.workspace());
+    d.frame(2);
+  };
+  select_side(false);
+  for (const auto v : {0, 2, 4, 6}) {
+    d.positions()[v][0] -= 0.5;
+    d.positions()[v][1] *= 0.5;
+  }
+  d.press_key('C', true);
+  select_side(true);
+  d.press_key('V', true, true);
+  for (const auto v : {1, 3, 5, 7}) {
+    CHECK(d.positions()[v][0] == doctest::Approx(2));
+    CHECK(d.positions()[v][1] == doctest::Approx(0.5 * d.rest()[v][1]));
+    CHECK(d.positions()[v][2] == doctest::Approx(d.rest()[v][2]));
+  }
+  d.press_key('Z', true);
+  CHECK(d.positions()[1] == d.rest()[1]);
+  scene::find_command("select_all")->run(d.workspace());
+  d.press_key('V', true, true);
+  CHECK(d.workspace().messages.all().back().text.find("4 and 8 vertices") != std::string::npos);
+  CHECK(d.positions()[1] == d.rest()[1]);
+}
+
+TEST_CASE("with soft selection the edges of the cage go over from the colour of the selection to their own") {
+  Hand d;
+  const auto v = d.free_vertex();
+  d.click(d.vertex(v));
+  d.move({1270, 780});
+  d.settle();
+  const auto plain = d.picture();
+  scene::find_command("toggle_soft")->run(d.workspace());
+  d.settle();
+  const auto soft = d.picture();
+  if (const char* pictures = std::getenv("VIETE_PICTURES"))
+    render::write_png(std::filesystem::path(pictures) / "soft_edges.png", soft);
+  std::size_t changed = 0;
+  for (const auto& [a, b] : d.document().cage->edges) {
+    if (a != v && b != v) continue;
+    const glm::ivec2 middle(glm::round(0.5f * (d.vertex(a) + d.vertex(b))));
+    changed += plain.pixel(middle.x, middle.y) != soft.pixel(middle.x, middle.y);
+  }
+  CHECK(changed >= 3);
+}
+
+TEST_CASE("the plane of the mirror is seen while its list is pointed at and while something is dragged") {
+  Hand d;
+  scene::find_command("mirror_fit")->run(d.workspace());
+  d.frame(3);
+  if (!scene::mirror_of(d.workspace())) scene::find_command("mirror_x")->run(d.workspace());
+  d.move({1270, 780});
+  d.settle();
+  const auto without = d.picture();
+  d.move(d.place_of("mirror"));
+  d.frame(3);
+  d.settle();
+  const auto with = d.picture();
+  const auto differing = [](const render::Image& a, const render::Image& b) {
+    std::size_t count = 0;
+    for (int y = 60; y < 760; ++y) {
+      for (int x = 330; x < 950; ++x) count += a.pixel(x, y) != b.pixel(x, y);
+    }
+    return count;
+  };
+  CHECK(differing(without, with) > 20000);  // a whole plane, not only lines between partners
+  const auto v = d.paired_vertex();
+  d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(12, 0));
+  d.settle();
+  const auto dragged = d.picture();
+  d.press_key(scene::Key::escape);
+  d.button(0, false);
+  CHECK(differing(without, dragged) > 20000);
+  if (const char* pictures = std::getenv("VIETE_PICTURES")) {
+    render::write_png(std::filesystem::path(pictures) / "mirror_plane.png", with);
+    render::write_png(std::filesystem::path(pictures) / "mirror_plane_drag.png", dragged);
+  }
 }
 
 TEST_CASE("any command gets another key by a right click in the palette, and that is remembered") {

@@ -98,3 +98,19 @@ TEST_CASE("halo_lies_beside_the_line_and_under_every_other_one") {
   CHECK(brightest(image, 130, 2) > 100);
   for (int x = 130; x < 190; ++x) CHECK(brightest(image, x, 0) == brightest(plain, x, 0));
 }
+
+TEST_CASE("between_the_colours_of_its_ends_a_segment_goes_over_from_one_to_the_other") {
+  test::Stage stage;
+  render::LineLayer lines(stage.gl);
+  const std::vector<render::Segment> segments{{0, 1}};
+  lines.set_segments(segments, 2);
+  lines.set_positions(std::vector<Point>{{-10, 0, 0}, {10, 0, 0}});
+  lines.set_end_colors(std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 0, 1, 1}});
+  render::LineStyle style;
+  style.width = 4;
+  const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
+  CHECK(image.pixel(80, 100)[0] > image.pixel(120, 100)[0]);
+  CHECK(image.pixel(80, 100)[2] < image.pixel(120, 100)[2]);
+  CHECK(std::abs(image.pixel(160, 100)[0] - image.pixel(160, 100)[2]) < 6);
+  CHECK_THROWS(lines.set_end_colors(std::vector<glm::vec4>{{1, 0, 0, 1}}));
+}

@@ -191,7 +191,8 @@ TEST_CASE("a_way_of_blending_that_is_not_to_be_had_leaves_no_trace_in_the_histor
 
 TEST_CASE("shortcuts_read_as_on_the_keyboard") {
   CHECK(text(find_command("redo")->shortcut) == "Ctrl+Shift+Z");
-  CHECK(text(find_command("frame_all")->shortcut) == "Home");
+  CHECK(text(find_command("frame_all")->shortcut) == "Shift+F");
+  CHECK(text(find_command("view_home")->shortcut) == "Home");
   CHECK(text(find_command("frame_selection")->shortcut) == "F");
 }
 

@@ -36,3 +36,29 @@ TEST_CASE("a_new_edit_ends_redo") {
   h.record("other", at(0));
   CHECK_FALSE(h.can_redo());
 }
+
+TEST_CASE("no_number_of_clicks_takes_an_edit_out_of_reach") {
+  History h;
+  const auto mask =
+      std::make_shared<const std::vector<float>>(5u << 20, 1.0f);  // so large that few states fit
+  const auto state = [&](double x) {
+    Snapshot s = at(x);
+    s.mask = mask;
+    return s;
+  };
+  h.record("one", state(0));
+  h.record("two", state(1));
+  for (int i = 0; i < 100; ++i) h.record_selection(state(2));
+  int steps = 0;
+  Snapshot now = state(2);
+  while (h.can_undo() && h.undo_label() == "select") now = h.undo(now), ++steps;
+  CHECK(steps < 20);
+  REQUIRE(h.undo_label() == "two");
+  now = h.undo(now);
+  CHECK(x_of(now) == 1);
+  REQUIRE(h.undo_label() == "one");
+  now = h.undo(now);
+  CHECK(x_of(now) == 0);
+  while (h.can_redo()) now = h.redo(now);
+  CHECK(x_of(now) == 2);
+}

@@ -2,13 +2,16 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "scene/edit.h"
 #include "scene/files.h"
+#include "scene/pose_edit.h"
 #include "scene/saving.h"
+#include "scene/selection_sets.h"
 #include "support/data.h"
 #include "support/edits.h"
 #include "support/open.h"
@@ -346,4 +349,33 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
   } catch (const base::Error& refused) {
     CHECK(test::mentions(refused.what(), "points.obj"));
   }
+}
+
+TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_where_they_are") {
+  test::CubeFiles files;
+  Workspace w;
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  w.document.selection.select_all(8);
+  save_set(w.document);
+  keep_pose(w.document, "stand");
+  const auto said = [&](const std::string& words) {
+    return std::ranges::any_of(w.messages.all(),
+                               [&](const Message& m) { return test::mentions(m.text, words); });
+  };
+  SUBCASE("in_a_session") {
+    REQUIRE(save_session(w, files / "kept.viete"));
+    REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
+    CHECK(said("Sets of the cage before are gone: \"Set 1\"; kept.viete has them"));
+    CHECK(said("Poses of the cage before are gone: 1 pose; kept.viete has them"));
+  }
+  SUBCASE("nowhere") {
+    REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
+    CHECK(said("Poses of the cage before are gone: 1 pose"));
+    CHECK_FALSE(said("has them"));
+  }
+  SUBCASE("another_model_is_no_loss_that_would_have_to_be_told") {
+    REQUIRE(open_now(w, {OpenRequest::What::model, {files.model, files.cage}}));
+    CHECK_FALSE(said("are gone"));
+  }
+  CHECK(w.document.groups.sets.empty());
 }

@@ -5,6 +5,7 @@
 
 #include "scene/ball.h"
 #include "scene/cube.h"
+#include "scene/edge_rings.h"
 #include "scene/elements.h"
 
 using namespace viete;
@@ -113,6 +114,35 @@ TEST_CASE("on_triangles_a_loop_goes_the_straightest_way_and_ends") {
   // A cube of triangles turns by a right angle at its edges: no loop goes round them.
   const auto cube = deform::make_cage(test::cube(1));
   CHECK(looped(cube, some(ElementKind::edge, {edge_of(cube, 0, 1)})).size() == 1);
+}
+
+TEST_CASE("a_ring_goes_across_quads_and_pairs_of_triangles_as_if_they_were_quads") {
+  auto quads = plane_of_quads(4);
+  const auto cage = deform::make_cage(quads);
+  const auto across = [&](const deform::Cage& c) {
+    return ringed(c, some(ElementKind::edge, {edge_of(c, 11, 12)}));
+  };
+  const auto ring = across(cage);  // between the columns 1 and 2, in each of five rows
+  CHECK(selected_vertices(cage, ring) == Numbers{1, 2, 6, 7, 11, 12, 16, 17, 21, 22});
+  CHECK(ring.size() == 5);
+  CHECK(ringed(cage, some(ElementKind::vertex, {11, 12})).indices() == selected_vertices(cage, ring));
+  CHECK(ringed(cage, some(ElementKind::vertex, {12})).indices() == Numbers{12});
+  CHECK(ringed(cage, some(ElementKind::face, {5})).indices() == Numbers{5});
+  // The same, cut into triangles.
+  mesh::Surface cut;
+  cut.positions = quads.positions;
+  cut.polygon_starts = {0};
+  for (const auto& triangle : quads.triangles) {
+    cut.corners.insert(cut.corners.end(), triangle.begin(), triangle.end());
+    cut.polygon_starts.push_back(static_cast<std::uint32_t>(cut.corners.size()));
+  }
+  mesh::fan_triangulate(cut);
+  const auto triangles = deform::make_cage(cut);
+  const auto same = across(triangles);
+  CHECK(same.size() == 5);
+  CHECK(selected_vertices(triangles, same) == Numbers{1, 2, 6, 7, 11, 12, 16, 17, 21, 22});
+  const auto ball = deform::make_cage(test::ball(1, 3));
+  for (const std::uint32_t e : {0u, 7u, 100u}) CHECK(ringed(ball, some(ElementKind::edge, {e})).contains(e));
 }
 
 TEST_CASE("where_many_faces_meet_at_an_edge_loops_end_and_nothing_else_breaks") {

@@ -1,0 +1,182 @@
+// Work by a real mouse and keyboard in the real window: mirror, soft selection, pivot, a box over a dense
+// cage, the palette, a dialog and the full screen. What came of it is read from the session that the program
+// saves.
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <thread>
+
+#include "mesh/write.h"
+#include "program/desktop.h"
+#include "program/driver.h"
+#include "scene/ball.h"
+#include "scene/saving.h"
+#include "scene/session.h"
+#include "support/folder.h"
+
+using namespace viete;
+using test::Child;
+using test::Desktop;
+using test::Driver;
+using test::wait_until;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* f11_keycode = "95";  // as test::f12_keycode
+
+std::string at(glm::vec2 place) {
+  const glm::ivec2 p(glm::round(place));
+  return std::to_string(p.x) + ' ' + std::to_string(p.y);
+}
+
+std::string drag_words(glm::vec2 from, glm::vec2 to, const std::string& meanwhile = "") {
+  std::string words = "mousemove " + at(from) + " sleep 0.1 mousedown 1 sleep 0.05 ";
+  for (int i = 1; i <= 4; ++i)
+    words += "mousemove " + at(from + (to - from) * (0.25f * float(i))) + " sleep 0.05 ";
+  return words + meanwhile + " mouseup 1 sleep 0.1";
+}
+
+// A ball in a cage that is a ball, too, as a session that is open offscreen, which says where things are, and
+// in a real window.
+struct RealHand {
+  Desktop desktop;
+  fs::path session = desktop.folder / "work.viete";
+  Driver offscreen{options()};
+  std::optional<Child> viewer;
+
+  explicit RealHand(int levels) {
+    mesh::write(desktop.folder / "ball.obj", test::ball(1, 3));
+    mesh::write(desktop.folder / "cage.obj", test::ball(1.3, levels));
+    REQUIRE(offscreen.open({desktop.folder / "ball.obj", desktop.folder / "cage.obj"}));
+    offscreen.settle();
+    REQUIRE(scene::save_session(offscreen.workspace(), session));
+    viewer.emplace(desktop.viete("work.viete"), desktop.folder / "viete.log");
+    desktop.xdotool("search --sync --onlyvisible --name work");
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  }
+  static app::ViewerOptions options() {
+    auto options = Driver::default_options();
+    options.size = {1440, 900};
+    return options;
+  }
+
+  void act(const std::string& words) { desktop.xdotool(words); }
+  /// What the program has now.
+  scene::Session saved() {
+    const auto before = fs::last_write_time(session);
+    act("key ctrl+s");
+    REQUIRE(wait_until([&] { return fs::last_write_time(session) != before; }, 10));
+    return scene::read_session(session);
+  }
+  void quit() {
+    act("key ctrl+q");
+    REQUIRE(wait_until([&] { return viewer->finished(); }, 10));
+    CHECK(viewer->exit_code() == 0);
+  }
+  const std::vector<mesh::Point>& rest() { return offscreen.document().cage->surface.positions; }
+  std::size_t moved(const scene::Session& now) {
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < rest().size(); ++v) count += now.pose->positions[v] != rest()[v];
+    return count;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a_real_mouse_moves_both_sides_softly_and_places_the_pivot" *
+          doctest::test_suite(test::if_present)) {
+  if (test::no_desktop()) return;
+  RealHand hand(1);
+  const auto v = hand.offscreen.free_vertex();
+  const glm::vec2 from = hand.offscreen.vertex(v), to = from + glm::vec2(20, -30);
+  hand.act("key shift+m");
+  hand.act(drag_words(from, to));
+  const auto mirrored = hand.saved();
+  CHECK(mirrored.handling.mirror == scene::MirrorPlane::x);
+  REQUIRE(hand.moved(mirrored) == (std::abs(hand.rest()[v][0]) < 1e-9 ? 1u : 2u));
+  for (std::size_t p = 0; p < hand.rest().size(); ++p) {
+    const auto& now = mirrored.pose->positions[p];
+    if (p == v || now == hand.rest()[p]) continue;
+    CHECK(now[0] == doctest::Approx(-mirrored.pose->positions[v][0]));
+    CHECK(now[1] == doctest::Approx(mirrored.pose->positions[v][1]));
+  }
+  hand.act("key ctrl+z");
+  hand.act("key shift+m key shift+m key shift+m key shift+m");  // round to none
+  hand.act("key s");
+  hand.act(drag_words(from, to, "click 4 sleep 0.05 click 4 sleep 0.05"));
+  const auto soft = hand.saved();
+  CHECK(soft.handling.mirror == scene::MirrorPlane::none);
+  CHECK(soft.handling.soft.on);
+  CHECK(soft.handling.soft.radius == doctest::Approx(scene::SoftSelection().radius * 1.21));
+  CHECK(hand.moved(soft) > 3);
+  CHECK(hand.moved(soft) < hand.rest().size());
+  hand.act("key ctrl+z");
+  hand.act("key j");
+  hand.act("mousemove " + at(from) + " sleep 0.2 click 1 sleep 0.1");
+  const auto placed = hand.saved();
+  CHECK(placed.handling.pivot == scene::Pivot::point);
+  REQUIRE(placed.handling.point);
+  for (std::size_t k = 0; k < 3; ++k)
+    CHECK((*placed.handling.point)[k] == doctest::Approx(hand.rest()[v][k]));
+  CHECK(hand.moved(placed) == 0);
+  hand.quit();
+}
+
+TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_commands_and_files" *
+          doctest::test_suite(test::if_present)) {
+  if (test::no_desktop()) return;
+  RealHand hand(3);
+  const auto& v = hand.offscreen.workspace().viewport;
+  const glm::vec2 middle = glm::round(v.origin + 0.5f * v.size), from = middle - glm::vec2(150, 110),
+                  to = middle + glm::vec2(140, 120);
+  hand.offscreen.press_key('B');
+  hand.offscreen.drag(from, to);
+  const auto expected = hand.offscreen.document().selection.indices();
+  REQUIRE(expected.size() > 40);
+  hand.act("mousemove " + at(from) + " key b sleep 0.1");
+  hand.act(drag_words(from, to));
+  const auto boxed = hand.saved();
+  CHECK(boxed.selection == expected);
+  CHECK(hand.moved(boxed) == 0);
+
+  hand.act("key ctrl+k sleep 0.2 type --delay 30 wirefr");
+  hand.act("sleep 0.2 key Return sleep 0.1");
+  CHECK(hand.saved().view.wireframe);
+
+  hand.act("key ctrl+shift+s sleep 0.3 key ctrl+a");
+  hand.act("type --delay 20 second.viete");
+  hand.act("sleep 0.2 key Return");
+  CHECK(wait_until([&] { return fs::exists(hand.desktop.folder / "second.viete"); }, 5));
+  hand.quit();
+}
+
+TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::test_suite(test::if_present)) {
+  if (test::no_desktop()) return;
+  RealHand hand(1);
+  const auto size = [&] {
+    const fs::path out = hand.desktop.folder / "size";
+    const std::string command = "DISPLAY=" + hand.desktop.display +
+                                " xdotool search --onlyvisible --name work getwindowgeometry --shell >'" +
+                                out.string() + "' 2>/dev/null";
+    glm::ivec2 found(0);
+    if (std::system(command.c_str()) != 0) return found;
+    std::istringstream lines(test::file_bytes(out));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("WIDTH=")) found.x = std::stoi(line.substr(6));
+      if (line.starts_with("HEIGHT=")) found.y = std::stoi(line.substr(7));
+    }
+    return found;
+  };
+  const glm::ivec2 small(1000, 700), screen(1440, 900);
+  hand.act("search --onlyvisible --name work windowsize 1000 700");
+  REQUIRE(wait_until([&] { return size() == small; }, 5));
+  hand.act(std::string("mousemove 500 300 sleep 0.2 key ") + f11_keycode);
+  CHECK(wait_until([&] { return size() == screen; }, 5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  hand.act(std::string("key ") + f11_keycode);
+  CHECK(wait_until([&] { return size() == small; }, 5));
+  hand.quit();
+  const auto remembered = scene::read_remembered(hand.desktop.folder / "state" / "viete" / "remembered.json");
+  CHECK(remembered.window == small);
+}
