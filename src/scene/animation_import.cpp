@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "base/error.h"
@@ -12,6 +13,7 @@
 #include "base/quantity.h"
 #include "deform/pose_io.h"
 #include "mesh/point_cache.h"
+#include "mesh/point_tree.h"
 #include "mesh/read.h"
 #include "mesh/source.h"
 #include "scene/pose_edit.h"
@@ -53,20 +55,53 @@ void check_points(const std::string& place, std::size_t found, const deform::Cag
                     "choose one that was made of this cage, not of the model");
 }
 
-// Its morph targets, as positions of the cage.
-std::shared_ptr<const mesh::MorphClip> clip_of(const fs::path& file, const deform::Cage& cage,
-                                               std::vector<std::string>& warnings) {
+// Morph targets of a file as positions of the cage.
+struct CageClip {
+  std::shared_ptr<const mesh::MorphClip> clip;  ///< null: none
+  std::vector<std::uint32_t> order;             ///< of each vertex of the cage: the file's vertex
+
+  std::vector<mesh::Point> of_cage(const std::vector<mesh::Point>& of_file) const {
+    std::vector<mesh::Point> positions;
+    for (const auto v : order) positions.push_back(of_file[v]);
+    return positions;
+  }
+  std::vector<mesh::Point> at_key(std::size_t key) const { return of_cage(clip->at_key(key)); }
+  std::vector<mesh::Point> at_target(std::size_t target) const { return of_cage(clip->at_target(target)); }
+};
+
+// glTF keeps no order of the vertices: they are told by where they are at rest, in floats. Each has one
+// partner.
+std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
+                                          const deform::Cage& cage) {
+  std::vector<std::uint32_t> all(found.positions.size());
+  std::iota(all.begin(), all.end(), 0U);
+  if (found.triangles == cage.surface.triangles) return all;
+  const mesh::PointTree tree(found.positions, all);
+  std::vector<bool> taken(all.size());
+  const double near = 1e-6 * cage.diagonal;
+  std::vector<std::uint32_t> order;
+  for (const mesh::Point& p : cage.surface.positions) {
+    const std::uint32_t v = tree.nearest(p);
+    if (taken[v] || mesh::norm(mesh::operator-(found.positions[v], p)) > near)
+      throw base::Error(file,
+                        "at rest it is not the cage: no vertex of its own is at that of vertex " +
+                            std::to_string(order.size()),
+                        "export the cage itself, as it is at rest, in the same axes and unit");
+    taken[v] = true;
+    order.push_back(v);
+  }
+  return order;
+}
+
+CageClip clip_of(const fs::path& file, const deform::Cage& cage, std::vector<std::string>& warnings) {
   const mesh::ReadResult read = mesh::read(file);
   warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
-  const auto clip = read.original ? read.original->morphs() : nullptr;
-  if (!clip) return nullptr;
+  CageClip found{read.original ? read.original->morphs() : nullptr, {}};
+  if (!found.clip) return found;
   check_points(file.string(), read.surface.positions.size(), cage);
-  if (read.surface.triangles != cage.surface.triangles)
-    throw base::Error(file.string(),
-                      "its faces are not those of the cage, so that its vertices may be others",
-                      "open this file as the cage first: glTF keeps no order of the vertices");
-  warnings.insert(warnings.end(), clip->notes().begin(), clip->notes().end());
-  return clip;
+  found.order = order_by_place(file.string(), read.surface, cage);
+  warnings.insert(warnings.end(), found.clip->notes().begin(), found.clip->notes().end());
+  return found;
 }
 
 void report_part(base::Progress* progress, std::size_t done, std::size_t of) {
@@ -74,9 +109,10 @@ void report_part(base::Progress* progress, std::size_t done, std::size_t of) {
     progress->report(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(of, 1)));
 }
 
-void add_targets(const fs::path& file, const mesh::MorphClip& clip, ImportedPoses& all) {
+void add_targets(const fs::path& file, const CageClip& found, ImportedPoses& all) {
+  const mesh::MorphClip& clip = *found.clip;
   for (std::size_t i = 0; i < clip.targets().size(); ++i) {
-    auto positions = clip.at_target(i);
+    auto positions = found.at_target(i);
     check_places(file.string() + ": " + clip.targets()[i], positions);
     all.poses.push_back({clip.targets()[i], shared({std::move(positions), {}})});
   }
@@ -84,7 +120,8 @@ void add_targets(const fs::path& file, const mesh::MorphClip& clip, ImportedPose
 
 void add_poses_of(const fs::path& file, const deform::Cage& cage, ImportedPoses& all) {
   if (is_gltf(file)) {
-    if (const auto clip = clip_of(file, cage, all.warnings)) return add_targets(file, *clip, all);
+    const CageClip found = clip_of(file, cage, all.warnings);
+    if (found.clip) return add_targets(file, found, all);
   }
   deform::Pose pose = deform::read_pose(file, cage, all.warnings);
   check_places(file.string(), pose.positions);
@@ -254,7 +291,8 @@ ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const
 ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,
                           base::Progress* progress) {
   std::vector<std::string> warnings;
-  const auto clip = clip_of(file, cage, warnings);
+  const CageClip found = clip_of(file, cage, warnings);
+  const auto& clip = found.clip;
   if (!clip || clip->seconds().empty())
     throw base::Error(file.string(), clip ? "its morph targets are not animated" : "it has no morph targets",
                       clip ? "import it as poses" : "export shape keys of the cage with their animation");
@@ -263,7 +301,7 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
   KeyTaker keys(file.string(), Easing::linear);
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     report_part(progress, i, seconds.size());
-    keys.add(times.first + seconds[i] * times.rate, {clip->at_key(i), {}});
+    keys.add(times.first + seconds[i] * times.rate, {found.at_key(i), {}});
   }
   return keys.take(std::move(warnings), times.rate);
 }

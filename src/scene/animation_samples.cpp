@@ -40,7 +40,7 @@ public:
     ahead.push_back(made(frame));
     while (!ahead.empty()) {
       const MotionSample &from = result_.samples.back(), &to = ahead.back();
-      const double error = to.frame - from.frame > jump_frames ? error_between(from, to) : 0;
+      const double error = to.frame - from.frame > 1.5 * jump_frames ? error_between(from, to) : 0;
       if (error > tolerance_) {
         split(from, error, ahead);
         continue;

@@ -1,0 +1,41 @@
+#include "base/child_program.h"
+
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+#include "support/folder.h"
+#include "support/text.h"
+
+using namespace viete;
+using base::ChildProgram;
+
+namespace {
+
+std::string problem_of(const std::vector<std::string>& words, std::size_t bytes) {
+  try {
+    ChildProgram child(words, "install it");
+    const std::vector<unsigned char> data(bytes, 'x');
+    child.write(data);
+    child.finish();
+  } catch (const base::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a_child_gets_all_bytes_and_its_words_as_they_are") {
+  const test::TemporaryFolder folder;
+  const auto file = (folder / "a b'$HOME").string();
+  CHECK(problem_of({"sh", "-c", "cat > \"$1\"", "sh", file}, 3'000'000) == "");
+  CHECK(test::file_bytes(file) == std::string(3'000'000, 'x'));
+}
+
+TEST_CASE("a_child_that_is_not_there_or_fails_is_said_with_its_own_words") {
+  CHECK(problem_of({"viete-no-such-program"}, 0) ==
+        "viete-no-such-program: this program is not installed; install it");
+  CHECK(test::mentions(problem_of({"sh", "-c", "cat > /dev/null; echo so bad >&2; exit 3"}, 10), "so bad"));
+  CHECK(test::mentions(problem_of({"sh", "-c", "echo too early >&2; exit 1"}, 3'000'000), "too early"));
+  CHECK(problem_of({"true"}, 3'000'000) != "");
+}

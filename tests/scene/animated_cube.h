@@ -1,0 +1,47 @@
+// A cube in a cage that turns in time.
+#pragma once
+
+#include <cmath>
+
+#include "scene/animation.h"
+#include "scene/files.h"
+
+namespace viete::test {
+
+/// About z, and moved along x; a vertex is pulled out, so that no pose is a motion of the whole.
+inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double along = 0,
+                                double pull = 0.5) {
+  const double a = degrees / 180 * 3.14159265358979323846;
+  deform::Pose pose = deform::rest_pose(cage);
+  pose.positions[7][2] += pull;
+  for (auto& p : pose.positions)
+    p = {std::cos(a) * p[0] - std::sin(a) * p[1] + along, std::sin(a) * p[0] + std::cos(a) * p[1], p[2]};
+  return pose;
+}
+
+inline scene::SharedPose shared(deform::Pose pose) {
+  return std::make_shared<const scene::WholePose>(scene::WholePose{std::move(pose), {}});
+}
+
+/// Files of a cube, and a document of these with keys at the frames 1, 9 and 17: rest, a quarter turn, and
+/// 100 degrees farther.
+struct AnimatedCube : CubeFiles {
+  scene::Document document = scene::open_document(model, cage);
+
+  AnimatedCube() {
+    const deform::Cage& c = *document.cage;
+    document.timeline.keys = {{1, shared(deform::rest_pose(c))},
+                              {9, shared(turned_cage(c, 90, 1))},
+                              {17, shared(turned_cage(c, 190, 1, -0.25))}};
+    document.timeline.first = 1;
+    document.timeline.last = 17;
+  }
+
+  scene::WholePose pose(double frame) const {
+    scene::KnownVectors vectors;
+    vectors.follow(document.cage);
+    return scene::Animation(document.timeline, vectors).at(frame);
+  }
+};
+
+}  // namespace viete::test

@@ -1,0 +1,299 @@
+#include "scene/animation_export.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <thread>
+
+#include "base/error.h"
+#include "mesh/point_cache.h"
+#include "mesh/read.h"
+#include "scene/animated_cube.h"
+#include "support/full_disk.h"
+#include "support/text.h"
+
+using namespace viete;
+using namespace viete::scene;
+using mesh::operator-, mesh::operator+, mesh::operator*;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Of the frame's pose, as if it was exported alone.
+std::vector<mesh::Point> exact_frame(const test::AnimatedCube& cube, double frame) {
+  Export one = export_of(cube.document, cube / "one.ply");
+  one.pose = cube.pose(frame).cage;
+  write_deformed(one);
+  const auto positions = mesh::read(cube / "one.ply").surface.positions;
+  fs::remove(cube / "one.ply");
+  return positions;
+}
+
+double farthest(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
+  REQUIRE(a.size() == b.size());
+  double worst = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) worst = std::max(worst, mesh::norm(a[v] - b[v]));
+  return worst;
+}
+
+// glTF keeps no order: where each vertex of the model is among those that were read.
+std::vector<std::size_t> file_vertices(const mesh::Surface& read, const mesh::Surface& model) {
+  std::vector<std::size_t> own;
+  for (const mesh::Point& p : model.positions) {
+    const auto at =
+        std::ranges::find_if(read.positions, [&](const mesh::Point& q) { return mesh::norm(p - q) < 1e-6; });
+    REQUIRE(at != read.positions.end());
+    own.push_back(static_cast<std::size_t>(at - read.positions.begin()));
+  }
+  return own;
+}
+
+std::vector<mesh::Point> picked(const std::vector<mesh::Point>& all, const std::vector<std::size_t>& which) {
+  std::vector<mesh::Point> some;
+  for (const auto v : which) some.push_back(all[v]);
+  return some;
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+// Cancels when so much is done.
+class CancelledAt {
+public:
+  explicit CancelledAt(double share) : share_(share) {}
+  bool write(const AnimationExport& what) {
+    base::Progress progress;
+    std::jthread watcher([&](const std::stop_token& stop) {
+      while (!stop.stop_requested() && progress.done() < share_) std::this_thread::yield();
+      progress.cancel();
+    });
+    try {
+      write_animation(what, &progress);
+      return false;
+    } catch (const base::Cancelled&) {
+      return true;
+    }
+  }
+
+private:
+  double share_;
+};
+
+std::string problem_of(const AnimationExport& what) {
+  try {
+    write_animation(what);
+  } catch (const base::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("numbered_frames_are_the_model_as_each_pose_deforms_it_to_the_bit") {
+  const test::AnimatedCube cube;
+  for (const char* extension : {"ply", "obj", "off"}) {
+    CAPTURE(extension);
+    AnimationExport what = animation_export_of(cube.document, cube / (std::string("f_##.") + extension));
+    what.first = 3, what.last = 11, what.step = 4;
+    what.model.digits.kind = mesh::Digits::Kind::all;
+    const AnimationReport report = write_animation(what);
+    CHECK(report.frames == 3);
+    CHECK(report.there == 0);
+    for (const int frame : {3, 7, 11})
+      CHECK(mesh::read(base::NumberedName(what.model.file).file(frame)).surface.positions ==
+            exact_frame(cube, frame));
+  }
+  CHECK(fs::exists(cube / "f_03.obj"));
+  CHECK_FALSE(fs::exists(cube / "f_04.obj"));
+}
+
+TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
+  test::AnimatedCube cube;
+  for (const char* name : {"a.pc2", "a.mdd"}) {
+    for (const auto method : {sym3::Method::fast, sym3::Method::diag}) {  // by float and double engines
+      CAPTURE(name);
+      cube.document.method = method;
+      const AnimationExport what = animation_export_of(cube.document, cube / name);
+      const AnimationReport report = write_animation(what);
+      CHECK(test::mentions(report.summary, method == sym3::Method::fast ? "in float" : "in double"));
+      const mesh::PointCache cache(cube / name);
+      CHECK(cache.head().frames == 17);
+      CHECK(cache.head().points == cube.document.model.surface->positions.size());
+      for (std::size_t i = 0; i < 17; ++i)
+        CHECK(farthest(cache.frame(i), exact_frame(cube, 1 + double(i))) < 2e-6);
+    }
+  }
+  CHECK(mesh::PointCache(cube / "a.pc2").head().start == 1);
+  CHECK(mesh::PointCache(cube / "a.mdd").head().seconds[12] == 0.5f);
+}
+
+TEST_CASE("straight_keys_collapse_where_log_space_turns") {
+  test::AnimatedCube cube;
+  const auto half_way = [&](bool straight) {
+    cube.document.timeline.straight = straight;
+    cube.document.timeline.keys.resize(2);
+    cube.document.timeline.keys[1].pose = test::shared(test::turned_cage(*cube.document.cage, 180, 0, 0));
+    write_animation(animation_export_of(cube.document, cube / "a.pc2"));
+    const auto frame = mesh::PointCache(cube / "a.pc2").frame(4);
+    return std::hypot(frame[0][0], frame[0][1]);
+  };
+  CHECK(half_way(false) == doctest::Approx(std::sqrt(2.0)).epsilon(1e-5));
+  CHECK(half_way(true) < 1e-2);  // stretches are kept above a floor
+}
+
+TEST_CASE("morph_targets_keep_lines_as_near_to_the_motion_as_they_are_told") {
+  const test::AnimatedCube cube;
+  const double diagonal = 2 * std::sqrt(3.0);
+  std::size_t before = 0;
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    CAPTURE(tolerance);
+    AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
+    what.tolerance = tolerance;
+    const AnimationReport report = write_animation(what);
+    CHECK(report.frames > before);
+    before = report.frames;
+    const auto read = mesh::read(cube / "a.glb");
+    const auto clip = read.original->morphs();
+    REQUIRE(clip);
+    const auto& seconds = clip->seconds();
+    CHECK(seconds.size() == report.frames);
+    CHECK(seconds.back() == doctest::Approx(16 / 24.0));
+    const auto own = file_vertices(read.surface, *cube.document.model.surface);
+    double worst = 0;
+    for (std::size_t key = 0; key + 1 < seconds.size(); ++key) {
+      const auto a = picked(clip->at_key(key), own), b = picked(clip->at_key(key + 1), own);
+      for (const double t : {0.1, 0.45, 0.8}) {
+        std::vector<mesh::Point> line(a.size());
+        for (std::size_t v = 0; v < a.size(); ++v) line[v] = a[v] + t * (b[v] - a[v]);
+        const double at = 1 + 24 * (seconds[key] + t * (seconds[key + 1] - seconds[key]));
+        worst = std::max(worst, farthest(line, exact_frame(cube, at)));
+      }
+    }
+    CHECK(worst < tolerance * diagonal);
+    CHECK(worst > 0.02 * tolerance * diagonal);  // no more of them than it needs, about
+  }
+}
+
+TEST_CASE("keys_that_hold_jump_and_targets_at_every_frame_are_as_many") {
+  test::AnimatedCube cube;
+  for (auto& key : cube.document.timeline.keys) key.easing = Easing::hold;
+  AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
+  CHECK(write_animation(what).frames == 5);  // three keys, and what comes before two of them
+  cube.document.timeline.keys[0].easing = Easing::linear;
+  what = animation_export_of(cube.document, cube / "a.glb");
+  what.every_frame = true;
+  what.step = 2;
+  CHECK(write_animation(what).frames == 9);
+}
+
+TEST_CASE("frames_that_are_whole_are_not_made_again_and_others_are") {
+  test::AnimatedCube cube;
+  const fs::path pattern = cube / "f_##.ply";
+  AnimationExport what = animation_export_of(cube.document, pattern);
+  CHECK(write_animation(what).there == 0);
+  const auto time = fs::last_write_time(cube / "f_05.ply");
+  CHECK(write_animation(what).there == 17);
+  CHECK(fs::last_write_time(cube / "f_05.ply") == time);
+  fs::remove(cube / "f_05.ply");
+  CHECK(write_animation(what).there == 16);
+  // Another key moves the frames between it and its neighbours' neighbours; rest stays the first frame.
+  cube.document.timeline.keys.back().pose = test::shared(test::turned_cage(*cube.document.cage, 200));
+  CHECK(write_animation(animation_export_of(cube.document, pattern)).there == 2);
+  CHECK(mesh::read(cube / "f_15.ply").surface.positions == exact_frame(cube, 15));
+  // Of another model nothing is trusted.
+  what = animation_export_of(cube.document, pattern);
+  what.model.scheme.amounts.turn = 0.5;
+  CHECK(write_animation(what).there == 0);
+}
+
+TEST_CASE("a_frame_that_is_not_ours_is_never_replaced_unasked") {
+  const test::AnimatedCube cube;
+  AnimationExport what = animation_export_of(cube.document, cube / "f_##.ply");
+  test::put_file(cube / "f_05.ply", "of a user");
+  const std::string problem = problem_of(what);
+  CHECK(test::mentions(problem, "f_05.ply: this file was made or changed otherwise"));
+  CHECK_FALSE(fs::exists(cube / "f_01.ply"));
+  CHECK(test::file_bytes(cube / "f_05.ply") == "of a user");
+  what.replaces_foreign = true;
+  CHECK(problem_of(what) == "");
+  CHECK(mesh::read(cube / "f_05.ply").surface.positions == exact_frame(cube, 5));
+  test::put_file(cube / "f_06.ply", "edited later");
+  what.replaces_foreign = false;
+  CHECK(test::mentions(problem_of(what), "f_06.ply"));
+}
+
+TEST_CASE("a_cache_that_was_ended_goes_on_and_is_the_same_to_the_bit") {
+  test::AnimatedCube cube;
+  cube.document.timeline.keys.back().frame = 4000;
+  cube.document.timeline.last = 4000;
+  AnimationExport what = animation_export_of(cube.document, cube / "a.pc2");
+  write_animation(what);
+  const std::string whole = test::file_bytes(cube / "a.pc2");
+  fs::remove(cube / "a.pc2");
+  REQUIRE(CancelledAt(0.5).write(what));
+  CHECK_FALSE(fs::exists(cube / "a.pc2"));
+  const AnimationReport report = write_animation(what);
+  CHECK(report.there > 1000);
+  CHECK(test::file_bytes(cube / "a.pc2") == whole);
+  // Another pose is another cache.
+  REQUIRE(CancelledAt(0.5).write(what));
+  cube.document.timeline.keys.back().pose = test::shared(test::turned_cage(*cube.document.cage, 200));
+  CHECK(write_animation(animation_export_of(cube.document, cube / "a.pc2")).there == 0);
+  // Who does not want to go on has nothing left over.
+  what.keeps_unfinished = false;
+  const auto before = names_in(cube.path());
+  REQUIRE(CancelledAt(0.5).write(what));
+  CHECK(names_in(cube.path()) == before);
+}
+
+TEST_CASE("cancelled_frames_are_whole_or_not_there") {
+  test::AnimatedCube cube;
+  cube.document.timeline.keys.back().frame = 400;
+  cube.document.timeline.last = 400;
+  const AnimationExport what = animation_export_of(cube.document, cube / "f_###.ply");
+  REQUIRE(CancelledAt(0.3).write(what));
+  std::size_t count = 0;
+  for (const auto& file : base::NumberedName(what.model.file).find()) {
+    CHECK(mesh::read(file.path).surface.positions.size() == cube.document.model.surface->positions.size());
+    ++count;
+  }
+  CHECK(count > 50);
+  CHECK(count < 400);
+  CHECK(write_animation(what).there + 1 >= count);  // the last one may not have been noted yet
+  CHECK(base::NumberedName(what.model.file).find().size() == 400);
+}
+
+TEST_CASE("a_full_disk_leaves_whole_files_and_says_so") {
+  const test::AnimatedCube cube;
+  for (const char* name : {"f_##.ply", "a.pc2", "a.glb"}) {
+    CAPTURE(name);
+    const AnimationExport what = animation_export_of(cube.document, cube / name);
+    const auto before = names_in(cube.path());
+    {
+      const test::FullDisk full(200);
+      CHECK(problem_of(what) != "");
+    }
+    for (const std::string& left : names_in(cube.path()))
+      CHECK((before.count(left) == 1 || left.ends_with(".made") || left.ends_with(".unfinished")));
+    CHECK(problem_of(what) == "");
+  }
+}
+
+TEST_CASE("names_that_say_nothing_that_can_be_written_are_refused_with_what_to_do") {
+  test::AnimatedCube cube;
+  const auto problem = [&](const char* name) {
+    return problem_of(animation_export_of(cube.document, cube / name));
+  };
+  CHECK(test::mentions(problem("a.obj"), "a_####.obj"));
+  CHECK(test::mentions(problem("a_##.pc2"), "leave the ####"));
+  CHECK(test::mentions(problem("a.xyz"), "unknown extension .xyz"));
+  CHECK(test::mentions(problem("none/a.pc2"), "none/a.pc2"));
+  cube.document.timeline.keys.clear();
+  CHECK(test::mentions(problem("a.pc2"), "no keys"));
+}
