@@ -19,11 +19,11 @@ struct Stance {
 
 // Tips of wings come after: up while the wings go down.
 constexpr Stance kStances[] = {
-    {22, 22, -96, -12, -18, 26, -40, -14, -8, 0, 0, 0},       // wings up, looking back over the left one
-    {35, 2, -100, -15, -36, 2, 32, 6, -20, -14, -10, 0.16},   // down: off the ground
-    {57, 8, 100, 15, -22, -38, -38, -12, 14, -5, -4, 0.06},   // up, and the head has swept to the right
-    {70, -4, 102, 13, -40, -16, 30, 6, -18, -14, -10, 0.18},  // down again
-    {95, 16, 34, 4, -24, 30, -20, -12, 6, 0, 0, 0},           // landed
+    {22, 22, -96, -12, -18, 26, -40, -14, -8, 0, 0, 0},      // wings up, looking back over the left one
+    {35, 2, -100, -15, -36, 2, 32, 6, -20, -14, -10, 0.16},  // down: off the ground
+    {57, 0, 80, 0, -22, -38, -38, -12, 14, -5, -4, 0.06},    // up, and the head has swept to the right
+    {70, -4, 80, 0, -40, -16, 30, 6, -18, -14, -10, 0.18},   // down again
+    {95, 16, 34, 4, -24, 30, -20, -12, 6, 0, 0, 0},          // landed
 };
 constexpr int kLastFrame = 121;
 
