@@ -53,6 +53,8 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
+  if (const auto file = std::exchange(r.save_named_pose, std::nullopt); file && scene::chosen_pose(w))
+    scene::save_chosen_pose(w, *file);
   if (const auto file = std::exchange(r.save_cage, std::nullopt)) scene::save_cage(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.is_movable())
     start_export(w, *file);

@@ -64,8 +64,8 @@ std::span<const std::string_view> FileBrowser::formats() const {
   if (purpose == Purpose::save_session) return {};
   if (purpose == Purpose::animation) return animated;
   if (purpose == Purpose::save_animation) return exported;
-  const bool pose =
-      purpose == Purpose::pose || purpose == Purpose::save_pose || purpose == Purpose::save_cage;
+  const bool pose = purpose == Purpose::pose || purpose == Purpose::save_pose ||
+                    purpose == Purpose::save_named_pose || purpose == Purpose::save_cage;
   return std::span(all).first(pose ? 3 : all.size());
 }
 

@@ -19,6 +19,7 @@ struct FileBrowser {
     animation,
     save_session,
     save_pose,
+    save_named_pose,
     save_cage,
     save_model,
     save_animation

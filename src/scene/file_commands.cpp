@@ -1,5 +1,7 @@
 #include "scene/file_commands.h"
 
+#include <algorithm>
+
 namespace viete::scene {
 
 namespace {
@@ -60,6 +62,14 @@ void browse_to_save_pose(Workspace& w) {
   const bool in_file = !w.document.cage_file.path.empty();
   browse_to_save(w, Purpose::save_pose, in_file ? w.document.cage_file.path : w.document.model.path,
                  "_pose.obj");
+}
+
+void browse_to_save_named_pose(Workspace& w) {
+  std::string name = w.document.library.poses[*w.chosen_pose].name;
+  std::ranges::replace(name, '/', '_');
+  const bool in_file = !w.document.cage_file.path.empty();
+  browse_to_save(w, Purpose::save_named_pose, in_file ? w.document.cage_file.path : w.document.model.path,
+                 "_" + name + ".obj");
 }
 
 void browse_to_save_cage(Workspace& w) {

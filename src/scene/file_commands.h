@@ -17,6 +17,8 @@ void browse_to_save_pose(Workspace& workspace);
 void browse_to_save_cage(Workspace& workspace);
 void browse_to_save_model(Workspace& workspace);
 void browse_to_save_animation(Workspace& workspace);
+/// The chosen one. Requires it.
+void browse_to_save_named_pose(Workspace& workspace);
 
 /// With the first leftover: open it, move it aside until the program ends, or leave it for another day.
 /// Require one.

@@ -8,6 +8,7 @@
 #include "deform/pose_io.h"
 #include "mesh/source.h"
 #include "mesh/write.h"
+#include "scene/animation_import.h"
 #include "scene/brush.h"
 #include "scene/cage_editing.h"
 #include "scene/session.h"
@@ -76,6 +77,11 @@ bool save_pose(Workspace& workspace, const fs::path& path) {
     deform::write_pose(path, *workspace.document.cage, real_pose(workspace.document));
     mark_pose_saved(workspace);
   });
+}
+
+bool save_chosen_pose(Workspace& workspace, const fs::path& path) {
+  return attempt(workspace, "pose", path,
+                 [&] { write_named_pose(workspace.document, *workspace.chosen_pose, path); });
 }
 
 bool save_cage(Workspace& workspace, const fs::path& path) {

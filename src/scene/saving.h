@@ -14,6 +14,7 @@ namespace viete::scene {
 /// then the file is as it was. Return success. A session makes all edits saved, a pose those of the pose.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
+bool save_chosen_pose(Workspace& workspace, const std::filesystem::path& path);  ///< of the named ones
 /// The cage at rest, which is then that of this file. The pose is not in it.
 bool save_cage(Workspace& workspace, const std::filesystem::path& path);
 

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "scene/command_conditions.h"
+#include "scene/file_commands.h"
 #include "scene/pose_edit.h"
 #include "scene/time_edit.h"
 
@@ -17,10 +18,10 @@ constexpr Condition can_pose{
     [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !in_hand(w); },
     "Open a cage or add a probe first, and pose it rather than edit it (Tab)."};
 constexpr Condition has_chosen_pose{
-    [](const Workspace& w) {
-      return can_pose(w) && w.chosen_pose && *w.chosen_pose < w.document.library.poses.size();
-    },
+    [](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
     "Choose a pose of the list first; Keep makes one of what is there."};
+constexpr Condition can_export_pose{[](const Workspace& w) { return has_chosen_pose(w) && has_cage(w); },
+                                    "Choose a pose of the list first."};
 constexpr Condition is_not_first_pose{
     [](const Workspace& w) { return has_chosen_pose(w) && *w.chosen_pose > 0; },
     "Choose a pose below the first one."};
@@ -127,6 +128,15 @@ void key_camera(Workspace& w) {
   });
 }
 
+void key_turntable(Workspace& w) {
+  try_edit(w, "key", [&] {
+    const bool first = w.document.timeline.empty();
+    stop_playing(w);
+    set_turntable(w.document, w.camera.pose());
+    show_timeline(w, first);
+  });
+}
+
 void delete_keys(Workspace& w) {
   remove_keys(w.document, selected_keys(w));
   w.time_view.selected.clear();
@@ -196,6 +206,12 @@ constexpr Shortcut plain_key(char c) {
 
 }  // namespace
 
+void change_mix(Workspace& w, const std::function<bool()>& change) {
+  stop_playing(w);
+  if (change()) return w.messages.succeeded("mix");
+  w.messages.error("the mix would leave what can be drawn; nothing was changed", {"mix"});
+}
+
 std::string choice_command_name(Repeat repeat) {
   return "repeat_" + std::string(all_repeats()[static_cast<std::size_t>(repeat)].word);
 }
@@ -216,14 +232,16 @@ std::vector<Command> time_commands() {
       {"remove_pose", "Delete", "Take the chosen pose out of the list; undo brings it back.", poses_group, {}, {}, has_chosen_pose, remove},
       {"pose_up", "Move up", "Move the chosen pose up in the list.", poses_group, {}, {}, is_not_first_pose, move_up},
       {"pose_down", "Move down", "Move the chosen pose down in the list.", poses_group, {}, {}, is_not_last_pose, move_down},
+      {"export_pose", "Export pose", "Write the cage in the chosen pose to a mesh file.", poses_group, {}, {}, can_export_pose, browse_to_save_named_pose},
       {"clear_mix", "Clear mix", "All sliders back to 0 %: what was made by hand stays.", poses_group, {}, {}, has_mix,
-       [](Workspace& w) { stop_playing(w); clear_mix(w.document, w.playback.vectors); }},
+       [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); }},
       {"average_mix", "Average", "Divide all sliders by their sum: the mean of the poses that are mixed, in log space.", poses_group, {}, {}, can_average,
-       [](Workspace& w) { stop_playing(w); average_mix(w.document, w.playback.vectors); }},
+       [](Workspace& w) { change_mix(w, [&] { return average_mix(w.document, w.playback.vectors); }); }},
 
       {"play", "Play", "Play what is keyed, or stop.", time_group, {Key::space}, {}, has_time, play_or_stop},
       {"set_key", "Set a key", "Keep what is there now as the key of this frame.", time_group, plain_key('I'), {}, can_pose, key_pose},
       {"set_camera_key", "Camera key", "Keep where one looks from as a key of this frame.", time_group, {key('I'), false, true}, {}, can_key_camera, key_camera},
+      {"turntable", "Turntable", "The camera goes once round the model over what plays; its other keys give way.", time_group, {}, {}, can_key_camera, key_turntable},
       {"delete_keys", "Delete keys", "Delete the selected keys; by its key while the pointer is over the timeline.", time_group, {Key::delete_key}, {}, deletes_keys,
        delete_keys},
       {"previous_frame", "Previous frame", "One frame back.", time_group, {Key::left}, {}, has_time, step<-1>},

@@ -134,7 +134,8 @@ struct Requests {
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool run_benchmark = false, stop_benchmark = false;
   std::optional<OpenRequest> open;
-  std::optional<std::filesystem::path> save_session, save_pose, save_cage, save_model, save_animation;
+  std::optional<std::filesystem::path> save_session, save_pose, save_named_pose, save_cage, save_model,
+      save_animation;
   std::optional<std::filesystem::path> discard;  ///< a leftover
   bool undo_discard = false;                     ///< the last one that was discarded
   std::optional<Answer> answer;                  ///< to the question
@@ -258,6 +259,12 @@ struct Workspace {
 /// True if the mesh is coloured by its mask.
 inline bool shows_mask(const Workspace& workspace) {
   return workspace.tool == Tool::paint && workspace.document.is_movable();
+}
+
+/// The pose of the list that commands act on; null: none is chosen.
+inline const NamedPose* chosen_pose(const Workspace& w) {
+  const auto& poses = w.document.library.poses;
+  return w.chosen_pose && *w.chosen_pose < poses.size() ? &poses[*w.chosen_pose] : nullptr;
 }
 
 /// That of the open cage, in which the hand moves both sides; null: none.

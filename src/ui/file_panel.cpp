@@ -26,6 +26,7 @@ const char* title(Purpose purpose) {
     case Purpose::animation: return "Import an animation of the cage###file_panel";
     case Purpose::save_session: return "Save the session###file_panel";
     case Purpose::save_pose: return "Save the posed cage###file_panel";
+    case Purpose::save_named_pose: return "Export the chosen pose###file_panel";
     case Purpose::save_cage: return "Save the cage at rest###file_panel";
     case Purpose::save_model: return "Export the deformed mesh###file_panel";
     case Purpose::save_animation: return "Export the animation###file_panel";
@@ -42,6 +43,7 @@ void request(scene::Requests& requests, Purpose purpose, const std::filesystem::
     case Purpose::animation: requests.open = scene::OpenRequest{What::animation, {path}}; break;
     case Purpose::save_session: requests.save_session = path; break;
     case Purpose::save_pose: requests.save_pose = path; break;
+    case Purpose::save_named_pose: requests.save_named_pose = path; break;
     case Purpose::save_cage: requests.save_cage = path; break;
     case Purpose::save_model: requests.save_model = path; break;
     case Purpose::save_animation: requests.save_animation = path; break;

@@ -6,6 +6,7 @@
 
 #include "scene/command_conditions.h"
 #include "scene/pose_edit.h"
+#include "scene/time_commands.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/picture_painter.h"
@@ -110,8 +111,8 @@ void row(const Context& ui, std::size_t index, PoseWish& wish) {
 void grant(scene::Workspace& w, const PoseWish& wish) {
   if (wish.chosen) w.chosen_pose = wish.chosen;
   if (wish.weight) {
-    scene::stop_playing(w);
-    scene::set_weight(w.document, w.playback.vectors, wish.weight->first, wish.weight->second);
+    const auto [pose, weight] = *wish.weight;
+    scene::change_mix(w, [&] { return scene::set_weight(w.document, w.playback.vectors, pose, weight); });
   }
   if (wish.name) scene::rename_pose(w.document, wish.name->first, wish.name->second);
   if (wish.applied) {
@@ -148,6 +149,7 @@ void panel_poses(const Context& ui) {
     command_row(ui, {"duplicate_pose", "remove_pose"});
     command_row(ui, {"clear_mix", "average_mix"});
   }
+  command_row(ui, {"import_poses", "export_pose"});
   command_row(ui, {"set_key", "toggle_timeline"});
 }
 

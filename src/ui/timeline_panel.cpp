@@ -65,6 +65,13 @@ void paths_icon(const TimePen& pen, bool) {
   pen.draw.AddCircleFilled(pen.at(1.1f, 0.6f), 1.8f, pen.color);
 }
 
+void export_icon(const TimePen& pen, bool) {
+  pen.draw.AddLine(pen.at(0, 0.4f), pen.at(0, -0.7f), pen.color, 1.25f);
+  pen.draw.AddTriangleFilled(pen.at(0, -1.1f), pen.at(-0.5f, -0.4f), pen.at(0.5f, -0.4f), pen.color);
+  const ImVec2 tray[] = {pen.at(-0.9f, 0.2f), pen.at(-0.9f, 0.9f), pen.at(0.9f, 0.9f), pen.at(0.9f, 0.2f)};
+  pen.draw.AddPolyline(tray, 4, pen.color, 0, 1.25f);
+}
+
 void icon_button(const Context& ui, const char* name, void (*draw)(const TimePen&, bool)) {
   const scene::Command& command = *scene::find_command(name);
   const bool enabled = command.enabled(ui.workspace);
@@ -128,6 +135,7 @@ void transport(const Context& ui, float right) {
   if (beside(28, right)) icon_button(ui, "set_camera_key", camera_icon);
   if (beside(28, right)) icon_button(ui, "toggle_auto_key", auto_icon);
   if (beside(28, right)) icon_button(ui, "toggle_paths", paths_icon);
+  if (beside(28, right, 12)) icon_button(ui, "save_animation", export_icon);
 }
 
 void repeat_choice(const Context& ui) {

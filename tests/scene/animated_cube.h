@@ -5,6 +5,7 @@
 
 #include "scene/animation.h"
 #include "scene/files.h"
+#include "scene/posed_cube.h"
 
 namespace viete::test {
 
@@ -17,10 +18,6 @@ inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double
   for (auto& p : pose.positions)
     p = {std::cos(a) * p[0] - std::sin(a) * p[1] + along, std::sin(a) * p[0] + std::cos(a) * p[1], p[2]};
   return pose;
-}
-
-inline scene::SharedPose shared(deform::Pose pose) {
-  return std::make_shared<const scene::WholePose>(scene::WholePose{std::move(pose), {}});
 }
 
 /// Files of a cube, and a document of these with keys at the frames 1, 9 and 17: rest, a quarter turn, and
