@@ -7,12 +7,13 @@ _viete_value() {
   local words=
   case $prev in
     --pose | --cage) _filedir "$_viete_meshes" ;;
-    --binding) _filedir ;;
+    --binding | --keys) _filedir ;;
     --json) _filedir json ;;
     --plot) _filedir svg ;;
     -o | --output)
       case $1 in
         render) _filedir png ;;
+        animate) _filedir '@(pc2|mdd|glb|gltf|obj|ply|off|stl|png|mp4|webm|mkv|gif)' ;;
         deform | cage) _filedir "$_viete_meshes" ;;
         *) _filedir ;;
       esac
@@ -34,7 +35,7 @@ _viete_value() {
     --triangles) words='60 200 600' ;;
     --margin | --gap) words='0.15 0.5 2' ;;
     --cells) words='1x1x1 2x2x2 3x3x3' ;;
-    --scale | --frames | --iterations | --pins | --hold | --tolerance | --count | --faces | --rounds) ;;
+    --scale | --frames | --step | --rate | --iterations | --pins | --hold | --tolerance | --count | --faces | --rounds) ;;
     *) return 1 ;;
   esac
   [[ -z $words ]] || COMPREPLY=($(compgen -W "$words" -- "$cur"))
@@ -52,6 +53,10 @@ _viete_options() {
         --error-map --no-cage --no-grid'
       ;;
     deform) options+=' --output --digits --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
+    animate)
+      options+=' --output --force --keys --frames --step --rate --tolerance --straight --turntable --digits --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
+        --size --scale --binding --look --shading --panels --light --wireframe --error-map --no-cage --no-grid'
+      ;;
     bind) options+=' --output --force --elements --weights --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
     cage) options+=' --output --force --kind --triangles --margin --gap --symmetry --quads --cells --own-axes' ;;
     info) options+=' --cage' ;;
@@ -73,7 +78,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform bind cage info bench help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time'
+  local commands='view render deform animate bind cage info bench help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"

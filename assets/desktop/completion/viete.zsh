@@ -22,6 +22,13 @@ local -a stitched=('--stitched[as rigid as possible]' '--iterations=[how often a
 local -a tolerance=('--tolerance=[of compressed weights]:tolerance:')
 local -a binding=('--binding=[what viete bind has saved]:binding:_files')
 local -a scale=('--scale=[device pixels per logical pixel]:scale:')
+local -a picture=($binding $scale
+  '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
+  '--look=[from where]:view:(home front back left right top bottom)'
+  '--shading=[what the mesh is coloured by]:shading:(clay porcelain jade file checker normals zebra)'
+  '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
+  '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
+local -a digits=('--digits=[decimals of what moved in text files]:decimals:(all 4 6 9)')
 local -a count=('--count=[matrices or vertices]:count:')
 local -a faces=('--faces=[triangles of the cage]:triangles:') rounds=('--rounds=[repetitions]:rounds:')
 local -a json=($force "--json=[also write the numbers]:file:_files -g '*.json'")
@@ -33,14 +40,15 @@ local command=$words[2]
 [[ $command == bench ]] && command="bench $words[3]"
 case $command in
   render)
-    specs+=($files $output $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $binding $scale
-      '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
-      '--look=[from where]:view:(home front back left right top bottom)'
-      '--shading=[what the mesh is coloured by]:shading:(clay porcelain jade file checker normals zebra)'
-      '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
-      '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
+    specs+=($files $output $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $picture)
     ;;
-  deform) specs+=($files $output '--digits=[decimals of what moved in text files]:decimals:(all 4 6 9)' $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched) ;;
+  deform) specs+=($files $output $digits $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched) ;;
+  animate)
+    specs+=($files $output $method $weighting $blend $coordinates $reach $limits $amounts $stitched $picture $digits
+      '--keys=[keys of other files]:file:_files' '--frames=[first-last]:frames:' '--step=[every so many frames]:frames:'
+      '--rate=[frames a second]:rate:' '--tolerance=[between morph targets]:tolerance:'
+      '--straight[straight lines from key to key]' '--turntable[pictures go once round the model]')
+    ;;
   bind) specs+=($files $output $weighting $coordinates $reach $limits $tolerance) ;;
   cage) specs+=("1:mesh:$mesh" $output '--kind=[what cage]:kind:(automatic box hull)'
       '--triangles=[size of the cage]:triangles:(60 200 600)' '--margin=[distance to the mesh, percent]:percent:(0.15 0.5 2)'
@@ -68,6 +76,7 @@ esac
 
 if ((CURRENT == 2)) && [[ $PREFIX != -* ]]; then
   local -a commands=('view:open the viewer' 'render:render a picture' 'deform:deform a mesh by a posed cage'
+    'animate:write the frames of a timeline'
     'bind:bind a model to its cage' 'cage:make a cage around a mesh' 'info:what mesh files hold' 'bench:measure speed and accuracy'
     'help:what a command can do')
   _describe command commands
@@ -77,7 +86,7 @@ fi
 
 # The words of the command are no files.
 local -i skip=0
-[[ $command == (view|render|deform|bind|cage|info|bench\ *) ]] && skip=1
+[[ $command == (view|render|deform|animate|bind|cage|info|bench\ *) ]] && skip=1
 [[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched|time) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))

@@ -1,0 +1,199 @@
+// viete animate: frames as files, whole whenever the program ends, and gone on with.
+#include <set>
+
+#include "base/numbered_files.h"
+#include "mesh/point_cache.h"
+#include "mesh/read.h"
+#include "mesh/write.h"
+#include "program/command_line.h"
+#include "scene/animated_cube.h"
+#include "scene/open.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+// A cube in its cage, with posed cages p_01, p_09 and p_17 to be keys.
+struct AnimatedFiles : AnimatedCube {
+  AnimatedFiles() {
+    for (const int frame : {1, 9, 17}) {
+      mesh::Surface posed = *document.cage_file.surface;
+      posed.positions = AnimatedCube::pose(frame).cage.positions;
+      mesh::write(*this / (frame < 10 ? "p_0" + std::to_string(frame) + ".obj" : "p_17.obj"), posed);
+    }
+  }
+  Outcome animate(const std::string& rest, const std::string& before = "") const {
+    return run("animate model.obj cage.obj --keys p_##.obj " + rest,
+               "cd " + quoted(path()) + " && " + before);
+  }
+};
+
+std::set<std::string> names_of(const fs::path& folder, const std::string& end) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().ends_with(end)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+// The dragon with two keys, so that a frame takes long enough to be ended within.
+struct AnimatedDragon : TemporaryFolder {
+  AnimatedDragon() {
+    fs::copy(cage, *this / "k_01.obj");
+    fs::copy(pose, *this / "k_41.obj");
+  }
+  std::string line(const std::string& rest) const {
+    return "animate " + quoted(dragon) + " " + quoted(cage) + " --keys k_##.obj " + rest;
+  }
+  Outcome animate(const std::string& rest) const { return run(line(rest), "cd " + quoted(path()) + " &&"); }
+
+  // Ended by the signal once `until` is there.
+  Outcome ended(const std::string& rest, const std::string& until, const std::string& signal) const {
+    const fs::path script = *this / "ended.sh";
+    put_file(script, "cd " + quoted(path()) + "\n'" + build_dir().string() + "/viete' " + line(rest) +
+                         " &\np=$!\nwhile ! [ -s " + until +
+                         " ] && kill -0 $p 2>/dev/null; do sleep 0.01; done\nkill -" + signal +
+                         " $p\nwait $p\n");
+    return run("--version >/dev/null; sh " + quoted(script));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
+  const AnimatedFiles files;
+  Outcome outcome = files.animate("-o f_##.ply --step 4");
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(mentions(outcome, "f_##.ply: 5 frames, deformed in double"));
+  CHECK(names_of(files.path(), ".ply") ==
+        std::set<std::string>{"f_01.ply", "f_05.ply", "f_09.ply", "f_13.ply", "f_17.ply"});
+  for (const char* name : {"a.pc2", "a.mdd"}) {
+    outcome = files.animate(std::string("-o ") + name + " --frames 3-12");
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    CHECK(mesh::PointCache(files / name).head().frames == 10);
+  }
+  outcome = files.animate("-o a.glb --tolerance 0.001");
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(mentions(outcome, "poses with straight lines between them, off by up to "));
+  outcome = files.animate("-o s_%02d.png --frames 4-5 --size 64x48 --no-grid");
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(names_of(files.path(), ".png") == std::set<std::string>{"s_04.png", "s_05.png"});
+  CHECK(file_bytes(files / "s_04.png") != file_bytes(files / "s_05.png"));
+  CHECK(mentions(files.animate("-o s_##.png --frames 4-6 --size 64x48 --no-grid"), "2 of them were there"));
+  CHECK(mentions(files.animate("-o s_##.png --frames 4-5 --size 64x48 --no-grid --turntable"), "2 pictures"));
+  CHECK(files.animate("-o g_##.obj --straight").code == 0);
+  CHECK(files.animate("-o h_##.obj").code == 0);
+  CHECK(file_bytes(files / "g_09.obj") == file_bytes(files / "h_09.obj"));
+  CHECK(file_bytes(files / "g_05.obj") != file_bytes(files / "h_05.obj"));
+}
+
+TEST_CASE("an_animation_that_was_killed_has_whole_frames_and_is_gone_on_with") {
+  const AnimatedDragon d;
+  for (const char* signal : {"KILL", "INT"}) {
+    CAPTURE(signal);
+    const std::string out = std::string(signal) + "_##.ply";
+    const Outcome ended = d.ended("-o '" + out + "'", std::string(signal) + "_03.ply", signal);
+    if (std::string(signal) == "INT")
+      CHECK_MESSAGE(mentions(ended, "stopped; what is whole stays"), ended.text);
+    const base::NumberedName name(d / out);
+    const auto there = name.find();
+    CHECK(there.size() >= 3);
+    CHECK(there.size() < 41);
+    for (const auto& file : there) CHECK(mesh::read(file.path).surface.positions.size() == 50000);
+    const Outcome again = d.animate("-o '" + out + "'");
+    CHECK_MESSAGE(again.code == 0, again.text);
+    CHECK(mentions(again, "of them were there already"));
+    CHECK(name.find().size() == 41);
+    CHECK(names_of(d.path(), ".part").empty());
+  }
+  for (int frame = 1; frame <= 41; frame += 8) {  // whoever has made it, and when
+    const auto one = base::NumberedName(d / "KILL_##.ply").file(frame),
+               other = base::NumberedName(d / "INT_##.ply").file(frame);
+    CHECK(file_bytes(one) == file_bytes(other));
+  }
+}
+
+TEST_CASE("a_cache_that_was_killed_is_gone_on_with_to_the_same_bytes") {
+  const AnimatedDragon d;
+  REQUIRE(d.animate("-o whole.pc2 --frames 1-200").code == 0);
+  d.ended("-o a.pc2 --frames 1-200", "a.pc2.*.unfinished", "KILL");
+  CHECK_FALSE(fs::exists(d / "a.pc2"));
+  const Outcome again = d.animate("-o a.pc2 --frames 1-200");
+  CHECK_MESSAGE(again.code == 0, again.text);
+  CHECK(file_bytes(d / "a.pc2") == file_bytes(d / "whole.pc2"));
+  CHECK(names_of(d.path(), ".unfinished").empty());
+}
+
+TEST_CASE("frames_of_another_animation_are_not_trusted_and_of_somebody_else_not_replaced") {
+  const AnimatedFiles files;
+  REQUIRE(files.animate("-o f_##.obj").code == 0);
+  const std::string before = file_bytes(files / "f_05.obj");
+  fs::remove(files / "p_17.obj");
+  fs::copy(files / "p_01.obj", files / "p_17.obj");
+  CHECK(
+      mentions(files.animate("-o f_##.obj"), "of them were there already"));  // the frames of keys that stay
+  REQUIRE(files.animate("-o fresh_##.obj").code == 0);
+  CHECK(file_bytes(files / "f_05.obj") == file_bytes(files / "fresh_05.obj"));
+  CHECK(file_bytes(files / "f_05.obj") != before);
+  put_file(files / "f_07.obj", "mine");
+  const Outcome refused = files.animate("-o f_##.obj");
+  CHECK(refused.code == 1);
+  CHECK(mentions(refused, "f_07.obj: this file was made or changed otherwise"));
+  CHECK(file_bytes(files / "f_07.obj") == "mine");
+  CHECK(files.animate("-o f_##.obj --force").code == 0);
+  CHECK(file_bytes(files / "f_07.obj") == file_bytes(files / "fresh_07.obj"));
+}
+
+TEST_CASE("several_programs_share_the_frames") {
+  const AnimatedFiles files;
+  put_file(files / "share.sh", "for r in 1-6 7-12 13-17; do '" + build_dir().string() +
+                                   "/viete' animate model.obj cage.obj --keys 'p_##.obj' -o 'f_##.ply' "
+                                   "--frames $r & done; wait");
+  run("--version >/dev/null; cd " + quoted(files.path()) + " && sh share.sh");
+  CHECK(mentions(files.animate("-o f_##.ply"), "17 of them were there already"));
+}
+
+TEST_CASE("videos_are_made_by_ffmpeg_and_it_is_said_where_that_is_missing") {
+  const AnimatedFiles files;
+  const std::string video = "-o a.mp4 --frames 2-4 --size 64x48 --rate 12";
+  const fs::path bin = files / "bin";
+  fs::create_directory(bin);
+  const Outcome missing = files.animate(video, "PATH=" + quoted(bin));
+  CHECK(missing.code == 1);
+  CHECK(mentions(missing, "ffmpeg: this program is not installed; install it"));
+  put_file(bin / "ffmpeg", "#!/bin/sh\necho \"$@\" > '" + (files / "words").string() +
+                               "'\nfor to; do :; done\ncat > \"${to#file:}\"\n");
+  fs::permissions(bin / "ffmpeg", fs::perms::owner_all);
+  const Outcome made = files.animate(video, "PATH=" + quoted(bin) + ":$PATH");
+  CHECK_MESSAGE(made.code == 0, made.text);
+  CHECK(fs::file_size(files / "a.mp4") == 3 * 64 * 48 * 4);
+  CHECK(test::mentions(file_bytes(files / "words"), "-video_size 64x48 -framerate 12 "));
+  put_file(bin / "ffmpeg", "#!/bin/sh\necho no such codec >&2\nexit 1\n");
+  const Outcome failed = files.animate(video, "PATH=" + quoted(bin) + ":$PATH");
+  CHECK(failed.code == 1);
+  CHECK(mentions(failed, "no such codec"));
+  CHECK(fs::file_size(files / "a.mp4") == 3 * 64 * 48 * 4);
+  CHECK(names_of(files.path(), ".part").empty());
+}
+
+TEST_CASE("what_animate_cannot_do_is_said_before_the_work_starts") {
+  const AnimatedFiles files;
+  const auto says = [&](const std::string& rest, int code, const std::string& text) {
+    const Outcome outcome = files.animate(rest);
+    CHECK(outcome.code == code);
+    CHECK_MESSAGE(mentions(outcome, text), outcome.text);
+  };
+  says("-o a.pc2 --frames 5-1", 2, "needs first-last, such as 1-48, not 5-1");
+  says("-o a.pc2 --frames x", 2, "needs first-last");
+  says("-o a.obj", 1, "write numbered files, a_####.obj");
+  says("-o a.png", 1, "write numbered pictures");
+  says("-o a_##.mp4", 1, "leave the ####");
+  says("-o a.txt", 1, "unknown extension .txt");
+  says("-o p_##.obj", 1, "this file was made or changed otherwise");
+  const std::string folder = "cd " + quoted(files.path()) + " &&";
+  CHECK(mentions(run("animate model.obj cage.obj -o a.pc2", folder), "--keys is required"));
+  put_file(files / "s.viete",
+           R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
+  CHECK(mentions(run("animate s.viete -o a.pc2", folder), "there are no keys in time"));
+  CHECK(mentions(run("animate s.viete -o cage.obj", folder), "a file of this format holds one frame"));
+}
