@@ -19,6 +19,7 @@
 #include "bench/rest_model.h"
 #include "bench/table.h"
 #include "deform/deformer.h"
+#include "deform/tiled_binding.h"
 #include "scene/animation.h"
 #include "scene/open.h"
 
@@ -126,6 +127,7 @@ public:
   void deform_known() { deformer_.deform(poses_[next()], sym3::Method::fast); }
   void play() { deformer_.deform(animation_.at(frame(next())).cage, sym3::Method::fast); }
   void interpolate() { animation_.at(frame(next())); }
+  bool compressed() const { return deformer_.binding().tiles->compressed(); }
 
   std::size_t vertices() const { return vertices_; }
   base::WorkerPool& pool() { return pool_; }
@@ -171,7 +173,8 @@ struct TimedCase {
 };
 
 std::vector<TimedCase> time_frames(PlayedModel& model, PlayedModel& large, std::size_t rounds) {
-  std::vector<TimedCase> cases = {{"compressed frame", &model, &PlayedModel::deform_known},
+  const char* plain = model.compressed() ? "compressed frame" : "frame, not compressed";
+  std::vector<TimedCase> cases = {{plain, &model, &PlayedModel::deform_known},
                                   {"frame that plays", &model, &PlayedModel::play},
                                   {"interpolation alone", &model, &PlayedModel::interpolate},
                                   {"frame that plays", &large, &PlayedModel::play}};
@@ -253,8 +256,7 @@ Volumes volumes_between_keys(const mesh::Surface& model, const std::shared_ptr<c
   const int first = timeline.keys.front().frame, last = timeline.keys.back().frame;
   const auto volume = [&](double frame) {
     deformer.deform(animation.at(frame, straight).cage, sym3::Method::fast);
-    std::vector<mesh::Point> positions = deformer.positions();
-    return rest.volume(positions);
+    return rest.volume(deformer.positions());
   };
   Volumes v;
   v.first = v.least = v.most = volume(first);

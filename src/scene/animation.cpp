@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/range.h"
-
 namespace viete::scene {
 
 namespace {
@@ -53,9 +51,9 @@ std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms) 
   return sum;
 }
 
-bool in_range(const WholePose& pose) {
-  const auto drawn = [](const mesh::Vec3& p) {
-    return std::ranges::all_of(p, [](double x) { return std::abs(x) <= most_drawn; });
+bool in_range(const WholePose& pose, double farthest) {
+  const auto drawn = [farthest](const mesh::Vec3& p) {
+    return std::ranges::all_of(p, [farthest](double x) { return std::abs(x) <= farthest; });
   };
   const auto turned = [](const mesh::Vec3& turn) { return mesh::norm(turn) <= largest_turn; };
   return std::ranges::all_of(pose.cage.positions, drawn) && std::ranges::all_of(pose.cage.turns, turned) &&
@@ -82,6 +80,8 @@ Animation::Animation(const Timeline& timeline, KnownVectors& vectors)
   if (!space_) return;
   std::span<const mesh::Vec3> turns;
   for (const PoseKey& key : timeline_.keys) {
+    for (const mesh::Point& p : key.pose->cage.positions)
+      for (const double x : p) farthest_ = std::max(farthest_, std::abs(x));
     vectors_.push_back(vectors.of(key.pose, turns));
     turns = vectors_.back()->turns;
   }
@@ -103,7 +103,7 @@ WholePose Animation::at(double frame, bool straight) const {
   const Moment moment = moment_at(timeline_, frame);
   if (moment.shares.size() == 1) return key(moment.shares.front().key);
   WholePose pose = blend(moment, straight);
-  return in_range(pose) ? pose : key(moment.from);
+  return in_range(pose, farthest_) ? pose : key(moment.from);
 }
 
 WholePose Animation::blend(const Moment& moment, bool straight) const {

@@ -54,6 +54,7 @@ private:
   WholePose blend(const Moment& moment, bool straight) const;
 
   Timeline timeline_;
+  double farthest_ = most_drawn;  // coordinate; or that of a key, of models that are deformed and not drawn
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::PoseVector>> vectors_;  // of the keys; null without a cage
   std::vector<deform::Held> held_;                                  // from each key to the next

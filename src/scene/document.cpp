@@ -9,6 +9,7 @@
 #include "deform/pose_io.h"
 #include "mesh/content_key.h"
 #include "mesh/read.h"
+#include "mesh/text_cursor.h"
 #include "scene/pose_edit.h"
 #include "scene/range.h"
 
@@ -33,13 +34,20 @@ void check_size(const std::string& place, const mesh::Bounds& box, const SizeRan
   throw base::Error(place, text, advice);
 }
 
+void check_pose(const std::string& place, const std::vector<mesh::Point>& positions, const SizeRange& range) {
+  if (!positions.empty()) check_size(place, mesh::bounds(positions), {0, range.most, range.use});
+}
+
 void check_sizes(const Document& document, const SizeRange& range) {
   for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
     if (opened->surface) check_size(place_of(*opened), opened->bounds, range);
   }
   if (document.cage_file.surface)
-    check_size("the pose of " + place_of(document.cage_file), mesh::bounds(document.pose.positions),
-               {0, range.most, range.use});
+    check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
+  for (const NamedPose& named : document.library.poses)
+    check_pose("the pose " + mesh::in_quotes(named.name), named.pose->cage.positions, range);
+  for (const PoseKey& key : document.timeline.keys)
+    check_pose("the key of frame " + std::to_string(key.frame), key.pose->cage.positions, range);
 }
 
 }  // namespace

@@ -29,7 +29,10 @@ void History::drop_oldest() {
 void History::push(std::string label, Snapshot before, bool of_selection) {
   constexpr std::size_t bytes_of_cage_vertex = 1000;  // about what surface, bases and neighbourhood take
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
-  const std::size_t bytes = 512 + (other_cage ? bytes_of_cage_vertex * before.pose.positions.size() : 0) +
+  // Poses and keys go along to another cage: then each state has its own.
+  const std::size_t poses = before.library.poses.size() + before.timeline.keys.size();
+  const std::size_t bytes_of_vertex = bytes_of_cage_vertex + poses * sizeof(mesh::Point);
+  const std::size_t bytes = 512 + (other_cage ? bytes_of_vertex * before.pose.positions.size() : 0) +
                             before.pose.positions.size() * (sizeof(mesh::Point) + sizeof(std::uint32_t)) +
                             (before.mask ? before.mask->size() * sizeof(float) : 0);
   const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "scene/cage_editing.h"
 #include "scene/command_conditions.h"
+#include "scene/edit.h"
 #include "scene/time_edit.h"
 #include "scene/workspace.h"
 
@@ -106,7 +107,7 @@ void go_to_frame(Workspace& w, double frame) {
   if (in_hand(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
   frame = std::clamp<double>(frame, Timeline::least_frame, Timeline::largest_frame);
   animation_of(w);
-  if (has_unkeyed_pose(w)) {
+  if (has_unkeyed_pose(w) && differs_from_rest(w.document)) {
     w.document.history.record("go to another frame", snapshot_of(w.document));
     w.messages.info("The pose was in no key; undo leads back to it.");
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/range.h"
 #include "scene/timeline.h"
 
 namespace viete::scene {
@@ -40,8 +41,9 @@ struct ProbeTerm {
 };
 std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms);
 
-/// True if it can be drawn, and kept in a session: the ranges of scene/range.h. Sums of logs may leave them.
-bool in_range(const WholePose& pose);
+/// True if it can be drawn, as far as such coordinates can, and kept in a session: the ranges of
+/// scene/range.h. Sums of logs may leave them.
+bool in_range(const WholePose& pose, double farthest = most_drawn);
 /// The same places, to the last bit, and the same whole turns; of what each part is turned by, only these
 /// tell poses apart.
 bool same_pose(const deform::Pose& a, const deform::Pose& b);

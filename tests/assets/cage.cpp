@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "geometry.h"
@@ -55,6 +57,29 @@ TEST_CASE("cage_encloses_every_vertex_of_the_dragon_with_1_5_percent_of_the_diag
   }
   CHECK(outside == 0);
   CHECK(close == 0);
+}
+
+TEST_CASE("the_loop_begins_and_ends_alert_and_takes_five_seconds") {
+  const mesh::Surface cage = bundled("cage.obj").surface;
+  std::ifstream in(test::assets_dir() / "dragon" / "loop.viete");
+  const auto session = nlohmann::json::parse(in);
+  const auto& keys = session["time"]["keys"];
+  REQUIRE(keys.size() > 4);
+  CHECK(session["time"]["repeat"] == "loop");
+  CHECK(keys.front()["frame"] == session["time"]["first"]);
+  CHECK(keys.back()["frame"] == session["time"]["last"]);
+  CHECK(keys.front()["positions"] == keys.back()["positions"]);
+  const std::vector<mesh::Point> alert = bundled("pose_alert.obj").surface.positions;
+  CHECK(keys.front()["positions"].get<std::vector<mesh::Point>>() == alert);
+  const int frames = session["time"]["last"].get<int>() - session["time"]["first"].get<int>();
+  CHECK(frames / session["time"]["rate"].get<double>() >= 4);
+  CHECK(frames / session["time"]["rate"].get<double>() <= 6);
+  for (const auto& key : keys) {
+    mesh::Surface posed = cage;
+    posed.positions = key["positions"].get<std::vector<mesh::Point>>();
+    CHECK(posed.positions.size() == cage.positions.size());
+    CHECK(mesh::summarize(posed).volume > 0);
+  }
 }
 
 TEST_CASE("poses_have_the_cage_s_vertices_and_faces_and_move_it") {

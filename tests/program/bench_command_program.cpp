@@ -108,6 +108,29 @@ TEST_CASE("a_stitched_frame_is_measured_against_a_plain_one") {
   CHECK_FALSE(nlohmann::json::parse(in)["results"].empty());
 }
 
+TEST_CASE("what_log_space_keeps_between_keys_is_measured_beside_straight_lines") {
+  const TemporaryFolder scratch;
+  const fs::path json = scratch / "time.json";
+  const auto outcome = run("bench time --rounds 1 --json " + quoted(json));
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+  std::istringstream lines(outcome.text);
+  for (std::string line; std::getline(lines, line);) CHECK_MESSAGE(line.size() <= 125, line);
+  std::ifstream in(json);
+  const auto measured = nlohmann::json::parse(in);
+  REQUIRE(measured["volumes"].size() == 3);
+  for (const auto& way : measured["volumes"])
+    CHECK(double(way["log_space"]["least"]) > double(way["straight"]["least"]));
+  CHECK(double(measured["volumes"][2]["log_space"]["least"]) > 0.85);
+  CHECK(measured["times"].size() == 4);
+  CHECK(measured["bars"].size() == 4);
+  // A session without keys.
+  put_file(scratch / "rest.viete",
+           R"({"format": "viete session", "version": 1, "model": ")" + dragon.string() + "\"}");
+  const auto nothing = run("bench time " + quoted(scratch / "rest.viete"));
+  CHECK(nothing.code == 1);
+  CHECK(mentions(nothing, "nothing plays in it"));
+}
+
 TEST_CASE("what_is_missing_or_does_not_fit_is_said_before_modes_are_compared") {
   const TemporaryFolder scratch;
   const std::string model = quoted(dragon), in_cage = model + " " + quoted(cage);

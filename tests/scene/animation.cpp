@@ -163,7 +163,7 @@ TEST_CASE("a_key_that_holds_stays_to_the_bit_until_the_next_one") {
 TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {
   const deform::ProbePose half{{0, 0, std::numbers::pi}, {2, 0, 0, 0, 0, 0}, {4, 0, 0}};
   Timeline t;
-  t.keys = {{1, test::shared({}, {}), Easing::linear}, {11, test::shared({}, {half})}};
+  t.keys = {{1, test::whole({}, {}), Easing::linear}, {11, test::whole({}, {half})}};
   KnownVectors none;
   none.follow(nullptr);
   const WholePose pose = Animation(t, none).at(6);
@@ -198,7 +198,7 @@ TEST_CASE("vectors_of_poses_are_taken_once_and_forgotten_with_the_pose") {
   CHECK(k.vectors.of(t.keys[1].pose) == known);
   k.vectors.follow(std::make_shared<const deform::Cage>(deform::make_cage(test::cube(1.5))));
   CHECK(k.vectors.of(t.keys[1].pose) != known);
-  CHECK_THROWS(k.vectors.of(test::shared({{{0, 0, 0}}, {}})));
+  CHECK_THROWS(k.vectors.of(test::whole({{{0, 0, 0}}, {}})));
   k.vectors.follow(nullptr);
   CHECK(k.vectors.of(t.keys[1].pose) == nullptr);
 }

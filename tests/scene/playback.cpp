@@ -99,6 +99,18 @@ TEST_CASE("a_pose_that_is_in_no_key_is_not_lost_by_going_elsewhere") {
   });
 }
 
+TEST_CASE("rest_is_never_lost_and_nothing_is_said_of_it") {
+  Played p;
+  go_to_frame(p.w, 6);
+  p.pass(0);
+  reset_pose(p.document());
+  p.pass(0);
+  CHECK(has_unkeyed_pose(p.w));
+  go_to_frame(p.w, 11);
+  CHECK(p.edits() == 1);
+  CHECK(p.w.messages.all().empty());
+}
+
 TEST_CASE("a_mix_ends_where_time_goes_on_and_comes_back_with_undo") {
   Played p;
   test::add_two_poses(p.document());

@@ -15,7 +15,7 @@
 
 using namespace viete;
 using namespace viete::scene;
-using test::distance, test::shared, test::stretched_cube, test::turned_cube;
+using test::distance, test::whole, test::stretched_cube, test::turned_cube;
 
 namespace {
 
@@ -101,7 +101,7 @@ TEST_CASE("what_changes_nothing_is_no_edit") {
 TEST_CASE("names_are_short_each_there_once_and_cut_between_characters") {
   PoseLibrary library;
   const auto add = [&](const std::string& wish) {
-    library.poses.push_back({free_name(library, wish), shared(turned_cube(0))});
+    library.poses.push_back({free_name(library, wish), whole(turned_cube(0))});
     return library.poses.back().name;
   };
   CHECK(add("") == "pose");
@@ -143,7 +143,7 @@ TEST_CASE("a_weight_goes_through_rest_and_beyond_the_pose") {
 
 TEST_CASE("all_of_one_pose_is_that_pose_and_none_of_it_what_was_there_to_the_bit") {
   Mixed m;
-  m.poses()[0].pose = shared(turned_cube(400));
+  m.poses()[0].pose = whole(turned_cube(400));
   m.weigh(0, 0.3);
   m.weigh(0, 1);
   CHECK(m.document.pose.positions == turned_cube(400).positions);
@@ -160,7 +160,7 @@ TEST_CASE("all_of_one_pose_is_that_pose_and_none_of_it_what_was_there_to_the_bit
 
 TEST_CASE("several_poses_are_added_in_log_space_subtracted_and_averaged") {
   Mixed m;
-  m.poses().push_back({"back", shared(turned_cube(-30))});
+  m.poses().push_back({"back", whole(turned_cube(-30))});
   m.weigh(0, 1);
   m.weigh(2, 1);
   CHECK(distance(m.positions(), turned_cube(60).positions) < 1e-12);
@@ -174,7 +174,7 @@ TEST_CASE("several_poses_are_added_in_log_space_subtracted_and_averaged") {
   CHECK(clear_mix(m.document, m.vectors));
   CHECK(m.positions() == test::cube(1.5).positions);
   // Twice two half turns: the whole turns count.
-  m.poses()[0].pose = shared(turned_cube(360));
+  m.poses()[0].pose = whole(turned_cube(360));
   m.weigh(0, 0.5);
   m.weigh(2, 1);
   CHECK(distance(m.positions(), turned_cube(150).positions) < 1e-12);
@@ -195,7 +195,7 @@ TEST_CASE("an_average_of_weights_that_are_nothing_together_is_refused") {
 
 TEST_CASE("a_mix_that_cannot_be_drawn_changes_nothing") {
   Mixed m;
-  m.poses()[1].pose = shared(stretched_cube(1e20));
+  m.poses()[1].pose = whole(stretched_cube(1e20));
   CHECK(m.weigh(1, 1));
   const deform::Pose before = m.document.pose;
   CHECK_FALSE(m.weigh(1, 3));
@@ -225,7 +225,7 @@ TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
 
 TEST_CASE("what_is_selected_when_a_slider_leaves_0_is_what_it_moves") {
   Mixed m;
-  m.poses()[1].pose = shared(stretched_cube(2, 3));
+  m.poses()[1].pose = whole(stretched_cube(2, 3));
   m.document.selection.apply(std::vector<std::uint32_t>{4, 5, 6, 7}, SelectMode::replace);  // the upper face
   m.weigh(1, 1);
   CHECK(m.poses()[1].part == std::vector<std::uint32_t>{4, 5, 6, 7});
@@ -292,7 +292,7 @@ TEST_CASE("probes_are_mixed_by_their_logs_and_locked_ones_stay") {
   Mixed m;
   m.document.probes.all.resize(2);
   const deform::ProbePose pose{{0, 0, 2}, {1, 0, 0, 0, 0, 0}, {3, 0, 0}};
-  m.poses()[0].pose = shared(turned_cube(90), {pose, pose});
+  m.poses()[0].pose = whole(turned_cube(90), {pose, pose});
   m.document.probes.all[1].locked = true;
   m.document.probes.all[1].pose.move = {7, 7, 7};
   m.weigh(0, 0.5);
@@ -312,7 +312,7 @@ TEST_CASE("poses_of_probes_alone_are_mixed_without_a_cage") {
   Document document;
   document.model = test::cube_document().model;
   document.probes.all.resize(1);
-  document.library.poses = {{"out", shared({}, {{.move = {4, 0, 0}}})}};
+  document.library.poses = {{"out", whole({}, {{.move = {4, 0, 0}}})}};
   KnownVectors vectors;
   CHECK(set_weight(document, vectors, 0, 0.5));
   CHECK(document.probes.all[0].pose.move == mesh::Vec3{2, 0, 0});
@@ -325,7 +325,7 @@ TEST_CASE("a_removed_probe_is_gone_from_every_pose_and_key_and_comes_back_with_u
   m.document.probes.all.resize(3);
   std::vector<deform::ProbePose> poses(3);
   for (int i = 0; i < 3; ++i) poses[i].move = {double(i), 0, 0};
-  m.poses()[0].pose = shared(turned_cube(90), poses);
+  m.poses()[0].pose = whole(turned_cube(90), poses);
   m.document.timeline.keys = {{1, m.poses()[0].pose}};
   m.document.selection = Selection(ElementKind::probe);
   m.document.selection.apply(std::vector<std::uint32_t>{1}, SelectMode::replace);

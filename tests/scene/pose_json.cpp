@@ -44,7 +44,7 @@ Workspace animated(const test::CubeFiles& files) {
   t.keys[0].easing = Easing::bezier;
   t.keys[0].handles = {0.1, -1.0 / 3, 0.7, 1.2};
   t.keys[1].easing = Easing::hold;
-  t.keys[1].pose = test::shared(test::turned_cube(540), {w.document.probes.all[0].pose});
+  t.keys[1].pose = test::whole(test::turned_cube(540), {w.document.probes.all[0].pose});
   t.cameras = {{1, {{0.1f, 0, 0}, 3, 1, 0.2f}}, {90, {{0, 0, 0}, 5, 40, -0.5f}}};
   t.first = -4, t.last = 90, t.rate = 29.97, t.repeat = Repeat::ping_pong, t.straight = true;
   w.document.frame = 7.25;
@@ -268,6 +268,21 @@ TEST_CASE("playing_is_no_work_that_could_be_lost_and_a_hand_that_moves_something
   w.document.pose.positions[0][0] += 0.1;
   follow_time(w, 0);
   CHECK(has_unsaved_edits(w));
+}
+
+TEST_CASE("poses_and_keys_that_cannot_be_drawn_are_refused_with_the_session_and_named") {
+  const test::CubeFiles files;
+  const std::string far = positions("[1e40, 0, 0]");
+  for (const auto& [parts, name] : {std::pair("\"poses\": [{\"name\": \"far\", " + far + "}]", "\"far\""),
+                                    {"\"time\": {\"keys\": [{\"frame\": 7, " + far + "}]}", "frame 7"}}) {
+    test::put_file(files / "s.viete",
+                   R"({"format": "viete session", "version": 5, "model": "model.obj", "cage": "cage.obj", )" +
+                       parts + "}");
+    Workspace w;
+    CHECK_FALSE(open_now(w, {OpenRequest::What::model, {files / "s.viete"}}));
+    CHECK(mentions(warnings_of(w), name));
+    CHECK(mentions(warnings_of(w), "s.viete"));
+  }
 }
 
 TEST_CASE("recovered_work_has_its_poses_and_keys") {

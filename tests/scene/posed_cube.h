@@ -29,12 +29,12 @@ inline deform::Pose stretched_cube(double x, double z = 1) {
   return pose;
 }
 
-inline scene::SharedPose shared(deform::Pose pose, std::vector<deform::ProbePose> probes = {}) {
+inline scene::SharedPose whole(deform::Pose pose, std::vector<deform::ProbePose> probes = {}) {
   return std::make_shared<const scene::WholePose>(scene::WholePose{std::move(pose), std::move(probes)});
 }
 
 inline scene::PoseKey key(int frame, const deform::Pose& pose, scene::Easing easing = scene::Easing::smooth) {
-  return {frame, shared(pose), easing};
+  return {frame, whole(pose), easing};
 }
 
 /// Rest at 1, a half turn at 11, twice as wide at 31.
@@ -47,7 +47,7 @@ inline scene::Timeline three_keys() {
 
 /// Named "turned" (90 degrees) and "wide" (twice).
 inline void add_two_poses(scene::Document& document) {
-  document.library.poses = {{"turned", shared(turned_cube(90))}, {"wide", shared(stretched_cube(2))}};
+  document.library.poses = {{"turned", whole(turned_cube(90))}, {"wide", whole(stretched_cube(2))}};
 }
 
 /// The largest distance between vertices, in cage diagonals.

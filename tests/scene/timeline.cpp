@@ -136,7 +136,7 @@ TEST_CASE("a_loop_whose_last_key_is_the_first_one_flows_through_it") {
   Numbers wheel;
   for (int i = 0; i <= 4; ++i) wheel.add(10 * i, 90 * i);
   wheel.timeline.keys.back().pose =
-      test::shared({wheel.timeline.keys.front().pose->cage.positions, {{0, 0, 2 * std::numbers::pi}}});
+      test::whole({wheel.timeline.keys.front().pose->cage.positions, {{0, 0, 2 * std::numbers::pi}}});
   for (double frame = 0; frame <= 40; frame += 0.5) CHECK(wheel.at(frame) == doctest::Approx(9 * frame));
 }
 
