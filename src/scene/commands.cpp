@@ -360,7 +360,7 @@ std::vector<Command> most_commands() {
        with_free_hand<has_selection_of_cage>, change_selection<shrunk>},
       {"select_loop", "Loop", "Select the loop of an edge, or of two neighbouring vertices or faces.", "Select",
        {key('L'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_loop},
-      {"select_ring", "Ring", "Select the edges that lie opposite, across quads and pairs of triangles, of an edge or two neighbouring vertices.", "Select",
+      {"select_ring", "Ring", "Select edges that lie opposite, across quads and pairs of triangles that make one.", "Select",
        {key('R'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_ring},
       {"select_similar", "Similar", "Select vertices with as many edges, edges as long, faces as large.", "Select",
        {key('S'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_like<similar>},

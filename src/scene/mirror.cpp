@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "mesh/point_tree.h"
@@ -68,6 +69,30 @@ std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice) {
     if (other.unpaired() < best.unpaired()) best = std::move(other);
   }
   return best;
+}
+
+std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<const mesh::Point> positions) {
+  constexpr double margin = 0.08, endless = std::numeric_limits<double>::max();
+  const mesh::Vec3& normal = mirror.plane.normal;
+  const mesh::Vec3 across = std::abs(normal[1]) < 0.9 ? mesh::Vec3{0, 1, 0} : mesh::Vec3{0, 0, 1};
+  const mesh::Vec3 to_side = mesh::cross(across, normal);
+  const std::array<mesh::Vec3, 2> axes{(1 / mesh::norm(to_side)) * to_side,
+                                       mesh::cross(normal, (1 / mesh::norm(to_side)) * to_side)};
+  std::array<double, 2> low{endless, endless}, high{-endless, -endless};
+  for (const mesh::Point& p : positions) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], mesh::dot(axes[k], p));
+      high[k] = std::max(high[k], mesh::dot(axes[k], p));
+    }
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double more = margin * (high[k] - low[k]);
+    low[k] -= more, high[k] += more;
+  }
+  const auto corner = [&](double u, double v) {
+    return mesh::Point(mirror.plane.offset * normal + u * axes[0] + v * axes[1]);
+  };
+  return {corner(low[0], low[1]), corner(high[0], low[1]), corner(high[0], high[1]), corner(low[0], high[1])};
 }
 
 void KnownMirror::follow(const std::shared_ptr<const deform::Cage>& now, MirrorPlane chosen) {

@@ -1,6 +1,7 @@
 // Which vertex of a cage is the image of which: how edits act on both of its sides.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -32,6 +33,10 @@ struct Mirror {
 /// diagonal, and the other way round. Across an axis the plane goes where it pairs most: through 0, or the
 /// middle of the cage. Nothing where no plane fits, or none is chosen. O(n log n).
 std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
+
+/// The corners of a rectangle in the plane, in order around it, somewhat larger than what the points cover
+/// there.
+std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<const mesh::Point> positions);
 
 /// The last one that was made, and of what.
 struct KnownMirror {

@@ -42,10 +42,11 @@ void ticks(const Context& ui, ImDrawList& draw, ImVec2 at) {
 
 }  // namespace
 
-// At the bottom right of the view: what the colours on the mesh say.
-void error_legend(const Context& ui) {
+// At the bottom right of the view: what the colours on the mesh say. What is said in the middle goes above
+// it.
+float error_legend(const Context& ui, float bottom) {
   const auto& w = ui.workspace;
-  if (!scene::shows_error_map(w) || ui.error_colors.size() < 2) return;
+  if (!scene::shows_error_map(w) || ui.error_colors.size() < 2) return bottom;
   const auto& v = w.viewport;
   const ImVec2 low{v.origin.x + v.size.x - width - 16, v.origin.y + v.size.y - height - 16};
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
@@ -59,6 +60,7 @@ void error_legend(const Context& ui) {
   const ImVec2 bar{low.x + inset, low.y + 54};
   colors(ui, draw, bar);
   ticks(ui, draw, bar);
+  return low.y + 36;
 }
 
 }  // namespace viete::ui

@@ -61,36 +61,15 @@ void partners_of_selection(const Context& ui, OverlayPainter& painter, const sce
   }
 }
 
-// A rectangle of the plane, a little larger than what of it is between the cage's sides. Nothing where a
-// corner is behind the camera.
-std::vector<glm::vec2> mirror_rectangle(const scene::Projector& project, const cages::Plane& plane,
-                                        const std::vector<mesh::Point>& positions) {
-  constexpr double margin = 0.08;
-  const glm::dvec3 normal(plane.normal[0], plane.normal[1], plane.normal[2]);
-  const glm::dvec3 least = std::abs(normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
-  const glm::dvec3 right = glm::normalize(glm::cross(least, normal)), up = glm::cross(normal, right);
-  glm::dvec2 low(1e300), high(-1e300);
-  for (const auto& p : positions) {
-    const glm::dvec3 at(p[0], p[1], p[2]);
-    const glm::dvec2 on_plane(glm::dot(at, right), glm::dot(at, up));
-    low = glm::min(low, on_plane), high = glm::max(high, on_plane);
-  }
-  const glm::dvec2 more = margin * (high - low);
-  low -= more, high += more;
-  std::vector<glm::vec2> corners;
-  for (const glm::dvec2 corner : {low, glm::dvec2(high.x, low.y), high, glm::dvec2(low.x, high.y)}) {
-    const glm::dvec3 p = plane.offset * normal + corner.x * right + corner.y * up;
-    const auto at = project({p.x, p.y, p.z});
-    if (!at) return {};
-    corners.emplace_back(*at);
-  }
-  return corners;
-}
-
+// Nothing where a corner is behind the camera.
 void mirror_plane(const Context& ui, OverlayPainter& painter, const scene::Projector& project,
                   const scene::Mirror& mirror) {
-  const auto corners = mirror_rectangle(project, mirror.plane, ui.workspace.document.pose.positions);
-  if (corners.empty()) return;
+  std::vector<glm::vec2> corners;
+  for (const auto& corner : scene::rectangle_in_plane(mirror, ui.workspace.document.pose.positions)) {
+    const auto at = project(corner);
+    if (!at) return;
+    corners.emplace_back(*at);
+  }
   painter.tint(corners, faded(ui.colors.highlight, 0.07f));
   painter.outline(corners, faded(ui.colors.highlight, 0.35f));
 }

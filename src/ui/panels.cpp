@@ -56,7 +56,6 @@ void draw_panels(const Context& ui) {
   axis_overlay(ui);
   view_overlay(ui);
   mark_overlay(ui);
-  error_legend(ui);
   if (ui.workspace.view.panels) {
     menu_bar(ui);
     tool_strip(ui);
@@ -70,7 +69,7 @@ void draw_panels(const Context& ui) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float bottom = v.origin.y + v.size.y;
   notice_bar(ui);
-  toasts(ui, std::min(cage_offer(ui, bottom), work_bar(ui, bottom)) - 44);
+  toasts(ui, std::min({cage_offer(ui, bottom), work_bar(ui, bottom), error_legend(ui, bottom)}) - 44);
   if (ui.workspace.view.help) help_overlay(ui);
   if (ui.workspace.browser.open && !ui.workspace.question) file_panel(ui);
   message_log(ui);

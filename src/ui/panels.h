@@ -53,7 +53,7 @@ void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
 void mark_overlay(const Context& ui);    ///< marks on the model, and the length between two
-void error_legend(const Context& ui);    ///< of the colours on the mesh
+float error_legend(const Context& ui, float bottom);  ///< of the colours on the mesh
 void select_overlay(const Context& ui);  ///< box, lasso and brush, being drawn or about to be
 std::string select_hint(const scene::Workspace& workspace);  ///< what the mouse does with them; empty: none
 void view_overlay(const Context& ui);                        ///< box selection, first-start hints

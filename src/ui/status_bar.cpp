@@ -1,3 +1,5 @@
+#include <cctype>
+
 #include "scene/elements.h"
 #include "scene/gizmo.h"
 #include "ui/format.h"
@@ -56,7 +58,9 @@ std::string mouse_text(const scene::Workspace& w) {
     return "Drag a probe moves it,  " + empty_space_words(keymap);
   if (w.document.has_cage())
     return "Drag a vertex, edge or selected face moves it,  " + empty_space_words(keymap);
-  return looking_words(keymap);
+  std::string words = looking_words(keymap);
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
 }
 
 // As many of the phrases, between which there are two spaces, as there is room for.

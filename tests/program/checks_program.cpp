@@ -1,4 +1,6 @@
 // Broken cages in the real program: what is wrong is found, said, and shown where it is.
+#include <cstdlib>
+
 #include "mesh/write.h"
 #include "program/open_cage.h"
 #include "support/folder.h"
@@ -132,4 +134,50 @@ TEST_CASE("checks_run_aside_while_frames_go_on") {
   for (int i = 0; i < 4000 && d.viewer().checking(); ++i) d.frame();
   CHECK(!d.viewer().checking());
   CHECK(!d.workspace().checks.running);
+}
+
+TEST_CASE("the_next_step_with_an_own_model_is_one_thing_at_a_time_until_work_begins") {
+  const test::TemporaryFolder scratch;
+  auto cage = *scene::open_surface(dragon_cage).surface;
+  for (auto& p : cage.positions) p[1] -= 0.3;
+  const fs::path low = scratch / "low.obj";
+  mesh::write(low, cage);
+  Driver d;
+  d.document().scheme = deform::default_scheme();
+  const auto offers = [&](const char* widget) {
+    d.frame(2);
+    const auto rect = d.viewer().recorder().find(widget);
+    const auto& v = d.workspace().viewport;
+    return rect && rect->x0 > v.origin.x && rect->x1 < v.origin.x + v.size.x;  // in the view, not in a column
+  };
+  REQUIRE(d.open({dragon}));
+  d.settle();
+  CHECK(offers("make_cage"));
+  CHECK_FALSE(offers("enclose_model"));
+  CHECK(d.document().scheme == deform::default_scheme());  // what `bench modes` chose
+  REQUIRE(d.open({low}, Driver::What::cage));
+  d.settle();
+  d.viewer().finish_checks();
+  CHECK(offers("enclose_model"));
+  CHECK_FALSE(offers("make_cage"));
+  if (const char* pictures = std::getenv("VIETE_PICTURES"))
+    render::write_png(fs::path(pictures) / "next_step.png", d.picture());
+  d.click("enclose_model");
+  d.frame(2);
+  d.viewer().finish_binding();
+  d.viewer().finish_checks();
+  CHECK_FALSE(offers("enclose_model"));
+  CHECK_FALSE(offers("hide_cage_offer"));
+  d.press_key('Z', true);
+  d.settle();
+  d.viewer().finish_checks();
+  CHECK(offers("hide_cage_offer"));
+  d.click("hide_cage_offer");
+  CHECK_FALSE(offers("enclose_model"));
+  REQUIRE(d.open({low}, Driver::What::cage));
+  d.settle();
+  d.viewer().finish_checks();
+  CHECK(offers("hide_cage_offer"));
+  d.press_key(scene::key('A'));  // work has begun
+  CHECK_FALSE(offers("hide_cage_offer"));
 }
