@@ -27,9 +27,9 @@ struct AnimatedCube : CubeFiles {
 
   AnimatedCube() {
     const deform::Cage& c = *document.cage;
-    document.timeline.keys = {{1, shared(deform::rest_pose(c))},
-                              {9, shared(turned_cage(c, 90, 1))},
-                              {17, shared(turned_cage(c, 190, 1, -0.25))}};
+    document.timeline.keys = {{1, whole(deform::rest_pose(c))},
+                              {9, whole(turned_cage(c, 90, 1))},
+                              {17, whole(turned_cage(c, 190, 1, -0.25))}};
     document.timeline.first = 1;
     document.timeline.last = 17;
   }
