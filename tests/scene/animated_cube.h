@@ -19,7 +19,7 @@ inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double
   return pose;
 }
 
-inline scene::SharedPose shared(deform::Pose pose) {
+inline scene::SharedPose whole_of(deform::Pose pose) {
   return std::make_shared<const scene::WholePose>(scene::WholePose{std::move(pose), {}});
 }
 
@@ -30,9 +30,9 @@ struct AnimatedCube : CubeFiles {
 
   AnimatedCube() {
     const deform::Cage& c = *document.cage;
-    document.timeline.keys = {{1, shared(deform::rest_pose(c))},
-                              {9, shared(turned_cage(c, 90, 1))},
-                              {17, shared(turned_cage(c, 190, 1, -0.25))}};
+    document.timeline.keys = {{1, whole_of(deform::rest_pose(c))},
+                              {9, whole_of(turned_cage(c, 90, 1))},
+                              {17, whole_of(turned_cage(c, 190, 1, -0.25))}};
     document.timeline.first = 1;
     document.timeline.last = 17;
   }
