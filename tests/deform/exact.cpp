@@ -97,6 +97,31 @@ TEST_CASE("block_by_block_a_cage_at_rest_gives_the_model_back") {
   }
 }
 
+TEST_CASE("pose_after_pose_gives_the_bits_of_each_alone_whether_weights_are_kept_or_not") {
+  using Kept = ExactDeformer::Weights;
+  for (const bool stitched : {false, true}) {
+    for (const Weighting weighting : {faces, mean_values}) {
+      if (stitched && weighting == mean_values) continue;  // moves points alone
+      const Bound b(stitched ? tube(8, 14, 0.9, 3) : cloud(700), tube(9, 12, 1.4, 4), weighting);
+      Scheme scheme{weighting, Blend::srl};
+      if (stitched) scheme.iterations = 2;
+      const auto mask = std::make_shared<const std::vector<float>>(b.model.positions.size(), 0.75F);
+      for (const Mask& painted : {Mask(), Mask(mask)}) {
+        base::WorkerPool pool(2);
+        ExactDeformer kept(b.model, b.cage, scheme, Method::fast, pool, Kept::kept, painted);
+        ExactDeformer dropped(b.model, b.cage, scheme, Method::fast, pool, Kept::dropped, painted);
+        for (const double by : {0.3, 1.0, 0.3}) {
+          const Pose pose = b.pose([&](const Vec3& p) { return p + by * (bent_and_stretched(p) - p); });
+          const auto alone =
+              deform::deform_exactly(b.model, b.cage, scheme, pose, Method::fast, pool, nullptr, painted);
+          CHECK(kept.deform(pose).positions == alone.positions);
+          CHECK(dropped.deform(pose).positions == alone.positions);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("turns_are_taken_and_handed_on_as_in_frames") {
   Bound b(cloud(300), tube(9, 12, 1.4, 4));
   const Pose turned = b.pose(bent_and_stretched, {{0, 0, 2 * std::numbers::pi}});

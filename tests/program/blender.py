@@ -292,6 +292,66 @@ def check_blue():
     assert near(color, (0, 0, 1, 1)), "stl.obj: %s" % tuple(color)
 
 
+FRAMES = (1, 4, 6, 11)
+
+
+def animate(out, *words):
+    print(out)
+    subprocess.run([VIETE, "animate", "model.obj", "cage.obj", "--keys", "key_##.obj", "-o", out, *words], check=True,
+                   cwd=FOLDER)
+
+
+def written_places(frame):
+    with open(path("frame_%02d.obj" % frame)) as file:
+        return [tuple(float(x) for x in line.split()[1:4]) for line in file if line.startswith("v ")]
+
+
+def places_at(scene_object, frame):
+    """Vertices in the object's own coordinates, as they are shown at that frame."""
+    bpy.context.scene.frame_set(int(frame), subframe=frame % 1)
+    shown = scene_object.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    mesh = shown.to_mesh()
+    places = [tuple(v.co) for v in mesh.vertices]
+    shown.to_mesh_clear()
+    return places
+
+
+def check_cache(out):
+    animate(out)
+    scene_object, _ = imported("frame_01.obj")
+    cache = scene_object.modifiers.new("cache", "MESH_CACHE")
+    cache.cache_format = out[-3:].upper()
+    cache.filepath = path(out)
+    cache.frame_start = 1
+    for frame in FRAMES:
+        expected, found = written_places(frame), places_at(scene_object, frame)
+        assert len(found) == len(expected), "%s: %d vertices for %d" % (out, len(found), len(expected))
+        odd = [v for v, (a, b) in enumerate(zip(found, expected)) if not near(a, b)]
+        assert not odd, "%s: frame %d: vertex %d is at %s" % (out, frame, odd[0], found[odd[0]])
+
+
+def check_morphs(out):
+    animate(out)
+    scene_object, _ = imported(out)
+    curves = scene_object.data.shape_keys.animation_data.action.fcurves
+    first = min(point.co[0] for curve in curves for point in curve.keyframe_points)
+    for frame in FRAMES:
+        found = [(p[0], p[2], -p[1]) for p in places_at(scene_object, first + frame - 1)]  # the importer turns them
+        expected = written_places(frame)
+        lost = [p for p in expected if not any(math.dist(p, q) < 1e-3 for q in found)]
+        assert not lost, "%s: frame %d: nothing is at %s" % (out, frame, lost[0])
+
+
+def check_animations():
+    """Of the box that turns: caches and morph targets against the models of the same frames."""
+    put("key_01.obj", cage(tuple))
+    put("key_11.obj", cage(turned))
+    animate("frame_##.obj", "--digits", "all")
+    check_cache("box.pc2")
+    check_cache("box.mdd")
+    check_morphs("box.glb")
+
+
 def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     os.makedirs(FOLDER)
@@ -312,6 +372,7 @@ def main():
         deform(model, out)
         check_places(box, out, faces * len(box.faces))
     check_blue()
+    check_animations()
     print("Blender %s sees what viete wrote" % bpy.app.version_string)
 
 

@@ -1,7 +1,9 @@
 // Deformed models written aside, of the moment they were asked for.
+#include "mesh/point_cache.h"
 #include "mesh/read.h"
 #include "program/kept_work.h"
 #include "scene/saving.h"
+#include "scene/time_edit.h"
 #include "support/commands.h"
 
 using namespace viete;
@@ -105,6 +107,28 @@ TEST_CASE("exports_are_written_in_the_order_they_were_asked_for") {
   CHECK(mesh::read(folder / "a.ply").surface.positions == first);
   CHECK(mesh::read(folder / "b.ply").surface.positions == second);
   CHECK(d.last_message() == saved + " to " + (folder / "b.ply").string());
+}
+
+TEST_CASE("an_animation_is_exported_aside_and_stopped_without_a_trace") {
+  const test::TemporaryFolder folder;
+  LargeModel d(folder.path(), 60);
+  d.workspace().document.frame = 1;
+  REQUIRE(test::run_command(d.workspace(), "set_key"));
+  drag_some_vertex(d, {-40, 25});
+  scene::set_key(d.document(), 600);
+  const fs::path file = folder / "out.pc2";
+  const auto before = folder.entries();
+  d.workspace().requests.save_animation = file;
+  d.frames_until([&] { return d.workspace().exporting.running; });
+  CHECK(d.workspace().exporting.what == "Exporting out.pc2");
+  d.workspace().requests.stop_export = true;
+  d.frames_until([&] { return !d.viewer().exporting(); });
+  CHECK(d.last_message() == "Stopped exporting out.pc2; no file was changed.");
+  CHECK(folder.entries() == before);
+  d.workspace().requests.save_animation = file;
+  d.frames_until([&] { return !d.viewer().exporting(); });
+  CHECK(d.last_message().starts_with("Saved the animation to " + file.string() + ": 600 frames of "));
+  CHECK(mesh::PointCache(file).head().frames == 600);
 }
 
 TEST_CASE("a_window_that_is_to_close_waits_for_its_export_and_stays_if_that_fails") {

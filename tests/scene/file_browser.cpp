@@ -142,6 +142,23 @@ TEST_CASE("the_file_to_save_gets_the_extension_it_lacks_and_an_existing_one_is_k
   CHECK_FALSE(browser.replaces());
 }
 
+TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame") {
+  const test::TemporaryFolder folder;
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::save_animation, folder.path(), "dragon");
+  CHECK(chosen_file(browser).filename() == "dragon.pc2");
+  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY or STL");
+  CHECK(problem_of_name(browser) == "");
+  set_format(browser, "obj");
+  CHECK(chosen_file(browser).filename() == "dragon_####.obj");
+  browser.path = (folder / "dragon_##.ply").string();
+  CHECK(chosen_file(browser).filename() == "dragon_##.ply");
+  set_format(browser, "glb");
+  CHECK(chosen_file(browser).filename() == "dragon_##.glb");
+  browser.path = (folder / "dragon.avi").string();
+  CHECK(problem_of_name(browser) != "");
+}
+
 TEST_CASE("when_saving_nothing_is_highlighted_until_the_list_is_walked") {
   const test::TemporaryFolder folder;
   put_files(folder);
