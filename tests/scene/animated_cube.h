@@ -20,13 +20,6 @@ inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double
   return pose;
 }
 
-<<<<<<< HEAD
-=======
-inline scene::SharedPose whole_of(deform::Pose pose) {
-  return std::make_shared<const scene::WholePose>(scene::WholePose{std::move(pose), {}});
-}
-
->>>>>>> out
 /// Files of a cube, and a document of these with keys at the frames 1, 9 and 17: rest, a quarter turn, and
 /// 100 degrees farther.
 struct AnimatedCube : CubeFiles {
@@ -34,15 +27,9 @@ struct AnimatedCube : CubeFiles {
 
   AnimatedCube() {
     const deform::Cage& c = *document.cage;
-<<<<<<< HEAD
     document.timeline.keys = {{1, whole(deform::rest_pose(c))},
                               {9, whole(turned_cage(c, 90, 1))},
                               {17, whole(turned_cage(c, 190, 1, -0.25))}};
-=======
-    document.timeline.keys = {{1, whole_of(deform::rest_pose(c))},
-                              {9, whole_of(turned_cage(c, 90, 1))},
-                              {17, whole_of(turned_cage(c, 190, 1, -0.25))}};
->>>>>>> out
     document.timeline.first = 1;
     document.timeline.last = 17;
   }

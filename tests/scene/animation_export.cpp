@@ -138,11 +138,7 @@ TEST_CASE("straight_keys_collapse_where_log_space_turns") {
   const auto half_way = [&](bool straight) {
     cube.document.timeline.straight = straight;
     cube.document.timeline.keys.resize(2);
-<<<<<<< HEAD
     cube.document.timeline.keys[1].pose = test::whole(test::turned_cage(*cube.document.cage, 180, 0, 0));
-=======
-    cube.document.timeline.keys[1].pose = test::whole_of(test::turned_cage(*cube.document.cage, 180, 0, 0));
->>>>>>> out
     write_animation(animation_export_of(cube.document, cube / "a.pc2"));
     const auto frame = mesh::PointCache(cube / "a.pc2").frame(4);
     return std::hypot(frame[0][0], frame[0][1]);
@@ -207,11 +203,7 @@ TEST_CASE("frames_that_are_whole_are_not_made_again_and_others_are") {
   fs::remove(cube / "f_05.ply");
   CHECK(write_animation(what).there == 16);
   // Another key moves the frames between it and its neighbours' neighbours; rest stays the first frame.
-<<<<<<< HEAD
   cube.document.timeline.keys.back().pose = test::whole(test::turned_cage(*cube.document.cage, 200));
-=======
-  cube.document.timeline.keys.back().pose = test::whole_of(test::turned_cage(*cube.document.cage, 200));
->>>>>>> out
   CHECK(write_animation(animation_export_of(cube.document, pattern)).there == 2);
   CHECK(mesh::read(cube / "f_15.ply").surface.positions == exact_frame(cube, 15));
   // Of another model nothing is trusted.
@@ -251,11 +243,7 @@ TEST_CASE("a_cache_that_was_ended_goes_on_and_is_the_same_to_the_bit") {
   CHECK(test::file_bytes(cube / "a.pc2") == whole);
   // Another pose is another cache.
   REQUIRE(CancelledAt(0.5).write(what));
-<<<<<<< HEAD
   cube.document.timeline.keys.back().pose = test::whole(test::turned_cage(*cube.document.cage, 200));
-=======
-  cube.document.timeline.keys.back().pose = test::whole_of(test::turned_cage(*cube.document.cage, 200));
->>>>>>> out
   CHECK(write_animation(animation_export_of(cube.document, cube / "a.pc2")).there == 0);
   // Who does not want to go on has nothing left over.
   what.keeps_unfinished = false;
