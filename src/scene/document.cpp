@@ -42,12 +42,12 @@ void check_sizes(const Document& document, const SizeRange& range) {
   for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
     if (opened->surface) check_size(place_of(*opened), opened->bounds, range);
   }
-  if (document.cage_file.surface)
-    check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
   for (const NamedPose& named : document.library.poses)
     check_pose("the pose " + mesh::in_quotes(named.name), named.pose->cage.positions, range);
   for (const PoseKey& key : document.timeline.keys)
     check_pose("the key of frame " + std::to_string(key.frame), key.pose->cage.positions, range);
+  if (document.cage_file.surface)
+    check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
 }
 
 }  // namespace
