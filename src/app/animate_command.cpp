@@ -125,8 +125,10 @@ int write_models(const AnimateOptions& options) {
   print_notes(opened.warnings);
   const scene::AnimationExport what = export_of(options, opened);
   scene::check_animation_export(what);
-  TerminalProgress work("Writing " + options.output.filename().string());
-  const scene::AnimationReport report = scene::write_animation(what, &work.progress());
+  const scene::AnimationReport report = [&] {
+    TerminalProgress work("Writing " + options.output.filename().string());
+    return scene::write_animation(what, &work.progress());
+  }();
   print_notes(report.notes);
   say(options.output, report);
   return exit_ok;
@@ -149,13 +151,14 @@ int write_pictures(const AnimateOptions& options) {
     throw base::Error(options.inputs.model.string(), "there are no keys in time, so that nothing moves",
                       "set keys on the timeline and save the session, or add --turntable");
   base::check_replaceable(video ? options.output : base::NumberedName(options.output).file(1));
-  TerminalProgress work("Drawing " + options.output.filename().string());
   PictureOptions picture = options.picture;
   picture.viewer.probe = picture.panels;
   picture.panels_of_session = false;
   const PictureRun run = picture_run(options, opened.document->timeline);
+  auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.filename().string());
   const auto offscreen = viewer_of(picture, std::move(opened));
-  const PicturesReport report = write_pictures(*offscreen, run, work.progress());
+  const PicturesReport report = write_pictures(*offscreen, run, work->progress());
+  work.reset();  // its line gives way to what is said
   print_messages(offscreen->viewer().workspace());
   say(options.output, {run.frames.size(), report.there, base::counted(run.frames.size(), "picture"), {}});
   return exit_ok;

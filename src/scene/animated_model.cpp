@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/memory.h"
 #include "deform/tiled_binding.h"
+#include "scene/pose_notes.h"
 
 namespace viete::scene {
 
@@ -14,7 +16,7 @@ AnimatedModel::AnimatedModel(const Export& model, const Timeline& timeline, Prec
     : model_(model), pool_(pool) {
   vectors_.follow(has_cage() ? model.cage : nullptr);
   animation_.emplace(timeline, vectors_);
-  if (wish == Precision::fast && fuses()) make_fast(most, tried, progress);
+  if (wish == Precision::fast && fuses() && has_memory_to_fuse()) make_fast(most, tried, progress);
 }
 
 // Else it stands for none.
@@ -31,6 +33,13 @@ WholePose AnimatedModel::pose(double frame) const {
 bool AnimatedModel::fuses() const {
   const deform::Scheme& scheme = model_.scheme;
   return has_cage() && !scheme.stitched() && (!scheme.exponential() || model_.method == sym3::Method::fast);
+}
+
+bool AnimatedModel::has_memory_to_fuse() const {
+  const std::size_t handles = deform::handle_count(*model_.cage, model_.scheme.weighting.elements);
+  const double weights =
+      4.0 * static_cast<double>(handles) * static_cast<double>(model_.model->positions.size());
+  return weights < 0.5 * base::free_memory().value_or(0);
 }
 
 // Compressed weights would be off by more than a float is.
@@ -65,13 +74,20 @@ deform::ExactModel AnimatedModel::exact(const WholePose& pose, base::Progress* p
   if (!exact_)
     exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.scheme, model_.method, pool_,
                                              ExactDeformer::Weights::kept, model_.mask, progress);
-  return exact_->deform(pose.cage, probes(pose), progress);
+  deform::ExactModel deformed = exact_->deform(pose.cage, probes(pose), progress);
+  notes_ = pose_notes(deformed.report, *model_.cage, pose.cage);
+  notes_.insert(notes_.end(), deformed.warnings.begin(), deformed.warnings.end());
+  if (auto note = method_note(model_.method, deformed.exp_error); !note.empty())
+    notes_.push_back(std::move(note));
+  return deformed;
 }
 
 void AnimatedModel::run_fast(double frame) {
   const WholePose pose = this->pose(frame);
   deformer_->set_probes(probes(pose));
   deformer_->deform(pose.cage, model_.method);
+  notes_ = pose_notes(deformer_->state().report(), *model_.cage, pose.cage);
+  notes_.insert(notes_.end(), deformer_->binding().warnings.begin(), deformer_->binding().warnings.end());
 }
 
 std::span<const float> AnimatedModel::floats(double frame) {

@@ -23,9 +23,9 @@ public:
   enum class Precision { exact, fast };
 
   /// model.pose is not looked at. `fast` is what is wished for: where the method or a stitched model does not
-  /// go by it, or it would be off by more than `most` (diagonals of the cage) at one of `tried` frames, it is
-  /// exact. model and pool must outlive it; timeline must have keys. progress may be null. Throws base::Error
-  /// and base::Cancelled.
+  /// go by it, its weights take more than half of the memory that is free, or it would be off by more than
+  /// `most` (diagonals of the cage) at one of `tried` frames, it is exact. model and pool must outlive it;
+  /// timeline must have keys. progress may be null. Throws base::Error and base::Cancelled.
   AnimatedModel(const Export& model, const Timeline& timeline, Precision wish, double most,
                 std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
@@ -43,10 +43,13 @@ public:
   /// x, y, z of every vertex as its precision has them; until the next call.
   std::span<const float> floats(double frame);
   std::vector<mesh::Point> positions(double frame);
+  /// What a person should know of the last frame, one line each.
+  const std::vector<std::string>& notes() const { return notes_; }
 
 private:
   bool has_cage() const;
   bool fuses() const;
+  bool has_memory_to_fuse() const;
   void make_fast(double most, std::span<const double> tried, base::Progress* progress);
   void run_fast(double frame);
 
@@ -58,6 +61,7 @@ private:
   std::unique_ptr<deform::ExactDeformer> exact_;  // null until it is asked for
   double error_ = 0;
   std::vector<float> floats_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace viete::scene

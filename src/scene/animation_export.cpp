@@ -108,9 +108,11 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   if (progress) progress->section(0.02, 1);
   mesh::PointCacheWriter writer(what.model.file, cache_head(what, frames), cache_key(what, model));
   AnimationReport report{.frames = frames.size(), .there = writer.frames_there()};
+  FrameNotes notes;
   try {
     for (std::size_t i = writer.frames_there(); i < frames.size(); ++i) {
       writer.append(model.floats(frames[i]));
+      notes.add(model.notes());
       if (progress) progress->report(static_cast<double>(i + 1) / static_cast<double>(frames.size()));
     }
     writer.finish();
@@ -118,6 +120,7 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
     if (!what.keeps_unfinished) writer.discard();
     throw;
   }
+  report.notes = notes.take();
   report.summary = base::counted(frames.size(), "frame") + " of " +
                    base::with_thousands(what.model.model->positions.size()) + " vertices, " +
                    engine_text(model);
@@ -158,9 +161,13 @@ mesh::MorphAnimation morph_animation(const AnimationExport& what, const MotionSa
 // Below this nothing can be told from rounding of floats.
 constexpr double least_tolerance = 1e-7;
 
-MotionSamples sampled(const AnimationExport& what, AnimatedModel& model, double diagonal,
+MotionSamples sampled(const AnimationExport& what, AnimatedModel& model, double diagonal, FrameNotes& notes,
                       base::Progress* progress) {
-  const MotionAt at = [&](double frame) { return model.positions(frame); };
+  const MotionAt at = [&](double frame) {
+    auto positions = model.positions(frame);
+    notes.add(model.notes());
+    return positions;
+  };
   if (what.every_frame) {
     const auto frames = what.frames();
     return sample_at({frames.begin(), frames.end()}, at, progress);
@@ -176,17 +183,19 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
                       judged_frames(what.frames()), pool, progress);
   const double diagonal = std::max(diagonal_of(*what.model.model), 1e-300);
   if (progress) progress->section(0.05, 0.7);
-  const MotionSamples motion = sampled(what, model, diagonal, progress);
+  FrameNotes notes;
+  const MotionSamples motion = sampled(what, model, diagonal, notes, progress);
   if (progress) progress->section(0.7, 1);
   const mesh::Content content{
       *what.model.model, what.model.model->positions, {}, what.model.attributes.get()};
   AnimationReport report{.frames = motion.samples.size()};
-  report.notes = mesh::write_animated(what.model.file, content, what.model.original.get(),
-                                      morph_animation(what, motion), progress);
+  notes.add(mesh::write_animated(what.model.file, content, what.model.original.get(),
+                                 morph_animation(what, motion), progress));
   const std::string extension = mesh::extension_of(what.model.file);
   const bool original = what.model.original && what.model.original->writes(extension);
   const std::string units = original ? "" : gltf_note(what.model.unit, what.model.up);
-  if (!units.empty()) report.notes.push_back(units);
+  if (!units.empty()) notes.add({units});
+  report.notes = notes.take();
   report.summary = base::counted(report.frames, "pose") + " with straight lines between them, off by up to " +
                    scientific(motion.error / diagonal) + " of the model's diagonal; " + engine_text(model);
   return report;

@@ -212,6 +212,35 @@ TEST_CASE("frames_that_are_whole_are_not_made_again_and_others_are") {
   CHECK(write_animation(what).there == 0);
 }
 
+TEST_CASE("probes_without_a_cage_move_the_model_in_time") {
+  const test::AnimatedCube cube;
+  Document document = open_document(cube.model, "");
+  deform::Probe probe;
+  probe.place = {1, 1, 1};
+  probe.move = {Falloff::smooth, 1.5};
+  deform::Probe locked = probe;
+  locked.place = {-1, -1, -1};
+  locked.locked = true;
+  locked.pose.move = {0, 0, 0.25};
+  document.probes.all = {probe, locked};
+  WholePose moved;
+  moved.probes.resize(2);
+  moved.probes[0].move = {1, 0, 0};
+  document.timeline.keys = {{1, std::make_shared<const WholePose>()},
+                            {5, std::make_shared<const WholePose>(moved)}};
+  document.timeline.last = 5;
+  write_animation(animation_export_of(document, cube / "p.pc2"));
+  write_animation(animation_export_of(document, cube / "p_#.ply"));
+  const mesh::PointCache cache(cube / "p.pc2");
+  for (const int frame : {1, 3, 5}) {
+    const auto positions = cache.frame(static_cast<std::size_t>(frame - 1));
+    CHECK(positions[7][0] == doctest::Approx(1 + 0.25 * (frame - 1)));
+    CHECK(positions[0][2] == doctest::Approx(-0.75));
+    const auto exact = mesh::read(base::NumberedName(cube / "p_#.ply").file(frame)).surface.positions;
+    CHECK(farthest(positions, exact) < 1e-6);
+  }
+}
+
 TEST_CASE("a_frame_that_is_not_ours_is_never_replaced_unasked") {
   const test::AnimatedCube cube;
   AnimationExport what = animation_export_of(cube.document, cube / "f_##.ply");
