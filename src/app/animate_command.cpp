@@ -110,7 +110,7 @@ scene::AnimationExport export_of(const AnimateOptions& options, const scene::Ope
 void check_output(const AnimateOptions& options) {
   const std::string extension = mesh::extension_of(options.output);
   const bool numbered = base::NumberedName::is_pattern(options.output);
-  if (numbered || !(scene::is_animation_format(extension) || is_video_format(extension))) return;
+  if (numbered || !(scene::is_animation_format(extension) || scene::is_video_format(extension))) return;
   check_output(options.output, Content::animation, files_read(options.inputs), options.force);
 }
 
@@ -141,7 +141,7 @@ PictureRun picture_run(const AnimateOptions& options, const scene::Timeline& tim
 }
 
 int write_pictures(const AnimateOptions& options) {
-  const bool video = is_video_format(mesh::extension_of(options.output));
+  const bool video = scene::is_video_format(mesh::extension_of(options.output));
   if (video == base::NumberedName::is_pattern(options.output))
     throw base::Error(options.output.string(),
                       video ? "a video holds all frames" : "a picture holds one frame",
@@ -168,10 +168,11 @@ int animate(const AnimateOptions& options) {
   const std::string extension = mesh::extension_of(options.output);
   try {
     check_output(options);
-    return extension == "png" || is_video_format(extension) ? write_pictures(options) : write_models(options);
+    return extension == "png" || scene::is_video_format(extension) ? write_pictures(options)
+                                                                   : write_models(options);
   } catch (const base::Cancelled&) {
     throw base::Error(options.output.string(), "stopped",
-                      is_video_format(extension)
+                      scene::is_video_format(extension)
                           ? "no file was changed"
                           : "what is whole stays; the same command goes on from there");
   }

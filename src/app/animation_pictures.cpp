@@ -167,10 +167,6 @@ void write_video(FrameViewer& viewer, const PictureRun& run, glm::ivec2 size, ba
 
 }  // namespace
 
-bool is_video_format(const std::string& extension) {
-  return std::ranges::find(video_formats(), extension, &VideoFormat::extension) != video_formats().end();
-}
-
 std::vector<std::string> ffmpeg_words(const std::string& extension, int width, int height, double rate,
                                       const fs::path& to) {
   const auto format = std::ranges::find(video_formats(), extension, &VideoFormat::extension);
@@ -188,7 +184,7 @@ std::vector<std::string> ffmpeg_words(const std::string& extension, int width, i
 
 PicturesReport write_pictures(OffscreenViewer& offscreen, const PictureRun& run, base::Progress& progress) {
   const glm::ivec2 size = offscreen.viewer().device_size();
-  const bool video = is_video_format(mesh::extension_of(run.file));
+  const bool video = scene::is_video_format(mesh::extension_of(run.file));
   offscreen.settle();
   FrameViewer viewer(offscreen, run);
   if (!video) return write_png_files(viewer, run, size, progress);

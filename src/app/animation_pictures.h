@@ -23,9 +23,6 @@ struct PicturesReport {
   std::size_t there = 0;  ///< pictures that an earlier run had made
 };
 
-/// "mp4", "webm", "mkv" and "gif".
-bool is_video_format(const std::string& extension);
-
 /// Of the viewer's document, whose timeline and camera keys are followed. Pictures are whole files or none,
 /// and those of the same that an earlier run has made are not made again, see base::MadeFiles; a video is
 /// there as a whole or not at all. Throws base::Error, also where ffmpeg is not installed, and

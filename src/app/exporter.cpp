@@ -27,6 +27,16 @@ void Exporter::add(scene::AnimationExport what) {
        }});
 }
 
+void Exporter::add(PictureExport what) {
+  const std::filesystem::path file = what.file;
+  const bool numbered = base::NumberedName::is_pattern(file);
+  add({file, numbered ? "pictures that are there are whole" : "no file was changed",
+       [what = std::move(what)](base::Progress& progress) {
+         std::vector<std::string> notes = write_pictures_aside(what, progress);
+         return Written{"Saved the animation to " + what.file.string(), std::move(notes)};
+       }});
+}
+
 void Exporter::add(Work work) {
   waiting_.push_back(std::move(work));
   if (!running()) start_next();

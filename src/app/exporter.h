@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/picture_export.h"
 #include "base/background.h"
 #include "scene/animation_export.h"
 #include "scene/export.h"
@@ -21,6 +22,7 @@ class Exporter {
 public:
   void add(scene::Export what);
   void add(scene::AnimationExport what);
+  void add(PictureExport what);
   /// Asks the one that is being written to stop, which it does within moments; those that wait follow.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }

@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "mesh/source.h"
 #include "scene/file_commands.h"
 #include "scene/saving.h"
 
@@ -78,6 +79,9 @@ void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
 }
 
 void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path& file) {
+  const std::string extension = mesh::extension_of(file);
+  if (extension == "png" || scene::is_video_format(extension))
+    return exporter_.add(PictureExport{file, scene::session_of(w)});
   scene::AnimationExport what = scene::animation_export_of(w.document, file);
   what.model.up = w.camera.pose().up;
   what.keeps_unfinished = false;  // who stops it here does not go on with it

@@ -20,7 +20,9 @@ constexpr const char* clear_line = "\r\x1B[K";
 }  // namespace
 
 TerminalProgress::TerminalProgress(std::string what)
-    : what_(std::move(what)), shows_(isatty(STDERR_FILENO) == 1) {
+    : what_(std::move(what)),
+      shows_(isatty(STDERR_FILENO) == 1),
+      counts_(!shows_ && std::getenv("VIETE_PROGRESS") != nullptr) {
   sigemptyset(&signals_);
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
@@ -41,12 +43,15 @@ void TerminalProgress::watch(const std::stop_token& stop) {
   const double begun = base::wall_seconds();
   double shown = begun;
   bool told = false;
+  int counted = 0;
   while (!stop.stop_requested()) {
     if (sigtimedwait(&signals_, nullptr, &tick) > 0) {
       if (std::exchange(told, true)) std::_Exit(128 + SIGINT);
       progress_.cancel();
     }
     const double now = base::wall_seconds();
+    const int percent = static_cast<int>(100 * progress_.done());
+    if (counts_ && percent > counted) std::fprintf(stderr, "%d %%\n", counted = percent);
     if (!shows_ || now - shown < shown_every) continue;
     show(now - begun);
     shown = now;

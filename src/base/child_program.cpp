@@ -45,7 +45,8 @@ struct SpawnSettings {
 
 }  // namespace
 
-ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::string& advice)
+ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::string& advice,
+                           const std::vector<std::string>& variables)
     : name_(words.front()) {
   // A socket, because a pipe that nobody reads would end this program by a signal.
   int ends[2] = {-1, -1};
@@ -56,12 +57,15 @@ ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::str
     throw Error(name_, std::string("cannot be run: ") + std::strerror(code), "close other programs");
   }
   input_ = ends[0];
-  std::vector<char*> arguments;
+  std::vector<char*> arguments, environment;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  for (const std::string& variable : variables) environment.push_back(const_cast<char*>(variable.c_str()));
+  for (char** variable = environ; *variable; ++variable) environment.push_back(*variable);
+  environment.push_back(nullptr);
   const SpawnSettings settings(ends[1], errors_);
   const int code = posix_spawnp(&process_, name_.c_str(), &settings.files, &settings.attributes,
-                                arguments.data(), environ);
+                                arguments.data(), environment.data());
   close(ends[1]);
   if (code == 0) return;
   process_ = 0;
@@ -99,10 +103,23 @@ void ChildProgram::write(std::span<const unsigned char> bytes) {
   }
 }
 
+bool ChildProgram::running() {
+  int status = 0;
+  if (process_ > 0 && waitpid(process_, &status, WNOHANG) == process_) {
+    process_ = 0;
+    status_ = status;
+  }
+  return process_ > 0;
+}
+
+void ChildProgram::stop() {
+  if (process_ > 0) kill(process_, SIGTERM);
+}
+
 void ChildProgram::finish() {
   close_input();
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  int status = status_.value_or(0);
+  while (process_ > 0 && waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
   process_ = 0;
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();

@@ -1,6 +1,7 @@
 // Another program that is run with bytes on its standard input.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,9 +13,11 @@ namespace viete::base {
 /// reach it: who runs it ends it. One thread at a time.
 class ChildProgram {
 public:
-  /// words: the program, looked for in PATH, and its arguments, as they are: no shell. Throws Error where it
-  /// is not installed, with this advice, or cannot be run.
-  ChildProgram(const std::vector<std::string>& words, const std::string& advice);
+  /// words: the program, looked for in PATH, and its arguments, as they are: no shell. variables:
+  /// "NAME=value", beside those of this program. Throws Error where it is not installed, with this advice, or
+  /// cannot be run.
+  ChildProgram(const std::vector<std::string>& words, const std::string& advice,
+               const std::vector<std::string>& variables = {});
   /// One that still runs is killed.
   ~ChildProgram();
   ChildProgram(const ChildProgram&) = delete;
@@ -22,16 +25,21 @@ public:
 
   /// Throws Error where it takes no more: with what it has said.
   void write(std::span<const unsigned char> bytes);
+  /// Of its standard error the first 4 KB, so far.
+  std::string said() const;
+  /// False once it has ended: finish() says how.
+  bool running();
+  /// Asks it to end, by SIGTERM.
+  void stop();
   /// Waits for its end. Throws Error where that is no success, with what it has said.
   void finish();
 
 private:
   [[noreturn]] void fail();
   void close_input();
-  std::string said() const;
-
   std::string name_;
   int process_ = 0, input_ = -1, errors_ = -1;
+  std::optional<int> status_;  // once it has ended
 };
 
 }  // namespace viete::base

@@ -261,6 +261,11 @@ bool is_frame_format(const std::string& extension) {
   return std::ranges::find(formats, extension) != formats.end();
 }
 
+bool is_video_format(const std::string& extension) {
+  constexpr std::array formats{"mp4", "webm", "mkv", "gif"};
+  return std::ranges::find(formats, extension) != formats.end();
+}
+
 void check_animation_export(const AnimationExport& what) {
   const fs::path& file = what.model.file;
   const std::string extension = mesh::extension_of(file);

@@ -59,8 +59,8 @@ std::span<const std::string_view> FileBrowser::formats() const {
   static constexpr std::array<std::string_view, 6> all = {"obj", "ply", "off", "stl", "glb", "gltf"};
   static constexpr std::array<std::string_view, 7> animated = {"pc2", "mdd", "glb", "gltf",
                                                                "obj", "ply", "off"};
-  static constexpr std::array<std::string_view, 7> exported = {"pc2", "mdd", "glb", "gltf",
-                                                               "obj", "ply", "stl"};
+  static constexpr std::array<std::string_view, 10> exported = {"pc2", "mdd", "glb", "gltf", "obj",
+                                                                "ply", "stl", "png", "mp4",  "webm"};
   if (purpose == Purpose::save_session) return {};
   if (purpose == Purpose::animation) return animated;
   if (purpose == Purpose::save_animation) return exported;
@@ -131,7 +131,8 @@ namespace {
 // What holds one model gets a place for the number of the frame.
 fs::path animation_name(const fs::path& file) {
   const std::string extension = mesh::extension_of(file);
-  if (is_animation_format(extension) || base::NumberedName::is_pattern(file)) return file;
+  const bool holds_all = is_animation_format(extension) || is_video_format(extension);
+  if (holds_all || base::NumberedName::is_pattern(file)) return file;
   return file.parent_path() / (file.stem().string() + "_####" + file.extension().string());
 }
 

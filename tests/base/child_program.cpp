@@ -32,6 +32,21 @@ TEST_CASE("a_child_gets_all_bytes_and_its_words_as_they_are") {
   CHECK(test::file_bytes(file) == std::string(3'000'000, 'x'));
 }
 
+TEST_CASE("a_child_is_looked_at_while_it_runs_told_variables_and_stopped") {
+  ChildProgram child({"sh", "-c", "echo \"$VIETE_TEST_WORD\" >&2; exec sleep 100"}, "",
+                     {"VIETE_TEST_WORD=so far"});
+  while (child.said().empty()) CHECK(child.running());
+  CHECK(child.said() == "so far");
+  child.stop();
+  while (child.running()) {
+  }
+  CHECK_THROWS(child.finish());
+  ChildProgram good({"true"}, "");
+  while (good.running()) {
+  }
+  CHECK_NOTHROW(good.finish());
+}
+
 TEST_CASE("a_child_that_is_not_there_or_fails_is_said_with_its_own_words") {
   CHECK(problem_of({"viete-no-such-program"}, 0) ==
         "viete-no-such-program: this program is not installed; install it");
