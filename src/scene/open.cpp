@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "deform/pose_io.h"
+#include "mesh/point_cache.h"
 #include "mesh/winding_number.h"
 #include "scene/animation.h"
 #include "scene/animation_import.h"
@@ -256,6 +257,8 @@ Opened open_dropped(const std::vector<fs::path>& files, const Document& current,
     throw base::Error("", std::to_string(files.size()) + " files were dropped",
                       "drop one session, one model, one pose, or a model and its cage");
   }
+  if (files.size() == 1 && mesh::point_cache_format(files[0]))
+    return open_animation(files[0], current, progress);
   const double middle = files.size() == 2 ? 0.4 : 0.8;
   if (progress) progress->section(0, middle);
   OpenedSurface first = open_surface(files[0], progress);

@@ -32,10 +32,10 @@ struct Opened {
 /// changed, so that whatever goes wrong leaves everything as it was. progress may be null. Throws base::Error
 /// and base::Cancelled. Thread-safe.
 ///
-/// Dropped files are judged by content and count. One: a session; a pose, if it has as many vertices as the
-/// open cage and the same faces; a cage, if none is open and it encloses the open model with fewer vertices;
-/// else a model. Two: a model and its cage, which is the one that encloses the other; if neither does, or
-/// both, the one with fewer vertices.
+/// Dropped files are judged by content and count. One: a session; a point cache, as keys; a pose, if it has
+/// as many vertices as the open cage and the same faces; a cage, if none is open and it encloses the open
+/// model with fewer vertices; else a model. Two: a model and its cage, which is the one that encloses the
+/// other; if neither does, or both, the one with fewer vertices.
 Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress = nullptr);
 
 /// Those of its document, if there is one; of a session the error names the session too.

@@ -166,6 +166,11 @@ TEST_CASE("poses_and_animations_are_opened_as_edits") {
   CHECK(w.document.timeline.last == 17);
   CHECK_FALSE(open_now(w, {What::animation, {m.cage}}));
   CHECK(w.document.timeline.keys.size() == 3);
+  m.write(m / "dropped.pc2");
+  REQUIRE(open_now(w, {What::dropped, {m / "dropped.pc2"}}));
+  CHECK(w.document.timeline.keys.size() == 17);
+  undo(w.document);
+  CHECK(w.document.timeline.keys.size() == 3);
   undo(w.document);
   CHECK(w.document.timeline.keys.empty());
   undo(w.document);
