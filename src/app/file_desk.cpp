@@ -26,8 +26,11 @@ fs::path remembered_file(const fs::path& state) {
   return state / "remembered.json";
 }
 
-FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace& workspace)
-    : state_(state), saved_(std::move(saved)), autosave_(recovery_folder(state), queue_) {
+FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace& workspace, fs::path program)
+    : state_(state),
+      program_(std::move(program)),
+      saved_(std::move(saved)),
+      autosave_(recovery_folder(state), queue_) {
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
   scene::remove_discarded(recovery_folder(state_));
@@ -81,7 +84,7 @@ void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
 void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path& file) {
   const std::string extension = mesh::extension_of(file);
   if (extension == "png" || scene::is_video_format(extension))
-    return exporter_.add(PictureExport{file, scene::session_of(w)});
+    return exporter_.add(PictureExport{file, program_, scene::session_of(w)});
   scene::AnimationExport what = scene::animation_export_of(w.document, file);
   what.model.up = w.camera.pose().up;
   what.keeps_unfinished = false;  // who stops it here does not go on with it

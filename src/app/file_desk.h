@@ -22,8 +22,9 @@ std::filesystem::path remembered_file(const std::filesystem::path& state);
 class FileDesk {
 public:
   /// state: the folder to remember in; empty: nothing is remembered or kept. Fills the workspace with what
-  /// was remembered.
-  FileDesk(const std::filesystem::path& state, SavedBindings saved, scene::Workspace& workspace);
+  /// was remembered. program: `viete`, which draws animations aside.
+  FileDesk(const std::filesystem::path& state, SavedBindings saved, scene::Workspace& workspace,
+           std::filesystem::path program = "/proc/self/exe");
   /// What was discarded is gone for good.
   ~FileDesk();
 
@@ -77,7 +78,7 @@ private:
   void remember(scene::Workspace& workspace);
   void take_written(scene::Workspace& workspace);
 
-  std::filesystem::path state_;
+  std::filesystem::path state_, program_;
   SavedBindings saved_;
   Loader loader_;
   Exporter exporter_;

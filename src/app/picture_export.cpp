@@ -69,7 +69,7 @@ std::vector<std::string> write_pictures_aside(const PictureExport& what, base::P
   const fs::path session = scratch.path() / "animation.viete";
   base::replace_file(session, scene::session_text(what.session, session), base::Durability::process);
   base::ChildProgram child(
-      {"/proc/self/exe", "animate", session.string(), "-o", fs::absolute(what.file).string()},
+      {what.program.string(), "animate", session.string(), "-o", fs::absolute(what.file).string()},
       "start this program again", {"VIETE_PROGRESS=1"});
   try {
     while (child.running()) {

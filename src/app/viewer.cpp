@@ -33,7 +33,7 @@ Viewer::ImGuiOwner::~ImGuiOwner() {
 Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
     : gl_(gl),
       options_(options),
-      files_(options.state, options.bindings, workspace_),
+      files_(options.state, options.bindings, workspace_, options.program),
       model_(files_),
       analysis_(options.probe),
       imgui_renderer_(gl),

@@ -30,7 +30,8 @@ struct ViewerOptions {
   bool builtin_font = false;  ///< the same text on every machine, for picture tests
   bool probe = true;          ///< measure the methods aside
   std::filesystem::path
-      state{};               ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
+      state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
+  std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which draws animations aside
   SavedBindings bindings{};  ///< where to find bindings, and to keep those that took long
 };
 

@@ -5,6 +5,8 @@
 #include "scene/saving.h"
 #include "scene/time_edit.h"
 #include "support/commands.h"
+#include "support/pictures.h"
+#include "support/text.h"
 
 using namespace viete;
 using namespace test;
@@ -25,6 +27,7 @@ struct LargeModel : Driver {
   }
   static app::ViewerOptions small_window() {
     auto options = Driver::default_options();
+    options.program = build_dir() / "viete";
     options.size = {640, 400};
     return options;
   }
@@ -129,6 +132,36 @@ TEST_CASE("an_animation_is_exported_aside_and_stopped_without_a_trace") {
   d.frames_until([&] { return !d.viewer().exporting(); });
   CHECK(d.last_message().starts_with("Saved the animation to " + file.string() + ": 600 frames of "));
   CHECK(mesh::PointCache(file).head().frames == 600);
+}
+
+TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") {
+  const test::TemporaryFolder folder;
+  LargeModel d(folder.path(), 20);
+  d.workspace().document.frame = 1;
+  scene::set_key(d.document(), 1);
+  deform::Pose pose = d.document().pose;
+  for (auto& p : pose.positions) p[1] *= 1.3;
+  scene::set_pose(d.document(), pose);
+  scene::set_key(d.document(), 3);
+  d.document().timeline.last = 3;
+  d.workspace().requests.save_animation = folder / "f_##.png";
+  d.frame();
+  CHECK(d.workspace().exporting.what == "Exporting f_##.png");
+  d.frames_until([&] { return !d.viewer().exporting(); });
+  CHECK_MESSAGE(d.last_message() == "Saved the animation to " + (folder / "f_##.png").string(),
+                d.last_message());
+  const auto first = test::read_png(folder / "f_01.png"), last = test::read_png(folder / "f_03.png");
+  CHECK(first.width == 640);
+  CHECK(first.height == 400);
+  CHECK(first.rgba != last.rgba);
+  CHECK(fs::exists(folder / "f_02.png"));
+  CHECK_FALSE(fs::exists(folder / "f_04.png"));
+  test::put_file(folder / "g_02.png", "somebody's");
+  d.workspace().requests.save_animation = folder / "g_##.png";
+  d.frames_until([&] { return !d.viewer().exporting(); });
+  CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
+  CHECK(test::mentions(d.last_message(), "g_02.png"));
+  CHECK(test::file_bytes(folder / "g_02.png") == "somebody's");
 }
 
 TEST_CASE("a_window_that_is_to_close_waits_for_its_export_and_stays_if_that_fails") {

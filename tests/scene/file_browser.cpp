@@ -147,7 +147,7 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   FileBrowser browser;
   show(browser, FileBrowser::Purpose::save_animation, folder.path(), "dragon");
   CHECK(chosen_file(browser).filename() == "dragon.pc2");
-  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY or STL");
+  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, STL, PNG, MP4 or WEBM");
   CHECK(problem_of_name(browser) == "");
   set_format(browser, "obj");
   CHECK(chosen_file(browser).filename() == "dragon_####.obj");
@@ -155,6 +155,11 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   CHECK(chosen_file(browser).filename() == "dragon_##.ply");
   set_format(browser, "glb");
   CHECK(chosen_file(browser).filename() == "dragon_##.glb");
+  browser.path = (folder / "dragon.png").string();
+  CHECK(chosen_file(browser).filename() == "dragon_####.png");
+  browser.path = (folder / "dragon.mp4").string();
+  CHECK(chosen_file(browser).filename() == "dragon.mp4");
+  CHECK(problem_of_name(browser) == "");
   browser.path = (folder / "dragon.avi").string();
   CHECK(problem_of_name(browser) != "");
 }
