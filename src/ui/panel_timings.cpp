@@ -48,12 +48,35 @@ Part legend_entry(const Context& ui, std::size_t part, double ms, bool stale, Im
   return is_under_cursor(at, high) ? Part(part) : std::nullopt;
 }
 
+// Fused and stitched frames have other links than staged and plain ones.
+bool is_of_path(const Parts& frame, const Parts& other) {
+  const auto alike = [&](scene::Link link) {
+    const auto i = static_cast<std::size_t>(link);
+    return (frame[i] > 0) == (other[i] > 0);
+  };
+  return alike(scene::Link::fused) && alike(scene::Link::solve);
+}
+
+// A link that a frame of this path does without for a while, as skeletons during a drag, keeps its row.
+std::array<bool, part_count> parts_with_rows(const Context& ui, const Parts& deforming) {
+  std::array<bool, part_count> rows{};
+  for (const auto& frame : ui.workspace.stats.history()) {
+    const Parts parts = parts_of(frame);
+    if (!is_of_path(parts, deforming)) continue;
+    for (std::size_t i = 0; i < part_count; ++i) rows[i] = rows[i] || parts[i] > 0;
+  }
+  for (std::size_t i = 0; i < part_count; ++i)
+    rows[i] = rows[i] || i >= scene::link_count || deforming[i] > 0;
+  return rows;
+}
+
 // Two columns, read downwards; links that this path does not have are left out.
 Part legend(const Context& ui, const Parts& newest, const Parts& deforming) {
   std::array<std::size_t, part_count> shown{};
   std::size_t count = 0;
+  const auto has_row = parts_with_rows(ui, deforming);
   for (std::size_t i = 0; i < part_count; ++i) {
-    if (i >= scene::link_count || deforming[i] > 0) shown[count++] = i;
+    if (has_row[i]) shown[count++] = i;
   }
   const std::size_t rows = std::max(legend_rows, (count + 1) / 2);
   const bool deformed = newest[static_cast<std::size_t>(scene::Link::maps)] > 0;

@@ -24,7 +24,7 @@ Shown shown(Driver& d, const render::Image& empty) {
   const auto picture = d.picture();
   Shown sum;
   for (int y = 0; y < 660; ++y) {  // above the legend
-    for (int x = 330; x < 1280; ++x) {
+    for (int x = 330; x < 955; ++x) {  // beside the Lab, whose times are never the same
       const auto p = picture.pixel(x, y);
       if (p == empty.pixel(x, y)) continue;
       sum.red += p[0];
@@ -65,7 +65,8 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   const Shown rough = shown(d, empty);
   CHECK(map.method == sym3::Method::sd);
   CHECK(map.worst > 1e-14);
-  CHECK(rough.red / rough.pixels > 1.03 * exact.red / exact.pixels);
+  const double rough_red = rough.red / rough.pixels, exact_red = exact.red / exact.pixels;
+  CHECK(rough_red > 1.1 * exact_red);
 
   d.press_key(scene::key('E'), false, true);
   d.click("method_fast");

@@ -75,7 +75,10 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   CHECK(mentions(outcome, "66 vertices, 12 cage triangles, method fast, reach 4"));
   for (const char* title : {"\ntall ", "\nbox ", "\nall 2 poses "}) CHECK(mentions(outcome, title));
   std::istringstream lines(outcome.text);
-  for (std::string line; std::getline(lines, line);) CHECK_MESSAGE(line.size() <= 110, line);
+  for (std::string line; std::getline(lines, line);) {
+    const bool names_processor = line.starts_with("modes: ");  // which may have a long name
+    CHECK_MESSAGE((names_processor || line.size() <= 110), line);
+  }
   std::ifstream in(json);
   const auto results = nlohmann::json::parse(in)["results"];
   for (const deform::Scheme& scheme : deform::all_schemes()) CHECK(mentions(outcome, deform::text(scheme)));
