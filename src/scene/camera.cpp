@@ -184,23 +184,28 @@ void Camera::look(StandardView view) {
   ease_to(goal);
 }
 
-void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased) {
+// The middle of the points comes to the middle of what is not covered: `raised`, as a slope of rays, above
+// that of the free part, where the target is.
+void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
   if (points.empty()) return;
   constexpr float margin = 1.14f, smallest = 0.15f;
   Camera goal = *this;
   if (moving()) goal.set_pose(goal_);
   glm::vec3 low = points[0], high = points[0];
   for (const auto& p : points) low = glm::min(low, p), high = glm::max(high, p);
-  goal.current_.target = 0.5f * (low + high);
-  const glm::vec2 tangent = free_tangent(v) / margin;
+  const glm::vec3 middle = 0.5f * (low + high);
+  const glm::vec2 tangent = free_tangent({v.window, v.origin, v.size - glm::vec2(0, covered)}) / margin;
+  const float raised = std::tan(0.5f * vertical_field) * covered / v.window.y;
   float distance = smallest / std::min(tangent.x, tangent.y);
   for (const auto& p : points) {
-    const glm::vec3 d = p - goal.current_.target;
-    const glm::vec2 side(std::abs(glm::dot(d, goal.right())), std::abs(glm::dot(d, goal.up())));
+    const glm::vec3 d = p - middle;
     const float nearer = current_.orthographic ? 0 : -glm::dot(d, goal.forward());
+    const glm::vec2 side(std::abs(glm::dot(d, goal.right())),
+                         std::abs(glm::dot(d, goal.up()) + raised * nearer));
     distance = std::max(distance, std::max(side.x / tangent.x, side.y / tangent.y) + nearer);
   }
   goal.current_.distance = std::clamp(distance, nearest_camera, farthest_camera);
+  goal.current_.target = middle - raised * goal.current_.distance * goal.up();
   if (eased) return ease_to(goal.current_);
   set_pose(goal.current_);
 }

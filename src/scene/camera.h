@@ -75,8 +75,9 @@ public:
   /// Seen from an axis; eased.
   void look(StandardView view);
   /// As near as all points stay in the free part of the window, with a margin; a single point is framed like
-  /// a small sphere.
-  void frame(std::span<const glm::vec3> points, const Viewport& viewport, bool eased = true);
+  /// a small sphere. The lowest `covered` logical pixels of that part stay empty.
+  void frame(std::span<const glm::vec3> points, const Viewport& viewport, bool eased = true,
+             float covered = 0);
   /// Moves on by `seconds`; true while something still moves.
   bool animate(float seconds);
   bool moving() const { return remaining_ > 0; }

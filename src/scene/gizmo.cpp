@@ -66,13 +66,6 @@ std::vector<Gizmo::RingPoint> ring(const Layout& layout, int axis) {
   return points;
 }
 
-float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
-  const glm::vec2 along = b - a;
-  const float square = glm::dot(along, along);
-  const float t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0f, 1.0f) : 0.0f;
-  return glm::distance(p, a + t * along);
-}
-
 float side(const glm::vec2& a, const glm::vec2& b, const glm::vec2& p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
@@ -145,6 +138,13 @@ std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::
   std::sort(gizmo.far_to_near.begin(), gizmo.far_to_near.end(),
             [&](int a, int b) { return nearness(a) < nearness(b); });
   return gizmo;
+}
+
+float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
+  const glm::vec2 along = b - a;
+  const float square = glm::dot(along, along);
+  const float t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0f, 1.0f) : 0.0f;
+  return glm::distance(p, a + t * along);
 }
 
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor) {

@@ -48,6 +48,8 @@ struct Gizmo {
 std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::dmat3& axes,
                                 const Camera& camera, const Viewport& viewport);
 
+float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b);
+
 /// The handle under the cursor.
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor);
 

@@ -9,6 +9,7 @@
 #include "scene/axis_widget.h"
 #include "scene/gizmo.h"
 #include "scene/picking.h"
+#include "scene/shape_handle.h"
 #include "scene/sight.h"
 #include "scene/workspace.h"
 
@@ -39,6 +40,9 @@ void disarm(Workspace& workspace);
 /// The gizmo of what is selected, as it is now; nothing while there is none, and while the cage is hidden.
 std::optional<Gizmo> gizmo_of(const Workspace& workspace);
 
+/// The handle of the bend, twist or taper that is in the hand.
+std::optional<ShapeHandle> shape_handle_of(const Workspace& workspace);
+
 /// What moves with the hand now, and how. Requires a selection.
 Grip grip_of(const Workspace& workspace);
 
@@ -59,7 +63,8 @@ public:
   /// right click asks for the menu, of what is under the cursor or selected.
   /// With Tool::paint left drag paints on the model, with Ctrl what follows in full, and Shift and wheel
   /// change the brush. A double click brings the place under it to the middle of the view, about which it
-  /// turns. What Interaction::grab asks for follows the cursor until a click. While something is being moved
+  /// turns. What Interaction::grab asks for follows the cursor until a click, or, pressed on the
+  /// handle of a shape, the handle does until the button is released. While something is being moved
   /// characters constrain it and set the amount, Ctrl snaps, Shift slows, Enter keeps it, and Esc or the
   /// right button puts everything back as it was.
   void frame(Workspace& workspace, const PointerInput& input);

@@ -75,9 +75,8 @@ void put_ends(const Document& document, const Grip& grip, bool at_median, const 
     shaping.shape = Shape::none;
     return;
   }
-  const glm::dvec3 a = glm::normalize(way), eye = -glm::dvec3(camera.forward());
-  const glm::dvec3 across = eye - glm::dot(eye, a) * a;
-  shaping.hinge = glm::length(across) > 1e-3 ? glm::normalize(across) : plane_axes(a).u;
+  const auto hinge = hinge_near(shaping, -glm::dvec3(camera.forward()));
+  shaping.hinge = hinge.value_or(plane_axes(glm::normalize(way)).u);
 }
 
 // To the mean of the neighbours.
@@ -165,6 +164,13 @@ Shaping shaping_of(const Document& document, Shape shape, const Grip& grip, bool
     case Shape::flatten: shaping.ways = flattening_ways(document, grip); break;
   }
   return shaping;
+}
+
+std::optional<glm::dvec3> hinge_near(const Shaping& shaping, const glm::dvec3& direction) {
+  const glm::dvec3 a = glm::normalize(shaping.to - shaping.from);
+  const glm::dvec3 across = direction - glm::dot(direction, a) * a;
+  if (!(glm::length(across) > 1e-3)) return std::nullopt;
+  return glm::normalize(across);
 }
 
 mesh::Point shaped(const Shaping& shaping, double amount, const mesh::Point& p) {

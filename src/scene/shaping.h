@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,9 @@ struct Shaping {
 /// the view. Nothing to be done, Shape::none, where both ends are one.
 Shaping shaping_of(const Document& document, Shape shape, const Grip& grip, bool at_median,
                    const Camera& camera);
+
+/// Across the way, as near to this direction as can be, of length 1; nothing where that is along the way.
+std::optional<glm::dvec3> hinge_near(const Shaping& shaping, const glm::dvec3& direction);
 
 /// A point between the ends, at this amount.
 mesh::Point shaped(const Shaping& shaping, double amount, const mesh::Point& p);

@@ -51,7 +51,7 @@ TransformDrag::TransformDrag(const Document& document, Grip grip, Tool tool, Con
       space_(document.space),
       tool_(tool),
       constraint_(constraint),
-      first_constraint_(constraint),
+      view_hinge_(grip_.shaping.hinge),
       pivot_(grip_.anchor.center),
       view_axis_(-camera.forward()),
       depth_(depth),
@@ -65,6 +65,7 @@ Transform TransformDrag::still() const {
   t.pivot = pivot_;
   t.axes = grip_.anchor.axes;
   if (grip_.shaping.shape == Shape::taper) t.amount = 1;
+  if (grip_.shaping.shape == Shape::bend) t.pivot = grip_.shaping.from, t.axis = grip_.shaping.hinge;
   return t;
 }
 
@@ -81,7 +82,9 @@ void TransformDrag::update(Document& document, const DragInput& input, const Cam
 
 bool TransformDrag::type(char c) {
   const char lower = static_cast<char>(c | 0x20);
-  if (lower < 'x' || lower > 'z' || grip_.shaping.shape != Shape::none) return entry_.type(c);
+  const bool axis = lower >= 'x' && lower <= 'z';
+  if (axis && grip_.shaping.shape == Shape::bend) return bend_about(lower - 'x'), true;
+  if (!axis || grip_.shaping.shape != Shape::none) return entry_.type(c);
   const Constraint wanted{c == lower ? Kind::axis : Kind::plane, lower - 'x'};
   // A turn in a plane is a turn about the plane's normal.
   const Constraint fitting = tool_ == Tool::rotate ? Constraint{Kind::axis, wanted.axis} : wanted;
@@ -93,6 +96,28 @@ bool TransformDrag::type(char c) {
 void TransformDrag::constrain(const Constraint& constraint) {
   constraint_ = constraint;
   turned_ = turn_lag_ = 0;
+}
+
+// The same again: in the plane of the view.
+void TransformDrag::bend_about(int axis) {
+  const Constraint wanted{Kind::axis, axis};
+  const bool again = wanted == constraint_;
+  const auto hinge = again ? view_hinge_ : hinge_near(grip_.shaping, grip_.anchor.axes[axis]);
+  along_way_ = hinge ? std::nullopt : std::optional(axis);
+  if (!hinge) return;
+  grip_.shaping.hinge = *hinge;
+  constrain(again ? Constraint{} : wanted);
+}
+
+void TransformDrag::take_handle(const glm::vec2& cursor) {
+  held_ = HeldHandle{glm::dvec2(cursor), shape_amount(), shape_amount()};
+  cursor_ = glm::dvec2(cursor);
+  lag_ = {0, 0};
+  entry_.clear();
+}
+
+double TransformDrag::shape_amount() const {
+  return is_angle(grip_.shaping.shape) ? transform_.degrees : transform_.amount;
 }
 
 glm::dvec3 TransformDrag::direction() const {
@@ -109,23 +134,25 @@ glm::dvec3 TransformDrag::snapped_shift(const glm::dvec3& shift) const {
 }
 
 // To the right is more.
-Transform TransformDrag::shaped_by_mouse(const DragInput& input, const glm::dvec2& cursor,
-                                         const CursorProjection& projection) const {
-  Transform t = still();
-  const double pixels = cursor.x - press_.x;
+double TransformDrag::amount_by_way(double pixels, const CursorProjection& projection) const {
   switch (grip_.shaping.shape) {
     case Shape::bend:
-    case Shape::twist:
-      t.degrees = pixels / shape_pixels_per_degree;
-      if (input.snap) t.degrees = turn_snap * std::round(t.degrees / turn_snap);
-      return t;
-    case Shape::taper: t.amount = 1 + pixels / even_scale_pixels; break;
-    case Shape::push: t.amount = pixels * projection.per_pixel() / space_.scale; break;
-    default: t.amount = pixels / whole_share_pixels; break;
+    case Shape::twist: return pixels / shape_pixels_per_degree;
+    case Shape::taper: return 1 + pixels / even_scale_pixels;
+    case Shape::push: return pixels * projection.per_pixel() / space_.scale;
+    default: return pixels / whole_share_pixels;
   }
-  const bool is_length = grip_.shaping.shape == Shape::push;
-  if (input.snap)
-    t.amount = snapped(t.amount, is_length ? move_snaps / grid_cell(space_.diagonal()) : scale_snaps);
+}
+
+Transform TransformDrag::shaped_by(double amount, bool snap) const {
+  Transform t = still();
+  const Shape shape = grip_.shaping.shape;
+  if (is_angle(shape)) {
+    t.degrees = snap ? turn_snap * std::round(amount / turn_snap) : amount;
+  } else {
+    const double per_unit = shape == Shape::push ? move_snaps / grid_cell(space_.diagonal()) : scale_snaps;
+    t.amount = snap ? snapped(amount, per_unit) : amount;
+  }
   return t;
 }
 
@@ -136,8 +163,11 @@ Transform TransformDrag::measured(const DragInput& input, const Camera& camera, 
   const CursorProjection projection(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera,
                                     viewport);
   Transform t = still();
-  if (grip_.shaping.shape != Shape::none) {
-    t = shaped_by_mouse(input, slowed, projection);
+  if (held_) {
+    held_->amount = amount_by_handle(grip_.shaping, *held_, slowed, space_, camera, viewport);
+    t = shaped_by(held_->amount, input.snap);
+  } else if (grip_.shaping.shape != Shape::none) {
+    t = shaped_by(amount_by_way(slowed.x - press_.x, projection), input.snap);
   } else if (tool_ == Tool::rotate) {
     t.axis = direction();
     t.degrees = degree * turn_by_mouse(input, projection);
@@ -303,7 +333,10 @@ std::string TransformDrag::readout() const {
   if (grip_.shaping.shape != Shape::none) {
     std::string word(name(grip_.shaping.shape));
     word[0] = static_cast<char>(word[0] - 'a' + 'A');
-    return word + ' ' + (entry_.empty() ? shaped_amount() : entry_.text() + '_') + beyond;
+    const std::string refused =
+        along_way_ ? std::string("   ") + static_cast<char>('X' + *along_way_) + " is along it" : "";
+    return word + ' ' + axis_names() + (entry_.empty() ? shaped_amount() : entry_.text() + '_') + refused +
+           beyond;
   }
   if (!entry_.empty()) return axis_names() + entry_.text() + '_' + beyond;
   return (tool_ == Tool::rotate ? axis_names() : "") + amounts() + beyond;

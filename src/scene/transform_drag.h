@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "scene/document.h"
 #include "scene/grip.h"
 #include "scene/number_entry.h"
+#include "scene/shape_handle.h"
 #include "scene/tool.h"
 #include "scene/transform.h"
 
@@ -37,10 +39,15 @@ public:
   void update(Document& document, const DragInput& input, const Camera& camera, const Viewport& viewport);
 
   /// x y z: along or about that axis, the same again: freely as at first; capital: in the plane across it.
-  /// Digits, point and minus: the amount. Says whether the character meant something; the next update shows
-  /// it.
+  /// Of the shapes only a bend has such an axis: about it, as far as that is across the way. Digits, point
+  /// and minus: the amount. Says whether the character meant something; the next update shows it.
   bool type(char c);
   void backspace() { entry_.backspace(); }
+
+  /// From now on a hand at this place holds the handle of a shape (scene/shape_handle.h), and the amount goes
+  /// on from what it is.
+  void take_handle(const glm::vec2& cursor);
+  bool holds_handle() const { return held_.has_value(); }
 
   /// Other shares of what is near the selection; the next update moves it so.
   void soften(Document& document, const SoftSelection& soft, const Mirror* mirror);
@@ -59,6 +66,8 @@ public:
   const Constraint& constraint() const { return constraint_; }
   /// What the selection has gone through so far.
   const Transform& transform() const { return transform_; }
+  /// Of a grip that shapes: in degrees where that is an angle.
+  double shape_amount() const;
   glm::vec2 press() const { return press_; }
   /// The amount as people read it: "X 0.125", "Z 405.0\u00b0", "1.20"; what is being typed ends with an
   /// underscore. What would leave the range of a pose, and so moves nothing, is said to.
@@ -66,6 +75,7 @@ public:
 
 private:
   void constrain(const Constraint& constraint);
+  void bend_about(int axis);
   glm::dvec3 direction() const;
   Transform measured(const DragInput& input, const Camera& camera, const Viewport& viewport);
   Transform typed(double value) const;
@@ -75,8 +85,8 @@ private:
   glm::dvec3 factors(double value) const;
   glm::dvec3 snapped_shift(const glm::dvec3& shift) const;
   Transform still() const;
-  Transform shaped_by_mouse(const DragInput& input, const glm::dvec2& cursor,
-                            const CursorProjection& projection) const;
+  Transform shaped_by(double amount, bool snap) const;
+  double amount_by_way(double pixels, const CursorProjection& projection) const;
   bool said_in_percent() const;
   std::string shaped_amount() const;
   std::string label() const;
@@ -88,7 +98,10 @@ private:
   std::vector<std::uint32_t> vertices_;
   Space space_;
   Tool tool_;
-  Constraint constraint_, first_constraint_;
+  Constraint constraint_;
+  glm::dvec3 view_hinge_;         // of a bend in the plane of the view
+  std::optional<int> along_way_;  // the axis that was asked for last, if nothing bends about it
+  std::optional<HeldHandle> held_;
   glm::dvec3 pivot_, view_axis_;  // file units; towards the eye at the press
   double depth_;
   glm::dvec2 press_, cursor_, lag_{0, 0};  // lag: what slow movement has held back

@@ -1,5 +1,7 @@
 #include "scene/workspace.h"
 
+#include <algorithm>
+
 #include "scene/elements.h"
 #include "scene/open.h"
 #include "scene/probes.h"
@@ -90,13 +92,22 @@ bool open_now(Workspace& workspace, const OpenRequest& request) {
   }
 }
 
+float offer_height(const Workspace& w) {
+  constexpr float usual = 152, with_cage_beside = 198;
+  const bool offered =
+      w.offer_cage && w.view.panels && w.document.model.surface && !w.making.open && !w.document.is_movable();
+  if (!offered) return 0;
+  const float height = w.document.cage_beside.empty() ? usual : with_cage_beside;
+  return std::min(height, 0.5f * w.viewport.size.y);
+}
+
 void frame_all(Workspace& workspace, bool eased) {
   const Document& document = workspace.document;
   if (!document.model.surface) return;
   // A cage encloses its model: its vertices say where both are.
   const std::vector<mesh::Point> points =
       document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
-  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
+  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased, offer_height(workspace));
 }
 
 void frame_selection(Workspace& workspace, bool eased) {

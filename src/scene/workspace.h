@@ -285,7 +285,10 @@ bool shows_error_map(const Workspace& workspace);
 /// Returns success.
 bool open_now(Workspace& workspace, const OpenRequest& request);
 
-/// Moves the camera to see the model and its posed cage, or the selected vertices.
+/// Logical pixels at the bottom of the view in which the offer of a cage stands; 0 where there is none.
+float offer_height(const Workspace& workspace);
+
+/// Moves the camera to see the model and its posed cage, above the offer of one, or the selected vertices.
 void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
 

@@ -19,13 +19,27 @@ std::string hovered_text(const scene::Selection& selection, std::uint32_t elemen
   return name + (first_click ? ":  click selects, drag draws a box" : ":  click selects, drag moves");
 }
 
+std::string bend_words(const scene::Constraint& about) {
+  if (about.kind == scene::Constraint::Kind::free) return "X Y Z choose what it bends about,  ";
+  const std::string axis(1, static_cast<char>('X' + about.axis));
+  return "bends about " + axis + " (" + axis + " again: as seen),  ";
+}
+
+std::string shape_words(const scene::TransformDrag& drag) {
+  const scene::Shaping& shaping = drag.grip().shaping;
+  const std::string about = shaping.shape == scene::Shape::bend ? bend_words(drag.constraint()) : "";
+  const std::string rest = "Esc takes it back,  digits set it,  Ctrl snaps";
+  if (drag.holds_handle())
+    return "The handle says how much,  Shift slows,  " + about + "release keeps it,  " + rest;
+  const std::string handle = shaping.ways.empty() ? "or the handle, dragged,  " : "";
+  return "Left and right say how much,  " + handle + "Shift slows,  " + about + "a click keeps it,  " + rest;
+}
+
 // What the mouse would do now, in a few words.
 std::string mouse_text(const scene::Workspace& w) {
   const scene::Keymap& keymap = w.remembered.keymap;
   if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != scene::Shape::none)
-    return "Left and right say how much,  digits set it,  Ctrl snaps,  Shift slows;  a click keeps it,  Esc "
-           "takes it "
-           "back";
+    return shape_words(*w.interaction.drag);
   if (w.interaction.drag)
     return w.handling.soft.on
                ? "X Y Z constrain,  digits set the amount,  wheel changes the radius,  Ctrl snaps,  Shift "
@@ -33,7 +47,8 @@ std::string mouse_text(const scene::Workspace& w) {
                : "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button "
                  "takes it back";
   if (w.time_view.hovered)
-    return "Drag in the ruler goes to frames,  on a key moves it,  beside them selects;  wheel zooms,  middle "
+    return "Drag in the ruler goes to frames,  on a key moves it,  beside them selects;  wheel zooms,  "
+           "middle "
            "drag pans,  right click on a key eases";
   if (w.interaction.grab)
     return "Move the pointer into the view: the selection follows it;  Esc leaves it as it is";

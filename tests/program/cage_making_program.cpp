@@ -47,6 +47,51 @@ struct Maker : Driver {
 
 }  // namespace
 
+TEST_CASE("a model without a cage is framed above the offer of one, and in the middle once that is gone") {
+  Maker d;
+  const auto lowest = [&] {
+    const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+    float y = 0;
+    for (const auto& p : d.document().model.surface->positions) y = std::max(y, project(p)->y);
+    return y;
+  };
+  if (const char* pictures = std::getenv("VIETE_PICTURES"))
+    render::write_png(std::filesystem::path(pictures) / "framed_above_offer.png", d.picture());
+  const auto& v = d.workspace().viewport;
+  const float bottom = v.origin.y + v.size.y, offer = bottom - scene::offer_height(d.workspace());
+  const auto beside = d.viewer().recorder().find("open_cage_beside");
+  REQUIRE(beside);
+  CHECK(beside->y0 - 94 < offer);  // there are three lines above that button
+  CHECK(offer < beside->y0 - 60);
+  const float above = lowest();
+  CHECK(above < offer);
+  d.click("hide_cage_offer");
+  d.click("frame_all");
+  d.settle();
+  CHECK(scene::offer_height(d.workspace()) == 0);
+  CHECK(lowest() > above + 80);
+  CHECK(lowest() < bottom);
+}
+
+TEST_CASE("in a low window too the feet of a new model are above the offer of a cage") {
+  auto options = Driver::default_options();
+  options.size = {1280, 560};
+  Driver d(options);
+  REQUIRE(d.open({test::dragon}));
+  d.settle();
+  const auto& v = d.workspace().viewport;
+  const float offer = v.origin.y + v.size.y - scene::offer_height(d.workspace());
+  const scene::Projector project(d.document().space, d.workspace().camera, v);
+  float highest = 1e9f, lowest = 0;
+  for (const auto& p : d.document().model.surface->positions) {
+    const float y = project(p)->y;
+    highest = std::min(highest, y), lowest = std::max(lowest, y);
+  }
+  CHECK(highest > v.origin.y);
+  CHECK(lowest < offer);
+  CHECK(lowest - highest > 0.6f * (offer - v.origin.y));
+}
+
 TEST_CASE("a cage is made by one button, moves the model, and is taken back by one undo") {
   Maker d;
   CHECK(d.viewer().recorder().find("open_cage_beside"));

@@ -5,6 +5,7 @@
 #include "program/driver.h"
 #include "scene/pointer.h"
 #include "scene/saving.h"
+#include "scene/shape_handle.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
@@ -53,7 +54,46 @@ struct Hand : Driver {
     FAIL("no vertex is paired and to be seen");
     return 0;
   }
+  // All of the cage, as a person begins it: by the button, and the pointer comes into the view.
+  void take_shape(const std::string& shape) {
+    press_key('A');
+    click(shape);
+    move({700, 300});
+    frame();
+    REQUIRE(workspace().interaction.drag);
+  }
+  scene::ShapeHandle handle() {
+    const auto handle = scene::shape_handle_of(workspace());
+    REQUIRE(handle);
+    return *handle;
+  }
+  // With Shift it hardly moves while the cursor goes to it.
+  void press_handle() {
+    key(left_shift, true);
+    for (int i = 0; i < 30; ++i) {
+      const glm::vec2 knob = glm::round(handle().knob);
+      move(knob);
+      if (glm::distance(handle().knob, knob) < 3) break;
+    }
+    key(left_shift, false);
+    button(0, true);
+    frame();
+    REQUIRE(workspace().interaction.drag);
+    REQUIRE(workspace().interaction.drag->holds_handle());
+  }
+  // Every vertex is where the shape takes it.
+  void check_shaped(const scene::Shaping& shaping, double amount) {
+    double farthest = 0;
+    for (std::size_t v = 0; v < rest().size(); ++v)
+      farthest = std::max(farthest, mesh::norm(positions()[v] - scene::shaped(shaping, amount, rest()[v])));
+    CHECK(farthest < 1e-9 * document().space.diagonal());
+  }
 };
+
+void keep_picture(Hand& d, const std::string& name) {
+  if (const char* pictures = std::getenv("VIETE_PICTURES"))
+    render::write_png(std::filesystem::path(pictures) / (name + ".png"), d.picture());
+}
 
 }  // namespace
 
@@ -241,6 +281,131 @@ TEST_CASE("a button of the panel twists what is selected once the pointer is in 
   d.move({700, 300});
   d.frame();
   CHECK_FALSE(d.workspace().interaction.drag);
+}
+
+TEST_CASE("bend, twist and taper are dragged by their handle, and its release keeps one edit") {
+  for (const std::string shape : {"bend", "twist", "taper"}) {
+    CAPTURE(shape);
+    Hand d;
+    d.take_shape(shape);
+    d.press_handle();
+    const glm::vec2 from = glm::round(d.handle().knob);
+    const double before = d.workspace().interaction.drag->shape_amount();
+    const glm::vec2 way = shape == "taper" ? glm::vec2(50, 10) : glm::vec2(-30, 40);
+    for (int i = 1; i <= 5; ++i) d.move(from + glm::floor(way * (static_cast<float>(i) / 5)));
+    const scene::TransformDrag& drag = *d.workspace().interaction.drag;
+    const scene::Shaping shaping = drag.grip().shaping;
+    const double amount = drag.shape_amount();
+    CHECK(std::abs(amount - before) > (shape == "taper" ? 0.5 : 5));
+    if (shape == "taper") CHECK(glm::distance(d.handle().knob, from + way) < 12);
+    d.check_shaped(shaping, amount);
+    keep_picture(d, shape + "_handle");
+    scene::find_command("toggle_theme")->run(d.workspace());
+    d.frame(2);
+    keep_picture(d, shape + "_handle_light");
+    d.button(0, false);
+    d.frame();
+    CHECK_FALSE(d.workspace().interaction.drag);
+    CHECK(test::edit_count(d.document().history) == 1);
+    d.check_shaped(shaping, amount);
+    CHECK(d.drawn_error() < 2e-5);
+    d.press_key('Z', true);
+    CHECK(d.moved().empty());
+  }
+}
+
+TEST_CASE("a handle that is dragged can be taken back, and a click on it keeps what the pointer has shaped") {
+  Hand d;
+  d.take_shape("twist");
+  d.press_handle();
+  d.move({500, 500});
+  CHECK_FALSE(d.moved().empty());
+  d.press_key(scene::Key::escape);
+  d.button(0, false);
+  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK(d.moved().empty());
+  CHECK(test::edit_count(d.document().history) == 0);
+  d.take_shape("twist");
+  d.press_handle();
+  const auto shaped = d.positions();
+  REQUIRE_FALSE(d.moved().empty());
+  d.button(0, false);
+  d.frame();
+  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK(d.positions() == shaped);
+  CHECK(test::edit_count(d.document().history) == 1);
+}
+
+TEST_CASE("the bend's handle is seen at the bent end and comes along with the cursor") {
+  Hand d;
+  d.take_shape("bend");
+  d.move({740, 300});
+  d.settle();
+  const glm::ivec2 knob(glm::round(d.handle().knob));
+  const auto drawn = d.picture();
+  CHECK(glm::distance(d.handle().start.back(), d.handle().knob) > 15);
+  d.press_key(scene::Key::escape);
+  d.settle();
+  CHECK(d.picture().pixel(knob.x, knob.y) != drawn.pixel(knob.x, knob.y));
+  d.take_shape("bend");
+  d.press_handle();
+  // Along the way of the bent end, which is where a hand takes it.
+  const auto shaping = d.workspace().interaction.drag->grip().shaping;
+  const double before = d.workspace().interaction.drag->shape_amount();
+  const auto& w = d.workspace();
+  const auto wanted = scene::shape_handle(shaping, before + 25, d.document().space, w.camera, w.viewport);
+  REQUIRE(wanted);
+  d.move(glm::round(wanted->knob));
+  CHECK(glm::distance(d.handle().knob, wanted->knob) < 5);
+  CHECK(w.interaction.drag->shape_amount() == doctest::Approx(before + 25).epsilon(0.1));
+}
+
+TEST_CASE("a bend goes about the axis whose key is pressed, and the same key again bends as seen") {
+  Hand d;
+  d.take_shape("bend");
+  const scene::Shaping seen = d.workspace().interaction.drag->grip().shaping;
+  d.move({760, 300});
+  d.type("y");
+  d.frame();
+  const scene::Shaping about = d.workspace().interaction.drag->grip().shaping;
+  CHECK(about.hinge == *scene::hinge_near(seen, {0, 1, 0}));
+  CHECK(about.hinge != seen.hinge);
+  CHECK(d.workspace().interaction.drag->readout() == "Bend Y 30.0\u00b0");
+  d.check_shaped(about, 30);
+  keep_picture(d, "bend_about_y");
+  d.type("60");
+  d.check_shaped(about, 60);
+  d.type("y");
+  d.frame();
+  CHECK(d.workspace().interaction.drag->grip().shaping.hinge == seen.hinge);
+  d.check_shaped(seen, 60);
+  d.type("Z");
+  d.press_key(scene::Key::enter);
+  CHECK_FALSE(d.workspace().interaction.drag);
+  scene::Shaping about_z = seen;
+  about_z.hinge = *scene::hinge_near(seen, {0, 0, 1});
+  d.check_shaped(about_z, 60);
+  CHECK(test::edit_count(d.document().history) == 1);
+  d.press_key('Z', true);
+  CHECK(d.moved().empty());
+}
+
+TEST_CASE("what nothing can bend about is said, and the bend stays as it is") {
+  const test::TemporaryFolder folder;
+  Hand d(folder.path());
+  d.workspace().handling.pivot = scene::Pivot::point;
+  d.workspace().handling.point = d.positions()[3];
+  d.document().selection.apply(std::vector<std::uint32_t>{3, 7}, scene::SelectMode::replace);
+  d.click("bend");
+  d.move({700, 300});
+  d.move({760, 300});
+  REQUIRE(d.workspace().interaction.drag);
+  const auto before = d.positions();
+  d.type("z");
+  CHECK(d.workspace().interaction.drag->readout() == "Bend 30.0\u00b0   Z is along it");
+  CHECK(d.positions() == before);
+  d.type("x");
+  CHECK(d.workspace().interaction.drag->readout() == "Bend X 30.0\u00b0");
 }
 
 TEST_CASE("as a viewer the left button turns the view on empty space, and still drags a vertex") {

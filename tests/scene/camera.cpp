@@ -48,6 +48,27 @@ TEST_CASE("framed_points_fit_the_free_part_of_the_window_and_nearly_fill_it") {
   CHECK(std::max((high.x - low.x) / 680, (high.y - low.y) / 774) > 0.75f);
 }
 
+TEST_CASE("framed_points_stay_above_what_covers_the_lowest_part") {
+  constexpr float covered = 220;
+  for (const bool orthographic : {false, true}) {
+    Camera camera;
+    camera.set_orthographic(orthographic);
+    std::vector<glm::vec3> points;
+    for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 1 : 5, i & 2 ? -2 : 2, i & 4 ? 7 : 8});
+    camera.frame(points, beside_panel, false, covered);
+    glm::vec2 low(1e9f), high(-1e9f);
+    for (const auto& p : points) {
+      const glm::vec2 at = pixel(camera, beside_panel, p);
+      low = glm::min(low, at), high = glm::max(high, at);
+    }
+    CHECK(low.x >= 320);
+    CHECK(high.x <= 1000);
+    CHECK(low.y >= 0);
+    CHECK(high.y <= 774 - covered);
+    CHECK(std::max((high.x - low.x) / 680, (high.y - low.y) / (774 - covered)) > 0.75f);
+  }
+}
+
 TEST_CASE("a_single_point_is_framed_from_a_finite_distance") {
   Camera camera;
   const glm::vec3 one[] = {{1, 2, 3}};
