@@ -162,7 +162,7 @@ void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over
 
 // A window that was about to close goes on with that when all is written, and stays for what went wrong.
 void FileDesk::follow_exports(scene::Workspace& w, bool wait) {
-  if (!exporter_.follow(w.messages, wait)) closing_ = false;
+  if (!exporter_.follow(w.messages, wait)) closing_ = w.requests.quit = false;  // that is to be read first
   if (!exporter_.running() && std::exchange(closing_, false)) w.requests.quit = true;
 }
 

@@ -167,7 +167,7 @@ TEST_CASE("what_is_damaged_of_a_pose_costs_that_pose_or_less") {
     CAPTURE(poses);
     const Workspace w = opened_with(files, "\"poses\": [" + poses + "]");
     CHECK(w.document.library.poses.size() == expected);
-    CHECK(word.empty() ? warnings_of(w).empty() : mentions(warnings_of(w), word));
+    CHECK((word.empty() ? warnings_of(w).empty() : mentions(warnings_of(w), word)));
     for (const NamedPose& named : w.document.library.poses) {
       CHECK(named.pose->cage.positions.size() == 8);
       CHECK(in_range(*named.pose));
