@@ -203,7 +203,7 @@ TEST_CASE("what_is_damaged_of_the_time_costs_its_own_part") {
   const auto timeline = [&](const std::string& time, const std::string& word) {
     CAPTURE(time);
     const Workspace w = opened_with(files, "\"time\": {" + time + "}");
-    CHECK(word.empty() ? warnings_of(w).empty() : mentions(warnings_of(w), word));
+    CHECK((word.empty() ? warnings_of(w).empty() : mentions(warnings_of(w), word)));
     const Timeline& t = w.document.timeline;
     CHECK(t.first < t.last);
     CHECK(std::ranges::is_sorted(t.keys, std::less_equal{}, &PoseKey::frame));
