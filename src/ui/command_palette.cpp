@@ -59,7 +59,9 @@ void explanation(const Context& ui, const scene::Command* command) {
          enabled ? ui.colors.faint : ui.colors.warn);
     record(ui, "palette_hint");
   }
-  ImGui::SetCursorPosY(line + 2 * ImGui::GetTextLineHeightWithSpacing());
+  const float end = line + 2 * ImGui::GetTextLineHeightWithSpacing();
+  const float left = end - ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+  if (left > 0) ImGui::Dummy({0, left});
 }
 
 void step(scene::Palette& palette, std::size_t count, int steps) {
