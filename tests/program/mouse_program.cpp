@@ -66,12 +66,12 @@ struct RealHand {
   scene::Session saved() {
     const auto before = fs::last_write_time(session);
     act("key ctrl+s");
-    REQUIRE(wait_until([&] { return fs::last_write_time(session) != before; }, 10));
+    REQUIRE(wait_until([&] { return fs::last_write_time(session) != before; }, 20));
     return scene::read_session(session);
   }
   void quit() {
     act("key ctrl+q");
-    REQUIRE(wait_until([&] { return viewer->finished(); }, 10));
+    REQUIRE(wait_until([&] { return viewer->finished(); }, 20));
     CHECK(viewer->exit_code() == 0);
   }
   const std::vector<mesh::Point>& rest() { return offscreen.document().cage->surface.positions; }
@@ -140,14 +140,15 @@ TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_command
   CHECK(boxed.selection == expected);
   CHECK(hand.moved(boxed) == 0);
 
-  hand.act("key ctrl+k sleep 0.2 type --delay 30 wirefr");
-  hand.act("sleep 0.2 key Return sleep 0.1");
+  // A window that is drawn slowly takes some frames until it has the keyboard.
+  hand.act("key ctrl+k sleep 1.5 type --delay 60 wirefr");
+  hand.act("sleep 1 key Return sleep 0.5");
   CHECK(hand.saved().view.wireframe);
 
-  hand.act("key ctrl+shift+s sleep 0.3 key ctrl+a");
-  hand.act("type --delay 20 second.viete");
-  hand.act("sleep 0.2 key Return");
-  CHECK(wait_until([&] { return fs::exists(hand.desktop.folder / "second.viete"); }, 5));
+  hand.act("key ctrl+shift+s sleep 1.5 key ctrl+a sleep 0.5");
+  hand.act("type --delay 60 second.viete");
+  hand.act("sleep 1 key Return");
+  CHECK(wait_until([&] { return fs::exists(hand.desktop.folder / "second.viete"); }, 15));
   hand.quit();
 }
 
@@ -170,12 +171,12 @@ TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::t
   };
   const glm::ivec2 small(1000, 700), screen(1440, 900);
   hand.act("search --onlyvisible --name work windowsize 1000 700");
-  REQUIRE(wait_until([&] { return size() == small; }, 5));
-  hand.act(std::string("mousemove 500 300 sleep 0.2 key ") + f11_keycode);
-  CHECK(wait_until([&] { return size() == screen; }, 5));
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  REQUIRE(wait_until([&] { return size() == small; }, 15));
+  hand.act(std::string("mousemove 500 300 sleep 1 key ") + f11_keycode);
+  CHECK(wait_until([&] { return size() == screen; }, 15));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1000));
   hand.act(std::string("key ") + f11_keycode);
-  CHECK(wait_until([&] { return size() == small; }, 5));
+  CHECK(wait_until([&] { return size() == small; }, 15));
   hand.quit();
   const auto remembered = scene::read_remembered(hand.desktop.folder / "state" / "viete" / "remembered.json");
   CHECK(remembered.window == small);
