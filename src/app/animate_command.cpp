@@ -35,8 +35,8 @@ struct AnimateOptions {
   std::optional<FrameRange> frames;
   std::optional<double> rate;
   int step = 1;
-  double tolerance = 1e-4;
-  bool every_frame = false, straight = false, turntable = false, force = false;
+  double tolerance = 1e-4, most_megabytes = 1000;
+  bool every_frame = false, no_normals = false, straight = false, turntable = false, force = false;
   mesh::Digits digits;
   std::filesystem::path keys;
   PictureOptions picture;
@@ -74,6 +74,15 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
       ->default_str("what plays in the session");
 }
 
+// Before anything is opened, of what is named; and again of all that is read.
+void check_output(const AnimateOptions& options, FilesInUse files, const scene::FrameSteps& frames = {}) {
+  const std::string extension = mesh::extension_of(options.output);
+  const bool numbered = base::NumberedName::is_pattern(options.output);
+  if (!numbered && !scene::is_animation_format(extension) && !scene::is_video_format(extension)) return;
+  files.add(options.picture.viewer.bindings.named, scene::the_binding);
+  check_output(options.output, frames, files, options.force ? scene::Force::given : scene::Force::offered);
+}
+
 // What is opened, with the frames that were asked for.
 scene::Opened opened_for(const AnimateOptions& options, void (*check)(const scene::Opened&)) {
   scene::Opened opened = open(options.inputs, check);
@@ -88,11 +97,13 @@ scene::Opened opened_for(const AnimateOptions& options, void (*check)(const scen
     scene::ImportedKeys keys =
         scene::read_keys(options.keys, *document.cage, {timeline.first, timeline.rate});
     opened.warnings.insert(opened.warnings.end(), keys.warnings.begin(), keys.warnings.end());
+    for (auto& file : keys.files) opened.also_read.push_back({std::move(file), scene::the_keys});
     timeline.keys = std::move(keys.keys);
     timeline.first = timeline.keys.front().frame;
     timeline.last = timeline.keys.back().frame;
   }
   if (options.frames) timeline.first = options.frames->first, timeline.last = options.frames->last;
+  check_output(options, scene::files_of(opened), {timeline.first, timeline.last, options.step});
   return opened;
 }
 
@@ -103,15 +114,10 @@ scene::AnimationExport export_of(const AnimateOptions& options, const scene::Ope
   what.step = options.step;
   what.tolerance = options.tolerance;
   what.every_frame = options.every_frame;
+  what.normals = !options.no_normals;
+  what.most_bytes = 1e6 * options.most_megabytes;
   what.replaces_foreign = options.force;
   return what;
-}
-
-void check_output(const AnimateOptions& options) {
-  const std::string extension = mesh::extension_of(options.output);
-  const bool numbered = base::NumberedName::is_pattern(options.output);
-  if (numbered || !(scene::is_animation_format(extension) || scene::is_video_format(extension))) return;
-  check_output(options.output, Content::animation, files_read(options.inputs), options.force);
 }
 
 void say(const std::filesystem::path& file, const scene::AnimationReport& report) {
@@ -167,7 +173,9 @@ int write_pictures(const AnimateOptions& options) {
 int animate(const AnimateOptions& options) {
   const std::string extension = mesh::extension_of(options.output);
   try {
-    check_output(options);
+    FilesInUse named = files_read(options.inputs);
+    named.add(options.keys, scene::the_keys);
+    check_output(options, std::move(named));
     return extension == "png" || scene::is_video_format(extension) ? write_pictures(options)
                                                                    : write_models(options);
   } catch (const base::Cancelled&) {
@@ -193,15 +201,22 @@ void add_animate_command(CLI::App& app, Action& action) {
                   "Keys in place of the session's: numbered posed cages (pose_####.obj: the number is the "
                   "frame), a point cache of the cage, or a glTF file of it with morph targets");
   add_frames_option(*command, o->frames);
-  auto* step = command->add_option("--step", o->step, "Every so many frames; of glTF, morph targets there");
-  whole_in_range(step, 1, 1'000'000)->default_str("1; of glTF, as many as --tolerance needs");
+  auto* step =
+      command->add_option("--step", o->step, "Every so many frames; glTF takes the motion there alone");
+  whole_in_range(step, 1, 1'000'000)->default_str("1; of glTF, where --tolerance needs it");
   auto* rate = command->add_option("--rate", o->rate, "Frames a second");
   in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)
       ->default_str("as in the session");
   auto* tolerance = command->add_option(
       "--tolerance", o->tolerance,
-      "Of morph targets: how far the lines between them may lead from the motion, in diagonals of the model");
+      "Of morph targets: how far what they show may be from the motion, in diagonals of the model");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
+  command->add_flag("--no-normals", o->no_normals,
+                    "Morph targets of positions alone: half the size, and light stays as at rest where a "
+                    "player does not compute it");
+  auto* largest = command->add_option("--largest", o->most_megabytes,
+                                      "Megabytes of morph targets: a motion that needs more is refused");
+  in_range(largest, 1, 1e6)->default_str("1000");
   command->add_flag("--straight", o->straight, "The cage's vertices go straight from key to key");
   command->add_flag("--turntable", o->turntable, "Pictures go once round the model");
   add_digits_option(*command, o->digits);

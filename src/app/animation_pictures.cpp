@@ -155,12 +155,13 @@ void write_video(FrameViewer& viewer, const PictureRun& run, glm::ivec2 size, ba
   base::ChildProgram ffmpeg(ffmpeg_words(extension, size.x, size.y, run.rate / run.step, file.part()),
                             "install it (apt-get install ffmpeg), or write numbered pictures: " +
                                 run.file.stem().string() + "_####.png");
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    report_pictures(progress, i, run.frames.size());
-    viewer.go_to(i);
-    ffmpeg.write(viewer.picture().rgba);
+  std::size_t done = 0;
+  const auto waiting = [&] { report_pictures(progress, done, run.frames.size()); };
+  for (; done < run.frames.size(); ++done) {
+    viewer.go_to(done);
+    ffmpeg.write(viewer.picture().rgba, waiting);
   }
-  ffmpeg.finish();
+  ffmpeg.finish(waiting);
   report_pictures(progress, 1, 1);
   file.replace();
 }

@@ -61,8 +61,8 @@ int run_on_model(Options& options, const BenchFiles& files, void (*run)(const Op
 }
 
 int run_modes(bench::ModesOptions& options, const BenchFiles& files) {
-  auto inputs = options.poses;
-  inputs.insert(inputs.end(), {options.model, options.cage});
+  FilesInUse inputs{options.model, options.cage};
+  for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
   files.check(inputs);
   if (options.model.empty()) {
     const BundledModel bundled = bundled_model();

@@ -37,8 +37,8 @@ void print(const deform::TiledBinding& tiles, double seconds) {
 }
 
 int bind_files(const BindOptions& options) {
-  check_output(options.output, Content::binding, files_read(options.inputs), options.force);
-  const scene::Opened opened = open(options.inputs, scene::check_drawable);  // what is bound is for pictures
+  const scene::Opened opened = open(options.inputs, scene::check_drawable,  // what is bound is for pictures
+                                    {options.output, Content::binding, options.force});
   print_notes(opened.warnings);
   const scene::Document& document = *opened.document;
   base::WorkerPool pool;

@@ -120,8 +120,12 @@ void refuse_what_does_nothing(const CLI::App& command, const cages::Wish& wish) 
 }
 
 int make_cage(const CageOptions& options) {
-  check_output(options.output, Content::surface, {options.model}, options.force);
+  FilesInUse read;
+  read.add(options.model, scene::the_model);
+  check_output(options.output, Content::surface, read, options.force);
   const mesh::ReadResult model = mesh::read(options.model);
+  scene::add_surface(read, options.model, model.original.get(), model.attributes.get(), scene::the_model);
+  check_output(options.output, Content::surface, read, options.force);
   print_notes(model.warnings);
   base::WorkerPool pool;
   base::Stopwatch watch;

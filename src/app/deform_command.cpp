@@ -20,8 +20,8 @@ struct DeformOptions {
 };
 
 int deform_file(const DeformOptions& options) {
-  check_output(options.output, Content::surface, files_read(options.inputs), options.force);
-  const scene::Opened opened = open(options.inputs, scene::check_deformable);
+  const scene::Opened opened =
+      open(options.inputs, scene::check_deformable, {options.output, Content::surface, options.force});
   print_notes(opened.warnings);
   scene::Export what = scene::export_of(*opened.document, options.output);
   what.digits = options.digits;

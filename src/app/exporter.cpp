@@ -4,22 +4,26 @@
 
 #include "base/numbered_files.h"
 #include "base/quantity.h"
+#include "scene/output.h"
 
 namespace viete::app {
 
-void Exporter::add(scene::Export what) {
+void Exporter::add(scene::Export what, scene::FilesInUse in_use) {
   const std::filesystem::path file = what.file;
-  add({file, "no file was changed", [what = std::move(what)](base::Progress& progress) {
+  add({file, "no file was changed",
+       [what = std::move(what), in_use = std::move(in_use)](base::Progress& progress) {
+         check_output(what.file, scene::Content::surface, in_use, scene::Force::none);
          return Written{"Saved the deformed model to " + what.file.string(),
                         scene::write_deformed(what, &progress)};
        }});
 }
 
-void Exporter::add(scene::AnimationExport what) {
+void Exporter::add(scene::AnimationExport what, scene::FilesInUse in_use) {
   const std::filesystem::path file = what.model.file;
   const bool numbered = base::NumberedName::is_pattern(file);
   add({file, numbered ? "frames that are there are whole" : "no file was changed",
-       [what = std::move(what)](base::Progress& progress) {
+       [what = std::move(what), in_use = std::move(in_use)](base::Progress& progress) {
+         check_output(what.model.file, {what.first, what.last, what.step}, in_use, scene::Force::none);
          scene::AnimationReport report = scene::write_animation(what, &progress);
          std::string said = "Saved the animation to " + what.model.file.string() + ": " + report.summary;
          if (report.there > 0) said += "; " + base::with_thousands(report.there) + " were there already";
@@ -27,11 +31,13 @@ void Exporter::add(scene::AnimationExport what) {
        }});
 }
 
-void Exporter::add(PictureExport what) {
+void Exporter::add(PictureExport what, scene::FilesInUse in_use) {
   const std::filesystem::path file = what.file;
   const bool numbered = base::NumberedName::is_pattern(file);
   add({file, numbered ? "pictures that are there are whole" : "no file was changed",
-       [what = std::move(what)](base::Progress& progress) {
+       [what = std::move(what), in_use = std::move(in_use)](base::Progress& progress) {
+         const auto& timeline = what.session.timeline;
+         check_output(what.file, {timeline.first, timeline.last}, in_use, scene::Force::none);
          std::vector<std::string> notes = write_pictures_aside(what, progress);
          return Written{"Saved the animation to " + what.file.string(), std::move(notes)};
        }});

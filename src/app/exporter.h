@@ -11,6 +11,7 @@
 #include "base/background.h"
 #include "scene/animation_export.h"
 #include "scene/export.h"
+#include "scene/files_in_use.h"
 #include "scene/messages.h"
 #include "scene/workspace.h"
 
@@ -20,9 +21,10 @@ namespace viete::app {
 /// not finished: files that are not written yet are as they were.
 class Exporter {
 public:
-  void add(scene::Export what);
-  void add(scene::AnimationExport what);
-  void add(PictureExport what);
+  /// None takes the place of a file in use, see check_output().
+  void add(scene::Export what, scene::FilesInUse in_use = {});
+  void add(scene::AnimationExport what, scene::FilesInUse in_use = {});
+  void add(PictureExport what, scene::FilesInUse in_use = {});
   /// Asks the one that is being written to stop, which it does within moments; those that wait follow.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "mesh/source.h"
 #include "scene/file_commands.h"
+#include "scene/output.h"
 #include "scene/saving.h"
 
 namespace viete::app {
@@ -31,6 +32,7 @@ FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace&
       program_(std::move(program)),
       saved_(std::move(saved)),
       autosave_(recovery_folder(state), queue_) {
+  workspace.binding_file = saved_.named;
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
   scene::remove_discarded(recovery_folder(state_));
@@ -69,6 +71,7 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   follow_exports(w, false);
   if (const auto file = std::exchange(r.discard, std::nullopt)) discard(w, *file);
   if (std::exchange(r.undo_discard, false)) undo_discard(w);
+  sizes_.follow(w);
   go_on_after_saving(w);
   if (std::exchange(r.quit, false) && !w.question) close(w);
   show_exports(w);
@@ -78,17 +81,19 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
 void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
   scene::Export what = scene::export_of(w.document, file);
   what.up = w.camera.pose().up;
-  exporter_.add(std::move(what));
+  exporter_.add(std::move(what), scene::files_open(w));
 }
 
 void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path& file) {
   const std::string extension = mesh::extension_of(file);
   if (extension == "png" || scene::is_video_format(extension))
-    return exporter_.add(PictureExport{file, program_, scene::session_of(w)});
+    return exporter_.add(PictureExport{file, program_, scene::session_of(w)}, scene::files_open(w));
   scene::AnimationExport what = scene::animation_export_of(w.document, file);
   what.model.up = w.camera.pose().up;
+  what.tolerance = w.browser.morphs.tolerance;
+  what.normals = w.browser.morphs.normals;
   what.keeps_unfinished = false;  // who stops it here does not go on with it
-  exporter_.add(std::move(what));
+  exporter_.add(std::move(what), scene::files_open(w));
 }
 
 void FileDesk::take_loaded(scene::Workspace& w, bool wait) {

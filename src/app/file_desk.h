@@ -11,6 +11,7 @@
 #include "app/autosave.h"
 #include "app/exporter.h"
 #include "app/loader.h"
+#include "app/morph_sizes.h"
 #include "base/background.h"
 #include "scene/workspace.h"
 
@@ -45,6 +46,8 @@ public:
   /// True if something was kept, or could not be, since keep().
   bool has_news() const { return autosave_.has_news(); }
   bool loading() const { return loader_.running(); }
+  /// True while it is found out what an animation would take.
+  bool measuring() const { return sizes_.running(); }
   /// True while deformed models are written.
   bool exporting() const { return exporter_.running(); }
   /// Waits for the files that are being read, and takes them.
@@ -82,6 +85,7 @@ private:
   SavedBindings saved_;
   Loader loader_;
   Exporter exporter_;
+  MorphSizes sizes_;
   ModelShading shading_;
   Bound bound_;
   std::optional<Loader::Loaded> waiting_;  // for the answer whether it may take the place of what is open

@@ -93,12 +93,23 @@ scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
   return opened;
 }
 
-std::vector<fs::path> files_read(const Inputs& inputs) {
-  std::vector<fs::path> files = inputs.files();
-  if (!inputs.session()) return files;
-  const scene::Session session = scene::read_session(inputs.model);
-  files.push_back(session.model);
-  files.push_back(session.cage);
+scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&), const Output& output,
+                   const fs::path& binding) {
+  const auto check_files = [&](FilesInUse files) {
+    files.add(binding, scene::the_binding);
+    check_output(output.file, output.content, files, output.force);
+  };
+  check_files(files_read(inputs));
+  scene::Opened opened = open(inputs, check);
+  check_files(scene::files_of(opened));
+  return opened;
+}
+
+FilesInUse files_read(const Inputs& inputs) {
+  FilesInUse files;
+  files.add(inputs.model, inputs.session() ? scene::the_session : scene::the_model);
+  files.add(inputs.cage, scene::the_cage);
+  files.add(inputs.pose, scene::the_pose);
   return files;
 }
 

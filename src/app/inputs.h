@@ -6,17 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "app/output.h"
 #include "scene/open.h"
 
 namespace viete::app {
 
 /// What a command makes of what it opens.
 enum class Use {
-  window,   ///< MODEL may be left out
-  picture,  ///< needs a MODEL
-  file,     ///< needs CAGE and --pose too
+  window,     ///< MODEL may be left out
+  picture,    ///< needs a MODEL
+  file,       ///< needs CAGE and --pose too
   animation,  ///< needs a CAGE; keys in place of a pose
-  binding,  ///< needs CAGE; neither pose nor method nor blend matter
+  binding,    ///< needs CAGE; neither pose nor method nor blend matter
 };
 
 struct Inputs {
@@ -42,8 +43,13 @@ void check_usage(const Inputs& inputs);
 /// what is opened.
 scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&));
 
-/// The inputs' files, and those that a session among them names. Throws base::Error if it cannot be read.
-std::vector<std::filesystem::path> files_read(const Inputs& inputs);
+/// The same for a result: throws base::Error too where check_output() does, before anything is read, and
+/// again when all that is read is known. `binding`: is read besides.
+scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&), const Output& output,
+                   const std::filesystem::path& binding = {});
+
+/// As they are named.
+FilesInUse files_read(const Inputs& inputs);
 
 /// On stderr, a line each.
 void print_notes(const std::vector<std::string>& notes);

@@ -23,19 +23,13 @@ struct RenderOptions {
   bool force = false;
 };
 
-void check_output(const RenderOptions& options) {
-  if (mesh::extension_of(options.output) != "png") {
+int render(const RenderOptions& options) {
+  if (mesh::extension_of(options.output) != "png")
     throw base::Error(options.output.string(), "pictures are written as PNG only",
                       "give the file the extension .png");
-  }
-  auto inputs = files_read(options.inputs);
-  inputs.push_back(options.picture.viewer.bindings.named);
-  check_output(options.output, Content::picture, inputs, options.force);
-}
-
-int render(const RenderOptions& options) {
-  check_output(options);
-  const auto offscreen = viewer_of(options.picture, open(options.inputs, scene::check_drawable));
+  const auto offscreen = viewer_of(options.picture, open(options.inputs, scene::check_drawable,
+                                                         {options.output, Content::picture, options.force},
+                                                         options.picture.viewer.bindings.named));
   offscreen->settle();
   print_messages(offscreen->viewer().workspace());
   render::write_png(options.output, offscreen->viewer().picture());

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <optional>
 #include <utility>
 
 #include "base/clock.h"
@@ -40,16 +41,19 @@ TerminalProgress::~TerminalProgress() {
 void TerminalProgress::watch(const std::stop_token& stop) {
   constexpr timespec tick{0, 50'000'000};
   constexpr double shown_every = 0.2;
+  constexpr double time_to_stop = 2;  // and to take away what is half done
   const double begun = base::wall_seconds();
   double shown = begun;
-  bool told = false;
+  std::optional<double> told;
   int counted = 0;
   while (!stop.stop_requested()) {
-    if (sigtimedwait(&signals_, nullptr, &tick) > 0) {
-      if (std::exchange(told, true)) std::_Exit(128 + SIGINT);
+    const bool signal = sigtimedwait(&signals_, nullptr, &tick) > 0;
+    const double now = base::wall_seconds();
+    if (signal && told && now - *told > time_to_stop) std::_Exit(128 + SIGINT);
+    if (signal && !told) {
+      told = now;
       progress_.cancel();
     }
-    const double now = base::wall_seconds();
     const int percent = static_cast<int>(100 * progress_.done());
     if (counts_ && percent > counted) std::fprintf(stderr, "%d %%\n", counted = percent);
     if (!shows_ || now - shown < shown_every) continue;

@@ -145,8 +145,8 @@ void Viewer::settle_messages() {
 
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
-  const bool reports =
-      files_.loading() || files_.exporting() || model_.binding() || cages_.running() || analysis_.reports();
+  const bool reports = files_.loading() || files_.exporting() || files_.measuring() || model_.binding() ||
+                       cages_.running() || analysis_.reports();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
   return changing() || files_.has_news() || model_.has_result() ||
          (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||

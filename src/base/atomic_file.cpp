@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <string>
 #include <utility>
 
@@ -74,19 +75,25 @@ void remove_if_stale(const fs::path& part) {
   if (!process_runs(process_of_part(part.filename().string()))) remove_if_left(part);
 }
 
-// Those of one target, or of any for an empty name.
-void remove_stale_parts(const fs::path& folder, const std::string& target) {
-  std::vector<fs::path> parts;
+// The names of a folder that are wanted; what cannot be read holds none.
+template <class Wanted>
+std::vector<fs::path> files_in(const fs::path& folder, const Wanted& wanted) {
+  std::vector<fs::path> files;
   std::error_code code;
   for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end;
        at.increment(code)) {
-    const std::string name = at->path().filename().string();
-    const std::string_view process = process_of_part(name);
-    if (process.empty() || (!target.empty() && !name.starts_with(target + "." + std::string(process))))
-      continue;
-    parts.push_back(at->path());
+    if (wanted(at->path().filename().string())) files.push_back(at->path());
   }
-  std::for_each(parts.begin(), parts.end(), remove_if_stale);
+  return files;
+}
+
+// Those of one target, or of any for an empty name.
+void remove_stale_parts(const fs::path& folder, const std::string& target) {
+  const auto parts = files_in(folder, [&](const std::string& name) {
+    const std::string_view process = process_of_part(name);
+    return !process.empty() && (target.empty() || name.starts_with(target + "." + std::string(process)));
+  });
+  std::ranges::for_each(parts, remove_if_stale);
 }
 
 // "dragon.pc2.0123456789abcdef.unfinished"; without a key all after it.
@@ -99,11 +106,26 @@ fs::path unfinished_of(const fs::path& target, std::uint64_t key) {
   return target.string() + "." + digits + std::string(unfinished_extension);
 }
 
-bool is_unfinished_of(const std::string& target, std::string_view name) {
-  if (!name.starts_with(target + ".") || !name.ends_with(unfinished_extension)) return false;
-  name.remove_prefix(target.size() + 1);
+// The target that such a name tells of; empty for a name of another form.
+std::string_view target_of_unfinished(std::string_view name) {
+  if (!name.ends_with(unfinished_extension)) return "";
   name.remove_suffix(unfinished_extension.size());
-  return name.size() == key_digits && name.find_first_not_of("0123456789abcdef") == name.npos;
+  const auto dot = name.rfind('.');
+  if (dot == name.npos || name.size() - dot - 1 != key_digits) return "";
+  const bool ours = name.find_first_not_of("0123456789abcdef", dot + 1) == name.npos;
+  return ours ? name.substr(0, dot) : "";
+}
+
+// More than a minute of work is kept for a week. Where it is not known when it was begun, it counts as more.
+bool is_worth_going_on(const fs::path& unfinished) {
+  constexpr std::int64_t worth_seconds = 60, kept_seconds = 7 * 24 * 3600;
+  struct statx status {};
+  if (statx(AT_FDCWD, unfinished.c_str(), AT_SYMLINK_NOFOLLOW, STATX_MTIME | STATX_BTIME, &status) != 0)
+    return true;
+  const std::int64_t last = status.stx_mtime.tv_sec;
+  const bool begun_known = (status.stx_mask & STATX_BTIME) != 0;
+  const bool long_work = !begun_known || last - status.stx_btime.tv_sec > worth_seconds;
+  return long_work && std::time(nullptr) - last < kept_seconds;
 }
 
 // What may be kept of an existing file's mode: a program that was handed other rights (setuid, setgid) loses
@@ -290,6 +312,17 @@ void remove_stale_parts(const fs::path& folder) {
   remove_stale_parts(folder, "");
 }
 
+void remove_leftovers_beside(const fs::path& path) {
+  const fs::path target = target_of(path), folder = target.parent_path();
+  remove_stale_parts(folder);
+  const auto is_of_another = [&](const std::string& name) {
+    const std::string_view other = target_of_unfinished(name);
+    return !other.empty() && other != target.filename().string();
+  };
+  for (const fs::path& unfinished : files_in(folder, is_of_another))
+    if (!is_worth_going_on(unfinished)) remove_if_left(unfinished);
+}
+
 void check_replaceable(const fs::path& path) {
   const fs::path target = checked_target(path);
   check_names(path, target);
@@ -339,8 +372,7 @@ void FilesTogether::replace() {
   files_.clear();
 }
 
-FileOfProgram::FileOfProgram(const fs::path& path)
-    : file_(std::make_unique<NewFile>(checked_target(path))) {}
+FileOfProgram::FileOfProgram(const fs::path& path) : file_(std::make_unique<NewFile>(checked_target(path))) {}
 
 FileOfProgram::~FileOfProgram() = default;
 
@@ -349,6 +381,10 @@ fs::path FileOfProgram::part() const {
 }
 
 void FileOfProgram::replace(Durability durability) {
+  std::error_code code;
+  if (const auto bytes = fs::file_size(part(), code); code || bytes == 0)
+    throw Error(file_->target().string(), "the program that makes it has written nothing",
+                "check that its installation is whole");
   file_->settle(durability);
   file_->become_target();
   if (durability == Durability::power_cut) sync_folder(file_->folder());
@@ -383,14 +419,8 @@ void GrowingFile::finish(Durability durability) {
   file_->become_target_locked();
   if (durability == Durability::power_cut) sync_folder(file_->folder());
   const std::string name = file_->target().filename().string();
-  std::vector<fs::path> left;
-  std::error_code code;
-  const fs::path folder = file_->folder();
-  for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end;
-       at.increment(code)) {
-    if (is_unfinished_of(name, at->path().filename().string())) left.push_back(at->path());
-  }
-  std::ranges::for_each(left, remove_if_left);
+  const auto is_of_this = [&](const std::string& other) { return target_of_unfinished(other) == name; };
+  std::ranges::for_each(files_in(file_->folder(), is_of_this), remove_if_left);
 }
 
 void GrowingFile::discard() {

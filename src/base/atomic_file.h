@@ -61,7 +61,7 @@ private:
 };
 
 /// A file that another program writes, under the name part(), which is there and empty at first. replace()
-/// makes it the file; without it everything stays as it was.
+/// makes it the file; without it everything stays as it was, and so it does where nothing was written.
 class FileOfProgram {
 public:
   /// Throws what replace_file() throws.
@@ -71,6 +71,7 @@ public:
   FileOfProgram& operator=(const FileOfProgram&) = delete;
 
   std::filesystem::path part() const;
+  /// Throws Error, also where the part is empty.
   void replace(Durability durability = Durability::power_cut);
 
 private:
@@ -118,6 +119,11 @@ void check_replaceable(const std::filesystem::path& path);
 std::filesystem::path unused_name(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& fits = [](const auto&) { return false; });
+
+/// Removes what programs that were killed have left in the folder of this file: parts, and what others of its
+/// files have unfinished, unless more than a minute of work is in it, which is kept for a week: the run that
+/// goes on with it may come. What is not ours, or is being written, stays, see remove_stale_parts().
+void remove_leftovers_beside(const std::filesystem::path& path);
 
 /// Removes every part in a folder of our own that a program left when it was killed. A part of a running
 /// program, of another user, or of another form stays. A folder that is not there is empty. Thread-safe.

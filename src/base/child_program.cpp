@@ -1,6 +1,7 @@
 #include "base/child_program.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -8,8 +9,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include "base/error.h"
@@ -18,6 +21,8 @@
 namespace viete::base {
 
 namespace {
+
+constexpr int look_again_ms = 20;
 
 // What it inherits: no more than its three files, no signal that is held back, and a group of its own.
 struct SpawnSettings {
@@ -80,7 +85,7 @@ ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::str
 ChildProgram::~ChildProgram() {
   close_input();
   if (process_ > 0) {
-    kill(process_, SIGKILL);
+    kill(-process_, SIGKILL);
     while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
@@ -91,12 +96,15 @@ void ChildProgram::close_input() {
   if (input_ >= 0) close(std::exchange(input_, -1));
 }
 
-void ChildProgram::write(std::span<const unsigned char> bytes) {
+void ChildProgram::write(std::span<const unsigned char> bytes, const WhileWaiting& waiting) {
   while (!bytes.empty()) {
-    const ssize_t sent = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
+    waiting();
+    pollfd room{input_, POLLOUT, 0};
+    if (poll(&room, 1, look_again_ms) == 0) continue;
+    const ssize_t sent = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (sent < 0) {
-      finish();  // says what it has said
+      finish(waiting);  // says what it has said
       fail();
     }
     bytes = bytes.subspan(static_cast<std::size_t>(sent));
@@ -116,12 +124,13 @@ void ChildProgram::stop() {
   if (process_ > 0) kill(process_, SIGTERM);
 }
 
-void ChildProgram::finish() {
+void ChildProgram::finish(const WhileWaiting& waiting) {
   close_input();
-  int status = status_.value_or(0);
-  while (process_ > 0 && waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  while (running()) {
+    waiting();
+    std::this_thread::sleep_for(std::chrono::milliseconds(look_again_ms));
   }
-  process_ = 0;
+  const int status = status_.value_or(0);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
 }
 

@@ -1,6 +1,7 @@
 // Another program that is run with bytes on its standard input.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,6 +9,9 @@
 #include <vector>
 
 namespace viete::base {
+
+/// Called several times a second by who waits for a program; what it throws ends the waiting.
+using WhileWaiting = std::function<void()>;
 
 /// Its standard output is thrown away, its standard error kept to be said. Ctrl+C in a terminal does not
 /// reach it: who runs it ends it. One thread at a time.
@@ -18,13 +22,14 @@ public:
   /// cannot be run.
   ChildProgram(const std::vector<std::string>& words, const std::string& advice,
                const std::vector<std::string>& variables = {});
-  /// One that still runs is killed.
+  /// One that still runs is killed, with what it has started.
   ~ChildProgram();
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
   /// Throws Error where it takes no more: with what it has said.
-  void write(std::span<const unsigned char> bytes);
+  void write(
+      std::span<const unsigned char> bytes, const WhileWaiting& waiting = [] {});
   /// Of its standard error the first 4 KB, so far.
   std::string said() const;
   /// False once it has ended: finish() says how.
@@ -32,7 +37,7 @@ public:
   /// Asks it to end, by SIGTERM.
   void stop();
   /// Waits for its end. Throws Error where that is no success, with what it has said.
-  void finish();
+  void finish(const WhileWaiting& waiting = [] {});
 
 private:
   [[noreturn]] void fail();

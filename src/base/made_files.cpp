@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cinttypes>
 #include <cstdio>
@@ -69,6 +70,19 @@ std::string made_line(const MadeFiles::Planned& file, const FileContent& content
   return text;
 }
 
+// Before the line of the file that leads there.
+std::string beside_line(std::int64_t number, const std::string& name) {
+  return "beside " + std::to_string(number) + ' ' + name + '\n';
+}
+
+// The name in such a line; empty for another line.
+std::string name_beside(const std::string& line, std::int64_t& number) {
+  int end = 0;
+  if (std::sscanf(line.c_str(), "beside %" SCNd64 " %n", &number, &end) != 1 || end == 0) return "";
+  const std::string name = line.substr(static_cast<std::size_t>(end));
+  return line + '\n' == beside_line(number, name) ? name : "";
+}
+
 }  // namespace
 
 MadeFiles::MadeFiles(NumberedName name) : name_(std::move(name)), record_(name_.pattern() + ".made") {
@@ -83,6 +97,7 @@ void MadeFiles::read() {
     if (fs::exists(fs::symlink_status(record_, code))) fail_record(record_, "cannot be read");
     return;
   }
+  std::map<std::int64_t, std::vector<std::string>> beside;
   for (std::string line; std::getline(in, line);) {
     Planned file{};
     FileContent content;
@@ -93,7 +108,11 @@ void MadeFiles::read() {
                                   &file.number, &file.key, &content.bytes, &content.checksum) == 4 &&
                       line + "\n" == made_line(file, content);
     if (begun) entries_[file.number].begun = true;
-    if (made) entries_[file.number] = {file.key, content.bytes, content.checksum, false, true};
+    if (made)
+      entries_[file.number] = {
+          file.key, content.bytes, content.checksum, std::exchange(beside[file.number], {}), false, true};
+    if (const std::string name = name_beside(line, file.number); !name.empty())
+      beside[file.number].push_back(name);
   }
 }
 
@@ -108,9 +127,16 @@ MadeFiles::State MadeFiles::state(const Planned& file) const {
     const auto size = fs::file_size(path, code);
     const auto content = !code && size == entry.bytes ? content_of_file(path) : std::nullopt;
     const bool same = content && content->bytes == entry.bytes && content->checksum == entry.content;
-    if (same) return entry.key == file.key ? State::whole : State::ours;
+    if (same) return entry.key == file.key && has_all_beside(entry) ? State::whole : State::ours;
   }
   return entry.begun ? State::ours : State::foreign;
+}
+
+bool MadeFiles::has_all_beside(const Entry& entry) const {
+  std::error_code ignored;
+  return std::ranges::all_of(entry.beside, [&](const std::string& name) {
+    return fs::is_regular_file(record_.parent_path() / name, ignored);
+  });
 }
 
 void MadeFiles::begin(std::span<const Planned> files) {
@@ -122,11 +148,19 @@ void MadeFiles::begin(std::span<const Planned> files) {
   if (!lines.empty()) append(lines, true);
 }
 
-void MadeFiles::add(const Planned& file) {
+void MadeFiles::add(const Planned& file, std::span<const fs::path> beside) {
   const auto content = content_of_file(name_.file(file.number));
   if (!content) fail_record(name_.file(file.number), "cannot be read again");
-  entries_[file.number] = {file.key, content->bytes, content->checksum, false, true};
-  append(made_line(file, *content), false);
+  Entry entry{file.key, content->bytes, content->checksum, {}, false, true};
+  std::string lines;
+  for (const fs::path& path : beside) {
+    const std::string name = path.lexically_proximate(record_.parent_path()).string();
+    if (name.find('\n') != name.npos) continue;  // has no line
+    entry.beside.push_back(name);
+    lines += beside_line(file.number, name);
+  }
+  entries_[file.number] = std::move(entry);
+  append(lines + made_line(file, *content), false);
 }
 
 // In one piece, behind what others have added; a line that a killed process has left unfinished is ended.

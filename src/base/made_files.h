@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/numbered_files.h"
 
@@ -18,7 +19,7 @@ class MadeFiles {
 public:
   enum class State {
     missing,  ///< nothing is of this name
-    whole,    ///< made of the same, and not changed since
+    whole,    ///< made of the same, not changed since, and what it leads to is there
     ours,     ///< made by the program, of something else, or it is not certain that it is whole
     foreign   ///< made, or changed, by somebody else
   };
@@ -39,15 +40,17 @@ public:
   /// From now on these may be replaced: to be called before the first of them is. On the disk when it
   /// returns. Throws Error.
   void begin(std::span<const Planned> files);
-  /// The file is there as a whole. Throws Error.
-  void add(const Planned& file);
+  /// The file is there as a whole, and `beside` all that it leads to. Throws Error.
+  void add(const Planned& file, std::span<const std::filesystem::path> beside = {});
 
 private:
   struct Entry {
     std::uint64_t key = 0, bytes = 0, content = 0;
-    bool begun = false, made = false;  // either or both: the last one that was made, and since begun anew
+    std::vector<std::string> beside{};  // names from the folder of the record
+    bool begun = false, made = false;   // either or both: the last one that was made, and since begun anew
   };
   void read();
+  bool has_all_beside(const Entry& entry) const;
   void append(const std::string& lines, bool sync) const;
 
   NumberedName name_;

@@ -18,6 +18,7 @@
 #include "bench/modes_table.h"
 #include "bench/rounds.h"
 #include "bench/table.h"
+#include "bench/torn.h"
 #include "deform/deformer.h"
 #include "deform/pose_io.h"
 
@@ -36,6 +37,7 @@ public:
            std::span<const NamedPose> poses, sym3::Method method)
       : surface_(model), cage_(std::move(cage)), poses_(poses), method_(method), model_(model) {
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
+    near_pairs_ = near_pairs(surface_, all_);
   }
 
   // In double, link by link. One binding at a time: those of all vertices are large.
@@ -147,6 +149,8 @@ private:
             model_.bending(positions),
             model_.volume(positions),
             gap_of(pose, positions),
+            torn(near_pairs_, model_.positions(), positions),
+            nothing,
             nothing,
             nothing};
   }
@@ -158,6 +162,7 @@ private:
   RestModel model_;
   base::WorkerPool one_{1}, all_{0};
   std::vector<CagePoint> nearest_;
+  std::vector<mesh::Edge> near_pairs_;
   std::shared_ptr<const deform::Binding> staged_;
   std::deque<Bound> bound_;  // what is made stays where it is
   std::map<deform::Elements, std::shared_ptr<const deform::Stitching>> stitchings_;
@@ -198,6 +203,7 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
       ShapeQuality& q = mode.qualities[p];
       q.energy_ratio = ratio(q.distortion.energy, theirs[p].distortion.energy);
       q.bending_ratio = ratio(q.bending, theirs[p].bending);
+      q.torn_ratio = ratio(q.torn, theirs[p].torn);
     }
   }
 }

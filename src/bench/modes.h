@@ -27,9 +27,10 @@ struct ShapeQuality {
   double bending = 0;  ///< RestModel::bending()
   double volume = 1;   ///< over that at rest; NaN where the model encloses none
   double gap = 0;      ///< see bench::gap()
+  double torn = 0;     ///< see bench::torn()
   /// Over those of mean value coordinates in the same run; NaN where these have next to none, or are not
   /// there.
-  double energy_ratio = 0, bending_ratio = 0;
+  double energy_ratio = 0, bending_ratio = 0, torn_ratio = 0;
 };
 
 /// One way of blending.

@@ -13,7 +13,7 @@ namespace viete::bench {
 
 namespace {
 
-// Lines fit 110 columns where names of schemes are no longer than 36.
+// Lines fit 130 columns where names of schemes are no longer than 36.
 constexpr int column = 9;
 
 void print_cell(double value, const char* format) {
@@ -59,7 +59,8 @@ void print_modes(std::span<const Mode> modes) {
 }
 
 void print_pose(std::span<const Mode> modes, const std::string& name, std::size_t p) {
-  print_rows(name, {"volume", "energy", "x mvc", "shear", "worst", "bending", "x mvc", "gap"}, modes,
+  print_rows(name, {"volume", "energy", "x mvc", "shear", "worst", "bending", "x mvc", "gap", "torn", "x mvc"},
+             modes,
              [p](const Mode& mode) {
                const ShapeQuality& q = mode.qualities[p];
                print_cell(q.volume, "%.4f");
@@ -70,6 +71,8 @@ void print_pose(std::span<const Mode> modes, const std::string& name, std::size_
                print_cell(q.bending, "%.3g");
                print_cell(q.bending_ratio, "%.3f");
                print_cell(q.gap, "%.4f");
+               print_cell(q.torn, "%.2e");
+               print_cell(q.torn_ratio, "%.2f");
              });
 }
 
@@ -86,7 +89,7 @@ std::vector<double> sorted_values(const Mode& mode, const Value& value) {
 void print_all_poses(std::span<const Mode> modes, std::size_t poses) {
   const auto middle = [](const std::vector<double>& sorted) { return sorted[sorted.size() / 2]; };
   print_rows("all " + std::to_string(poses) + " poses",
-             {"volume", "to", "energy", "worst", "bending", "worst", "gap"}, modes, [&](const Mode& mode) {
+             {"volume", "to", "energy", "worst", "bending", "worst", "gap", "torn", "x mvc"}, modes, [&](const Mode& mode) {
                const auto volumes = sorted_values(mode, [](const auto& q) { return q.volume; });
                const auto energies = sorted_values(mode, [](const auto& q) { return q.energy_ratio; });
                const auto bendings = sorted_values(mode, [](const auto& q) { return q.bending_ratio; });
@@ -97,8 +100,10 @@ void print_all_poses(std::span<const Mode> modes, std::size_t poses) {
                  print_cell(ratios.back(), "%.3f");
                }
                print_cell(middle(sorted_values(mode, [](const auto& q) { return q.gap; })), "%.4f");
+               print_cell(sorted_values(mode, [](const auto& q) { return q.torn; }).back(), "%.2e");
+               print_cell(sorted_values(mode, [](const auto& q) { return q.torn_ratio; }).back(), "%.2f");
              });
-  std::printf("  (energy and bending x mvc: median and worst; gap: median)\n");
+  std::printf("  (energy and bending x mvc: median and worst; gap: median; torn: worst)\n");
 }
 
 void print_notes(const ModeComparison& compared, std::span<const NamedPose> poses) {
@@ -129,7 +134,9 @@ nlohmann::json to_json(const ShapeQuality& q, const std::string& pose) {
           {"collapsed", q.distortion.collapsed},
           {"bending", q.bending},
           {"bending_to_mean_value", q.bending_ratio},
-          {"gap", q.gap}};
+          {"gap", q.gap},
+          {"torn", q.torn},
+          {"torn_to_mean_value", q.torn_ratio}};
 }
 
 nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {

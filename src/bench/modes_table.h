@@ -21,6 +21,8 @@ inline constexpr const char* modes_legend =
   shear: longest over shortest stretch (singular values) of a triangle, median and worst
   bending: energy of the changes of angle between triangles (discrete shells); kinks make it large
   gap: mean distance of the surface from where the nearest point of the cage has gone, in diagonals
+  torn: largest change of distance of vertices within 1 % of the diagonal that are of different parts, or
+    within 0.1 % and joined by no short path of edges, in diagonals
 )";
 
 /// A table of the modes by themselves, one a pose, and one over all poses where there are several.

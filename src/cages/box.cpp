@@ -21,7 +21,7 @@ public:
       side(axis, 0);
       side(axis, cells[axis]);
     }
-    mesh::fan_triangulate(surface_);
+    mesh::triangulate(surface_);
   }
 
   mesh::Surface take() { return std::move(surface_); }

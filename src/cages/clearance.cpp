@@ -249,7 +249,7 @@ float Clearance::at(const Place& p) const {
   std::array<std::size_t, 3> cell;
   Place t;
   for (std::size_t k = 0; k < 3; ++k) {
-    const float clamped = std::min(std::max(p[k], 0.0F), last_[k]);
+    const float clamped = std::max(0.0F, std::min(p[k], last_[k]));  // 0 of what is no number
     beyond += (p[k] - clamped) * (p[k] - clamped);
     cell[k] = std::min(static_cast<std::size_t>(clamped), grid_.size[k] - 2);
     t[k] = clamped - static_cast<float>(cell[k]);
@@ -312,7 +312,7 @@ Clearance with_balls(const Clearance& clearance, std::span<const Point> centers,
     for (std::size_t k = 0; k < 3; ++k) {
       const auto node = [&](double x) {
         const auto last = static_cast<double>(grid.size[k] - 1);
-        return static_cast<std::size_t>(std::clamp((x - grid.origin[k]) / grid.step, 0.0, last));
+        return static_cast<std::size_t>(std::max(0.0, std::min((x - grid.origin[k]) / grid.step, last)));
       };
       low[k] = node(p[k] - radius - most);
       high[k] = node(p[k] + radius + most);

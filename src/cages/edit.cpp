@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "mesh/triangulation.h"
+
 namespace viete::cages {
 
 namespace {
@@ -69,9 +71,19 @@ public:
 
   const Origin& origin(std::uint32_t v) const { return origins_[v]; }
 
-  // Without corners that repeat another, polygons of two corners, and vertices of no polygon.
+  // A polygon that comes back to this corner becomes several, which all have it.
+  void part_at(std::uint32_t v, std::size_t number) {
+    for (std::ptrdiff_t left = std::ranges::count(all[number], v); left > 1; --left) {
+      Polygon& p = all[number];
+      const auto first = std::ranges::find(p, v), again = std::find(first + 1, p.end(), v);
+      Polygon loop(first, again);
+      p.erase(first, again);
+      all.push_back(std::move(loop));  // p is not valid behind this
+    }
+  }
+
+  // Without polygons of two corners, and vertices of no polygon.
   Edited finish(const std::vector<std::uint32_t>& selection) {
-    for (std::size_t p = 0; p < all.size(); ++p) part_at_repeated(p);
     std::erase_if(all, [](const Polygon& p) { return p.size() < 3; });
     std::vector<std::uint8_t> used(positions_.size(), 0);
     for (const Polygon& p : all) {
@@ -90,7 +102,7 @@ public:
       for (const auto v : p) edited.surface.corners.push_back(number[v]);
       edited.surface.polygon_starts.push_back(static_cast<std::uint32_t>(edited.surface.corners.size()));
     }
-    mesh::fan_triangulate(edited.surface);
+    mesh::triangulate(edited.surface);
     for (const auto v : selection) {
       if (used[v]) edited.selection.push_back(number[v]);
     }
@@ -99,24 +111,33 @@ public:
   }
 
 private:
-  // A polygon that comes back to a corner becomes two, which both have it.
-  void part_at_repeated(std::size_t number) {
-    for (std::size_t i = 0; i < all[number].size(); ++i) {
-      Polygon& p = all[number];
-      const auto first = p.begin() + static_cast<std::ptrdiff_t>(i);
-      const auto again = std::find(first + 1, p.end(), *first);
-      if (again == p.end()) continue;
-      Polygon loop(first, again);
-      p.erase(first, again);
-      all.push_back(std::move(loop));  // p is not valid behind this
-      --i;
-    }
-  }
-
   std::vector<Point> positions_;
   std::vector<Origin> origins_;
   std::vector<std::vector<std::uint32_t>> around_;
 };
+
+std::vector<Point> places_of(const Polygons& cage, const Polygon& p) {
+  std::vector<Point> places;
+  for (const auto v : p) places.push_back(cage.at(v));
+  return places;
+}
+
+std::vector<Polygon> triangles_of(const Polygons& cage, const Polygon& p) {
+  std::vector<Polygon> triangles;
+  for (const auto& [i, j, k] : mesh::triangulation(places_of(cage, p)))
+    triangles.push_back({p[i], p[j], p[k]});
+  return triangles;
+}
+
+// Whether triangles about the mean of its corners are the polygon.
+bool is_about_its_middle(const Polygons& cage, const Polygon& p) {
+  std::vector<Point> fan = places_of(cage, p);
+  Point sum{0, 0, 0};
+  for (const Point& at : fan) sum = sum + at;
+  fan.push_back(fan.front());
+  fan.insert(fan.begin(), (1 / static_cast<double>(p.size())) * sum);
+  return mesh::is_fan(fan);
+}
 
 Vec3 area_of(const Polygons& cage, const Polygon& p) {
   Vec3 sum{0, 0, 0};
@@ -153,6 +174,17 @@ std::size_t side_of(const Polygon& p, const mesh::Edge& edge) {
   return p.size();
 }
 
+// With a corner in the middle wherever it runs along the edge, and that first.
+Polygon split(const Polygon& p, const mesh::Edge& edge, std::uint32_t middle) {
+  Polygon with;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    with.push_back(p[i]);
+    if (edge_of(p[i], p[(i + 1) % p.size()]) == edge) with.push_back(middle);
+  }
+  std::ranges::rotate(with, std::ranges::find(with, middle));
+  return with;
+}
+
 // These polygons become the one that they fill, without corners that go; without a loop they stay.
 template <class Goes>
 void unite(Polygons& cage, const std::vector<std::uint32_t>& numbers, Goes goes) {
@@ -178,9 +210,8 @@ Edited split_edges(const Surface& surface, std::span<const mesh::Edge> edges) {
     const std::uint32_t middle = cage.add_middle({edge[0], edge[1]});
     made.push_back(middle);
     for (const auto number : with_edge(cage, edge)) {
-      const Polygon p = std::exchange(cage.all[number], {});
-      const std::size_t side = side_of(p, edge), n = p.size();
-      for (std::size_t i = 1; i < n; ++i) cage.put({middle, p[(side + i) % n], p[(side + i + 1) % n]});
+      const Polygon p = split(std::exchange(cage.all[number], {}), edge, middle);
+      for (Polygon& t : triangles_of(cage, p)) cage.put(std::move(t));
     }
   }
   return cage.finish(made);
@@ -190,7 +221,14 @@ Edited cut_polygons(const Surface& surface, std::span<const std::uint32_t> polyg
   Polygons cage(surface);
   std::vector<std::uint32_t> made;
   for (const std::uint32_t number : polygons) {
-    const Polygon p = std::exchange(cage.all[number], {});
+    Polygon p = std::exchange(cage.all[number], {});
+    if (!is_about_its_middle(cage, p)) {
+      std::vector<Polygon> triangles = triangles_of(cage, p);
+      const auto area = [&](const Polygon& t) { return mesh::norm(area_of(cage, t)); };
+      const auto largest = std::ranges::max_element(triangles, {}, area);
+      p = std::exchange(*largest, {});
+      for (Polygon& t : triangles) cage.put(std::move(t));
+    }
     made.push_back(cage.add_middle(p));
     for (std::size_t i = 0; i < p.size(); ++i) cage.put({made.back(), p[i], p[(i + 1) % p.size()]});
   }
@@ -201,8 +239,9 @@ Edited merge_vertices(const Surface& surface, std::span<const std::uint32_t> ver
   Polygons cage(surface);
   const std::uint32_t one = cage.add_middle({vertices.begin(), vertices.end()});
   const std::set<std::uint32_t> merged(vertices.begin(), vertices.end());
-  for (Polygon& p : cage.all) {
-    for (auto& v : p) v = merged.contains(v) ? one : v;
+  for (std::size_t number = 0, count = cage.all.size(); number < count; ++number) {
+    for (auto& v : cage.all[number]) v = merged.contains(v) ? one : v;
+    cage.part_at(one, number);
   }
   return cage.finish({one});
 }
@@ -278,7 +317,7 @@ Edited subdivide(const Surface& surface) {
     return place->second;
   };
   std::vector<Polygon> finer;
-  for (const Polygon& p : std::exchange(cage.all, {})) {
+  const auto add = [&](const Polygon& p) {
     const std::size_t n = p.size();
     const auto after = [&](std::size_t i) { return middle(p[i], p[(i + 1) % n]); };
     if (n == 3) finer.push_back({after(0), after(1), after(2)});
@@ -287,6 +326,13 @@ Edited subdivide(const Surface& surface) {
       const std::uint32_t before = after((i + n - 1) % n);
       if (n == 3) finer.push_back({p[i], after(i), before});
       if (n != 3) finer.push_back({p[i], after(i), center, before});
+    }
+  };
+  for (const Polygon& p : std::exchange(cage.all, {})) {
+    if (is_about_its_middle(cage, p)) {
+      add(p);
+    } else {
+      std::ranges::for_each(triangles_of(cage, p), add);
     }
   }
   cage.all = std::move(finer);

@@ -28,7 +28,8 @@ struct Edited {
 
 /// A vertex in the middle of each edge, joined to the corners of its polygons, which become triangles.
 Edited split_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);
-/// A vertex in the middle of each polygon, joined to its corners.
+/// A vertex in the middle of each polygon, joined to its corners; if it does not see all sides, the polygon
+/// becomes triangles, and the vertex is in the largest one.
 Edited cut_polygons(const mesh::Surface& cage, std::span<const std::uint32_t> polygons);
 /// One vertex in the middle of these. What is left of a polygon with fewer than three corners goes.
 Edited merge_vertices(const mesh::Surface& cage, std::span<const std::uint32_t> vertices);
@@ -39,7 +40,8 @@ Edited dissolve_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edg
 Edited remove_polygons(const mesh::Surface& cage, std::span<const std::uint32_t> polygons);
 /// The polygons are moved along the mean of their normals, by so much, and quads join them to what is left.
 Edited extrude(const mesh::Surface& cage, std::span<const std::uint32_t> polygons, double distance);
-/// The same surface: of each triangle four, of every other polygon a quad for each of its corners.
+/// The same surface: of each triangle four, of every other polygon a quad for each of its corners; if its
+/// middle does not see all sides, four of each of its triangles.
 Edited subdivide(const mesh::Surface& cage);
 /// The side of the plane where its normal points, cut off there, and its image.
 Edited mirrored(const mesh::Surface& cage, const Plane& plane);

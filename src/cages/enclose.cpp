@@ -99,6 +99,7 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
     for (const auto p : outside) points.push_back(asked[p]);
     const auto ways = ways_outward(moved, points, distance);
     for (std::size_t v = 0; v < ways.size(); ++v) moved.positions[v] = moved.positions[v] + ways[v];
+    mesh::triangulate(moved);
     asked = std::move(points);
   }
 }

@@ -77,7 +77,7 @@ mesh::Surface with_quads(const Shell& shell, std::span<const TrianglePair> pairs
   for (std::size_t t = 0; t < shell.triangles.size(); ++t) {
     if (!paired[t]) add(shell.triangles[t]);
   }
-  mesh::fan_triangulate(surface);
+  mesh::triangulate(surface);
   return surface;
 }
 

@@ -234,7 +234,8 @@ void WorkingCage::for_cells(const mesh::Bounds& box, Visit&& visit) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const double scale = cells_along / (grid.step * static_cast<double>(grid.size[k]));
     const auto cell = [&](double x) {
-      return static_cast<std::size_t>(std::clamp((x - grid.origin[k]) * scale, 0.0, cells_along - 1.0));
+      return static_cast<std::size_t>(
+          std::max(0.0, std::min((x - grid.origin[k]) * scale, cells_along - 1.0)));
     };
     low[k] = cell(box.low[k]);
     high[k] = cell(box.high[k]);

@@ -92,7 +92,7 @@ void check_count(std::size_t found, std::size_t expected, const std::string& fil
 // Its reader joins loose triangles, so that vertices stand in the order in which the faces name them first:
 // the cage's only where the faces come out the same.
 void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::string& file) {
-  if (!read.format.starts_with("STL") || read.surface.triangles == cage.surface.triangles) return;
+  if (!read.format.starts_with("STL") || mesh::same_faces(read.surface, cage.surface)) return;
   throw base::Error(file, "STL keeps no order of the vertices, so that those of the cage are not found again",
                     "export the pose as OBJ, PLY or OFF");
 }
@@ -118,7 +118,7 @@ Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<
   refuse_permuted(read, cage, file);
   check_count(read.surface.positions.size(), cage.surface.positions.size(), file);
   warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
-  if (read.surface.triangles != cage.surface.triangles) {
+  if (!mesh::same_faces(read.surface, cage.surface)) {
     warnings.push_back(file +
                        ": its faces differ from the cage's; only its vertices are used, in their order");
   }

@@ -285,7 +285,7 @@ std::optional<UnusedSetting> unused_setting(Weights weights, const AskedWeightin
 bool Weighting::same_numbers(const Weighting& o) const {
   return used_reach() == o.used_reach() && used_radius() == o.used_radius() &&
          used_exponent() == o.used_exponent() && used_clamp() == o.used_clamp() &&
-         used_normalise() == o.used_normalise();
+         used_normalise() == o.used_normalise() && used_apart() == o.used_apart();
 }
 const WeightsEntry& entry(Weights weights) {
   return find(weights_table, weights);

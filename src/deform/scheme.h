@@ -120,12 +120,16 @@ struct Weighting {
   bool clamp = true;
   /// Weights always sum to 1, also where few elements reach: see cut_off_weights().
   bool normalise = false;
+  /// Parts of a model are weighed each by itself, along its surface alone, so that they come apart: as before
+  /// version 0.3, for sessions of then.
+  bool apart = false;
 
   double used_reach() const { return entry(weights).has.reach ? reach : whole_cage; }
   double used_radius() const { return entry(weights).has.radius ? radius : 0; }
   int used_exponent() const { return entry(weights).has.exponent ? exponent : 0; }
   bool used_clamp() const { return entry(weights).has.clamp && clamp; }
   bool used_normalise() const { return entry(weights).has.normalise && normalise; }
+  bool used_apart() const { return entry(weights).on_surface && apart; }
   /// Elements that are far away have no weight at all.
   bool local() const { return used_reach() < whole_cage || entry(weights).has.radius; }
   /// Weights of a vertex may sum to less than 1: what is missing stays at rest, see Shares in binding.h.

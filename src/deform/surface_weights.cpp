@@ -13,12 +13,17 @@
 #include "mesh/point_tree.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
+#include "mesh/triangle_tree.h"
 
 namespace viete::deform {
 
 namespace {
 
 constexpr double spring_per_handle = 1;
+// Bodies with less of the area are moved by what they are coupled to; in elements' shares.
+constexpr double least_body = 0.1;
+// An element is near a body if it is so many times as far from it there as the nearest element at most.
+constexpr double as_near = 1.5;
 
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
   std::vector<bool> is_used(surface.positions.size(), false);
@@ -74,7 +79,8 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
   const Handles kind = entry(elements).handles;
   const auto& x = cage.surface.positions;
   OwnedVertices owned{std::vector<std::uint32_t>(handle_count(cage, elements), OwnedVertices::none),
-                      std::vector<std::uint32_t>(model.positions.size(), 0)};
+                      std::vector<std::uint32_t>(model.positions.size(), 0),
+                      {}};
   pool.for_blocks(owned.of_handle.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
       const auto [t, weighs] = handle_shape(cage, kind, h);
@@ -87,6 +93,43 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
   return owned;
 }
 
+void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
+                   Elements elements, base::WorkerPool& pool) {
+  const Handles kind = entry(elements).handles;
+  const auto& x = cage.surface.positions;
+  const std::size_t k = owned.of_handle.size();
+  std::vector<HandleShape> shapes;
+  std::vector<mesh::Triangle> weighing;
+  for (std::size_t h = 0; h < k; ++h) {
+    shapes.push_back(handle_shape(cage, kind, h));
+    if (shapes[h].weighs) weighing.push_back(shapes[h].corners);
+  }
+  if (weighing.empty()) return;
+  const mesh::TriangleTree nearest_handle(x, weighing);
+  std::vector<std::vector<std::uint32_t>> members(bodies.shares.size()), found(members.size());
+  for (const auto v : used_vertices(model)) members[bodies.of_vertex[v]].push_back(v);
+  pool.for_blocks(members.size(), 1, [&](std::size_t body, std::size_t) {
+    if (members[body].empty() || bodies.shares[body] * static_cast<double>(k) < least_body) return;
+    const mesh::PointTree tree(model.positions, members[body]);
+    for (const auto& [t, weighs] : shapes) {
+      found[body].push_back(OwnedVertices::none);
+      if (!weighs) continue;
+      const auto v = tree.nearest(x[t[0]], x[t[1]], x[t[2]]);
+      const mesh::Point& p = model.positions[v];
+      const double square = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance;
+      if (square <= as_near * as_near * nearest_handle.nearest(p).squared_distance) found[body].back() = v;
+    }
+  });
+  owned.elsewhere.resize(k);
+  for (std::size_t h = 0; h < k; ++h) {
+    for (const auto& of_body : found) {
+      if (of_body.empty() || of_body[h] == OwnedVertices::none || of_body[h] == owned.of_handle[h]) continue;
+      owned.elsewhere[h].push_back(of_body[h]);
+      ++owned.owners[of_body[h]];
+    }
+  }
+}
+
 SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                              base::WorkerPool& pool, base::Progress* progress, double done)
     : SurfaceSystem(model, mesh::welded(model), cage, weighting, pool, progress, done) {}
@@ -97,12 +140,13 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
     : owned_(owned_vertices(joined, cage, weighting.elements, pool)),
       laplacian_(intrinsic_laplacian(joined)) {
   if (progress) progress->report(0);
+  std::vector<double> springs(joined.positions.size(), spring_per_handle * static_cast<double>(handles()));
+  if (!weighting.apart) couple_parts(joined, cage, weighting.elements, springs, pool);
   std::vector<bool> is_owned(owned_.owners.size());
   for (std::size_t v = 0; v < is_owned.size(); ++v) is_owned[v] = owned_.owners[v] > 0;
   const HeldParts held = held_parts(laplacian_.stiffness, is_owned);
   if (weighting.weights == Weights::biharmonic) {
-    const double spring = spring_per_handle * static_cast<double>(handles());
-    plate_.emplace(laplacian_, held, is_owned, spring, loads(), pool, progress, done);
+    plate_.emplace(laplacian_, held, is_owned, std::move(springs), loads(), pool, progress, done);
   } else {
     std::vector<bool> free(is_owned.size());
     for (std::uint32_t v = 0; v < free.size(); ++v) free[v] = held.holds(v) && !is_owned[v];
@@ -113,28 +157,50 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   if (progress) progress->report(done);
 }
 
+// As many springs an area in each body as in a model of one.
+void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, Elements elements,
+                                 std::vector<double>& springs, base::WorkerPool& pool) {
+  const mesh::EdgePaths paths(joined);
+  const auto couplings = part_couplings(joined, paths, laplacian_.masses, pool);
+  laplacian_.stiffness = with_couplings(laplacian_.stiffness, couplings);
+  const double k = static_cast<double>(handles());
+  const Bodies found = bodies(joined, paths, couplings, laplacian_.masses, 1 / k);
+  if (found.shares.size() == 1) return;
+  own_in_bodies(owned_, joined, found, cage, elements, pool);
+  std::vector<double> owners(found.shares.size(), 0);
+  for (std::size_t v = 0; v < springs.size(); ++v) owners[found.of_vertex[v]] += owned_.owners[v];
+  for (std::size_t v = 0; v < springs.size(); ++v) {
+    const auto body = found.of_vertex[v];
+    if (owned_.owners[v] > 0) springs[v] *= std::min(1.0, found.shares[body] * k / owners[body]);
+  }
+}
+
 const BlockSolver& SurfaceSystem::solver() const {
   return plate_ ? plate_->solver() : *solver_;
 }
 
 std::vector<ThinPlate::Load> SurfaceSystem::loads() const {
   std::vector<ThinPlate::Load> loads;
-  for (const auto v : owned_.of_handle) {
-    const bool owns = v != OwnedVertices::none;
-    loads.push_back({owns ? v : HeldParts::none, owns ? 1.0 / owned_.owners[v] : 0});
+  for (std::size_t h = 0; h < handles(); ++h) {
+    loads.emplace_back();
+    const auto add = [&](std::uint32_t v) { loads.back().push_back({v, 1.0 / owned_.owners[v]}); };
+    if (owned_.of_handle[h] != OwnedVertices::none) add(owned_.of_handle[h]);
+    if (!owned_.elsewhere.empty()) std::ranges::for_each(owned_.elsewhere[h], add);
   }
   return loads;
 }
 
 void SurfaceSystem::set_right_hand_side(std::size_t handle, std::size_t column,
                                         std::span<double> block) const {
-  const auto v = owned_.of_handle[handle];
-  if (v == OwnedVertices::none) return;
-  const double value = 1.0 / owned_.owners[v];
-  block[solver_->place(v) + column] = value;
-  for_column(laplacian_.stiffness, v, [&](std::uint32_t other, double entry) {
-    if (owned_.owners[other] == 0) block[solver_->place(other) + column] -= entry * value;
-  });
+  const auto set = [&](std::uint32_t v) {
+    const double value = 1.0 / owned_.owners[v];
+    block[solver_->place(v) + column] = value;
+    for_column(laplacian_.stiffness, v, [&](std::uint32_t other, double entry) {
+      if (owned_.owners[other] == 0) block[solver_->place(other) + column] -= entry * value;
+    });
+  };
+  if (owned_.of_handle[handle] != OwnedVertices::none) set(owned_.of_handle[handle]);
+  if (!owned_.elsewhere.empty()) std::ranges::for_each(owned_.elsewhere[handle], set);
 }
 
 void SurfaceSystem::solve_block(std::size_t begin, std::size_t end, std::span<double> block) const {

@@ -15,6 +15,7 @@
 #include "deform/block_solver.h"
 #include "deform/cage.h"
 #include "deform/intrinsic_laplacian.h"
+#include "deform/part_coupling.h"
 #include "deform/scheme.h"
 #include "deform/thin_plate.h"
 
@@ -27,12 +28,20 @@ struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_handle;  ///< or none
   std::vector<std::uint32_t> owners;     ///< how many each vertex has
+  /// More that a handle owns, one in each body that it is near; empty where there is one body.
+  std::vector<std::vector<std::uint32_t>> elsewhere;
 };
 
 /// Distances are exact: to the triangle, the edge or the vertex. Throws base::Error where the model has no
 /// triangles. O(k log n).
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
                              base::WorkerPool& pool);
+
+/// Adds the vertex nearest to each handle in every body that the handle is near: where no other is less than
+/// two thirds as far away. So layers and what they enclose follow the cage alike, and none gives up its
+/// vertices when another is added. Bodies of less than a tenth of a handle's share of the area get none.
+void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
+                   Elements elements, base::WorkerPool& pool);
 
 /// Solves for the weights of sixteen handles at a time; which of them are kept, and how, is for the caller to
 /// say.
@@ -51,7 +60,9 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
 /// strength is also the value.
 ///
 /// Vertices at the same place are one: seams of textures and sharp edges do not tear, nor do triangles that
-/// share no vertices.
+/// share no vertices. Parts that lie near each other, and cracks, are held together by part_couplings(),
+/// which L then has too, and handles own a vertex in each body of several (own_in_bodies(), s by the area):
+/// weights are a matter of space there, and no pose tears the model. Weighting::apart leaves all that out.
 ///
 /// A part of the model without an owned vertex, and a vertex of no triangle, take over the weights of the
 /// vertex nearest to their middle that has a part with one: all of such a part moves as one.
@@ -82,6 +93,8 @@ public:
 private:
   SurfaceSystem(const mesh::Surface& model, const mesh::Surface& joined, const Cage& cage,
                 const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress, double done);
+  void couple_parts(const mesh::Surface& joined, const Cage& cage, Elements elements,
+                    std::vector<double>& springs, base::WorkerPool& pool);
   const BlockSolver& solver() const;
   std::vector<ThinPlate::Load> loads() const;
   void set_right_hand_side(std::size_t handle, std::size_t column, std::span<double> block) const;

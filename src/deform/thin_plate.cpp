@@ -51,12 +51,12 @@ HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has
 }
 
 ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts,
-                     const std::vector<bool>& has_spring, double spring, std::vector<Load> loads,
-                     base::WorkerPool& pool, base::Progress* progress, double done)
+                     const std::vector<bool>& has_spring, std::vector<double> springs,
+                     std::vector<Load> loads, base::WorkerPool& pool, base::Progress* progress, double done)
     : masses_(laplacian.masses),
       parts_(parts),
       part_masses_(masses_of_parts(parts, masses_)),
-      spring_(spring),
+      strengths_(std::move(springs)),
       loads_(std::move(loads)),
       solver_(grounded(laplacian.stiffness, free_vertices(parts)), pool, told(progress, 0, factored * done)) {
   for (std::uint32_t v = 0; v < has_spring.size(); ++v) {
@@ -116,18 +116,19 @@ void ThinPlate::find_forces(std::vector<double> stiffness) {
   const std::size_t count = springs_.size();
   const auto part = [&](std::size_t i) { return parts_.of_vertex[springs_[i]]; };
   for (std::size_t i = 0; i < count; ++i) {
+    const double at_ground = 1 / strengths_[parts_.grounds[part(i)]];
     for (std::size_t j = 0; j < count; ++j) {
-      if (part(i) == part(j)) stiffness[i * count + j] += (i == j ? 2 : 1) / spring_;
+      if (part(i) == part(j))
+        stiffness[i * count + j] += i == j ? at_ground + 1 / strengths_[springs_[i]] : at_ground;
     }
   }
   forces_.resize(loads_.size() * count);
+  std::vector<double> target(parts_.of_vertex.size(), 0);
   for (std::size_t l = 0; l < loads_.size(); ++l) {
-    const auto [vertex, value] = loads_[l];
-    if (vertex == HeldParts::none) continue;
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool at_ground = parts_.grounds[part(i)] == vertex;
-      forces_[l * count + i] = at_ground ? -value : springs_[i] == vertex ? value : 0;
-    }
+    for (const auto& [vertex, value] : loads_[l]) target[vertex] = value;
+    for (std::size_t i = 0; i < count; ++i)
+      forces_[l * count + i] = target[springs_[i]] - target[parts_.grounds[part(i)]];
+    for (const auto& [vertex, value] : loads_[l]) target[vertex] = 0;
   }
   const auto n = static_cast<Eigen::Index>(count);
   const Eigen::LLT<Eigen::MatrixXd> factored(Eigen::Map<const Eigen::MatrixXd>(stiffness.data(), n, n));
@@ -146,14 +147,14 @@ void ThinPlate::solve(std::size_t begin, std::size_t end, std::span<double> bloc
     }
   }
   bend(block);
-  for (auto& column : at_ground) {
-    for (double& force : column) force /= -spring_;
+  for (std::size_t part = 0; part < at_ground.size(); ++part) {
+    for (double& force : at_ground[part]) force /= -strengths_[parts_.grounds[part]];
   }
   for (std::size_t l = begin; l < end; ++l) {
-    const auto [vertex, value] = loads_[l];
-    if (vertex == HeldParts::none) continue;
-    const auto part = parts_.of_vertex[vertex];
-    if (parts_.grounds[part] == vertex) at_ground[part][l - begin] += value;
+    for (const auto& [vertex, value] : loads_[l]) {
+      const auto part = parts_.of_vertex[vertex];
+      if (parts_.grounds[part] == vertex) at_ground[part][l - begin] += value;
+    }
   }
   for (std::uint32_t v = 0; v < masses_.size(); ++v) {
     if (!parts_.holds(v)) continue;

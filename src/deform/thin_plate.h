@@ -28,28 +28,30 @@ HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has
 
 /// For each of many loads t, values at the vertices with springs, the w that minimises
 ///
-///     w^T L M^-1 L w + s sum over springs v of (w_v - t_v)^2
+///     w^T L M^-1 L w + sum over springs v of s_v (w_v - t_v)^2
 ///
-/// Its matrix L M^-1 L + s E E^T is not factored: that would have four times the entries of a factor of L,
-/// and take ten times as long. Instead the springs' forces f = s (t - w) are solved for, as many as there are
+/// Its matrix L M^-1 L + E S E^T is not factored: that would have four times the entries of a factor of L,
+/// and take ten times as long. Instead the springs' forces f = S (t - w) are solved for, as many as there are
 /// springs, and then L y = E f, L w = M y, by a factor of L in which one vertex of each part, its ground, is
 /// held at 0. The forces of a part sum to 0, so that they are sums of pairs, force at a spring and the
 /// opposite at the ground, phi of them: with w = w' + b, w' being 0 at the ground, the difference of the
-/// minimum's equations f = s (t - w) of spring and ground is
+/// minimum's equations f = S (t - w) of spring and ground is
 ///
-///     (K + D / s) phi = t - t_ground,     K_uv = w'_u of the pair v,     D = 1 + identity within a part
+///     (K + S^-1 + D) phi = t - t_ground,   K_uv = w'_u of the pair v,   D = 1 / s_ground within a part
 ///
 /// which is symmetric and positive definite; b = t - f / s at the ground. Constant; thread-safe.
 class ThinPlate {
 public:
-  struct Load {
-    std::uint32_t vertex;  ///< one with a spring, or HeldParts::none: no load
-    double value;          ///< t there; 0 at all others
+  struct Target {
+    std::uint32_t vertex;  ///< one with a spring
+    double value;          ///< t there
   };
+  /// Vertices, each once; t is 0 at all others.
+  using Load = std::vector<Target>;
   /// Reports up to `done`. Throws base::Cancelled; base::Error when there is not the memory, or no solution
   /// in double precision. Memory also for springs x springs and springs x loads numbers.
   ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts, const std::vector<bool>& has_spring,
-            double spring, std::vector<Load> loads, base::WorkerPool& pool,
+            std::vector<double> springs, std::vector<Load> loads, base::WorkerPool& pool,
             base::Progress* progress = nullptr, double done = 1);
 
   const BlockSolver& solver() const { return solver_; }
@@ -66,7 +68,7 @@ private:
   const std::vector<double> masses_;
   HeldParts parts_;
   std::vector<double> part_masses_;
-  double spring_;
+  std::vector<double> strengths_;  // s of each vertex
   std::vector<Load> loads_;
   BlockSolver solver_;
   std::vector<std::uint32_t> springs_;  // but the grounds

@@ -94,7 +94,7 @@ Vec3 phi_times(const sym3::Mat3<double>& log, const Vec3& x) {
   constexpr int last = 14;
   const Matrix l = Eigen::Map<const RowMajor>(log.data());
   const double size = l.norm();
-  const int doublings = size > 0.5 ? std::clamp(static_cast<int>(std::ceil(std::log2(2 * size))), 0, 60) : 0;
+  const int doublings = size > 0.5 ? static_cast<int>(std::min(std::ceil(std::log2(2 * size)), 60.0)) : 0;
   const Matrix a = std::exp2(-doublings) * l;
   const double trace = a.trace();
   const Powers powers{trace, (trace * trace - (a * a).trace()) / 2, a.determinant()};

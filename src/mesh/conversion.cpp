@@ -127,13 +127,21 @@ Objects objects_of(const Surface& surface, const Attributes& attributes) {
   return {{""}, std::vector<std::uint32_t>(attributes.groups.size(), 0)};
 }
 
-std::string triangles_note(std::string_view extension, const Surface& surface) {
-  if (!is_gltf(extension) && extension != "stl") return {};
+std::vector<std::string> triangles_notes(std::string_view extension, const Surface& surface) {
+  if ((!is_gltf(extension) && extension != "stl") || surface.triangles.empty()) return {};
   const auto& starts = surface.polygon_starts;
   std::size_t larger = 0;
   for (std::size_t p = 0; p + 1 < starts.size(); ++p) larger += starts[p + 1] - starts[p] > 3;
-  if (larger == 0) return {};
-  return base::counted(larger, "face") + " of more than three corners became triangles";
+  std::vector<char> is_loose(surface.positions.size(), 1);
+  for (const std::uint32_t v : surface.corners) is_loose[v] = 0;
+  const auto loose = static_cast<std::size_t>(std::ranges::count(is_loose, 1));
+  std::vector<std::string> notes;
+  if (larger > 0)
+    notes.push_back(base::counted(larger, "face") + " of more than three corners became triangles");
+  if (loose > 0)
+    notes.push_back(base::counted(loose, "point") + " of no face " + (loose == 1 ? "is" : "are") +
+                    " left out");
+  return notes;
 }
 
 std::set<std::uint32_t> used_images(const Attributes& attributes) {

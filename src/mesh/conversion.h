@@ -57,8 +57,9 @@ struct Objects {
 /// A single one without a name where several share vertices: apart, they would have gaps between them.
 Objects objects_of(const Surface& surface, const Attributes& attributes);
 
-/// Where polygons become triangles: "2 faces of more than three corners became triangles"; otherwise empty.
-std::string triangles_note(std::string_view extension, const Surface& surface);
+/// Where a format holds triangles alone, what became of all else, one line each: "2 faces of more than three
+/// corners became triangles", "3 points of no face are left out".
+std::vector<std::string> triangles_notes(std::string_view extension, const Surface& surface);
 
 /// Of the images that materials use for their base colour.
 std::set<std::uint32_t> used_images(const Attributes& attributes);

@@ -16,6 +16,7 @@
 #include "mesh/gltf_scene.h"
 #include "mesh/repair.h"
 #include "mesh/surface_builder.h"
+#include "mesh/written_positions.h"
 
 namespace viete::mesh {
 
@@ -232,7 +233,7 @@ private:
     for (std::size_t i = 0; i < numbers.size(); i += 3) {
       Point p{numbers[i], numbers[i + 1], numbers[i + 2]};
       if (moves) p = map.of_point(p);
-      if (!(largest_abs(p) <= largest_coordinate) || !std::isfinite(p[0] + p[1] + p[2]))
+      if (!is_place(p))
         accessors_.fail("accessor", accessor, "position " + std::to_string(i / 3) + " is no place");
       points_.push_back(p);
     }
@@ -339,7 +340,7 @@ private:
     if (unseen_primitives_ > 0)
       builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
                     " of points or lines: moved along, but not drawn");
-    if (morphs_) builder_.warn(file_.name + ": morph targets are not played here");
+    if (morphs_ && !source_.played) builder_.warn(file_.name + ": morph targets are not played here");
   }
 
   void drop_what_is_not_there() {

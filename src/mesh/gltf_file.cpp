@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/foreign_content.h"
 #include "mesh/gltf_json.h"
 #include "mesh/gltf_shape.h"
 
@@ -240,6 +241,8 @@ private:
     } else {
       fail("has neither bytes nor an address");
     }
+    if (buffer.bytes.size() < *length && !buffer.path.empty())
+      refuse_foreign(buffer.path.string(), buffer.bytes);
     if (buffer.bytes.size() < *length)
       fail("should have " + std::to_string(*length) + " bytes and has " +
            std::to_string(buffer.bytes.size()));
@@ -294,6 +297,7 @@ private:
   void tell_what_is_not_played() {
     std::string list;
     for (const char* key : {"animations", "skins", "cameras"}) {
+      if (source_.played && key == std::string_view("animations")) continue;
       if (!list_of(document_, key).empty()) list += (list.empty() ? "" : ", ") + std::string(key);
     }
     if (!list.empty()) warn(list + " are not played here");

@@ -1,12 +1,11 @@
 #include "mesh/gltf_morph_output.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 
 #include "base/error.h"
+#include "mesh/written_positions.h"
 
 namespace viete::mesh {
 
@@ -50,58 +49,54 @@ std::size_t GltfMorphs::add_view(const void* data, std::size_t size) {
   return document_["bufferViews"].size() - 1;
 }
 
-// Where few vertices move, these alone: the others have zeros.
 std::size_t GltfMorphs::add_deltas(std::span<const float> base, std::span<const double> now) {
-  std::vector<float> deltas(base.size()), some;
-  std::vector<std::uint32_t> moved;
-  float low[3], high[3];
-  std::fill_n(low, 3, std::numeric_limits<float>::max());
-  std::fill_n(high, 3, -low[0]);
+  std::vector<float> deltas(base.size());
   for (std::size_t i = 0; i < deltas.size(); ++i) {
     deltas[i] = static_cast<float>(now[i] - static_cast<double>(base[i]));
-    if (!std::isfinite(deltas[i]))
-      throw base::Error("vertex " + std::to_string(i / 3),
-                        "its position does not fit into the floats of glTF",
-                        "write another format, or scale the model");
-    low[i % 3] = std::min(low[i % 3], deltas[i]);
-    high[i % 3] = std::max(high[i % 3], deltas[i]);
-    if (i % 3 != 2 || (deltas[i] == 0 && deltas[i - 1] == 0 && deltas[i - 2] == 0)) continue;
-    moved.push_back(static_cast<std::uint32_t>(i / 3));
-    some.insert(some.end(), {deltas[i - 2], deltas[i - 1], deltas[i]});
+    if (i % 3 == 2) check_written("glTF", i / 3, {deltas[i - 2], deltas[i - 1], deltas[i]}, largest_float);
   }
-  if (moved.empty()) moved.push_back(0), some.assign(3, 0);  // a sparse accessor has one value at least
-  const std::size_t count = deltas.size() / 3;
-  const bool is_short = count <= std::size_t{1} << 16;
-  GltfJson accessor = {{"componentType", gltf_float}, {"count", count}, {"type", "VEC3"}};
-  if (moved.size() * (is_short ? 14 : 16) < 12 * count) {
-    const std::vector<std::uint16_t> shorts(is_short ? moved.begin() : moved.end(), moved.end());
-    const std::size_t where =
-        is_short ? add_view(shorts.data(), 2 * shorts.size()) : add_view(moved.data(), 4 * moved.size());
-    const std::size_t what = add_view(some.data(), 4 * some.size());
-    accessor["sparse"] = {
-        {"count", moved.size()},
-        {"indices", {{"bufferView", where}, {"componentType", is_short ? gltf_short : gltf_int}}},
-        {"values", {{"bufferView", what}}}};
+  return add_floats(deltas, 3);
+}
+
+// Of zeros but for a few these alone: a sparse accessor has one value at least.
+std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t parts) {
+  const std::size_t count = values.size() / parts;
+  std::vector<float> some, low(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(parts)),
+      high = low;
+  std::vector<std::uint32_t> where;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto element = values.subspan(i * parts, parts);
+    for (std::size_t k = 0; k < parts; ++k)
+      low[k] = std::min(low[k], element[k]), high[k] = std::max(high[k], element[k]);
+    const bool is_zero = std::ranges::all_of(element, [](float x) { return x == 0; });
+    if (is_zero && (i + 1 < count || !where.empty())) continue;
+    where.push_back(static_cast<std::uint32_t>(i));
+    some.insert(some.end(), element.begin(), element.end());
+  }
+  GltfJson accessor = {{"componentType", gltf_float}, {"count", count}};
+  accessor["type"] = parts == 3 ? "VEC3" : "SCALAR";
+  const std::size_t index_size = count <= std::size_t{1} << 16 ? 2 : 4;
+  constexpr std::size_t cost = 128;  // in the text
+  if (where.size() * (index_size + 4 * parts) + cost < 4 * values.size()) {
+    accessor["sparse"] = sparse(where, some, index_size);
   } else {
-    accessor["bufferView"] = add_view(deltas.data(), 4 * deltas.size());
+    accessor["bufferView"] = add_view(values.data(), values.size_bytes());
   }
-  accessor["min"] = std::vector<float>(low, low + 3);
-  accessor["max"] = std::vector<float>(high, high + 3);
+  accessor["min"] = low;
+  accessor["max"] = high;
   document_["accessors"].push_back(std::move(accessor));
   return document_["accessors"].size() - 1;
 }
 
-std::size_t GltfMorphs::add_numbers(std::span<const float> values, bool with_bounds) {
-  GltfJson accessor = {{"bufferView", add_view(values.data(), values.size_bytes())},
-                       {"componentType", gltf_float},
-                       {"count", values.size()},
-                       {"type", "SCALAR"}};
-  if (with_bounds) {
-    accessor["min"] = {values.front()};
-    accessor["max"] = {values.back()};
-  }
-  document_["accessors"].push_back(std::move(accessor));
-  return document_["accessors"].size() - 1;
+GltfJson GltfMorphs::sparse(std::span<const std::uint32_t> where, std::span<const float> some,
+                            std::size_t index_size) {
+  const bool is_short = index_size == 2;
+  const std::vector<std::uint16_t> shorts(is_short ? where.begin() : where.end(), where.end());
+  const std::size_t indices =
+      add_view(is_short ? static_cast<const void*>(shorts.data()) : where.data(), index_size * where.size());
+  return {{"count", where.size()},
+          {"indices", {{"bufferView", indices}, {"componentType", is_short ? gltf_short : gltf_int}}},
+          {"values", {{"bufferView", add_view(some.data(), some.size_bytes())}}}};
 }
 
 std::vector<GltfMorphs::Output> GltfMorphs::weights_of(std::size_t node) const {
@@ -133,7 +128,7 @@ void GltfMorphs::widen(const Output& output, std::span<const double> numbers, st
     wide.push_back(static_cast<float>(numbers[i]));
     if (i % before == before - 1) wide.insert(wide.end(), added, 0.0F);
   }
-  const std::size_t accessor = add_numbers(wide, false);
+  const std::size_t accessor = add_floats(wide, 1);
   GltfJson& animation = document_["animations"][output.animation];
   GltfJson& channel = animation["channels"][output.channel];
   GltfJson sampler = animation["samplers"][channel["sampler"].get<std::size_t>()];
@@ -142,43 +137,39 @@ void GltfMorphs::widen(const Output& output, std::span<const double> numbers, st
   animation["samplers"].push_back(std::move(sampler));
 }
 
-void GltfMorphs::name_targets(const MorphAnimation& animation, const MorphTargets& targets, std::size_t node,
-                              std::size_t before) {
+void GltfMorphs::name_targets(const MorphMotion& motion, std::size_t node, std::size_t before) {
   GltfJson& mesh = mesh_of(node);
-  widen_list(mesh, before + targets.keys.size());
+  widen_list(mesh, before + motion.targets.size());
   GltfJson& placed = document_["nodes"][node];
-  if (placed.contains("weights")) widen_list(placed, before + targets.keys.size());
+  if (placed.contains("weights")) widen_list(placed, before + motion.targets.size());
   GltfJson& extras = mesh["extras"];
   if (extras.is_null()) extras = GltfJson::object();
   if (!extras.is_object()) return;  // somebody's own
   GltfJson& names = extras["targetNames"];
   if (!names.is_array()) names = GltfJson::array();
   while (names.size() < before) names.push_back("target " + std::to_string(names.size() + 1));
-  for (const std::size_t key : targets.keys) {
-    const std::string& name = animation.keys[key].name;
+  for (const std::string& name : motion.targets)
     names.push_back(name.empty() ? "target " + std::to_string(names.size() + 1) : name);
-  }
 }
 
-void GltfMorphs::animate(const MorphAnimation& animation, const MorphTargets& targets,
-                         std::span<const std::size_t> nodes, std::span<const std::size_t> before) {
+void GltfMorphs::animate(const MorphMotion& motion, std::span<const std::size_t> nodes,
+                         std::span<const std::size_t> before) {
   if (nodes.empty()) return;
-  std::vector<float> times;
-  for (const MorphKey& key : animation.keys) times.push_back(static_cast<float>(key.seconds));
-  const std::size_t input = add_numbers(times, true), count = targets.keys.size();
-  GltfJson made = {
-      {"name", animation.name}, {"channels", GltfJson::array()}, {"samplers", GltfJson::array()}};
+  const std::vector<float> times(motion.seconds.begin(), motion.seconds.end());
+  const std::size_t input = add_floats(times, 1), count = motion.targets.size();
+  GltfJson made = {{"name", motion.name}, {"channels", GltfJson::array()}, {"samplers", GltfJson::array()}};
   std::map<std::size_t, std::size_t> samplers;  // by the number of targets before ours
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto [at, added] = samplers.try_emplace(before[i], made["samplers"].size());
     if (added) {
-      std::vector<float> weights(times.size() * (before[i] + count), 0.0F);
+      std::vector<float> weights;
       for (std::size_t k = 0; k < times.size(); ++k) {
-        if (targets.target[k] != MorphTargets::npos)
-          weights[k * (before[i] + count) + before[i] + targets.target[k]] = 1;
+        weights.insert(weights.end(), before[i], 0.0F);
+        const auto own = motion.weights.begin() + static_cast<std::ptrdiff_t>(k * count);
+        weights.insert(weights.end(), own, own + static_cast<std::ptrdiff_t>(count));
       }
       made["samplers"].push_back(
-          {{"input", input}, {"interpolation", "LINEAR"}, {"output", add_numbers(weights, false)}});
+          {{"input", input}, {"interpolation", "LINEAR"}, {"output", add_floats(weights, 1)}});
     }
     made["channels"].push_back(
         {{"sampler", at->second}, {"target", {{"node", nodes[i]}, {"path", "weights"}}}});

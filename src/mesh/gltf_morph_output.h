@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,17 +36,16 @@ public:
   /// After all targets. before: of each node, which targets_before() it had. Of the file's own animations of
   /// these nodes' weights `numbers_of(accessor)` gives the numbers: they get zeros for the new targets.
   template <class NumbersOf>
-  void finish(const MorphAnimation& animation, const MorphTargets& targets,
-              std::span<const std::size_t> nodes, std::span<const std::size_t> before,
-              const NumbersOf& numbers_of) {
+  void finish(const MorphMotion& motion, std::span<const std::size_t> nodes,
+              std::span<const std::size_t> before, const NumbersOf& numbers_of) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       for (const Output& output : weights_of(nodes[i])) {
         const std::vector<double> numbers = numbers_of(output.accessor);
-        widen(output, numbers, before[i], targets.keys.size());
+        widen(output, numbers, before[i], motion.targets.size());
       }
-      name_targets(animation, targets, nodes[i], before[i]);
+      name_targets(motion, nodes[i], before[i]);
     }
-    animate(animation, targets, nodes, before);
+    animate(motion, nodes, before);
   }
 
 private:
@@ -57,13 +57,13 @@ private:
   GltfJson& mesh_of(std::size_t node) const;
   std::vector<Output> weights_of(std::size_t node) const;
   void widen(const Output& output, std::span<const double> numbers, std::size_t before, std::size_t added);
-  void name_targets(const MorphAnimation& animation, const MorphTargets& targets, std::size_t node,
-                    std::size_t before);
-  void animate(const MorphAnimation& animation, const MorphTargets& targets,
-               std::span<const std::size_t> nodes, std::span<const std::size_t> before);
+  void name_targets(const MorphMotion& motion, std::size_t node, std::size_t before);
+  void animate(const MorphMotion& motion, std::span<const std::size_t> nodes,
+               std::span<const std::size_t> before);
 
   std::size_t add_view(const void* data, std::size_t size);
-  std::size_t add_numbers(std::span<const float> values, bool with_bounds);
+  std::size_t add_floats(std::span<const float> values, std::size_t parts);
+  GltfJson sparse(std::span<const std::uint32_t> where, std::span<const float> some, std::size_t index_size);
   std::size_t add_deltas(std::span<const float> base, std::span<const double> now);
 
   GltfJson& document_;

@@ -14,6 +14,7 @@
 #include "base/quantity.h"
 #include "mesh/gltf_accessors.h"
 #include "mesh/gltf_json.h"
+#include "mesh/written_positions.h"
 
 namespace viete::mesh {
 
@@ -243,7 +244,7 @@ private:
         if (std::exchange(is_placed[v], 1) != 0) continue;
         const Point p = map_->placements[piece.placement].map.of_point(
             {numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]});
-        if (!(largest_abs(p) <= largest_coordinate) || !std::isfinite(p[0] + p[1] + p[2]))
+        if (!is_place(p))
           accessors_.fail("accessor", piece.positions,
                           "morphs position " + std::to_string(k) + " to no place");
         result[v] = p;

@@ -19,6 +19,7 @@
 #include "mesh/gltf_file.h"
 #include "mesh/gltf_morph_output.h"
 #include "mesh/normals.h"
+#include "mesh/written_positions.h"
 
 namespace viete::mesh {
 
@@ -75,22 +76,23 @@ public:
   std::string bytes;
 
   // After all else.
-  void animate(const MorphAnimation& animation, base::Progress* progress) {
-    const MorphTargets targets = morph_targets(animation, positions_);
-    if (targets.keys.empty()) return;
+  void animate(const MorphMotion& motion, base::Progress* progress) {
+    if (motion.targets.empty()) return;
     Surface base = surface_;
     base.positions.assign(positions_.begin(), positions_.end());
     list_normals();
     GltfMorphs out(document, bytes);
-    for (std::size_t t = 0; t < targets.keys.size(); ++t) {
-      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(targets.keys.size()));
-      add_target(out, base, animation.keys[targets.keys[t]].positions, animation.normals);
+    const std::size_t count = motion.targets.size();
+    bytes.reserve(bytes.size() + count * floats_moved(motion.normals) * sizeof(float));
+    for (std::size_t t = 0; t < count; ++t) {
+      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(count));
+      add_target(out, base, motion.positions(t), motion.normals);
     }
     std::vector<std::size_t> nodes;  // of which each primitive is one of consecutive ones
     for (const Made& made : made_) {
       if (nodes.empty() || nodes.back() != made.as_written.node) nodes.push_back(made.as_written.node);
     }
-    out.finish(animation, targets, nodes, std::vector<std::size_t>(nodes.size(), 0),
+    out.finish(motion, nodes, std::vector<std::size_t>(nodes.size(), 0),
                [](int) { return std::vector<double>(); });
     document["buffers"] = {{{"byteLength", bytes.size()}}};
   }
@@ -122,6 +124,14 @@ private:
   std::uint32_t normal_of(std::uint32_t vertex, std::uint32_t normal) const {
     if (normal != none || vertex_normals_.empty()) return normal;
     return static_cast<std::uint32_t>(given_.normals.size()) + vertex;
+  }
+
+  // Of a target that moves all.
+  std::size_t floats_moved(bool with_normals) const {
+    std::size_t count = 0;
+    for (const Made& made : made_)
+      count += made.as_written.positions.size() + (with_normals ? made.as_written.normals.size() : 0);
+    return count;
   }
 
   void add_target(GltfMorphs& out, const Surface& base, std::span<const Point> now, bool with_normals) const {
@@ -215,11 +225,8 @@ private:
                          [&](const auto& v) { return v.*part != none; });
     };
     attributes["POSITION"] = add_vectors(run, 3, [&](const OutputVertex& v, float* to) {
+      check_written("glTF", v.vertex, positions_[v.vertex], largest_float);
       for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(positions_[v.vertex][k]);
-      if (!std::isfinite(to[0]) || !std::isfinite(to[1]) || !std::isfinite(to[2]))
-        throw base::Error("vertex " + std::to_string(v.vertex),
-                          "its position does not fit into the floats of glTF",
-                          "write another format, or scale the model");
     });
     if (!run.indices.empty() && (has(&OutputVertex::normal) || smooth)) {
       if (vertex_normals_.empty()) compute_normals();
@@ -391,10 +398,10 @@ void write_gltf(const Content& content, TextWriter& out) {
   put_made(made, false, out);
 }
 
-void write_gltf_animated(const Content& content, const MorphAnimation& animation, bool binary,
-                         TextWriter& out, base::Progress* progress) {
+void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
+                         base::Progress* progress) {
   GltfMaker made(content, true);
-  made.animate(animation, progress);
+  made.animate(motion, progress);
   put_made(made, binary, out);
 }
 

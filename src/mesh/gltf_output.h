@@ -18,10 +18,10 @@ void write_glb(const Content& content, TextWriter& out);
 /// The same as text with all bytes in it.
 void write_gltf(const Content& content, TextWriter& out);
 
-/// Either of these with an animation of the content's vertices, see check_animation(). Tells progress (which
+/// Either of these with an animation of the content's vertices, see check_motion(). Tells progress (which
 /// may be null) of its targets. Throws base::Cancelled too.
-void write_gltf_animated(const Content& content, const MorphAnimation& animation, bool binary,
-                         TextWriter& out, base::Progress* progress);
+void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
+                         base::Progress* progress);
 
 /// The JSON, the bytes of its first buffer (there may be none), and further chunks with their heads. Throws
 /// base::Error past 4 GB.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -18,6 +17,7 @@
 #include "mesh/gltf_morph_output.h"
 #include "mesh/gltf_sharing.h"
 #include "mesh/normals.h"
+#include "mesh/written_positions.h"
 
 namespace viete::mesh {
 
@@ -29,7 +29,7 @@ using Json = GltfJson;
 class GltfRewriter {
 public:
   GltfRewriter(const GltfFile& file, const GltfMap& map, const Surface& rest,
-               std::span<const Point> positions, const MorphAnimation* animation, base::Progress* progress)
+               std::span<const Point> positions, const MorphMotion* motion, base::Progress* progress)
       : file_(file),
         map_(map),
         rest_(rest),
@@ -38,12 +38,12 @@ public:
         accessors_(file, *model_),
         document_(Json::parse(file.json)) {
     for (const GltfBuffer& buffer : file.buffers) buffers_.push_back(buffer.bytes);
-    if (animation) find_morphing(*animation);
+    if (motion) find_morphing(*motion);
     for (const GltfPiece& piece : map.pieces) {
       if (moves(piece) || morphs(piece)) moved_.push_back(&piece);
     }
     if (!moved_.empty()) rewrite();
-    if (animation) put_morphs(*animation, progress);
+    if (motion) put_morphs(*motion, progress);
   }
 
   GltfRewritten take() && { return {std::move(document_), std::move(buffers_), std::move(notes_)}; }
@@ -61,16 +61,12 @@ private:
     return false;
   }
 
-  // Placements of which a vertex is elsewhere at some key.
-  void find_morphing(const MorphAnimation& animation) {
-    std::vector<char> vertices(posed_.size(), 0);
-    for (const MorphKey& key : animation.keys) {
-      for (std::size_t v = 0; v < posed_.size(); ++v) vertices[v] |= key.positions[v] != posed_[v];
-    }
+  // Placements of which a target moves a vertex.
+  void find_morphing(const MorphMotion& motion) {
     morphing_.assign(map_.placements.size(), false);
     for (const GltfPiece& piece : map_.pieces) {
       for (std::size_t i = 0; i < piece.count && !morphing_[piece.placement]; ++i)
-        morphing_[piece.placement] = vertices[map_.surface_vertex[piece.first + i]];
+        morphing_[piece.placement] = motion.moves[map_.surface_vertex[piece.first + i]] != 0;
     }
   }
 
@@ -146,8 +142,11 @@ private:
   std::vector<float> positions_of(const GltfPiece& piece, const AffineMap& inverse) const {
     std::vector<float> values = floats(piece.positions, 3);
     for (std::size_t i = 0; i < piece.count; ++i) {
-      if (moves(piece.first + i))
-        set(values, 3 * i, inverse.of_point(posed_[map_.surface_vertex[piece.first + i]]));
+      if (!moves(piece.first + i)) continue;
+      const std::uint32_t v = map_.surface_vertex[piece.first + i];
+      const Point local = inverse.of_point(posed_[v]);
+      check_written(file_.name, v, local, largest_float);
+      set(values, 3 * i, local);
     }
     return values;
   }
@@ -156,7 +155,8 @@ private:
     std::vector<float> values = floats(piece.normals, 3);
     for (std::size_t i = 0; i < piece.count; ++i) {
       const Vec3& n = normals_[piece.first + i];
-      if (n != unmoved_normals_[piece.first + i]) set(values, 3 * i, unit_or_zero(inverse.of_normal(n)));
+      if (changed(unmoved_normals_[piece.first + i], n))
+        set(values, 3 * i, unit_or_zero(inverse.of_normal(n)));
     }
     return values;
   }
@@ -171,7 +171,7 @@ private:
     std::vector<float> values = floats(piece.tangents, 4);
     for (std::size_t i = 0; i < piece.count; ++i) {
       const std::size_t v = piece.first + i;
-      if (tangents_[v] != unmoved_tangents_[v])
+      if (changed(unmoved_tangents_[v], tangents_[v]))
         set(values, 4 * i, local_tangent(inverse, tangents_[v], normal_of(piece, normals_, v)));
     }
     return values;
@@ -212,11 +212,10 @@ private:
     return found;
   }
 
-  void put_morphs(const MorphAnimation& animation, base::Progress* progress) {
-    const std::vector<MorphedPiece> pieces = morphed_pieces(animation.normals);
+  void put_morphs(const MorphMotion& motion, base::Progress* progress) {
+    const std::vector<MorphedPiece> pieces = morphed_pieces(motion.normals);
     if (pieces.empty()) return void(notes_.push_back("no key moves the model: no animation is written"));
     const std::size_t own = list_of(document_, "animations").size();
-    const MorphTargets targets = morph_targets(animation, posed_);
     GltfMorphs out(document_, buffers_.front());
     std::vector<std::size_t> nodes, before;
     for (const MorphedPiece& p : pieces) {
@@ -224,11 +223,16 @@ private:
       nodes.push_back(p.vertices.node);
       before.push_back(out.targets_before(p.vertices.node));
     }
-    for (std::size_t t = 0; t < targets.keys.size(); ++t) {
-      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(targets.keys.size()));
-      add_target(out, pieces, animation.keys[targets.keys[t]].positions, animation.normals);
+    const std::size_t count = motion.targets.size();
+    std::size_t floats = 0;
+    for (const auto& [piece, inverse, vertices] : pieces)
+      floats += vertices.positions.size() + vertices.normals.size() + vertices.tangents.size();
+    buffers_.front().reserve(buffers_.front().size() + count * floats * sizeof(float));
+    for (std::size_t t = 0; t < count; ++t) {
+      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(count));
+      add_target(out, pieces, motion.positions(t), motion.normals);
     }
-    out.finish(animation, targets, nodes, before, [&](int output) { return accessors_.numbers(output, 1); });
+    out.finish(motion, nodes, before, [&](int output) { return accessors_.numbers(output, 1); });
     if (own > 0)
       notes_.push_back(base::counted(own, "animation") + " of the file " + (own == 1 ? "stays" : "stay") +
                        " beside that which is new");
@@ -274,13 +278,8 @@ private:
     return length > 0 ? (1 / length) * v : Vec3{0, 0, 0};
   }
 
-  void set(std::vector<float>& values, std::size_t at, const Vec3& v) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      values[at + k] = static_cast<float>(v[k]);
-      if (!std::isfinite(values[at + k]))
-        throw base::Error(file_.name, "a deformed position is larger than glTF can hold",
-                          "write another format");
-    }
+  static void set(std::vector<float>& values, std::size_t at, const Vec3& v) {
+    for (std::size_t k = 0; k < 3; ++k) values[at + k] = static_cast<float>(v[k]);
   }
 
   std::vector<float> floats(int accessor, std::size_t components) const {
@@ -390,9 +389,9 @@ private:
 }  // namespace
 
 GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const Surface& rest,
-                             std::span<const Point> positions, const MorphAnimation* animation,
+                             std::span<const Point> positions, const MorphMotion* motion,
                              base::Progress* progress) {
-  return GltfRewriter(file, map, rest, positions, animation, progress).take();
+  return GltfRewriter(file, map, rest, positions, motion, progress).take();
 }
 
 }  // namespace viete::mesh

@@ -22,10 +22,10 @@ struct GltfRewritten {
 
 /// Everything of the file, but for positions that differ from those of `rest`, and normals and tangents that
 /// follow them: where they lie if nothing else in the file shares them, otherwise in new accessors.
-/// animation, if there is one, comes behind the file's own, and its targets behind those of the file.
+/// motion, if there is one, comes behind the file's own, and its targets behind those of the file.
 /// progress may be null. Throws base::Error and base::Cancelled.
 GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const Surface& rest,
-                             std::span<const Point> positions, const MorphAnimation* animation = nullptr,
+                             std::span<const Point> positions, const MorphMotion* motion = nullptr,
                              base::Progress* progress = nullptr);
 
 }  // namespace viete::mesh

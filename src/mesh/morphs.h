@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ struct MorphAnimation {
   bool normals = true;         ///< with targets of normals and tangents where the model has these
 };
 
-/// Throws base::Error where there is no key, times do not ascend, or positions are not as many as `vertices`.
+/// Throws base::Error where positions are not as many as `vertices`.
 void check_animation(const MorphAnimation& animation, std::size_t vertices);
 
 /// The targets that an animation needs: keys of the same positions share one, and the model at rest needs
@@ -37,6 +38,24 @@ struct MorphTargets {
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 };
 MorphTargets morph_targets(const MorphAnimation& animation, std::span<const Point> rest);
+
+/// Morph targets and how they are mixed: at each moment the differences of all targets from the model at rest
+/// are added, each times its weight. Between moments weights go straight.
+struct MorphMotion {
+  std::string name;
+  std::vector<double> seconds;       ///< of the moments; they ascend
+  std::vector<std::string> targets;  ///< their names, which may be empty
+  std::vector<float> weights;        ///< of each moment as many as there are targets
+  std::vector<char> moves;           ///< of each vertex, whether a target has it elsewhere than at rest
+  std::function<std::vector<Point>(std::size_t target)> positions;  ///< asked for once each, in order
+  bool normals = true;
+};
+
+/// The same motion; borrows the animation.
+MorphMotion morph_motion(const MorphAnimation& animation, std::span<const Point> rest);
+
+/// Throws base::Error where there is no moment, times do not ascend, or numbers do not go together.
+void check_motion(const MorphMotion& motion, std::size_t vertices);
 
 /// What a glTF file says of how its meshes morph. Positions are made when they are asked for. Immutable and
 /// thread-safe.

@@ -114,8 +114,9 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
                                    std::span<const std::uint32_t> corner_normal) {
-  return carried(rest, positions, normals, corner_normal,
-                 [](const TriangleMap& map, const Vec3& n) { return map.of_normal(n); });
+  return carried(rest, positions, normals, corner_normal, [](const TriangleMap& map, const Vec3& n) {
+    return is_direction(n) ? map.of_normal(n) : map.to.area * map.to.normal;
+  });
 }
 
 std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
@@ -129,7 +130,7 @@ void keep_lengths(std::span<const Vec3> before, std::span<Vec3> now) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now[i] == before[i]) continue;
     const double length = stable_norm(before[i]);
-    if (std::abs(length - 1) > 0.01) now[i] = length * now[i];
+    if (std::abs(length - 1) > 0.01 && is_direction(before[i])) now[i] = length * now[i];
   }
 }
 

@@ -1,6 +1,7 @@
 // Vertex normals from triangles, and what a deformation does to those of a file.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,7 +24,8 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
 /// What becomes of a file's normals when the vertices of `rest` move to `positions`: each triangle moves by
 /// an affine map, normals by its cofactors, and a normal is the mean over its corners, weighed by deformed
 /// area. corner_normal: of each of rest.corners an index into normals, or `none` (attributes.h). Split
-/// normals stay split. Unit vectors, but for normals around which nothing moved: those keep their bits.
+/// normals stay split. What is no direction becomes the surface's. Unit vectors, but for normals around which
+/// nothing moved: those keep their bits.
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
                                    std::span<const std::uint32_t> corner_normal);
@@ -32,6 +34,16 @@ std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> p
 std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
                                     std::span<const Vec3> tangents,
                                     std::span<const std::uint32_t> corner_tangent);
+
+/// False where one is no direction: not three finite numbers.
+inline bool is_direction(const Vec3& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+/// True if a vector of a file has another value now. One that was no direction may have become one.
+inline bool changed(const Vec3& before, const Vec3& now) {
+  return before != now && is_direction(now);
+}
 
 /// Vectors that changed are made as long as they were: deformed_normals() and deformed_tangents() give unit
 /// vectors. Unit vectors stay so, though a file's digits made them a little shorter.

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/error.h"
+#include "base/quantity.h"
 #include "mesh/conversion.h"
 #include "mesh/off_original.h"
 #include "mesh/printed.h"
+#include "mesh/rewriter.h"
 #include "mesh/surface_builder.h"
 #include "mesh/text_cursor.h"
 
@@ -17,41 +21,93 @@ namespace viete::mesh {
 
 namespace {
 
-// OFF, behind ST (texture), C (colours), N (normals), 4, n (dimension), in this order.
-bool is_off_word(std::string_view word) {
-  if (word == "off") return true;
-  if (!word.ends_with("OFF")) return false;
+// OFF, behind ST (texture), C (colours), N (normals), 4, n (dimension): in this order by the manual.
+std::optional<OffForm> off_form(std::string_view word) {
+  OffForm form;
+  if (word == "off") return form;
+  if (!word.ends_with("OFF")) return std::nullopt;
   word.remove_suffix(3);
-  for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) {
-    if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+  const std::pair<std::string_view, bool OffForm::*> prefixes[] = {{"ST", &OffForm::texture},
+                                                                   {"C", &OffForm::colors},
+                                                                   {"N", &OffForm::normals},
+                                                                   {"4", &OffForm::more_axes},
+                                                                   {"n", &OffForm::more_axes}};
+  while (!word.empty()) {
+    const auto prefix =
+        std::ranges::find_if(prefixes, [&](const auto& p) { return word.starts_with(p.first); });
+    if (prefix == std::end(prefixes)) return std::nullopt;
+    form.*prefix->second = true;
+    word.remove_prefix(prefix->first.size());
   }
-  return word.empty();
+  return form;
+}
+
+// A number behind a position or a face.
+struct OffNumber {
+  double value = 0;
+  bool whole = false;  // written without a point
+};
+
+struct OffColor {
+  Color color{0, 0, 0, 1};
+  bool whole = true;  // written in whole numbers, but for the opacity
+
+  // Of three numbers or four.
+  explicit OffColor(std::span<const OffNumber> numbers) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i) {
+      color[i] = static_cast<float>(std::clamp(numbers[i].value, 0.0, 255.0));
+      whole &= numbers[i].whole || i == 3;
+    }
+  }
+};
+
+// In [0, 1]. Whole numbers go to 255 where one of them is larger than 1, and likewise those with a point.
+void to_unit_range(std::span<OffColor> colors) {
+  for (const bool whole : {false, true}) {
+    const std::size_t channels = whole ? 4 : 3;
+    const bool bytes = std::ranges::any_of(colors, [&](const OffColor& c) {
+      return c.whole == whole && *std::max_element(c.color.begin(), c.color.begin() + channels) > 1;
+    });
+    for (OffColor& c : colors) {
+      for (std::size_t i = 0; i < 3 && bytes && c.whole == whole; ++i) c.color[i] /= 255;
+    }
+  }
+  for (OffColor& c : colors) c.color[3] /= c.color[3] > 1 ? 255.0F : 1.0F;
 }
 
 class OffReader {
 public:
-  explicit OffReader(const Source& source) : source_(source), text_(source, off_rules), builder_(source) {}
+  // Where line ends are blanks.
+  enum class Wrapped { nowhere, in_faces, everywhere };
+
+  OffReader(const Source& source, Wrapped wrapped)
+      : source_(source), text_(source, off_rules), builder_(source), wrapped_(wrapped) {}
 
   ReadResult read() {
     head();
     const std::size_t vertices = count("vertex count"), faces = count("face count");
+    if (form_.wrapped) count("edge count");
     check_room(vertices, faces);
     text_.next_line();
     const std::size_t body = text_.offset();
+    if (form_.normals && form_.colors && !form_.wrapped) form_.colors_first = colors_come_first(vertices);
     builder_.surface().positions.reserve(vertices);
     for (std::size_t i = 0; i < vertices; ++i) {
       row("the last vertex", i);
       vertex();
     }
     for (std::size_t i = 0; i < faces; ++i) {
+      if (form_.wrapped && !text_.at_line_end() && i == 0)
+        text_.fail("the faces begin within a line", "export the model again");
       row("the last face", i);
       face();
     }
+    if (wrapped_ != Wrapped::nowhere && text_.next_filled_line())
+      text_.fail("the file goes on behind its last face", "export the model again");
     auto attributes = finished_attributes();
     ReadResult result = builder_.finish("OFF");
-    if (source_.owner) {
-      result.original = std::make_shared<const OffOriginal>(source_.bytes, source_.owner, body, has_normals_);
-    }
+    if (source_.owner)
+      result.original = std::make_shared<const OffOriginal>(source_.bytes, source_.owner, body, form_);
     result.attributes = std::move(attributes);
     return result;
   }
@@ -61,15 +117,15 @@ private:
     while (!text_.at_end() && text_.at_line_end()) comment_line();
     TextCursor ahead = text_;
     const std::string_view word = ahead.word();
-    if (is_off_word(word)) {
-      if (word.find_first_of("4n") != std::string_view::npos)
-        text_.fail("positions of four or n numbers", "export as OFF");
+    if (const auto form = off_form(word)) {
+      if (form->more_axes)
+        text_.fail(in_quotes(word) + " has positions of four or n numbers, which are no points in space",
+                   "export as OFF");
       text_ = ahead;
-      has_normals_ = word.find('N') != std::string_view::npos;
-      has_colors_ = word.find('C') != std::string_view::npos;
-      has_texture_ = word.starts_with("ST");
+      form_ = *form;
       if (ahead.word() == "BINARY") text_.fail("binary OFF is not read", "export as text or as PLY");
     }
+    form_.wrapped = wrapped_ == Wrapped::everywhere;
     while (!text_.at_end() && text_.at_line_end()) comment_line();
     text_.need_word("the counts");
   }
@@ -80,6 +136,7 @@ private:
   }
 
   std::size_t count(std::string_view what) {
+    if (form_.wrapped) text_.need_word(what);
     const std::int64_t value = text_.integer(what);
     if (value < 0)
       text_.fail(std::string(what) + " " + std::to_string(value) + " is negative", "export the model again");
@@ -95,59 +152,112 @@ private:
                "the file seems to be cut short: export or copy it again");
   }
 
+  // A normal has no whole numbers beyond 1, and not many others are whole.
+  bool colors_come_first(std::size_t vertices) const {
+    TextCursor ahead = text_;
+    for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {
+      three_words(ahead);
+      for (const std::string_view word : three_words(ahead)) {
+        const OffNumber n = number(word).value_or(OffNumber{});
+        if (!n.whole || n.value > 1) return n.whole;
+      }
+    }
+    return false;
+  }
+
   void row(std::string_view what, std::size_t index) {
     text_.need_word(what);
     if (index % 8192 == 0) source_.report(text_.done());
   }
 
   void vertex() {
-    const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
-    builder_.position({x, y, z});
-    if (has_normals_ || has_colors_ || has_texture_) behind_position();
-    text_.next_line();
+    Point p{};
+    for (double& x : p) {
+      if (form_.wrapped) text_.need_word("the last vertex");
+      x = text_.coordinate();
+    }
+    builder_.position(p);
+    behind_position();
+    if (!form_.wrapped) text_.next_line();
+  }
+
+  static std::optional<OffNumber> number(std::string_view word) {
+    const auto value = number_in(word);
+    if (!value) return std::nullopt;
+    return OffNumber{*value, word.find_first_of(".eE") == std::string_view::npos};
+  }
+
+  // Up to so many; what is no number ends them.
+  std::span<const OffNumber> numbers(std::size_t most) {
+    numbers_.clear();
+    while (numbers_.size() < most && (form_.wrapped || !text_.at_line_end())) {
+      if (form_.wrapped) text_.need_word("the last vertex");
+      const auto n = number(text_.word());
+      if (!n) break;
+      numbers_.push_back(*n);
+    }
+    return numbers_;
   }
 
   // A normal, a colour of three or four numbers, and a texture point, as far as they are there.
   void behind_position() {
-    std::array<double, 9> values{};
-    std::size_t count = 0, at = 0;
-    for (; count < values.size() && !text_.at_line_end(); ++count) {
-      const auto value = number_in(text_.word());
-      if (!value) break;
-      values[count] = *value;
+    if (form_.numbers() == 0) return unnamed();
+    std::span<const OffNumber> left = numbers(form_.numbers());
+    const auto take = [&](std::size_t n) {
+      const auto taken = left.first(std::min(n, left.size()));
+      left = left.subspan(taken.size());
+      return taken;
+    };
+    const auto value = [](std::span<const OffNumber> of, std::size_t i) {
+      return i < of.size() ? of[i].value : 0;
+    };
+    const auto color = [&](std::size_t most) { colors_.emplace_back(take(most)); };
+    if (form_.colors_first) color(4);
+    if (form_.normals) {
+      const auto n = take(3);
+      found_.normals.push_back({value(n, 0), value(n, 1), value(n, 2)});
     }
-    const auto next = [&] { return at < count ? values[at++] : 0; };
-    if (has_normals_) found_.normals.push_back({next(), next(), next()});
-    if (has_colors_) {
-      const std::size_t channels = count - std::min(count, at) - (has_texture_ && count >= at + 2 ? 2 : 0);
-      Color& color = found_.colors.emplace_back(Color{0, 0, 0, 1});
-      for (std::size_t i = 0; i < std::min<std::size_t>(channels, 4); ++i)
-        color[i] = static_cast<float>(std::clamp(next(), 0.0, 255.0));
+    if (form_.colors && !form_.colors_first)
+      color(std::min<std::size_t>(4, left.size() - (form_.texture && left.size() >= 2 ? 2 : 0)));
+    if (form_.texture) {
+      const auto t = take(2);
+      found_.texture_points.push_back({value(t, 0), value(t, 1)});
     }
-    if (has_texture_) found_.texture_points.push_back({next(), next()});
   }
 
-  // In [0, 1], or from 0 to 255 where one is larger than 1.
-  static void to_unit_range(std::span<Color> colors) {
-    const auto large = [](const Color& c) { return *std::max_element(c.begin(), c.end()) > 1; };
-    if (std::none_of(colors.begin(), colors.end(), large)) return;
-    for (Color& c : colors) {
-      for (std::size_t i = 0; i < 4; ++i) c[i] = i == 3 && c[i] == 1 ? 1 : c[i] / 255;
-    }
+  // What the head does not name: three numbers or four that are not negative are a colour.
+  void unnamed() {
+    if (form_.wrapped || text_.at_line_end()) return;
+    const auto behind = numbers(5);
+    const bool is_color = (behind.size() == 3 || behind.size() == 4) &&
+                          std::ranges::all_of(behind, [](const OffNumber& n) { return n.value >= 0; });
+    if (!is_color) ++unknown_rows_;
+    if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, behind);
+  }
+
+  // Of those that have one; the others have the usual one.
+  static std::vector<Color> spread(const std::vector<std::pair<std::size_t, OffColor>>& given,
+                                   std::size_t count) {
+    std::vector<OffColor> colors;
+    for (const auto& [at, color] : given) colors.push_back(color);
+    to_unit_range(colors);
+    std::vector<Color> all(given.empty() ? 0 : count, Material{}.base_color);
+    for (std::size_t i = 0; i < colors.size(); ++i) all[given[i].first] = colors[i].color;
+    return all;
   }
 
   std::shared_ptr<const Attributes> finished_attributes() {
-    to_unit_range(found_.colors);
-    if (!face_colors_.empty()) {
-      std::vector<Color> colors;
-      for (const auto& [polygon, color] : face_colors_) colors.push_back(color);
-      to_unit_range(colors);
-      found_.polygon_colors.assign(builder_.surface().polygon_count(), Material{}.base_color);
-      for (std::size_t i = 0; i < colors.size(); ++i)
-        found_.polygon_colors[face_colors_[i].first] = colors[i];
+    to_unit_range(colors_);
+    for (const OffColor& c : colors_) found_.colors.push_back(c.color);
+    if (unknown_rows_ > 0) {
+      builder_.warn(source_.name + ": passed over what stands behind the positions of " +
+                    base::counted(unknown_rows_, "row") + " and is not named at its head");
+    } else if (!unnamed_colors_.empty()) {
+      found_.colors = spread(unnamed_colors_, builder_.vertex_count());
     }
-    if (has_normals_) found_.corner_normal = builder_.surface().corners;
-    if (has_texture_) found_.corner_texture = builder_.surface().corners;
+    found_.polygon_colors = spread(face_colors_, builder_.surface().polygon_count());
+    if (form_.normals) found_.corner_normal = builder_.surface().corners;
+    if (form_.texture) found_.corner_texture = builder_.surface().corners;
     if (found_.empty()) return nullptr;
     return std::make_shared<const Attributes>(std::move(found_));
   }
@@ -155,6 +265,7 @@ private:
   void face() {
     const std::size_t corners = count("corner count");
     for (std::size_t i = 0; i < corners; ++i) {
+      if (wrapped_ != Wrapped::nowhere) text_.need_word("the last face");
       const std::int64_t index = text_.integer("vertex index");
       if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count()) {
         text_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
@@ -170,34 +281,48 @@ private:
 
   // Three or four numbers behind the corners; a single one is the index of a list that is in no file.
   void face_color(std::size_t polygon) {
-    Color color{0, 0, 0, 1};
-    std::size_t count = 0;
-    for (; count < 4 && !text_.at_line_end(); ++count) {
-      const auto value = number_in(text_.word());
-      if (!value) break;
-      color[count] = static_cast<float>(std::clamp(*value, 0.0, 255.0));
+    std::array<OffNumber, 4> behind;
+    std::size_t n = 0;
+    for (; n < behind.size() && !text_.at_line_end(); ++n) {
+      const auto found = number(text_.word());
+      if (!found) break;
+      behind[n] = *found;
     }
-    if (count >= 3) face_colors_.emplace_back(polygon, color);
+    if (n >= 3) face_colors_.emplace_back(polygon, OffColor(std::span(behind).first(n)));
   }
 
   const Source& source_;
   TextCursor text_;
   SurfaceBuilder builder_;
-  bool has_normals_ = false, has_colors_ = false, has_texture_ = false;
-  std::vector<std::pair<std::size_t, Color>>
-      face_colors_;  // of the polygons that have one, as they are written
+  Wrapped wrapped_;
+  OffForm form_;
+  std::vector<OffNumber> numbers_;                                              // of a row
+  std::vector<OffColor> colors_;                                                // one a vertex
+  std::vector<std::pair<std::size_t, OffColor>> unnamed_colors_, face_colors_;  // of vertices, of polygons
+  std::size_t unknown_rows_ = 0;
   Attributes found_;
 };
 
 }  // namespace
 
 ReadResult read_off(const Source& source) {
-  return OffReader(source).read();
+  using enum OffReader::Wrapped;
+  try {
+    return OffReader(source, nowhere).read();
+  } catch (const base::Error&) {
+    for (const OffReader::Wrapped wrapped : {in_faces, everywhere}) {
+      try {
+        return OffReader(source, wrapped).read();
+      } catch (const base::Error&) {  // the first one says what is wrong
+      }
+    }
+    throw;
+  }
 }
 
 bool looks_like_off(const Source& source) {
   TextCursor text(source, off_rules);
-  return text.next_filled_line() && is_off_word(text.word());
+  return text.next_filled_line() && off_form(text.word()).has_value();
 }
 
 void write_off(const Content& content, TextWriter& out) {

@@ -14,19 +14,21 @@ namespace {
 
 class OffRewriter {
 public:
-  OffRewriter(std::string_view bytes, std::size_t body, const Surface& rest, std::span<const Point> positions,
-              TextWriter& out)
+  OffRewriter(std::string_view bytes, std::size_t body, const OffForm& form, const Surface& rest,
+              std::span<const Point> positions, TextWriter& out)
       : body_{"", "off", bytes.substr(body)},
+        form_(form),
         rest_(rest),
         positions_(positions),
         coordinates_(out.digits()),
         directions_(out.digits()),
         rewriter_(bytes, out) {}
 
-  void run(bool has_normals) {
+  void run() {
+    const bool has_normals = form_.normals;
     std::vector<Vec3> normals(has_normals ? rest_.positions.size() : 0);
     const std::size_t enough = has_normals ? rest_.positions.size() : 10'000;
-    walk(std::min(enough, rest_.positions.size()), has_normals, [&](std::size_t v, const Words& words) {
+    walk(std::min(enough, rest_.positions.size()), [&](std::size_t v, const Words& words) {
       for (const std::string_view word : words[0]) coordinates_.learn(word);
       if (has_normals) normals[v] = learned_normal(words[1]);
     });
@@ -37,7 +39,7 @@ public:
       moved = deformed_normals(rest_, positions_, normals, rest_.corners);
       keep_lengths(normals, moved);
     }
-    walk(rest_.positions.size(), has_normals, [&](std::size_t v, const Words& words) {
+    walk(rest_.positions.size(), [&](std::size_t v, const Words& words) {
       rewriter_.replace(words[0], rest_.positions[v], positions_[v], coordinates_);
       if (has_normals) rewriter_.replace(words[1], normals[v], moved[v], directions_);
     });
@@ -48,29 +50,39 @@ private:
   using Words = std::array<ThreeWords, 2>;  // a position and a normal, if there are any
 
   template <class Vertex>
-  void walk(std::size_t vertices, bool has_normals, const Vertex& vertex) {
+  void walk(std::size_t vertices, const Vertex& vertex) {
     TextCursor text(body_, off_rules);
     Words words;
-    for (std::size_t v = 0; v < vertices && text.next_filled_line(); ++v, text.next_line()) {
-      words[0] = three_words(text);
-      if (has_normals) words[1] = three_words(text);
+    for (std::size_t v = 0; v < vertices && text.next_filled_line(); ++v) {
+      words[0] = next_three(text);
+      if (form_.colors_first) next_three(text), text.word();
+      if (form_.normals) words[1] = next_three(text);
       vertex(v, words);
+      if (!form_.wrapped) text.next_line();
+      for (std::size_t i = form_.normals ? 3 : 0; form_.wrapped && i < form_.numbers(); ++i) next_word(text);
     }
   }
 
-  // One that cannot be read is taken as 0 0 0, and stays as it is.
+  std::string_view next_word(TextCursor& text) const {
+    if (form_.wrapped) text.next_filled_line();
+    return text.word();
+  }
+  ThreeWords next_three(TextCursor& text) const {
+    return {next_word(text), next_word(text), next_word(text)};
+  }
+
+  // One that is missing is taken as 0 0 0, and stays so.
   Vec3 learned_normal(const ThreeWords& words) {
-    Vec3 normal{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto value = number_in(words[i]);
-      if (!value) return {0, 0, 0};
-      normal[i] = *value;
-      directions_.learn(words[i]);
+    if (words[2].empty()) return {0, 0, 0};
+    const Vec3 normal = vector_in(words);
+    if (is_direction(normal)) {
+      for (const std::string_view word : words) directions_.learn(word);
     }
     return normal;
   }
 
   const Source body_;
+  const OffForm form_;
   const Surface& rest_;
   std::span<const Point> positions_;
   Printed coordinates_, directions_;
@@ -81,7 +93,7 @@ private:
 
 std::vector<std::string> OffOriginal::write(const Surface& rest, std::span<const Point> positions,
                                             TextWriter& out) const {
-  OffRewriter(bytes_, body_, rest, positions, out).run(normals_);
+  OffRewriter(bytes_, body_, form_, rest, positions, out).run();
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "mesh/off.h"
 #include "mesh/original.h"
 
 namespace viete::mesh {
@@ -14,9 +15,10 @@ namespace viete::mesh {
 class OffOriginal final : public Original {
 public:
   /// The bytes, which read_off() has read without an error, live as long as the owner. body: where the first
-  /// vertex is looked for. normals: they stand behind the positions.
-  OffOriginal(std::string_view bytes, std::shared_ptr<const void> owner, std::size_t body, bool normals)
-      : bytes_(bytes), owner_(std::move(owner)), body_(body), normals_(normals) {}
+  /// vertex is looked for.
+  OffOriginal(std::string_view bytes, std::shared_ptr<const void> owner, std::size_t body,
+              const OffForm& form)
+      : bytes_(bytes), owner_(std::move(owner)), body_(body), form_(form) {}
 
   bool writes(std::string_view extension) const override { return extension == "off"; }
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
@@ -26,7 +28,7 @@ private:
   std::string_view bytes_;
   std::shared_ptr<const void> owner_;
   std::size_t body_;
-  bool normals_;
+  OffForm form_;
 };
 
 }  // namespace viete::mesh

@@ -53,23 +53,40 @@ private:
   std::size_t size_ = 0;
 };
 
-}  // namespace
-
-int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const Point u = b - a, v = c - a, w = d - a;
+// Of det(u, v, w), whose entries are rounded once; exact() where its rounding leaves the sign open.
+template <class Exact>
+int sign_of(const Vec3& u, const Vec3& v, const Vec3& w, const Exact& exact) {
   double determinant = 0, permanent = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     determinant += w[i] * (u[j] * v[k] - u[k] * v[j]);
     permanent += std::abs(w[i]) * (std::abs(u[j] * v[k]) + std::abs(u[k] * v[j]));
   }
+  if (permanent == 0) return 0;
   if (std::abs(determinant) > (7 + 56 * roundoff) * roundoff * permanent) return sign(determinant);
-  ExactSum sum;
-  sum.add_determinant(b, c, d, 1);
-  sum.add_determinant(a, c, d, -1);
-  sum.add_determinant(a, b, d, 1);
-  sum.add_determinant(a, b, c, -1);
-  return sum.sign();
+  return exact().sign();
+}
+
+}  // namespace
+
+int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return sign_of(b - a, c - a, d - a, [&] {
+    ExactSum sum;
+    sum.add_determinant(b, c, d, 1);
+    sum.add_determinant(a, c, d, -1);
+    sum.add_determinant(a, b, d, 1);
+    sum.add_determinant(a, b, c, -1);
+    return sum;
+  });
+}
+
+int orientation_along(const Vec3& normal, const Point& a, const Point& b, const Point& c) {
+  return sign_of(b - a, c - a, normal, [&] {
+    ExactSum sum;
+    for (const auto& [p, q] : {std::array{&a, &b}, std::array{&b, &c}, std::array{&c, &a}})
+      sum.add_determinant(*p, *q, normal, 1);
+    return sum;
+  });
 }
 
 int orientation(const Point2& a, const Point2& b, const Point2& c) {

@@ -16,6 +16,10 @@ using Point2 = std::array<double, 2>;
 /// predicates.
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 
+/// The sign of det(b - a, c - a, normal): 1 if a, b, c run counter-clockwise for who looks against the
+/// normal, 0 exactly on a line as seen along it. Same sizes.
+int orientation_along(const Vec3& normal, const Point& a, const Point& b, const Point& c);
+
 /// The sign of det(b - a, c - a): 1 if a, b, c run counter-clockwise, 0 exactly on a line.
 int orientation(const Point2& a, const Point2& b, const Point2& c);
 

@@ -22,6 +22,8 @@ struct Companions {
   std::vector<std::filesystem::path> files;  ///< absolute; they need not be there
 };
 
+class FilesBeside;
+
 /// Immutable; one for each format. Thread-safe.
 class Original {
 public:
@@ -37,6 +39,9 @@ public:
   /// What the file leads to, so that it must lie beside it to be whole. write_file() leaves it alone.
   virtual Companions companions() const { return {}; }
 
+  /// All other files that it was read from or leads to; they need not be there.
+  virtual std::vector<std::filesystem::path> files_beside() const { return companions().files; }
+
   /// Everything that was read, in its order, but for positions that differ from those of `rest` (the surface
   /// that was read from it) and for normals and tangents that follow them. Returns what a person should know
   /// of the result, one line each. Throws base::Error and base::Cancelled.
@@ -44,15 +49,14 @@ public:
                                          TextWriter& out) const = 0;
 
   /// The same as a file, which is replaced as a whole or left as it was, with what stands beside it in a
-  /// format of several files. progress may be null.
+  /// format of several files, which `beside` is told. progress and beside may be null.
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const Surface& rest,
                                               std::span<const Point> positions, Digits digits,
-                                              base::Progress* progress) const;
+                                              base::Progress* progress, FilesBeside* beside = nullptr) const;
 
-  /// The same with morph targets, see check_animation(). Of formats that have them: others throw base::Error.
+  /// The same with morph targets, see check_motion(). Of formats that have them: others throw base::Error.
   virtual std::vector<std::string> write_animated(const std::filesystem::path& path, const Surface& rest,
-                                                  std::span<const Point> positions,
-                                                  const MorphAnimation& animation,
+                                                  std::span<const Point> positions, const MorphMotion& motion,
                                                   base::Progress* progress) const;
 
   /// How its meshes morph; null where they do not. Throws base::Error where that is not sound.

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "base/quantity.h"
 #include "mesh/ply_attributes.h"
 #include "mesh/ply_face_attributes.h"
 #include "mesh/ply_header.h"
@@ -46,6 +48,10 @@ public:
         rows(element, [this](const PlyProperty& property, std::size_t) { skip(property); });
       }
     }
+    if (values_.longer_rows() > 0)
+      builder_.warn(values_.place_of_longer() +
+                    ": passed over what stands behind the header's properties in " +
+                    base::counted(values_.longer_rows(), "row"));
   }
 
 private:
@@ -108,8 +114,10 @@ private:
     });
   }
 
+  // 0 for what is no number.
   double value(const PlyProperty& property) {
-    return values_.value_of(property.type, values_.skip(property.type));
+    const double value = values_.value_of(property.type, values_.skip(property.type));
+    return std::isfinite(value) ? value : 0;
   }
 
   std::size_t list_length(const PlyProperty& property) {
@@ -198,7 +206,7 @@ ReadResult read_ply(const Source& source) {
   }
   ReadResult result = builder.finish(std::move(format));
   Attributes found = attributes.finish(result.surface);
-  face_attributes.finish(result.surface, result.comments, source.folder, found);
+  face_attributes.finish(result.surface, header.texture_files, source.folder, found);
   if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
   if (source.owner) {
     Companions companions{source.folder, {}};

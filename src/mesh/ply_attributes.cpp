@@ -12,6 +12,8 @@ double part_of_largest(PlyType type) {
     case PlyType::uint16: return 1.0 / 65535;
     case PlyType::int32: return 1.0 / 255;  // bytes in text, as some programs declare them
     case PlyType::uint32: return 1.0 / 255;
+    case PlyType::int64: return 1.0 / 255;
+    case PlyType::uint64: return 1.0 / 255;
     default: return 1;
   }
 }

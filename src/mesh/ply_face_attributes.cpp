@@ -64,7 +64,7 @@ void PlyFaceAttributes::end_material() {
   groups_.push_back({static_cast<std::uint32_t>(polygons_), "", "", material});
 }
 
-void PlyFaceAttributes::finish(const Surface& surface, const std::vector<std::string>& comments,
+void PlyFaceAttributes::finish(const Surface& surface, const std::vector<std::string>& images,
                                const std::filesystem::path& folder, Attributes& attributes) {
   if (!colors_.empty()) {
     colors_.resize(surface.polygon_count(), Material{}.base_color);
@@ -76,10 +76,9 @@ void PlyFaceAttributes::finish(const Surface& surface, const std::vector<std::st
     corner_texture_.resize(surface.corners.size(), none);
     attributes.corner_texture = std::move(corner_texture_);
   }
-  constexpr std::string_view mark = "TextureFile ";
-  for (const std::string& comment : comments) {
-    if (!comment.starts_with(mark) || folder.empty()) continue;
-    const auto path = path_beside(folder, std::string_view(comment).substr(mark.size()));
+  for (const std::string& image : images) {
+    if (folder.empty()) break;
+    const auto path = path_beside(folder, image);
     Material material{path.stem().string(), {1, 1, 1, 1}};
     material.base_color_image = static_cast<std::uint32_t>(attributes.images.size());
     attributes.images.push_back({path, nullptr, path.filename().string()});

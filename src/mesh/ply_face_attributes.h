@@ -28,9 +28,8 @@ public:
   /// The polygons that the surface has got since the last row have what was taken.
   void end_row();
 
-  /// Puts all that was found to what the vertices have. Images: of the file's `comment TextureFile`, by
-  /// number; they lie in this folder.
-  void finish(const Surface& surface, const std::vector<std::string>& comments,
+  /// Puts all that was found to what the vertices have. Images, by number, lie in this folder.
+  void finish(const Surface& surface, const std::vector<std::string>& images,
               const std::filesystem::path& folder, Attributes& attributes);
 
 private:

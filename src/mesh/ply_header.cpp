@@ -17,6 +17,8 @@ PlyType type_named(TextCursor& text) {
       {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
       {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
       {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+      {"long", PlyType::int64},     {"int64", PlyType::int64},     {"ulong", PlyType::uint64},
+      {"uint64", PlyType::uint64},  {"longlong", PlyType::int64},  {"ulonglong", PlyType::uint64},
       {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
       {"float64", PlyType::float64}};
   const std::string_view word = text.word();
@@ -83,7 +85,10 @@ bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
   const std::string_view word = text.word();
   if (word == "end_header") return false;
   if (word == "comment" || word == "obj_info") {
+    TextCursor ahead = text;
     builder.comment(text.rest_of_line());
+    if (word == "comment" && ahead.word() == "TextureFile")
+      header.texture_files.emplace_back(ahead.rest_of_line());
   } else if (word == "format") {
     header.format = format_named(text);
   } else if (word == "element") {
@@ -93,7 +98,11 @@ bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
       text.fail("a property stands before the first element", "export the model again");
     header.elements.back().properties.push_back(property(text));
   } else {
-    text.fail("a PLY header cannot hold " + in_quotes(word), "export the model again");
+    constexpr std::size_t most = 64;  // of a header that does not end, there are many
+    if (++header.unknown_lines > most)
+      text.fail("a PLY header cannot hold " + in_quotes(word), "export the model again");
+    if (header.unknown_lines == 1)
+      builder.warn(text.place() + ": passed over a line of the header that starts with " + in_quotes(word));
   }
   return true;
 }
@@ -101,7 +110,7 @@ bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
 }  // namespace
 
 std::size_t size_of(PlyType type) {
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   return sizes[static_cast<std::size_t>(type)];
 }
 

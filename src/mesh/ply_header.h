@@ -13,7 +13,18 @@
 
 namespace viete::mesh {
 
-enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class PlyType : std::uint8_t {
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64
+};
 
 /// Bytes of one value in a binary file.
 std::size_t size_of(PlyType type);
@@ -38,11 +49,14 @@ struct PlyHeader {
 
   Format format = Format::ascii;
   std::vector<PlyElement> elements;
+  std::vector<std::string> texture_files;  ///< of `comment TextureFile`, as MeshLab writes them
+  std::size_t unknown_lines = 0;           ///< that were passed over
 
   const PlyElement* find(const std::string& name) const;
 };
 
-/// Leaves the cursor behind the header. Comments go to the builder. Throws base::Error also when the elements
+/// Leaves the cursor behind the header. Comments go to the builder; lines that start with no word of a header
+/// are passed over, with a warning. Throws base::Error also when the elements
 /// announced cannot fit into what is left of the file.
 PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder);
 

@@ -50,9 +50,8 @@ std::optional<PlyVectors> vectors_named(const PlyElement& element, const char* x
 template <class Number>
 std::optional<std::string_view> whole_bytes(double value, std::span<char> room) {
   value = std::round(value);
-  if (!(value >= double(std::numeric_limits<Number>::lowest()) &&
-        value <= double(std::numeric_limits<Number>::max())))
-    return std::nullopt;
+  const double beyond = std::ldexp(1.0, std::numeric_limits<Number>::digits);
+  if (!(value >= double(std::numeric_limits<Number>::lowest()) && value < beyond)) return std::nullopt;
   const auto number = static_cast<Number>(value);
   std::memcpy(room.data(), &number, sizeof number);
   return std::string_view(room.data(), sizeof number);
@@ -75,6 +74,8 @@ std::optional<std::string_view> native_bytes(PlyType type, double value, std::sp
     case PlyType::uint16: return whole_bytes<std::uint16_t>(value, room);
     case PlyType::int32: return whole_bytes<std::int32_t>(value, room);
     case PlyType::uint32: return whole_bytes<std::uint32_t>(value, room);
+    case PlyType::int64: return whole_bytes<std::int64_t>(value, room);
+    case PlyType::uint64: return whole_bytes<std::uint64_t>(value, room);
     case PlyType::float32: return float_bytes<float>(value, room);
     case PlyType::float64: return float_bytes<double>(value, room);
   }
@@ -92,7 +93,9 @@ public:
     if (!bytes) return bytes;
     if (format_ == PlyHeader::Format::ascii) {
       if (is_float(type)) return printed.print(value, room);
-      const char* const end = std::to_chars(room.data(), room.data() + room.size(), std::llround(value)).ptr;
+      const char* const end = std::to_chars(room.data(), room.data() + room.size(), std::round(value) + 0.0,
+                                            std::chars_format::fixed, 0)
+                                  .ptr;
       return std::string_view(room.data(), static_cast<std::size_t>(end - room.data()));
     }
     const bool little = format_ == PlyHeader::Format::little_endian;
@@ -253,7 +256,7 @@ private:
     const std::size_t axis = vectors.axis(p);
     if (axis == 3) return;
     const double before = vectors.before[row][axis], now = vectors.now[row][axis];
-    if (before == now) return;
+    if (before == now || !changed(vectors.before[row], vectors.now[row])) return;
     const PlyType type = element.properties[p].type;
     std::array<char, 400> room_before, room;
     const auto words = form_.of(type, now, vectors.printed, room);

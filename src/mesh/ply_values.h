@@ -26,16 +26,20 @@ public:
   void start_row(std::string_view element, std::size_t) {
     text_.need_word("the last " + std::string(element));
   }
+  /// What a line holds beyond that is passed over, and counted.
   void end_row() {
-    if (!text_.at_line_end())
-      text_.fail("more values than the header's properties", "export the model again");
+    if (text_.at_line_end()) return;
+    if (longer_rows_++ == 0) first_longer_ = text_.line();
+    text_.next_line();
   }
+  std::string place_of_longer() const { return text_.place(first_longer_); }
+  std::size_t longer_rows() const { return longer_rows_; }
   double coordinate(PlyType) { return next().coordinate(); }
   std::int64_t integer(PlyType) { return next().integer("whole number"); }
   /// Where the value stands.
   std::string_view skip(PlyType) { return next().word(); }
-  /// Of a value that stands there; 0 where that is no number.
-  double value_of(PlyType, std::string_view place) const { return number_in(place).value_or(0); }
+  /// Of a value that stands there; NaN or an infinity where that is no finite number.
+  double value_of(PlyType, std::string_view place) const { return number_in(place).value_or(std::nan("")); }
   std::size_t most_values(PlyType) const { return text_.bytes_left() / 2 + 1; }
   double done() const { return text_.done(); }
   [[noreturn]] void fail(const std::string& problem, const std::string& advice) const {
@@ -49,6 +53,7 @@ private:
   }
 
   TextCursor text_;
+  std::size_t longer_rows_ = 0, first_longer_ = 0;
 };
 
 /// Values are bytes; a place is the element's name and number.
@@ -62,6 +67,8 @@ public:
     index_ = index;
   }
   void end_row() {}
+  std::string place_of_longer() const { return {}; }
+  std::size_t longer_rows() const { return 0; }
 
   double coordinate(PlyType type) {
     const double value = take(type);
@@ -78,10 +85,7 @@ public:
   }
 
   std::string_view skip(PlyType type) { return {bytes(size_of(type)), size_of(type)}; }
-  double value_of(PlyType type, std::string_view place) const {
-    const double value = take(type, place.data());
-    return std::isfinite(value) ? value : 0;
-  }
+  double value_of(PlyType type, std::string_view place) const { return take(type, place.data()); }
   std::size_t most_values(PlyType type) const { return at_.size() / size_of(type); }
   double done() const {
     return 1 - static_cast<double>(at_.size()) / static_cast<double>(source_->bytes.size());
@@ -115,6 +119,8 @@ private:
       case PlyType::uint16: return as<std::uint16_t>(from);
       case PlyType::int32: return as<std::int32_t>(from);
       case PlyType::uint32: return as<std::uint32_t>(from);
+      case PlyType::int64: return as<std::int64_t>(from);
+      case PlyType::uint64: return as<std::uint64_t>(from);
       case PlyType::float32: return as<float>(from);
       case PlyType::float64: return as<double>(from);
     }

@@ -15,7 +15,9 @@
 
 #include "base/error.h"
 #include "base/quantity.h"
+#include "mesh/foreign_content.h"
 #include "mesh/source.h"
+#include "mesh/written_positions.h"
 
 namespace viete::mesh {
 
@@ -125,12 +127,13 @@ void PointCacheWriter::append(std::span<const float> positions) {
                           " has " + std::to_string(positions.size() / 3) + " points for " +
                           std::to_string(head_.points),
                       "give each frame a position of every vertex");
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (!std::isfinite(positions[i]))
-      throw base::Error(path_.string(),
-                        "frame " + std::to_string(frames_there_) + ": the position of vertex " +
-                            std::to_string(i / 3) + " does not fit into the floats of a point cache",
-                        "scale the model, or write .obj or .ply");
+  const std::string place = path_.string() + ": frame " + std::to_string(frames_there_);
+  try {
+    for (std::size_t i = 0; i < positions.size(); i += 3)
+      check_written(place, i / 3, {positions[i], positions[i + 1], positions[i + 2]}, largest_float);
+  } catch (const base::Error&) {
+    discard();  // no run could go on with it
+    throw;
   }
   const auto* bytes = reinterpret_cast<const char*>(positions.data());
   if (word_in_order(1, head_.format) != 1) {
@@ -182,11 +185,11 @@ PointCache::PointCache(std::string name, std::string_view bytes) : name_(std::mo
 void PointCache::read_head(std::uint64_t size) {
   std::string begins(std::min<std::uint64_t>(size, pc2_magic.size()), '\0');
   read_(0, begins);
-  if (begins == pc2_magic) {
-    read_pc2_head(size);
-  } else {
-    read_mdd_head(size);
-  }
+  if (begins == pc2_magic) return read_pc2_head(size);
+  begins.resize(std::min<std::uint64_t>(size, 512));
+  read_(0, begins);
+  if (size > 0) refuse_foreign(name_, begins);
+  read_mdd_head(size);
 }
 
 namespace {
@@ -269,7 +272,7 @@ std::vector<Point> PointCache::frame(std::size_t number) const {
   std::vector<Point> points(head_.points);
   for (std::size_t v = 0; v < points.size(); ++v) {
     for (std::size_t k = 0; k < 3; ++k) points[v][k] = float_at(bytes, 12 * v + 4 * k, head_.format);
-    if (!std::isfinite(points[v][0] + points[v][1] + points[v][2]))
+    if (!is_place(points[v]))
       throw base::Error(name_ + ": frame " + std::to_string(number),
                         "the position of point " + std::to_string(v) + " is no place",
                         "export the point cache again");

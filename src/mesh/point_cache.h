@@ -56,7 +56,8 @@ public:
   /// That are whole in the file already: the next one to append has this number.
   std::size_t frames_there() const { return frames_there_; }
 
-  /// x, y, z of every point. Throws base::Error for a full disk, and for a number that is none.
+  /// x, y, z of every point. Throws base::Error for a full disk, and for a number that is none: then
+  /// discard() is done.
   void append(std::span<const float> positions);
 
   /// After the last frame: takes its place. Throws base::Error, also where frames are missing.

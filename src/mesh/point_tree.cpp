@@ -87,4 +87,27 @@ std::uint32_t PointTree::nearest(const Point& a, const Point& b, const Point& c)
   return s.best;
 }
 
+void PointTree::for_within(const Point& p, double radius,
+                           const std::function<void(std::uint32_t)>& visit) const {
+  struct Range {
+    std::size_t node, begin, end;
+  };
+  const Search at{p, p, p};
+  std::vector<Range> open{{0, 0, points_.size()}};
+  while (!open.empty()) {
+    const auto [node, begin, end] = open.back();
+    open.pop_back();
+    if (at.bound(balls_[node]) > radius) continue;
+    if (end - begin > points_per_leaf) {
+      const std::size_t middle = middle_of(begin, end);
+      open.push_back({2 * node + 2, middle, end});
+      open.push_back({2 * node + 1, begin, middle});
+      continue;
+    }
+    for (std::size_t n = begin; n < end; ++n) {
+      if (squared_norm(positions_[points_[n]] - p) <= radius * radius) visit(points_[n]);
+    }
+  }
+}
+
 }  // namespace viete::mesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ public:
   /// edge or a point); the lowest of those that are equally near.
   std::uint32_t nearest(const Point& a, const Point& b, const Point& c) const;
   std::uint32_t nearest(const Point& p) const { return nearest(p, p, p); }
+  /// visit(i) of all points that are no farther from p than radius, in any order.
+  void for_within(const Point& p, double radius, const std::function<void(std::uint32_t)>& visit) const;
 
 private:
   struct Ball {

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "base/error.h"
+#include "mesh/foreign_content.h"
 #include "mesh/gltf.h"
 #include "mesh/gltf_file.h"
 #include "mesh/obj.h"
@@ -23,17 +24,12 @@ bool looks_binary(std::string_view bytes) {
 }
 
 [[noreturn]] void refuse_unknown(const Source& source) {
-  if (source.bytes.starts_with("\xFF\xFE") || source.bytes.starts_with("\xFE\xFF")) {
-    throw base::Error(source.name, "this is UTF-16 text", "save it as UTF-8 or ASCII");
-  }
-  if (source.bytes.starts_with("\x1F\x8B") || source.bytes.starts_with("PK\3\4")) {
-    throw base::Error(source.name, "this is a compressed file", "unpack it first");
-  }
   throw base::Error(source.name, "the content is not OBJ, PLY, OFF, STL or glTF",
                     "export the model in one of these formats");
 }
 
 ReadResult by_extension(const Source& source) {
+  refuse_foreign(source.name, source.bytes);
   if (source.extension == "glb" || source.extension == "gltf") return read_gltf(source);
   if (source.extension == "stl") return read_stl(source);
   if (looks_binary(source.bytes)) refuse_unknown(source);
@@ -46,7 +42,6 @@ ReadResult by_extension(const Source& source) {
 }  // namespace
 
 ReadResult read(const Source& source) {
-  if (source.bytes.empty()) throw base::Error(source.name, "the file is empty", "export the model again");
   try {
     if (looks_like_ply(source)) return read_ply(source);
     if (looks_like_gltf(source)) return read_gltf(source);
@@ -58,10 +53,10 @@ ReadResult read(const Source& source) {
   }
 }
 
-ReadResult read(const std::filesystem::path& path, base::Progress* progress) {
+ReadResult read(const std::filesystem::path& path, base::Progress* progress, bool played) {
   const auto bytes = std::make_shared<const FileBytes>(path, progress);
   const auto folder = std::filesystem::absolute(path).parent_path();
-  return read(Source{path.string(), extension_of(path), bytes->view(), progress, bytes, folder});
+  return read(Source{path.string(), extension_of(path), bytes->view(), progress, bytes, folder, played});
 }
 
 }  // namespace viete::mesh

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
+#include "mesh/normals.h"
 #include "mesh/printed.h"
 #include "mesh/text_cursor.h"
 #include "mesh/text_writer.h"
@@ -18,6 +20,13 @@ using ThreeWords = std::array<std::string_view, 3>;
 /// The next three of this line; those that are missing are empty.
 inline ThreeWords three_words(TextCursor& text) {
   return {text.word(), text.word(), text.word()};  // from left to right
+}
+
+/// Of words that are no number, NaN.
+inline Vec3 vector_in(const ThreeWords& words) {
+  Vec3 v{};
+  for (std::size_t i = 0; i < 3; ++i) v[i] = number_in(words[i]).value_or(std::nan(""));
+  return v;
 }
 
 /// Replacements come in the order of the file; what lies between them is copied as it is.
@@ -34,7 +43,7 @@ public:
 
   /// The words of a vector that was `before` and is `now`: those that would be printed as before stay.
   void replace(const ThreeWords& words, const Vec3& before, const Vec3& now, const Printed& printed) {
-    if (before == now) return;
+    if (!changed(before, now)) return;
     std::array<char, 400> room;
     for (std::size_t i = 0; i < 3; ++i) {
       if (!printed.same(before[i], now[i])) replace(words[i], printed.print(now[i], room));

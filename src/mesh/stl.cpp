@@ -18,6 +18,11 @@ namespace viete::mesh {
 
 namespace {
 
+std::uint16_t attribute_word(const char* bytes) {
+  return static_cast<std::uint16_t>(static_cast<unsigned char>(bytes[0]) |
+                                    static_cast<unsigned char>(bytes[1]) << 8);
+}
+
 std::uint32_t little_endian_word(const char* bytes) {
   std::uint32_t value = 0;
   for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
@@ -28,6 +33,60 @@ std::uint32_t little_endian_word(const char* bytes) {
 
 double stl_float(const char* bytes) {
   return std::bit_cast<float>(little_endian_word(bytes));
+}
+
+namespace {
+
+[[noreturn]] void refuse_length(const Source& source, const std::string& problem) {
+  throw base::Error(source.name, problem, "it seems to be cut short or damaged: export or copy it again");
+}
+
+}  // namespace
+
+StlTriangles::StlTriangles(const Source& source) {
+  const std::string_view bytes = source.bytes;
+  if (bytes.size() < stl_head_bytes)
+    refuse_length(source, "a binary STL has 84 bytes at least, this file " + std::to_string(bytes.size()));
+  count_ = little_endian_word(bytes.data() + 80);
+  const std::size_t room = bytes.size() - stl_head_bytes;
+  const std::string announced = "the header announces " + std::to_string(count_) + " triangles";
+  if (count_ > room / stl_triangle_bytes)
+    refuse_length(source, announced + ", the file has room for " + std::to_string(room / stl_triangle_bytes));
+  if (count_ == 0 && room > 0)
+    refuse_length(source, announced + ", and " + std::to_string(room) + " bytes follow");
+  end_ = stl_head_bytes + count_ * stl_triangle_bytes;
+  if (end_ == bytes.size() || follow_attributes(bytes) || make_sense(bytes)) return;
+  refuse_length(source, announced + ", and neither they alone nor they and the attributes that they count " +
+                            "behind them are what follows");
+}
+
+// True where there are any and they lie within the file.
+bool StlTriangles::follow_attributes(std::string_view bytes) {
+  std::vector<std::size_t> starts;
+  std::size_t at = stl_head_bytes;
+  for (std::size_t t = 0; t < count_; ++t) {
+    if (bytes.size() - at < stl_triangle_bytes) return false;
+    starts.push_back(at);
+    at += stl_triangle_bytes;
+    const std::uint16_t more = attribute_word(bytes.data() + at - 2);
+    if (bytes.size() - at < more) return false;
+    at += more;
+  }
+  if (at == end_) return false;
+  end_ = at;
+  starts_ = std::move(starts);
+  return true;
+}
+
+// Read from a wrong place, bytes give numbers of no size that a model, or a normal, has.
+bool StlTriangles::make_sense(std::string_view bytes) const {
+  for (std::size_t t = 0; t < count_; ++t) {
+    for (std::size_t i = 0; i < 12; ++i) {
+      const double size = std::abs(stl_float(bytes.data() + offset(t) + 4 * i));
+      if (size != 0 && !(size > 1e-37 && size < (i < 3 ? 1e6 : 1e30))) return false;
+    }
+  }
+  return true;
 }
 
 std::string lower_stl_word(std::string_view word) {
@@ -97,10 +156,7 @@ public:
       of_all_[i] = static_cast<float>(static_cast<unsigned char>(head[at + mark.size() + i])) / 255;
   }
 
-  void take(const char* bytes) {
-    words_.push_back(static_cast<std::uint16_t>(static_cast<unsigned char>(bytes[0]) |
-                                                static_cast<unsigned char>(bytes[1]) << 8));
-  }
+  void take(const char* bytes) { words_.push_back(attribute_word(bytes)); }
 
   /// Null where the file has none.
   std::shared_ptr<const Attributes> finish() const {
@@ -130,27 +186,13 @@ private:
 };
 
 ReadResult read_binary(const Source& source) {
-  if (source.bytes.size() < stl_head_bytes) {
-    throw base::Error(source.name,
-                      "a binary STL has 84 bytes at least, this file " + std::to_string(source.bytes.size()),
-                      "export or copy it again");
-  }
-  const std::uint64_t needed = announced_bytes(source);
-  if (source.bytes.size() < needed) {
-    throw base::Error(source.name,
-                      "the header announces " +
-                          std::to_string((needed - stl_head_bytes) / stl_triangle_bytes) +
-                          " triangles, the file has room for " +
-                          std::to_string((source.bytes.size() - stl_head_bytes) / stl_triangle_bytes),
-                      "it seems to be cut short: export or copy it again");
-  }
+  const StlTriangles triangles(source);
   SurfaceBuilder builder(source);
   builder.comment(head_text(source.bytes.substr(0, 80)));
   CornerJoiner corners(builder);
   StlColors colors(source.bytes.substr(0, 80));
-  const std::size_t triangles = (needed - stl_head_bytes) / stl_triangle_bytes;
-  for (std::size_t t = 0; t < triangles; ++t) {
-    const char* const at = source.bytes.data() + stl_head_bytes + stl_triangle_bytes * t + 12;
+  for (std::size_t t = 0; t < triangles.count(); ++t) {
+    const char* const at = source.bytes.data() + triangles.offset(t) + 12;
     for (int c = 0; c < 3; ++c) {
       Point p{};
       for (int i = 0; i < 3; ++i) p[i] = stl_float(at + 12 * c + 4 * i);
@@ -162,14 +204,17 @@ ReadResult read_binary(const Source& source) {
     }
     builder.end_polygon();
     colors.take(at + 36);
-    if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
+    if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles.count()));
   }
-  if (source.bytes.size() > needed) {
-    builder.warn(source.name + ": passed over " + std::to_string(source.bytes.size() - needed) +
-                 " bytes behind the last triangle");
+  if (triangles.have_attributes()) {
+    builder.warn(source.name + ": passed over the attributes behind triangles");
+  }
+  if (const std::size_t behind = source.bytes.size() - triangles.end(); behind > 0) {
+    builder.warn(source.name + ": passed over " + std::to_string(behind) + " bytes behind the " +
+                 std::to_string(triangles.count()) + " triangles that the header announces");
   }
   ReadResult result = builder.finish("STL binary");
-  if (triangles > 0) result.attributes = colors.finish();
+  if (!triangles.have_attributes()) result.attributes = colors.finish();
   keep_original(source, true, result);
   return result;
 }

@@ -14,14 +14,38 @@ namespace viete::mesh {
 
 /// Source: 3D Systems, StereoLithography Interface Specification, 1989. Corners with equal coordinates become
 /// one vertex (0 and -0 are equal); vertices stand in the order of their first occurrence. The two
-/// attribute bytes of binary files are read as colours of facets, as VisCAM, SolidView and Magics have them.
+/// attribute bytes of binary files are read as colours of facets, as VisCAM, SolidView and Magics have them;
+/// where the file is as long as it must be if they count attributes that follow, those are passed over.
 /// Normals are kept for writing alone. Throws base::Error, base::Cancelled.
 ReadResult read_stl(const Source& source);
 
-/// Of a binary STL: what stands before the triangles, and each of these.
+/// Of a binary STL: what stands before the triangles, and each of these without attributes behind it.
 inline constexpr std::size_t stl_head_bytes = 84, stl_triangle_bytes = 50;
 /// The number that stands there.
 double stl_float(const char* bytes);
+
+/// Where the triangles of a binary STL stand.
+class StlTriangles {
+public:
+  /// Throws base::Error where the length of the file does not fit what it says of itself.
+  explicit StlTriangles(const Source& source);
+
+  std::size_t count() const { return count_; }
+  std::size_t offset(std::size_t triangle) const {
+    return starts_.empty() ? stl_head_bytes + stl_triangle_bytes * triangle : starts_[triangle];
+  }
+  /// Behind the last one and its attributes.
+  std::size_t end() const { return end_; }
+  bool have_attributes() const { return !starts_.empty(); }
+
+private:
+  bool follow_attributes(std::string_view bytes);
+  bool make_sense(std::string_view bytes) const;
+
+  std::size_t count_ = 0, end_ = 0;
+  std::vector<std::size_t> starts_;  // where attributes follow
+};
+
 /// A word of a text STL in small letters, at most 16 of them.
 std::string lower_stl_word(std::string_view word);
 

@@ -29,16 +29,13 @@ class StlBinaryRewriter {
 public:
   StlBinaryRewriter(const Source& source, const Surface& rest, std::span<const Point> positions,
                     TextWriter& out)
-      : source_(source), rest_(rest), positions_(positions), rewriter_(source.bytes, out) {}
+      : source_(source), layout_(source), rest_(rest), positions_(positions), rewriter_(source.bytes, out) {}
 
   void run() {
-    const std::size_t triangles = rest_.triangles.size();
+    const std::size_t triangles = layout_.count();
     std::vector<Vec3> normals(triangles);
     for (std::size_t t = 0; t < triangles; ++t) {
-      for (int i = 0; i < 3; ++i) {
-        const double x = stl_float(place(t, i).data());
-        normals[t][i] = std::isfinite(x) ? x : 0;
-      }
+      for (int i = 0; i < 3; ++i) normals[t][i] = stl_float(place(t, i).data());
     }
     const std::vector<Vec3> moved = moved_facet_normals(rest_, positions_, normals);
     for (std::size_t t = 0; t < triangles; ++t) {
@@ -54,11 +51,11 @@ public:
 private:
   // Of the i-th of a triangle's numbers: the normal's, then the corners'.
   std::string_view place(std::size_t triangle, int i) const {
-    return source_.bytes.substr(stl_head_bytes + stl_triangle_bytes * triangle + 4 * i, 4);
+    return source_.bytes.substr(layout_.offset(triangle) + 4 * i, 4);
   }
 
   void vector(std::size_t triangle, int i, const Vec3& before, const Vec3& now) {
-    if (before == now) return;
+    if (!changed(before, now)) return;
     for (int axis = 0; axis < 3; ++axis) {
       const auto value = static_cast<float>(now[axis]);
       if (!std::isfinite(value)) {
@@ -75,6 +72,7 @@ private:
   }
 
   const Source& source_;
+  const StlTriangles layout_;
   const Surface& rest_;
   std::span<const Point> positions_;
   Rewriter rewriter_;
@@ -128,16 +126,12 @@ private:
     }
   }
 
-  // One that cannot be read is taken as 0 0 0, and stays as it is.
+  // One that is missing is taken as 0 0 0, and stays so.
   void learn_normal(const ThreeWords& words, Vec3& normal) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto value = number_in(words[i]);
-      if (!value) {
-        normal = {};
-        return;
-      }
-      normal[i] = *value;
-      directions_.learn(words[i]);
+    if (words[2].empty()) return;
+    normal = vector_in(words);
+    if (is_direction(normal)) {
+      for (const std::string_view word : words) directions_.learn(word);
     }
   }
 

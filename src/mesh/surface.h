@@ -18,31 +18,41 @@ using Triangle = std::array<std::uint32_t, 3>;
 inline constexpr double largest_coordinate = 1e100;
 
 /// Positions in the file's order and full precision; polygons as the file has them; triangles for work.
-/// Invariants (kept by the readers): every index < positions.size(); every position finite; triangles are the
-/// fans of the polygons about their first corner, in order, so that polygon p with n corners gives n - 2 of
-/// them.
+/// Invariants (kept by the readers): every index < positions.size(); every position finite; triangles are
+/// those of one polygon after the other as triangulate() cuts them, n - 2 of one with n corners.
 struct Surface {
   std::vector<Point> positions;
   std::vector<std::uint32_t> corners;  ///< of one polygon after the other, counter-clockwise from outside
   std::vector<std::uint32_t> polygon_starts;  ///< p owns corners [starts[p], starts[p + 1])
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> triangle_polygon;  ///< the polygon that each triangle was cut from
+  /// Of the triangles of polygons that are no fans about their first corner: places in corners.
+  std::vector<Triangle> clipped;
 
   std::size_t polygon_count() const { return polygon_starts.empty() ? 0 : polygon_starts.size() - 1; }
 };
 
-/// Fills triangles and triangle_polygon from corners and polygon_starts.
-void fan_triangulate(Surface& surface);
+/// Cuts the polygons, as they are at these positions, into triangles (see triangulation.h): fills all that is
+/// said of triangles from corners and polygon_starts.
+void triangulate(Surface& surface);
 
 /// use(triangle, corners) for each of triangles, in order; corners: its places in Surface::corners.
 template <class Use>
 void for_each_triangle(const Surface& s, const Use& use) {
-  std::size_t t = 0;
+  std::size_t t = 0, own = 0;
   for (std::size_t p = 0; p < s.polygon_count(); ++p) {
     const std::uint32_t first = s.polygon_starts[p], end = s.polygon_starts[p + 1];
-    for (std::uint32_t c = first + 2; c < end; ++c, ++t) use(s.triangles[t], Triangle{first, c - 1, c});
+    const bool is_fan = own == s.clipped.size() || s.clipped[own][0] >= end;
+    for (std::uint32_t c = first + 2; c < end; ++c, ++t)
+      use(s.triangles[t], is_fan ? Triangle{first, c - 1, c} : s.clipped[own++]);
   }
 }
+
+/// Those of `clipped` that are of the polygon: none of a fan.
+std::span<const Triangle> clipped_of(const Surface& surface, std::size_t polygon);
+
+/// True if they have the same polygons, or the same triangles of other ones.
+bool same_faces(const Surface& a, const Surface& b);
 
 /// A surface of triangles only (polygons = triangles).
 Surface from_triangles(std::vector<Point> positions, const std::vector<Triangle>& triangles);

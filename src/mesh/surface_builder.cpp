@@ -54,7 +54,7 @@ ReadResult SurfaceBuilder::finish(std::string format) {
   }
   if (result_.surface.polygon_count() == 0) warn(source_.name + ": no faces, only a set of points");
   result_.format = std::move(format);
-  fan_triangulate(result_.surface);
+  triangulate(result_.surface);
   source_.report(1);
   return std::move(result_);
 }

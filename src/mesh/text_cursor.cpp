@@ -29,6 +29,26 @@ bool is_tiny(std::string_view number) {
   return code == std::errc() ? magnitude + value < 0 : exponent.front() == '-';
 }
 
+// What often stands where a number should.
+std::string advice_on(std::string_view word) {
+  const auto holds = [&](std::string_view part) { return word.find(part) != std::string_view::npos; };
+  if (holds(",")) return "write decimals with a point";
+  if (holds("\xE2\x88\x92") || holds("\xE2\x80\x93"))
+    return "its sign is a dash of typography: write the minus sign of ASCII, -";
+  if (holds("#") || holds("ind") || holds("IND"))
+    return "a program wrote it for a result that is no number: repair it, or export again";
+  if (word.starts_with("0x") || word.starts_with("-0x")) return "it is hexadecimal: write it in decimals";
+  const std::string_view signs = "+-";
+  for (std::size_t i = 1; i < word.size(); ++i) {
+    if (signs.find(word[i]) == std::string_view::npos) continue;
+    if (signs.find(word[i - 1]) != std::string_view::npos) return "it has two signs: keep one";
+    if (word[i - 1] == 'd' || word[i - 1] == 'D') return "its exponent is that of Fortran: write e for d";
+    if (word[i - 1] != 'e' && word[i - 1] != 'E')
+      return "it has a sign in its middle: put a blank between numbers, or e before an exponent";
+  }
+  return "repair or export the file again";
+}
+
 }  // namespace
 
 TextCursor::TextCursor(const Source& source, TextRules rules)
@@ -40,14 +60,23 @@ TextCursor::TextCursor(const Source& source, TextRules rules)
   if (source.bytes.starts_with("\xEF\xBB\xBF")) at_ += 3;
 }
 
+// Blanks behind the backslash are not seen in an editor.
 std::size_t TextCursor::continuation_length() const {
-  if (end_ - at_ > 1 && at_[1] == '\n') return 2;
-  if (end_ - at_ > 2 && at_[1] == '\r' && at_[2] == '\n') return 3;
-  return 0;
+  const char* to = at_ + 1;
+  while (to != end_ && is_blank(*to)) ++to;
+  if (to == end_ || (*to != '\n' && *to != '\r')) return 0;
+  to += *to == '\r' && to + 1 != end_ && to[1] == '\n' ? 2 : 1;
+  return static_cast<std::size_t>(to - at_);
 }
 
 void TextCursor::next_line() {
-  while (at_ != end_ && *at_ != '\n' && *at_ != '\r') ++at_;
+  bool in_comment = at_line_end();
+  for (; at_ != end_ && *at_ != '\n' && *at_ != '\r'; ++at_) {
+    in_comment |= *at_ == rules_.comment && rules_.comment;
+    if (in_comment || !continues()) continue;
+    at_ += continuation_length() - 1;
+    ++line_;
+  }
   if (at_ == end_) return;
   if (*at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n') ++at_;
   ++at_;
@@ -76,7 +105,7 @@ std::string_view TextCursor::word() {
 std::string_view TextCursor::rest_of_word() {
   const char* const from = at_;
   while (!ends_word(at_)) ++at_;
-  if (at_ == from && at_ != end_ && *at_ == '\\') ++at_;  // a backslash that continues nothing
+  if (at_ == from && at_ != end_ && *at_ == '\\' && !continues()) ++at_;
   return {from, static_cast<std::size_t>(at_ - from)};
 }
 
@@ -84,7 +113,8 @@ std::string_view TextCursor::rest_of_line() {
   skip_blanks();
   const char* const from = at_;
   const char* last = at_;
-  for (; at_ != end_ && *at_ != '\n' && *at_ != '\r'; ++at_) {
+  const bool comment = at_ != end_ && *at_ == rules_.comment && rules_.comment;
+  for (; at_ != end_ && *at_ != '\n' && *at_ != '\r' && (comment || !continues()); ++at_) {
     if (!is_blank(*at_)) last = at_ + 1;
   }
   return {from, static_cast<std::size_t>(last - from)};
@@ -119,9 +149,7 @@ double TextCursor::unusual_number(const char* from) {
     return is_tiny({from, static_cast<std::size_t>(to - from)}) ? 0.0 : HUGE_VAL;
   }
   const std::string_view text = rest_of_word();
-  const bool comma = text.find(',') != std::string_view::npos;
-  fail(in_quotes(text) + " is not a number",
-       comma ? "write decimals with a point" : "repair or export the file again");
+  fail(in_quotes(text) + " is not a number", advice_on(text));
 }
 
 std::int64_t TextCursor::leading_integer(std::string_view what) {

@@ -15,7 +15,7 @@ namespace viete::mesh {
 /// What differs between text formats.
 struct TextRules {
   char comment = '\0';           ///< starts a comment that ends with the line; none if zero
-  bool continued_lines = false;  ///< a backslash before the line end joins the next line (OBJ)
+  bool continued_lines = false;  ///< a backslash at the line end joins the next line (OBJ)
 };
 
 /// Lines end with LF, CR LF or CR. A UTF-8 byte order mark is skipped. Nothing depends on the locale.
@@ -36,7 +36,7 @@ public:
     return at_ == end_ || *at_ == '\n' || *at_ == '\r' || (*at_ == rules_.comment && rules_.comment);
   }
 
-  /// Goes behind the end of this line.
+  /// Goes behind the end of this line and of those that continue it.
   void next_line();
 
   /// Goes to the next line that holds a word, starting with this one; false at the end of the text.
@@ -49,7 +49,8 @@ public:
   /// The next word of this line, empty if there is none.
   std::string_view word();
 
-  /// What is left of this line, comment included, without blanks at either end. Stays in the line.
+  /// What is left of this line, comment included, without blanks at either end and what continues it. Stays
+  /// in the line.
   std::string_view rest_of_line();
 
   /// The next word as a position coordinate: finite, at most 1e100 in size (so that volumes are finite as

@@ -13,6 +13,7 @@
 #include "mesh/ply.h"
 #include "mesh/source.h"
 #include "mesh/stl.h"
+#include "mesh/written_positions.h"
 
 namespace viete::mesh {
 
@@ -58,19 +59,27 @@ void write(const std::filesystem::path& path, const Surface& surface, std::span<
 }
 
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
-                               const Original* original, Digits digits, base::Progress* progress) {
+                               const Original* original, Digits digits, base::Progress* progress,
+                               std::vector<std::filesystem::path>* leads_to) {
+  check_written(path.string(), content.positions);
   FilesBeside beside(path);
+  const auto keep = [&] {
+    beside.keep();
+    if (leads_to) *leads_to = beside.all();
+  };
   if (original && original->writes(extension_of(path))) {
     std::vector<std::string> notes = copy_companions(original->companions(), beside);
-    append(notes, original->write_file(path, content.surface, content.positions, digits, progress));
-    beside.keep();
+    append(notes, original->write_file(path, content.surface, content.positions, digits, progress, &beside));
+    keep();
     return notes;
   }
   const Format format = format_for(path);
+  if (format == write_stl && content.surface.triangles.empty())
+    throw base::Error(path.string(), "STL holds triangles alone, and there are none",
+                      "write .obj, .ply, .off or .glb");
   std::vector<std::string> notes;
   if (original) notes = left_out(extension_of(path), *original);
-  if (auto note = triangles_note(extension_of(path), content.surface); !note.empty())
-    notes.push_back(std::move(note));
+  append(notes, triangles_notes(extension_of(path), content.surface));
   if (!content.attributes) {
     write_as(path, digits, progress, [&](TextWriter& out) { format(content, out); });
     return notes;
@@ -93,28 +102,35 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   write_as(path, digits, progress, [&](TextWriter& out) {
     library.empty() ? format(converted, out) : write_obj_with_library(converted, library, out);
   });
-  beside.keep();
+  keep();
   return notes;
 }
 
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
                                         const Original* original, const MorphAnimation& animation,
                                         base::Progress* progress) {
+  return write_animated(path, content, original, morph_motion(animation, content.positions), progress);
+}
+
+std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
+                                        const Original* original, const MorphMotion& motion,
+                                        base::Progress* progress) {
   const Format format = format_for(path);
   if (format != write_glb && format != write_gltf)
     throw base::Error(path.string(), "this format has no morph targets", "write .glb or .gltf");
-  check_animation(animation, content.surface.positions.size());
+  check_motion(motion, content.surface.positions.size());
+  check_written(path.string(), content.positions);
   const std::string extension = extension_of(path);
   if (original && original->writes(extension)) {
     FilesBeside beside(path);
     std::vector<std::string> notes = copy_companions(original->companions(), beside);
-    append(notes, original->write_animated(path, content.surface, content.positions, animation, progress));
+    append(notes, original->write_animated(path, content.surface, content.positions, motion, progress));
     beside.keep();
     return notes;
   }
   std::vector<std::string> notes;
   if (original) notes = left_out(extension, *original);
-  if (auto note = triangles_note(extension, content.surface); !note.empty()) notes.push_back(std::move(note));
+  append(notes, triangles_notes(extension, content.surface));
   Attributes now;
   if (content.attributes) {
     now = deformed_attributes(content.surface, content.positions, *content.attributes);
@@ -123,7 +139,7 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
   }
   const Content converted{content.surface, content.positions, content.comments, &now};
   write_as(path, {}, nullptr, [&](TextWriter& out) {
-    write_gltf_animated(converted, animation, format == write_glb, out, progress);
+    write_gltf_animated(converted, motion, format == write_glb, out, progress);
   });
   return notes;
 }

@@ -67,14 +67,21 @@ private:
   std::vector<float> values_, line_;
 };
 
+// Farther off floats do not tell cells apart, and past all numbers there is no cell.
+bool has_cell(const glm::vec3& point, float cell) {
+  return glm::all(glm::lessThan(glm::abs(glm::vec2(point)), glm::vec2(0x1p22F * cell)));
+}
+
 struct Box {
   glm::vec2 low{1e30F}, high{-1e30F};
 };
 
-Box bounds(std::span<const glm::vec3> points) {
+Box bounds(std::span<const glm::vec3> points, float cell) {
   Box box;
-  for (const auto& p : points)
-    box.low = glm::min(box.low, glm::vec2(p)), box.high = glm::max(box.high, glm::vec2(p));
+  for (const auto& p : points) {
+    if (has_cell(p, cell))
+      box.low = glm::min(box.low, glm::vec2(p)), box.high = glm::max(box.high, glm::vec2(p));
+  }
   return box;
 }
 
@@ -123,9 +130,9 @@ SpreadPoints::SpreadPoints(std::span<const Triangle> triangles, std::span<const 
 // Cells lie on a fixed grid, so that the shadow of what moves does not swim.
 GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
   GroundShadow shadow;
-  const Box box = bounds(points);
   shadow.cell = size / cells_per_size;
-  if (points.empty() || !(shadow.cell > 0)) return shadow;
+  const Box box = bounds(points, shadow.cell);
+  if (!(shadow.cell > 0) || !(box.low.x <= box.high.x)) return shadow;
   const glm::vec2 first = glm::floor(box.low / shadow.cell) - static_cast<float>(margin);
   const glm::vec2 count = glm::min(
       glm::floor(box.high / shadow.cell) + 1.0F + static_cast<float>(margin) - first, glm::vec2(most_cells));
@@ -135,6 +142,7 @@ GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
 
   Cells near_by(shadow.width, shadow.height), far_off(shadow.width, shadow.height);
   for (const auto& p : points) {
+    if (!has_cell(p, shadow.cell)) continue;
     const glm::vec2 at = glm::floor(glm::vec2(p) / shadow.cell) - first;
     const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
     if (x >= shadow.width - margin || y >= shadow.height - margin) continue;

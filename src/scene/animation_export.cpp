@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -18,7 +19,7 @@
 #include "mesh/source.h"
 #include "mesh/write.h"
 #include "scene/animated_model.h"
-#include "scene/animation_samples.h"
+#include "scene/morph_plan.h"
 #include "scene/pose_json.h"
 
 namespace viete::scene {
@@ -109,9 +110,17 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   mesh::PointCacheWriter writer(what.model.file, cache_head(what, frames), cache_key(what, model));
   AnimationReport report{.frames = frames.size(), .there = writer.frames_there()};
   FrameNotes notes;
+  const auto floats = [&](int frame) {
+    try {
+      return model.floats(frame);
+    } catch (const base::Error&) {
+      writer.discard();  // nobody could go on with it
+      throw;
+    }
+  };
   try {
     for (std::size_t i = writer.frames_there(); i < frames.size(); ++i) {
-      writer.append(model.floats(frames[i]));
+      writer.append(floats(frames[i]));
       notes.add(model.notes());
       if (progress) progress->report(static_cast<double>(i + 1) / static_cast<double>(frames.size()));
     }
@@ -130,19 +139,19 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
 // Keys of the range, its ends, and what comes before a jump.
 std::vector<double> sampled_frames(const AnimationExport& what) {
   std::set<double> frames{double(what.first), double(what.last)};
+  const double jump = std::max(jump_frames, (what.last - what.first) * 0x1p-21);  // floats tell it apart
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;
     if (frame <= what.first || frame > what.last) continue;
     frames.insert(frame);
-    if (i > 0 && keys[i - 1].easing == Easing::hold) frames.insert(frame - jump_frames);
+    if (i > 0 && keys[i - 1].easing == Easing::hold) frames.insert(frame - jump);
   }
   return {frames.begin(), frames.end()};
 }
 
 double diagonal_of(const mesh::Surface& surface) {
-  const mesh::Bounds box = mesh::bounds(surface.positions);
-  return std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
+  return std::max(mesh::bounds(surface.positions).diagonal(), 1e-300);
 }
 
 std::string frame_name(double frame) {
@@ -151,53 +160,119 @@ std::string frame_name(double frame) {
   return text;
 }
 
-mesh::MorphAnimation morph_animation(const AnimationExport& what, const MotionSamples& motion) {
-  mesh::MorphAnimation animation{what.model.file.stem().string(), {}, true};
-  for (const auto& [frame, positions] : motion.samples)
-    animation.keys.push_back({(frame - what.first) / what.rate, frame_name(frame), positions});
-  return animation;
-}
-
 // Below this nothing can be told from rounding of floats.
 constexpr double least_tolerance = 1e-7;
 
-MotionSamples sampled(const AnimationExport& what, AnimatedModel& model, double diagonal, FrameNotes& notes,
-                      base::Progress* progress) {
-  const MotionAt at = [&](double frame) {
-    auto positions = model.positions(frame);
-    notes.add(model.notes());
-    return positions;
-  };
-  if (what.every_frame) {
-    const auto frames = what.frames();
-    return sample_at({frames.begin(), frames.end()}, at, progress);
+// Of a target: three floats, and three of its normal.
+double bytes_of_vertex(const AnimationExport& what) {
+  return what.normals ? 24 : 12;
+}
+
+// A GLB file says its size in 32 bits, and holds the model too.
+double most_bytes(const AnimationExport& what) {
+  return mesh::extension_of(what.model.file) == "glb" ? std::min(what.most_bytes, 4.2e9) : what.most_bytes;
+}
+
+// The model in time, and how few targets show it.
+class MorphedModel {
+public:
+  MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
+      : what_(what), pool_(pool), diagonal_(diagonal_of(*what.model.model)) {
+    if (progress) progress->section(0, 0.05);
+    model_.emplace(what.model, what.timeline, AnimatedModel::Precision::fast,
+                   std::min(fast_frame_error, 0.1 * what.tolerance), judged_frames(what.frames()), pool,
+                   progress);
   }
-  return sample_motion(sampled_frames(what), at, std::max(what.tolerance, least_tolerance) * diagonal,
-                       progress);
+
+  // By every so many vertices.
+  MorphPlan plan(std::size_t step, base::Progress* progress) {
+    const auto given = what_.frames();
+    return plan_morphs(
+        some(what_.model.model->positions, step),
+        what_.every_frame ? std::vector<double>(given.begin(), given.end()) : sampled_frames(what_),
+        [&, step](double frame) { return some(at(frame), step); },
+        {.tolerance = std::max(what_.tolerance, least_tolerance) * diagonal_,
+         .refines = !what_.every_frame,
+         .bytes_of_vertex = bytes_of_vertex(what_) * static_cast<double>(step),
+         .most_bytes = most_bytes(what_)},
+        pool_, progress);
+  }
+
+  mesh::MorphMotion motion(const MorphPlan& plan) {
+    mesh::MorphMotion motion;
+    motion.name = what_.model.file.stem().string();
+    motion.normals = what_.normals;
+    for (const double frame : plan.frames) motion.seconds.push_back((frame - what_.first) / what_.rate);
+    for (const auto& target : plan.targets) motion.targets.push_back(frame_name(target.frame));
+    motion.weights = plan.weights;
+    motion.moves = plan.moves;
+    motion.positions = [&](std::size_t t) {
+      return plan.positions(t, what_.model.model->positions, [&](double frame) { return at(frame); });
+    };
+    return motion;
+  }
+
+  void tell(const MorphPlan& plan, AnimationReport& report) {
+    report.targets = plan.targets.size();
+    report.frames = plan.frames.size();
+    report.notes = notes_.take();
+    const double asked = what_.tolerance * diagonal_;
+    if (plan.error > asked && !what_.every_frame)
+      report.notes.push_back("the tolerance of " + scientific(what_.tolerance) +
+                             " is below what floats tell apart in coordinates of up to " +
+                             scientific(plan.farthest) + ": it is not kept everywhere");
+    report.summary = base::counted(report.targets, "morph target") + " that " +
+                     (report.targets == 1 ? "takes " : "take ") + base::counted(report.frames, "pose") +
+                     " with straight lines between them, off by up to " + scientific(plan.error / diagonal_) +
+                     " of the model's diagonal; " + engine_text(*model_);
+  }
+
+  FrameNotes& notes() { return notes_; }
+
+private:
+  static std::vector<mesh::Point> some(std::vector<mesh::Point> all, std::size_t step) {
+    for (std::size_t i = 0; i * step < all.size(); ++i) all[i] = all[i * step];
+    all.resize((all.size() + step - 1) / step);
+    return all;
+  }
+
+  std::vector<mesh::Point> at(double frame) {
+    auto positions = model_->positions(frame);
+    notes_.add(model_->notes());
+    return positions;
+  }
+
+  const AnimationExport& what_;
+  base::WorkerPool& pool_;
+  double diagonal_;
+  std::optional<AnimatedModel> model_;
+  FrameNotes notes_;
+};
+
+// Text holds the bytes as letters, and is put together in memory.
+void require_memory_of(const AnimationExport& what, const MorphPlan& plan) {
+  const double copies = mesh::extension_of(what.model.file) == "glb" ? 1 : 4;
+  base::require_memory({copies * plan.bytes(bytes_of_vertex(what)),
+                        base::counted(plan.targets.size(), "morph target") + " take",
+                        "allow a larger tolerance, export fewer frames, or write a point cache (.pc2)",
+                        what.model.file.string()});
 }
 
 AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
-  const double most = std::min(fast_frame_error, 0.1 * what.tolerance);
-  if (progress) progress->section(0, 0.05);
-  AnimatedModel model(what.model, what.timeline, AnimatedModel::Precision::fast, most,
-                      judged_frames(what.frames()), pool, progress);
-  const double diagonal = std::max(diagonal_of(*what.model.model), 1e-300);
-  if (progress) progress->section(0.05, 0.7);
-  FrameNotes notes;
-  const MotionSamples motion = sampled(what, model, diagonal, notes, progress);
+  MorphedModel model(what, pool, progress);
+  const MorphPlan plan = model.plan(1, progress);
+  require_memory_of(what, plan);
   if (progress) progress->section(0.7, 1);
   const mesh::Content content{
       *what.model.model, what.model.model->positions, {}, what.model.attributes.get()};
-  AnimationReport report{.frames = motion.samples.size()};
-  notes.add(mesh::write_animated(what.model.file, content, what.model.original.get(),
-                                 morph_animation(what, motion), progress));
+  model.notes().add(mesh::write_animated(what.model.file, content, what.model.original.get(),
+                                         model.motion(plan), progress));
   const std::string extension = mesh::extension_of(what.model.file);
   const bool original = what.model.original && what.model.original->writes(extension);
   const std::string units = original ? "" : gltf_note(what.model.unit, what.model.up);
-  if (!units.empty()) notes.add({units});
-  report.notes = notes.take();
-  report.summary = base::counted(report.frames, "pose") + " with straight lines between them, off by up to " +
-                   scientific(motion.error / diagonal) + " of the model's diagonal; " + engine_text(model);
+  if (!units.empty()) model.notes().add({units});
+  AnimationReport report;
+  model.tell(plan, report);
   return report;
 }
 
@@ -227,8 +302,9 @@ AnimationReport write_frames(const AnimationExport& what, base::WorkerPool& pool
     if (progress) progress->section(at / count, (at + 0.5) / count);
     deform::ExactModel deformed = model.exact(pose, progress);
     if (progress) progress->section((at + 0.5) / count, (at + 1) / count);
-    notes.add(write_exact(one, std::move(deformed), progress));
-    made.add(missing[i]);
+    std::vector<fs::path> leads_to;
+    notes.add(write_exact(one, std::move(deformed), progress, &leads_to));
+    made.add(missing[i], leads_to);
   }
   AnimationReport report{.frames = all.size(), .there = all.size() - missing.size()};
   report.notes = notes.take();
@@ -281,6 +357,15 @@ void check_animation_export(const AnimationExport& what) {
     throw base::Error("", "there are no keys in time, so that nothing moves",
                       "set keys on the timeline, and save the session");
   base::check_replaceable(is_numbered(what) ? base::NumberedName(file).file(what.first) : file);
+}
+
+MorphEstimate estimate_morphs(const AnimationExport& what, base::Progress* progress) {
+  base::WorkerPool pool;
+  MorphedModel model(what, pool, progress);
+  constexpr std::size_t enough = 2000;
+  const std::size_t step = std::max<std::size_t>(1, what.model.model->positions.size() / enough);
+  const MorphPlan plan = model.plan(step, progress);
+  return {plan.targets.size(), plan.bytes(bytes_of_vertex(what) * static_cast<double>(step))};
 }
 
 AnimationReport write_animation(const AnimationExport& what, base::Progress* progress) {

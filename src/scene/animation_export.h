@@ -29,7 +29,9 @@ struct AnimationExport {
   double rate = 24;                   ///< frames a second
   double tolerance = 1e-4;   ///< of morph targets: how far from the motion lines between them may lead, in
                              ///< diagonals of the model; above 0
-  bool every_frame = false;  ///< morph targets at every frame instead
+  bool every_frame = false;  ///< morph targets take the motion at these frames alone
+  bool normals = true;      ///< of morph targets: without, they take half as much, and light stays as at rest
+  double most_bytes = 1e9;  ///< of morph targets and their weights; more is refused
   bool replaces_foreign = false;  ///< numbered files that somebody else has made are replaced
   bool keeps_unfinished =
       true;  ///< where it ends early, what is done of a single file stays for the next run
@@ -41,10 +43,11 @@ struct AnimationExport {
 AnimationExport animation_export_of(const Document& document, const std::filesystem::path& file);
 
 struct AnimationReport {
-  std::size_t frames = 0;            ///< or morph targets, that are in the files now
+  std::size_t frames = 0;            ///< that are in the files now, or poses between which morph targets go
   std::size_t there = 0;             ///< of these, that an earlier run had made
   std::string summary{};             ///< one line: what was written, by which engine, and how exact it is
   std::vector<std::string> notes{};  ///< what a person should know of the result, one line each
+  std::size_t targets = 0;           ///< morph targets
 };
 
 /// The extensions of one file for all frames, and of one a frame: "pc2", "glb" ...; "obj" ...
@@ -66,6 +69,14 @@ void check_animation_export(const AnimationExport& what);
 /// as they are, where that is off by no more than fast_frame_error at three frames, and double otherwise; so
 /// do morph targets. The summary says which, and how far off.
 AnimationReport write_animation(const AnimationExport& what, base::Progress* progress = nullptr);
+
+/// What morph targets would take beside the model, by some of its vertices.
+struct MorphEstimate {
+  std::size_t targets = 0;
+  double bytes = 0;
+};
+/// Writes nothing. Requires keys. Throws what write_animation() does. Thread-safe.
+MorphEstimate estimate_morphs(const AnimationExport& what, base::Progress* progress = nullptr);
 
 /// Diagonals of the cage.
 inline constexpr double fast_frame_error = 2e-6;

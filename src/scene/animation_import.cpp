@@ -75,7 +75,7 @@ std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::S
                                           const deform::Cage& cage) {
   std::vector<std::uint32_t> all(found.positions.size());
   std::iota(all.begin(), all.end(), 0U);
-  if (found.triangles == cage.surface.triangles) return all;
+  if (mesh::same_faces(found, cage.surface)) return all;
   const mesh::PointTree tree(found.positions, all);
   std::vector<bool> taken(all.size());
   const double near = 1e-6 * cage.diagonal;
@@ -94,7 +94,8 @@ std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::S
 }
 
 CageClip clip_of(const fs::path& file, const deform::Cage& cage, std::vector<std::string>& warnings) {
-  const mesh::ReadResult read = mesh::read(file);
+  constexpr bool played = true;
+  const mesh::ReadResult read = mesh::read(file, nullptr, played);
   warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
   CageClip found{read.original ? read.original->morphs() : nullptr, {}};
   if (!found.clip) return found;
@@ -119,6 +120,7 @@ void add_targets(const fs::path& file, const CageClip& found, ImportedPoses& all
 }
 
 void add_poses_of(const fs::path& file, const deform::Cage& cage, ImportedPoses& all) {
+  all.files.push_back(file);
   if (is_gltf(file)) {
     const CageClip found = clip_of(file, cage, all.warnings);
     if (found.clip) return add_targets(file, found, all);
@@ -242,7 +244,7 @@ public:
       warnings.push_back(file_ + ": " + base::counted(skipped_, "key") + " fall on the frame of another at " +
                          base::few_digits(rate) +
                          " frames a second and were left out; choose a higher rate first");
-    return {std::move(keys_), std::move(warnings)};
+    return {std::move(keys_), std::move(warnings), {file_}};
   }
 
 private:
@@ -265,7 +267,10 @@ ImportedKeys keys_of_files(const base::NumberedName& name, const deform::Cage& c
     report_part(progress, i, files.size());
     keys.add(static_cast<double>(files[i].number), deform::read_pose(files[i].path, cage, warnings));
   }
-  return keys.take(std::move(warnings), 0);
+  ImportedKeys read = keys.take(std::move(warnings), 0);
+  read.files.clear();
+  for (const base::NumberedFile& file : files) read.files.push_back(file.path);
+  return read;
 }
 
 ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,

@@ -17,6 +17,7 @@ namespace viete::scene {
 struct ImportedPoses {
   std::vector<NamedPose> poses;
   std::vector<std::string> warnings;
+  std::vector<std::filesystem::path> files;  ///< that were read
 };
 
 /// Posed cages, each a pose of its file's name, with the turns that it says; a glTF file with morph targets
@@ -29,6 +30,7 @@ ImportedPoses read_poses(std::span<const std::filesystem::path> files, const def
 struct ImportedKeys {
   std::vector<PoseKey> keys;  ///< by frame
   std::vector<std::string> warnings;
+  std::vector<std::filesystem::path> files;  ///< that were read
 };
 
 /// How seconds become frames: those of a file begin at `first`.

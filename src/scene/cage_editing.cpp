@@ -98,6 +98,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
 cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
   cages::Edited edited{cage, {}, {}};
   edited.surface.positions = std::move(positions);
+  mesh::triangulate(edited.surface);
   for (std::uint32_t v = 0; v < cage.positions.size(); ++v) edited.origins.push_back({{v}});
   return edited;
 }

@@ -37,7 +37,7 @@ OpenedSurface made_cage_of(const JsonReader& json) {
     }
     surface.polygon_starts.push_back(static_cast<std::uint32_t>(surface.corners.size()));
   }
-  mesh::fan_triangulate(surface);
+  mesh::triangulate(surface);
   const auto name = json.find("name");
   return made_surface(std::move(surface), name ? name->text() : "made here");
 }

@@ -460,6 +460,8 @@ std::vector<Command> most_commands() {
       {"toggle_normalise", "normalised",
        "Every vertex that an element reaches at all follows in full: the motion ends with a jump. Else it fades out.", "Blend",
        {}, {}, with_free_hand<has_normalise>, toggle_weighting<&deform::Weighting::normalise>},
+      {"toggle_apart", "Parts come apart", "Weights spread along the surface alone, as in sessions before version 0.3: parts of a model do not stay together.", "Blend",
+       {}, {}, with_free_hand<has_surface_weights>, toggle_weighting<&deform::Weighting::apart>},
       {"reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", "Blend", {key('K')}, {}, with_free_hand<has_reach>,
        [](Workspace& w) { step_reach(w.document, -1); }},
       {"reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.", "Blend", {key('K'), false, true}, {},

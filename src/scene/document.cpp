@@ -10,6 +10,7 @@
 #include "mesh/content_key.h"
 #include "mesh/read.h"
 #include "mesh/text_cursor.h"
+#include "scene/output.h"
 #include "scene/pose_edit.h"
 #include "scene/range.h"
 
@@ -46,6 +47,8 @@ void check_sizes(const Document& document, const SizeRange& range) {
     check_pose("the pose " + mesh::in_quotes(named.name), named.pose->cage.positions, range);
   for (const PoseKey& key : document.timeline.keys)
     check_pose("the key of frame " + std::to_string(key.frame), key.pose->cage.positions, range);
+  if (document.library.unmixed)
+    check_pose("the pose before others are mixed in", document.library.unmixed->cage.positions, range);
   if (document.cage_file.surface)
     check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
 }
@@ -104,6 +107,7 @@ void set_cage(Document& document, OpenedSurface cage) {
     throw base::Error(place_of(cage), error.problem(), error.advice());
   }
   document.cage_file = std::move(cage);
+  if (!document.cage_file.path.empty()) document.also_read.push_back({document.cage_file.path, the_cage});
   document.pose = deform::rest_pose(*document.cage);
   document.selection.clear();
   document.groups = {};
@@ -137,6 +141,7 @@ std::vector<std::string> open_pose(Document& document, const std::filesystem::pa
   }
   std::vector<std::string> warnings;
   set_pose(document, deform::read_pose(path, *document.cage, warnings));
+  document.also_read.push_back({path, the_pose});
   return warnings;
 }
 

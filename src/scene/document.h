@@ -15,6 +15,7 @@
 #include "deform/scheme.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
+#include "scene/files_in_use.h"
 #include "scene/history.h"
 #include "scene/opened_surface.h"
 #include "scene/pose_library.h"
@@ -52,6 +53,7 @@ struct Document {
   OpenedSurface cage_file;                   ///< surface is null when there is no cage
   std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
   std::filesystem::path cage_beside;         ///< a file that looks like a cage of the model, which has none
+  std::vector<FileInUse> also_read;          ///< poses and keys that came into it, and cages that it had
   deform::Pose pose;
   std::optional<deform::Pose>
       kept_pose;      ///< the real one while the cage itself is edited, see cage_editing.h

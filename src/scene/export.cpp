@@ -86,7 +86,7 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
 }
 
 std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
-                                     base::Progress* progress) {
+                                     base::Progress* progress, std::vector<std::filesystem::path>* leads_to) {
   if (is_at_rest(what)) {
     deformed.positions = what.model->positions;
   } else {
@@ -94,7 +94,7 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
   }
   const mesh::Content content{*what.model, deformed.positions, {}, what.attributes.get()};
   std::vector<std::string> notes =
-      mesh::write(what.file, content, what.original.get(), what.digits, progress);
+      mesh::write(what.file, content, what.original.get(), what.digits, progress, leads_to);
   std::ranges::move(deformed.warnings, std::back_inserter(notes));
   for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
   const std::string extension = mesh::extension_of(what.file);

@@ -44,9 +44,10 @@ Export export_of(const Document& document, const std::filesystem::path& file);
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress = nullptr);
 
 /// The second half of it: the model deformed already, by deform_exactly() or an ExactDeformer, of all that is
-/// in `what`.
+/// in `what`. leads_to: see mesh::write(); or null.
 std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
-                                     base::Progress* progress = nullptr);
+                                     base::Progress* progress = nullptr,
+                                     std::vector<std::filesystem::path>* leads_to = nullptr);
 
 /// A checksum of all that the file is made from but its pose, the probes' poses and its name. Reads the
 /// model's file again, which the exported one may be a copy of.

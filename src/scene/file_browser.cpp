@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <utility>
 
+#include "base/atomic_file.h"
 #include "base/numbered_files.h"
 #include "mesh/source.h"
 #include "scene/animation_export.h"
+#include "scene/output.h"
 #include "scene/session.h"
 
 namespace viete::scene {
@@ -69,13 +72,23 @@ std::span<const std::string_view> FileBrowser::formats() const {
   return std::span(all).first(pose ? 3 : all.size());
 }
 
-bool FileBrowser::replaces() const {
-  std::error_code ignored;
-  return saves() && fs::is_regular_file(chosen_file(*this), ignored);
+bool FileBrowser::makes_morphs() const {
+  const std::string format = format_of(*this);
+  return purpose == Purpose::save_animation && (format == "glb" || format == "gltf") &&
+         !base::NumberedName::is_pattern(path);
 }
 
-void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const std::string& suggested) {
+bool FileBrowser::replaces() const {
+  if (!saves()) return false;
+  const fs::path file = chosen_file(*this);
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) && !in_use.find(file);
+}
+
+void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const std::string& suggested,
+          FilesInUse in_use) {
   browser.suggested = suggested;
+  browser.in_use = std::move(in_use);
   browser.open = browser.appearing = true;
   browser.purpose = purpose;
   browser.problem.clear();
@@ -90,7 +103,8 @@ void enter(FileBrowser& browser, const fs::path& folder) {
     const fs::path absolute = fs::weakly_canonical(fs::absolute(folder));
     browser.entries = list(absolute, browser);
     browser.folder = absolute;
-    browser.path = (browser.saves() ? absolute / browser.suggested : absolute).string();
+    browser.path =
+        (browser.saves() ? proposed_name(absolute / browser.suggested, browser.in_use) : absolute).string();
     browser.problem.clear();
     browser.filter.clear();
     browser.highlighted = browser.saves() ? FileBrowser::none : 0;
@@ -156,6 +170,9 @@ std::string problem_of_name(const FileBrowser& browser) {
   if (name.empty() || fs::is_directory(file, ignored)) return "Give the file a name.";
   if (!fs::is_directory(file.parent_path(), ignored))
     return file.parent_path().string() + " is no folder; choose another one";
+  if (const std::string* used = browser.in_use.find(file))
+    return name + " is open (" + *used + ") and stays as it is; " +
+           base::unused_name(file).filename().string() + " would be free.";
   const auto formats = browser.formats();
   const bool known = browser.purpose == Purpose::save_session ||
                      std::find(formats.begin(), formats.end(), mesh::extension_of(file)) != formats.end();
@@ -179,8 +196,9 @@ std::string format_of(const FileBrowser& browser) {
 
 void set_format(FileBrowser& browser, const std::string& extension) {
   fs::path path = browser.path;
-  browser.path = path.replace_extension(extension).string();
-  browser.suggested = path.filename().string();
+  browser.suggested = path.replace_extension(extension).filename().string();
+  browser.path = path.string();
+  browser.path = proposed_name(chosen_file(browser), browser.in_use).string();
   browser.highlighted = FileBrowser::none;  // the hand is at the name
   browser.problem.clear();
 }

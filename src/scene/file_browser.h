@@ -8,7 +8,17 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/files_in_use.h"
+
 namespace viete::scene {
+
+/// What a person asks of morph targets, see AnimationExport.
+struct MorphChoice {
+  double tolerance = 1e-4;
+  bool normals = true;
+
+  friend bool operator==(const MorphChoice&, const MorphChoice&) = default;
+};
 
 struct FileBrowser {
   enum class Purpose {
@@ -39,23 +49,29 @@ struct FileBrowser {
   std::string path;  ///< what the text field holds
   std::string problem;    ///< why the folder could not be listed; empty if it could
   std::string suggested;  ///< file name to save under; kept while folders are walked
+  FilesInUse in_use;      ///< that are neither proposed nor replaced
   std::string filter;     ///< only entries that contain it, without regard to case, are shown
   std::string warned;     ///< the path whose file Enter would have replaced: a second Enter does
   /// Among the entries that are shown: what Enter takes. Past them: none, and Enter saves under the name.
   std::size_t highlighted = 0;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
+  MorphChoice morphs;
+  std::string morph_size;  ///< how many targets these take, and how much; empty: it is being found
+
   bool saves() const { return purpose >= Purpose::save_session; }
   /// Of surfaces that fit the purpose: "obj", "ply", "off", "stl", "glb", "gltf"; of a pose without the last
   /// three, which keep no order of the vertices; of animations "pc2", "mdd" and "glb" too.
   std::span<const std::string_view> formats() const;
-  /// Whether the file of the text field is there, so that saving would replace it.
+  /// Whether the file of the text field is an animation of morph targets.
+  bool makes_morphs() const;
+  /// Whether the file of the text field is there and not in use, so that saving would replace it.
   bool replaces() const;
 };
 
 /// Shows the browser in a folder (the current one if it is empty or gone).
 void show(FileBrowser& browser, FileBrowser::Purpose purpose, const std::filesystem::path& folder,
-          const std::string& suggested = "");
+          const std::string& suggested = "", FilesInUse in_use = {});
 /// Lists another folder; on failure stays where it is and says why.
 void enter(FileBrowser& browser, const std::filesystem::path& folder);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/output.h"
+
 namespace viete::scene {
 
 namespace {
@@ -22,10 +24,21 @@ void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
   show(w.browser, purpose, there ? file.parent_path() : w.remembered.folder);
 }
 
+// What a file of this purpose may replace though it is open: itself as it was read.
+std::string_view own_of(Purpose purpose) {
+  switch (purpose) {
+    case Purpose::save_session: return the_session;
+    case Purpose::save_pose: return the_pose;
+    case Purpose::save_cage: return the_cage;
+    default: return no_own;
+  }
+}
+
 // "cage" becomes "cage_pose.obj", in the folder of the session or else beside the file it comes from.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
   const fs::path& beside = w.saved.session.empty() ? from : w.saved.session;
-  show(w.browser, purpose, beside.parent_path(), from.stem().string() + ending);
+  show(w.browser, purpose, beside.parent_path(), from.stem().string() + ending,
+       files_open(w, own_of(purpose)));
 }
 
 }  // namespace

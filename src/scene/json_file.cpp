@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "mesh/foreign_content.h"
 #include "mesh/source.h"
 
 namespace viete::scene {
@@ -193,7 +194,9 @@ json read_json(const std::filesystem::path& path) {
   std::error_code code;
   const auto size = std::filesystem::file_size(path, code);
   if (!code) check_length(size, path);  // of what is no file, reading knows better words
-  const std::string text = surveyed(mesh::FileBytes(path, nullptr).view(), path);
+  const mesh::FileBytes bytes(path, nullptr);
+  mesh::refuse_foreign(path.string(), bytes.view());
+  const std::string text = surveyed(bytes.view(), path);
   return json::parse(text);
 }
 

@@ -24,7 +24,7 @@ public:
         for (int x = 0; x < cells[0]; ++x) add_sides({x, y, z});
       }
     }
-    mesh::fan_triangulate(surface_);
+    mesh::triangulate(surface_);
     return std::move(surface_);
   }
 

@@ -11,6 +11,7 @@
 #include "scene/animation.h"
 #include "scene/animation_import.h"
 #include "scene/edit.h"
+#include "scene/output.h"
 #include "scene/pose_edit.h"
 #include "scene/pose_json.h"
 #include "scene/saving.h"
@@ -86,6 +87,7 @@ Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) 
     throw base::Error(named(2).string(), "a pose needs a cage and none is named", "name the cage too");
   }
   opened.document->pose = deform::read_pose(named(2), *opened.document->cage, opened.warnings);
+  opened.document->also_read.push_back({named(2), the_pose});
   return opened;
 }
 
@@ -114,6 +116,7 @@ Opened open_pose(const fs::path& file, const Document& current) {
   opened.file = file;
   opened.pose = deform::read_pose(file, *current.cage, opened.warnings);
   opened.pose_of = current.cage;
+  opened.also_read.push_back({file, the_pose});
   Document posed;
   posed.cage_file = current.cage_file;
   posed.pose = *opened.pose;
@@ -130,11 +133,21 @@ Opened of_open_cage(const fs::path& file, const Document& current) {
   return opened;
 }
 
+// What cannot be drawn is not taken.
+void check_imported(const Opened& imported) {
+  Document checked;
+  checked.library.poses = imported.poses;
+  checked.timeline.keys = imported.keys;
+  check_drawable(checked);
+}
+
 Opened open_poses(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
   Opened opened = of_open_cage(files.front(), current);
   ImportedPoses read = read_poses(files, *current.cage, progress);
   opened.poses = std::move(read.poses);
+  check_imported(opened);
   opened.warnings = std::move(read.warnings);
+  for (auto& path : read.files) opened.also_read.push_back({std::move(path), an_imported_pose});
   return opened;
 }
 
@@ -143,7 +156,9 @@ Opened open_animation(const fs::path& file, const Document& current, base::Progr
   const ImportTimes times{current.timeline.first, current.timeline.rate};
   ImportedKeys read = read_keys(file, *current.cage, times, progress);
   opened.keys = std::move(read.keys);
+  check_imported(opened);
   opened.warnings = std::move(read.warnings);
+  for (auto& path : read.files) opened.also_read.push_back({std::move(path), the_keys});
   return opened;
 }
 
@@ -215,7 +230,7 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
   const mesh::Surface& s = *surface.surface;
   const std::string name = name_of(surface);
   if (current.has_cage() && s.positions.size() == current.cage->surface.positions.size() &&
-      s.triangles == current.cage->surface.triangles) {
+      mesh::same_faces(s, current.cage->surface)) {
     Opened opened = open_pose(surface.path, current);
     opened.taken_as = "Took " + name + " as a pose: it has the vertices and faces of the cage";
     return opened;
@@ -424,6 +439,7 @@ void take(Workspace& w, Opened&& opened) {
     return w.messages.error(
         opened.file.string() + ": the cage was changed while this pose was read; open it again", {"open"});
   report(w, opened);
+  w.document.also_read.insert(w.document.also_read.end(), opened.also_read.begin(), opened.also_read.end());
   if (take_poses(w, opened)) return;
   if (opened.pose) return take_pose(w, std::move(*opened.pose));
   const bool same_model = opened.document->model.surface == w.document.model.surface;

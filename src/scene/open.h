@@ -24,6 +24,7 @@ struct Opened {
   std::optional<std::uint64_t> content;  ///< checksum of the session file; of unsaved work nothing
   bool recovered = false;                ///< the session is unsaved work
   bool has_settings = false;             ///< of the document: from the session, or asked for
+  std::vector<FileInUse> also_read;      ///< files of poses and keys
   std::vector<std::string> warnings;
   std::string taken_as;  ///< of dropped files: which was taken as what
 };

@@ -109,6 +109,9 @@ std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface
   std::vector<PictureShape> shapes;
   for (const std::size_t p : facing(view, model, at)) {
     shapes.push_back(area(view, Ink::model, model, p, at));
+    const auto last = model.polygon_starts[p + 1] - 1;
+    for (const auto& [i, j, k] : mesh::clipped_of(model, p))
+      shapes.back().triangles.push_back({last - i, last - j, last - k});
     shapes.back().tones = {lightness(normal_of(view, corners_of(model, p), at))};
   }
   return shapes;

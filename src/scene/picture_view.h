@@ -27,6 +27,8 @@ struct PictureShape {
   Ink ink;
   std::vector<glm::vec2> points{};  ///< logical pixels, y down
   std::vector<float> tones{};       ///< one for a part of the model, one a point for weights
+  std::vector<mesh::Triangle>
+      triangles{};  ///< of points, of a part of the model that is no fan about the last one
 
   friend bool operator==(const PictureShape&, const PictureShape&) = default;
 };

@@ -11,6 +11,7 @@
 #include "scene/animation_import.h"
 #include "scene/brush.h"
 #include "scene/cage_editing.h"
+#include "scene/output.h"
 #include "scene/session.h"
 
 namespace viete::scene {
@@ -19,12 +20,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Runs a step that writes; what goes wrong becomes a message.
+// Runs a step that writes where it may: over `own`, what this was read as, too. What goes wrong becomes a
+// message.
 template <class Step>
-bool attempt(Workspace& workspace, const char* what, const fs::path& path, Step step) {
+bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::string_view own, Step step) {
   const std::string topic = std::string("save ") + what;
   try {
-    base::check_replaceable(path);
+    const bool session = own == the_session;
+    const bool anew = session && path == workspace.saved.session;  // whatever has become of it
+    check_output(path, session ? Content::session : Content::surface, files_open(workspace, own),
+                 anew ? Force::given : Force::none);
     step();
     workspace.messages.succeeded(topic);
     workspace.messages.info(std::string("Saved the ") + what + " to " + path.string());
@@ -62,7 +67,7 @@ bool same_probes(const Workspace& w, bool by_time) {
 }  // namespace
 
 bool save_session(Workspace& workspace, const fs::path& path) {
-  return attempt(workspace, "session", path, [&] {
+  return attempt(workspace, "session", path, the_session, [&] {
     const std::string text = session_text(session_of(workspace), path);
     base::replace_file(path, text);
     workspace.saved.session = path;
@@ -73,20 +78,20 @@ bool save_session(Workspace& workspace, const fs::path& path) {
 }
 
 bool save_pose(Workspace& workspace, const fs::path& path) {
-  return attempt(workspace, "pose", path, [&] {
+  return attempt(workspace, "pose", path, the_pose, [&] {
     deform::write_pose(path, *workspace.document.cage, real_pose(workspace.document));
     mark_pose_saved(workspace);
   });
 }
 
 bool save_chosen_pose(Workspace& workspace, const fs::path& path) {
-  return attempt(workspace, "pose", path,
+  return attempt(workspace, "pose", path, no_own,
                  [&] { write_named_pose(workspace.document, *workspace.chosen_pose, path); });
 }
 
 bool save_cage(Workspace& workspace, const fs::path& path) {
   Document& document = workspace.document;
-  return attempt(workspace, "cage", path, [&] {
+  return attempt(workspace, "cage", path, the_cage, [&] {
     mesh::check_keeps_vertices(path);  // which poses, and the session, go by
     mesh::write(path, document.cage->surface, {"cage of " + document.model.path.filename().string()});
     document.history.file_replaced(path, document.cage);

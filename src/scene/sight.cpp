@@ -43,16 +43,17 @@ void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   if (area == 0 || !std::isfinite(area)) return;
   const glm::vec2 low = p + glm::min(glm::vec2(0), glm::min(u, v)),
                   high = p + glm::max(glm::vec2(0), glm::max(u, v));
-  const auto first = [](float from) {
-    return std::max(0, static_cast<int>(std::ceil(std::max(from, 0.0f) - 0.5f)));
+  const auto within = [](float place, float end) { return static_cast<int>(std::clamp(place, -1.0f, end)); };
+  const auto first = [&](float from, int count) {
+    return std::max(0, within(std::ceil(from - 0.5f), static_cast<float>(count)));
   };
-  const auto last = [](float to, int count) {
-    return static_cast<int>(std::min(std::floor(to - 0.5f), static_cast<float>(count - 1)));
+  const auto last = [&](float to, int count) {
+    return within(std::floor(to - 0.5f), static_cast<float>(count - 1));
   };
   const float n = nearness(a.z), along_u = nearness(b.z) - n, along_v = nearness(c.z) - n;
-  for (int y = first(low.y); y <= last(high.y, rows_); ++y) {
+  for (int y = first(low.y, rows_); y <= last(high.y, rows_); ++y) {
     float* row = nearest_.data() + static_cast<std::ptrdiff_t>(y) * columns_;
-    for (int x = first(low.x); x <= last(high.x, columns_); ++x) {
+    for (int x = first(low.x, columns_); x <= last(high.x, columns_); ++x) {
       const glm::vec2 d = glm::vec2(x, y) + 0.5f - p;
       const float s = (d.x * v.y - d.y * v.x) / area, t = (u.x * d.y - u.y * d.x) / area;
       if (s >= 0 && t >= 0 && s + t <= 1) row[x] = std::max(row[x], n + s * along_u + t * along_v);
@@ -62,8 +63,10 @@ void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
 
 // Of the places around it the deepest one counts: what stands at an edge or on a steep face is seen.
 bool Sight::sees(const glm::vec3& at) const {
-  const int column = static_cast<int>(std::floor(at.x / cell)),
-            row = static_cast<int>(std::floor(at.y / cell));
+  const glm::vec2 place = glm::floor(glm::vec2(at) / cell);
+  if (!(std::abs(place.x) <= static_cast<float>(columns_) && std::abs(place.y) <= static_cast<float>(rows_)))
+    return true;
+  const int column = static_cast<int>(place.x), row = static_cast<int>(place.y);
   float deepest = std::numeric_limits<float>::infinity();
   for (int y = row - 1; y <= row + 1; ++y) {
     for (int x = column - 1; x <= column + 1; ++x) {

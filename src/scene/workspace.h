@@ -186,9 +186,9 @@ struct Palette {
 /// Every command with its keys, to give it others.
 struct KeyList {
   bool open = false;
-  bool appearing = false;  ///< the keyboard is to go to its field
-  std::string typed;       ///< which commands are shown, as in the palette
-  bool waiting = false;    ///< in the last frame a command was waiting for its key
+  bool appearing = false;                     ///< the keyboard is to go to its field
+  std::string typed;                          ///< which commands are shown, as in the palette
+  bool waiting = false;                       ///< in the last frame a command was waiting for its key
   std::optional<Keymap::Changes> taken_back;  ///< all at once, while it is open
 };
 
@@ -237,6 +237,7 @@ struct Workspace {
   Saved saved;
   Remembered remembered;
   std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
+  std::filesystem::path binding_file;        ///< a saved binding that was named; empty: none
   std::filesystem::path recovered_from;      ///< the leftover that is open, until its work is safe elsewhere
   Revision opened = 0;                       ///< another document was opened
   std::vector<std::string> pose_notes;       ///< what the deformer had to decide in this pose, one line each

@@ -40,6 +40,20 @@ Sym3<T> square(const Sym3<T>& s) {
           s.xy * s.xz + s.yy * s.yz + s.yz * s.zz, s.xz * s.xz + s.yz * s.yz + s.zz * s.zz};
 }
 
+/// Where eigenvalues may be past the largest number: functions of S go by those of S / 256.
+template <class T>
+bool has_huge_eigenvalues(const Sym3<T>& s) {
+  return !is_diagonal(s) && largest_entry(s) > std::numeric_limits<T>::max() / 4;
+}
+
+/// log(256 S) of log(S).
+template <class T>
+Sym3<T> log_of_256_times(Sym3<T> log) {
+  constexpr T more = T(5.545177444479562475337856971665412545);
+  log.xx += more, log.yy += more, log.zz += more;
+  return log;
+}
+
 template <class T>
 Sym3<T> nan_matrix() {
   constexpr T nan = std::numeric_limits<T>::quiet_NaN();

@@ -17,7 +17,8 @@ namespace viete::sym3 {
 // relative to M. By the quartic for the trace of U (polar-inl.h) where (s1 + s2)(s1 + s3)(s2 + s3) is above 3
 // % of |M|^3, else by the largest eigenvector of Horn's 4x4 matrix (1987), refined once, some 1 us. Where s2
 // + s3 = 0 the nearest rotation is not unique: the answer is one of them, for M = 0 the identity. Any finite
-// entries; NaN or infinity gives nine NaN. Thread-safe; no allocation, no throw.
+// entries: of U only those are infinite that are past the largest number. NaN or infinity in M gives NaN.
+// Thread-safe; no allocation, no throw.
 
 template <class T>
 struct Polar {

@@ -57,10 +57,25 @@ struct RotationAndStretch {
   HWY_INLINE void general(D d, const V (&m)[in], V (&both)[out]) const {
     V r[9];
     RotationOf().general(d, m, r);
-    put_both(d, r, m, both);
+    put_in_range(d, r, m, both);
   }
 
 private:
+  /// Sums of three of the largest entries would be past all numbers on the way.
+  template <class D, class V>
+  static HWY_INLINE void put_in_range(D d, const V (&r)[9], const V (&m)[9], V (&both)[out]) {
+    using T = hn::TFromD<D>;
+    const V one = hn::Set(d, T(1));
+    V size = hn::Zero(d), scaled[9];
+    for (const V& x : m) size = hn::Max(size, hn::Abs(x));
+    const auto large = hn::Gt(size, hn::Set(d, T(sizeof(T) == 8 ? 1e307 : 1e37)));
+    const V down = hn::IfThenElse(large, hn::Set(d, T(0.0625)), one),
+            up = hn::IfThenElse(large, hn::Set(d, T(16)), one);
+    for (int k = 0; k < in; ++k) scaled[k] = hn::Mul(m[k], down);
+    put_both(d, r, scaled, both);
+    for (int k = 9; k < out; ++k) both[k] = hn::Mul(both[k], up);
+  }
+
   template <class D, class V>
   static HWY_INLINE void put_both(D d, const V (&r)[9], const V (&m)[9], V (&both)[out]) {
     V u[6];

@@ -100,6 +100,7 @@ bool is_usable(const Sym3<double>& s) {
 
 Sym3<double> log_in_double(const Sym3<double>& s) {
   if (!is_usable(s)) return nan_matrix<double>();
+  if (has_huge_eigenvalues(s)) return log_of_256_times(log_in_double(times(s, 0x1p-8)));
   if (is_near_identity(s)) {
     return recompose(Log1pOf(), eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
   }
@@ -107,6 +108,7 @@ Sym3<double> log_in_double(const Sym3<double>& s) {
 }
 
 Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
+  if (has_huge_eigenvalues(s)) return times(inv_sqrt_in_double(times(s, 0x1p-8)), 0x1p-4);
   return is_usable(s) ? of_positive(InvSqrtOf(), s) : nan_matrix<double>();
 }
 
@@ -117,6 +119,7 @@ constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::eps
 template <class T>
 Sym3<double> sqrt_in_double(const Sym3<double>& s) {
   if (!is_finite(s)) return nan_matrix<double>();
+  if (has_huge_eigenvalues(s)) return times(sqrt_in_double<T>(times(s, 0x1p-8)), 0x1p4);
   return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, SqrtOf(), s) : Sym3<double>{};
 }
 

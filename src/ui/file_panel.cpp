@@ -217,10 +217,34 @@ bool handle_keys(const Context& ui, bool typing_path) {
   return steps != 0;
 }
 
+// How near morph targets are to be, and what that takes.
+void morph_row(const Context& ui) {
+  scene::MorphChoice& morphs = ui.workspace.browser.morphs;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Off by up to");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(64);
+  if (const auto percent = number_field(ui, "morph_tolerance", 100 * morphs.tolerance))
+    morphs.tolerance = std::clamp(*percent / 100, 1e-7, 1.0);
+  record(ui, "morph_tolerance");
+  hint("How far what is played may be from the motion, in percent of the model's diagonal.");
+  ImGui::SameLine();
+  ImGui::TextUnformatted("%");
+  ImGui::SameLine(0, 18);
+  ImGui::Checkbox("Normals", &morphs.normals);
+  record(ui, "morph_normals");
+  hint("Light follows the motion in every player. Without, the file is half as large.");
+  ImGui::SameLine(0, 18);
+  const std::string& size = ui.workspace.browser.morph_size;
+  note(ui, size.empty() ? "finding out the size" : size);
+  record(ui, "morph_size");
+}
+
 void lists(const Context& ui, bool moved) {
   Browser& browser = ui.workspace.browser;
   const bool recent = browser.purpose == Purpose::model && !ui.workspace.remembered.recent.empty();
-  const float height = -(ImGui::GetFrameHeight() + 12);
+  const float row = ImGui::GetFrameHeight() + 12;
+  const float height = browser.makes_morphs() ? -2 * row : -row;
   if (recent) {
     ImGui::BeginChild("recent", {220, height}, true);
     note(ui, "Recent");
@@ -287,6 +311,7 @@ void file_panel(const Context& ui) {
   browser.appearing = false;
   const bool moved = browser.open && handle_keys(ui, typing_path);
   lists(ui, moved);
+  if (browser.makes_morphs()) morph_row(ui);
   button_row(ui);
   if (!open) browser.open = false;
   ImGui::End();

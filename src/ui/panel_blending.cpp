@@ -150,6 +150,10 @@ void weight_limits(const Context& ui) {
   record(ui, name, possible);
   ImGui::EndDisabled();
   if (!possible) hint(std::string(condition.otherwise));
+  if (!weighting.used_apart()) return;  // of older sessions alone
+  ImGui::SameLine();
+  command_toggle(ui, "toggle_apart", true);
+  record(ui, "toggle_apart", true);
 }
 
 bool amount_slider(const Context& ui, const char* name, const char* label, double& amount, bool used,

@@ -1,5 +1,7 @@
 #include "ui/picture_painter.h"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "ui/overlay_painter.h"
@@ -51,6 +53,7 @@ void PicturePainter::line(const Shape& shape, ImU32 color, float width, ImDrawFl
 
 void PicturePainter::fill(const Shape& shape, ImU32 color) {
   const auto points = placed(shape);
+  if (!shape.triangles.empty()) return triangles(shape, std::vector(points.size(), color));
   list_.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), color);
 }
 
@@ -70,17 +73,25 @@ ImU32 PicturePainter::color_of(float weight) const {
   return colors[static_cast<std::size_t>(weight * static_cast<float>(colors.size() - 1) + 0.5f)];
 }
 
-// A fan with a colour a corner.
 void PicturePainter::weighed(const Shape& shape) {
+  std::vector<ImU32> colors;
+  for (const float tone : shape.tones) colors.push_back(color_of(tone));
+  triangles(shape, colors);
+}
+
+// With a colour a corner.
+void PicturePainter::triangles(const Shape& shape, const std::vector<ImU32>& colors) {
   const auto points = placed(shape);
   const auto count = static_cast<unsigned>(points.size());
   const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
   list_.PrimReserve(static_cast<int>(3 * (count - 2)), static_cast<int>(count));
   const unsigned first = list_._VtxCurrentIdx;
-  for (unsigned i = 2; i < count; ++i) {
-    for (const unsigned corner : {0u, i - 1, i}) list_.PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
-  }
-  for (unsigned i = 0; i < count; ++i) list_.PrimWriteVtx(points[i], white, color_of(shape.tones[i]));
+  const auto write = [&](const std::array<unsigned, 3>& t) {
+    for (const unsigned corner : t) list_.PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
+  };
+  for (unsigned i = 2; i < count && shape.triangles.empty(); ++i) write({0u, i - 1, i});
+  std::ranges::for_each(shape.triangles, write);
+  for (unsigned i = 0; i < count; ++i) list_.PrimWriteVtx(points[i], white, colors[i]);
 }
 
 }  // namespace viete::ui

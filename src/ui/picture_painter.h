@@ -26,6 +26,7 @@ private:
   void square(const Shape& shape);
   ImU32 color_of(float weight) const;
   void weighed(const Shape& shape);
+  void triangles(const Shape& shape, const std::vector<ImU32>& colors);
 
   const Context& ui_;
   ImDrawList& list_;

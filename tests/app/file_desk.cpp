@@ -313,3 +313,38 @@ TEST_CASE("a_binding_is_kept_if_it_took_long_and_there_is_a_folder") {
     CHECK(files_in(kept) == c.files);
   }
 }
+
+TEST_CASE("an_export_takes_the_place_of_nothing_that_is_open") {
+  Desk d;
+  test::put_file(d.files / "model.mtl", "newmtl skin\nmap_Kd skin_0003.png\n");
+  test::put_file(d.files / "m.obj", "mtllib model.mtl\nusemtl skin\n" + test::file_bytes(d.files.model));
+  test::put_file(d.files / "skin_0003.png", "\x89PNG\r\n\x1a\n");
+  test::put_file(d.files / "k.pc2", "");
+  std::filesystem::create_symlink("m.obj", d.files / "link.obj");
+  for (const char* key : {"key_1.obj", "key_9.obj"}) std::filesystem::copy(d.files.pose, d.files / key);
+  d.begin(true, {.named = d.files / "k.pc2"});
+  d.open({d.files / "m.obj", d.files.cage});
+  d.open({d.files / "key_1.obj"}, What::animation);
+  REQUIRE(d.workspace.document.timeline.keys.size() == 2);
+  auto& requests = d.workspace.requests;
+  const auto refuses = [&](auto& request, const char* name, const char* why) {
+    const std::string before = test::file_bytes(d.files / name);
+    request = d.files / name;
+    d.frame();
+    d.desk->finish_exports(d.workspace);
+    CHECK(d.workspace.messages.all().back().severity == scene::Severity::error);
+    CHECK_MESSAGE(d.last_message().find(why) != std::string::npos, d.last_message());
+    CHECK(test::file_bytes(d.files / name) == before);
+  };
+  refuses(requests.save_model, "m.obj", "(the model)");
+  refuses(requests.save_model, "link.obj", "such as link-2.obj");
+  refuses(requests.save_model, "cage.obj", "(the cage)");
+  refuses(requests.save_model, "key_9.obj", "(the keys)");
+  refuses(requests.save_animation, "k.pc2", "(the binding)");
+  refuses(requests.save_animation, "key_#.obj", "(the keys)");
+  refuses(requests.save_animation, "skin_####.png", "(what the model leads to)");
+  requests.save_model = d.files / "out.obj";
+  d.frame();
+  d.desk->finish_exports(d.workspace);
+  CHECK(std::filesystem::exists(d.files / "out.obj"));
+}

@@ -15,7 +15,7 @@ struct BentStrip {
     surface.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, bend}, {0, 1, 0}, {1, 1, 0}, {2, 1, bend}};
     surface.corners = {0, 1, 4, 3, 1, 2, 5, 4};
     surface.polygon_starts = {0, 4, 8};
-    mesh::fan_triangulate(surface);
+    mesh::triangulate(surface);
     normals.resize(6);
     const auto around = mesh::vertex_triangles(6, surface.triangles);
     mesh::vertex_normals(surface.positions, surface.triangles, around, 0, 6, normals);

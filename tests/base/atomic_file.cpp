@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
+
 #include "base/error.h"
 #include "base/process.h"
 #include "base/progress.h"
@@ -268,4 +270,49 @@ TEST_CASE("a_growing_file_is_one_program_s_alone_and_an_empty_or_discarded_one_l
     CHECK_THROWS_AS(file.append("more than there is room for"), base::Error);
   }
   CHECK_FALSE(fs::exists(folder / "b"));
+}
+
+TEST_CASE("what_killed_programs_left_beside_a_file_goes_and_what_may_be_gone_on_with_stays") {
+  const test::TemporaryFolder folder;
+  const char* key = ".0123456789abcdef.unfinished";
+  const std::string gone[] = {"a.999999999-1-0.part", "b.999999999-1-0.part", std::string("b") + key};
+  const std::string kept[] = {
+      std::string("a") + key, std::string("locked") + key, "b.unfinished", "b.0123.unfinished", "b.part",
+      "b.-1-0.part",          std::string("long") + key};
+  for (const std::string& name : gone) test::put_file(folder / name, "x");
+  for (const std::string& name : kept) test::put_file(folder / name, "x");
+  const auto at = [&](const std::string& name, int seconds) {
+    fs::last_write_time(folder / name, fs::file_time_type::clock::now() + std::chrono::seconds(seconds));
+  };
+  at(kept[6], 100);  // so long after it was begun
+  const int handle = open((folder / kept[1]).c_str(), O_RDONLY);
+  REQUIRE(flock(handle, LOCK_EX) == 0);
+  base::remove_leftovers_beside(folder / "a");
+  for (const std::string& name : gone) CHECK_MESSAGE(!fs::exists(folder / name), name);
+  for (const std::string& name : kept) CHECK_MESSAGE(fs::exists(folder / name), name);
+  close(handle);
+  at(kept[6], -8 * 24 * 3600);
+  base::remove_leftovers_beside(folder / "b");
+  CHECK(folder.entries() == 4);
+  base::remove_leftovers_beside(folder / "none" / "a");
+}
+
+TEST_CASE("a_program_that_writes_nothing_leaves_the_file_as_it_was") {
+  const test::TemporaryFolder folder;
+  replace_file(folder / "a", "film");
+  {
+    base::FileOfProgram file(folder / "a");
+    CHECK_THROWS_WITH_AS(file.replace(), doctest::Contains("has written nothing"), base::Error);
+  }
+  {
+    base::FileOfProgram file(folder / "a");
+    fs::remove(file.part());
+    CHECK_THROWS_AS(file.replace(), base::Error);
+  }
+  CHECK(test::file_bytes(folder / "a") == "film");
+  base::FileOfProgram file(folder / "a");
+  test::put_file(file.part(), "another");
+  file.replace();
+  CHECK(test::file_bytes(folder / "a") == "another");
+  CHECK(folder.entries() == 1);
 }

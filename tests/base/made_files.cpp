@@ -84,3 +84,26 @@ TEST_CASE("a_record_that_cannot_be_written_is_said") {
   s.put(1, "one");
   CHECK_THROWS_AS(MadeFiles(s.name).add({1, 7}), base::Error);
 }
+
+TEST_CASE("a_file_is_whole_with_all_that_it_leads_to") {
+  const Sequence s;
+  const MadeFiles::Planned file{1, 7};
+  const std::filesystem::path beside[] = {s.folder / "a 1.bin", s.folder / "in" / "x.png"};
+  std::filesystem::create_directory(s.folder / "in");
+  for (const auto& path : beside) test::put_file(path, "bytes");
+  s.put(1, "frame");
+  MadeFiles made(s.name);
+  made.add(file, beside);
+  CHECK(made.state(file) == State::whole);
+  CHECK(s.state(file) == State::whole);
+  for (const auto& path : beside) {
+    std::filesystem::remove(path);
+    CHECK(made.state(file) == State::ours);
+    CHECK(s.state(file) == State::ours);
+    test::put_file(path, "bytes");
+  }
+  CHECK(s.state(file) == State::whole);
+  MadeFiles(s.name).add(file);  // made anew, and by itself
+  std::filesystem::remove(beside[0]);
+  CHECK(s.state(file) == State::whole);
+}

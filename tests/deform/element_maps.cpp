@@ -31,7 +31,7 @@ mesh::Surface of_polygons(std::vector<mesh::Point> positions, const Polygons& po
     s.corners.insert(s.corners.end(), polygon.begin(), polygon.end());
     s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
   }
-  fan_triangulate(s);
+  triangulate(s);
   return s;
 }
 

@@ -20,7 +20,7 @@ Eigen::MatrixXd dense(const SparseMatrix& m) {
 
 // The minimum by one dense system, of vertices that are held.
 Eigen::MatrixXd expected_shapes(const IntrinsicLaplacian& laplacian, const HeldParts& parts,
-                                const std::vector<bool>& has_spring, double spring,
+                                const std::vector<bool>& has_spring, const std::vector<double>& strengths,
                                 const std::vector<ThinPlate::Load>& loads) {
   const Eigen::MatrixXd l = dense(laplacian.stiffness);
   const auto n = l.rows();
@@ -30,13 +30,13 @@ Eigen::MatrixXd expected_shapes(const IntrinsicLaplacian& laplacian, const HeldP
     if (laplacian.masses[v] > 0) system += l.col(v) * l.row(v) / laplacian.masses[v];
   }
   for (Eigen::Index v = 0; v < n; ++v) {
-    if (has_spring[v]) system(v, v) += spring;
+    if (has_spring[v]) system(v, v) += strengths[std::size_t(v)];
     if (parts.holds(std::uint32_t(v))) continue;
     system.row(v).setZero(), system.col(v).setZero();
     system(v, v) = 1;
   }
   for (std::size_t k = 0; k < loads.size(); ++k) {
-    if (loads[k].vertex != HeldParts::none) right(loads[k].vertex, Eigen::Index(k)) = spring * loads[k].value;
+    for (const auto& [v, value] : loads[k]) right(v, Eigen::Index(k)) = strengths[v] * value;
   }
   return system.ldlt().solve(right);
 }
@@ -66,16 +66,19 @@ TEST_CASE("plates_take_the_shape_of_least_bending_and_springs_part_by_part") {
   std::vector<ThinPlate::Load> loads;
   for (const std::uint32_t v : {0u, 5u, 20u, 44u, 60u, 73u, 75u, 80u, 95u, 106u}) {
     has_spring[v] = true;
-    loads.push_back({v, 1.0 / (1 + v)});
+    loads.push_back({{v, 1.0 / (1 + v)}});
   }
   for (std::uint32_t again = 0; again < 12; ++again) loads.push_back(loads[again % 10]);
-  loads.push_back({HeldParts::none, 0});
+  loads.push_back({});
+  loads.push_back({{0, 0.5}, {80, 0.25}, {95, -1}});  // in several parts, one at a ground
   base::WorkerPool pool(2);
   const auto parts = held_parts(laplacian.stiffness, has_spring);
   REQUIRE(parts.grounds.size() == 3);
   for (const double spring : {0.1, 10.0, 1e4}) {
-    const ThinPlate plate(laplacian, parts, has_spring, spring, loads, pool);
-    const auto expected = expected_shapes(laplacian, parts, has_spring, spring, loads);
+    std::vector<double> strengths;
+    for (std::size_t v = 0; v < n; ++v) strengths.push_back(spring / static_cast<double>(1 + v % 3));
+    const ThinPlate plate(laplacian, parts, has_spring, strengths, loads, pool);
+    const auto expected = expected_shapes(laplacian, parts, has_spring, strengths, loads);
     double worst = 0;
     for (std::size_t begin = 0; begin < loads.size(); begin += solved_columns) {
       const std::size_t end = std::min(begin + solved_columns, loads.size());
@@ -96,10 +99,11 @@ TEST_CASE("plates_report_how_far_they_are_and_can_be_cancelled") {
   std::vector<bool> has_spring(model.positions.size(), true);
   const auto laplacian = intrinsic_laplacian(model);
   const auto parts = held_parts(laplacian.stiffness, has_spring);
+  const std::vector<double> ones(model.positions.size(), 1);
   base::WorkerPool pool(1);
   base::Progress progress;
-  ThinPlate(laplacian, parts, has_spring, 1, {{3, 1.0}}, pool, &progress, 0.5);
+  ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress, 0.5);
   CHECK(progress.done() == 0.5);
   progress.cancel();
-  CHECK_THROWS_AS(ThinPlate(laplacian, parts, has_spring, 1, {{3, 1.0}}, pool, &progress), base::Cancelled);
+  CHECK_THROWS_AS(ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress), base::Cancelled);
 }

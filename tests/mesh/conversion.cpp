@@ -129,7 +129,7 @@ TEST_CASE("what_gltf_does_not_hold_is_said") {
     return mesh::write(folder / "a.glb", content, read.original.get(), {});
   };
   const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-  CHECK(notes_of(square + "o only\nf 1 2 3\n").empty());
+  CHECK(notes_of(square + "o only\nf 1 2 3\nf 1 3 4\n").empty());
   CHECK(mesh::read(folder / "a.glb").attributes->groups.at(0).object == "only");
   CHECK(notes_of(square + "o one\nf 1 2 3 4\no two\nf 4 3 2 1\n") ==
         std::vector<std::string>{"2 faces of more than three corners became triangles",

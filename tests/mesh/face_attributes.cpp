@@ -84,6 +84,37 @@ TEST_CASE("off_faces_have_colours_of_bytes_or_parts_and_some_have_none") {
   CHECK(face_colors(head + "3 0 2 1 7\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "off").empty());
 }
 
+TEST_CASE("off_colours_of_whole_numbers_and_of_parts_are_told_apart_row_by_row") {
+  const std::string head = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  CHECK(face_colors(head + "3 0 2 1 255 0 51\n3 0 1 3 1.0 0.5 0.0\n3 0 3 2 0 0 1 0.5\n3 1 2 3 0.25 0 1 255\n",
+                    "off") ==
+        std::vector<Color>{{1, 0, 0.2F, 1}, {1, 0.5F, 0, 1}, {0, 0, 1 / 255.0F, 0.5F}, {0.25F, 0, 1, 1}});
+  CHECK(face_colors(head + "3 0 2 1 1 0 0\n3 0 1 3 1.0 0.5 0.0\n3 0 3 2 0 0 1\n3 1 2 3 127.5 0 0\n", "off") ==
+        std::vector<Color>{{1, 0, 0, 1}, {1 / 255.0F, 0.5F / 255, 0, 1}, {0, 0, 1, 1}, {0.5F, 0, 0, 1}});
+}
+
+TEST_CASE("off_colours_that_the_head_does_not_name_are_kept") {
+  const test::TemporaryFolder folder;
+  const std::string faces = "3 0 2 1 0 0 255\n3 0 1 2\n";
+  const std::string text = "OFF\n3 2 0\n0 0 0 200 0 40 255\n1 0 0 0.5 0 1\n0 1 0\n" + faces;
+  const ReadResult r = test::read_kept(text, "off");
+  REQUIRE(r.attributes);
+  CHECK(r.warnings.empty());
+  CHECK(r.attributes->colors ==
+        std::vector<Color>{{200 / 255.0F, 0, 40 / 255.0F, 1}, {0.5F, 0, 1, 1}, Material{}.base_color});
+  CHECK(test::written_again(r, r.surface.positions) == text);
+  const ReadResult ply = converted(r, folder / "a.ply");
+  CHECK(ply.attributes->colors[0] == r.attributes->colors[0]);
+  CHECK(ply.attributes->polygon_colors[0] == Color{0, 0, 1, 1});
+  CHECK(converted(r, folder / "a.off").attributes->colors[0] == r.attributes->colors[0]);
+  for (const char* row : {"0 0 -1", "1 2 3 4 5", "1 2", "red"}) {
+    const ReadResult odd =
+        test::read_text("OFF\n3 1 0\n0 0 0 1 0 0\n1 0 0 " + std::string(row) + "\n0 1 0\n3 0 1 2\n", "off");
+    CHECK(odd.attributes == nullptr);
+    CHECK(holds(odd.warnings.at(0), "passed over what stands behind the positions of 1 row"));
+  }
+}
+
 TEST_CASE("colours_of_faces_go_where_a_format_has_them_and_become_materials_in_an_obj") {
   const test::TemporaryFolder folder;
   const ReadResult stl =
@@ -132,6 +163,20 @@ TEST_CASE("ply_faces_have_texture_points_colours_and_images") {
     if (!glb) CHECK(out.attributes->images.at(0).path == folder / "my wood.png");
   }
   CHECK(mesh::read(folder / "out.ply").attributes->polygon_colors == a.polygon_colors);
+}
+
+TEST_CASE("ply_names_of_images_have_no_blanks_around_them_and_any_length") {
+  const std::string name = std::string(220, 'w') + " oak.png";
+  std::string text = wedges;
+  text.replace(text.find("my wood.png"), 11, "  \t" + name + "  \t\r");
+  text.replace(text.find("comment VCGLIB generated\n"), 25, test::repeated("comment of many\n", 70));
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "a.ply", text);
+  const ReadResult r = mesh::read(folder / "a.ply");
+  REQUIRE(r.attributes);
+  REQUIRE(r.attributes->images.size() == 2);
+  CHECK(r.attributes->images[0].path == folder / name);
+  CHECK(r.attributes->images[1].path == folder / "b.png");
 }
 
 TEST_CASE("ply_texture_points_of_faces_that_do_not_fit_say_nothing") {

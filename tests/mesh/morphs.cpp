@@ -353,7 +353,7 @@ TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
   CHECK(holds(refused({{0, "", few}}), "3 positions for 8"));
   CHECK(holds(refused({{0, "", rest}, {0, "", rest}}), "key 1: its time"));
   CHECK(holds(refused({{std::nan(""), "", rest}}), "key 0: its time"));
-  CHECK(holds(refused({{0, "", far}}), "does not fit into the floats"));
+  CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is no place"));
   CHECK(folder.entries() == 0);
   base::Progress progress;
   progress.cancel();

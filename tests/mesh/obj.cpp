@@ -112,6 +112,31 @@ TEST_CASE("obj_the_line_of_an_error_counts_continued_lines") {
   CHECK(holds(test::refusal("v 0 \\\n0 \\\n0\nv 0 0 x\n", "obj"), "given.obj:4:"));
 }
 
+TEST_CASE("obj_lines_are_continued_however_the_backslash_stands") {
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    for (const char* join : {"\\", " \\", "\\  ", " \\ \t "}) {
+      const std::string next = join + std::string(end);
+      std::string text;
+      for (const std::string& line :
+           {"v 0 0" + next + " 0", "v 1" + next + "0" + next + " 0", std::string("v 1 1 0"),
+            "vn 0 0" + next + " 1", "g a b" + next + "c", "l 1 2" + next + "3",
+            "# a path C:" + std::string(join), "f 1//1 2//1" + next + " 3//1"})
+        text += line + end;
+      const ReadResult r = test::read_kept(text, "obj");
+      CHECK(r.warnings.empty());
+      CHECK(r.surface.positions == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+      CHECK(r.surface.corners == std::vector<std::uint32_t>{0, 1, 2});
+      REQUIRE(r.attributes);
+      CHECK(r.attributes->groups.at(0).name == "a b");
+      CHECK(test::written_again(r, r.surface.positions) == text);
+      const std::string moved = test::written_again(r, {{0, 0, 0}, {1, 0, 0}, {1, 0, 5}});
+      CHECK(test::read_text(moved, "obj").surface.positions[2] == Point{1, 0, 5});
+      CHECK(test::read_text(moved, "obj").attributes->normals[0] == Vec3{0, -1, 0});
+    }
+  }
+  CHECK(holds(test::refusal("v 0\\ \n0\\\r\n0\nv 0 0 x\n", "obj"), "given.obj:4:"));
+}
+
 TEST_CASE("obj_oddities_are_told_as_warnings") {
   const ReadResult points = test::read_text(four, "obj");
   REQUIRE(points.warnings.size() == 1);

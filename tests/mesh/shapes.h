@@ -28,6 +28,12 @@ inline bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+inline std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
 using mesh::Point;
 using mesh::Surface;
 using mesh::Triangle;
@@ -39,7 +45,7 @@ inline Surface cube() {
     s.positions.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
   s.corners = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
   s.polygon_starts = {0, 4, 8, 12, 16, 20, 24};
-  mesh::fan_triangulate(s);
+  mesh::triangulate(s);
   return s;
 }
 
@@ -90,7 +96,7 @@ inline Surface torus(std::uint32_t around, std::uint32_t across, bool open = fal
       s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
     }
   }
-  mesh::fan_triangulate(s);
+  mesh::triangulate(s);
   return s;
 }
 

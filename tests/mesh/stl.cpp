@@ -97,3 +97,70 @@ TEST_CASE("stl_that_may_be_cut_short_or_has_a_tail_is_told") {
   CHECK(holds(test::read_text(binary_stl(test::sphere(1), "a") + "tail", "stl").warnings.at(0),
               "4 bytes behind"));
 }
+
+namespace {
+
+// So many bytes of attributes behind each triangle, again and again.
+std::string with_attributes(const Surface& s, const std::vector<std::uint16_t>& sizes) {
+  const std::string plain = binary_stl(s, "attributes");
+  std::string out = plain.substr(0, 84);
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const std::uint16_t size = sizes[t % sizes.size()];
+    out += plain.substr(84 + 50 * t, 48);
+    out += static_cast<char>(size & 255);
+    out += static_cast<char>(size >> 8);
+    out.append(size, '\x5a');
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("stl_attributes_behind_triangles_are_passed_over_and_kept") {
+  const Surface s = test::sphere(1);
+  for (const std::vector<std::uint16_t>& sizes :
+       {std::vector<std::uint16_t>{0, 2, 4}, {7}, {0, 0, 0, 0, 300}, {65535}}) {
+    const std::string bytes = with_attributes(s, sizes);
+    const ReadResult r = test::read_kept(bytes, "stl");
+    CHECK(r.surface.positions.size() == s.positions.size());
+    CHECK(r.surface.triangles.size() == s.triangles.size());
+    CHECK(r.attributes == nullptr);
+    CHECK(holds(r.warnings.at(0), "attributes behind triangles"));
+    CHECK(test::written_again(r, r.surface.positions) == bytes);
+    const std::string moved = test::written_again(r, test::moved(r.surface, 2).positions);
+    CHECK(moved.size() == bytes.size());
+    CHECK(test::read_text(moved, "stl").surface.positions == test::moved(r.surface, 2).positions);
+    CHECK(holds(test::read_text(bytes + "tail", "stl").warnings.at(1), "4 bytes behind"));
+    const std::string cut = test::refusal(bytes.substr(0, bytes.size() - 3), "stl");
+    CHECK_MESSAGE(holds(cut, "the header announces 32 triangles"), cut);
+  }
+  std::string none = binary_stl(s, "a");
+  none[80] = 0;
+  CHECK(holds(test::refusal(none, "stl"), "announces 0 triangles, and 1600 bytes follow"));
+  none[80] = 31;
+  CHECK(
+      holds(test::read_text(none, "stl").warnings.at(0), "50 bytes behind the 31 triangles that the header"));
+}
+
+TEST_CASE("stl_a_normal_that_is_no_direction_becomes_the_triangles_where_it_moves") {
+  const std::vector<Point> moved = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+  for (const char* normal : {"0 0 -inf", "nan nan nan", "1e999 0 0", "-nan(ind) 0 1"}) {
+    std::string text = "solid a\n" + facet + "endsolid\n";
+    text.replace(text.find("0 0 1"), 5, normal);
+    const ReadResult r = test::read_kept(text, "stl");
+    CHECK(test::written_again(r, r.surface.positions) == text);
+    CHECK(holds(test::written_again(r, moved), "facet normal 0 -1 0\n"));
+  }
+  for (const float bad : {-INFINITY, INFINITY, NAN}) {
+    std::string bytes = binary_stl(from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}), "a");
+    std::string number;
+    put_word(number, std::bit_cast<std::uint32_t>(bad));
+    bytes.replace(92, 4, number);
+    const ReadResult r = test::read_kept(bytes, "stl");
+    CHECK(test::written_again(r, r.surface.positions) == bytes);
+    const std::string written = test::written_again(r, moved);
+    CHECK(stl_float(&written[84]) == 0);
+    CHECK(stl_float(&written[88]) == -1);
+    CHECK(stl_float(&written[92]) == 0);
+  }
+}

@@ -12,7 +12,7 @@ TEST_CASE("a_polygon_is_cut_into_a_fan_about_its_first_corner") {
   s.positions.resize(7);
   s.corners = {4, 3, 2, 1, 0, 5, 6, 4};
   s.polygon_starts = {0, 5, 8};
-  fan_triangulate(s);
+  triangulate(s);
   CHECK(s.triangles == std::vector<Triangle>{{4, 3, 2}, {4, 2, 1}, {4, 1, 0}, {5, 6, 4}});
   CHECK(s.triangle_polygon == std::vector<std::uint32_t>{0, 0, 0, 1});
 }
@@ -20,7 +20,7 @@ TEST_CASE("a_polygon_is_cut_into_a_fan_about_its_first_corner") {
 TEST_CASE("cutting_twice_is_the_same_as_once") {
   Surface s = test::cube();
   const auto once = s.triangles;
-  fan_triangulate(s);
+  triangulate(s);
   CHECK(s.triangles == once);
 }
 
@@ -34,7 +34,7 @@ TEST_CASE("a_surface_of_triangles_has_them_as_polygons") {
 
 TEST_CASE("a_surface_without_anything_has_no_polygons_and_an_empty_box") {
   Surface s;
-  fan_triangulate(s);
+  triangulate(s);
   CHECK(s.polygon_count() == 0);
   CHECK(s.triangles.empty());
   CHECK(bounds(s.positions).diagonal() == 0);

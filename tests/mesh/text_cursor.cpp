@@ -85,3 +85,28 @@ TEST_CASE("a_long_comment_is_cut_between_characters") {
   CHECK(clipped(text) == std::string(199, 'x'));
   CHECK(clipped("###").empty());
 }
+
+TEST_CASE("what_stands_where_a_number_should_is_explained") {
+  const std::pair<const char*, const char*> words[] = {{"3,5", "with a point"},
+                                                       {"\xE2\x88\x92"
+                                                        "3.5",
+                                                        "minus sign of ASCII"},
+                                                       {"3.1e\xE2\x88\x92"
+                                                        "2",
+                                                        "minus sign of ASCII"},
+                                                       {"3.1e+-2", "two signs"},
+                                                       {"--3.1", "two signs"},
+                                                       {"+-3.1", "two signs"},
+                                                       {"3.1d+2", "Fortran"},
+                                                       {"3.1+2", "sign in its middle"},
+                                                       {"0.5-0.25", "sign in its middle"},
+                                                       {"1.#QNAN", "no number"},
+                                                       {"0x1p3", "hexadecimal"},
+                                                       {"abc", "repair or export"}};
+  for (const auto& [word, advice] : words) {
+    const std::string text = test::refusal("v 0 0 " + std::string(word) + "\n", "obj");
+    CHECK_MESSAGE(test::holds(text, "is not a number"), text);
+    CHECK_MESSAGE(test::holds(text, advice), text);
+  }
+  CHECK(test::read_text("v +3.1e+2 -3.1E-2 .5\n", "obj").surface.positions[0] == Point{310, -0.031, 0.5});
+}

@@ -27,7 +27,7 @@ Surface awkward(double scale) {
   }
   s.corners.insert(s.corners.end(), {0, 1, 2, 3, 4});
   s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
-  fan_triangulate(s);
+  triangulate(s);
   return s;
 }
 
@@ -134,6 +134,57 @@ TEST_CASE("a_set_of_points_and_nothing_can_be_written") {
     CHECK(read(folder / name).surface.positions == s.positions);
     write(folder / name, Surface{});
     CHECK_THROWS_AS(read(folder / name), base::Error);
+  }
+}
+
+TEST_CASE("points_become_no_stl_and_are_not_left_out_unsaid") {
+  const test::TemporaryFolder folder;
+  Surface points;
+  points.positions = {{1, 2, 3}, {4, 5, 6}};
+  CHECK_THROWS_WITH_AS(write(folder / "a.stl", points), doctest::Contains("STL holds triangles alone"),
+                       base::Error);
+  CHECK(folder.entries() == 0);
+  Surface some = test::sphere(0);
+  some.positions.insert(some.positions.end(), points.positions.begin(), points.positions.end());
+  const Content content{some, some.positions, {}};
+  for (const char* name : {"a.stl", "a.glb", "a.gltf"})
+    CHECK(write(folder / name, content, nullptr, {}) ==
+          std::vector<std::string>{"2 points of no face are left out"});
+  for (const char* name : {"a.obj", "a.ply", "a.off"})
+    CHECK(write(folder / name, content, nullptr, {}).empty());
+}
+
+TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
+  const test::TemporaryFolder folder;
+  const Surface s = test::sphere(1);
+  for (const double bad : std::initializer_list<double>{NAN, INFINITY, -INFINITY, 1e103, -1.01e100}) {
+    std::vector<Point> positions = s.positions;
+    positions[7][2] = bad;
+    positions[9][0] = bad;
+    for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl", "a.glb", "a.gltf"}) {
+      CHECK_THROWS_WITH_AS(write(folder / name, s, positions),
+                           doctest::Contains("the position of vertex 7 is no place"), base::Error);
+      CHECK(folder.entries() == 0);
+    }
+    for (const auto format : {write_obj, write_ply, write_off, write_stl}) {
+      const std::string extension = format == write_obj   ? "obj"
+                                    : format == write_ply ? "ply"
+                                    : format == write_off ? "off"
+                                                          : "stl";
+      const ReadResult kept = test::read_kept(test::bytes_by(format, s), extension);
+      positions = kept.surface.positions;
+      positions[3][1] = bad;
+      CHECK_THROWS_WITH_AS(
+          write(folder / ("a." + extension), {kept.surface, positions, {}}, kept.original.get(), {}),
+          doctest::Contains("the position of vertex 3 is no place"), base::Error);
+      CHECK(folder.entries() == 0);
+    }
+  }
+  std::vector<Point> largest = s.positions;
+  largest[7] = {1e100, -1e100, 0};
+  for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
+    write(folder / name, s, largest);
+    CHECK(read(folder / name).surface.positions.size() == s.positions.size());
   }
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/numbered_files.h"
+#include "base/process.h"
 #include "mesh/point_cache.h"
 #include "mesh/read.h"
 #include "mesh/write.h"
@@ -235,7 +236,50 @@ TEST_CASE("videos_are_made_by_ffmpeg_and_it_is_said_where_that_is_missing") {
   CHECK(failed.code == 1);
   CHECK(mentions(failed, "no such codec"));
   CHECK(fs::file_size(files / "a.mp4") == 3 * 64 * 48 * 4);
+  put_file(bin / "ffmpeg", "#!/bin/sh\ncat > /dev/null\n");
+  const Outcome nothing = files.animate(video, "PATH=" + quoted(bin) + ":$PATH");
+  CHECK(nothing.code == 1);
+  CHECK(mentions(nothing, "a.mp4: the program that makes it has written nothing"));
+  CHECK(fs::file_size(files / "a.mp4") == 3 * 64 * 48 * 4);
   CHECK(names_of(files.path(), ".part").empty());
+}
+
+TEST_CASE("a_video_program_that_hangs_is_ended_by_ctrl_c_and_leaves_nothing") {
+  const AnimatedFiles files;
+  const fs::path bin = files / "bin", log = files / "child";
+  fs::create_directory(bin);
+  for (const char* hangs : {"exec sleep 600", "cat > /dev/null\nsleep 600"}) {  // while it is fed, or after
+    CAPTURE(hangs);
+    put_file(bin / "ffmpeg", "#!/bin/sh\necho $$ > " + quoted(log) + "\n" + hangs + "\n");
+    fs::permissions(bin / "ffmpeg", fs::perms::owner_all);
+    put_file(files / "run.sh", "cd " + quoted(files.path()) + "\nPATH=" + quoted(bin) + ":$PATH '" +
+                                   build_dir().string() +
+                                   "/viete' animate model.obj cage.obj --keys p_##.obj -o a.mp4 --size "
+                                   "640x480 2>&1 &\np=$!\nwhile ! [ -s child ]; do sleep 0.01; done\nsleep "
+                                   "0.3\nkill -INT $p\nwait $p\n");
+    const Outcome ended = run("--version >/dev/null; sh " + quoted(files / "run.sh"));
+    CHECK_MESSAGE(mentions(ended, "a.mp4: stopped; no file was changed"), ended.text);
+    const std::string child = file_bytes(log);
+    CHECK_FALSE(fs::exists("/proc/" + child.substr(0, child.find('\n'))));
+    CHECK_FALSE(fs::exists(files / "a.mp4"));
+    CHECK(names_of(files.path(), ".part").empty());
+    fs::remove(log);
+  }
+}
+
+TEST_CASE("what_a_killed_run_left_goes_with_the_next_command_that_writes_there") {
+  const AnimatedFiles files;
+  const char* gone[] = {"b.obj.999999999-1-0.part", "old.pc2.0123456789abcdef.unfinished"};
+  const char* stay[] = {"b.part", "b.obj.1-x-0.part", "mine.unfinished", "old.pc2.0123.unfinished"};
+  for (const char* name : gone) put_file(files / name, "half");
+  for (const char* name : stay) put_file(files / name, "half");
+  const std::string running = "c.obj." + base::process_name() + "-0.part";
+  put_file(files / running, "half");
+  CHECK(files.animate("-o p_##.obj").code == 1);  // also where it is refused, and not what it may go on with
+  CHECK(files.animate("-o a.pc2 --keys none.pc2").code != 0);
+  for (const char* name : gone) CHECK_MESSAGE(!fs::exists(files / name), std::string(name));
+  for (const char* name : stay) CHECK_MESSAGE(fs::exists(files / name), std::string(name));
+  CHECK(fs::exists(files / running));
 }
 
 TEST_CASE("what_animate_cannot_do_is_said_before_the_work_starts") {
@@ -251,7 +295,7 @@ TEST_CASE("what_animate_cannot_do_is_said_before_the_work_starts") {
   says("-o a.png", 1, "write numbered pictures");
   says("-o a_##.mp4", 1, "leave the ####");
   says("-o a.txt", 1, "unknown extension .txt");
-  says("-o p_##.obj", 1, "this file was made or changed otherwise");
+  says("-o p_##.obj", 1, "p_01.obj: this file is one of those that are read (the keys)");
   const std::string folder = "cd " + quoted(files.path()) + " &&";
   CHECK(mentions(run("animate model.obj cage.obj -o a.pc2", folder), "--keys is required"));
   put_file(files / "s.viete",

@@ -198,7 +198,7 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   box.corners = {0, 3, 4, 1, 1, 4, 5,  2, 6, 7,  10, 9, 7, 8, 11, 10, 0, 1, 7,  6,
                  1, 2, 8, 7, 3, 9, 10, 4, 4, 10, 11, 5, 0, 6, 9,  3,  2, 5, 11, 8};
   for (std::uint32_t i = 0; i <= 10; ++i) box.polygon_starts.push_back(4 * i);
-  mesh::fan_triangulate(box);
+  mesh::triangulate(box);
   mesh::write(folder / "box.obj", box);
   for (const std::size_t v : {2, 5, 8, 11}) box.positions[v][0] -= 0.3, box.positions[v][2] += 0.9;
   mesh::write(folder / "bent.obj", box);

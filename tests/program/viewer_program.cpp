@@ -269,7 +269,7 @@ TEST_CASE("the_first_enter_does_not_replace_a_file") {
   Driver d;
   d.open_dragon();
   const auto file = std::filesystem::temp_directory_path() / "viete-kept-program.obj";
-  std::ofstream(file) << "mine";
+  std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   d.press_key(scene::key('E'), true);
   d.frame(2);
   REQUIRE(d.workspace().browser.open);
@@ -278,7 +278,7 @@ TEST_CASE("the_first_enter_does_not_replace_a_file") {
   d.press_key(257);
   d.frame(3);
   CHECK(d.workspace().browser.open);
-  CHECK(std::filesystem::file_size(file) == 4);
+  CHECK(std::filesystem::file_size(file) == 32);
   d.press_key(257);
   d.settle();
   CHECK_FALSE(d.workspace().browser.open);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace viete;
 using render::GroundShadow;
@@ -89,4 +90,18 @@ TEST_CASE("points_are_spread_over_triangles_by_their_areas") {
   CHECK(static_cast<double>(large) / count == doctest::Approx(0.9).epsilon(0.001));
   CHECK(mean.x / static_cast<double>(large) == doctest::Approx(1).epsilon(0.01));
   CHECK(mean.y / static_cast<double>(large) == doctest::Approx(1).epsilon(0.01));
+}
+
+TEST_CASE("points_past_all_cells_cast_no_shadow_and_leave_that_of_others") {
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float far : {1e8F, 1e30F, 3e38F, -1e30F, inf, -inf, nan}) {
+    CAPTURE(far);
+    for (const glm::vec3& stray : {glm::vec3(far, 0, 0), glm::vec3(0, far, 0), glm::vec3(0, 0, far)}) {
+      std::vector<glm::vec3> points = square(0, 0, 0);
+      points.push_back(stray);
+      CHECK(darkness_at(render::ground_shadow(points, 1), 0, 0) > 0.85);
+    }
+    for (const float size : {1e-30F, 1.0F, far})
+      CHECK(render::ground_shadow(std::vector{glm::vec3(far, far, 0)}, size).width <= 300);
+  }
 }

@@ -6,12 +6,15 @@
 #include <cmath>
 #include <set>
 #include <thread>
+#include <tuple>
 
 #include "base/error.h"
 #include "mesh/point_cache.h"
 #include "mesh/read.h"
+#include "mesh/write.h"
 #include "scene/animated_cube.h"
 #include "support/full_disk.h"
+#include "support/gltf.h"
 #include "support/text.h"
 
 using namespace viete;
@@ -157,6 +160,7 @@ TEST_CASE("morph_targets_keep_lines_as_near_to_the_motion_as_they_are_told") {
     what.tolerance = tolerance;
     const AnimationReport report = write_animation(what);
     CHECK(report.frames > before);
+    CHECK(report.targets < 12);  // a turn is few directions, however many lines it takes
     before = report.frames;
     const auto read = mesh::read(cube / "a.glb");
     const auto clip = read.original->morphs();
@@ -178,6 +182,35 @@ TEST_CASE("morph_targets_keep_lines_as_near_to_the_motion_as_they_are_told") {
     CHECK(worst < tolerance * diagonal);
     CHECK(worst > 0.02 * tolerance * diagonal);  // no more of them than it needs, about
   }
+}
+
+TEST_CASE("targets_without_normals_take_half_and_an_estimate_says_how_much_before") {
+  const test::AnimatedCube cube;
+  AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
+  const AnimationReport report = write_animation(what);
+  const MorphEstimate estimate = estimate_morphs(what);
+  CHECK(estimate.targets == report.targets);
+  what.normals = false;
+  CHECK(estimate_morphs(what).bytes < estimate.bytes);
+  const auto with = fs::file_size(cube / "a.glb");
+  write_animation(what);
+  CHECK(fs::file_size(cube / "a.glb") < with);
+}
+
+TEST_CASE("a_key_far_off_and_more_than_is_allowed_are_refused_with_numbers_before_anything_is_written") {
+  test::AnimatedCube cube;
+  AnimationExport small = animation_export_of(cube.document, cube / "a.glb");
+  small.most_bytes = 200;
+  CHECK(test::mentions(problem_of(small), "the motion needs more than"));
+  CHECK(test::mentions(problem_of(small), "are allowed"));
+  WholePose far = *cube.document.timeline.keys[1].pose;
+  for (const double coordinate : {1e6, 1e9}) {
+    far.cage.positions[6][2] = coordinate;
+    cube.document.timeline.keys[1].pose = std::make_shared<const WholePose>(far);
+    const AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
+    CHECK(test::mentions(problem_of(what), "straight lines, more than"));
+  }
+  CHECK_FALSE(fs::exists(cube / "a.glb"));
 }
 
 TEST_CASE("keys_that_hold_jump_and_targets_at_every_frame_are_as_many") {
@@ -325,4 +358,51 @@ TEST_CASE("names_that_say_nothing_that_can_be_written_are_refused_with_what_to_d
   CHECK(test::mentions(problem("none/a.pc2"), "none/a.pc2"));
   cube.document.timeline.keys.clear();
   CHECK(test::mentions(problem("a.pc2"), "no keys"));
+}
+
+TEST_CASE("a_cache_that_no_run_could_finish_leaves_nothing") {
+  test::AnimatedCube cube;
+  WholePose far = *cube.document.timeline.keys.back().pose;
+  for (auto& p : far.cage.positions)
+    for (double& x : p) x *= 1e39;  // beyond floats, which the first frames are not
+  cube.document.timeline.keys.push_back({18, test::whole(far.cage), Easing::hold});
+  cube.document.timeline.last = 18;
+  cube.document.timeline.keys[2].easing = Easing::hold;
+  for (const char* name : {"a.pc2", "a.mdd"}) {
+    CAPTURE(name);
+    test::put_file(cube / name, "older");
+    const auto before = names_in(cube.path());
+    CHECK(problem_of(animation_export_of(cube.document, cube / name)) != "");
+    CHECK(names_in(cube.path()) == before);
+    CHECK(test::file_bytes(cube / name) == "older");
+  }
+}
+
+TEST_CASE("a_frame_is_made_again_where_what_it_leads_to_is_gone") {
+  test::AnimatedCube cube;
+  mesh::Attributes looks;
+  looks.materials = {{"skin", {1, 0, 0, 1}}};
+  looks.groups = {{0, "", "", 0}};
+  const mesh::Surface& rest = *cube.document.model.surface;
+  for (const char* name : {"painted.glb", "painted.obj"})
+    mesh::write(cube / name, mesh::Content{rest, rest.positions, {}, &looks}, nullptr, {});
+  const test::GltfParts patch = test::patch();
+  test::put_file(cube / "beside.bin", patch.bytes);
+  test::put_file(cube / "beside.gltf", patch.beside("beside.bin"));
+  fs::create_directory(cube / "out");
+  for (const auto& [model, name, beside] : {std::tuple{"painted.glb", "out/f_##.obj", "out/f_05.mtl"},
+                                            {"painted.obj", "out/g_##.obj", "out/painted.mtl"},
+                                            {"beside.gltf", "out/h_##.gltf", "out/h_05.bin"}}) {
+    CAPTURE(name);
+    Document document = open_document(cube / model, cube.cage);
+    document.timeline = cube.document.timeline;
+    const AnimationExport what = animation_export_of(document, cube / name);
+    CHECK(write_animation(what).there == 0);
+    CHECK(write_animation(what).there == 17);
+    REQUIRE(fs::exists(cube / beside));
+    fs::remove(cube / beside);
+    CHECK(write_animation(what).there < 17);
+    CHECK(fs::exists(cube / beside));
+    CHECK(write_animation(what).there == 17);
+  }
 }

@@ -168,7 +168,7 @@ TEST_CASE("faces_are_polygons_and_not_their_triangles") {
   s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {1.5, 1, 0}};
   s.corners = {0, 1, 2, 3, 1, 4, 5, 6, 2};
   s.polygon_starts = {0, 4, 9};
-  mesh::fan_triangulate(s);
+  mesh::triangulate(s);
   s.positions[5] = s.positions[4];
   const auto found = check_model(s, mesh::summarize(s));
   const auto named =

@@ -24,7 +24,7 @@ deform::Cage two_quads() {
     surface.positions.push_back({double(i % 4 % 3), double(i % 4 / 2), double(i / 4)});
   surface.corners = {0, 1, 3, 2, 4, 5, 7, 6};
   surface.polygon_starts = {0, 4, 8};
-  mesh::fan_triangulate(surface);
+  mesh::triangulate(surface);
   return deform::make_cage(surface);
 }
 

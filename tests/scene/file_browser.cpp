@@ -194,3 +194,27 @@ TEST_CASE("a_name_that_cannot_be_written_is_known_before") {
   browser.path = "none.ply";
   CHECK(problem_of_name(browser).find("none.ply") != std::string::npos);
 }
+
+TEST_CASE("what_is_in_use_is_not_proposed_and_is_refused_by_name") {
+  const test::TemporaryFolder folder;
+  put_files(folder);
+  FilesInUse in_use;
+  in_use.add(folder / "Beta.obj", "the model");
+  in_use.add(folder / "alpha.ply", "the cage");
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::save_model, folder.path(), "Beta.obj", in_use);
+  CHECK(chosen_file(browser).filename() == "Beta-2.obj");
+  CHECK_FALSE(browser.replaces());
+  fs::create_symlink("Beta.obj", folder / "link.obj");
+  for (const char* name : {"Beta.obj", "./Beta.obj", "link.obj", "Beta"}) {
+    browser.path = name;
+    CHECK_FALSE(browser.replaces());
+    CHECK(problem_of_name(browser).find("is open (the model) and stays as it is; ") != std::string::npos);
+  }
+  browser.path = "alpha.obj";
+  CHECK(problem_of_name(browser) == "");
+  set_format(browser, "ply");
+  CHECK(chosen_file(browser).filename() == "alpha-2.ply");
+  enter(browser, folder / "Sub");
+  CHECK(chosen_file(browser).filename() == "alpha.ply");
+}

@@ -4,6 +4,7 @@
 
 #include "scene/commands.h"
 #include "scene/files.h"
+#include "scene/output.h"
 #include "support/commands.h"
 #include "support/open.h"
 
@@ -64,4 +65,28 @@ TEST_CASE("leftovers_are_restored_discarded_and_put_off_one_at_a_time") {
   w.discarded = {{{"/b.viete", "b", 0}, "/b.discarded"}};
   REQUIRE(test::run_command(w, "undo_discard"));
   CHECK(w.requests.undo_discard);
+}
+
+TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
+  const test::CubeFiles files;
+  for (const char* name : {"a.obj", "a_cage.obj", "a_cage_pose.obj", "a_deformed.obj", "a_animation.pc2"})
+    std::filesystem::copy(std::string(name) == "a.obj" ? files.model : files.cage, files / name);
+  Workspace w;
+  REQUIRE(test::load_model(w, files / "a.obj", files / "a_cage.obj"));
+  const auto proposed = [&](const char* command) {
+    REQUIRE(test::run_command(w, command));
+    return chosen_file(w.browser).filename().string();
+  };
+  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // there, but not open: it asks before it replaces
+  REQUIRE(test::load_pose(w, files / "a_cage_pose.obj"));
+  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // its own
+  CHECK(proposed("save_cage") == "a_cage.obj");
+  CHECK(proposed("save_model") == "a_deformed.obj");
+  REQUIRE(test::load_model(w, files / "a.obj", files / "a_deformed.obj"));
+  CHECK(proposed("save_model") == "a_deformed-2.obj");
+  CHECK(proposed("save_cage") == "a_cage.obj");
+  REQUIRE(test::load_model(w, files / "a_cage.obj", files / "a_deformed.obj"));
+  w.document.model.path = files / "way" / ".." / "a.obj";
+  w.document.also_read.push_back({files / "a_cage.obj", the_model});
+  CHECK(proposed("save_cage") == "a_cage-2.obj");
 }

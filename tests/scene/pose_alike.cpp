@@ -49,7 +49,7 @@ Document two_boxes(const std::function<mesh::Point(const mesh::Point&)>& map, bo
       s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
     }
   }
-  mesh::fan_triangulate(s);
+  mesh::triangulate(s);
   Document document;
   document.cage = std::make_shared<const deform::Cage>(deform::make_cage(std::move(s)));
   document.pose = deform::rest_pose(*document.cage);
@@ -89,7 +89,7 @@ Document plane(std::uint32_t n) {
       s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
     }
   }
-  mesh::fan_triangulate(s);
+  mesh::triangulate(s);
   Document document;
   document.cage = std::make_shared<const deform::Cage>(deform::make_cage(std::move(s)));
   document.pose = deform::rest_pose(*document.cage);

@@ -6,10 +6,13 @@
 #include "scene/edit.h"
 #include "scene/files.h"
 #include "scene/grip.h"
+#include "scene/pose_edit.h"
+#include "scene/posed_cube.h"
 #include "scene/session.h"
 #include "scene/transform.h"
 #include "support/commands.h"
 #include "support/open.h"
+#include "support/text.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -178,4 +181,53 @@ TEST_CASE("the_title_names_the_session_and_else_the_model_with_a_star_while_edit
   Workspace again;
   REQUIRE(open_now(again, {OpenRequest::What::model, {files / "walk.viete"}}));
   CHECK(window_title(again) == "walk.viete - Viete");
+}
+
+TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
+  const test::CubeFiles files;
+  fs::create_symlink(files.cage, files / "link.obj");
+  fs::create_directory_symlink(files.path(), files / "way");
+  test::put_file(files / "letter.viete", "Dear all");
+  test::put_file(files / "key_1.obj", test::file_bytes(files.pose));
+  test::put_file(files / "key_9.obj", test::file_bytes(files.cage));
+  Workspace w;
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  REQUIRE(test::load_pose(w, files.pose));
+  REQUIRE(open_now(w, {OpenRequest::What::animation, {files / "key_1.obj"}}));
+  fs::create_hard_link(files.model, files / "model.viete");
+  const std::string model = test::file_bytes(files.model), cage = test::file_bytes(files.cage);
+  const auto refuses = [&](bool (*save)(Workspace&, const fs::path&), const fs::path& file) {
+    const std::string before = test::file_bytes(file);
+    CHECK_FALSE_MESSAGE(save(w, file), file);
+    CHECK(w.messages.all().back().severity == Severity::error);
+    CHECK(test::file_bytes(file) == before);
+    return w.messages.all().back().text;
+  };
+  CHECK(test::mentions(refuses(save_pose, files.cage),
+                       "(the cage), and would be replaced; choose another name"));
+  CHECK(test::mentions(refuses(save_pose, files / "link.obj"), "such as link-2.obj"));
+  CHECK(test::mentions(refuses(save_pose, files / "way/model.obj"), "(the model)"));
+  CHECK(test::mentions(refuses(save_pose, files / "key_9.obj"), "(the keys)"));
+  CHECK(test::mentions(refuses(save_cage, files.model), "(the model)"));
+  CHECK(test::mentions(refuses(save_cage, files.pose), "(the pose)"));
+  CHECK(test::mentions(refuses(save_session, files / "letter.viete"), "which is not a session"));
+  CHECK(test::mentions(refuses(save_session, files / "model.viete"), "(the model)"));
+  CHECK(save_pose(w, files.pose));
+  CHECK(save_cage(w, files.cage));
+  CHECK(save_session(w, files / "s.viete"));
+  CHECK(save_session(w, files / "s.viete"));
+  CHECK(test::file_bytes(files.model) == model);
+  CHECK(mesh::read(files.cage).surface.positions == w.document.cage->surface.positions);
+  add_poses(w.document, {{"a", test::whole(w.document.pose)}});
+  w.chosen_pose = 0;
+  CHECK(test::mentions(refuses(save_chosen_pose, files.pose), "(the pose)"));
+}
+
+TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  w.document.cage_file = made_surface(*w.document.cage_file.surface, "cage.obj, edited");
+  CHECK_FALSE(save_pose(w, files.cage));  // undo leads back to it
+  CHECK(save_cage(w, files.cage));
 }

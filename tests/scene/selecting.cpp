@@ -30,7 +30,7 @@ mesh::Surface plane_of_quads(std::uint32_t n, std::vector<std::vector<std::uint3
     s.corners.insert(s.corners.end(), polygon.begin(), polygon.end());
     s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
   }
-  mesh::fan_triangulate(s);
+  mesh::triangulate(s);
   return s;
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("a_loop_of_a_closed_cage_of_quads_comes_back_to_where_it_began") {
       s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
     }
   }
-  mesh::fan_triangulate(s);
+  mesh::triangulate(s);
   const auto cage = deform::make_cage(std::move(s));
   CHECK(looped(cage, some(ElementKind::edge, {edge_of(cage, 0, 4)})).size() == 5);
   CHECK(looped(cage, some(ElementKind::edge, {edge_of(cage, 0, 1)})).size() == 4);
@@ -136,7 +136,7 @@ TEST_CASE("a_ring_goes_across_quads_and_pairs_of_triangles_as_if_they_were_quads
     cut.corners.insert(cut.corners.end(), triangle.begin(), triangle.end());
     cut.polygon_starts.push_back(static_cast<std::uint32_t>(cut.corners.size()));
   }
-  mesh::fan_triangulate(cut);
+  mesh::triangulate(cut);
   const auto triangles = deform::make_cage(cut);
   const auto same = across(triangles);
   CHECK(same.size() == 5);
@@ -155,7 +155,7 @@ TEST_CASE("where_many_faces_meet_at_an_edge_loops_end_and_nothing_else_breaks") 
     s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
   }
   s.triangles.clear(), s.triangle_polygon.clear();
-  mesh::fan_triangulate(s);
+  mesh::triangulate(s);
   deform::Cage cage;
   cage.surface = s;
   cage.edges = mesh::polygon_edges(s);

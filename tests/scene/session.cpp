@@ -14,6 +14,7 @@
 #include "scene/json_file.h"
 #include "scene/open.h"
 #include "scene/saving.h"
+#include "scene/scheme_json.h"
 #include "support/open.h"
 #include "support/text.h"
 
@@ -563,4 +564,22 @@ TEST_CASE("a_model_and_a_cage_whose_names_are_not_utf_8_come_back") {
     CHECK(back.document.model.path.filename() == "m\xff.obj");
     CHECK(back.document.cage_file.path.filename() == "c\xff.obj");
   }
+}
+
+TEST_CASE("of_sessions_that_do_not_say_so_the_parts_of_a_model_come_apart_as_they_did") {
+  std::vector<std::string> warnings;
+  const auto read = [&](const nlohmann::json& json) {
+    return scheme_of(JsonReader(json, "a.viete"), warnings).weighting;
+  };
+  const nlohmann::json older = {{"elements", "face"}, {"weights", "biharmonic"}, {"blend", "srl"}};
+  CHECK(read(older).used_apart());
+  const deform::Scheme now = deform::default_scheme();
+  CHECK_FALSE(now.weighting.apart);
+  CHECK(read(nlohmann::json(scheme_json(now))) == now.weighting);
+  deform::Scheme before = now;
+  before.weighting.apart = true;
+  CHECK(read(nlohmann::json(scheme_json(before))) == before.weighting);
+  CHECK_FALSE(before.weighting == now.weighting);
+  CHECK_FALSE(read({{"coordinates", "mvc"}}).used_apart());
+  CHECK(warnings.empty());
 }

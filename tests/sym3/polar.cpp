@@ -193,7 +193,7 @@ TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_an
   in[20] = {}, in[77] = {1, 2, 3, 2, 4, 6, -1, -2, -3};
   for (const auto& kernel : sym3::kernels()) {
     const auto run = [&](std::vector<Mat3<T>>& r, const sym3::SymView<T>& u, std::size_t count) {
-      const sym3::MatView<T> both(Layout::packed, r[0].data());
+      const sym3::MatView<T> both(sym3::Layout::packed, r[0].data());
       sym3::polar(both, both, u, count, {&kernel});
     };
     std::vector<sym3::Polar<T>> one(most);
@@ -227,4 +227,36 @@ TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_an
       }
     }
   }
+}
+
+TEST_CASE_TEMPLATE("entries_near_the_largest_number_overflow_no_step_on_the_way", T, double, float) {
+  const T x = std::numeric_limits<T>::max() / T(1.06), small = std::exp2(T(-12));
+  for (const auto& kernel : sym3::kernels()) {
+    for (const Mat3<T>& m :
+         {Mat3<T>{x, x, x, x, x, x, x, x, x}, Mat3<T>{x, -x, 0, x, x, 0, 0, 0, x},
+          Mat3<T>{x, x, -x, x, -x, x, -x, x, x}, Mat3<T>{x, x / 2, 0, -x / 3, x / 4, x / 7, 0, x / 5, -x}}) {
+      const auto of = [&](Mat3<T> in) {
+        sym3::Polar<T> p;
+        sym3::polar(sym3::MatView<const T>(sym3::Layout::packed, in.data()),
+                    sym3::MatView<T>(sym3::Layout::packed, p.rotation.data()), sym3::packed(&p.stretch), 1,
+                    {&kernel});
+        return p;
+      };
+      Mat3<T> less = m;
+      for (T& entry : less) entry *= small;
+      const auto p = of(m), q = of(less);
+      CHECK(p.rotation == q.rotation);
+      for (int k = 0; k < 6; ++k) CHECK((&p.stretch.xx)[k] == (&q.stretch.xx)[k] / small);
+    }
+  }
+  for (const T u : {sym3::polar(Mat3<T>{x, x, x, x, x, x, x, x, x}).stretch.xx})
+    CHECK(u == doctest::Approx(x));
+}
+
+TEST_CASE_TEMPLATE("subnormal_matrices_have_their_rotation_and_stretch", T, double, float) {
+  const T x = std::numeric_limits<T>::denorm_min() * 1000;
+  const auto p = sym3::polar(Mat3<T>{x, -x, 0, x, x, 0, 0, 0, x});
+  CHECK(p.rotation[0] == doctest::Approx(std::sqrt(0.5)).epsilon(1e-6));
+  CHECK(p.stretch.xx / x == doctest::Approx(std::sqrt(2.0)).epsilon(1e-3));
+  CHECK(p.stretch.zz == x);
 }

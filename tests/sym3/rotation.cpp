@@ -202,10 +202,14 @@ TEST_CASE_TEMPLATE("logs_of_nan_infinity_and_overflow_are_three_nan", T, double,
 }
 
 TEST_CASE("huge_angles_still_give_a_rotation") {
-  const auto r = sym3::exp_rotation(Vec3<double>{1e200, -2e200, 5e199});
-  const double det = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
-                     r[2] * (r[3] * r[7] - r[4] * r[6]);
-  CHECK(det == doctest::Approx(1).epsilon(1e-14));
+  for (const Vec3<double>& w :
+       {Vec3<double>{1e200, -2e200, 5e199}, {1.7e308, 1.7e308, 1.7e308}, {-1.7e308, 1, 1.2e308}}) {
+    const auto r = sym3::exp_rotation(w);
+    const double det = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
+                       r[2] * (r[3] * r[7] - r[4] * r[6]);
+    CHECK(det == doctest::Approx(1).epsilon(1e-13));
+  }
+  for (const float x : sym3::exp_rotation(Vec3<float>{3.3e38F, 3.3e38F, -3.3e38F})) CHECK(std::isfinite(x));
 }
 
 TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_rotations_gives_the_bits_of_one", T, double,

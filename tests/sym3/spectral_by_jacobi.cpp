@@ -2,10 +2,13 @@
 #include "sym3/fallback.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
+#include "sym3/entries.h"
 #include "sym3/entries_of.h"
+#include "sym3/log.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 #include "sym3/with_condition.h"
@@ -23,25 +26,25 @@ Sym3<T> by(void (*function)(const T*, T*), const Sym3<T>& s) {
 }
 
 template <class T>
-Sym3<T> log(const Sym3<T>& s) {
+Sym3<T> jacobi_log(const Sym3<T>& s) {
   return by<T>(sym3::log_by_jacobi, s);
 }
 
 template <class T>
-Sym3<T> sqrt(const Sym3<T>& s) {
+Sym3<T> jacobi_sqrt(const Sym3<T>& s) {
   return by<T>(sym3::sqrt_by_jacobi, s);
 }
 
 template <class T>
-Sym3<T> inv_sqrt(const Sym3<T>& s) {
+Sym3<T> jacobi_inv_sqrt(const Sym3<T>& s) {
   return by<T>(sym3::inv_sqrt_by_jacobi, s);
 }
 
 template <class T>
 void check(const Sym3<T>& s) {
-  CHECK(error_in_u(log(s), quad_log(to_quad(s))) <= bound<T>);
-  CHECK(error_in_u(inv_sqrt(s), quad_inv_sqrt(to_quad(s))) <= bound<T>);
-  CHECK(error_in_u(sqrt(s), quad_function(to_quad(s), sqrtq)) <= bound<T>);
+  CHECK(error_in_u(jacobi_log(s), quad_log(to_quad(s))) <= bound<T>);
+  CHECK(error_in_u(jacobi_inv_sqrt(s), quad_inv_sqrt(to_quad(s))) <= bound<T>);
+  CHECK(error_in_u(jacobi_sqrt(s), quad_function(to_quad(s), sqrtq)) <= bound<T>);
 }
 
 }  // namespace
@@ -68,7 +71,7 @@ TEST_CASE("log_by_jacobi_is_relatively_exact_near_the_identity") {
       const double size = std::pow(10.0, -digits);
       Sym3<double> s = with_eigenvalues<double>({size, uniform(random, -size, size), -size}, random);
       s.xx += 1, s.yy += 1, s.zz += 1;
-      CHECK(error_in_u(log(s), quad_log(to_quad(s))) <= bound<double>);
+      CHECK(error_in_u(jacobi_log(s), quad_log(to_quad(s))) <= bound<double>);
     }
   }
 }
@@ -79,13 +82,13 @@ TEST_CASE("log_by_jacobi_keeps_its_bound_across_the_border_of_near_the_identity"
     const double off = uniform(random, 0.05, 0.3), d = std::pow(10.0, uniform(random, -4, -0.5));
     const auto any = [&random](double size) { return uniform(random, -size, size); };
     const Sym3<double> s = {1 + any(d), off, any(off), 1 + any(d), any(off) * (i % 2), 1 + any(d)};
-    CHECK(error_in_u(log(s), quad_log(to_quad(s))) <= bound<double>);
+    CHECK(error_in_u(jacobi_log(s), quad_log(to_quad(s))) <= bound<double>);
   }
 }
 
 TEST_CASE_TEMPLATE("log_by_jacobi_of_the_identity_is_exactly_zero", T, double, float) {
-  CHECK(log(sym3::identity<T>()) == Sym3<T>{});
-  CHECK(inv_sqrt(sym3::identity<T>()) == sym3::identity<T>());
+  CHECK(jacobi_log(sym3::identity<T>()) == Sym3<T>{});
+  CHECK(jacobi_inv_sqrt(sym3::identity<T>()) == sym3::identity<T>());
 }
 
 TEST_CASE_TEMPLATE("by_jacobi_matrices_that_are_not_positive_definite_give_six_nan", T, double, float) {
@@ -93,8 +96,8 @@ TEST_CASE_TEMPLATE("by_jacobi_matrices_that_are_not_positive_definite_give_six_n
   for (const auto& s :
        {Sym3<T>{}, diagonal(T(1), T(1), T(0)), diagonal(T(1), T(-1), T(2)), Sym3<T>{1, 2, 0, 1, 0, 1},
         Sym3<T>{1, 1, 1, 1, 1, 1}, diagonal(T(1), nan, T(1)), diagonal(inf, T(1), T(1))}) {
-    CHECK(all_nan(log(s)));
-    CHECK(all_nan(inv_sqrt(s)));
+    CHECK(all_nan(jacobi_log(s)));
+    CHECK(all_nan(jacobi_inv_sqrt(s)));
   }
 }
 
@@ -104,5 +107,34 @@ TEST_CASE("very_large_and_very_small_matrices_keep_the_bounds") {
       for (const auto& s : with_condition<double>(condition, 50, size)) check(s);
     }
   }
-  CHECK(inv_sqrt(diagonal(1e300, 1.0, 1e-300)).zz == doctest::Approx(1e150).epsilon(1e-15));
+  CHECK(jacobi_inv_sqrt(diagonal(1e300, 1.0, 1e-300)).zz == doctest::Approx(1e150).epsilon(1e-15));
+}
+
+TEST_CASE_TEMPLATE("logs_and_roots_are_numbers_where_eigenvalues_are_past_the_largest", T, double, float) {
+  const T x = std::numeric_limits<T>::max() / T(1.06), more = T(8 * std::log(2.0));
+  for (const auto& s : {Sym3<T>{x, x / 2, 0, x, 0, x}, Sym3<T>{x, x / 3, x / 5, x, x / 4, x}}) {
+    const Sym3<T> less = sym3::times(s, std::exp2(T(-8)));
+    const auto same = [](const Sym3<T>& a, const Sym3<T>& b, T factor, T shift) {
+      for (int k = 0; k < 6; ++k) {
+        const T expected = factor * (&b.xx)[k] + (k == 0 || k == 3 || k == 5 ? shift : T(0));
+        CHECK((&a.xx)[k] == doctest::Approx(expected).epsilon(1e-5));
+      }
+    };
+    same(sym3::log(s), sym3::log(less), 1, more);
+    same(sym3::log_qr(s), sym3::log_qr(less), 1, more);
+    same(sym3::sqrt(s), sym3::sqrt(less), 16, 0);
+    same(sym3::inv_sqrt(s), sym3::inv_sqrt(less), T(0.0625), 0);
+    same(sym3::pow(s, 0.25), sym3::pow(less, 0.25), 4, 0);
+  }
+  const Sym3<T> ones{x, x, x, x, x, x};
+  CHECK(sym3::sqrt(ones).xy == doctest::Approx(std::sqrt(x) / std::sqrt(3.0)).epsilon(1e-5));
+}
+
+TEST_CASE("logs_by_qr_of_subnormal_matrices_are_those_by_jacobi") {
+  const Sym3<double> s{1e-310, 2e-311, 0, 1e-310, 0, 3e-310};
+  const auto a = sym3::log_qr(s), b = sym3::log(s);
+  CHECK(a.xx == doctest::Approx(b.xx).epsilon(1e-9));
+  CHECK(a.xy == doctest::Approx(b.xy).epsilon(1e-6));
+  CHECK(a.zz == doctest::Approx(b.zz).epsilon(1e-9));
+  CHECK(std::isnan(sym3::log_qr(Sym3<double>{0, 0, 0, 1, 0, 1}).zz));
 }

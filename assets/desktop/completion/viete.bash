@@ -35,7 +35,7 @@ _viete_value() {
     --triangles) words='60 200 600' ;;
     --margin | --gap) words='0.15 0.5 2' ;;
     --cells) words='1x1x1 2x2x2 3x3x3' ;;
-    --scale | --frames | --step | --rate | --iterations | --pins | --hold | --tolerance | --count | --faces | --rounds) ;;
+    --scale | --frames | --step | --rate | --iterations | --pins | --hold | --tolerance | --largest | --count | --faces | --rounds) ;;
     *) return 1 ;;
   esac
   [[ -z $words ]] || COMPREPLY=($(compgen -W "$words" -- "$cur"))
@@ -54,7 +54,7 @@ _viete_options() {
       ;;
     deform) options+=' --output --digits --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
-      options+=' --output --force --keys --frames --step --rate --tolerance --straight --turntable --digits --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
+      options+=' --output --force --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
         --size --scale --binding --look --shading --panels --light --wireframe --error-map --no-cage --no-grid'
       ;;
     bind) options+=' --output --force --elements --weights --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;

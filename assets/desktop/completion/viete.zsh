@@ -46,7 +46,8 @@ case $command in
   animate)
     specs+=($files $output $method $weighting $blend $coordinates $reach $limits $amounts $stitched $picture $digits
       '--keys=[keys of other files]:file:_files' '--frames=[first-last]:frames:' '--step=[every so many frames]:frames:'
-      '--rate=[frames a second]:rate:' '--tolerance=[between morph targets]:tolerance:'
+      '--rate=[frames a second]:rate:' '--tolerance=[of morph targets]:tolerance:'
+      '--no-normals[morph targets of positions alone]' '--largest=[megabytes of morph targets]:megabytes:'
       '--straight[straight lines from key to key]' '--turntable[pictures go once round the model]')
     ;;
   bind) specs+=($files $output $weighting $coordinates $reach $limits $tolerance) ;;

@@ -1,0 +1,306 @@
+#include "mesh/triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <functional>
+#include <numeric>
+#include <queue>
+
+#include "mesh/adjacency.h"
+#include "mesh/orientation.h"
+
+namespace viete::mesh {
+
+namespace {
+
+// Twice a triangle's area by the square of its longer spoke, or a polygon's by that of its extent; below it
+// rounding decides.
+constexpr double flat_fan = 1e-12;
+
+// The triangles about a polygon's first corner, in units of its extent.
+class Fan {
+public:
+  explicit Fan(std::span<const Point> corners) : corners_(corners) {
+    double extent = 0;
+    for (const Point& p : corners) extent = std::max(extent, largest_abs(p - corners[0]));
+    scale_ = 1 / extent;
+    for (std::size_t i = 2; i < corners.size(); ++i) normal_ = normal_ + cross(spoke(i - 1), spoke(i));
+  }
+
+  // As long as twice the polygon's area.
+  const Vec3& normal() const { return normal_; }
+
+  bool covers() const {
+    const double size = norm(normal_);
+    if (!(size > flat_fan)) return true;
+    for (std::size_t i = 2; i < corners_.size(); ++i) {
+      const Vec3 a = spoke(i - 1), b = spoke(i);
+      const double square = std::max(squared_norm(a), squared_norm(b));
+      if (dot(cross(a, b), normal_) < -flat_fan * size * square) return false;
+    }
+    return true;
+  }
+
+private:
+  Vec3 spoke(std::size_t i) const { return scale_ * (corners_[i] - corners_[0]); }
+
+  std::span<const Point> corners_;
+  double scale_;
+  Vec3 normal_{0, 0, 0};
+};
+
+// The same points in a unit in which products of three coordinates are in range, to the last bit.
+std::vector<Point> in_range(std::span<const Point> corners) {
+  double largest = 0;
+  for (const Point& p : corners) largest = std::max(largest, largest_abs(p));
+  const double unit = std::exp2(-std::max(std::ilogb(largest), -1000));
+  std::vector<Point> points;
+  for (const Point& p : corners) points.push_back(unit * p);
+  return points;
+}
+
+// Where the points are, but for rounding, in a plane across the normal.
+std::vector<Point2> places_across(const Vec3& normal, std::span<const Point> points) {
+  Vec3 axis{0, 0, 0};
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k) least = std::abs(normal[k]) < std::abs(normal[least]) ? k : least;
+  axis[least] = 1;
+  const Vec3 across = cross(axis, normal), u = (1 / norm(across)) * across, v = cross(normal, u);
+  std::vector<Point2> places;
+  for (const Point& p : points) places.push_back({dot(u, p - points[0]), dot(v, p - points[0])});
+  return places;
+}
+
+double squared_distance(const Point2& a, const Point2& b) {
+  return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+}
+
+struct Box2 {
+  Point2 low, high;
+
+  bool holds(const Point2& p) const {
+    return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] && p[1] <= high[1];
+  }
+};
+
+Box2 box_of(std::span<const Point2> places) {
+  Box2 box{places[0], places[0]};
+  for (const Point2& p : places) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      box.low[k] = std::min(box.low[k], p[k]);
+      box.high[k] = std::max(box.high[k], p[k]);
+    }
+  }
+  return box;
+}
+
+// Places by the cells of a grid.
+class Cells {
+public:
+  explicit Cells(std::span<const Point2> places)
+      : box_(box_of(places)), side_(std::ceil(std::sqrt(static_cast<double>(places.size())))) {
+    const auto side = static_cast<std::size_t>(side_);
+    lists_ = make_adjacency(side * side, [&](const auto& add) {
+      for (std::uint32_t i = 0; i < places.size(); ++i)
+        add(static_cast<std::uint32_t>(cell(places[i], 0) + side * cell(places[i], 1)), i);
+    });
+  }
+
+  // True if is_one(i) of any in the cells that the box meets.
+  template <class IsOne>
+  bool any(const Box2& box, const IsOne& is_one) const {
+    for (std::size_t y = cell(box.low, 1); y <= cell(box.high, 1); ++y) {
+      for (std::size_t x = cell(box.low, 0); x <= cell(box.high, 0); ++x) {
+        const auto list = lists_.of(x + static_cast<std::size_t>(side_) * y);
+        if (std::ranges::any_of(list, is_one)) return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  std::size_t cell(const Point2& p, std::size_t axis) const {
+    const double extent = box_.high[axis] - box_.low[axis];
+    const double at = extent > 0 ? side_ * (p[axis] - box_.low[axis]) / extent : 0;
+    return static_cast<std::size_t>(std::clamp(at, 0.0, side_ - 1));
+  }
+
+  Box2 box_;
+  double side_;  // in cells
+  Adjacency lists_;
+};
+
+// Which corners are clipped, if there are no better ones: ears that touch no other corner; those that none
+// reaches into; corners without area.
+enum class Ears { clear, touched, flat };
+
+// Clips corners off a ring until it is none. With exact signs there is always one of these kinds, if the ring
+// does not cross itself: of a simple ring near it, which is cut into triangles, an outer triangle is one.
+class EarClipper {
+public:
+  EarClipper(std::span<const Point> corners, const Vec3& normal)
+      : normal_((1 / norm(normal)) * normal),
+        points_(in_range(corners)),
+        places_(places_across(normal_, points_)),
+        cells_(places_),
+        previous_(corners.size()),
+        next_(corners.size()),
+        turns_(corners.size()),
+        left_(corners.size()) {
+    const Box2 box = box_of(places_);
+    slack_ = 1e-9 * std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+    for (std::uint32_t i = 0; i < left_; ++i) {
+      next_[i] = i + 1 < left_ ? i + 1 : 0;
+      previous_[next_[i]] = i;
+      size_ += squared_distance(places_[i], places_[next_[i]]);
+    }
+    for (std::uint32_t i = 0; i < left_; ++i) turns_[i] = turn(previous_[i], i, next_[i]);
+  }
+
+  std::vector<Triangle> cut() {
+    for (Ears kind = Ears::clear; left_ > 2;) {
+      if (looked_at_ > patience_ * points_.size() + 1000) {
+        clip(next_[first_]);
+      } else if (clip_all(kind)) {
+        kind = Ears::clear;
+      } else if (kind == Ears::flat) {
+        clip(thinnest());
+        kind = Ears::clear;
+      } else {
+        kind = kind == Ears::clear ? Ears::touched : Ears::flat;
+      }
+    }
+    std::ranges::sort(triangles_);
+    return std::move(triangles_);
+  }
+
+private:
+  // A corner with its neighbours in the ring; by length of the cut, then by the way from the first corner.
+  struct Ear {
+    long length;
+    std::uint32_t way, corner, previous, next;
+    auto operator<=>(const Ear&) const = default;
+  };
+  // Of rings that cross themselves: how often each corner is asked about before the rest becomes a fan.
+  static constexpr std::size_t patience_ = 16;
+
+  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return orientation_along(normal_, points_[a], points_[b], points_[c]);
+  }
+
+  // Cuts of almost one length count as equally long, so that rounding decides nothing.
+  long length_of_cut(std::uint32_t a, std::uint32_t b) const {
+    return std::lround(64 * std::log2(std::max(squared_distance(places_[a], places_[b]) / size_, 0x1p-200)));
+  }
+
+  bool clip_all(Ears kind) {
+    for (auto i = next_[first_], n = static_cast<std::uint32_t>(left_); n > 0; i = next_[i], --n)
+      look_at(i, kind);
+    bool any = false;
+    while (!ears_.empty() && left_ > 2) {
+      const Ear ear = ears_.top();
+      ears_.pop();
+      if (previous_[ear.corner] != ear.previous || next_[ear.corner] != ear.next) continue;
+      clip(ear.corner);
+      look_at(ear.previous, kind), look_at(ear.next, kind);
+      any = true;
+    }
+    return any;
+  }
+
+  void look_at(std::uint32_t i, Ears kind) {
+    ++looked_at_;
+    const auto n = static_cast<std::uint32_t>(points_.size());
+    if (is_ear(i, kind))
+      ears_.push({length_of_cut(previous_[i], next_[i]), std::min(i, n - i), i, previous_[i], next_[i]});
+  }
+
+  bool is_ear(std::uint32_t i, Ears kind) const {
+    const Triangle ear{previous_[i], i, next_[i]};
+    if (points_[i] == points_[ear[0]] || points_[i] == points_[ear[2]]) return true;
+    if (turns_[i] <= 0) return turns_[i] == 0 && kind == Ears::flat;
+    Box2 box = box_of(std::array{places_[ear[0]], places_[ear[1]], places_[ear[2]]});
+    for (std::size_t k = 0; k < 2; ++k) box.low[k] -= slack_, box.high[k] += slack_;
+    return !cells_.any(box, [&](std::uint32_t other) {
+      return turns_[other] <= 0 && box.holds(places_[other]) && spoils(other, ear, kind);
+    });
+  }
+
+  // Whether a corner, which is not convex, is in the ear, or on it, or a side of the ring leads into it
+  // there.
+  bool spoils(std::uint32_t corner, const Triangle& ear, Ears kind) const {
+    std::array<int, 3> sides;
+    for (std::size_t k = 0; k < 3; ++k) {
+      sides[k] = turn(ear[k], ear[(k + 1) % 3], corner);
+      if (sides[k] < 0) return false;
+    }
+    if (kind == Ears::clear && std::ranges::count(sides, 0) < 2) return true;
+    // At its tip a notch may be all that the ear would be; if it is not, it is better clipped later.
+    if (kind != Ears::flat && sides[0] == 0 && sides[1] == 0 && turns_[corner] < 0) return true;
+    return leads_into(ear, sides, previous_[corner]) || leads_into(ear, sides, next_[corner]);
+  }
+
+  bool leads_into(const Triangle& ear, const std::array<int, 3>& sides, std::uint32_t to) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (sides[k] == 0 && turn(ear[k], ear[(k + 1) % 3], to) <= 0) return false;
+    return true;
+  }
+
+  void clip(std::uint32_t i) {
+    const std::uint32_t a = previous_[i], b = next_[i];
+    Triangle t{a, i, b};
+    std::ranges::rotate(t, std::ranges::min_element(t));
+    triangles_.push_back(t);
+    next_[a] = b, previous_[b] = a;
+    previous_[i] = next_[i] = i;
+    turns_[i] = 1;
+    turns_[a] = turn(previous_[a], a, b), turns_[b] = turn(a, b, next_[b]);
+    first_ = a;
+    --left_;
+  }
+
+  std::uint32_t thinnest() const {
+    const auto area = [&](std::uint32_t i) {
+      const Point2 &a = places_[previous_[i]], &b = places_[i], &c = places_[next_[i]];
+      return std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    };
+    std::uint32_t best = first_;
+    for (auto i = next_[first_]; i != first_; i = next_[i])
+      if (area(i) < area(best)) best = i;
+    return best;
+  }
+
+  Vec3 normal_;
+  std::vector<Point> points_;
+  std::vector<Point2> places_;
+  Cells cells_;
+  std::vector<std::uint32_t> previous_, next_;  // in the ring; of what is clipped itself
+  std::vector<int> turns_;                      // at each corner; of what is clipped 1
+  std::size_t left_, looked_at_ = 0;
+  std::uint32_t first_ = 0;
+  double size_ = 0, slack_ = 0;
+  std::priority_queue<Ear, std::vector<Ear>, std::greater<>> ears_;
+  std::vector<Triangle> triangles_;
+};
+
+std::vector<Triangle> fan_of(std::size_t corners) {
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 2; i < corners; ++i) triangles.push_back({0, i - 1, i});
+  return triangles;
+}
+
+}  // namespace
+
+bool is_fan(std::span<const Point> corners) {
+  return corners.size() <= 3 || Fan(corners).covers();
+}
+
+std::vector<Triangle> triangulation(std::span<const Point> corners) {
+  const Fan fan(corners);
+  if (corners.size() <= 3 || fan.covers()) return fan_of(corners.size());
+  if (corners.size() == 4) return {{0, 1, 3}, {1, 2, 3}};
+  return EarClipper(corners, fan.normal()).cut();
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,348 @@
+#include "mesh/triangulation.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "mesh/gltf_output.h"
+#include "mesh/obj.h"
+#include "mesh/off.h"
+#include "mesh/ply.h"
+#include "mesh/shapes.h"
+#include "mesh/stl.h"
+#include "mesh/summary.h"
+
+using namespace viete;
+using namespace viete::mesh;
+
+namespace {
+
+constexpr double half_turn = std::numbers::pi;
+using Ring = std::vector<Point>;
+
+Ring flat(const std::vector<std::array<double, 2>>& places) {
+  Ring ring;
+  for (const auto& [x, y] : places) ring.push_back({x, y, 0});
+  return ring;
+}
+
+// About the origin, by angle.
+template <class Radius>
+Ring polar(std::size_t n, const Radius& radius) {
+  Ring ring;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = 2 * half_turn * static_cast<double>(i) / static_cast<double>(n), r = radius(i);
+    ring.push_back({r * std::cos(a), r * std::sin(a), 0});
+  }
+  return ring;
+}
+
+const Ring dart = flat({{2, 0}, {1, 0.5}, {0, 0}, {1, 1.5}});
+const Ring u_shape = flat({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 1.5}, {2, 1.5}, {2, 4}, {0, 4}});
+// A square with a square hole, along a bridge that is run through twice.
+const Ring keyhole = flat({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}});
+
+Ring star(std::size_t n) {
+  return polar(n, [](std::size_t i) { return i % 2 ? 1.0 : 10.0; });
+}
+
+// Teeth that hang over, so that none of them is seen from most others.
+Ring comb(int teeth) {
+  Ring ring = flat({{0, -1}, {3.0 * teeth, -1}});
+  for (int i = teeth; i-- > 0;) {
+    const double x = 3 * i;
+    for (const auto& p : flat({{x + 2, 0}, {x + 4, 9}, {x + 3, 9}, {x + 1, 0}})) ring.push_back(p);
+  }
+  return ring;
+}
+
+// A band in several turns.
+Ring spiral(int n) {
+  const auto at = [&](int i, double width) {
+    const double a = 0.1 * i, r = 1 + 0.1 * a + width;
+    return Point{r * std::cos(a), r * std::sin(a), 0};
+  };
+  Ring ring;
+  for (int i = 0; i < n / 2; ++i) ring.push_back(at(i, 0.3));
+  for (int i = n / 2; i-- > 0;) ring.push_back(at(i, 0));
+  return ring;
+}
+
+// With a middle on every side and every third corner said again.
+Ring with_more_corners(const Ring& ring) {
+  Ring more;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& next = ring[(i + 1) % ring.size()];
+    more.insert(more.end(), i % 3 ? 1 : 2, ring[i]);
+    more.push_back(0.5 * (ring[i] + next));
+  }
+  return more;
+}
+
+// Turned by matrices of integers, so that what is flat stays flat and what is straight stays straight.
+Ring onto_a_slope(const Ring& ring) {
+  Ring turned;
+  for (const auto& [x, y, z] : ring)
+    turned.push_back({2 * x - y + 5, 2 * x + 2 * y - z, x + 3 * y + 2 * z - 7});
+  return turned;
+}
+
+Ring turned_by_rounded_numbers(const Ring& ring) {
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  Ring turned;
+  for (const auto& [x, y, z] : ring)
+    turned.push_back({c * x - s * y, 0.8 * (s * x + c * y), 0.6 * (s * x + c * y) + z});
+  return turned;
+}
+
+Vec3 area_of(const Ring& ring) {
+  Vec3 sum{0, 0, 0};
+  for (std::size_t i = 2; i < ring.size(); ++i)
+    sum = sum + 0.5 * cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
+  return sum;
+}
+
+// That the triangles are a disc whose rim is the ring, and none lies face down: of a ring that does not cross
+// itself they cover each of its points once.
+void check_cover(const Ring& ring, const std::vector<Triangle>& triangles) {
+  CAPTURE(ring.size());
+  REQUIRE(triangles.size() == ring.size() - 2);
+  const Vec3 area = area_of(ring);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  double sum = 0, worst = 0;
+  for (const auto& t : triangles) {
+    REQUIRE((t[0] < t[1] && t[1] < t[2] && t[2] < ring.size()));
+    const Vec3 own = 0.5 * cross(ring[t[1]] - ring[t[0]], ring[t[2]] - ring[t[0]]);
+    sum += norm(own);
+    worst = std::min(worst, dot(own, area) / squared_norm(area));
+    for (std::size_t k = 0; k < 3; ++k) ++sides[{t[k], t[(k + 1) % 3]}];
+  }
+  CHECK(sum == doctest::Approx(norm(area)).epsilon(1e-12));
+  CHECK(worst > -1e-14);
+  bool is_disc = true;
+  const auto n = static_cast<std::uint32_t>(ring.size());
+  for (const auto& [side, count] : sides) {
+    const bool on_rim = side.second == (side.first + 1) % n;
+    is_disc &= count == 1 && on_rim != sides.contains({side.second, side.first});
+  }
+  CHECK(is_disc);
+}
+
+std::size_t without_area(const Ring& ring) {
+  std::size_t count = 0;
+  for (const auto& [i, j, k] : triangulation(ring))
+    count += stable_norm(cross(ring[j] - ring[i], ring[k] - ring[i])) < 1e-12 * norm(area_of(ring));
+  return count;
+}
+
+Ring from_corner(Ring ring, std::size_t first) {
+  std::ranges::rotate(ring, ring.begin() + static_cast<std::ptrdiff_t>(first));
+  return ring;
+}
+
+std::vector<Triangle> fan(std::size_t n) {
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 2; i < n; ++i) triangles.push_back({0, i - 1, i});
+  return triangles;
+}
+
+}  // namespace
+
+TEST_CASE("a_convex_polygon_is_a_fan_also_with_corners_on_its_sides_and_repeated_ones") {
+  for (std::size_t n = 3; n < 40; ++n) {
+    const Ring ring = polar(n, [](std::size_t) { return 1.0; });
+    for (const Ring& r : {ring, onto_a_slope(ring), turned_by_rounded_numbers(ring)})
+      CHECK(triangulation(r) == fan(n));
+  }
+  const Ring square = flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  for (const Ring& r : {with_more_corners(square), with_more_corners(onto_a_slope(square)),
+                        with_more_corners(turned_by_rounded_numbers(square))}) {
+    for (std::size_t first = 0; first < r.size(); ++first)
+      CHECK(triangulation(from_corner(r, first)) == fan(r.size()));
+  }
+}
+
+TEST_CASE("a_concave_polygon_that_its_first_corner_sees_whole_is_a_fan") {
+  CHECK(triangulation(from_corner(dart, 1)) == fan(4));
+  CHECK(triangulation(from_corner(dart, 3)) == fan(4));
+}
+
+TEST_CASE("every_simple_polygon_is_covered_once_from_any_first_corner") {
+  for (const Ring& shape : {dart, u_shape, keyhole, star(10), star(21), comb(3), spiral(140)}) {
+    for (const Ring& ring : {shape, with_more_corners(shape)}) {
+      for (const Ring& placed : {ring, onto_a_slope(ring), turned_by_rounded_numbers(ring)}) {
+        for (std::size_t first = 0; first < ring.size(); first += 1 + ring.size() / 30) {
+          const Ring from = from_corner(placed, first);
+          check_cover(from, triangulation(from));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("only_repeated_corners_make_triangles_without_area") {
+  CHECK(without_area(u_shape) == 0);
+  CHECK(without_area(keyhole) == 0);
+  Ring ring;  // the U with a middle on every side
+  for (std::size_t i = 0; i < u_shape.size(); ++i) {
+    ring.push_back(u_shape[i]);
+    ring.push_back(0.5 * (u_shape[i] + u_shape[(i + 1) % u_shape.size()]));
+  }
+  CHECK(without_area(ring) == 0);
+  CHECK(without_area(onto_a_slope(ring)) == 0);
+  ring.insert(ring.begin() + 5, ring[5]);
+  CHECK(without_area(ring) == 1);
+}
+
+TEST_CASE("polygons_that_touch_themselves_are_covered") {
+  // Two bridges from one corner, a hole that touches a side, and a slit.
+  const Ring two_bridges = flat({{0, 0},
+                                 {9, 0},
+                                 {9, 9},
+                                 {0, 9},
+                                 {0, 0},
+                                 {1, 5},
+                                 {2, 6},
+                                 {2, 5},
+                                 {1, 5},
+                                 {0, 0},
+                                 {4, 2},
+                                 {5, 3},
+                                 {6, 2},
+                                 {4, 2}});
+  const Ring hole_at_side = flat({{0, 0}, {4, 0}, {4, 4}, {2, 4}, {3, 2}, {1, 2}, {2, 4}, {0, 4}});
+  const Ring slit = flat({{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 1}, {2, 4}, {0, 4}});
+  for (const Ring& ring : {two_bridges, hole_at_side, slit}) {
+    for (std::size_t first = 0; first < ring.size(); ++first) {
+      const Ring from = from_corner(ring, first), slope = onto_a_slope(from);
+      check_cover(from, triangulation(from));
+      check_cover(slope, triangulation(slope));
+    }
+  }
+}
+
+TEST_CASE("polygons_of_thousands_of_corners_are_covered") {
+  for (const Ring& ring : {star(10000), comb(2500), spiral(10000), with_more_corners(spiral(1000))}) {
+    check_cover(ring, triangulation(ring));
+    const Ring slope = onto_a_slope(ring);
+    check_cover(slope, triangulation(slope));
+  }
+}
+
+TEST_CASE("almost_flat_polygons_are_cut_as_they_look_along_their_normal") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> off(-1e-3, 1e-3);
+  for (const Ring& shape : {u_shape, star(14), comb(4), spiral(100)}) {
+    Ring ring = onto_a_slope(shape);
+    for (Point& p : ring) p = p + Point{off(random), off(random), off(random)};
+    const auto triangles = triangulation(ring);
+    REQUIRE(triangles.size() == ring.size() - 2);
+    const Vec3 normal = area_of(ring);
+    for (const auto& [i, j, k] : triangles)
+      CHECK(dot(cross(ring[j] - ring[i], ring[k] - ring[i]), normal) > 0);
+  }
+}
+
+TEST_CASE("a_bent_quad_keeps_its_first_diagonal_as_long_as_it_is_convex_along_its_normal") {
+  for (const double height : {0.0, 0.3, -2.0}) {
+    CHECK(triangulation(Ring{{0, 0, 0}, {1, 0, height}, {1, 1, 0}, {0, 1, height}}) == fan(4));
+    CHECK(triangulation(Ring{{0, 0, height}, {0.4, 0.3, 0}, {1, 0, height}, {0.4, 1, 0}}) != fan(4));
+  }
+}
+
+TEST_CASE("the_cut_is_the_same_at_any_size_and_mirrored_in_its_mirror_image") {
+  for (const Ring& ring : {u_shape, star(16), comb(3), spiral(60), keyhole, with_more_corners(u_shape)}) {
+    const auto triangles = triangulation(ring);
+    for (const double scale : {1e-100, 3e-20, 7.0, 1e99}) {
+      Ring scaled;
+      for (const Point& p : ring) scaled.push_back(scale * p);
+      CHECK(triangulation(scaled) == triangles);
+    }
+  }
+  for (const Ring& ring : {comb(3), spiral(60), with_more_corners(comb(2))}) {
+    const auto n = static_cast<std::uint32_t>(ring.size());
+    Ring image{ring[0]};
+    for (std::size_t i = n - 1; i > 0; --i) image.push_back(ring[i]);
+    for (Point& p : image) p[0] = -p[0];
+    std::vector<Triangle> mirrored;
+    for (auto t : triangulation(ring)) {
+      for (auto& i : t) i = (n - i) % n;
+      std::ranges::sort(t);
+      mirrored.push_back(t);
+    }
+    std::ranges::sort(mirrored);
+    CHECK(triangulation(image) == mirrored);
+  }
+}
+
+TEST_CASE("polygons_that_cross_themselves_or_have_no_area_get_as_many_triangles") {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::vector<Ring> rings = {polar(5, [](std::size_t) { return 1.0; }),
+                             flat({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), Ring(7, Point{3, 4, 5}),
+                             flat({{0, 0}, {1, 0}, {2, 0}, {0.5, 0}, {1.5, 0}})};
+  std::swap(rings[0][1], rings[0][3]);
+  for (const std::size_t n : {5, 6, 9, 50, 5000}) {
+    Ring& ring = rings.emplace_back(n);
+    for (Point& p : ring) p = {any(random), any(random), any(random)};
+  }
+  for (const Ring& ring : rings) {
+    const auto triangles = triangulation(ring);
+    REQUIRE(triangles.size() == ring.size() - 2);
+    std::vector<std::uint8_t> used(ring.size(), 0);
+    for (const auto& [i, j, k] : triangles) {
+      REQUIRE((i < j && j < k && k < ring.size()));
+      used[i] = used[j] = used[k] = 1;
+    }
+    CHECK(std::ranges::count(used, 1) == static_cast<std::ptrdiff_t>(ring.size()));
+    CHECK(triangulation(ring) == triangles);
+  }
+}
+
+TEST_CASE("triangles_of_a_surface_name_the_corners_that_they_were_cut_from") {
+  // The keyhole's bridge has two corners at a vertex: by vertices alone they could not be told.
+  Surface s;
+  s.positions = flat({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {9, 9}});
+  s.corners = {1, 8, 2, 0, 1, 2, 3, 0, 4, 5, 6, 7, 4, 1, 0, 7};
+  s.polygon_starts = {0, 3, 13, 16};
+  triangulate(s);
+  test::check_invariants(s);
+  const double area =
+      0.5 * norm(cross(s.positions[8] - s.positions[1], s.positions[2] - s.positions[1])) + 12 + 2;
+  CHECK(summarize(s).area == doctest::Approx(area));
+  std::size_t t = 0;
+  std::vector<int> uses(s.corners.size(), 0);
+  for_each_triangle(s, [&](const Triangle& triangle, const Triangle& corners) {
+    const std::uint32_t polygon = s.triangle_polygon[t++];
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(triangle[k] == s.corners[corners[k]]);
+      CHECK((corners[k] >= s.polygon_starts[polygon] && corners[k] < s.polygon_starts[polygon + 1]));
+      ++uses[corners[k]];
+    }
+  });
+  CHECK(t == s.triangles.size());
+  CHECK(std::ranges::count(uses, 0) == 0);
+  CHECK(clipped_of(s, 0).empty());
+  CHECK(clipped_of(s, 1).size() == 8);
+  CHECK(clipped_of(s, 2).empty());
+}
+
+TEST_CASE("a_surface_of_concave_polygons_has_their_area_in_every_format") {
+  const Surface u =
+      test::read_text(
+          "v 0 0 0\nv 6 0 0\nv 6 4 0\nv 4 4 0\nv 4 1.5 0\nv 2 1.5 0\nv 2 4 0\nv 0 4 0\nf 1 2 3 4 5 6 7 8\n",
+          "obj")
+          .surface;
+  CHECK(summarize(u).area == doctest::Approx(19));
+  using Format = std::pair<const char*, void (*)(const Content&, TextWriter&)>;
+  for (const auto& [extension, format] :
+       {Format{"obj", write_obj}, Format{"ply", write_ply}, Format{"off", write_off},
+        Format{"stl", write_stl}, Format{"glb", write_glb}}) {
+    CAPTURE(extension);
+    CHECK(summarize(test::read_text(test::bytes_by(format, u), extension).surface).area ==
+          doctest::Approx(19));
+  }
+}
