@@ -9,9 +9,10 @@ usage: third_party/setup.sh [COMMAND] [ARGS...]
   run [ARGS...]         install what is missing, build the program, start it (this is what no command does)
   test [CTEST ARGS...]  install what is missing, build program and tests, run the tests
   build                 install what is missing, build the program: build/viete
-  deps [test]           install what is missing for the program (or the tests too), nothing else
+  package               make packages of the program and the library for any machine: build-package/*.deb
+  deps [test|package]   install what is missing for the program (or the tests, or packages too), nothing else
   help                  this text
-The first run builds kernels for this machine's processor alone, which is quicker; test builds all of them.
+The first run builds kernels for this machine's processor alone, which is quicker; test and package build all of them.
 JOBS=2 bounds how many compilers run at once.
 TEXT
 }
@@ -24,6 +25,8 @@ program_wish="fonts-inter fonts-jetbrains-mono libosmesa6 libdecor-0-plugin-1-ca
 tests="doctest-dev pybind11-dev python3-dev python3-numpy"
 # A virtual display with a mouse, and what looks into packages.
 tests_wish="xvfb xdotool dpkg-dev file"
+# What finds the libraries that a package needs.
+packing="dpkg-dev file"
 
 say() { echo "setup.sh: $*" >&2; }
 
@@ -69,6 +72,8 @@ apt() {
     # Status lines have a descriptor of their own, made behind sudo, which closes others: dpkg keeps it from its scripts.
     { $root env LC_ALL=C DEBIAN_FRONTEND=noninteractive sh -c 'exec apt-get -q -o APT::Status-Fd=3 "$@" 3>&1' apt "$@" 2>&1 &&
       : >"$work/done"; } | tee "$work/apt.log" | installing
+    ! grep -q 'Could not resolve\|Temporary failure resolving\|Could not connect\|Unable to connect\|Network is unreachable\|Failed to fetch' \
+      "$work/apt.log" || unreachable=1
     [ ! -e "$work/done" ] || return 0
     if ! grep -q 'Could not get lock\|Unable to lock' "$work/apt.log" || [ $tries -ge 120 ]; then
       grep -v '^dlstatus\|^pmstatus' "$work/apt.log" >&2
@@ -80,10 +85,23 @@ apt() {
   done
 }
 
-# deps PROGRAM-OR-TEST: what is missing is installed; what is only wished for never stops anything.
+# What is needed could not be installed.
+not_installed() {
+  if [ -n "$unreachable" ]; then
+    say "the servers of packages cannot be reached from here: connect this machine to the network and call this again, or install by hand: ${missing% }"
+  else
+    say "these packages could not be installed (see above): ${missing% }"
+  fi
+  return 1
+}
+
+# deps PROGRAM-TEST-OR-PACKAGE: what is missing is installed; what is only wished for never stops anything.
 deps() {
-  need=$program wish=$program_wish
-  if [ "$1" = test ]; then need="$need $tests" wish="$wish $tests_wish"; fi
+  need=$program wish=$program_wish unreachable=""
+  case "$1" in
+    test) need="$need $tests" wish="$wish $tests_wish" ;;
+    package) need="$need $packing" ;;
+  esac
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     say "no apt-get here; install by hand the equivalents of:" $need "and, where there are such:" $wish
     return 0
@@ -97,29 +115,31 @@ deps() {
     case " $unknown " in *" $p "*) ;; *) asked=1 ;; esac
   done
   if [ -z "$missing" ] && [ -z "${asked:-}" ]; then return 0; fi
-  root=""
+  root="" refused="" left=""
   if [ "$(id -u)" != 0 ]; then
-    if command -v sudo >/dev/null; then
-      root=sudo
-    elif [ -z "$missing" ]; then
-      say "not installed, and not needed: ${wished% }"
-      return 0
-    else
-      say "these packages are missing: ${missing% }"
-      say "there is no sudo here; let root install them: su -c '$here/third_party/setup.sh deps $1'"
-      return 1
+    root=sudo
+    if ! command -v sudo >/dev/null; then
+      refused="there is no sudo here"
+    elif ! sudo sh -c :; then
+      refused="sudo has refused"
     fi
   fi
-  left=""
-  if say "asking for the newest list of packages" && apt update; then
-    if [ -n "$missing" ]; then fetch $missing; fi
+  if [ -n "$refused" ] && [ -n "$missing" ]; then
+    say "these packages are missing: ${missing% }"
+    say "$refused; let root install them: su -c '$here/third_party/setup.sh deps $1'"
+    return 1
+  fi
+  if [ -n "$refused" ]; then
+    left=" $wished"
+  elif say "asking for the newest list of packages" && apt update; then
+    if [ -n "$missing" ] && ! fetch $missing; then not_installed; return 1; fi
     found=""
     for p in $wished; do
       if apt-cache show "$p" >/dev/null 2>&1; then found="$found $p"; else left="$left $p"; fi
     done
     if [ -n "$found" ] && ! fetch $found; then left="$left$found"; fi
   else
-    [ -z "$missing" ] || return 1
+    if [ -n "$missing" ]; then not_installed; return 1; fi
     left=" $wished"
   fi
   if [ -n "$left" ]; then say "not installed, and not needed:${left% }"; fi
@@ -129,29 +149,48 @@ deps() {
 
 # Says how much that is, and installs it.
 fetch() {
-  LC_ALL=C apt-get --assume-no install --no-install-recommends "$@" 2>/dev/null |
-    sed -n 's/^0 upgraded, \([0-9]* newly installed\).*/  \1/p; s/^\(Need to get\|After this operation\)/  &/p' >&2
+  LC_ALL=C apt-get -s --print-uris install --no-install-recommends "$@" 2>/dev/null |
+    sed -n 's/^0 upgraded, \([0-9]* newly installed\).*/  \1/p; s/^\(Need to get\|After this operation\)/  &/p' |
+    awk '!said[$0]++' >&2
   apt -y install --no-install-recommends "$@"
 }
 
-# build TARGET CMAKE-OPTIONS...: the options are for a folder that is not configured yet, or `test`.
+# Two runs at once would build in one folder: the second one waits. Whoever was killed holds nothing.
+lock() {
+  lock=$here/.cache/setup.lock said=""
+  mkdir -p "$here/.cache" 2>/dev/null || return 0
+  until ln -s $$ "$lock" 2>/dev/null; do
+    owner=$(readlink "$lock") || { [ -w "$here/.cache" ] && continue || return 0; }
+    if ! grep -q setup "/proc/$owner/cmdline" 2>/dev/null; then
+      [ "$(readlink "$lock" || true)" != "$owner" ] || rm -f "$lock"
+      continue
+    fi
+    [ -n "$said" ] || say "another setup.sh (process $owner) is building here: waiting for it to end"
+    said=1
+    sleep 2
+  done
+  locked=1
+}
+
+# build TARGET FOLDER CMAKE-OPTIONS...: the options are for a folder that is not configured yet, or one that has another use.
 build() {
-  target=$1
-  shift
-  if [ -e "$here/build" ] && [ ! -w "$here/build" ]; then
-    say "$here/build belongs to $(stat -c %U "$here/build"); remove it, or give it to yourself: sudo chown -R $(id -un) '$here/build' '$here/.cache'"
+  target=$1 folder=$here/$2
+  shift 2
+  if [ -e "$folder" ] && [ ! -w "$folder" ]; then
+    say "$folder belongs to $(stat -c %U "$folder"); remove it, or give it to yourself: sudo chown -R $(id -un) '$folder' '$here/.cache'"
     return 1
   fi
-  mkdir -p "$here/build"
-  if [ ! -e "$here/build/build.ninja" ] || [ "$target" = all ]; then
-    if ! cmake -S "$here" -B "$here/build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$here/build/configure.log" 2>&1; then
-      cat "$here/build/configure.log" >&2
-      say "configuring failed; the text above is in $here/build/configure.log"
+  lock
+  mkdir -p "$folder"
+  if [ ! -e "$folder/build.ninja" ] || [ "$target" != viete ]; then
+    if ! cmake -S "$here" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$folder/configure.log" 2>&1; then
+      cat "$folder/configure.log" >&2
+      say "configuring failed; the text above is in $folder/configure.log"
       return 1
     fi
   fi
   rm -f "$work/done"
-  { cmake --build "$here/build" --target "$target" -j "${JOBS:-$(nproc)}" 2>&1 && : >"$work/done"; } | compiling
+  { cmake --build "$folder" --target "$target" -j "${JOBS:-$(nproc)}" 2>&1 && : >"$work/done"; } | compiling
   [ -e "$work/done" ]
 }
 
@@ -180,19 +219,25 @@ compiling() {
 give_back() {
   [ "$(id -u)" = 0 ] || return 0
   owner=$(stat -c %u:%g "$here")
-  for made in "$here/build" "$here/.cache"; do
+  for made in "$here/build" "$here/build-package" "$here/.cache"; do
     if [ -e "$made" ] && [ "$(stat -c %u:%g "$made")" != "$owner" ]; then chown -R "$owner" "$made"; fi
   done
 }
 
 build_program() {
-  if [ ! -e "$here/build/viete" ]; then say "building the program, one to three minutes on two cores"; fi
-  build viete -DVIETE_BUILD_TESTS=OFF -DVIETE_BUILD_PYTHON=OFF -DVIETE_KERNELS=native
+  if [ ! -e "$here/build/viete" ]; then say "building the program: about two and a half minutes on two cores"; fi
+  build viete build -DVIETE_BUILD_TESTS=OFF -DVIETE_BUILD_PYTHON=OFF -DVIETE_KERNELS=native
 }
 
 build_tests() {
   say "building the program and its tests"
-  build all -DVIETE_BUILD_TESTS=ON -UVIETE_BUILD_PYTHON -DVIETE_KERNELS=all
+  build all build -DVIETE_BUILD_TESTS=ON -UVIETE_BUILD_PYTHON -DVIETE_KERNELS=all
+}
+
+build_package() {
+  say "building the packages"
+  build package build-package -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all
+  for made in "$here"/build-package/*.deb; do say "made $made"; done
 }
 
 # Tests write many small files that wait for the disk: those go into memory where there is enough of it.
@@ -203,16 +248,18 @@ files_in_memory() {
 }
 
 clean_up() {
+  [ -z "$locked" ] || rm -f "$lock"
+  locked=""
   rm -rf "$work"
   give_back
 }
 
-terminal=0
+terminal=0 locked=""
 [ ! -t 2 ] || terminal=1
 verb="${1:-run}"
 [ $# -eq 0 ] || shift
 case "$verb" in
-  run | test | build | deps) ;;
+  run | test | build | package | deps) ;;
   help | -h | --help) usage; exit 0 ;;
   *) usage >&2; exit 2 ;;
 esac
@@ -222,13 +269,14 @@ trap 'exit 130' INT TERM HUP
 case "$verb" in
   deps)
     case "${1:-program}" in
-      program | test) deps "${1:-program}" ;;
+      program | test | package) deps "${1:-program}" ;;
       *) usage >&2; exit 2 ;;
     esac
     exit 0
     ;;
   build | run) deps program; build_program ;;
   test) deps test; build_tests ;;
+  package) deps package; build_package ;;
 esac
 clean_up
 trap - EXIT

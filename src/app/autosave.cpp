@@ -32,13 +32,17 @@ Autosave::Autosave(fs::path folder, base::BackgroundQueue& queue)
   if (!folder_.empty()) file_ = scene::recovery_file(folder_);
 }
 
-void Autosave::follow(scene::Workspace& workspace) {
+void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
   if (folder_.empty()) return;
   take_result(workspace, 0);
   const scene::Document& document = workspace.document;
-  const Moment now{workspace.opened,         document.history.revision(),
-                   workspace.saved.revision, document.revisions.method,
-                   workspace.view,           document.model.unit};
+  const Moment now{workspace.opened,
+                   document.history.revision(),
+                   workspace.saved.revision,
+                   document.revisions.method,
+                   workspace.view,
+                   document.model.unit,
+                   no_drag ? scene::has_unsaved_edits(workspace) : seen_.unsaved};
   if (now == seen_) return follow_surroundings(workspace);
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {
@@ -48,7 +52,7 @@ void Autosave::follow(scene::Workspace& workspace) {
   seen_ = now;
   kept_ = false;
   writing_ = {};  // of a moment that is over
-  if (scene::has_unsaved_edits(workspace)) {
+  if (now.unsaved) {
     write(workspace);
   } else if (!other) {
     remove(std::exchange(workspace.recovered_from, {}));

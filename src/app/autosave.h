@@ -26,8 +26,8 @@ public:
   /// Nothing is kept if the folder is empty. The queue must outlive it.
   Autosave(std::filesystem::path folder, base::BackgroundQueue& queue);
 
-  /// Call at the end of each frame.
-  void follow(scene::Workspace& workspace);
+  /// Call at the end of each frame. What the mouse is dragging is no edit yet.
+  void follow(scene::Workspace& workspace, bool no_drag = true);
   /// True if the edits of this moment have been written.
   bool kept() const { return kept_; }
   /// True if a file was written, or could not be, since follow().
@@ -47,6 +47,7 @@ private:
     scene::Revision method = 0;
     scene::ViewOptions view;
     scene::LengthUnit unit = scene::LengthUnit::unknown;
+    bool unsaved = false;  // which going to another frame may change, too
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 

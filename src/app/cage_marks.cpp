@@ -1,6 +1,7 @@
 #include "app/cage_marks.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "scene/elements.h"
@@ -25,32 +26,43 @@ std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const scene::Select
 
 }  // namespace
 
-void CageMarks::set(const scene::Workspace& workspace, const render::Theme& theme) {
-  set_faces(workspace);
-  set_edges(workspace, theme);
+bool CageMarks::set(const scene::Workspace& workspace, const render::Theme& theme) {
+  Marks marks;
+  marks.positions = workspace.document.pose.positions;
+  add_faces(workspace, marks);
+  add_edges(workspace, theme, marks);
+  if (marks == marks_) return false;
+  marks_ = std::move(marks);
+  upload();
+  return true;
 }
 
-void CageMarks::set_faces(const scene::Workspace& workspace) {
+void CageMarks::upload() {
+  const auto& [selected, hovered, edges, colors, positions] = *marks_;
+  set_triangles(selected_faces_, selected, positions);
+  set_triangles(hovered_face_, hovered, positions);
+  edges_.set_segments(edges, positions.size());
+  edges_.set_colors(colors);
+  if (!edges.empty()) edges_.set_positions(positions);
+}
+
+void CageMarks::add_faces(const scene::Workspace& workspace, Marks& marks) {
   const auto& document = workspace.document;
   const auto& surface = document.cage->surface;
-  std::vector<render::Triangle> selected, hovered;
-  if (document.selection.kind() == ElementKind::face) {
-    const auto marked = marks_of(*document.cage, document.selection);
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      const auto face = surface.triangle_polygon[t];
-      if (marked[face]) selected.push_back(surface.triangles[t]);
-      if (workspace.interaction.hovered == face) hovered.push_back(surface.triangles[t]);
-    }
+  if (document.selection.kind() != ElementKind::face) return;
+  const auto marked = marks_of(*document.cage, document.selection);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto face = surface.triangle_polygon[t];
+    if (marked[face]) marks.selected.push_back(surface.triangles[t]);
+    if (workspace.interaction.hovered == face) marks.hovered.push_back(surface.triangles[t]);
   }
-  set_triangles(selected_faces_, selected, document.pose.positions);
-  set_triangles(hovered_face_, hovered, document.pose.positions);
 }
 
 // Edges of selected faces count as selected; the hovered element's come last, over them.
-void CageMarks::set_edges(const scene::Workspace& workspace, const render::Theme& theme) {
+void CageMarks::add_edges(const scene::Workspace& workspace, const render::Theme& theme, Marks& marks) {
   const auto& document = workspace.document;
   const auto kind = document.selection.kind();
-  std::vector<render::Segment> segments;
+  auto& segments = marks.edges;
   const auto add = [&](std::uint32_t element) {
     const auto corners = scene::element_vertices(*document.cage, kind, element);
     const std::size_t sides = corners.size() > 2 ? corners.size() : corners.size() - 1;
@@ -63,11 +75,8 @@ void CageMarks::set_edges(const scene::Workspace& workspace, const render::Theme
   const std::size_t selected = segments.size();
   const auto hovered = workspace.interaction.hovered;
   if (hovered && *hovered < scene::element_count(*document.cage, kind)) add(*hovered);
-  std::vector<glm::vec4> colors(segments.size(), glm::vec4(theme.hover, 0.85f));
-  std::fill_n(colors.begin(), selected, glm::vec4(theme.selection, 1));
-  edges_.set_segments(segments, document.pose.positions.size());
-  edges_.set_colors(colors);
-  if (!segments.empty()) edges_.set_positions(document.pose.positions);
+  marks.colors.assign(segments.size(), glm::vec4(theme.hover, 0.85f));
+  std::fill_n(marks.colors.begin(), selected, glm::vec4(theme.selection, 1));
 }
 
 void CageMarks::draw(const render::View& view, const render::Theme& theme) const {

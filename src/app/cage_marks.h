@@ -1,6 +1,9 @@
 // Selected and hovered edges and faces of the cage, drawn over its lines.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "render/face_layer.h"
 #include "render/line_layer.h"
 #include "scene/workspace.h"
@@ -12,15 +15,26 @@ public:
   explicit CageMarks(const render::Gl& gl) : selected_faces_(gl), hovered_face_(gl), edges_(gl) {}
 
   /// Every frame, after the cage was posed: what the workspace's selection and pointer say now. Vertices are
-  /// not marked here.
-  void set(const scene::Workspace& workspace, const render::Theme& theme);
+  /// not marked here. Returns whether that is something else than before.
+  bool set(const scene::Workspace& workspace, const render::Theme& theme);
+  /// The next set() finds something else.
+  void forget() { marks_.reset(); }
   /// After the cage's lines.
   void draw(const render::View& view, const render::Theme& theme) const;
 
 private:
-  void set_faces(const scene::Workspace& workspace);
-  void set_edges(const scene::Workspace& workspace, const render::Theme& theme);
+  struct Marks {
+    std::vector<render::Triangle> selected, hovered;  // faces
+    std::vector<render::Segment> edges;
+    std::vector<glm::vec4> colors;  // of these
+    std::vector<mesh::Point> positions;
+    friend bool operator==(const Marks&, const Marks&) = default;
+  };
+  static void add_faces(const scene::Workspace& workspace, Marks& marks);
+  static void add_edges(const scene::Workspace& workspace, const render::Theme& theme, Marks& marks);
+  void upload();
 
+  std::optional<Marks> marks_;
   render::FaceLayer selected_faces_, hovered_face_;
   render::LineLayer edges_;
 };

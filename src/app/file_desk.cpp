@@ -220,8 +220,8 @@ void FileDesk::undo_discard(scene::Workspace& w) {
   }
 }
 
-void FileDesk::keep(scene::Workspace& w) {
-  autosave_.follow(w);
+void FileDesk::keep(scene::Workspace& w, bool no_drag) {
+  autosave_.follow(w, no_drag);
   remember(w);
   take_written(w);
 }

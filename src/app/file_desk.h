@@ -34,7 +34,7 @@ public:
   /// are written, and not if one fails.
   void take_requests(scene::Workspace& workspace, bool no_drag);
   /// After it: keeps what is new.
-  void keep(scene::Workspace& workspace);
+  void keep(scene::Workspace& workspace, bool no_drag = true);
 
   /// True once the program may end, as was requested: nothing is unsaved, or it is kept, or the user has said
   /// so.

@@ -53,13 +53,16 @@ void FindingMarks::collect(const scene::Workspace& w) {
   used_ = number.take_used();
 }
 
-void FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_vertex, bool moved) {
+bool FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_vertex, bool moved) {
   const bool same = revision_ == w.checks.revision && dark_ == w.view.dark;
-  if (same && (!moved || used_.empty())) return;
+  if (same && (!moved || used_.empty())) return false;
   if (!same) collect(w);
   revision_ = w.checks.revision;
   dark_ = w.view.dark;
-  if (used_.empty()) return vertices_.set_positions({});
+  if (used_.empty()) {
+    vertices_.set_positions({});
+    return true;
+  }
   const bool of_cage = w.checks.findings[*w.checks.shown].subject == scene::Subject::cage;
   std::vector<mesh::Point> positions;
   positions.reserve(used_.size());
@@ -67,6 +70,7 @@ void FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_ver
   faces_.set_positions(positions);
   edges_.set_positions(positions);
   vertices_.set_positions(positions);
+  return true;
 }
 
 void FindingMarks::draw(const render::View& view, const render::Theme& theme) const {

@@ -19,7 +19,8 @@ public:
   explicit FindingMarks(const render::Gl& gl) : faces_(gl), edges_(gl), vertices_(gl) {}
 
   /// Every frame: follows what the workspace shows. moved: the positions are others than in the last frame.
-  void set(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved);
+  /// Returns whether there is something else to draw than before.
+  bool set(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved);
   /// After everything else: it is seen through what hides it.
   void draw(const render::View& view, const render::Theme& theme) const;
 

@@ -16,6 +16,7 @@ void OffscreenViewer::settle() {
   constexpr float frame_seconds = 1.0f / 60;
   viewer_->frame(frame_seconds);
   viewer_->finish_loading();
+  viewer_->finish_exports();
   viewer_->frame(frame_seconds);
   viewer_->finish_binding();
   if (viewer_->workspace().view.panels) viewer_->finish_checks();

@@ -20,6 +20,12 @@ namespace viete::app {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr double still_seconds = 0.25;
+
+}  // namespace
+
 Viewer::ImGuiOwner::ImGuiOwner() {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -38,14 +44,15 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
       analysis_(options.probe),
       imgui_renderer_(gl),
       framebuffer_(gl),
-      renderer_(gl) {
+      renderer_(gl),
+      view_(gl, {options.samples, options.still_samples}) {
   fonts_ = ui::add_fonts(options.scale, options.builtin_font);
   imgui_renderer_.upload_fonts();
   platform::InputQueue::configure();
   for (const glm::vec3& c : render::surface_palette(33)) {
     error_colors_.push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
   }
-  workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer};
+  workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
   place_viewport();
 }
 
@@ -68,8 +75,7 @@ void Viewer::place_viewport() {
 void Viewer::frame(float seconds) {
   base::Stopwatch whole;
   last_frame_ = base::wall_seconds();
-  refined_ = !changing() && wants_refinement();
-  if (!refined_) last_change_ = base::wall_seconds();
+  refines_ = !changing() && wants_refinement();
   scene::FrameTimes times;
   take_input(seconds);
   take_requests();
@@ -77,15 +83,17 @@ void Viewer::frame(float seconds) {
   follow_document();
   settle_messages();
   deform(times);
+  const bool cage_moved = workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions.pose;
   upload(times);
   panels(times);
+  const bool seen_anew = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
+  moves_ = seen_anew || deformed_ || cage_moved;
   draw(times);
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
-  const bool seen_anew = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
-  if ((deformed_ && !model_.prepared()) || (seen_anew && !deformed_ && !refined_))
-    workspace_.stats.add(times);
-  keep_files();
+  if ((deformed_ && !model_.prepared()) || (seen_anew && !deformed_)) workspace_.stats.add(times);
+  files_.keep(workspace_, !pointer_.active());
+  settle_notices();
   analysis_.follow_frame(workspace_, model_);
   if (analysis_.shows_news()) settle(2);
   if (take_screenshot_) save_screenshot();
@@ -110,8 +118,7 @@ void Viewer::take_input(float seconds) {
 
 // A software rasteriser draws moving pictures without multisampling and the picture at rest with it.
 bool Viewer::wants_refinement() const {
-  constexpr double rest_seconds = 0.25;
-  return options_.still_samples > 0 && !refined_ && base::wall_seconds() - last_change_ > rest_seconds;
+  return view_.fineness() < view_.finest() && base::wall_seconds() - last_change_ > still_seconds;
 }
 
 bool Viewer::keeping() const {
@@ -122,11 +129,10 @@ bool Viewer::finish_keeping() {
   return scene::has_unsaved_edits(workspace_) && files_.keep_now(workspace_);
 }
 
-// What there is to say of it is to be seen.
-void Viewer::keep_files() {
-  const unsigned said = workspace_.messages.revision();
-  files_.keep(workspace_);
-  if (workspace_.messages.revision() != said) settle(3);
+// What appears in front of the panels takes a few frames to find its size.
+void Viewer::settle_notices() {
+  const Notices now{workspace_.question.has_value(), workspace_.farewell, workspace_.messages.revision()};
+  if (std::exchange(notices_, now) != now) settle(3);
 }
 
 // What was said since the last frame is of what is there now.
@@ -265,21 +271,51 @@ void Viewer::upload(scene::FrameTimes& times) {
 void Viewer::panels(scene::FrameTimes& times) {
   base::Stopwatch watch;
   recorder_.begin_frame();
-  const bool dark = workspace_.view.dark;
-  ui::draw_panels({workspace_, fonts_, ui::palette(dark), &recorder_, error_colors_});
+  // Who has hidden the panels wants no notices in a picture either.
+  const bool attended =
+      std::exchange(workspace_.attended, workspace_.attended && (workspace_.view.panels || !take_screenshot_));
+  ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.dark), &recorder_, error_colors_});
+  workspace_.attended = attended;
   ImGui::Render();
   times.panels = watch.lap_ms();
 }
 
+// Coarse is what has moved in the last picture too: a single step is sharp at once.
+Fineness Viewer::fineness(const ViewDrawing& wanted) {
+  if (take_screenshot_) return view_.finest();
+  if (view_.shows(wanted)) return refines_ ? view_.finest() : view_.fineness();
+  last_change_ = base::wall_seconds();
+  if (!moves_) return Fineness::plain;
+  const bool goes_on = last_frame_ - last_motion_ < still_seconds;
+  return options_.may_be_coarse && goes_on && scene::draws_coarsely(workspace_) ? Fineness::coarse
+                                                                               : Fineness::plain;
+}
+
 void Viewer::draw(scene::FrameTimes& times) {
   base::Stopwatch watch;
-  framebuffer_.begin(device_size(), refined_ ? options_.still_samples : options_.samples);
-  renderer_.draw(workspace_, device_size(), options_.scale);
-  framebuffer_.resolve();
+  const ViewDrawing wanted = drawing();
+  has_drawn_ = view_.draw(renderer_, wanted, fineness(wanted)) ||
+               !imgui_renderer_.has_drawn(*ImGui::GetDrawData());
+  if (has_drawn_) draw_whole();
+  if (moves_) last_motion_ = base::wall_seconds();
+  times.draw = watch.lap_ms();
+}
+
+void Viewer::draw_whole() {
+  framebuffer_.begin_with(view_.picture(), device_size());
   imgui_renderer_.draw(*ImGui::GetDrawData());
   if (gl_.software)
     gl_.Finish();  // a software rasteriser works in the background: count its work where it belongs
-  times.draw = watch.lap_ms();
+}
+
+void Viewer::draw_anew() {
+  renderer_.forget();
+  view_.forget();
+  cage_drawn_.reset();
+  scene::FrameTimes ignored;
+  upload(ignored);
+  view_.draw(renderer_, drawing(), view_.fineness());
+  draw_whole();
 }
 
 void Viewer::save_screenshot() {

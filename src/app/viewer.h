@@ -9,9 +9,9 @@
 #include "app/analysis.h"
 #include "app/cage_maker.h"
 #include "app/file_desk.h"
+#include "app/kept_view.h"
 #include "app/live_model.h"
 #include "app/saved_bindings.h"
-#include "app/workspace_renderer.h"
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
@@ -26,7 +26,8 @@ struct ViewerOptions {
   glm::ivec2 size{1280, 800};  ///< logical pixels
   float scale = 1;             ///< device pixels per logical pixel
   int samples = 0;             ///< multisampling; 0 none
-  int still_samples = 0;  ///< of one more frame once nothing has changed for a quarter of a second; 0 none
+  int still_samples = 0;  ///< of one more picture once the view has rested for a quarter of a second; 0 none
+  bool may_be_coarse = false;  ///< what moves is drawn at half the resolution, as the workspace says
   bool builtin_font = false;  ///< the same text on every machine, for picture tests
   bool probe = true;          ///< measure the methods aside
   std::filesystem::path
@@ -56,6 +57,13 @@ public:
   void frame(float seconds);
   /// True if a frame now would show something new: a change, or the picture at rest, refined.
   bool wants_frame() const;
+  /// True if the last frame has made another picture than the one before it.
+  bool has_drawn() const { return has_drawn_; }
+  /// How often model, cage and ground were drawn, and how finely at last: panels change without them.
+  unsigned long views_drawn() const { return view_.count(); }
+  Fineness view_fineness() const { return view_.fineness(); }
+  /// The last frame once more, without what is kept from frame to frame.
+  void draw_anew();
   /// True while the methods are being measured aside.
   bool measuring() const { return analysis_.measuring(); }
   /// True while edits are unsaved and kept for the next start.
@@ -103,10 +111,13 @@ private:
   void settle_messages();
   void frame_finding();
   mesh::Point vertex(std::size_t index) const;  // of the model, as it is drawn
-  void keep_files();
+  void settle_notices();
   void deform(scene::FrameTimes& times);
   void upload(scene::FrameTimes& times);
   void draw(scene::FrameTimes& times);
+  ViewDrawing drawing() const { return renderer_.drawing(workspace_, device_size(), options_.scale); }
+  Fineness fineness(const ViewDrawing& wanted);
+  void draw_whole();
   void panels(scene::FrameTimes& times);
   void place_viewport();
   void save_screenshot();
@@ -129,14 +140,22 @@ private:
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;
   WorkspaceRenderer renderer_;
+  KeptView view_;
   std::vector<ImU32> error_colors_;
 
+  struct Notices {
+    bool question = false, farewell = false;
+    unsigned messages = 0;
+    bool operator==(const Notices&) const = default;
+  };
+  Notices notices_;           ///< of the last frame
   scene::Revisions said_of_;  ///< what the messages up to this revision may be of
   unsigned said_ = 0;
   std::optional<scene::Revision> cage_drawn_;  ///< which pose; nothing: none of this cage
-  bool deformed_ = false, take_screenshot_ = false;
-  double last_change_ = 0, last_frame_ = 0;  ///< seconds of wall time
-  bool refined_ = false;
+  bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
+  double last_change_ = 0, last_frame_ = 0;  ///< seconds of wall time; of the view alone, and of all
+  double last_motion_ = 0;                   ///< when the last picture of something that moves was there
+  bool refines_ = false, moves_ = false;     ///< in this frame: the view at rest, what is seen in it
   unsigned settle_frames_ = 3;  ///< ImGui needs a few frames after a change until sizes rest
   std::optional<bool> theme_seen_;
   scene::CameraPose camera_seen_;

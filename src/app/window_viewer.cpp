@@ -27,6 +27,7 @@ ViewerOptions viewer_options(const platform::Window& window, const std::filesyst
   options.scale = window.scale();
   options.samples = window.gl().software ? 0 : 4;
   options.still_samples = window.gl().software ? 4 : 0;
+  options.may_be_coarse = true;
   options.state = state_folder();
   options.bindings = {.folder = bindings_folder(), .named = binding};
   return options;
@@ -41,6 +42,8 @@ public:
         first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()),
         loop_(options.loop) {
     listen();
+    scene::Remembered& remembered = viewer_.workspace().remembered;
+    viewer_.workspace().ask_keys = std::exchange(remembered.ask_keys, false) && remembered.hints;
     window_.share_clipboard();
   }
 
@@ -50,7 +53,7 @@ public:
 
 private:
   void listen();
-  void draw(float seconds);
+  void draw(float seconds, bool exposed = false);
   void set_title();
   void follow_full_screen();
   void call_for_attention();
@@ -107,12 +110,12 @@ void WindowViewer::call_for_attention() {
   asks_ = asks;
 }
 
-void WindowViewer::draw(float seconds) {
+void WindowViewer::draw(float seconds, bool exposed) {
   const bool ready = !viewer_.working() && viewer_.deformer() && viewer_.deformer()->ran();
   if (ready && !loop_.empty()) add_loop(viewer_.workspace(), std::exchange(loop_, {}));
   first_motion_.step(viewer_.workspace(), ready, seconds);
   viewer_.frame(seconds);
-  window_.present(viewer_.framebuffer());
+  if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
   set_title();
   call_for_attention();
   follow_full_screen();
@@ -136,10 +139,10 @@ void WindowViewer::run(int frames) {
     if (!needed) window_.wait_for_events(viewer_.working() ? 0.02 : 0.1);
     if (window_.asked_to_close()) viewer_.workspace().requests.quit = exposed_ = true;
     if (!exposed_ && !viewer_.wants_frame() && frames == 0) continue;
-    exposed_ = false;
     const double now = base::wall_seconds();
-    draw(static_cast<float>(std::min(now - last, 0.1)));
+    draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
     last = now;
+    if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // nothing was shown that a screen would pace
     if (viewer_.closed()) return say_farewell();
     if (!viewer_.loading()) ++drawn;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "render/palette.h"
@@ -98,6 +99,7 @@ WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
 void WorkspaceRenderer::set_errors(std::span<const float> errors) {
   errors_.assign(errors.begin(), errors.end());
   colored_.reset();
+  ++content_;
 }
 
 void WorkspaceRenderer::set_mask(const scene::Workspace& w) {
@@ -105,6 +107,7 @@ void WorkspaceRenderer::set_mask(const scene::Workspace& w) {
   const Colored wanted{by_mask, w.view.dark, by_mask ? w.document.mask : nullptr};
   if (colored_ == wanted || model_vertices_ == 0) return;
   colored_ = wanted;
+  ++content_;
   if (!by_mask) {
     model_.set_palette(render::surface_palette());
     return model_.set_scalars(errors_);
@@ -131,6 +134,7 @@ void WorkspaceRenderer::set_document(const scene::Document& document, const Mode
 void WorkspaceRenderer::set_another_cage(const scene::Document& document, const ModelShading& shading) {
   errors_.clear();
   colored_.reset();
+  hand_.reset();
   set_rest(document, shading);
   if (!document.has_cage()) return;
   const mesh::Surface& cage = document.cage->surface;
@@ -150,11 +154,13 @@ void WorkspaceRenderer::set_shown_edges(const scene::Document& document) {
   }
   cage_lines_.set_segments(shown_edges_, document.pose.positions.size());
   cage_lines_.set_positions(document.pose.positions);
+  hand_.reset();
 }
 
 void WorkspaceRenderer::set_rest(const scene::Document& document, const ModelShading& shading) {
   model_.set_positions(document.model.surface->positions, shading.normals);
   shadow_.set_positions(document.model.surface->positions);
+  ++content_;
 }
 
 // The rooms do not know each other; their vertices are the same bytes.
@@ -166,6 +172,7 @@ void WorkspaceRenderer::set_model(std::span<const deform::FrameVertex> vertices,
   const std::span same(reinterpret_cast<const To*>(vertices.data()), vertices.size());
   model_.set_vertices(same, origin);
   shadow_.set_vertices(same, origin);
+  ++content_;
 }
 
 void WorkspaceRenderer::set_cage(const scene::Workspace& workspace) {
@@ -173,6 +180,7 @@ void WorkspaceRenderer::set_cage(const scene::Workspace& workspace) {
   cage_faces_.set_positions(positions);
   cage_lines_.set_positions(positions);
   cage_vertices_.set_positions(positions);
+  ++content_;
 }
 
 void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
@@ -180,8 +188,9 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   const auto& document = workspace.document;
   // Vertices stand back where edges or faces are what is selected.
   const bool vertices = document.selection.kind() == scene::ElementKind::vertex;
-  std::vector<render::Disc> discs(document.pose.positions.size(),
-                                  {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
+  Hand hand{workspace.view.dark, {}, {}};
+  auto& discs = hand.discs;
+  discs.assign(document.pose.positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
   for (const auto v : scene::selected_vertices(*document.cage, document.selection)) {
     discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
   }
@@ -190,28 +199,26 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   for (const auto v : document.groups.hidden) discs[v].radius = 0;
   if (hidden_ != document.groups.hidden) set_shown_edges(document);
   if (const auto v = workspace.interaction.hovered; vertices && v && *v < discs.size()) discs[*v].ring = true;
-  marks_.set(workspace, theme);
-  cage_vertices_.set_discs(discs);
+  if (!shares.empty()) hand.ends = ramp_of_ends(shares, theme, shown_edges_);
+  if (marks_.set(workspace, theme)) ++content_;
+  if (hand_ == hand) return;
+  ++content_;
+  hand_ = std::move(hand);
+  cage_vertices_.set_discs(hand_->discs);
   if (shares.empty()) {
     cage_lines_.set_color(opaque(theme.cage));
   } else {
-    cage_lines_.set_end_colors(ramp_of_ends(shares, theme, shown_edges_));
+    cage_lines_.set_end_colors(hand_->ends);
   }
   ghost_lines_.set_color(opaque(theme.cage));
 }
 
-void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float scale) {
-  const render::Theme theme = theme_of(w);
-  const auto& document = w.document;
-  backdrop_.draw(theme);
-  if (!document.model.surface) return;
-  const render::View view{glm::dmat4(w.camera.view()) * file_to_view(document.space),
-                          glm::dmat4(w.camera.projection(w.viewport)), size, scale};
+render::SurfaceStyle WorkspaceRenderer::surface_style(const scene::Workspace& w) const {
   render::SurfaceStyle style;
   style.wireframe = w.view.wireframe ? 0.3f : 0.0f;
   // A closed surface hides its backs: a software rasteriser draws it in half the time. A graphics card need
   // not care.
-  const auto& summary = document.model.summary;
+  const auto& summary = w.document.model.summary;
   style.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
   style.paint = paint_of(w.view.shading, file_says_something_);
@@ -219,31 +226,53 @@ void WorkspaceRenderer::draw(const scene::Workspace& w, glm::ivec2 size, float s
   style.scalars = by_mask || (!errors_.empty() && scene::shows_error_map(w));
   style.scalar_low = by_mask ? 0 : static_cast<float>(w.error_map.low);
   style.scalar_high = by_mask ? 1 : static_cast<float>(w.error_map.high);
-  if (w.view.model) model_.draw(view, theme, style);
-  if (w.view.grid) draw_ground(w, view, theme);
-  if (document.has_cage() && w.view.cage) draw_cage(w, view, theme);
-  findings_.draw(view, theme);
+  return style;
 }
 
-void WorkspaceRenderer::draw_ground(const scene::Workspace& w, const render::View& view,
-                                    const render::Theme& theme) {
-  const scene::Document& document = w.document;
+ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 size, float scale) const {
+  ViewDrawing d;
+  d.view.size = size, d.view.scale = scale;
+  d.dark = w.view.dark;
+  const auto& document = w.document;
+  if (!document.model.surface) return d;
+  d.open = true;
+  d.content = content_;
+  d.view.view = glm::dmat4(w.camera.view()) * file_to_view(document.space);
+  d.view.projection = glm::dmat4(w.camera.projection(w.viewport));
+  d.model = w.view.model, d.grid = w.view.grid;
+  d.cage = document.has_cage() && w.view.cage, d.ghost = w.view.ghost;
+  d.surface = surface_style(w);
   const double diagonal = document.space.diagonal();
   const auto& c = document.space.center;
   const int up = w.camera.pose().up == scene::UpAxis::z ? 2 : 1;
   mesh::Point ground{c[0], c[1], c[2]};
   ground[static_cast<std::size_t>(up)] = document.model.bounds.low[static_cast<std::size_t>(up)];
-  if (w.view.model) shadow_.draw(view, theme, {ground, up, diagonal});
-  grid_.draw(view, theme, {ground, scene::grid_cell(diagonal), 1.6 * diagonal, up, 1});
+  d.shadow = {ground, up, diagonal};
+  d.ground = {ground, scene::grid_cell(diagonal), 1.6 * diagonal, up, 1};
+  return d;
 }
 
-void WorkspaceRenderer::draw_cage(const scene::Workspace& w, const render::View& view,
-                                  const render::Theme& theme) const {
-  if (w.view.ghost) ghost_lines_.draw(view, {1, 0.15f, 0.5f});
-  cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
-  cage_lines_.draw(view, {1.25f, 0.9f, 0.25f, theme.halo});
-  marks_.draw(view, theme);
-  cage_vertices_.draw(view, {theme.outline, theme.hover, 1, 0.35f});
+void WorkspaceRenderer::draw(const ViewDrawing& d) {
+  const render::Theme theme = d.dark ? render::dark_theme() : render::light_theme();
+  backdrop_.draw(theme);
+  if (!d.open) return;
+  if (d.model) model_.draw(d.view, theme, d.surface);
+  if (d.grid) draw_ground(d, theme);
+  if (d.cage) draw_cage(d, theme);
+  findings_.draw(d.view, theme);
+}
+
+void WorkspaceRenderer::draw_ground(const ViewDrawing& d, const render::Theme& theme) {
+  if (d.model) shadow_.draw(d.view, theme, d.shadow);
+  grid_.draw(d.view, theme, d.ground);
+}
+
+void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::Theme& theme) const {
+  if (d.ghost) ghost_lines_.draw(d.view, {1, 0.15f, 0.5f});
+  cage_faces_.draw(d.view, {theme.cage, 0.03f, 0.06f, true});
+  cage_lines_.draw(d.view, {1.25f, 0.9f, 0.25f, theme.halo});
+  marks_.draw(d.view, theme);
+  cage_vertices_.draw(d.view, {theme.outline, theme.hover, 1, 0.35f});
 }
 
 }  // namespace viete::app

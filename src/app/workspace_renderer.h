@@ -20,6 +20,20 @@
 
 namespace viete::app {
 
+/// All that decides how the view looks: the same drawing again gives the same picture.
+struct ViewDrawing {
+  render::View view;
+  bool dark = true;
+  bool open = false;  ///< there is a model; else only the backdrop
+  bool model = false, grid = false, cage = false, ghost = false;  ///< are shown
+  render::SurfaceStyle surface;
+  render::ShadowStyle shadow;
+  render::GridStyle ground;
+  unsigned long content = 0;  ///< of the layers; grows with each change of what they hold
+
+  friend bool operator==(const ViewDrawing&, const ViewDrawing&) = default;
+};
+
 class WorkspaceRenderer {
 public:
   explicit WorkspaceRenderer(const render::Gl& gl);
@@ -39,19 +53,23 @@ public:
   /// The posed cage and how its vertices look now.
   void set_cage(const scene::Workspace& workspace);
   void set_hand(const scene::Workspace& workspace);
+  /// The next set_hand() and set_mask() upload all anew.
+  void forget() { hand_.reset(), colored_.reset(), marks_.forget(); }
   /// What the checks found; see FindingMarks::set().
   void set_findings(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved) {
-    findings_.set(workspace, model_vertex, moved);
+    if (findings_.set(workspace, model_vertex, moved)) ++content_;
   }
 
-  /// Into the bound framebuffer of `size` device pixels.
-  void draw(const scene::Workspace& workspace, glm::ivec2 size, float scale);
+  /// How the workspace is to be drawn on `size` device pixels, with what the layers hold now.
+  ViewDrawing drawing(const scene::Workspace& workspace, glm::ivec2 size, float scale) const;
+  /// Into the bound framebuffer of that size. Depends on nothing but the drawing.
+  void draw(const ViewDrawing& drawing);
 
 private:
-  void draw_ground(const scene::Workspace& workspace, const render::View& view, const render::Theme& theme);
+  void draw_ground(const ViewDrawing& drawing, const render::Theme& theme);
   void set_shown_edges(const scene::Document& document);
-  void draw_cage(const scene::Workspace& workspace, const render::View& view,
-                 const render::Theme& theme) const;
+  void draw_cage(const ViewDrawing& drawing, const render::Theme& theme) const;
+  render::SurfaceStyle surface_style(const scene::Workspace& workspace) const;
 
   const render::Gl& gl_;
   render::Backdrop backdrop_;
@@ -72,6 +90,15 @@ private:
     friend bool operator==(const Colored&, const Colored&) = default;
   };
   std::optional<Colored> colored_;
+  // How the cage's vertices and lines look; nothing: it is to be uploaded anew.
+  struct Hand {
+    bool dark = true;
+    std::vector<render::Disc> discs;
+    std::vector<glm::vec4> ends;  // colours of the ends of lines; empty: all as the cage
+    friend bool operator==(const Hand&, const Hand&) = default;
+  };
+  std::optional<Hand> hand_;
+  unsigned long content_ = 0;
   std::vector<std::uint32_t> hidden_;         // vertices of the cage, as its lines are drawn
   std::vector<render::Segment> shown_edges_;  // which those are
   std::size_t model_vertices_ = 0;

@@ -11,7 +11,7 @@ namespace viete::base {
 namespace {
 
 // The 22nd field of /proc/PID/stat; the second, the program's name in parentheses, may hold anything. Empty
-// if there is no such process.
+// if there is no such process, or if it has ended and nobody has asked how (in containers for good).
 std::string start_of(const std::string& pid) {
   std::ifstream file("/proc/" + pid + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -19,8 +19,10 @@ std::string start_of(const std::string& pid) {
   if (name_end == std::string::npos) return "";
   std::istringstream fields(text.substr(name_end + 1));
   std::string field;
-  for (int i = 3; i <= 22; ++i) fields >> field;
-  return fields ? field : "";
+  fields >> field;
+  const bool ended = field == "Z" || field == "X";
+  for (int i = 4; i <= 22; ++i) fields >> field;
+  return fields && !ended ? field : "";
 }
 
 }  // namespace

@@ -10,10 +10,10 @@ namespace viete::bench {
 
 namespace {
 
-using Matrix = std::array<std::array<double, 3>, 3>;
+using Rows3 = std::array<std::array<double, 3>, 3>;
 
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c{};
+Rows3 product(const Rows3& a, const Rows3& b) {
+  Rows3 c{};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k) c[i][j] += a[i][k] * b[k][j];
@@ -22,7 +22,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 
-Matrix exp_stretch(const Matrix& m) {
+Rows3 exp_stretch(const Rows3& m) {
   const auto e = sym3::exp(sym3::Sym3<double>{m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]},
                            sym3::Method::improved_sd);
   return {{{e.xx, e.xy, e.xz}, {e.xy, e.yy, e.yz}, {e.xz, e.yz, e.zz}}};
@@ -44,8 +44,8 @@ Eigen::Matrix3d frame_of(const std::array<Eigen::Vector3d, 3>& t) {
   return frame;
 }
 
-Matrix rows_of(const Eigen::Matrix3d& m) {
-  Matrix rows;
+Rows3 rows_of(const Eigen::Matrix3d& m) {
+  Rows3 rows;
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) rows[r][c] = m(r, c);
   }
@@ -53,12 +53,12 @@ Matrix rows_of(const Eigen::Matrix3d& m) {
 }
 
 // I + sin t / t Y + (1 - cos t) / t^2 Y^2.
-Matrix exp_rodrigues(const Matrix& y) {
+Rows3 exp_rodrigues(const Rows3& y) {
   const double square = y[2][1] * y[2][1] + y[0][2] * y[0][2] + y[1][0] * y[1][0], angle = std::sqrt(square);
   const double a = angle > 1e-8 ? std::sin(angle) / angle : 1.0;
   const double b = angle > 1e-8 ? (1 - std::cos(angle)) / square : 0.5;
-  const Matrix squared = product(y, y);
-  Matrix r{};
+  const Rows3 squared = product(y, y);
+  Rows3 r{};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) r[i][j] = (i == j ? 1 : 0) + a * y[i][j] + b * squared[i][j];
   }
@@ -98,7 +98,7 @@ void ReferenceFrame::log_cage(const deform::Pose& pose) {
 
 mesh::Point ReferenceFrame::place(std::size_t vertex) const {
   const double* weights = binding_.weights.data() + vertex * binding_.handles;
-  Matrix stretch{}, rotation{};
+  Rows3 stretch{}, rotation{};
   mesh::Point sum{0, 0, 0};
   for (std::size_t j = 0; j < handles_.size(); ++j) {
     const Handle& h = handles_[j];
@@ -108,7 +108,7 @@ mesh::Point ReferenceFrame::place(std::size_t vertex) const {
       sum[r] += weights[j] * h.center[r];
     }
   }
-  const Matrix affine = product(exp_rodrigues(rotation), exp_stretch(stretch));
+  const Rows3 affine = product(exp_rodrigues(rotation), exp_stretch(stretch));
   const mesh::Point& x = binding_.offsets[vertex];
   mesh::Point p;
   for (int r = 0; r < 3; ++r) {

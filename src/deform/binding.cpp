@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "deform/cage_state.h"
 #include "deform/cut_off.h"
 #include "deform/face_maps.h"
 #include "deform/integrated_distance.h"

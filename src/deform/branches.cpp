@@ -30,6 +30,10 @@ constexpr double half_turn_tie = 1e-2;
 // Another branch of the root must not set neighbours farther apart: by a tenth at most, or, where they turn
 // as one and the distances are rounding, by so many radians.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
+// Radians across the axis of a part's turns that are not rounding.
+constexpr double off_axis = 1e-6;
+// So many times as far from each other neighbours' logs are no longer coherent.
+constexpr double incoherent = 3;
 // Radians that rounding may not bridge where a comparison is to hold for certain.
 constexpr double to_spare = 1e-6;
 
@@ -205,10 +209,8 @@ std::vector<Vec3> turns_of_parts(const MapGraph& graph, std::span<const Vec3> me
   return turns;
 }
 
-}  // namespace
-
-Branches choose_branches(const MapGraph& graph, Rotations rotations, std::span<const Vec3> principal,
-                         std::span<const Vec3> turns) {
+Branches nearest_branches(const MapGraph& graph, Rotations rotations, std::span<const Vec3> principal,
+                          std::span<const Vec3> turns) {
   Branches result{{principal.begin(), principal.end()}, {}};
   std::vector<Vec3> means = component_means(graph, principal);
   if (all_stay_principal(graph, principal, turns, means)) {
@@ -224,6 +226,62 @@ Branches choose_branches(const MapGraph& graph, Rotations rotations, std::span<c
     means[c] = chosen.mean();
   }
   result.turns = turns_of_parts(graph, means);
+  return result;
+}
+
+// True if the mean of a part's logs is not what its turns tell, or not for certain.
+bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
+  const double length = norm(turn_of_part);
+  if (length <= turn / 2) return false;
+  const Vec3 axis = (1 / length) * turn_of_part;
+  return norm(mean - dot(mean, axis) * axis) > off_axis || whole_turns(turn_of_part, mean) > 0;
+}
+
+// Of each part the squares of the distances between neighbours' logs.
+std::vector<double> roughness(const MapGraph& graph, std::span<const Vec3> logs) {
+  std::vector<double> rough(graph.component_of.size() + 1);
+  for (const auto& [a, b] : graph.edges)
+    rough[graph.part_of[graph.component[a]]] += squared_norm(logs[a] - logs[b]);
+  return rough;
+}
+
+// The logs of a part as they are in another choice of branches.
+void take_logs(const MapGraph& graph, std::size_t part, const Branches& from, Branches& to) {
+  for (std::size_t m = 0; m < to.logs.size(); ++m) {
+    const auto component = graph.component[m];
+    if (component < graph.roots.size() && graph.part_of[component] == part) to.logs[m] = from.logs[m];
+  }
+}
+
+}  // namespace
+
+double whole_turns(const Vec3& of, const Vec3& least) {
+  const double length = norm(of);
+  if (length <= turn / 2) return 0;
+  return std::max(0.0, std::round((length - dot(least, of) / length) / turn));
+}
+
+Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least) {
+  return (turn * count + dot(least, axis)) * axis;
+}
+
+Branches choose_branches(const MapGraph& graph, Rotations rotations, std::span<const Vec3> principal,
+                         std::span<const Vec3> turns) {
+  Branches result = nearest_branches(graph, rotations, principal, turns);
+  const auto lacks = [&](std::size_t part) { return may_lack_turns(result.turns[part], turns[part]); };
+  std::vector<std::size_t> lacking;
+  for (std::size_t part = 0; part < std::min(turns.size(), result.turns.size()); ++part)
+    if (lacks(part)) lacking.push_back(part);
+  if (lacking.empty()) return result;
+  const Branches least = nearest_branches(graph, rotations, principal, {});
+  const auto rough = roughness(graph, result.logs), rough_least = roughness(graph, least.logs);
+  for (const std::size_t part : lacking) {
+    const double count = whole_turns(turns[part], least.turns[part]);
+    if (count == 0) continue;
+    result.turns[part] = with_whole_turns((1 / norm(turns[part])) * turns[part], count, least.turns[part]);
+    if (rough[part] > incoherent * incoherent * rough_least[part] + rougher_at_rest)
+      take_logs(graph, part, least, result);
+  }
   return result;
 }
 

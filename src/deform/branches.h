@@ -17,9 +17,15 @@ Vec3 nearest_branch(const Vec3& v, const Vec3& reference);
 /// trace(A^T B) = 1 + 2 cos(angle between the two rotations).
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
+/// How many whole turns about its own axis `turn` has beyond `least`, the least rotation of the same pose.
+double whole_turns(const Vec3& turn, const Vec3& least);
+/// So many about an axis of length 1, and of the least rotation what is about it.
+Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
+
 struct Branches {
   std::vector<Vec3> logs;   ///< of each map
-  std::vector<Vec3> turns;  ///< mean log of each part of the cage
+  std::vector<Vec3>
+      turns;  ///< mean log of each part of the cage, or with_whole_turns() that logs cannot tell
 };
 
 /// Logs of the maps' rotations, from their principal logs. Within a component all follow their neighbour,
@@ -27,7 +33,11 @@ struct Branches {
 /// Which whole turns the component has made is decided by all its logs together: their root mean square
 /// distance to turns[its part] (missing: 0) is the least, as long as neighbours stay as close, so that one
 /// map that was turned over, even the root, cannot pull the others round. Components that are half a turn
-/// from their references take the same side as the first. A pure function of its inputs. O(k log k).
+/// from their references take the same side as the first.
+///
+/// Logs can have whole turns about the axes of their rotations alone. Where a part's rotations are not about
+/// the axis of its turns, and these are of more than half a turn, the whole ones of them stay as they are;
+/// the logs are those without them where only these are coherent. A pure function of its inputs. O(k log k).
 Branches choose_branches(const MapGraph& graph, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 

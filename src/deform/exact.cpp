@@ -24,7 +24,7 @@ namespace {
 using Stretch = sym3::Sym3<double>;
 
 // As many vertices as have a megabyte of weights, within limits.
-std::size_t weighed_at_once(std::size_t handles) {
+std::size_t handle_block(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
   return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);
 }
@@ -170,7 +170,7 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
   if (entry(scheme.weighting.weights).on_surface) {
     surface_weights_ = bind(model_, *cage_, scheme.weighting, pool_, progress);
   } else if (weights == Weights::kept && has_room_to_keep(n, weigher_.handles())) {
-    const std::size_t block = weighed_at_once(weigher_.handles());
+    const std::size_t block = handle_block(weigher_.handles());
     parts_.resize((n + block - 1) / block);
   }
 }
@@ -200,7 +200,7 @@ double ExactDeformer::place(const BoundPart& part, const Rows& rows, std::size_t
 ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, base::Progress* progress) {
   state_.set_pose(pose);
   const Rows rows = state_.rows();
-  const std::size_t n = model_.positions.size(), at_once = weighed_at_once(weigher_.handles());
+  const std::size_t n = model_.positions.size(), at_once = handle_block(weigher_.handles());
   ExactModel exact;
   exact.report = state_.report();
   exact.positions.resize(n);

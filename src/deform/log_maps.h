@@ -22,7 +22,7 @@ struct MapLog {
 
 /// What had to be decided: shown to the user, and carried to the next pose.
 struct LogReport {
-  std::vector<Vec3> turns;  ///< the mean log of each part of the cage: pass as the next pose's `turns`
+  std::vector<Vec3> turns;  ///< of each part of the cage, see Branches: pass as the next pose's `turns`
   std::vector<std::uint32_t> collapsed;  ///< maps, ascending, whose stretch was raised to the floor
   /// Neighbouring maps whose rotations differ by more than 120 degrees, or whose logs by more than 180 (no
   /// choice of branches is right around a ring of elements that turns once): between them the blend is

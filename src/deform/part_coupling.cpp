@@ -14,7 +14,7 @@ constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // of the 
 constexpr double farther = 4;                                         // than the nearest part
 constexpr std::size_t most_parts = 6;
 // Chosen by how far models of 2 to 30,000 parts come apart in bends, drags and twists (bench modes, torn).
-constexpr double of_filled_gap = 2, most_strength = 1e6;
+constexpr double of_filled_gap = 2, most_strength = 1e4;
 
 struct Neighbour {
   std::uint32_t part, vertex;

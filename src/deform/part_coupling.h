@@ -23,7 +23,7 @@ struct Coupling {
 /// where no path of edges shorter than 1 % joins both: folds that touch. The gap counts as if it were filled:
 /// a column between the two, of the vertices' share m of the area and as high as their distance d, has the
 /// Dirichlet energy m / d^2 (1 the area of the surface) where a shell as thick as the gap has that of L;
-/// twice that, and 1e6 at most. So cracks weld, layers move alike, and what is far apart hardly notices.
+/// twice that, and 1e4 at most. So cracks weld, layers move alike, and what is far apart hardly notices.
 ///
 /// The surface welded, masses as in IntrinsicLaplacian. The same for any number of threads.
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,

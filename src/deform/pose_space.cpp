@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "deform/branches.h"
 #include "deform/cage_state.h"
 #include "deform/face_maps.h"
 #include "deform/linear_map.h"
-#include "deform/log_maps.h"
 #include "mesh/point_index.h"
 #include "sym3/exp.h"
 
@@ -23,7 +23,9 @@ constexpr double stillness = 1e-7;
 // A map that turns, or stretches, by less has its fixed point so far away that ways to there are straight.
 constexpr double least_motion = 1e-4;
 // Relative: directions in which those that count are less spread tell nothing.
-constexpr double least_spread = 1e-9;
+constexpr double told_spread = 1e-9;
+// Radians that the mean of a part's logs is from its turns, at most, where these are what the logs tell.
+constexpr double tells_turns = 0.5;
 
 std::array<double, 9> numbers(const MapLog& log) {
   const auto& [x, y, center] = log;
@@ -81,7 +83,7 @@ Eigen::Matrix3d inverse_where_large(const Eigen::Matrix3d& m) {
   Eigen::Vector3d inverse{0, 0, 0};
   for (int k = 0; k < 3; ++k) {
     const double value = solver.eigenvalues()[k];
-    if (value > least_spread * solver.eigenvalues()[2]) inverse[k] = 1 / value;
+    if (value > told_spread * solver.eigenvalues()[2]) inverse[k] = 1 / value;
   }
   return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
 }
@@ -121,13 +123,15 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
 PoseVector sum(const Cage& cage, std::span<const PoseTerm> terms) {
   PoseVector s{std::vector<std::array<double, 9>>(cage.element_count()),
                std::vector<Vec3>(cage.surface.positions.size()),
-               std::vector<Vec3>(cage.surface.positions.size()), std::vector<Vec3>(cage.roots.size())};
+               std::vector<Vec3>(cage.surface.positions.size()), std::vector<Vec3>(cage.roots.size()),
+               std::vector<Vec3>(cage.roots.size())};
   for (const auto& [vector, factor] : terms) {
     for (std::size_t e = 0; e < s.logs.size(); ++e)
       for (std::size_t k = 0; k < 9; ++k) s.logs[e][k] += factor * vector->logs[e][k];
     add(s.leftovers, vector->leftovers, factor);
     add(s.ways, vector->ways, factor);
     add(s.turns, vector->turns, factor);
+    add(s.wholes, vector->wholes, factor);
   }
   return s;
 }
@@ -174,13 +178,16 @@ PoseSpace::System PoseSpace::system_of(const Cage& cage) {
 }
 
 // From rest, the grounded vertex of each part staying where it is.
-std::vector<Vec3> PoseSpace::following(std::span<const std::array<double, 9>> logs) const {
+std::vector<Vec3> PoseSpace::following(const PoseVector& vector) const {
   const auto& rest = cage_->surface.positions;
   std::vector<Vec3> ways(rest.size());
+  std::vector<sym3::Mat3<double>> turned;
+  for (const Vec3& whole : vector.wholes) turned.push_back(sym3::exp_rotation(whole));
   for (std::size_t i = 0; i < system_.triangles.size(); ++i) {
     const auto e = system_.triangles[i];
     const auto& corners = cage_->surface.triangles[e];
-    sym3::Mat3<double> motion = linear_of(logs[e]);
+    sym3::Mat3<double> motion = linear_of(vector.logs[e]);
+    if (vector.wholes[cage_->parts[e]] != Vec3{0, 0, 0}) motion = times(turned[cage_->parts[e]], motion);
     for (int k = 0; k < 9; k += 4) motion[k] -= 1;
     for (int k = 0; k < 3; ++k) {
       const auto a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
@@ -197,6 +204,33 @@ std::vector<Vec3> PoseSpace::following(std::span<const std::array<double, 9>> lo
   return ways;
 }
 
+// Whole turns that the logs of a part do not tell; its logs become those without them.
+std::vector<Vec3> PoseSpace::take_wholes(std::span<const AffineMap> maps, std::span<const MapSplit> splits,
+                                         const LogReport& report, std::vector<MapLog>& logs) const {
+  std::vector<Vec3> wholes(report.turns.size()), sums(wholes.size() + 1);
+  std::vector<double> counts(sums.size());
+  for (std::size_t e = 0; e < logs.size(); ++e) {
+    const auto part = cage_->parts[e];
+    sums[part] = sums[part] + logs[e].rotation, counts[part] += 1;
+  }
+  const auto tell = [&](std::size_t part) {
+    return norm(report.turns[part] - (1 / counts[part]) * sums[part]) < tells_turns;
+  };
+  std::vector<MapLog> least(logs.size());
+  LogReport of_least;
+  for (std::size_t part = 0; part < wholes.size(); ++part) {
+    if (counts[part] == 0 || tell(part)) continue;
+    if (of_least.turns.empty()) log_maps(elements_->graph(), maps, splits, {}, least, of_least);
+    const Vec3& turn = report.turns[part];
+    const double count = whole_turns(turn, of_least.turns[part]);
+    if (count == 0) continue;
+    wholes[part] = with_whole_turns((1 / norm(turn)) * turn, count, {0, 0, 0});
+    for (std::size_t e = 0; e < logs.size(); ++e)
+      if (cage_->parts[e] == part) logs[e] = least[e];
+  }
+  return wholes;
+}
+
 PoseVector PoseSpace::vector(const Pose& pose, std::span<const Vec3> turns_before) const {
   check_pose(*cage_, pose);
   const auto& rest = cage_->surface.positions;
@@ -211,9 +245,10 @@ PoseVector PoseSpace::vector(const Pose& pose, std::span<const Vec3> turns_befor
   log_maps(elements_->graph(), maps, splits, pose.turns.empty() ? turns_before : pose.turns, logs, report);
 
   PoseVector vector;
+  vector.wholes = take_wholes(maps, splits, report, logs);
   for (const MapLog& log : logs) vector.logs.push_back(numbers(log));
   vector.turns = std::move(report.turns);
-  vector.leftovers = following(vector.logs);
+  vector.leftovers = following(vector);
   for (std::size_t v = 0; v < rest.size(); ++v) {
     vector.ways.push_back(pose.positions[v] - rest[v]);
     vector.leftovers[v] = vector.ways[v] - vector.leftovers[v];
@@ -240,7 +275,7 @@ Pose PoseSpace::straight(const PoseVector& vector) const {
 }
 
 Pose PoseSpace::pose(const PoseVector& vector, const Held& held) const {
-  Pose pose{following(vector.logs), vector.turns};
+  Pose pose{following(vector), vector.turns};
   for (std::size_t v = 0; v < pose.positions.size(); ++v)
     pose.positions[v] = system_.loose[v] ? vector.ways[v] : pose.positions[v] + vector.leftovers[v];
   hold(pose.positions, vector, held);

@@ -10,6 +10,8 @@
 
 #include "deform/cage.h"
 #include "deform/element_maps.h"
+#include "deform/log_maps.h"
+#include "deform/map_split.h"
 #include "deform/sparse_cholesky.h"
 
 namespace viete::deform {
@@ -21,6 +23,7 @@ struct PoseVector {
   std::vector<Vec3> leftovers;  ///< of each vertex: what the cage that follows the logs misses, but its place
   std::vector<Vec3> ways;       ///< of each vertex: from rest
   std::vector<Vec3> turns;      ///< of each part of the cage: its mean rotation vector
+  std::vector<Vec3> wholes;     ///< of each part: the whole turns, radians, that its logs cannot tell
 };
 
 /// A share of a pose in a sum. The vector outlives it.
@@ -37,7 +40,8 @@ using Held = std::vector<double>;
 
 /// Takes poses of one cage to vectors and back. Constant once it is made: thread-safe.
 ///
-/// Back: triangle t is to be mapped by M_t = exp(Y_t) exp(X_t); positions p minimise
+/// Back: triangle t is to be mapped by M_t = exp(Y_t) exp(X_t), turned by the whole turns that are not in Y_t
+/// (those about another axis than the one it is turned about, see choose_branches()); positions p minimise
 ///
 ///     sum_t area_t |(grad p - M_t) T_t|^2,
 ///
@@ -84,7 +88,9 @@ private:
   };
   static System system_of(const Cage& cage);
 
-  std::vector<Vec3> following(std::span<const std::array<double, 9>> logs) const;
+  std::vector<Vec3> take_wholes(std::span<const AffineMap> maps, std::span<const MapSplit> splits,
+                                const LogReport& report, std::vector<MapLog>& logs) const;
+  std::vector<Vec3> following(const PoseVector& vector) const;
   Held held(std::span<const Vec3> from, std::span<const Vec3> ways, std::span<const double> squares) const;
   void center(std::vector<Vec3>& leftovers) const;
   void hold(std::vector<Vec3>& ways, const PoseVector& vector, const Held& held) const;

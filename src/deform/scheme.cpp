@@ -86,7 +86,7 @@ constexpr std::array weights_table = {
         "constants",
         {.clamp = true},
         true},
-    WeightsEntry{{"mean-value", "Mean value", "mean value coordinates of the cage's vertices"},
+    WeightsEntry{{"mean-value", "Mean value (MVC)", "mean value coordinates of the cage's vertices"},
                  Weights::mean_value,
                  "linear functions, in closed cages"},
 };
@@ -108,12 +108,12 @@ constexpr std::array blend_table = {
         {"log3", "Matrix logs", "logs of the whole maps, turn and stretch in one"}, Blend::log3, false, true},
     BlendEntry{
         {"log4", "Affine logs", "logs of the whole maps with their translations"}, Blend::log4, false, false},
-    BlendEntry{
-        {"mls-affine", "Least squares", "the affine map that moves points as they do, by least squares"},
-        Blend::mls_affine,
-        false,
-        true,
-        true},
+    BlendEntry{{"mls-affine", "Least squares (MLS)",
+                "the affine map that moves points as they do, by least squares"},
+               Blend::mls_affine,
+               false,
+               true,
+               true},
     BlendEntry{{"mls-similarity", "Least squares, similar",
                 "the rotation and scale that move points most nearly as they do"},
                Blend::mls_similarity,
@@ -125,7 +125,7 @@ constexpr std::array blend_table = {
                false,
                true,
                true},
-    BlendEntry{{"linear", "Linear", "the maps themselves are averaged"}, Blend::linear, false, false},
+    BlendEntry{{"linear", "Linear (LBS)", "the maps themselves are averaged"}, Blend::linear, false, false},
 };
 
 struct Shorthand {

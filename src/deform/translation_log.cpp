@@ -16,15 +16,15 @@ using mesh::operator+, mesh::operator*;
 using Matrix = Eigen::Matrix3d;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double pole_width = std::numbers::pi / 3;
 constexpr double small_angle = 0.05;
 
 // How much of the even part is kept at an angle: 0 at whole turns, 1 where none is near, its slope
 // continuous.
 double kept(double angle) {
-  if (angle < turn - pole_width) return 1;
-  const double t = std::min(std::abs(angle - turn * std::round(angle / turn)) / pole_width, 1.0);
+  if (angle < full_turn - pole_width) return 1;
+  const double t = std::min(std::abs(angle - full_turn * std::round(angle / full_turn)) / pole_width, 1.0);
   return t * t * (3 - 2 * t);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace viete::platform {
 
@@ -28,6 +29,22 @@ Scissor scissor(const ImDrawCmd& command, const ImDrawData& data) {
           static_cast<int>(bottom - top)};
 }
 
+// Of what ImGui fills with zeros first, so that there are no unknown bytes between its members.
+template <class T>
+bool same(const ImVector<T>& a, const ImVector<T>& b) {
+  return a.Size == b.Size &&
+         (a.Size == 0 || std::memcmp(a.Data, b.Data, static_cast<std::size_t>(a.Size) * sizeof(T)) == 0);
+}
+
+bool same(const ImVec2& a, const ImVec2& b) {
+  return a.x == b.x && a.y == b.y;
+}
+
+bool calls_back(const ImDrawList& list) {
+  return std::any_of(list.CmdBuffer.begin(), list.CmdBuffer.end(),
+                     [](const ImDrawCmd& c) { return c.UserCallback != nullptr; });
+}
+
 }  // namespace
 
 ImGuiRenderer::ImGuiRenderer(const render::Gl& gl)
@@ -51,9 +68,33 @@ void ImGuiRenderer::upload_fonts() {
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): a pointer before ImGui 1.91.4, an integer after
   fonts.SetTexID((ImTextureID)(std::intptr_t)font_.id());
+  drawn_.clear();
+}
+
+bool ImGuiRenderer::has_drawn(const ImDrawData& data) const {
+  const auto count = static_cast<std::size_t>(data.CmdListsCount);
+  if (count != drawn_.size() || !same(data.DisplaySize, size_) || !same(data.FramebufferScale, scale_))
+    return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ImDrawList& list = *data.CmdLists[static_cast<int>(i)];
+    if (calls_back(list) || !same(list.CmdBuffer, drawn_[i].commands) ||
+        !same(list.IdxBuffer, drawn_[i].indices) || !same(list.VtxBuffer, drawn_[i].vertices))
+      return false;
+  }
+  return true;
+}
+
+void ImGuiRenderer::remember(const ImDrawData& data) {
+  size_ = data.DisplaySize, scale_ = data.FramebufferScale;
+  drawn_.resize(static_cast<std::size_t>(data.CmdListsCount));
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    const ImDrawList& list = *data.CmdLists[static_cast<int>(i)];
+    drawn_[i] = {list.VtxBuffer, list.IdxBuffer, list.CmdBuffer};
+  }
 }
 
 void ImGuiRenderer::draw(const ImDrawData& data) {
+  remember(data);
   const float width = data.DisplaySize.x, height = data.DisplaySize.y;
   if (width <= 0 || height <= 0) return;  // a minimised window
   gl_.Viewport(0, 0, static_cast<GLsizei>(width * data.FramebufferScale.x),

@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <vector>
+
 #include "render/gl_objects.h"
 #include "render/program.h"
 
@@ -19,8 +21,16 @@ public:
   /// Draws into the bound framebuffer, whose size must be DisplaySize * FramebufferScale. Data from
   /// ImGui::GetDrawData() after ImGui::Render(). Leaves blending and scissor off.
   void draw(const ImDrawData& data);
+  /// True if the last draw() was of the same: another one would give the same picture.
+  bool has_drawn(const ImDrawData& data) const;
 
 private:
+  struct Drawn {
+    ImVector<ImDrawVert> vertices;
+    ImVector<ImDrawIdx> indices;
+    ImVector<ImDrawCmd> commands;
+  };
+  void remember(const ImDrawData& data);
   void upload(const ImDrawList& list);
   void draw_list(const ImDrawList& list, const ImDrawData& data);
 
@@ -29,6 +39,8 @@ private:
   render::VertexArray vertex_array_;
   render::Buffer vertices_, indices_;
   render::Texture font_;
+  std::vector<Drawn> drawn_;
+  ImVec2 size_{0, 0}, scale_{0, 0};  // of what was drawn
 };
 
 }  // namespace viete::platform

@@ -28,6 +28,16 @@ bool is_modifier(const InputEvent& e) {
   return e.kind == Kind::key && (is_shift(e.code) || is_ctrl(e.code) || is_alt(e.code));
 }
 
+// With these a key is a command, in a field too.
+bool is_command_key(const InputEvent& e) {
+  return e.kind == Kind::key && (is_ctrl(e.code) || is_alt(e.code));
+}
+
+// GLFW's codes of keys that give characters: of the alphanumeric part, and of the number pad.
+bool writes(int code) {
+  return (code >= 32 && code < 256) || (code >= 320 && code <= 334);
+}
+
 #if IMGUI_VERSION_NUM >= 18700
 
 void feed(ImGuiIO& io, const InputEvent& e, InputQueue::KeyTable imgui_key) {
@@ -69,8 +79,10 @@ void feed(ImGuiIO& io, const InputEvent& e, InputQueue::KeyTable imgui_key) {
 }  // namespace
 
 void InputQueue::configure() {
-#if IMGUI_VERSION_NUM < 18700
   ImGuiIO& io = ImGui::GetIO();
+#if IMGUI_VERSION_NUM >= 18700
+  io.ConfigInputTrickleEventQueue = false;  // the queue has done that
+#else
   const struct {
     ImGuiKey key;
     int code;
@@ -89,28 +101,40 @@ void InputQueue::configure() {
 #endif
 }
 
+// A field takes the character, not the key; what of a key it has not seen go down it need not see come up.
+bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
+  if (event.kind != Kind::key || is_modifier(event)) return false;
+  if (!event.down) return std::erase(written_, event.code) > 0;
+  if (!typing || commands_ || !writes(event.code)) return false;
+  written_.push_back(event.code);
+  return true;
+}
+
 // One frame takes many events, but never two changes of one key or button, no movement after a button, no
-// change of a modifier after a key or button, and, unless text is being typed, no second key: ImGui looks
+// change of a modifier after a key or button, no second key, and in a field no text after a key: ImGui looks
 // once a frame, and would see neither the short press, nor where the button went down, nor that Ctrl was held
-// when the key was, nor which key came first.
+// when the key was, nor which key came first. Text alone goes into a field at once, however long, capitals too.
 void InputQueue::feed_frame() {
   ImGuiIO& io = ImGui::GetIO();
+  const bool typing = io.WantTextInput;
   std::vector<std::pair<Kind, int>> changed;
   bool button_changed = false, stroke = false;
-  while (!events_.empty()) {
+  for (; !events_.empty(); events_.pop_front()) {
     const InputEvent& event = events_.front();
-    const bool switches = event.kind == Kind::button || event.kind == Kind::key;
+    if (is_only_written(event, typing)) continue;
+    const bool switches =
+        event.kind == Kind::button || (event.kind == Kind::key && !(typing && is_modifier(event)));
     const std::pair what{event.kind, event.code};
     if (switches && std::find(changed.begin(), changed.end(), what) != changed.end()) return;
     if (button_changed && event.kind != Kind::key) return;
     const bool strokes = switches && !is_modifier(event);
-    if (stroke && is_modifier(event)) return;
-    if (stroke && strokes && event.down && !io.WantTextInput) return;
+    if (stroke && (is_modifier(event) || (strokes && event.down))) return;
+    if (stroke && typing && event.kind == Kind::text) return;
     if (switches) changed.push_back(what);
+    if (is_command_key(event)) commands_ = event.down;
     stroke |= strokes;
     button_changed |= event.kind == Kind::button;
     feed(io, event, imgui_key_);
-    events_.pop_front();
   }
 }
 

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace viete::platform {
 
@@ -34,16 +35,21 @@ public:
   using KeyTable = int (*)(int code);
   explicit InputQueue(KeyTable imgui_key) : imgui_key_(imgui_key) {}
 
+  /// Any number of characters goes into a field in one frame.
   void push(InputEvent event) { events_.push_back(std::move(event)); }
   bool empty() const { return events_.empty(); }
 
-  /// Sets up ImGui's key map (old versions need one). Once per ImGui context.
+  /// Sets up ImGui's input (old versions need a key map). Once per ImGui context.
   static void configure();
   /// Feeds ImGuiIO; call before ImGui::NewFrame().
   void feed_frame();
 
 private:
+  bool is_only_written(const InputEvent& event, bool typing);
+
   KeyTable imgui_key_;
+  bool commands_ = false;     // Ctrl or Alt is held
+  std::vector<int> written_;  // keys that went down for their character alone
   std::deque<InputEvent> events_;
 };
 

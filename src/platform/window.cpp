@@ -108,13 +108,17 @@ glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   return room.x > 0 && room.y > 0 ? room : otherwise;
 }
 
-// Where window units are pixels, a window of logical pixels is larger; no larger than the screen.
+// Where window units are pixels, a window of logical pixels is larger; no larger than the screen, and no
+// smaller than what has room for the panels.
 void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glm::ivec2 units;
   int pixels = 0;
   glfwGetWindowSize(window, &units.x, &units.y);
   glfwGetFramebufferSize(window, &pixels, nullptr);
-  const auto wanted = units.x == pixels ? glm::ivec2(glm::vec2(size) * scale) : size;
+  const float factor = units.x == pixels ? scale : 1;
+  const auto in_units = [&](glm::ivec2 logical) { return glm::ivec2(glm::vec2(logical) * factor); };
+  const glm::ivec2 wanted = in_units(size), least = in_units({640, 400});
+  glfwSetWindowSizeLimits(window, least.x, least.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
   const glm::ivec2 fitting = glm::min(wanted, room_for(window, wanted));
   if (fitting != units) glfwSetWindowSize(window, fitting.x, fitting.y);
 }
@@ -164,7 +168,6 @@ std::unique_ptr<Window> Window::open(glm::ivec2 size, float scale, std::string& 
     return nullptr;
   }
   if (scale <= 0) scale = content_scale(handle);
-  glfwSetWindowSizeLimits(handle, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
   fit(handle, size, scale);
   return std::unique_ptr<Window>(new Window(handle, std::max(scale, 0.5f)));
 }

@@ -27,6 +27,8 @@ struct GridStyle {
   double radius = 10;     ///< distance from center at which the grid has faded out
   int up = 1;             ///< axis that points up: 0 x, 1 y, 2 z
   float opacity = 1;
+
+  friend bool operator==(const GridStyle&, const GridStyle&) = default;
 };
 
 /// A plane of fine lines of constant width, faded by distance and at grazing angles. Draw after the surface:

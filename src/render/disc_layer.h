@@ -15,6 +15,8 @@ struct Disc {
   glm::vec4 color{1, 1, 1, 1};  ///< as displayed, alpha 0 to 1
   float radius = 3.0F;          ///< logical pixels, without the outline; 0 draws nothing
   bool ring = false;            ///< a thin ring around it, for the point under the cursor
+
+  friend bool operator==(const Disc&, const Disc&) = default;
 };
 
 struct DiscStyle {

@@ -34,11 +34,15 @@ Framebuffer::Framebuffer(const Gl& gl)
       sample_color_(gl),
       sample_depth_(gl) {}
 
-void Framebuffer::begin(glm::ivec2 size, int samples) {
+void Framebuffer::fit(glm::ivec2 size, int samples) {
   size = glm::max(size, glm::ivec2(1));
   samples = std::min(samples, gl_.max_samples);
   if (samples < 2) samples = 0;
   if (size != size_ || samples != samples_) allocate(size, samples);
+}
+
+void Framebuffer::begin(glm::ivec2 size, int samples) {
+  fit(size, samples);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, samples_ > 0 ? multisampled_.id() : resolved_.id());
   gl_.Viewport(0, 0, size_.x, size_.y);
   gl_.Disable(GL_SCISSOR_TEST);
@@ -94,14 +98,25 @@ void Framebuffer::resolve() {
   debug_check_gl(gl_, "resolve");
 }
 
-void Framebuffer::blit_to_window(glm::ivec2 window_size) {
+void Framebuffer::begin_with(const Framebuffer& picture, glm::ivec2 size) {
+  fit(size, 0);
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  picture.blit_to(resolved_.id(), size_);
+  gl_.Viewport(0, 0, size_.x, size_.y);
+}
+
+void Framebuffer::blit_to(GLuint target, glm::ivec2 size) const {
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
-  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  const GLenum filter = window_size == size_ ? GL_NEAREST : GL_LINEAR;
-  gl_.BlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, window_size.x, window_size.y, GL_COLOR_BUFFER_BIT,
-                      filter);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  debug_check_gl(gl_, "blit to window");
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+  const GLenum filter = size == size_ ? GL_NEAREST : GL_LINEAR;
+  gl_.BlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, filter);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, target);
+  debug_check_gl(gl_, "copy of the picture");
+}
+
+void Framebuffer::blit_to_window(glm::ivec2 window_size) {
+  blit_to(0, window_size);
 }
 
 Image Framebuffer::read() {

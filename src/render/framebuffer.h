@@ -22,6 +22,9 @@ public:
   /// Turns samples into pixels (nothing to do without multisampling) and binds the result, still open for
   /// drawing.
   void resolve();
+  /// The same without clearing: begins with another's resolved picture, stretched to the size, still open for
+  /// drawing.
+  void begin_with(const Framebuffer& picture, glm::ivec2 size);
   /// Copies the resolved picture to the default framebuffer of the current context and leaves that bound.
   void blit_to_window(glm::ivec2 window_size);
   /// The resolved picture, top row first, alpha 255.
@@ -31,9 +34,11 @@ public:
   int samples() const { return samples_; }  ///< 0 without multisampling
 
 private:
+  void fit(glm::ivec2 size, int samples);
   void allocate(glm::ivec2 size, int samples);
   void allocate_multisampled(glm::ivec2 size);
   void require_complete(const char* what, glm::ivec2 size) const;
+  void blit_to(GLuint target, glm::ivec2 size) const;
 
   const Gl& gl_;
   FramebufferObject resolved_, multisampled_;

@@ -49,6 +49,8 @@ struct SurfaceStyle {
   bool scalars = false;  ///< colour by set_scalars() through set_palette() instead of theme.model
   float scalar_low = 0;  ///< the scalar at the first palette colour
   float scalar_high = 1;  ///< the scalar at the last palette colour
+
+  friend bool operator==(const SurfaceStyle&, const SurfaceStyle&) = default;
 };
 
 /// A vertex as the graphics card takes it.

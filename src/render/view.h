@@ -11,8 +11,9 @@
 //   lines.draw(view, line_style);                  // hidden parts faint, visible parts full
 //   discs.draw(view, disc_style);
 //   framebuffer.resolve();                         // samples -> pixels; the resolved picture is now bound
+//   whole.begin_with(framebuffer, size);           // another one, so that the view is kept while panels change
 //   imgui_renderer.draw(*ImGui::GetDrawData());    // panels, after the resolve
-//   framebuffer.blit_to_window(window_size);       // or: Image image = framebuffer.read();
+//   whole.blit_to_window(window_size);             // or: Image image = whole.read();
 //
 // Every draw() sets the GL state that it needs and leaves blending, depth test and scissor off and depth
 // writes on. Data changes at three speeds: topology (set_triangles, set_segments), looks (set_colors,
@@ -36,6 +37,8 @@ struct View {
   glm::dmat4 projection{1};  ///< eye to clip space, depth -1 to 1 as glm::perspective and glm::ortho make it
   glm::ivec2 size{1, 1};     ///< device pixels
   float scale = 1;           ///< device pixels per logical pixel; widths and radii below are logical
+
+  friend bool operator==(const View&, const View&) = default;
 };
 
 /// World to eye for vertices that are stored relative to `origin`.

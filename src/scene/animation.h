@@ -49,8 +49,14 @@ public:
   /// As if the timeline was straight, or was not.
   WholePose at(double frame, bool straight) const;
 
+  /// How far what is shown has come on its way from a key to the next one, at so many even steps and at both
+  /// ends: 0 at the key, 1 at the next one, beyond where it overshoots. The way is that of the logs, or a
+  /// straight one.
+  std::vector<double> progress(std::size_t from, int steps) const;
+
 private:
   WholePose key(std::size_t key) const;
+  std::vector<double> place(std::size_t key, bool logs) const;
   WholePose blend(const Moment& moment, bool straight) const;
 
   Timeline timeline_;

@@ -93,6 +93,9 @@ inline constexpr Condition is_working{
 inline constexpr Condition can_make_cage{
     [](const Workspace& w) { return has_model(w) && !w.making.open && !w.loading.running && !in_hand(w); },
     "Open a model first; a cage that is being made is finished by Done."};
+inline constexpr Condition lacks_pairs{
+    [](const Workspace& w) { return can_make_cage(w) && mirror_of(w) && mirror_of(w)->unpaired() > 0; },
+    "Choose a mirror in the section Hand; where each vertex of the cage has its image, nothing is missing."};
 inline constexpr Condition can_edit_cage{
     [](const Workspace& w) { return has_cage(w) && !w.making.open && !in_hand(w); },
     "Open or make a cage first; a cage that is being made is finished by Done."};

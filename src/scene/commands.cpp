@@ -52,13 +52,15 @@ void toggle_column_of(Workspace& w) {
 template <Shading Choice>
 Command shading_command(std::string_view name) {
   const ShadingChoice& choice = all_shadings()[static_cast<std::size_t>(Choice)];
-  return {name, choice.label, choice.hint, "View", {}, {}, always, [](Workspace& w) { w.view.shading = Choice; }};
+  static const std::string label = "Shading: " + std::string(choice.label);
+  return {name, {label, choice.label}, choice.hint, "View", {}, {}, always, [](Workspace& w) { w.view.shading = Choice; }};
 }
 
 template <LengthUnit Unit>
 Command unit_command(std::string_view name) {
   static const std::string hint = "Lengths are said in " + std::string(entry(Unit).plural) + "; no number is scaled.";
-  return {name, entry(Unit).symbol, hint, "View", {}, {}, has_model, [](Workspace& w) { w.document.model.unit = Unit; }};
+  static const std::string label = "Unit of the file: " + std::string(entry(Unit).symbol);
+  return {name, {label, entry(Unit).symbol}, hint, "View", {}, {}, has_model, [](Workspace& w) { w.document.model.unit = Unit; }};
 }
 
 void show_next_shading(Workspace& w) {
@@ -73,7 +75,8 @@ void use_method(Workspace& w) {
 template <sym3::Method Method>
 Command method_command(std::string_view name, char digit) {
   const sym3::MethodEntry& entry = sym3::methods()[static_cast<std::size_t>(Method)];
-  return {name, entry.label, entry.sentence,    "Method", {key(digit), false, true},
+  static const std::string label = "Method: " + std::string(entry.label);
+  return {name, {label, entry.label}, entry.sentence,    "Method", {key(digit), false, true},
           {},   uses_method, use_method<Method>};
 }
 
@@ -83,12 +86,23 @@ std::string command_name(const char* choice, const deform::ChoiceEntry& entry) {
   return name;
 }
 
+std::string_view headline(deform::Elements) {
+  return "Elements: ";
+}
+std::string_view headline(deform::Weights) {
+  return "Weights: ";
+}
+std::string_view headline(deform::Blend) {
+  return "Blend: ";
+}
+
 // Of a way to blend this part is chosen; the rest stays as far as it goes together with it.
 template <auto Value>
 Command choice_command() {
   static const std::string name = choice_command_name(Value);
   const auto& entry = deform::entry(Value);
-  return {name, entry.label, entry.sentence, "Blend", {}, {}, hand_is_free, [](Workspace& w) {
+  static const std::string label = std::string(headline(Value)) + std::string(entry.label);
+  return {name, {label, entry.label}, entry.sentence, "Blend", {}, {}, hand_is_free, [](Workspace& w) {
             set_scheme(w.document, deform::complete(deform::only(Value), w.document.scheme));
           }};
 }
@@ -161,10 +175,11 @@ void select_side(Workspace& w) {
 }
 
 template <int Axis, bool Positive>
-Command side_command(std::string_view name, std::string_view label) {
+Command side_command(std::string_view name, std::string_view side) {
   static const std::string hint = std::string("Select what of the cage is at rest on the ") + (Positive ? "positive" : "negative") +
                                   " side of the model's middle along " + static_cast<char>('X' + Axis) + '.';
-  return {name, label, hint, "Select", {}, {}, with_free_hand<selects_of_cage>, select_side<Axis, Positive>};
+  static const std::string label = "Select side " + std::string(side);
+  return {name, {label, side}, hint, "Select", {}, {}, with_free_hand<selects_of_cage>, select_side<Axis, Positive>};
 }
 
 template <void (*Change)(Document&)>
@@ -228,6 +243,12 @@ void toggle_locked(Workspace& w) {
   set_locked(w.document, !all_locked(w));
 }
 
+void make_symmetric_cage(Workspace& w) {
+  constexpr CageSymmetry symmetries[] = {CageSymmetry::automatic, CageSymmetry::x, CageSymmetry::y, CageSymmetry::z, CageSymmetry::automatic};
+  w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage};
+  w.making.wish.symmetry = symmetries[static_cast<std::size_t>(w.handling.mirror)];
+}
+
 void switch_cage_editing(Document& document) {
   is_editing_cage(document) ? end_cage_editing(document) : begin_cage_editing(document);
 }
@@ -285,39 +306,39 @@ std::vector<Command> most_commands() {
   using V = StandardView;
   // clang-format off
   return {
-      {"open_model", "Open", "Open a mesh to deform, or a session.", "File", {key('O'), true}, {}, always,
+      {"open_model", {"Open a model or session", "Open"}, "Open a mesh to deform, or a session.", "File", {key('O'), true}, {}, always,
        browse_for_model},
       {"open_cage", "Open cage", "Open a cage around the model.", "File", {key('O'), true, true}, {}, has_model,
        browse_for_cage},
-      {"open_cage_beside", "Open it", "Open the file beside the model that looks like its cage.", "File", {}, {},
+      {"open_cage_beside", {"Open the cage beside the model", "Open it"}, "Open the file beside the model that looks like its cage.", "File", {}, {},
        has_cage_beside,
        [](Workspace& w) { w.requests.open = OpenRequest{OpenRequest::What::cage, {w.document.cage_beside}}; }},
       {"open_pose", "Open pose", "Open a posed version of this cage.", "File", {key('P'), true}, {}, has_cage,
        browse_for_pose},
-      {"save_session", "Save", "Save model, cage, pose, settings and camera as a session.", "File", {key('S'), true}, {},
+      {"save_session", {"Save session", "Save"}, "Save model, cage, pose, settings and camera as a session.", "File", {key('S'), true}, {},
        has_model, save},
-      {"save_session_as", "Save as", "Save the session under another name.", "File", {key('S'), true, true}, {},
+      {"save_session_as", {"Save session as", "Save as"}, "Save the session under another name.", "File", {key('S'), true, true}, {},
        has_model, browse_to_save_session},
       {"save_pose", "Save pose", "Write the posed cage to a mesh file.", "File", {key('P'), true, true}, {}, has_cage,
        browse_to_save_pose},
       {"save_cage", "Save cage", "Write the cage at rest to a mesh file.", "File", {}, {}, has_cage, browse_to_save_cage},
-      {"save_model", "Export", "Write the deformed mesh to a file.", "File", {key('E'), true}, {}, is_movable,
+      {"save_model", {"Export the deformed mesh", "Export"}, "Write the deformed mesh to a file.", "File", {key('E'), true}, {}, is_movable,
        browse_to_save_model},
-      {"stop_work", "Cancel", "Stop reading, making a cage or binding; everything stays as it is.", "File", {Key::escape}, {}, is_working,
+      {"stop_work", {"Cancel what is at work", "Cancel"}, "Stop reading, making a cage or binding; everything stays as it is.", "File", {Key::escape}, {}, is_working,
        [](Workspace& w) { w.requests.stop_work = true; }},
-      {"stop_export", "Cancel", "Stop writing the deformed mesh or its animation; every file is whole or as it was.", "File", {}, {}, is_exporting,
+      {"stop_export", {"Cancel the export", "Cancel"}, "Stop writing the deformed mesh or its animation; every file is whole or as it was.", "File", {}, {}, is_exporting,
        [](Workspace& w) { w.requests.stop_export = true; }},
-      {"restore_leftover", "Restore", "Bring unsaved edits back.", "File", {key('B'), true}, {}, has_leftover,
+      {"restore_leftover", {"Restore unsaved edits", "Restore"}, "Bring unsaved edits back.", "File", {key('B'), true}, {}, has_leftover,
        restore_leftover},
-      {"put_off_leftover", "Later", "Keep unsaved edits for the next start.", "File", {}, {}, has_leftover,
+      {"put_off_leftover", {"Keep unsaved edits for later", "Later"}, "Keep unsaved edits for the next start.", "File", {}, {}, has_leftover,
        put_off_leftover},
-      {"discard_leftover", "Discard", "Drop unsaved edits; until the program ends they can be brought back.", "File",
+      {"discard_leftover", {"Discard unsaved edits", "Discard"}, "Drop unsaved edits; until the program ends they can be brought back.", "File",
        {}, {}, has_leftover, discard_leftover},
-      {"undo_discard", "Undo", "Take back that unsaved edits were discarded.", "File", {key('B'), true, true}, {},
+      {"undo_discard", {"Bring discarded edits back", "Undo"}, "Take back that unsaved edits were discarded.", "File", {key('B'), true, true}, {},
        has_discarded, undo_discard_leftover},
-      {"hide_discarded", "OK", "Hide this line; until the program ends Ctrl+Shift+B brings the edits back.", "File",
+      {"hide_discarded", {"Hide what is said of discarded edits", "OK"}, "Hide this line; until the program ends Ctrl+Shift+B brings the edits back.", "File",
        {}, {}, has_discarded, hide_discarded},
-      {"screenshot", "Screenshot", "Save a picture of the window.", "File", {Key::f12}, {}, always,
+      {"screenshot", {"Save a screenshot", "Screenshot"}, "Save a picture of the window.", "File", {Key::f12}, {}, always,
        [](Workspace& w) { w.requests.screenshot = true; }},
       {"quit", "Quit", "Close the program.", "File", {key('Q'), true}, {}, always,
        [](Workspace& w) { w.requests.quit = true; }},
@@ -332,114 +353,119 @@ std::vector<Command> most_commands() {
        has_posed_selection,
        [](Workspace& w) { reset_selected(w.document, mirror_of(w)); }},
 
-      {"select_vertices", "Vertices", "Select vertices of the cage.", "Select", {key('1')}, {}, hand_is_free,
+      {"select_vertices", {"Select vertices", "Vertices"}, "Select vertices of the cage.", "Select", {key('1')}, {}, hand_is_free,
        select_by<ElementKind::vertex>},
-      {"select_edges", "Edges", "Select edges of the cage.", "Select", {key('2')}, {}, hand_is_free,
+      {"select_edges", {"Select edges", "Edges"}, "Select edges of the cage.", "Select", {key('2')}, {}, hand_is_free,
        select_by<ElementKind::edge>},
-      {"select_faces", "Faces", "Select faces of the cage.", "Select", {key('3')}, {}, hand_is_free,
+      {"select_faces", {"Select faces", "Faces"}, "Select faces of the cage.", "Select", {key('3')}, {}, hand_is_free,
        select_by<ElementKind::face>},
-      {"select_probes", "Probes", "Select probes.", "Select", {key('4')}, {}, hand_is_free, select_by<ElementKind::probe>},
-      {"select_all", "All", "Select the whole cage, or all probes.", "Select", {key('A')}, {key('A'), true}, with_free_hand<has_elements>,
+      {"select_probes", {"Select probes", "Probes"}, "Select probes.", "Select", {key('4')}, {}, hand_is_free, select_by<ElementKind::probe>},
+      {"select_all", {"Select all", "All"}, "Select the whole cage, or all probes.", "Select", {key('A')}, {key('A'), true}, with_free_hand<has_elements>,
        select_everything},
-      {"select_none", "None", "Select nothing.", "Select", {key('A'), false, true}, {}, with_free_hand<has_selection>,
+      {"select_none", {"Select nothing", "None"}, "Select nothing.", "Select", {key('A'), false, true}, {}, with_free_hand<has_selection>,
        select_nothing},
-      {"invert_selection", "Invert", "Select what is not selected.", "Select", {key('I'), true}, {}, with_free_hand<has_elements>,
+      {"invert_selection", {"Invert selection", "Invert"}, "Select what is not selected.", "Select", {key('I'), true}, {}, with_free_hand<has_elements>,
        invert_selection},
-      {"select_linked", "Linked", "Select what is connected with it or with what is under the cursor.", "Select",
+      {"select_linked", {"Select linked", "Linked"}, "Select what is connected with it or with what is under the cursor.", "Select",
        {key('L')}, {key('L'), true}, with_free_hand<has_selection_or_hover>, select_linked},
-      {"select_box", "Box", "Draw a box from anywhere, also from on a vertex; Shift adds, Ctrl removes.",
+      {"select_box", {"Select with a box", "Box"}, "Draw a box from anywhere, also from on a vertex; Shift adds, Ctrl removes.",
        "Select", {key('B')}, {}, can_draw_selection, arm_shape<SelectShape::box>},
-      {"select_lasso", "Lasso", "Draw a line around what to select; Shift adds, Ctrl removes.", "Select",
+      {"select_lasso", {"Select with a lasso", "Lasso"}, "Draw a line around what to select; Shift adds, Ctrl removes.", "Select",
        {key('B'), false, true}, {}, can_draw_selection, arm_shape<SelectShape::lasso>},
-      {"select_brush", "Brush", "Select with a circle that the wheel sizes; Ctrl removes, Esc puts it away.",
+      {"select_brush", {"Select with a brush", "Brush"}, "Select with a circle that the wheel sizes; Ctrl removes, Esc puts it away.",
        "Select", {key('C'), false, true}, {}, can_draw_selection, arm_shape<SelectShape::brush>},
-      {"stop_selecting", "Done", "Put box, lasso or brush away.", "Select", {Key::escape}, {Key::enter}, is_armed, disarm},
-      {"select_more", "Grow", "Select what is next to it, too.", "Select", {Key::up, true}, {}, with_free_hand<has_selection_of_cage>,
+      {"stop_selecting", {"Stop selecting with a shape", "Done"}, "Put box, lasso or brush away.", "Select", {Key::escape}, {Key::enter}, is_armed, disarm},
+      {"select_more", {"Grow selection", "Grow"}, "Select what is next to it, too.", "Select", {Key::up, true}, {}, with_free_hand<has_selection_of_cage>,
        change_selection<grown>},
-      {"select_less", "Shrink", "Leave out what is next to what is not selected.", "Select", {Key::down, true}, {},
+      {"select_less", {"Shrink selection", "Shrink"}, "Leave out what is next to what is not selected.", "Select", {Key::down, true}, {},
        with_free_hand<has_selection_of_cage>, change_selection<shrunk>},
-      {"select_loop", "Loop", "Select the loop of an edge, or of two neighbouring vertices or faces.", "Select",
+      {"select_loop", {"Select loop", "Loop"}, "Select the loop of an edge, or of two neighbouring vertices or faces.", "Select",
        {key('L'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_loop},
-      {"select_ring", "Ring", "Select edges that lie opposite, across quads and pairs of triangles that make one.", "Select",
+      {"select_ring", {"Select ring", "Ring"}, "Select edges that lie opposite, across quads and pairs of triangles that make one.", "Select",
        {key('R'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_ring},
-      {"select_similar", "Similar", "Select vertices with as many edges, edges as long, faces as large.", "Select",
+      {"select_similar", {"Select similar", "Similar"}, "Select vertices with as many edges, edges as long, faces as large.", "Select",
        {key('S'), false, true}, {}, with_free_hand<has_selection_of_cage>, select_like<similar>},
-      {"select_facing", "Facing", "Select faces that look the same way, or edges that are parallel, within 15 degrees.", "Select",
+      {"select_facing", {"Select what faces alike", "Facing"}, "Select faces that look the same way, or edges that are parallel, within 15 degrees.", "Select",
        {}, {}, with_free_hand<has_selection_of_cage>, select_like<facing>},
       side_command<0, false>("side_x_negative", "X -"), side_command<0, true>("side_x_positive", "X +"),
       side_command<1, false>("side_y_negative", "Y -"), side_command<1, true>("side_y_positive", "Y +"),
       side_command<2, false>("side_z_negative", "Z -"), side_command<2, true>("side_z_positive", "Z +"),
-      {"hide_selected", "Hide", "Hide what is selected: it is not touched until all is shown again.", "Select",
+      {"hide_selected", {"Hide selected", "Hide"}, "Hide what is selected: it is not touched until all is shown again.", "Select",
        {key('H'), false, true}, {}, with_free_hand<has_selection_of_cage>, change_groups<hide_selected>},
-      {"hide_others", "Only these", "Hide everything of the cage but what is selected.", "Select", {key('H'), true, true}, {},
+      {"hide_others", {"Hide all but selected", "Only these"}, "Hide everything of the cage but what is selected.", "Select", {key('H'), true, true}, {},
        with_free_hand<has_selection_of_cage>, change_groups<hide_others>},
-      {"show_hidden", "Show all", "Show everything of the cage again.", "Select", {key('H'), true}, {}, with_free_hand<has_hidden>,
+      {"show_hidden", {"Show all that is hidden", "Show all"}, "Show everything of the cage again.", "Select", {key('H'), true}, {}, with_free_hand<has_hidden>,
        change_groups<show_all>},
-      {"save_set", "Keep as set", "Keep what is selected as a set, to be selected again by its name.", "Select", {}, {},
+      {"save_set", {"Keep selection as a set", "Keep as set"}, "Keep what is selected as a set, to be selected again by its name.", "Select", {}, {},
        with_free_hand<has_selection_of_cage>, change_groups<save_set>},
-      {"toggle_select_visible", "Visible only", "The mouse selects only what neither model nor cage hide.",
+      {"toggle_select_visible", {"Select visible only", "Visible only"}, "The mouse selects only what neither model nor cage hide.",
        "Select", {key('Z')}, {}, always, toggle<&ViewOptions::select_visible>},
 
       {"make_cage", "Make a cage", "Make a cage around the model; sliders say how.", "Cage", {}, {}, can_make_cage,
        [](Workspace& w) { w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage}; }},
-      {"finish_cage", "Done", "Keep this cage; a preview is made with all care first.", "Cage", {}, {}, is_wishing,
+      {"make_symmetric_cage", "Make a symmetric cage", "Make a cage around the model whose vertices all have their image in the mirror; Cancel brings the old one back.",
+       "Cage", {}, {}, lacks_pairs, make_symmetric_cage},
+      {"finish_cage", {"Keep the made cage", "Done"}, "Keep this cage; a preview is made with all care first.", "Cage", {}, {}, is_wishing,
        [](Workspace& w) { w.making.closing = true; }},
-      {"cancel_cage", "Cancel", "Take the cage back that was made here.", "Cage", {}, {}, is_making,
+      {"cancel_cage", {"Take the made cage back", "Cancel"}, "Take the cage back that was made here.", "Cage", {}, {}, is_making,
        [](Workspace& w) { cancel_making(w.document, w.making); w.interaction.hovered.reset(); }},
-      {"hide_cage_offer", "Not now", "Go on without it; the panels Cage and Checks still offer it.", "Cage", {}, {}, has_model,
-       [](Workspace& w) { w.offer_cage = false; }},
+      {"hide_cage_offer", {"Hide the offer about the cage", "Not now"}, "Go on without it; the panels Cage and Checks still offer it.", "Cage", {}, {}, has_model,
+       [](Workspace& w) {
+         w.offer_cage = false;
+         if (has_outside(w)) put_badge_away(w.checks);
+       }},
 
       {"edit_cage", "Edit cage", "Change the cage itself, which is shown at rest; the pose is carried along.", "Cage",
        {Key::tab}, {}, can_edit_cage, change_cage<switch_cage_editing>},
-      {"split_edges", "Split", "A new vertex in the middle of each selected edge.", "Cage", {}, {}, has_cage_selected,
+      {"split_edges", {"Split edges", "Split"}, "A new vertex in the middle of each selected edge.", "Cage", {}, {}, has_cage_selected,
        change_cage<split_selected>},
-      {"cut_faces", "Cut", "A new vertex in the middle of each selected face.", "Cage", {}, {}, has_cage_selected,
+      {"cut_faces", {"Cut faces", "Cut"}, "A new vertex in the middle of each selected face.", "Cage", {}, {}, has_cage_selected,
        change_cage<cut_selected>},
-      {"extrude_faces", "Extrude", "Push the selected faces out, with new faces around them.", "Cage", {}, {},
+      {"extrude_faces", {"Extrude faces", "Extrude"}, "Push the selected faces out, with new faces around them.", "Cage", {}, {},
        has_cage_selected, change_cage<extrude_selected>},
-      {"merge_vertices", "Merge", "The selected vertices become one.", "Cage", {}, {}, has_cage_selected,
+      {"merge_vertices", {"Merge vertices", "Merge"}, "The selected vertices become one.", "Cage", {}, {}, has_cage_selected,
        change_cage<merge_selected>},
-      {"remove_elements", "Remove", "Take vertices or edges out of the cage, which stays closed; or faces, which leave a hole.",
+      {"remove_elements", {"Remove from the cage", "Remove"}, "Take vertices or edges out of the cage, which stays closed; or faces, which leave a hole.",
        "Cage", {Key::delete_key}, {}, has_cage_selected, change_cage<remove_selected>},
-      {"subdivide_cage", "Subdivide", "The same cage with about four times the faces.", "Cage", {}, {}, can_edit_cage,
+      {"subdivide_cage", {"Subdivide cage", "Subdivide"}, "The same cage with about four times the faces.", "Cage", {}, {}, can_edit_cage,
        change_cage<subdivide_cage>},
-      {"mirror_cage", "Mirror", "The half with the selection, else the one of larger coordinates, and its image.", "Cage", {}, {},
+      {"mirror_cage", {"Mirror cage", "Mirror"}, "The half with the selection, else the one of larger coordinates, and its image.", "Cage", {}, {},
        can_edit_cage, change_cage<mirror_cage>},
-      {"fit_cage", "Fit", "Move and scale the cage to the model.", "Cage", {}, {}, can_edit_cage, change_cage<fit_cage>},
-      {"fit_cage_turned", "Fit, turned", "Turn, move and scale the cage to the model.", "Cage", {}, {}, can_edit_cage,
+      {"fit_cage", {"Fit cage to the model", "Fit"}, "Move and scale the cage to the model.", "Cage", {}, {}, can_edit_cage, change_cage<fit_cage>},
+      {"fit_cage_turned", {"Fit cage to the model, turned", "Fit, turned"}, "Turn, move and scale the cage to the model.", "Cage", {}, {}, can_edit_cage,
        change_cage<fit_turned_and_say>},
-      {"snap_outside", "Snap out", "Bring selected vertices that are within the model, or touch it, out by the shortest way.", "Cage", {}, {},
+      {"snap_outside", {"Snap cage out of the model", "Snap out"}, "Bring selected vertices that are within the model, or touch it, out by the shortest way.", "Cage", {}, {},
        has_cage_selected, change_cage<snap_and_say>},
-      {"show_outside", "Show", "Highlight the vertices of the model that are outside, or hide them again; Checks steps through them.", "Cage", {}, {},
+      {"show_outside", {"Show what is outside of the cage", "Show them"}, "Highlight the vertices of the model that are outside, or hide them again; Checks steps through them.", "Cage", {}, {},
        has_outside, [](Workspace& w) { toggle_finding(w, *outside_finding(w.checks)); }},
-      {"enclose_model", "Enclose", "Move the cage outward where vertices of the model are outside.", "Cage", {}, {},
+      {"enclose_model", {"Enclose the model", "Enclose"}, "Move the cage outward where vertices of the model are outside.", "Cage", {}, {},
        can_edit_cage, change_cage<enclose_and_say>},
 
-      {"tool_select", "Select", "No gizmo: drag an element to move the selection.", "Tool", {key('Q')}, {}, always,
+      {"tool_select", {"Select tool", "Select"}, "No gizmo: drag an element to move the selection.", "Tool", {key('Q')}, {}, always,
        use_tool<Tool::select>},
-      {"tool_move", "Move", "Move the selection by arrows and squares.", "Tool", {key('W')}, {}, always,
+      {"tool_move", {"Move tool", "Move"}, "Move the selection by arrows and squares.", "Tool", {key('W')}, {}, always,
        use_tool<Tool::move>},
-      {"tool_rotate", "Rotate", "Rotate the selection about its centre by rings.", "Tool", {key('E')}, {}, always,
+      {"tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its centre by rings.", "Tool", {key('E')}, {}, always,
        use_tool<Tool::rotate>},
-      {"tool_scale", "Scale", "Scale the selection about its centre.", "Tool", {key('R')}, {}, always,
+      {"tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its centre.", "Tool", {key('R')}, {}, always,
        use_tool<Tool::scale>},
 
-      {"tool_paint", "Paint", "Paint what of the model stays at rest; with Ctrl what follows.",
+      {"tool_paint", {"Paint tool", "Paint"}, "Paint what of the model stays at rest; with Ctrl what follows.",
        "Tool", {key('D')}, {}, is_movable, use_tool<Tool::paint>},
       {"mask_clear", "Clear paint", "All of the model follows the cage again.", "Tool", {}, {}, with_free_hand<has_mask>,
        [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); }},
       {"mask_invert", "Invert paint", "What follows the cage stays, and the reverse.", "Tool", {}, {}, with_free_hand<is_movable>,
        [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); }},
 
-      {"add_probe", "Add", "Place a probe on the model, under the cursor: a frame that moves, turns and stretches what is near it.",
+      {"add_probe", {"Add a probe", "Add"}, "Place a probe on the model, under the cursor: a frame that moves, turns and stretches what is near it.",
        "Probes", {key('P')}, {}, has_probe_room, add_probe_in_view},
-      {"mirror_probe", "Mirror", "Place copies of the selected probes on the other side of the model, across the axis in which it is most symmetric.", "Probes",
+      {"mirror_probe", {"Mirror probes", "Mirror"}, "Place copies of the selected probes on the other side of the model, across the axis in which it is most symmetric.", "Probes",
        {key('P'), false, true}, {}, has_probes_selected, [](Workspace& w) { mirror_probes(w.document, symmetry_axis(w.document)); }},
-      {"remove_probe", "Remove", "Take the selected probes away, but for locked ones.", "Probes", {Key::delete_key, false, true}, {},
+      {"remove_probe", {"Remove probes", "Remove"}, "Take the selected probes away, but for locked ones.", "Probes", {Key::delete_key, false, true}, {},
        has_free_probes_selected, [](Workspace& w) { remove_probes(w.document); }},
-      {"replace_probe", "Rest here", "The selected probes stay where they are and let the model go: from there they move it anew.",
+      {"replace_probe", {"Rest probes here", "Rest here"}, "The selected probes stay where they are and let the model go: from there they move it anew.",
        "Probes", {}, {}, has_free_probes_selected, [](Workspace& w) { replace_probes(w.document); }},
-      {"toggle_locked", "Locked", "No hand moves the selected probes; they hold what they hold.", "Probes", {}, {},
+      {"toggle_locked", {"Lock probes", "Locked"}, "No hand moves the selected probes; they hold what they hold.", "Probes", {}, {},
        has_probes_selected, toggle_locked},
 
       method_command<M::diag>("method_diag", '1'), method_command<M::sd>("method_sd", '2'),
@@ -452,12 +478,12 @@ std::vector<Command> most_commands() {
       choice_command<B::srl>(), choice_command<B::slrl>(), choice_command<B::sql>(), choice_command<B::log3>(),
       choice_command<B::sse>(), choice_command<B::log4>(), choice_command<B::mls_affine>(),
       choice_command<B::mls_similarity>(), choice_command<B::mls_rigid>(), choice_command<B::linear>(),
-      {"toggle_stitched", "Stitched",
+      {"toggle_stitched", {"Stitch the model (ARAP)", "Stitched (ARAP)"},
        "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are solved for. Details keep their shape; a frame takes longer.",
        "Blend", {}, {}, with_free_hand<has_maps>, [](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); }},
-      {"toggle_clamp", "clamped", "Weights below 0 become 0, and what they took from the others with them.", "Blend", {}, {},
+      {"toggle_clamp", "No negative weights", "Weights below 0 become 0, and what they took from the others with them.", "Blend", {}, {},
        with_free_hand<has_clamp>, toggle_weighting<&deform::Weighting::clamp>},
-      {"toggle_normalise", "normalised",
+      {"toggle_normalise", "Weights sum to 1",
        "Every vertex that an element reaches at all follows in full: the motion ends with a jump. Else it fades out.", "Blend",
        {}, {}, with_free_hand<has_normalise>, toggle_weighting<&deform::Weighting::normalise>},
       {"toggle_apart", "Parts come apart", "Weights spread along the surface alone, as in sessions before version 0.3: parts of a model do not stay together.", "Blend",
@@ -467,37 +493,37 @@ std::vector<Command> most_commands() {
       {"reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.", "Blend", {key('K'), false, true}, {},
        with_free_hand<has_reach>, [](Workspace& w) { step_reach(w.document, 1); }},
 
-      {"toggle_same_path", "Same path for all", "Run Fast link by link in double, too, as the other methods run, so that times compare like with like; else its frame is fused, in float.",
+      {"toggle_same_path", "Compare on the same path", "Run Fast link by link in double, too, as the other methods run, so that times compare like with like; else its frame is fused, in float.",
        "Method", {}, {}, uses_method, toggle<&ViewOptions::same_path>},
-      {"run_benchmark", "Measure", "Measure every method on random matrices, beside the view.", "Method", {}, {},
+      {"run_benchmark", {"Measure every method", "Measure"}, "Measure every method on random matrices, beside the view.", "Method", {}, {},
        is_not_measuring, [](Workspace& w) { w.requests.run_benchmark = true; }},
-      {"stop_benchmark", "Cancel", "Stop measuring; what was measured before stays.", "Method", {}, {},
+      {"stop_benchmark", {"Stop measuring", "Cancel"}, "Stop measuring; what was measured before stays.", "Method", {}, {},
        is_measuring, [](Workspace& w) { w.requests.stop_benchmark = true; }},
 
       {"frame_all", "Frame all", "See the whole model and cage.", "View", {key('F'), false, true}, {}, has_model,
        [](Workspace& w) { frame_all(w, true); }},
       {"frame_selection", "Frame selection", "See what is selected, or all if nothing is.", "View", {key('F')}, {},
        has_model, [](Workspace& w) { frame_selection(w, true); }},
-      {"view_front", "Front", "Look from the front.", "View", {Key::pad1}, {}, always, look<V::front>},
-      {"view_back", "Back", "Look from the back.", "View", {Key::pad1, true}, {}, always, look<V::back>},
-      {"view_right", "Right", "Look from the right.", "View", {Key::pad3}, {}, always, look<V::right>},
-      {"view_left", "Left", "Look from the left.", "View", {Key::pad3, true}, {}, always, look<V::left>},
-      {"view_top", "Top", "Look from above.", "View", {Key::pad7}, {}, always, look<V::top>},
-      {"view_bottom", "Bottom", "Look from below.", "View", {Key::pad7, true}, {}, always, look<V::bottom>},
-      {"view_home", "Home", "Look from the front, to the right and above, at all of it.", "View", {Key::home}, {Key::pad0}, always,
+      {"view_front", {"Look from the front", "Front"}, "Look from the front.", "View", {Key::pad1}, {}, always, look<V::front>},
+      {"view_back", {"Look from the back", "Back"}, "Look from the back.", "View", {Key::pad1, true}, {}, always, look<V::back>},
+      {"view_right", {"Look from the right", "Right"}, "Look from the right.", "View", {Key::pad3}, {}, always, look<V::right>},
+      {"view_left", {"Look from the left", "Left"}, "Look from the left.", "View", {Key::pad3, true}, {}, always, look<V::left>},
+      {"view_top", {"Look from above", "Top"}, "Look from above.", "View", {Key::pad7}, {}, always, look<V::top>},
+      {"view_bottom", {"Look from below", "Bottom"}, "Look from below.", "View", {Key::pad7, true}, {}, always, look<V::bottom>},
+      {"view_home", {"Look from home", "Home"}, "Look from the front, to the right and above, at all of it.", "View", {Key::home}, {Key::pad0}, always,
        look<V::home>},
-      {"toggle_orthographic", "Orthographic", "Look without perspective: equal lengths look equal.", "View", {Key::pad5},
+      {"toggle_orthographic", {"Orthographic view", "Orthographic"}, "Look without perspective: equal lengths look equal.", "View", {Key::pad5},
        {key('O')}, always, [](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); }},
       {"toggle_z_up", "Z up", "Which axis of the file points up: Z, or Y. Files are written as they came.", "View", {key('U')}, {}, always,
        [](Workspace& w) { w.camera.set_up(w.camera.pose().up == UpAxis::z ? UpAxis::y : UpAxis::z); }},
-      {"mark_point", "Mark", "Put a mark on the model under the cursor; between two of them the length is measured.", "View",
+      {"mark_point", {"Mark a point", "Mark"}, "Put a mark on the model under the cursor; between two of them the length is measured.", "View",
        {key('Y')}, {}, has_model, mark_point},
       {"clear_marks", "Clear marks", "Take the marks away.", "View", {key('Y'), false, true}, {}, has_marks,
        [](Workspace& w) { w.marks.clear(); }},
       unit_command<LengthUnit::unknown>("unit_none"), unit_command<LengthUnit::millimetre>("unit_mm"),
       unit_command<LengthUnit::centimetre>("unit_cm"), unit_command<LengthUnit::metre>("unit_m"),
       unit_command<LengthUnit::inch>("unit_in"), unit_command<LengthUnit::foot>("unit_ft"),
-      {"toggle_wireframe", "Wireframe", "Show the edges of the mesh.", "View", {key('W'), false, true}, {}, always,
+      {"toggle_wireframe", {"Show the wireframe", "Wireframe"}, "Show the edges of the mesh.", "View", {key('W'), false, true}, {}, always,
        toggle<&ViewOptions::wireframe>},
       shading_command<Shading::clay>("shading_clay"),
       shading_command<Shading::porcelain>("shading_porcelain"),
@@ -508,34 +534,37 @@ std::vector<Command> most_commands() {
       shading_command<Shading::zebra>("shading_zebra"),
       {"next_shading", "Next shading", "Show the mesh as clay, porcelain or jade, as it is, with a checker, by normals, with stripes, and so on.", "View",
        {key('V')}, {}, always, show_next_shading},
-      {"toggle_model", "Model", "Show the mesh.", "View", {key('M')}, {}, always, toggle<&ViewOptions::model>},
-      {"toggle_deformed", "Deformed", "Let cage and probes move the mesh, or see it at rest meanwhile.", "View", {key('N')}, {}, always,
+      {"toggle_model", {"Show the model", "Model"}, "Show the mesh.", "View", {key('M')}, {}, always, toggle<&ViewOptions::model>},
+      {"toggle_deformed", {"Show the model deformed", "Deformed"}, "Let cage and probes move the mesh, or see it at rest meanwhile.", "View", {key('N')}, {}, always,
        toggle<&ViewOptions::deformed>},
-      {"toggle_cage", "Cage", "Show the cage and the probes.", "View", {key('C')}, {}, always, toggle<&ViewOptions::cage>},
-      {"toggle_grid", "Grid", "Show the ground grid.", "View", {key('G')}, {}, always, toggle<&ViewOptions::grid>},
-      {"toggle_axes", "Axes", "Show the axes at the top right.", "View", {key('X')}, {}, always,
+      {"toggle_cage", {"Show the cage", "Cage"}, "Show the cage and the probes.", "View", {key('C')}, {}, always, toggle<&ViewOptions::cage>},
+      {"toggle_grid", {"Show the grid", "Grid"}, "Show the ground grid.", "View", {key('G')}, {}, always, toggle<&ViewOptions::grid>},
+      {"toggle_axes", {"Show the axes", "Axes"}, "Show the axes at the top right.", "View", {key('X')}, {}, always,
        toggle<&ViewOptions::axes>},
-      {"toggle_ghost", "Rest ghost", "Show the cage at rest, faintly, while it is posed.", "View", {key('H')}, {},
+      {"toggle_ghost", {"Show the cage at rest", "Rest ghost"}, "Show the cage at rest, faintly, while it is posed.", "View", {key('H')}, {},
        always, toggle<&ViewOptions::ghost>},
-      {"toggle_error_map", "Error on the mesh", "Colour the mesh by the relative error of the exponential at each vertex.",
+      {"toggle_error_map", {"Show errors on the mesh", "Error on the mesh"}, "Colour the mesh by the relative error of the exponential at each vertex.",
        "View", {key('E'), false, true}, {}, uses_method, toggle<&ViewOptions::error_map>},
       {"toggle_theme", "Dark theme", "Switch between the dark and the light theme.", "View", {key('T')}, {}, always,
        [](Workspace& w) { w.remembered.dark = w.view.dark = !w.view.dark; }},
-      {"toggle_panels", "Panels", "Show or hide the panels.", "View", {Key::f2}, {}, always,
+      {"toggle_coarse_motion", "Coarse in motion",
+       "Draw what moves at half the resolution, and sharp again at rest: faster where a processor draws.", "View", {}, {}, always,
+       [](Workspace& w) { w.remembered.coarse_motion = !draws_coarsely(w); }},
+      {"toggle_panels", {"Show the panels", "Panels"}, "Show or hide the panels.", "View", {Key::f2}, {}, always,
        toggle<&ViewOptions::panels>},
       {"toggle_full_screen", "Full screen", "Let the window fill the screen, or give it its size back.", "View", {Key::f11}, {}, always,
        [](Workspace& w) { w.full_screen = !w.full_screen; }},
-      {"toggle_tools", "Tools column", "Show or fold away the column of files, cage and tools.", "View", {}, {}, always,
+      {"toggle_tools", {"Show the tools column", "Tools column"}, "Show or fold away the column of files, cage and tools.", "View", {}, {}, always,
        toggle_column_of<Column::tools>},
-      {"toggle_lab", "Lab", "Show or fold away the Lab: method, timings, accuracy and benchmark.", "View", {}, {}, always,
+      {"toggle_lab", {"Show the Lab", "Lab"}, "Show or fold away the Lab: method, timings, accuracy and benchmark.", "View", {}, {}, always,
        toggle_column_of<Column::lab>},
 
-      {"help", "Keys", "Show every key and mouse action.", "Help", {Key::f1}, {}, always, toggle<&ViewOptions::help>},
-      {"command_palette", "Commands", "Find any command by a few letters of its name, and run it.", "Help", {key('K'), true}, {Key::f3},
+      {"help", {"Show every key", "Keys"}, "Show every key and mouse action.", "Help", {Key::f1}, {}, always, toggle<&ViewOptions::help>},
+      {"command_palette", {"Find a command", "Commands"}, "Find any command by a few letters of its name, and run it.", "Help", {key('K'), true}, {Key::f3},
        always, [](Workspace& w) { w.palette = {!w.palette.open, true, "", 0}; }},
-      {"edit_keys", "All keys", "Every command with its key, to give it another one.", "Help", {}, {}, always,
+      {"edit_keys", {"Change keys", "All keys"}, "Every command with its key, to give it another one.", "Help", {}, {}, always,
        [](Workspace& w) { w.key_list = {!w.key_list.open, true, "", false, {}}; }},
-      {"show_messages", "Messages", "Show all that was said since the program was started, or hide it again.", "Help", {}, {}, always,
+      {"show_messages", {"Show all messages", "Messages"}, "Show all that was said since the program was started, or hide it again.", "Help", {}, {}, always,
        [](Workspace& w) { w.show_messages = !w.show_messages; }},
   };
   // clang-format on

@@ -17,9 +17,20 @@ struct Condition {
   bool operator()(const Workspace& workspace) const { return holds(workspace); }
 };
 
+/// What a command is called: words that are understood by themselves, and fewer where a headline says the
+/// rest.
+struct Label : std::string_view {
+  constexpr Label(const char* words) : Label(std::string_view(words)) {}
+  constexpr Label(std::string_view words) : Label(words, words) {}
+  constexpr Label(std::string_view words, std::string_view under_headline)
+      : std::string_view(words), brief(under_headline) {}
+
+  std::string_view brief;  ///< "Front", under "Look from"
+};
+
 struct Command {
-  std::string_view name;   ///< stable, for scripts and tests: "undo"
-  std::string_view label;  ///< on buttons: "Undo"
+  std::string_view name;  ///< stable, for scripts and tests: "undo"
+  Label label;
   std::string_view hint;   ///< one sentence: what it does
   std::string_view group;  ///< heading in the help
   Shortcut shortcut, alternative;

@@ -47,6 +47,8 @@ void check_sizes(const Document& document, const SizeRange& range) {
     check_pose("the pose " + mesh::in_quotes(named.name), named.pose->cage.positions, range);
   for (const PoseKey& key : document.timeline.keys)
     check_pose("the key of frame " + std::to_string(key.frame), key.pose->cage.positions, range);
+  for (const PoseKey& left : document.timeline.unkeyed)
+    check_pose("the pose in no key of frame " + std::to_string(left.frame), left.pose->cage.positions, range);
   if (document.library.unmixed)
     check_pose("the pose before others are mixed in", document.library.unmixed->cage.positions, range);
   if (document.cage_file.surface)

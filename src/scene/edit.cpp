@@ -60,6 +60,17 @@ void record_step(Document& document, const std::string& label) {
   }
 }
 
+EditMark mark_of(const Document& document) {
+  return {snapshot_of(document), document.history.revision(), document.history.recorded()};
+}
+
+void take_back(Document& document, EditMark&& mark) {
+  if (document.history.revision() == mark.revision) return;
+  while (document.history.recorded() > mark.recorded && document.history.can_undo())
+    (void)document.history.drop_last();
+  restore(document, std::move(mark.state));
+}
+
 void put_scheme(Document& document, const deform::Scheme& scheme) {
   const deform::Scheme old = std::exchange(document.scheme, scheme);
   if (old.weighting != scheme.weighting) ++document.revisions.weights;

@@ -15,6 +15,15 @@ void record_edit(Document& document, const std::string& label);
 /// another are one edit.
 void record_step(Document& document, const std::string& label);
 
+/// A document as it is before something that may be called off.
+struct EditMark {
+  Snapshot state;
+  unsigned long revision, recorded;  ///< of the history
+};
+EditMark mark_of(const Document& document);
+/// As it was then, to the last bit: what was recorded since never was.
+void take_back(Document& document, EditMark&& mark);
+
 /// True if some cage vertex or a probe that is not locked is not at rest, or is there after whole turns.
 bool differs_from_rest(const Document& document);
 

@@ -108,6 +108,7 @@ void enter(FileBrowser& browser, const fs::path& folder) {
     browser.problem.clear();
     browser.filter.clear();
     browser.highlighted = browser.saves() ? FileBrowser::none : 0;
+    browser.recent = FileBrowser::none;
   } catch (const fs::filesystem_error& error) {
     browser.problem = folder.string() + ": " + error.code().message() + "; choose another folder";
   }
@@ -122,12 +123,23 @@ std::vector<const Entry*> shown(const FileBrowser& browser) {
   return entries;
 }
 
+void highlight(FileBrowser& browser, std::size_t index) {
+  const auto entries = shown(browser);
+  if (index >= entries.size()) return;
+  browser.highlighted = index;
+  browser.recent = FileBrowser::none;
+  if (browser.saves() && entries[index]->folder) return;
+  browser.path = (browser.folder / entries[index]->name).string();
+  browser.problem.clear();
+}
+
 void move_highlight(FileBrowser& browser, int steps) {
   const auto last = static_cast<std::ptrdiff_t>(shown(browser).size()) - 1;
   const bool from_none = browser.highlighted == FileBrowser::none;
   const auto wanted = from_none ? 0 : static_cast<std::ptrdiff_t>(browser.highlighted) + steps;
   browser.highlighted =
       static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(wanted, 0, std::max<std::ptrdiff_t>(last, 0)));
+  if (!browser.saves()) highlight(browser, browser.highlighted);
 }
 
 bool filters_by_path(const FileBrowser& browser) {

@@ -55,6 +55,7 @@ struct FileBrowser {
   /// Among the entries that are shown: what Enter takes. Past them: none, and Enter saves under the name.
   std::size_t highlighted = 0;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t recent = none;  ///< chosen of the files that were open before, instead
 
   MorphChoice morphs;
   std::string morph_size;  ///< how many targets these take, and how much; empty: it is being found
@@ -77,7 +78,10 @@ void enter(FileBrowser& browser, const std::filesystem::path& folder);
 
 /// The entries that pass the filter, in order.
 std::vector<const FileBrowser::Entry*> shown(const FileBrowser& browser);
-/// Up or down the list by so many, as far as it goes.
+/// That one of those that are shown: what Enter and the button take. When saving, a file lends its name; as
+/// to a folder, the name stays.
+void highlight(FileBrowser& browser, std::size_t index);
+/// Up or down the list by so many, as far as it goes; when saving, the name stays.
 void move_highlight(FileBrowser& browser, int steps);
 
 /// Whether the filter is the beginning of a path, with / or ~, rather than of a name.

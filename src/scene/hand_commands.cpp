@@ -42,13 +42,32 @@ void choose(Workspace& w, Choice value) {
   choice(w.handling, value) = value;
 }
 
+const char* headline(Pivot) {
+  return "Pivot: ";
+}
+const char* headline(Axes) {
+  return "Axes: ";
+}
+const char* headline(MirrorPlane) {
+  return "Mirror: ";
+}
+const char* headline(SoftCurve) {
+  return "Falloff: ";
+}
+const char* headline(SoftDistance) {
+  return "Falloff: ";
+}
+
 // Said to people in the order of its kind.
 template <auto Value>
 Command hand_choice() {
   static const std::string name = choice_command_name(Value);
   const HandChoice& entry = entry_of(Value);
-  return {name, entry.label, entry.hint,   hand_group,
-          {},   {},          hand_is_free, [](Workspace& w) { choose(w, Value); }};
+  static const std::string label = headline(Value) + std::string(entry.label);
+  return {name,         {label, entry.label},
+          entry.hint,   hand_group,
+          {},           {},
+          hand_is_free, [](Workspace& w) { choose(w, Value); }};
 }
 
 template <auto First>
@@ -89,8 +108,11 @@ void pose_like_copied(Workspace& w) {
 template <KeyPreset Preset>
 Command key_preset_command(std::string_view name) {
   const KeyPresetEntry& entry = all_key_presets()[static_cast<std::size_t>(Preset)];
-  return {name, entry.label, entry.hint,   "Keys",
-          {},   {},          hand_is_free, [](Workspace& w) { w.remembered.keymap.set_preset(Preset); }};
+  static const std::string label = "Keys of " + std::string(entry.label);
+  return {name,         {label, entry.label},
+          entry.hint,   "Keys",
+          {},           {},
+          hand_is_free, [](Workspace& w) { w.remembered.keymap.set_preset(Preset); }};
 }
 
 constexpr Condition can_grab{
@@ -144,7 +166,7 @@ std::string choice_command_name(SoftDistance distance) {
 std::vector<Command> hand_commands() {
   return {
       {"grab",
-       "Grab",
+       {"Grab the selection", "Grab"},
        "The selection follows the cursor until a click; Esc takes it back.",
        hand_group,
        {},
@@ -152,7 +174,7 @@ std::vector<Command> hand_commands() {
        can_grab,
        grab<Tool::move>},
       {"grab_rotate",
-       "Turn",
+       {"Turn the selection", "Turn"},
        "The selection turns with the cursor until a click; Esc takes it back.",
        hand_group,
        {},
@@ -160,7 +182,7 @@ std::vector<Command> hand_commands() {
        can_grab,
        grab<Tool::rotate>},
       {"grab_scale",
-       "Resize",
+       {"Resize the selection", "Resize"},
        "The selection grows with the cursor until a click; Esc takes it back.",
        hand_group,
        {},
@@ -168,7 +190,7 @@ std::vector<Command> hand_commands() {
        can_grab,
        grab<Tool::scale>},
       {"bend",
-       "Bend",
+       {"Bend the selection", "Bend"},
        "Bend the selection between its ends: from the pivot, or the joint, to the active element or the far "
        "end.",
        hand_group,
@@ -177,7 +199,7 @@ std::vector<Command> hand_commands() {
        can_shape,
        shape<Shape::bend>},
       {"twist",
-       "Twist",
+       {"Twist the selection", "Twist"},
        "Twist the selection between its ends, by any number of turns.",
        hand_group,
        {},
@@ -185,7 +207,7 @@ std::vector<Command> hand_commands() {
        can_shape,
        shape<Shape::twist>},
       {"taper",
-       "Taper",
+       {"Taper the selection", "Taper"},
        "Make the selection thinner or thicker towards its far end.",
        hand_group,
        {},
@@ -193,7 +215,7 @@ std::vector<Command> hand_commands() {
        can_shape,
        shape<Shape::taper>},
       {"push",
-       "Push",
+       {"Push the selection", "Push"},
        "Push the selection out along its normals, or pull it in.",
        hand_group,
        {},
@@ -201,7 +223,7 @@ std::vector<Command> hand_commands() {
        can_shape,
        shape<Shape::push>},
       {"smooth",
-       "Smooth",
+       {"Smooth the selection", "Smooth"},
        "Bring the selection nearer to the mean of its neighbours.",
        hand_group,
        {},
@@ -209,7 +231,7 @@ std::vector<Command> hand_commands() {
        can_shape,
        shape<Shape::smooth>},
       {"relax",
-       "Relax",
+       {"Relax the selection", "Relax"},
        "Bring the selection nearer to rest.",
        hand_group,
        {},
@@ -217,7 +239,7 @@ std::vector<Command> hand_commands() {
        can_shape,
        shape<Shape::relax>},
       {"flatten",
-       "Flatten",
+       {"Flatten the selection", "Flatten"},
        "Bring the selection nearer to the plane that fits it.",
        hand_group,
        {},
@@ -241,7 +263,7 @@ std::vector<Command> hand_commands() {
        has_copied,
        [](Workspace& w) { paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w)); }},
       {"pose_alike",
-       "Pose alike",
+       {"Pose like the copied part", "Pose alike"},
        "The selected part takes the pose of the part that was copied, relative to where each hangs: a hand "
        "as the "
        "other hand.",
@@ -298,7 +320,7 @@ std::vector<Command> hand_commands() {
       hand_choice<MirrorPlane::z>(),
       hand_choice<MirrorPlane::fit>(),
       {"mirror_copy",
-       "Copy across",
+       {"Copy pose to the other side", "Copy across"},
        "The other side takes the pose of what is selected, as in the mirror.",
        hand_group,
        {},
@@ -306,7 +328,7 @@ std::vector<Command> hand_commands() {
        has_mirrored_selection,
        [](Workspace& w) { copy_to_other_side(w.document, *mirror_of(w)); }},
       {"mirror_swap",
-       "Swap sides",
+       {"Swap poses of both sides", "Swap sides"},
        "Both sides of the selection, or of the whole cage, change their poses.",
        hand_group,
        {},
@@ -314,7 +336,7 @@ std::vector<Command> hand_commands() {
        has_mirror,
        [](Workspace& w) { swap_sides(w.document, *mirror_of(w)); }},
       {"toggle_soft",
-       "Soft",
+       {"Soft selection", "Soft"},
        "What is near the selection goes along, the less the farther; during a drag the wheel changes the "
        "radius.",
        hand_group,

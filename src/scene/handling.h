@@ -60,6 +60,7 @@ struct Handling {
   Axes axes = Axes::world;
   MirrorPlane mirror = MirrorPlane::none;
   SoftSelection soft{};
+  bool mix_selected = false;  ///< the slider of a pose moves what is selected when it leaves 0, and no more
 
   friend bool operator==(const Handling&, const Handling&) = default;
 };

@@ -26,7 +26,7 @@ void take_word(const JsonReader& json, const char* key, Choice& value, std::vect
       json, key, value, [&](const JsonReader& v) { return word_of(v, parse); }, instead.c_str(), warnings);
 }
 
-double radius_of(const JsonReader& json) {
+double soft_radius_of(const JsonReader& json) {
   const double percent = json.number();
   if (!(percent >= 100 * SoftSelection::least_radius && percent <= 100 * SoftSelection::largest_radius))
     json.fail("this radius is out of range");
@@ -54,6 +54,7 @@ nlohmann::ordered_json handling_json(const Handling& handling) {
   if (handling.soft.radius != usual.soft.radius) json["radius"] = 100 * handling.soft.radius;
   put_word(json, "curve", handling.soft.curve, usual.soft.curve);
   put_word(json, "distance", handling.soft.distance, usual.soft.distance);
+  if (handling.mix_selected) json["mix_selected"] = true;
   return json;
 }
 
@@ -64,12 +65,15 @@ Handling handling_of(const JsonReader& json, std::vector<std::string>& warnings)
   take_part(json, "point", handling.point, point_of, "there is none instead", warnings);
   take_word(json, "axes", handling.axes, warnings);
   take_word(json, "mirror", handling.mirror, warnings);
-  take_part(
-      json, "soft", handling.soft.on, [](const JsonReader& v) { return v.boolean(); }, "off instead",
-      warnings);
-  take_part(json, "radius", handling.soft.radius, radius_of, "35 instead", warnings);
+  const auto take_switch = [&](const char* key, bool& on) {
+    take_part(
+        json, key, on, [](const JsonReader& v) { return v.boolean(); }, "off instead", warnings);
+  };
+  take_switch("soft", handling.soft.on);
+  take_part(json, "radius", handling.soft.radius, soft_radius_of, "35 instead", warnings);
   take_word(json, "curve", handling.soft.curve, warnings);
   take_word(json, "distance", handling.soft.distance, warnings);
+  take_switch("mix_selected", handling.mix_selected);
   return handling;
 }
 

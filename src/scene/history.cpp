@@ -30,20 +30,22 @@ void History::push(std::string label, Snapshot before, bool of_selection) {
   constexpr std::size_t bytes_of_cage_vertex = 1000;  // about what surface, bases and neighbourhood take
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
   // Poses and keys go along to another cage: then each state has its own.
-  const std::size_t poses = before.library.poses.size() + before.timeline.keys.size();
+  const std::size_t poses =
+      before.library.poses.size() + before.timeline.keys.size() + before.timeline.unkeyed.size();
   const std::size_t bytes_of_vertex = bytes_of_cage_vertex + poses * sizeof(mesh::Point);
   const std::size_t bytes = 512 + (other_cage ? bytes_of_vertex * before.pose.positions.size() : 0) +
                             before.pose.positions.size() * (sizeof(mesh::Point) + sizeof(std::uint32_t)) +
                             (before.mask ? before.mask->size() * sizeof(float) : 0);
   const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);
-  redo_.clear();
+  given_up_ = std::exchange(redo_, {});
+  ++recorded_;
   if (undo_.size() >= limit) drop_oldest();
   undo_.push_back({std::move(label), std::move(before), of_selection});
 }
 
 void History::file_replaced(const std::filesystem::path& file,
                             const std::shared_ptr<const deform::Cage>& by) {
-  for (auto* entries : {&undo_, &redo_}) {
+  for (auto* entries : {&undo_, &redo_, &given_up_}) {
     for (Entry& entry : *entries) {
       if (entry.state.cage_file.path != file || entry.state.cage == by) continue;
       entry.state.cage_file.made = name_of(entry.state.cage_file) + ", before it was replaced";
@@ -54,6 +56,8 @@ void History::file_replaced(const std::filesystem::path& file,
 
 Snapshot History::drop_last() {
   ++revision_;
+  --recorded_;
+  if (redo_.empty()) redo_ = std::exchange(given_up_, {});
   Snapshot before = std::move(undo_.back().state);
   undo_.pop_back();
   return before;

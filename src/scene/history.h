@@ -48,8 +48,11 @@ public:
 
   /// What the last edit has left went on to change: it is still one entry.
   void go_on() { ++revision_; }
-  /// As if the last edit had not been made: gives the state before it. Requires can_undo().
+  /// As if the last edit had not been made: gives the state before it, and what could be repeated then can be
+  /// again. Requires can_undo().
   Snapshot drop_last();
+  /// Edits that were recorded, those that were dropped since not counted.
+  unsigned long recorded() const { return recorded_; }
 
   /// The file now holds this cage: others that states have from it are in no file any more.
   void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);
@@ -78,7 +81,8 @@ private:
     bool of_selection;  // alone
   };
   std::vector<Entry> undo_, redo_;
-  unsigned long revision_ = 0;
+  std::vector<Entry> given_up_;  // what could be repeated before the last edit
+  unsigned long revision_ = 0, recorded_ = 0;
 };
 
 }  // namespace viete::scene

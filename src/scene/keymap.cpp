@@ -27,7 +27,12 @@ constexpr Shortcut alt(char c) {
   return {key(c), false, false, true};
 }
 
-// Where hands from Blender expect something else.
+constexpr PresetKeys no_key(std::string_view command) {
+  return {command, {}, {}};
+}
+
+// Where hands from Blender expect something else. What they mean and is not to be had here has no key: none
+// of them resets a pose where a loop was to be cut.
 constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"grab", plain('G'), {}},
     {"grab_rotate", plain('R'), {}},
@@ -41,7 +46,11 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"select_more", {Key::pad_plus, true}, {}},
     {"select_less", {Key::pad_minus, true}, {}},
     {"toggle_soft", plain('O'), {}},
-    {"place_pivot", {}, {}},
+    {"hide_others", shift('H'), {}},
+    {"select_similar", shift('G'), {}},
+    {"next_mirror", ctrl('M'), {}},
+    {"bend", shift('W'), {}},
+    {"tool_select", plain('W'), {}},
     {"frame_selection", {Key::pad_point}, {}},
     {"reset_selected", alt('G'), {Key::delete_key}},
     {"remove_elements", plain('X'), {Key::delete_key}},
@@ -51,12 +60,36 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"toggle_select_visible", alt('Z'), {}},
     {"toggle_wireframe", {key('Z'), false, true, true}, {}},
     {"command_palette", {Key::f3}, {}},
-    {"toggle_panels", plain('N'), {}},
+    {"toggle_tools", plain('T'), {}},
+    {"toggle_lab", plain('N'), {}},
+    {"toggle_panels", {Key::space, true}, {}},
     {"redo", {key('Z'), true, true}, {}},
     {"delete_keys", plain('X'), {Key::delete_key}},
+    no_key("place_pivot"),
+    no_key("reset_pose"),
+    no_key("restore_leftover"),
+    no_key("open_pose"),
+    no_key("save_model"),
+    no_key("tool_move"),
+    no_key("select_lasso"),
+    no_key("select_loop"),
+    no_key("select_ring"),
+    no_key("method_diag"),
+    no_key("method_sd"),
+    no_key("method_improved_sd"),
+    no_key("method_fast"),
+    no_key("reach_shorter"),
+    no_key("reach_longer"),
+    no_key("add_probe"),
+    no_key("mirror_probe"),
+    no_key("mark_point"),
+    no_key("clear_marks"),
+    no_key("toggle_z_up"),
+    no_key("toggle_error_map"),
+    no_key("toggle_full_screen"),
 });
 
-// And from Maya.
+// And from Maya, whose function keys choose what is selected.
 constexpr auto maya_keys = std::to_array<PresetKeys>({
     {"frame_all", plain('A'), {}},
     {"frame_selection", plain('F'), {}},
@@ -68,8 +101,18 @@ constexpr auto maya_keys = std::to_array<PresetKeys>({
     {"redo", shift('Z'), ctrl('Y')},
     {"select_more", {key('.'), false, true}, {}},
     {"select_less", {key(','), false, true}, {}},
+    {"select_vertices", {Key::f9}, {}},
+    {"select_edges", {Key::f10}, {}},
+    {"select_faces", {Key::f11}, {}},
+    {"invert_selection", {key('I'), true, true}, {}},
     {"hide_selected", ctrl('H'), {}},
+    {"hide_others", alt('H'), {}},
     {"show_hidden", {key('H'), true, true}, {}},
+    {"extrude_faces", ctrl('E'), {}},
+    {"command_palette", ctrl('K'), {}},
+    {"toggle_panels", {Key::space, true}, {}},
+    {"toggle_orthographic", {Key::pad5}, {}},
+    {"shading_file", plain('6'), {}},
     {"toggle_wireframe", plain('4'), {}},
     {"next_shading", plain('5'), {}},
     {"set_key", plain('S'), {}},
@@ -78,6 +121,27 @@ constexpr auto maya_keys = std::to_array<PresetKeys>({
     {"next_key", plain('.'), {Key::up}},
     {"previous_frame", alt(','), {Key::left}},
     {"next_frame", alt('.'), {Key::right}},
+    no_key("reset_pose"),
+    no_key("restore_leftover"),
+    no_key("screenshot"),
+    no_key("select_linked"),
+    no_key("select_ring"),
+    no_key("select_similar"),
+    no_key("reach_shorter"),
+    no_key("reach_longer"),
+    no_key("add_probe"),
+    no_key("mirror_probe"),
+    no_key("mark_point"),
+    no_key("clear_marks"),
+    no_key("toggle_model"),
+    no_key("toggle_deformed"),
+    no_key("toggle_cage"),
+    no_key("toggle_grid"),
+    no_key("toggle_axes"),
+    no_key("toggle_ghost"),
+    no_key("toggle_theme"),
+    no_key("toggle_z_up"),
+    no_key("toggle_error_map"),
 });
 
 std::span<const PresetKeys> keys_of_preset(KeyPreset preset) {
@@ -96,8 +160,11 @@ std::span<const KeyPresetEntry> all_key_presets() {
   static constexpr KeyPresetEntry all[] = {
       {"viete", "Viete", "Q W E R choose tools, single letters switch what is seen."},
       {"blender", "Blender",
-       "G R S move, turn and scale at once; B C A H select and hide; Tab edits the cage."},
-      {"maya", "Maya", "Q W E R choose tools, F and A frame, Alt and the mouse move the camera."},
+       "G R S move, turn and scale at once; B C A H select and hide; Tab edits the cage; T and N fold the "
+       "columns."},
+      {"maya", "Maya",
+       "Q W E R choose tools, F9 F10 F11 what is selected; F and A frame, Alt and the mouse move the "
+       "camera."},
       {"viewer", "Viewer", "As Viete, and the left button turns the view where it is pressed on nothing."}};
   return all;
 }

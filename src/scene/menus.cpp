@@ -79,6 +79,7 @@ constexpr Switch switches[] = {
     {"toggle_ghost", shown<&ViewOptions::ghost>},
     {"toggle_error_map", shown<&ViewOptions::error_map>},
     {"toggle_theme", shown<&ViewOptions::dark>},
+    {"toggle_coarse_motion", draws_coarsely},
     {"toggle_panels", shown<&ViewOptions::panels>},
     {"toggle_full_screen", [](const Workspace& w) { return w.full_screen; }},
     {"toggle_tools", column_shown<Column::tools>},
@@ -88,6 +89,7 @@ constexpr Switch switches[] = {
     {"edit_cage", [](const Workspace& w) { return w.document.kept_pose.has_value(); }},
     {"toggle_orthographic", [](const Workspace& w) { return w.camera.pose().orthographic; }},
     {"toggle_z_up", [](const Workspace& w) { return w.camera.pose().up == UpAxis::z; }},
+    {"toggle_mix_selected", [](const Workspace& w) { return w.handling.mix_selected; }},
     {"toggle_stitched", [](const Workspace& w) { return w.document.scheme.stitched(); }},
     {"tool_select", [](const Workspace& w) { return w.tool == Tool::select; }},
     {"tool_move", [](const Workspace& w) { return w.tool == Tool::move; }},
@@ -148,19 +150,13 @@ std::span<const Menu> menus() {
 }
 
 std::string_view submenu_of(const Command& command) {
-  constexpr std::pair<std::string_view, std::string_view> prefixes[] = {{"view_", "Look from"},
-                                                                        {"shading_", "Shading"},
-                                                                        {"unit_", "Unit of the file"},
-                                                                        {"pivot_", "Pivot"},
-                                                                        {"axes_", "Axes"},
-                                                                        {"soft_", "Falloff"},
-                                                                        {"keys_", "Keys of"},
-                                                                        {"elements_", "Elements"},
-                                                                        {"weights_", "Weights"},
-                                                                        {"blend_", "Blend"},
-                                                                        {"side_", "Side"},
-                                                                        {"easing_", "Easing"},
-                                                                        {"repeat_", "After the last frame"}};
+  constexpr std::pair<std::string_view, std::string_view> prefixes[] = {
+      {"view_", "Look from"},    {"shading_", "Shading"}, {"unit_", "Unit of the file"},
+      {"pivot_", "Pivot"},       {"axes_", "Axes"},       {"mirror_none", "Mirror"},
+      {"mirror_x", "Mirror"},    {"mirror_y", "Mirror"},  {"mirror_z", "Mirror"},
+      {"mirror_fit", "Mirror"},  {"soft_", "Falloff"},    {"keys_", "Keys of"},
+      {"elements_", "Elements"}, {"weights_", "Weights"}, {"blend_", "Blend"},
+      {"side_", "Side"},         {"easing_", "Easing"},   {"repeat_", "After the last frame"}};
   for (const auto& [prefix, title] : prefixes) {
     if (command.name.starts_with(prefix)) return title;
   }

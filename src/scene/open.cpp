@@ -357,6 +357,8 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.methods = {};
   w.error_map = {};
   forget_findings(w.checks);
+  w.checks.badge.reset();
+  w.checks.put_away.clear();
   ++w.opened;
 }
 
@@ -401,7 +403,7 @@ bool take_poses(Workspace& w, Opened& opened) {
 
 void take_pose(Workspace& w, deform::Pose&& pose) {
   const bool was_saved = !has_unsaved_edits(w);
-  set_pose(w.document, std::move(pose));
+  replace_pose(w, [&] { set_pose(w.document, std::move(pose)); });
   if (was_saved) mark_pose_saved(w);  // nothing is lost with it: it stands in the file
 }
 
@@ -470,6 +472,7 @@ void take(Workspace& w, Opened&& opened) {
     w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
                                              : RecentFile{w.saved.session, {}});
   }
+  lead_back_to_unkeyed(w, opened.recovered);
   if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
   if (same_model) return;
   w.camera.set_up(guessed_up(w.document.model));

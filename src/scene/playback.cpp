@@ -4,15 +4,19 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/quantity.h"
 #include "scene/cage_editing.h"
 #include "scene/command_conditions.h"
 #include "scene/edit.h"
+#include "scene/pose_edit.h"
 #include "scene/time_edit.h"
 #include "scene/workspace.h"
 
 namespace viete::scene {
 
 namespace {
+
+constexpr const char* leave_label = "go to another frame";
 
 // That pose is there. Locked probes are no part of it.
 bool is_there(const Workspace& w, const WholePose& pose) {
@@ -46,14 +50,33 @@ void show_frame(Workspace& w, double frame) {
   w.playback.shown = std::make_shared<const WholePose>(std::move(pose));
 }
 
+void see(Workspace& w) {
+  w.playback.seen_revision = w.document.history.revision();
+  w.playback.seen_timeline = w.document.timeline;
+}
+
+bool leaves_unkeyed(Workspace& w) {
+  animation_of(w);
+  return has_unkeyed_pose(w) && differs_from_rest(w.document);
+}
+
+void leave_for(Workspace& w, double frame) {
+  if (leaves_unkeyed(w)) {
+    replace_pose(w, [&] { record_edit(w.document, leave_label); });
+    w.messages.info("The pose was in no key; undo leads back to it.");
+  }
+  show_frame(w, frame);
+  see(w);
+}
+
 // An edit that changes the timeline changes what this frame looks like.
 void follow_edits(Workspace& w) {
   Playback& p = w.playback;
   const unsigned long revision = w.document.history.revision();
   const bool moves_keys = w.time_view.drag.has_value();  // which is seen at once
   if (revision == p.seen_revision || (in_hand(w) && !moves_keys)) return;
-  p.seen_revision = revision;
-  const bool retimed = p.timeline != w.document.timeline;
+  const bool retimed = p.seen_timeline != w.document.timeline;
+  see(w);
   if (!animation_of(w)) {
     p.shown = nullptr;
     return;
@@ -61,7 +84,7 @@ void follow_edits(Workspace& w) {
   if (p.auto_key && !retimed && !is_shown(w) && !is_there(w, p.animation->at(w.document.frame))) {
     try {
       add_key_to_edit(w.document, current_frame(w.document));
-      p.seen_revision = w.document.history.revision();
+      see(w);
     } catch (const base::Error& error) {
       w.messages.error(error.what(), {"key"});
     }
@@ -105,14 +128,23 @@ bool has_unkeyed_pose(const Workspace& w) {
 
 void go_to_frame(Workspace& w, double frame) {
   if (in_hand(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
-  frame = std::clamp<double>(frame, Timeline::least_frame, Timeline::largest_frame);
-  animation_of(w);
-  if (has_unkeyed_pose(w) && differs_from_rest(w.document)) {
-    w.document.history.record("go to another frame", snapshot_of(w.document));
-    w.messages.info("The pose was in no key; undo leads back to it.");
-  }
-  show_frame(w, frame);
-  w.playback.seen_revision = w.document.history.revision();
+  leave_for(w, std::clamp<double>(frame, Timeline::least_frame, Timeline::largest_frame));
+}
+
+void replace_pose(Workspace& w, const std::function<void()>& edit) {
+  const bool unkeyed = leaves_unkeyed(w);
+  PoseKey left{current_frame(w.document), unkeyed ? shared_pose(w.document) : nullptr};
+  edit();
+  const auto has_it = [&](const auto& kept) { return *kept.pose == *left.pose; };
+  Timeline& t = w.document.timeline;
+  if (unkeyed && std::ranges::none_of(t.keys, has_it) &&
+      std::ranges::none_of(w.document.library.poses, has_it))
+    t.unkeyed.push_back(std::move(left));
+}
+
+void apply_pose(Workspace& w, std::size_t pose) {
+  stop_playing(w);
+  replace_pose(w, [&] { apply_pose(w.document, pose); });
 }
 
 void go_to_key(Workspace& w, bool forward) {
@@ -130,6 +162,27 @@ void go_to_key(Workspace& w, bool forward) {
   go_to_frame(w, here == frames.begin() ? frames.back() : *(here - 1));
 }
 
+void lead_back_to_unkeyed(Workspace& w, bool show) {
+  Document& document = w.document;
+  const std::size_t count = document.timeline.unkeyed.size();
+  if (count == 0) return;
+  const bool shows_keys = animation_of(w) && !has_unkeyed_pose(w);
+  Document then = document;
+  end_mix(then);
+  then.timeline.unkeyed.clear();
+  for (const PoseKey& left : document.timeline.unkeyed) {
+    put_whole_pose(then, *left.pose);
+    then.frame = left.frame;
+    document.history.record(leave_label, snapshot_of(then));
+    then.timeline.unkeyed.push_back(left);
+  }
+  const bool shown = show && shows_keys;
+  if (shown) undo(document);
+  see(w);
+  w.messages.info(shown ? "The pose of this frame is in no key; set one (I) to keep it."
+                        : "Undo leads back to " + base::counted(count, "pose") + " in no key.");
+}
+
 void start_playing(Workspace& w) {
   Playback& p = w.playback;
   const Timeline& t = w.document.timeline;
@@ -144,7 +197,7 @@ void start_playing(Workspace& w) {
 void stop_playing(Workspace& w) {
   if (!w.playback.playing) return;
   w.playback.playing = false;
-  show_frame(w, std::round(w.document.frame));
+  leave_for(w, std::round(w.document.frame));
 }
 
 void follow_time(Workspace& w, double seconds) {

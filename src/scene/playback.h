@@ -1,6 +1,7 @@
 // Time passes: the document shows the pose of its frame.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "scene/animation.h"
@@ -22,6 +23,7 @@ struct Playback {
   std::shared_ptr<const deform::Cage> cage{};
   SharedPose shown{};               ///< as time has put it there; null: not by time
   unsigned long seen_revision = 0;  ///< of the history
+  Timeline seen_timeline{};         ///< as it was then
 };
 
 /// Of the timeline as it is now; null where it has no keys, or while the cage itself is edited.
@@ -32,10 +34,20 @@ std::shared_ptr<const Animation> animation_of(Workspace& workspace);
 bool has_unkeyed_pose(const Workspace& workspace);
 
 /// Shows the frame: pose, probes and camera keys. A pose that is in no key is not lost: undo leads back to
-/// it. Ends the mix. Does nothing while something is in the hand.
+/// it, and Timeline::unkeyed keeps it. Ends the mix. Does nothing while something is in the hand.
 void go_to_frame(Workspace& workspace, double frame);
 /// To the next frame that has a key, or the one before; from the last one to the first.
 void go_to_key(Workspace& workspace, bool forward);
+
+/// An edit that puts another pose in the place of what is there. If that was in no key, and no pose with a
+/// name is like it, Timeline::unkeyed keeps it.
+void replace_pose(Workspace& workspace, const std::function<void()>& edit);
+/// The pose of the library, as such an edit. Ends the playing.
+void apply_pose(Workspace& workspace, std::size_t pose);
+
+/// Of a document that was just opened: undo leads back to the poses of Timeline::unkeyed. `show` begins with
+/// the last of them where the document's own pose is one of its keys.
+void lead_back_to_unkeyed(Workspace& workspace, bool show);
 
 void start_playing(Workspace& workspace);
 /// Where it comes to rest is a whole frame.

@@ -75,7 +75,7 @@ std::optional<KnownImage> known_of(const PosedPart& part, std::span<const std::u
   return KnownImage{*part.active, *active};
 }
 
-glm::dvec3 vector_of(const mesh::Point& p) {
+glm::dvec3 place_vector(const mesh::Point& p) {
   return {p[0], p[1], p[2]};
 }
 
@@ -95,9 +95,9 @@ std::string pose_alike(Document& document, const PosedPart& part, std::span<cons
   std::vector<mesh::Point> places;
   for (std::size_t i = 0; i < part.vertices.size(); ++i) {
     const glm::dvec3 in_joint =
-        glm::transpose(from.linear) * (vector_of(part.positions[i]) - from.to) + from.from;
-    const glm::dvec3 moved = match->fit.linear * (in_joint - vector_of(rest[part.vertices[i]]));
-    const glm::dvec3 place = to.linear * (vector_of(rest[match->images[i]]) + moved - to.from) + to.to;
+        glm::transpose(from.linear) * (place_vector(part.positions[i]) - from.to) + from.from;
+    const glm::dvec3 moved = match->fit.linear * (in_joint - place_vector(rest[part.vertices[i]]));
+    const glm::dvec3 place = to.linear * (place_vector(rest[match->images[i]]) + moved - to.from) + to.to;
     places.push_back({place.x, place.y, place.z});
   }
   paste_pose(document, match->images, places, nullptr);

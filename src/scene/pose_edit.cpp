@@ -33,8 +33,11 @@ deform::PoseVector limited_to(const deform::Cage& cage, const deform::PoseVector
     for (double& x : limited.logs[e]) x *= of;
     if (cage.parts[e] < shares.size()) shares[cage.parts[e]] += of, counts[cage.parts[e]] += 1;
   }
-  for (std::size_t p = 0; p < shares.size(); ++p)
-    limited.turns[p] = (counts[p] > 0 ? shares[p] / counts[p] : 0) * vector.turns[p];
+  for (std::size_t p = 0; p < shares.size(); ++p) {
+    const double of = counts[p] > 0 ? shares[p] / counts[p] : 0;
+    limited.turns[p] = of * vector.turns[p];
+    limited.wholes[p] = of * vector.wholes[p];
+  }
   return limited;
 }
 
@@ -265,7 +268,13 @@ void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose) {
   erase(document.library);
 }
 
-bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight) {
+std::vector<std::uint32_t> selected_part(const Document& document) {
+  if (!document.has_cage() || document.selection.kind() == ElementKind::probe) return {};
+  return selected_vertices(*document.cage, document.selection);
+}
+
+bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight,
+                bool selected_alone) {
   if (std::isnan(weight)) return false;
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
@@ -273,11 +282,7 @@ bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, dou
   const auto record = [&, label = "mix in " + named.name] { record_step(document, label); };
   return remix(document, vectors, record, [&](PoseLibrary& library) {
     NamedPose& changed = library.poses[pose];
-    if (changed.weight == 0) {
-      const bool of_cage = document.has_cage() && document.selection.kind() != ElementKind::probe;
-      changed.part =
-          of_cage ? selected_vertices(*document.cage, document.selection) : std::vector<std::uint32_t>{};
-    }
+    if (changed.weight == 0 && selected_alone) changed.part = selected_part(document);
     changed.weight = weight;
     if (weight == 0) changed.part.clear();
   });
@@ -307,7 +312,8 @@ void carry_poses(Document& document, const std::function<deform::Pose(const defo
   };
   end_mix(document);
   for (NamedPose& named : document.library.poses) carry(named.pose);
-  for (PoseKey& key : document.timeline.keys) carry(key.pose);
+  for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
+    for (PoseKey& key : *keys) carry(key.pose);
 }
 
 std::string counted_poses(const Document& document) {
@@ -323,6 +329,7 @@ std::string drop_poses(Document& document) {
   const std::string lost = counted_poses(document);
   document.library = {};
   document.timeline.keys.clear();
+  document.timeline.unkeyed.clear();
   return lost;
 }
 
@@ -334,7 +341,8 @@ void forget_probe(Document& document, std::size_t probe) {
     pose = std::make_shared<const WholePose>(std::move(without));
   };
   for (NamedPose& named : document.library.poses) forget(named.pose);
-  for (PoseKey& key : document.timeline.keys) forget(key.pose);
+  for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
+    for (PoseKey& key : *keys) forget(key.pose);
   document.library.unmixed = document.library.mixed = nullptr;
 }
 

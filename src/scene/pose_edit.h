@@ -42,11 +42,14 @@ void duplicate_pose(Document& document, std::size_t pose);
 /// What it has mixed in goes with it.
 void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose);
 
-/// Mixes in so much of it, PoseLibrary::least_weight to largest_weight. One that was at 0 moves the part of
-/// the cage that is selected, if any of its vertices is; then what was mixed of it before goes. Weights of
-/// the same pose that are chosen one after the other are one edit. Says whether it did: not where the mix
-/// would leave what can be drawn, see in_range(); then nothing has changed.
-bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight);
+/// Mixes in so much of it, PoseLibrary::least_weight to largest_weight. One that was at 0 moves the whole
+/// cage; or, if `selected_alone`, the part of it that is selected, if any of its vertices is. Until it is at
+/// 0 again it moves the same. Weights of the same pose that are chosen one after the other are one edit. Says
+/// whether it did: not where the mix would leave what can be drawn, see in_range(); then nothing has changed.
+bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight,
+                bool selected_alone = false);
+/// Vertices of the cage that are moved then; none: all.
+std::vector<std::uint32_t> selected_part(const Document& document);
 /// All become 0. Likewise.
 bool clear_mix(Document& document, KnownVectors& vectors);
 /// Weights are divided by their sum: an average of poses. Likewise; not where the sum is 0 or less, or so

@@ -141,7 +141,7 @@ PoseKey key_of(const JsonReader& json, std::vector<std::string>& warnings) {
 
 std::vector<PoseKey> keys_of(const JsonReader& json, std::vector<std::string>& warnings) {
   std::vector<PoseKey> keys;
-  take_items(json, Timeline::most_keys, "this key is left out", warnings,
+  take_items(json, Timeline::most_keys, "it is left out", warnings,
              [&](const JsonReader& item) { keys.push_back(key_of(item, warnings)); });
   return keys;
 }
@@ -262,6 +262,11 @@ ordered_json timeline_json(const Timeline& timeline, double frame) {
     one.update(whole_pose_json(*key.pose));
     json["keys"].push_back(std::move(one));
   }
+  for (const PoseKey& left : timeline.unkeyed) {
+    ordered_json one = {{"frame", left.frame}};
+    one.update(whole_pose_json(*left.pose));
+    json["unkeyed"].push_back(std::move(one));
+  }
   if (timeline.cameras.empty()) return json;
   json["cameras"] = ordered_json::array();
   for (const CameraKey& key : timeline.cameras) {
@@ -301,6 +306,8 @@ Timeline timeline_of(const JsonReader& json, double& frame, std::vector<std::str
   take(
       "keys", t.keys, [&](const auto& v) { return keys_of(v, warnings); }, "there are none instead");
   take(
+      "unkeyed", t.unkeyed, [&](const auto& v) { return keys_of(v, warnings); }, "there are none instead");
+  take(
       "cameras", t.cameras, [&](const auto& v) { return cameras_of(v, warnings); }, "there are none instead");
   put_in_order(t.keys);
   put_in_order(t.cameras);
@@ -324,6 +331,7 @@ void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cag
   };
   drop(library.poses, "poses", "pose");
   drop(timeline.keys, "time", "key");
+  drop(timeline.unkeyed, "time", "unkeyed pose");
   if (library.unmixed && !fits(*library.unmixed, cage)) library.unmixed = nullptr;
   if (library.unmixed && cage) rest_unread(library.unmixed, *cage);
   for (NamedPose& named : library.poses) {

@@ -128,7 +128,9 @@ Remembered read_remembered(const fs::path& file) {
   append_missing(remembered, recent);
   if (const auto folder = json.find("folder")) remembered.folder = folder->path();
   if (const auto hints = json.find("hints")) remembered.hints = hints->boolean();
+  if (const auto ask = json.find("ask_keys")) remembered.ask_keys = ask->boolean();
   if (const auto dark = json.find("dark")) remembered.dark = dark->boolean();
+  if (const auto coarse = json.find("coarse_motion")) remembered.coarse_motion = coarse->boolean();
   if (const auto window = json.find("window")) remembered.window = size_of(*window);
   if (const auto keys = json.find("keys")) remembered.keymap = keymap_of(*keys);
   if (const auto layout = json.find("layout")) remembered.layout = layout_of(*layout);
@@ -143,7 +145,9 @@ void write_remembered(const fs::path& file, const Remembered& remembered) {
   for (const auto& entry : all.recent) json["recent"].push_back(to_json(entry));
   json["folder"] = path_json(all.folder);
   json["hints"] = all.hints;
+  json["ask_keys"] = all.ask_keys;
   json["dark"] = all.dark;
+  if (all.coarse_motion) json["coarse_motion"] = *all.coarse_motion;
   if (all.window) json["window"] = {all.window->x, all.window->y};
   json["layout"] = to_json(all.layout);
   if (all.keymap != Keymap{}) json["keys"] = to_json(all.keymap);

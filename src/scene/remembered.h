@@ -25,7 +25,9 @@ struct Remembered {
   std::vector<RecentFile> recent;    ///< newest first, each once, at most `most`
   std::filesystem::path folder;      ///< where a file was last chosen
   bool hints = true;                 ///< the hints of the first start are still to be shown
+  bool ask_keys = true;              ///< nobody has said yet which keys the hands know
   bool dark = true;                  ///< the theme that was chosen last
+  std::optional<bool> coarse_motion;  ///< as was chosen: what moves is drawn coarsely; nothing: where that helps
   std::optional<glm::ivec2> window;  ///< its size when it was used last, in logical pixels
   PanelLayout layout;
   Keymap keymap;

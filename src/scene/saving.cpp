@@ -64,6 +64,24 @@ bool same_probes(const Workspace& w, bool by_time) {
   return now == w.saved.probes;
 }
 
+// A pose in no key is safe in the list that was saved, and as the pose that was.
+bool same_timeline(const Workspace& w) {
+  Timeline now = w.document.timeline;
+  if (now == w.saved.timeline) return true;
+  const auto is_saved = [&](const PoseKey& left) {
+    const auto is_same = [&](const PoseKey& saved) { return *saved.pose == *left.pose; };
+    const auto same_probe = [](const deform::ProbePose& pose, const deform::Probe& probe) {
+      return probe.locked || pose == probe.pose;
+    };
+    return std::ranges::any_of(w.saved.timeline.unkeyed, is_same) ||
+           (same_pose(left.pose->cage, w.saved.pose) &&
+            std::ranges::equal(left.pose->probes, w.saved.probes.all, same_probe));
+  };
+  const bool all_saved = std::ranges::all_of(now.unkeyed, is_saved);
+  now.unkeyed = w.saved.timeline.unkeyed;
+  return all_saved && now == w.saved.timeline;
+}
+
 }  // namespace
 
 bool save_session(Workspace& workspace, const fs::path& path) {
@@ -126,8 +144,8 @@ std::string window_title(const Workspace& w) {
 bool has_unsaved_edits(const Workspace& w) {
   const bool by_time = is_by_time(w);
   if (w.saved.nowhere || w.document.cage != w.saved.cage || !same_probes(w, by_time) ||
-      w.document.groups.sets != w.saved.sets || w.document.library != w.saved.library ||
-      w.document.timeline != w.saved.timeline || !same_mask(w.document.mask, w.saved.mask))
+      w.document.groups.sets != w.saved.sets || w.document.library != w.saved.library || !same_timeline(w) ||
+      !same_mask(w.document.mask, w.saved.mask))
     return true;
   return w.document.is_movable() && (w.document.scheme != w.saved.scheme ||
                                      (!by_time && !same_pose(real_pose(w.document), w.saved.pose)));

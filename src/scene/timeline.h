@@ -67,6 +67,7 @@ struct Timeline {
 
   std::vector<PoseKey> keys;       ///< by frame, each frame once
   std::vector<CameraKey> cameras;  ///< likewise
+  std::vector<PoseKey> unkeyed{};  ///< poses in no key that something else took the place of; oldest first
   int first = 1, last = 60;        ///< what plays; last > first
   double rate = 24;                ///< frames a second
   Repeat repeat = Repeat::loop;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
+#include "deform/branches.h"
 #include "deform/cage_state.h"
 #include "scene/elements.h"
 #include "scene/grip.h"
@@ -14,6 +17,7 @@ namespace viete::scene {
 
 namespace {
 
+constexpr double turn_rounding = 1e-6;  // relative
 constexpr double largest_step = 30;  // degrees in which branches are followed safely
 
 struct Turn {
@@ -47,6 +51,12 @@ mesh::Point point_of(const glm::dvec3& p) {
   return {p.x, p.y, p.z};
 }
 
+// Those of the frame, or else faces: points do not turn.
+deform::Elements turning_elements(const Document& document) {
+  const deform::Elements used = document.scheme.weighting.elements;
+  return deform::entry(used).affine ? used : deform::Elements::face;
+}
+
 // A transform on its way from the pose before it.
 struct Motion {
   Document& document;
@@ -59,16 +69,10 @@ struct Motion {
     apply(transform, grip, before.positions, document.pose.positions);
   }
 
-  // Those of the frame, or else faces: points do not turn.
-  deform::Elements turning_elements() const {
-    const deform::Elements used = document.scheme.weighting.elements;
-    return deform::entry(used).affine ? used : deform::Elements::face;
-  }
-
   // Turns in small steps; the pose's turns go along.
   void follow(double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
-    deform::CageState cage(document.cage, turning_elements(), deform::Blend::srl);
+    deform::CageState cage(document.cage, turning_elements(document), deform::Blend::srl);
     for (int i = 1; i <= steps; ++i) {
       show(from + (to - from) * i / steps);
       cage.set_pose(document.pose);
@@ -89,6 +93,50 @@ struct Motion {
     }
   }
 };
+
+using mesh::operator-, mesh::operator*;
+
+// Of each part of the cage the axis that it is turned about, in one piece; 0 of others.
+std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip, const glm::dvec3& axis) {
+  const mesh::Vec3 own{axis.x, axis.y, axis.z}, other = -1.0 * reflected_direction(grip.plane, own), none{};
+  std::vector<mesh::Vec3> of_vertex(cage.surface.positions.size()), of_part(cage.roots.size());
+  for (const Gripped& g : grip.vertices)
+    if (g.share == 1 && g.side != Gripped::Side::plane)
+      of_vertex[g.vertex] = g.side == Gripped::Side::own ? own : other;
+  std::vector<bool> seen(cage.roots.size());
+  for (std::size_t e = 0; e < cage.element_count(); ++e) {
+    const auto part = cage.parts[e];
+    if (part >= of_part.size()) continue;
+    for (const auto v : cage.surface.triangles[e]) {
+      const bool first = !seen[part];
+      seen[part] = true;
+      of_part[part] = first || of_part[part] == of_vertex[v] ? of_vertex[v] : none;
+    }
+  }
+  return of_part;
+}
+
+// The part of a rotation that is about an axis of length 1, from minus to plus half a turn.
+double twist(const mesh::Vec3& rotation, const mesh::Vec3& axis) {
+  const double half = mesh::norm(rotation) / 2;
+  return half == 0 ? 0
+                   : 2 * std::atan2(std::sin(half) * mesh::dot(rotation, axis) / (2 * half), std::cos(half));
+}
+
+std::vector<mesh::Vec3> least_turns(const Document& document, const std::vector<mesh::Point>& positions) {
+  deform::CageState state(document.cage, turning_elements(document), deform::Blend::srl);
+  state.set_pose({positions, {}});
+  return state.report().turns;
+}
+
+// Whole turns that the part had about this axis; nothing if they were about another one.
+std::optional<double> turns_about(const mesh::Vec3& axis, const mesh::Vec3& turn, const mesh::Vec3& least) {
+  constexpr double same_axis = 1e-6;
+  const double count = deform::whole_turns(turn, least), along = mesh::dot(turn, axis);
+  if (count == 0) return 0;
+  if (mesh::norm(turn - along * axis) > same_axis * mesh::norm(turn)) return std::nullopt;
+  return std::copysign(count, along);
+}
 
 bool is_in_range(const Document& document, const Grip& grip) {
   const deform::Pose& pose = document.pose;
@@ -158,11 +206,36 @@ bool place(Document& document, const Snapshot& snapshot, const Grip& grip, const
   return false;
 }
 
+// A whole turn about another axis takes the place of those before: there is one axis a part.
+void keep_whole_turns(Document& document, const Snapshot& before, const Grip& grip, const Transform& t) {
+  if (t.degrees == 0 || !document.has_cage() || grip.shaping.shape != Shape::none) return;
+  const auto axes = axes_of_parts(*document.cage, grip, t.axis);
+  if (std::ranges::all_of(axes, [](const mesh::Vec3& axis) { return axis == mesh::Vec3{}; })) return;
+  const auto from = least_turns(document, before.pose.positions);
+  const auto to = least_turns(document, document.pose.positions);
+  auto& turns = document.pose.turns;
+  turns.resize(axes.size(), {0, 0, 0});
+  for (std::size_t part = 0; part < axes.size(); ++part) {
+    const mesh::Vec3& axis = axes[part];
+    if (axis == mesh::Vec3{}) continue;
+    const bool known = part < before.pose.turns.size();
+    const auto had = known ? turns_about(axis, before.pose.turns[part], from[part]) : 0;
+    const double turned_by = twist(from[part], axis) + glm::radians(t.degrees) - twist(to[part], axis);
+    const double made = std::round(turned_by / (2 * std::numbers::pi));
+    if (made == 0 && (!had || *had == 0)) continue;
+    const double count = had.value_or(0) + made;
+    const mesh::Vec3 turned = count == 0 ? to[part] : deform::with_whole_turns(axis, count, to[part]);
+    if (mesh::norm(turned - turns[part]) > turn_rounding * (1 + mesh::norm(turned))) turns[part] = turned;
+  }
+  ++document.revisions.pose;
+}
+
 bool transform_selection(Document& document, Tool tool, const Grip& grip, const Transform& transform) {
   const Snapshot before = snapshot_of(document);
   Transform bounded = transform;
   bounded.degrees = std::clamp(transform.degrees, -most_degrees, most_degrees);
   if (!place(document, before, grip, bounded, 0)) return false;
+  keep_whole_turns(document, before, grip, bounded);
   if (moved_since(document, before) || transform.degrees != 0)
     document.history.record(edit_label(tool, document.selection), before);
   return true;

@@ -62,6 +62,11 @@ glm::dvec3 selection_center(const Document& document);
 bool place(Document& document, const Snapshot& before, const Grip& grip, const Transform& transform,
            double degrees_seen);
 
+/// After a turn has come to its end, from `before`: parts of the cage that turned as a whole have the whole
+/// turns that they have made about its axis, in any pose, also where the logs of their elements cannot tell.
+void keep_whole_turns(Document& document, const Snapshot& before, const Grip& grip,
+                      const Transform& transform);
+
 /// The whole edit at once, one entry of the history; nothing is recorded if nothing moves. Requires
 /// a selection. False if it would leave the range of a pose: then nothing moves.
 bool transform_selection(Document& document, Tool tool, const Grip& grip, const Transform& transform);

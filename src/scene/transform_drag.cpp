@@ -20,7 +20,7 @@ constexpr double move_snaps = 10;          // for the grid's cell
 constexpr double even_scale_pixels = 120;  // to the right or up for a factor of 2
 constexpr double shortest_grip = 40;       // pixels: nearer to the pivot, scaling would be too quick
 constexpr double shape_pixels_per_degree = 2, whole_share_pixels = 200;
-constexpr double degree = 57.29577951308232;
+constexpr double degrees_of_radian = 57.29577951308232;
 
 // A decimal step as so many to the unit gives the same bits as the number when it is typed.
 double snapped(double value, double per_unit) {
@@ -170,7 +170,7 @@ Transform TransformDrag::measured(const DragInput& input, const Camera& camera, 
     t = shaped_by(amount_by_way(slowed.x - press_.x, projection), input.snap);
   } else if (tool_ == Tool::rotate) {
     t.axis = direction();
-    t.degrees = degree * turn_by_mouse(input, projection);
+    t.degrees = degrees_of_radian * turn_by_mouse(input, projection);
     if (input.snap) t.degrees = turn_snap * std::round(t.degrees / turn_snap);
   } else if (tool_ == Tool::scale) {
     t.factors = scale_by_mouse(slowed, projection);
@@ -271,6 +271,7 @@ void TransformDrag::soften(Document& document, const SoftSelection& soft, const 
 
 void TransformDrag::commit(Document& document) const {
   if (!in_range_ || (!moved_since(document, before_) && transform_.degrees == 0)) return;
+  keep_whole_turns(document, before_, grip_, transform_);
   document.history.record(label(), before_);
 }
 

@@ -119,4 +119,34 @@ void frame_selection(Workspace& workspace, bool eased) {
   workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
 }
 
+void take_hold(Workspace& w) {
+  w.before_hold = {mark_of(w.document), w.handling, w.brush, w.making.wish, w.remembered.layout, w.opened};
+}
+
+// A cage that is being made follows its wish, and is no edit of the hand's.
+void call_off_hold(Workspace& w) {
+  if (!w.before_hold || w.before_hold->opened != w.opened) return;
+  BeforeHold before = *std::exchange(w.before_hold, std::nullopt);
+  w.handling = before.handling;
+  w.brush = before.brush;
+  w.making.wish = before.wish;
+  w.remembered.layout = before.layout;
+  if (!w.making.open) take_back(w.document, std::move(before.document));
+}
+
+std::optional<double> TimeLeft::of(const WorkState& work) {
+  if (work.what != what_ ||
+      (!seen_.empty() && (work.seconds < seen_.back()[0] || work.done < seen_.back()[1])))
+    seen_.clear();
+  what_ = work.what;
+  constexpr double apart = 0.05;
+  if (seen_.empty() || work.seconds > seen_.back()[0] + apart) seen_.push_back({work.seconds, work.done});
+  if (work.seconds < 0.5 || work.done < 0.02) return std::nullopt;
+  const auto half =
+      std::ranges::lower_bound(seen_, 0.5 * work.seconds, {}, [](const auto& s) { return s[0]; });
+  const double seconds = work.seconds - (*half)[0], done = work.done - (*half)[1];
+  if (seconds < 0.2 || !(done > 0)) return work.seconds * (1 - work.done) / work.done;
+  return seconds * (1 - work.done) / done;
+}
+
 }  // namespace viete::scene

@@ -2,6 +2,7 @@
 // pointer is doing.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -19,6 +20,7 @@
 #include "scene/check_view.h"
 #include "scene/choice_picture.h"
 #include "scene/document.h"
+#include "scene/edit.h"
 #include "scene/file_browser.h"
 #include "scene/frame_stats.h"
 #include "scene/handling.h"
@@ -103,6 +105,16 @@ struct Interaction {
   bool show_partners = false;  ///< of the whole cage in its mirror
 };
 
+/// All that a slider or a handle of a panel changes, as it was when the mouse took hold of it.
+struct BeforeHold {
+  EditMark document;
+  Handling handling;
+  Brush brush;
+  CageWish wish;
+  PanelLayout layout;
+  Revision opened;
+};
+
 /// What stands in a field while it is being edited.
 struct TypedText {
   std::string text;
@@ -150,6 +162,18 @@ struct WorkState {
   double age = 0;      ///< since all of it began
 };
 
+/// How long work will still take: as fast as it was in the latter half of its time, which knows nothing of a
+/// slow beginning.
+class TimeLeft {
+public:
+  /// Seconds; nothing while too little is known. Asked again and again while it goes on.
+  std::optional<double> of(const WorkState& work);
+
+private:
+  std::string what_;
+  std::vector<std::array<double, 2>> seen_;  // seconds, and what was done then
+};
+
 /// What is safe in files of the user's: edits that led away from it are unsaved.
 struct Saved {
   std::filesystem::path session;  ///< where Save writes; empty until there is one
@@ -173,6 +197,7 @@ struct About {
   std::string build;     ///< build type and compiler
   std::string kernel;    ///< of the exponential
   std::string renderer;  ///< of OpenGL
+  bool software = false;  ///< a processor draws
 };
 
 /// Every command by name, found by a few letters.
@@ -230,6 +255,7 @@ struct Workspace {
   WorkState binding;       ///< of what is open, to other coordinates
   WorkState exporting;
   WorkState making_cage;
+  TimeLeft time_left, export_left;  ///< of what is shown of these
   CageMaking making;
   bool offer_cage = true;  ///< ways to get one are shown while the model has none
   CheckState checks;
@@ -241,6 +267,7 @@ struct Workspace {
   std::filesystem::path recovered_from;      ///< the leftover that is open, until its work is safe elsewhere
   Revision opened = 0;                       ///< another document was opened
   std::vector<std::string> pose_notes;       ///< what the deformer had to decide in this pose, one line each
+  std::vector<std::string> closed_notes;     ///< of these, put away as long as they stand
   std::vector<DiscardedLeftover> discarded;  ///< newest last; gone when the program ends
   bool tell_discarded = false;               ///< the last of them is to be shown
   std::optional<Question> question;          ///< waits for an answer; nothing else is done meanwhile
@@ -251,11 +278,19 @@ struct Workspace {
   bool show_messages = false;  ///< all of them, in a list
   bool attended = true;        ///< somebody is there to read what is said; not so for pictures of a command
   bool full_screen = false;    ///< the window is to fill the screen
+  bool ask_keys = false;       ///< the first start asks which keys the hands know
   bool farewell = false;       ///< the window is about to close, and edits are kept
   std::map<std::string, TypedText> typed;  ///< by the name of the field
+  std::optional<BeforeHold> before_hold;   ///< since the mouse button went down
   ChoicePictures choice_pictures;
   About about;
 };
+
+/// True if what moves in the view is to be drawn at half the resolution: as was chosen, or where a processor
+/// draws.
+inline bool draws_coarsely(const Workspace& workspace) {
+  return workspace.remembered.coarse_motion.value_or(workspace.about.software);
+}
 
 /// True if the mesh is coloured by its mask.
 inline bool shows_mask(const Workspace& workspace) {
@@ -285,6 +320,10 @@ bool shows_error_map(const Workspace& workspace);
 /// Opens at once, without reading aside. On failure everything stays as it was and a message says why.
 /// Returns success.
 bool open_now(Workspace& workspace, const OpenRequest& request);
+
+/// The mouse takes hold of a widget, maybe; and what it has done since never was.
+void take_hold(Workspace& workspace);
+void call_off_hold(Workspace& workspace);
 
 /// Logical pixels at the bottom of the view in which the offer of a cage stands; 0 where there is none.
 float offer_height(const Workspace& workspace);

@@ -17,7 +17,7 @@ using Matrix = Sym3<DoubleDouble>;
 
 constexpr int terms = 32;  // 1/32! < 2^-117
 constexpr double entry_limit = 1e6;
-constexpr double exponent_limit = 2800;  // beyond it everything over- or underflows
+constexpr double largest_exponent = 2800;  // beyond it everything over- or underflows
 
 const std::array<Real, terms>& inverse_factorials() {
   static const auto table = [] {
@@ -72,7 +72,7 @@ Matrix times_power(Matrix m, int n) {
 
 /// m e^x: x = n ln 2 + r, with ln 2 to 160 bits.
 Matrix times_exp(const Matrix& m, double x) {
-  x = std::clamp(x, -exponent_limit, exponent_limit);
+  x = std::clamp(x, -largest_exponent, largest_exponent);
   const double n = std::nearbyint(x / 0x1.62e42fefa39efp-1);
   Real r = two_product(-n, 0x1.62e42fefa39efp-1) + Real{x, 0};
   r = r + two_product(-n, 0x1.abc9e3b39803fp-56) + two_product(-n, 0x1.7b57a079a1934p-111);

@@ -5,6 +5,7 @@
 
 #include "scene/choice_picture.h"
 #include "ui/context.h"
+#include "ui/widgets.h"
 
 namespace viete::ui {
 
@@ -15,7 +16,7 @@ void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const 
 /// Of the last item, while the cursor is over it: only then its picture is made.
 template <class Choice>
 void choice_hint(const Context& ui, Choice choice, const std::string& more = "") {
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+  if (wants_hint())
     picture_hint(ui, ui.workspace.choice_pictures.of(choice), std::string(scene::entry(choice).sentence),
                  more);
 }

@@ -52,16 +52,11 @@ bool row(const Context& ui, const scene::Command& command, std::size_t index, bo
 
 // What the highlighted one does or, in place of it, why it cannot now: two lines are always kept for it.
 void explanation(const Context& ui, const scene::Command* command) {
-  const float line = ImGui::GetCursorPosY();
-  if (command) {
-    const bool enabled = command->enabled(ui.workspace);
-    note(ui, std::string(enabled ? command->hint : command->enabled.otherwise),
-         enabled ? ui.colors.faint : ui.colors.warn);
-    record(ui, "palette_hint");
-  }
-  const float end = line + 2 * ImGui::GetTextLineHeightWithSpacing();
-  const float left = end - ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-  if (left > 0) ImGui::Dummy({0, left});
+  if (!command) return note_within(ui, 2, " ");
+  const bool enabled = command->enabled(ui.workspace);
+  note_within(ui, 2, std::string(enabled ? command->hint : command->enabled.otherwise),
+              enabled ? ui.colors.faint : ui.colors.warn);
+  record(ui, "palette_hint");
 }
 
 void step(scene::Palette& palette, std::size_t count, int steps) {
@@ -107,7 +102,7 @@ void command_palette(const Context& ui) {
   if (found.empty()) note(ui, "No command has that in its name.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  note(ui, "Right click on a command gives it another key;  Help, All keys lists every one");
+  note(ui, "Right click on a command gives it another key;  Help, Change keys lists every one");
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   ImGui::End();

@@ -57,23 +57,21 @@ void easing_choice(const Context& ui, const scene::PoseKey* key, float width) {
   ImGui::EndDisabled();
 }
 
-double share_at(const scene::PoseKey& key, double t) {
-  switch (key.easing) {
-    case Easing::smooth: return t * t * (3 - 2 * t);
-    case Easing::linear: return t;
-    case Easing::hold: return t < 1 ? 0 : 1;
-    case Easing::bezier: break;
-  }
-  return scene::eased(key.handles, t);
-}
-
+// What is played: the keys beside these two have their part in it. Of an edit of this very frame time is to
+// see first that it has changed the motion.
 void curve(const Context& ui, const Graph& g, const scene::PoseKey& key) {
   constexpr int pieces = 48;
+  scene::Workspace& w = ui.workspace;
+  const bool followed = w.playback.seen_revision == w.document.history.revision();
+  const auto animation = followed ? scene::animation_of(w) : w.playback.animation;
+  if (!animation) return;
+  const auto& keys = ui.workspace.document.timeline.keys;
+  const auto from = std::ranges::lower_bound(keys, key.frame, {}, &scene::PoseKey::frame) - keys.begin();
+  const std::vector<double> progress = animation->progress(static_cast<std::size_t>(from), pieces);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  for (int i = 0; i <= pieces; ++i) {
-    const double t = static_cast<double>(i) / pieces;
-    draw.PathLineTo(g.at(t, share_at(key, t)));
-    if (key.easing == Easing::hold && i == pieces - 1) draw.PathLineTo(g.at(1, 0));
+  for (std::size_t i = 0; i < progress.size(); ++i) {
+    if (key.easing == Easing::hold && i == pieces) draw.PathLineTo(g.at(1, 0));
+    draw.PathLineTo(g.at(static_cast<double>(i) / pieces, progress[i]));
   }
   draw.PathStroke(ui.colors.accent, 0, 1.75f);
 }

@@ -60,6 +60,7 @@ void choose(scene::Workspace& w, const std::filesystem::path& path) {
 }
 
 void choose_typed(scene::Workspace& w) {
+  if (w.browser.recent < w.remembered.recent.size()) return open_recent(w, w.browser.recent);
   if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
   const std::filesystem::path typed = scene::typed_path(w.browser);
   std::error_code ignored;
@@ -108,8 +109,11 @@ void path_field(const Context& ui) {
   record(ui, "file_path");
   hint(browser.saves() ? "The file to write; its extension chooses the format."
                        : "Type or paste a path; Enter opens it.");
-  if (browser.path != before)
-    browser.problem.clear(), browser.highlighted = browser.saves() ? Browser::none : 0;
+  if (browser.path != before) {
+    browser.problem.clear();
+    browser.highlighted = browser.saves() ? Browser::none : 0;
+    browser.recent = Browser::none;
+  }
   if (enter) confirm_typed(ui.workspace);
   if (enter && browser.open) ImGui::SetKeyboardFocusHere(-1);
 }
@@ -151,22 +155,29 @@ void filter_row(const Context& ui) {
   const std::string before = browser.filter;
   text_field("##filter", "Filter", browser.filter, 0);
   record(ui, "file_filter");
-  if (browser.filter != before) browser.highlighted = 0;
+  if (browser.filter != before) {
+    browser.highlighted = 0;
+    browser.recent = Browser::none;
+    if (!browser.saves()) browser.path = browser.folder.string();
+  }
   if (formats) format_row(ui);
 }
 
 // The clicked entry, if any; it is acted on after the list is drawn, because that changes the list.
-const Browser::Entry* entry_list(const Context& ui, const std::vector<const Browser::Entry*>& entries,
-                                 bool moved) {
-  const Browser::Entry* clicked = nullptr;
+std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const Browser::Entry*>& entries,
+                                      bool moved) {
+  std::optional<std::size_t> clicked;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& entry = *entries[i];
-    const bool highlighted = i == ui.workspace.browser.highlighted;
+    const Browser& browser = ui.workspace.browser;
+    const bool highlighted = i == browser.highlighted && browser.recent == Browser::none;
     const float line = ImGui::GetCursorScreenPos().y;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const std::string label = entry.folder ? entry.name + "/" : entry.name;
     ImGui::PushStyleColor(ImGuiCol_Header, ui.colors.card_active);
-    if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), highlighted)) clicked = &entry;
+    if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), highlighted,
+                          ImGuiSelectableFlags_AllowDoubleClick))
+      clicked = i;
     ImGui::PopStyleColor();
     if (highlighted && moved) ImGui::SetScrollHereY();
     record(ui, "file/" + entry.name);
@@ -183,12 +194,25 @@ const Browser::Entry* entry_list(const Context& ui, const std::vector<const Brow
   return clicked;
 }
 
-// A click enters a folder and opens a file; when saving, it proposes to replace that file.
+// Enters a folder and opens a file; when saving, it proposes to replace that file.
 void take(scene::Workspace& w, const Browser::Entry& entry) {
   const std::filesystem::path path = w.browser.folder / entry.name;
   if (entry.folder || !w.browser.saves()) return choose(w, path);
+  if (w.browser.path == path.string()) return confirm_typed(w);
   w.browser.path = path.string();
-  w.browser.highlighted = Browser::none;  // the next Enter saves
+}
+
+// One click selects, two take; but none replaces a file.
+void click_entry(scene::Workspace& w, std::size_t index) {
+  scene::highlight(w.browser, index);
+  const Browser::Entry& entry = *scene::shown(w.browser)[index];
+  if (ImGui::IsMouseDoubleClicked(0) && (entry.folder || !w.browser.saves())) take(w, entry);
+}
+
+void click_recent(scene::Workspace& w, std::size_t index) {
+  if (ImGui::IsMouseDoubleClicked(0)) return open_recent(w, index);
+  w.browser.recent = index;
+  w.browser.path = w.remembered.recent[index].file.string();
 }
 
 // Up and Down walk the list, Enter takes, Backspace without a filter goes up a folder, Esc closes. Says
@@ -208,7 +232,9 @@ bool handle_keys(const Context& ui, bool typing_path) {
     return false;
   }
   const auto entries = scene::shown(browser);
-  if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
+  if (key_pressed(scene::Key::enter) && browser.recent != Browser::none) {
+    choose_typed(ui.workspace);
+  } else if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
     browser.appearing = browser.open;  // the keyboard stays with the list
   } else if (key_pressed(scene::Key::enter) && browser.saves()) {
@@ -248,14 +274,15 @@ void lists(const Context& ui, bool moved) {
   if (recent) {
     ImGui::BeginChild("recent", {220, height}, true);
     note(ui, "Recent");
-    recent_list(ui, scene::Remembered::most);
+    const auto clicked = recent_list(ui, scene::Remembered::most, browser.recent);
     ImGui::EndChild();
     ImGui::SameLine();
+    if (clicked) click_recent(ui.workspace, *clicked);
   }
   ImGui::BeginChild("entries", {0, height}, true);
-  const Browser::Entry* clicked = entry_list(ui, scene::shown(browser), moved);
+  const auto clicked = entry_list(ui, scene::shown(browser), moved);
   ImGui::EndChild();
-  if (clicked) take(ui.workspace, *clicked);
+  if (clicked) click_entry(ui.workspace, *clicked);
 }
 
 // What is about to be replaced is said before it is.
@@ -290,7 +317,11 @@ void button_row(const Context& ui) {
          ui.colors.warn);
     record(ui, "file_replaces");
   }
-  if (confirmed) choose_typed(ui.workspace);
+  if (!confirmed) return;
+  const auto entries = scene::shown(browser);
+  const bool untouched = !browser.saves() && browser.path == browser.folder.string();
+  untouched&& browser.highlighted < entries.size() ? take(ui.workspace, *entries[browser.highlighted])
+                                                   : choose_typed(ui.workspace);
 }
 
 }  // namespace

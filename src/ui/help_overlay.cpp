@@ -112,7 +112,7 @@ void help_overlay(const Context& ui) {
   ImGui::Begin(
       "Keys and mouse", &open,
       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-  note(ui, "Keys of " + preset_label(ui) + ".  Help, All keys gives any command another one.");
+  note(ui, "Keys of " + preset_label(ui) + ".  Help, Change keys gives any command another one.");
   table(ui, "hands", hands);
   if (both < display.x - 40) ImGui::SameLine(0, gap);
   table(ui, "settings", settings);

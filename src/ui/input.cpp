@@ -8,6 +8,7 @@
 
 #include "scene/commands.h"
 #include "ui/imgui_bridge.h"
+#include "ui/widgets.h"
 
 namespace viete::ui {
 
@@ -48,7 +49,7 @@ void set_key(scene::Workspace& workspace) {
 // While the mouse is at work keys are its own: they must not change what it holds.
 void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput || pointer.active() || workspace.question) return;
+  if (io.WantTextInput || ImGui::IsAnyItemActive() || pointer.active() || workspace.question) return;
   for (const auto& command : scene::commands()) {
     const scene::Shortcuts keys = workspace.remembered.keymap.of(command);
     if (!matches(keys.first, io) && !matches(keys.second, io)) continue;
@@ -83,10 +84,10 @@ scene::PointerInput pointer_input(bool keys) {
 
 void handle_input(scene::Workspace& workspace, scene::Pointer& pointer) {
   if (!workspace.interaction.setting_key.empty()) return set_key(workspace);
-  const bool keys = !workspace.question;
+  const bool escaped = take_escape(workspace), keys = !workspace.question && !escaped;
   if (keys && workspace.view.help && key_pressed(scene::Key::escape)) workspace.view.help = false;
   pointer.frame(workspace, pointer_input(keys));
-  run_shortcuts(workspace, pointer);
+  if (!escaped) run_shortcuts(workspace, pointer);
 }
 
 }  // namespace viete::ui

@@ -167,4 +167,39 @@ void key_list(const Context& ui) {
   if (!open) close_keys(w);
 }
 
+float key_question(const Context& ui, float bottom) {
+  scene::Workspace& w = ui.workspace;
+  if (!w.view.hints) w.ask_keys = false;  // the hand is at work already
+  if (!w.ask_keys || !w.view.panels || w.view.help || w.loading.running || w.browser.open || w.question ||
+      offers_next_step(w))
+    return bottom;
+  const scene::Viewport& v = w.viewport;
+  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, bottom - 56}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16, 12});
+  ImGui::Begin("Which keys", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoNav);
+  ImGui::TextUnformatted("Whose keys do your hands know?");
+  const auto presets = scene::all_key_presets();
+  for (std::size_t i = 0; i < presets.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::Button(presets[i].label.data(), {72, 0})) {
+      w.remembered.keymap.set_preset(static_cast<scene::KeyPreset>(i));
+      w.ask_keys = false;
+    }
+    record(ui, "ask_keys/" + std::string(presets[i].word));
+    hint(std::string(presets[i].hint) + " Help, Change keys has them all, at any time.");
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("x")) w.ask_keys = false;
+  record(ui, "ask_keys/close");
+  hint("Those of Viete.");
+  const float top = ImGui::GetWindowPos().y;
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  return top + 28;
+}
+
 }  // namespace viete::ui

@@ -1,28 +1,11 @@
 // The bar at the top, and the menu that a click with the right button opens: commands by their groups.
 #include "scene/menus.h"
-#include "ui/imgui_bridge.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
 
 namespace {
-
-void close_by_escape() {
-  if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
-}
-
-// True if it was chosen.
-bool item(const Context& ui, const scene::Command& command, std::string_view called) {
-  const bool enabled = command.enabled(ui.workspace);
-  const bool on = scene::is_on(ui.workspace, command).value_or(false);
-  const std::string label = std::string(called) + "##" + std::string(command.name);
-  const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
-  const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);
-  record(ui, "menu/" + std::string(command.name), enabled);
-  hint(hint_of(ui, command));
-  return chosen;
-}
 
 bool is_shown(const Context& ui, const scene::Command& command) {
   return !scene::is_passing(command) || command.enabled(ui.workspace);
@@ -43,41 +26,43 @@ void items(const Context& ui, const scene::Menu& menu) {
     }
     if (submenu.empty() && command->group != group) ImGui::Separator();
     group = command->group;
-    if ((submenu.empty() || open) && item(ui, *command, command->label)) command->run(ui.workspace);
+    if ((submenu.empty() || open) &&
+        menu_item(ui, *command, submenu.empty() ? std::string_view(command->label) : command->label.brief))
+      command->run(ui.workspace);
   }
   if (open) ImGui::EndMenu();
 }
 
 struct Offer {
   const char* command;
-  bool line;                  // above it
-  std::string_view called{};  // where its label needs the headline of its menu
+  bool line;  // above it
 };
 
 // What one wants of what is under the cursor, in the order of the hand. What cannot be done now is left out.
-constexpr Offer offers[] = {{"undo", false},
-                            {"redo", false},
-                            {"reset_selected", true},
-                            {"frame_selection", true},
-                            {"frame_all", false},
-                            {"select_all", true, "Select all"},
-                            {"select_none", false, "Select nothing"},
-                            {"invert_selection", false, "Invert selection"},
-                            {"select_linked", false, "Select linked"},
-                            {"split_edges", true},
-                            {"cut_faces", false},
-                            {"extrude_faces", false},
-                            {"merge_vertices", false},
-                            {"remove_elements", false},
-                            {"make_cage", true},
-                            {"edit_cage", false},
-                            {"set_key", true},
-                            {"keep_pose", false, "Keep this pose"},
-                            {"add_probe", true, "Add a probe here"},
-                            {"mark_point", false, "Mark this point"},
-                            {"command_palette", true, "All commands"}};
+constexpr Offer offers[] = {{"undo", false},           {"redo", false},
+                            {"reset_selected", true},  {"frame_selection", true},
+                            {"frame_all", false},      {"select_all", true},
+                            {"select_none", false},    {"invert_selection", false},
+                            {"select_linked", false},  {"split_edges", true},
+                            {"cut_faces", false},      {"extrude_faces", false},
+                            {"merge_vertices", false}, {"remove_elements", false},
+                            {"make_cage", true},       {"edit_cage", false},
+                            {"set_key", true},         {"keep_pose", false},
+                            {"add_probe", true},       {"mark_point", false},
+                            {"command_palette", true}};
 
 }  // namespace
+
+bool menu_item(const Context& ui, const scene::Command& command, std::string_view called) {
+  const bool enabled = command.enabled(ui.workspace);
+  const bool on = scene::is_on(ui.workspace, command).value_or(false);
+  const std::string label = std::string(called) + "##" + std::string(command.name);
+  const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
+  const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);
+  record(ui, "menu/" + std::string(command.name), enabled);
+  hint(hint_of(ui, command));
+  return chosen;
+}
 
 void menu_bar(const Context& ui) {
   constexpr float height = scene::PanelLayout::menu_height;
@@ -90,7 +75,6 @@ void menu_bar(const Context& ui) {
     const bool shown = ImGui::BeginMenu(std::string(menu.title).c_str());
     record(ui, "menu/" + std::string(menu.title));
     if (!shown) continue;
-    close_by_escape();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 8});
     items(ui, menu);
     ImGui::PopStyleVar();
@@ -109,7 +93,6 @@ void context_menu(const Context& ui) {
     asked.reset();
   }
   if (!ImGui::BeginPopup("Context")) return;
-  close_by_escape();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 8});
   bool line = false, any = false;
   for (const Offer& offer : offers) {
@@ -118,7 +101,7 @@ void context_menu(const Context& ui) {
     if (!command.enabled(ui.workspace)) continue;
     if (line && any) ImGui::Separator();
     line = false, any = true;
-    if (!item(ui, command, offer.called.empty() ? command.label : offer.called)) continue;
+    if (!menu_item(ui, command, command.label)) continue;
     ui.workspace.interaction.cursor = ui.workspace.interaction.menu_at;
     command.run(ui.workspace);
   }

@@ -32,16 +32,29 @@ float buttons_width(std::initializer_list<std::string_view> commands, float gaps
   const ImGuiStyle& style = ImGui::GetStyle();
   float width = gaps;
   for (const auto name : commands) {
-    const std::string_view label = scene::find_command(name)->label;
+    const std::string_view label = scene::find_command(name)->label.brief;
     width += ImGui::CalcTextSize(label.data(), label.data() + label.size()).x + 2 * style.FramePadding.x;
   }
   return width;
 }
 
+float inner_room(const Context& ui) {
+  return notice_room(ui) - 2 * ImGui::GetStyle().WindowPadding.x;
+}
+
+// Beside the one before, or below where the view is too narrow.
+void next_button(const Context& ui, std::string_view command, float gap = -1) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x + inner_room(ui);
+  const float spacing = gap < 0 ? ImGui::GetStyle().ItemSpacing.x : 2 * gap;
+  if (ImGui::GetItemRectMax().x + buttons_width({command}, spacing) <= right)
+    gap < 0 ? ImGui::SameLine() : apart();
+  command_button(ui, command);
+}
+
 // With the buttons beside it, or below where the view is too narrow.
 void notice_words(const Context& ui, const std::string& text, const std::string& tip, float buttons) {
-  constexpr float margin = 48, gap = 16;
-  const float room = std::max(200.0f, ui.workspace.viewport.size.x - margin);
+  constexpr float gap = 16;
+  const float room = inner_room(ui);
   ImGui::AlignTextToFramePadding();
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room);
   ImGui::TextUnformatted(text.c_str());
@@ -59,12 +72,10 @@ void leftover_line(const Context& ui) {
       leftovers.front().file.string(),
       buttons_width({"restore_leftover", "put_off_leftover", "discard_leftover"}, 2 * apart_gap + 16));
   command_button(ui, "restore_leftover");
-  ImGui::SameLine();
-  command_button(ui, "put_off_leftover");
+  next_button(ui, "put_off_leftover");
   if (leftovers.empty()) return;
-  apart();
   ImGui::PushStyleColor(ImGuiCol_Button, 0);
-  command_button(ui, "discard_leftover");
+  next_button(ui, "discard_leftover", apart_gap);
   ImGui::PopStyleColor();
 }
 
@@ -73,8 +84,7 @@ void discarded_line(const Context& ui) {
                "They are gone for good when the program ends.",
                buttons_width({"undo_discard", "hide_discarded"}, 8));
   command_button(ui, "undo_discard");
-  ImGui::SameLine();
-  command_button(ui, "hide_discarded");
+  next_button(ui, "hide_discarded");
 }
 
 // As the last thing that is seen.
@@ -95,12 +105,17 @@ void farewell(const Context& ui) {
 
 }  // namespace
 
+float notice_room(const Context& ui) {
+  constexpr float tools = 64, least = 180;  // tools at the left; as much at the right, so that it is centred
+  return std::max(least, ui.workspace.viewport.size.x - 2 * tools);
+}
+
 // Lines at the top of the view that wait and stop nothing.
 void notice_bar(const Context& ui) {
   const auto& w = ui.workspace;
   if (w.farewell) return farewell(ui);
   const bool discarded = w.tell_discarded && !w.discarded.empty();
-  if ((w.leftovers.empty() && !discarded) || w.interaction.drag || w.interaction.box) return;
+  if ((w.leftovers.empty() && !discarded) || !w.attended || w.interaction.drag || w.interaction.box) return;
   const auto& v = w.viewport;
   ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 12}, ImGuiCond_Always, {0.5f, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "scene/edit.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -8,12 +9,6 @@
 namespace viete::ui {
 
 namespace {
-
-const scene::MethodSample& running(const scene::Workspace& w) {
-  const auto& methods = scene::compared_methods;
-  const auto at = std::find(methods.begin(), methods.end(), w.document.method);
-  return w.methods.samples[static_cast<std::size_t>(at - methods.begin()) % methods.size()];
-}
 
 // How far drawn vertices are from those of the same frame in double.
 std::string picture_error(const scene::Workspace& w) {
@@ -42,24 +37,26 @@ void picture_row(const Context& ui) {
 void panel_accuracy(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   if (!w.document.has_cage()) return;
-  const bool used = w.document.scheme.exponential(), measured = used && w.methods.matrices > 0;
+  const bool used = w.document.scheme.exponential(), rest = !scene::differs_from_rest(w.document);
+  const scene::MethodSample* measured = running_sample(w);
   const bool open = section(ui, "Accuracy");
-  section_note(ui, !used ? "" : measured ? "worst " + error(running(w).worst_error) : "");
+  section_note(ui, measured ? "worst " + error(measured->worst_error) : used && rest ? "at rest" : "");
   if (!open) return;
   picture_row(ui);
   const auto exponential = [&](const char* label, double value) {
-    value_row(ui, label, !used ? "not used" : measured ? error(value) : "-");
+    value_row(ui, label, !used ? "not used" : measured ? error(value) : rest ? "at rest" : "-");
     hint(
         "Of the exponential alone: the relative error, in the Frobenius norm, of exp of the symmetric "
         "matrices of "
         "this frame, against a reference of 106 bits.");
   };
-  exponential("Exponential, worst", running(w).worst_error);
-  exponential("Exponential, median", running(w).median_error);
-  note(ui, !used      ? "This way of blending takes no exponential."
-           : measured ? "Of exp by " + method_label(w.document.method) + ", on " + count(w.methods.matrices) +
-                            " matrices of this frame"
-                      : " ");
+  exponential("Exponential, worst", measured ? measured->worst_error : 0);
+  exponential("Exponential, median", measured ? measured->median_error : 0);
+  note_within(ui, 2,
+              !used      ? "This way of blending takes no exponential."
+              : measured ? "Of exp by " + method_label(w.document.method) + ", on " +
+                               count(w.methods.matrices) + " matrices of this frame"
+                         : " ");
   command_toggle(ui, "toggle_error_map", w.view.error_map);
 }
 

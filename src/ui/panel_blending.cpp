@@ -42,7 +42,7 @@ void choice(const Context& ui, const Entry& choice, bool chosen) {
   scene::Workspace& w = ui.workspace;
   const scene::Command& command = *scene::find_command(scene::choice_command_name(choice.value));
   if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
-  if (ImGui::Selectable(command.label.data(), chosen)) command.run(w);
+  if (ImGui::Selectable(command.label.brief.data(), chosen)) command.run(w);
   if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
   const scene::Scheme next = scene::complete(scene::only(choice.value), w.document.scheme);
@@ -237,7 +237,8 @@ void stitching(const Context& ui) {
 
 }  // namespace
 
-void blending(const Context& ui) {
+void panel_blending(const Context& ui) {
+  if (!section(ui, "Blending")) return;
   const scene::Scheme& scheme = ui.workspace.document.scheme;
   chooser(ui, "elements", "Elements", scene::all_elements(), scheme.weighting.elements);
   chooser(ui, "weights", "Weights", scene::all_weights(), scheme.weighting.weights);

@@ -8,9 +8,7 @@ namespace viete::ui {
 namespace {
 
 void editing(const Context& ui) {
-  const bool on = ui.workspace.document.kept_pose.has_value();
-  command_toggle(ui, "edit_cage", on);
-  if (!on) return;
+  if (!ui.workspace.document.kept_pose) return;
   command_row(ui, {"split_edges", "cut_faces", "extrude_faces"});
   command_row(ui, {"merge_vertices", "remove_elements", "subdivide_cage"});
   command_row(ui, {"mirror_cage", "snap_outside", "enclose_model"});

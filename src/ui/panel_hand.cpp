@@ -68,6 +68,7 @@ void mirror_row(const Context& ui) {
   text_right(ui, right, pairs_text(w.mirror), lacks ? ui.colors.warn : ui.colors.faint,
              ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y);
   ImGui::NewLine();
+  if (lacks) command_row(ui, {"make_symmetric_cage"});
 }
 
 // How far it reaches, in the file's units.

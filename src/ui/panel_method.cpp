@@ -83,11 +83,10 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
                      6);
   if (active && used) draw.AddRect(at, end, ui.colors.accent, 6, 0, 1.5f);
 
-  const bool measured = used && w.methods.matrices > 0;
-  // At rest all matrices are zero, and who is the fastest at nothing says nothing.
-  const Marks marks = measured && scene::differs_from_rest(w.document) ? marks_of(w.methods, index) : Marks{};
-  card_text(ui, at, width, command.label.data(), measured ? &w.methods.samples[index] : nullptr, used, marks,
-            active);
+  const bool measured = running_sample(w) != nullptr;
+  const Marks marks = measured ? marks_of(w.methods, index) : Marks{};
+  card_text(ui, at, width, command.label.brief.data(), measured ? &w.methods.samples[index] : nullptr, used,
+            marks, active);
   hint(std::string(command.hint) + "  (" + scene::text(w.remembered.keymap.of(command).first) + ")");
 }
 
@@ -103,13 +102,14 @@ void point_at_failure(const Context& ui, bool used) {
     if (error_of(i) > error_of(worst)) worst = i;
     if (error_of(i) < error_of(least)) least = i;
   }
-  const bool failing = used && stats.matrices > 0 && fails(stats.samples[worst]);
+  const bool failing = used && running_sample(ui.workspace) && fails(stats.samples[worst]);
   const auto name_of = [](std::size_t i) { return method_label(scene::compared_methods[i]); };
-  note(ui,
-       failing ? name_of(worst) + " fails: " + error(stats.samples[worst].worst_error) + " (" +
-                     name_of(least) + " " + error(stats.samples[least].worst_error) + ")"
-               : " ",
-       failing ? ui.colors.warn : 0);
+  note_within(ui, 2,
+              failing ? name_of(worst) +
+                            " is inaccurate in this pose: " + error(stats.samples[worst].worst_error) + " (" +
+                            name_of(least) + ": " + error(stats.samples[least].worst_error) + ")"
+                      : " ",
+              failing ? ui.colors.warn : 0);
   hint(
       "The largest relative error of this frame's exponentials. The published spectral methods lose digits "
       "where "
@@ -120,7 +120,7 @@ void point_at_failure(const Context& ui, bool used) {
 void path_of_frames(const Context& ui) {
   const bool same = ui.workspace.view.same_path;
   command_toggle(ui, "toggle_same_path", same);
-  note(ui, same ? "All: staged, in double" : "Fast: fused, in float; others: staged, in double");
+  note_within(ui, 2, same ? "All: staged, in double" : "Fast: fused, in float; others: staged, in double");
   hint(
       "Staged: the links of the frame run one by one, in double, each timed by itself. Fused: from weights "
       "to "
@@ -143,16 +143,32 @@ void panel_method(const Context& ui) {
   }
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
-  const std::string sampled = "Per matrix, worst of " + count(w.methods.matrices) +
-                              (scene::differs_from_rest(w.document) ? "; best in colour" : " sampled");
-  note(ui, !used                    ? "Not used: this way of blending takes no exponential."
-           : w.methods.matrices > 0 ? sampled
-                                    : " ");
+  note_within(ui, 2,
+              !used               ? "Not used: this way of blending takes no exponential."
+              : running_sample(w) ? "Time (a median) and largest error per matrix, of " +
+                                        count(w.methods.matrices) + "; best in colour"
+              : scene::differs_from_rest(w.document) ? " "
+                                                     : "At rest: there is nothing to measure.");
   point_at_failure(ui, used);
   ImGui::BeginDisabled(!used);
   path_of_frames(ui);
   ImGui::EndDisabled();
-  blending(ui);
+}
+
+bool lab_line(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  const bool open = section(ui, "Lab", false);
+  hint("How fast and how exactly it is computed: methods, timings, accuracy, benchmark.");
+  if (open) return true;
+  std::string text = method_label(w.document.method);
+  if (!w.document.scheme.exponential()) text = "takes no exponential";
+  if (const scene::MethodSample* sample = running_sample(w)) {
+    text += ", " + nanoseconds(sample->ns_per_matrix) + ", exact to " + error(sample->worst_error);
+  } else if (w.document.scheme.exponential() && !scene::differs_from_rest(w.document)) {
+    text += ", at rest";
+  }
+  section_note(ui, text + "; details");
+  return false;
 }
 
 }  // namespace viete::ui

@@ -22,7 +22,7 @@ void panel_model(const Context& ui) {
   if (!model.surface) {
     note(ui, "No model is open. Open one, or drop a file on the window.");
     command_button(ui, "open_model");
-    recent_list(ui, 4);
+    if (const auto clicked = recent_list(ui, 4)) open_recent(ui.workspace, *clicked);
     return;
   }
   ImGui::PushTextWrapPos(0);

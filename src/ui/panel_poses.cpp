@@ -76,12 +76,11 @@ void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, P
   const double percent = 100 * named.weight;
   auto slid = static_cast<float>(percent);
   ImGui::SetNextItemWidth(-percent_width - ImGui::GetStyle().ItemInnerSpacing.x);
-  if (ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, "", ImGuiSliderFlags_NoInput))
+  const std::string moves = named.part.empty() ? "" : count(named.part.size()) + " vertices";
+  if (ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, moves.c_str(), ImGuiSliderFlags_NoInput))
     wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
   record(ui, id);
-  const std::string part =
-      named.part.empty() ? ""
-                         : " It moves " + count(named.part.size()) + " vertices: those that were selected.";
+  const std::string part = named.part.empty() ? "" : " It moves " + moves + ": those that were selected.";
   hint("How much of it is mixed in, in log space: 0 % none, 100 % all, also beyond and below." + part);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(percent_width);
@@ -112,18 +111,29 @@ void grant(scene::Workspace& w, const PoseWish& wish) {
   if (wish.chosen) w.chosen_pose = wish.chosen;
   if (wish.weight) {
     const auto [pose, weight] = *wish.weight;
-    scene::change_mix(w, [&] { return scene::set_weight(w.document, w.playback.vectors, pose, weight); });
+    scene::change_mix(w, [&] {
+      return scene::set_weight(w.document, w.playback.vectors, pose, weight, w.handling.mix_selected);
+    });
   }
   if (wish.name) scene::rename_pose(w.document, wish.name->first, wish.name->second);
-  if (wish.applied) {
-    scene::stop_playing(w);
-    scene::apply_pose(w.document, *wish.applied);
-  }
+  if (wish.applied) scene::apply_pose(w, *wish.applied);
   if (wish.moved) {
     const auto [from, to] = *wish.moved;
     scene::move_pose(w.document, from, to);
     w.chosen_pose = to > from ? to - 1 : to;
   }
+}
+
+// Whether sliders move all of the cage, and how much of it they would move otherwise.
+void mix_reach(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  if (!w.document.has_cage()) return;
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const float line = ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y;
+  command_toggle(ui, "toggle_mix_selected", w.handling.mix_selected);
+  const std::size_t selected = scene::selected_part(w.document).size();
+  text_right(ui, right, selected == 0 ? "nothing is" : count(selected) + " vertices",
+             w.handling.mix_selected && selected > 0 ? ui.colors.accent : ui.colors.faint, line);
 }
 
 }  // namespace
@@ -140,17 +150,18 @@ void panel_poses(const Context& ui) {
   const bool free = !scene::in_hand(w) && !scene::is_editing_cage(w.document);
   PoseWish wish;
   w.pose_pictures.tidy();
-  ImGui::BeginDisabled(!free);
-  for (std::size_t i = 0; i < poses; ++i) row(ui, i, wish);
-  ImGui::EndDisabled();
-  if (free) grant(w, wish);
+  // Above the list, which grows where it ends: nothing that is clicked moves away.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
-  if (poses > 0) {
-    command_row(ui, {"duplicate_pose", "remove_pose"});
-    command_row(ui, {"clear_mix", "average_mix"});
-  }
+  command_row(ui, {"duplicate_pose", "remove_pose"});
   command_row(ui, {"import_poses", "export_pose"});
   command_row(ui, {"set_key", "toggle_timeline"});
+  command_row(ui, {"clear_mix", "average_mix"});
+  mix_reach(ui);
+  ImGui::BeginDisabled(!free);
+  for (std::size_t i = 0; i < w.document.library.poses.size(); ++i)
+    row(ui, i, wish);  // a button has changed it
+  ImGui::EndDisabled();
+  if (free) grant(w, wish);
 }
 
 }  // namespace viete::ui

@@ -96,9 +96,11 @@ void panel_probes(const Context& ui) {
   if (probes > 0) section_note(ui, count(probes));
   if (!open) return;
   if (probes == 0)
-    note(ui, "A probe is a frame on the model that moves, turns and stretches what is near it.");
-  command_row(ui, {"add_probe", "mirror_probe", "remove_probe"});
+    note(ui,
+         "A probe is a frame on the model that moves, turns and stretches what is near it: the tools at the "
+         "edge of the view add one.");
   if (probes == 0) return;
+  command_row(ui, {"mirror_probe", "remove_probe"});
   if (!document.has_cage()) {
     transform_fields(ui);
     command_row(ui, {"undo", "redo", "reset_pose"});

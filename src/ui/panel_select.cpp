@@ -12,11 +12,6 @@ namespace viete::ui {
 
 namespace {
 
-std::size_t armed_place(const scene::Workspace& w) {
-  constexpr std::size_t none = 3;
-  return w.interaction.armed ? static_cast<std::size_t>(*w.interaction.armed) : none;
-}
-
 scene::SelectMode mode_of_keys() {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.KeyShift) return scene::SelectMode::add;
@@ -57,7 +52,6 @@ void sets(const Context& ui) {
 // What is used most; the rest is in the menu Select, in the palette and on keys.
 void panel_select(const Context& ui) {
   if (!ui.workspace.document.has_cage() || !section(ui, "Select")) return;
-  command_choice(ui, {"select_box", "select_lasso", "select_brush"}, armed_place(ui.workspace));
   command_row(ui, {"select_all", "select_none", "invert_selection"});
   command_row(ui, {"select_more", "select_less", "save_set"});
   const float half = ImGui::GetCursorPosX() + 0.5f * ImGui::GetContentRegionAvail().x;

@@ -23,6 +23,7 @@ void panel_view(const Context& ui) {
   command_toggle(ui, "toggle_deformed", view.deformed);
   ImGui::SameLine(left + half);
   command_toggle(ui, "toggle_z_up", ui.workspace.camera.pose().up == scene::UpAxis::z);
+  command_toggle(ui, "toggle_coarse_motion", scene::draws_coarsely(ui.workspace));
   const auto shading = static_cast<std::size_t>(view.shading);
   command_choice(ui, {"shading_clay", "shading_porcelain", "shading_jade", "shading_file"}, shading);
   command_choice(ui, {"shading_checker", "shading_normals", "shading_zebra"}, shading - 4);

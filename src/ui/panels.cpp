@@ -39,10 +39,13 @@ void lab(const Context& ui) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float x = v.origin.x + v.size.x;
   if (!begin_column(ui, "Lab", x, v.window.x - x)) return;
-  panel_method(ui);
-  panel_timings(ui);
-  panel_accuracy(ui);
-  panel_benchmark(ui);
+  panel_blending(ui);
+  if (lab_line(ui)) {
+    panel_method(ui);
+    panel_timings(ui);
+    panel_accuracy(ui);
+    panel_benchmark(ui);
+  }
   ImGui::End();
 }
 
@@ -69,7 +72,10 @@ void draw_panels(const Context& ui) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float bottom = v.origin.y + v.size.y;
   notice_bar(ui);
-  toasts(ui, std::min({cage_offer(ui, bottom), work_bar(ui, bottom), error_legend(ui, bottom)}) - 44);
+  const float free = std::min({cage_offer(ui, bottom), work_bar(ui, bottom), error_legend(ui, bottom),
+                               key_question(ui, bottom)}) -
+                     44;
+  toasts(ui, check_badge(ui, free));
   if (ui.workspace.view.help) help_overlay(ui);
   if (ui.workspace.browser.open && !ui.workspace.question) file_panel(ui);
   message_log(ui);

@@ -1,7 +1,13 @@
 // The panels, one function each, one file each.
 #pragma once
 
+#include <string_view>
+
 #include "ui/context.h"
+
+namespace viete::scene {
+struct Command;
+}
 
 namespace viete::ui {
 
@@ -9,10 +15,14 @@ namespace viete::ui {
 void draw_panels(const Context& ui);
 
 void menu_bar(const Context& ui);
+/// A line of a menu that is open, for a command by that name. True if it was chosen.
+bool menu_item(const Context& ui, const scene::Command& command, std::string_view called);
 void context_menu(const Context& ui);  ///< where the right button was clicked
 void tool_strip(const Context& ui);    ///< in the view
 void command_palette(const Context& ui);
 void key_list(const Context& ui);      ///< every command with its keys, to change them
+/// Once, at the first start: which program's keys; at the bottom of the view, as other offers are.
+float key_question(const Context& ui, float bottom);
 void key_prompt(const Context& ui);    ///< which command gets the key that is pressed next
 void column_edges(const Context& ui);  ///< to drag, and tabs that fold a column away
 
@@ -29,8 +39,9 @@ void easing_graph(const Context& ui, ImVec2 size);  ///< part of it: how a key c
 void path_overlay(const Context& ui);               ///< the ways of the selected vertices
 void panel_checks(const Context& ui);
 void panel_measures(const Context& ui);
+bool lab_line(const Context& ui);  ///< what runs, how fast and how exactly; true where more is to be shown
 void panel_method(const Context& ui);
-void blending(const Context& ui);  ///< part of the method's section
+void panel_blending(const Context& ui);
 void panel_timings(const Context& ui);
 void panel_accuracy(const Context& ui);
 void panel_view(const Context& ui);
@@ -44,6 +55,9 @@ void toasts(const Context& ui, float bottom);  ///< what was said just now, abov
 /// At the bottom of the view; returns where they begin, or `bottom` while they are not shown.
 float cage_offer(const Context& ui, float bottom);  ///< the next step: a cage, or what is outside of it
 bool offers_next_step(const scene::Workspace& workspace);
+/// How wide what stands in the middle of the view may be, beside the tools at its edge.
+float notice_room(const Context& ui);
+float check_badge(const Context& ui, float bottom);  ///< what the checks found, and what helps
 float work_bar(const Context& ui,
                float bottom);              ///< what is being read, bound or written, how far, and Cancel
 void notice_bar(const Context& ui);        ///< unsaved work that can be brought back

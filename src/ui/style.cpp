@@ -102,8 +102,10 @@ void apply_style(bool dark) {
   s.Colors[ImGuiCol_Header] = rgba(t.frame, 0);
   s.Colors[ImGuiCol_HeaderHovered] = rgba(t.hover, 0.6f);
   s.Colors[ImGuiCol_HeaderActive] = rgba(t.active, 0.6f);
-  s.Colors[ImGuiCol_CheckMark] = s.Colors[ImGuiCol_SliderGrab] = rgba(t.accent);
+  s.Colors[ImGuiCol_CheckMark] = s.Colors[ImGuiCol_SliderGrab] = s.Colors[ImGuiCol_SliderGrabActive] =
+      s.Colors[ImGuiCol_DragDropTarget] = rgba(t.accent);
   s.Colors[ImGuiCol_Separator] = s.Colors[ImGuiCol_Border] = rgba(t.line);
+  s.Colors[ImGuiCol_SeparatorHovered] = s.Colors[ImGuiCol_SeparatorActive] = rgba(t.accent, 0.6f);
   s.Colors[ImGuiCol_TitleBg] = s.Colors[ImGuiCol_TitleBgActive] = s.Colors[ImGuiCol_TitleBgCollapsed] =
       rgba(t.frame);
   s.Colors[ImGuiCol_ResizeGrip] = rgba(t.active, 0.6f);
@@ -111,6 +113,7 @@ void apply_style(bool dark) {
   s.Colors[ImGuiCol_NavHighlight] = rgba(t.accent, 0.6f);
   s.Colors[ImGuiCol_ScrollbarBg] = rgba(t.window, 0);
   s.Colors[ImGuiCol_ScrollbarGrab] = rgba(t.active);
+  s.Colors[ImGuiCol_ScrollbarGrabHovered] = s.Colors[ImGuiCol_ScrollbarGrabActive] = rgba(t.faint);
   s.Colors[ImGuiCol_PlotHistogram] = rgba(t.accent);
   s.Colors[ImGuiCol_ModalWindowDimBg] = dark ? rgba(0x0c0f13, 0.5f) : rgba(0x2d3641, 0.25f);
   s.Colors[ImGuiCol_TextSelectedBg] = rgba(t.accent, 0.35f);

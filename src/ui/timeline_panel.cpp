@@ -1,10 +1,14 @@
 // The timeline below the view: what plays, its keys, and how one comes to the next.
 #include <cmath>
+#include <functional>
+#include <span>
+#include <vector>
 
 #include "scene/command_conditions.h"
 #include "scene/menus.h"
 #include "scene/time_commands.h"
 #include "scene/time_edit.h"
+#include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -13,7 +17,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float bar_height = 24, graph_width = 128, icon = 5;
+constexpr float bar_height = 24, graph_width = 128, more_width = 28, icon = 5;
 
 // Pictures of what a button does, about its middle: 1 being as far as they reach.
 struct TimePen {
@@ -107,15 +111,68 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
   return static_cast<int>(std::lround(std::clamp(*typed, -largest, largest)));
 }
 
-// Beside what is there; false where there is no room, and the menu Time has it.
-bool beside(float width, float right, float gap = 4) {
-  if (ImGui::GetItemRectMax().x + gap + width > right) return false;
-  ImGui::SameLine(0, gap);
-  return true;
+void frame_shown(const Context& ui) {
+  scene::Workspace& w = ui.workspace;
+  const double shown = std::round(w.document.frame * 10) / 10;
+  if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "The frame that is shown")) {
+    scene::stop_playing(w);
+    scene::go_to_frame(w, *frame);
+  }
+}
+
+// A part of a row: beside the others or, where there is no room for it, in the menu at their end.
+struct ToolPiece {
+  float width, gap;
+  std::function<void()> draw;
+  std::function<void()> in_menu = draw;
+};
+
+ToolPiece button_piece(const Context& ui, const char* name, void (*icon)(const TimePen&, bool), float gap = 4) {
+  return {28, gap, [&ui, name, icon] { icon_button(ui, name, icon); },
+          [&ui, &command = *scene::find_command(name)] {
+            if (menu_item(ui, command, command.label)) command.run(ui.workspace);
+          }};
+}
+
+std::size_t fitting_pieces(std::span<const ToolPiece> pieces, float room) {
+  std::size_t count = 0;
+  for (float taken = 0; count < pieces.size(); ++count) {
+    taken += pieces[count].gap + pieces[count].width;
+    if (taken > room) break;
+  }
+  return count;
+}
+
+// Those that there is no room for.
+void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece> others) {
+  if (ImGui::Button((std::string("##") + name).c_str(), {more_width, bar_height})) ImGui::OpenPopup(name);
+  record(ui, name);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  for (const float x : {-5.0f, 0.0f, 5.0f})
+    ImGui::GetWindowDrawList()->AddCircleFilled({0.5f * (low.x + high.x) + x, 0.5f * (low.y + high.y)}, 1.6f,
+                                                ui.colors.text);
+  hint("What there is no room for beside it.");
+  if (!ImGui::BeginPopup(name)) return;
+  if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
+  for (const ToolPiece& piece : others) piece.in_menu();
+  ImGui::EndPopup();
+}
+
+// Beside what is there, as far as `right`.
+void row_of_pieces(const Context& ui, const char* menu, std::span<const ToolPiece> pieces, float right) {
+  const float room = right - ImGui::GetItemRectMax().x;
+  std::size_t count = fitting_pieces(pieces, room);
+  if (count < pieces.size()) count = fitting_pieces(pieces, room - 4 - more_width);
+  for (const ToolPiece& piece : pieces.first(count)) {
+    ImGui::SameLine(0, piece.gap);
+    piece.draw();
+  }
+  if (count == pieces.size()) return;
+  ImGui::SameLine(0, 4);
+  more_pieces(ui, menu, pieces.subspan(count));
 }
 
 void transport(const Context& ui, float right) {
-  scene::Workspace& w = ui.workspace;
   icon_button(ui, "first_frame", first_icon);
   ImGui::SameLine();
   icon_button(ui, "previous_key", previous_key_icon);
@@ -125,17 +182,13 @@ void transport(const Context& ui, float right) {
   icon_button(ui, "next_key", next_key_icon);
   ImGui::SameLine();
   icon_button(ui, "last_frame", last_icon);
-  if (!beside(112, right, 12)) return;
-  const double shown = std::round(w.document.frame * 10) / 10;
-  if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "The frame that is shown")) {
-    scene::stop_playing(w);
-    scene::go_to_frame(w, *frame);
-  }
-  if (beside(28, right, 12)) icon_button(ui, "set_key", key_icon);
-  if (beside(28, right)) icon_button(ui, "set_camera_key", camera_icon);
-  if (beside(28, right)) icon_button(ui, "toggle_auto_key", auto_icon);
-  if (beside(28, right)) icon_button(ui, "toggle_paths", paths_icon);
-  if (beside(28, right, 12)) icon_button(ui, "save_animation", export_icon);
+  const ToolPiece pieces[] = {{112, 12, [&] { frame_shown(ui); }},
+                          button_piece(ui, "set_key", key_icon, 12),
+                          button_piece(ui, "set_camera_key", camera_icon),
+                          button_piece(ui, "toggle_auto_key", auto_icon),
+                          button_piece(ui, "toggle_paths", paths_icon),
+                          button_piece(ui, "save_animation", export_icon, 12)};
+  row_of_pieces(ui, "time/more", pieces, right);
 }
 
 void repeat_choice(const Context& ui) {
@@ -176,9 +229,11 @@ void way_choice(const Context& ui) {
   ImGui::EndDisabled();
 }
 
-void rate_field(const Context& ui, scene::Play& play) {
+void rate_field(const Context& ui) {
   ImGui::SetNextItemWidth(40);
-  if (const auto rate = number_field(ui, "time/rate", play.rate)) play.rate = *rate;
+  scene::Document& document = ui.workspace.document;
+  scene::Play play = scene::play_of(document.timeline);
+  const auto rate = number_field(ui, "time/rate", play.rate);
   record(ui, "time/rate");
   hint("Frames a second, 1 to 240");
   ImGui::SameLine(0, 4);
@@ -186,9 +241,20 @@ void rate_field(const Context& ui, scene::Play& play) {
   ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
   ImGui::TextUnformatted("fps");
   ImGui::PopStyleColor();
+  if (!rate || !std::isfinite(*rate)) return;
+  play.rate = *rate;
+  scene::set_play(document, play);
 }
 
-void range(const Context& ui, float right) {
+// Which stands at the end of both rows where there is room.
+void graph_in_menu(const Context& ui) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), size{graph_width, 132};
+  easing_graph(ui, size);
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::Dummy(size);
+}
+
+void range(const Context& ui, float right, bool graph) {
   scene::Document& document = ui.workspace.document;
   scene::Play play = scene::play_of(document.timeline);
   if (const auto first = frame_field(ui, "From", "time/first", play.first, 52, "The first frame that plays"))
@@ -196,11 +262,12 @@ void range(const Context& ui, float right) {
   ImGui::SameLine(0, 8);
   if (const auto last = frame_field(ui, "to", "time/last", play.last, 52, "The last frame that plays"))
     play.last = *last, play.first = std::min(play.first, *last - 1);
-  const bool room = beside(76, right, 8);
-  if (room) rate_field(ui, play);
-  if (std::isfinite(play.rate)) scene::set_play(document, play);
-  if (room && beside(92, right, 8)) repeat_choice(ui);
-  if (room && beside(156, right, 8)) way_choice(ui);
+  scene::set_play(document, play);
+  std::vector<ToolPiece> pieces = {{76, 8, [&] { rate_field(ui); }},
+                               {92, 8, [&] { repeat_choice(ui); }},
+                               {156, 8, [&] { way_choice(ui); }}};
+  if (!graph) pieces.push_back({1e6f, 8, [&] { graph_in_menu(ui); }});
+  row_of_pieces(ui, "time/more_of_range", pieces, right);
 }
 
 bool begin_panel(const Context& ui) {
@@ -236,7 +303,7 @@ void timeline_panel(const Context& ui) {
   const float bottom = low.y + room.y - bar_height - 6;
   timeline_track(ui, top, {low.x + width, bottom});
   ImGui::SetCursorScreenPos({low.x, bottom + 6});
-  range(ui, low.x + width);
+  range(ui, low.x + width, graph);
   if (graph) {
     ImGui::SetCursorScreenPos({low.x + width + 10, low.y});
     easing_graph(ui, {graph_width, room.y});

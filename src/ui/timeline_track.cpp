@@ -98,8 +98,9 @@ void playhead(const Track& t, ImDrawList& draw) {
 void box(const Track& t, ImDrawList& draw) {
   const auto& drag = t.ui.workspace.time_view.drag;
   if (!drag || drag->what != scene::TimeView::What::box) return;
-  const auto [left, right] = std::minmax(t.x_of(drag->pressed), ImGui::GetIO().MousePos.x);
-  draw.AddRectFilled({left, t.low.y + ruler_height}, {right, t.high.y}, faded(t.ui.colors.highlight, 0.15f));
+  const float pressed = t.x_of(drag->pressed), now = ImGui::GetIO().MousePos.x;
+  draw.AddRectFilled({std::min(pressed, now), t.low.y + ruler_height}, {std::max(pressed, now), t.high.y},
+                     faded(t.ui.colors.highlight, 0.15f));
 }
 
 std::optional<int> key_near(const Track& t, ImVec2 mouse) {
@@ -143,12 +144,11 @@ void follow_mouse(const Track& t) {
 
 void key_menu(const Context& ui) {
   if (!ImGui::BeginPopup("Keys of time")) return;
-  if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
   for (const char* name : {"easing_smooth", "easing_linear", "easing_hold", "easing_bezier", "delete_keys"}) {
     const scene::Command& command = *scene::find_command(name);
     const bool deletes = std::string_view(name) == "delete_keys";
     if (deletes) ImGui::Separator();
-    if (ImGui::MenuItem(command.label.data(), "", false, deletes || command.enabled(ui.workspace)))
+    if (ImGui::MenuItem(command.label.brief.data(), "", false, deletes || command.enabled(ui.workspace)))
       command.run(ui.workspace);
     record(ui, std::string("key_menu/") + name);
     hint(std::string(command.hint));

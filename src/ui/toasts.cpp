@@ -16,7 +16,7 @@ constexpr std::size_t most_toasts = 3;
 struct Toast {
   std::string name, text;
   ImU32 color;
-  bool closes = true;
+  bool closes = true, listed = true;  // among all messages
 };
 
 enum class Pressed { nothing, text, close };
@@ -31,7 +31,7 @@ void cross(ImDrawList& draw, ImVec2 middle, ImU32 color) {
 Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float beside = mark_width + 2 * toast_padding + (toast.closes ? close_width : 0);
-  const float room = std::min(widest_toast, v.size.x - 32) - beside;
+  const float room = std::min(widest_toast, notice_room(ui)) - beside;
   const ImVec2 text = ImGui::CalcTextSize(toast.text.c_str(), nullptr, false, room);
   const ImVec2 size{text.x + beside, text.y + 16};
   const ImVec2 low{std::floor(v.origin.x + 0.5f * (v.size.x - size.x)), bottom - size.y};
@@ -53,7 +53,7 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
   if (ImGui::InvisibleButton("text", {size.x - (toast.closes ? close_width : 0), size.y}))
     pressed = Pressed::text;
   record(ui, toast.name);
-  if (toast.closes) hint("Click to see all messages.");
+  if (toast.closes && toast.listed) hint("Click to see all messages.");
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + mark_width + toast_padding, low.y + 8},
                ui.colors.text, toast.text.c_str(), nullptr, room + 1);
   if (toast.closes) {
@@ -62,7 +62,8 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
     record(ui, toast.name + "/close");
     cross(draw, {high.x - 0.5f * close_width - 2, 0.5f * (low.y + high.y)},
           ImGui::IsItemHovered() ? ui.colors.text : ui.colors.faint);
-    hint("Put it away; it stays in the list of messages.");
+    hint(toast.listed ? "Put it away; it stays in the list of messages."
+                      : "Put it away until it begins anew.");
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
@@ -72,8 +73,16 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
 // Of the pose, while it is so.
 void standing_notes(const Context& ui, float& bottom) {
   const auto& notes = ui.workspace.pose_notes;
-  for (std::size_t i = 0; i < notes.size() && ui.workspace.view.panels; ++i)
-    draw_toast(ui, {"pose_note/" + std::to_string(i), notes[i], ui.colors.warn, false}, bottom);
+  auto& closed = ui.workspace.closed_notes;
+  const auto is_in = [](const auto& all, const std::string& note) {
+    return std::ranges::find(all, note) != all.end();
+  };
+  std::erase_if(closed, [&](const std::string& note) { return !is_in(notes, note); });
+  for (std::size_t i = 0; i < notes.size() && ui.workspace.view.panels; ++i) {
+    if (is_in(closed, notes[i])) continue;
+    const Toast toast{"pose_note/" + std::to_string(i), notes[i], ui.colors.warn, true, false};
+    if (draw_toast(ui, toast, bottom) == Pressed::close) closed.push_back(notes[i]);
+  }
 }
 
 // Newest lowest.

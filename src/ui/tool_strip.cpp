@@ -1,8 +1,11 @@
 // At the left of the view: the tools, each with its picture and its key.
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "scene/commands.h"
 #include "scene/menus.h"
+#include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -113,6 +116,10 @@ void mark_icon(const Pen& pen) {
   pen.dot(-0.75f, 0.6f), pen.dot(0.75f, -0.6f);
 }
 
+void more_icon(const Pen& pen) {
+  for (const float x : {-0.75f, 0.0f, 0.75f}) pen.dot(x, 0.2f);
+}
+
 struct StripTool {
   const char* command;
   void (*icon)(const Pen&);
@@ -131,39 +138,72 @@ float top_of(std::size_t index) {
   return y;
 }
 
-void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
-  const scene::Command& command = *scene::find_command(entry.command);
-  const bool enabled = command.enabled(ui.workspace);
-  const bool on = scene::is_on(ui.workspace, command).value_or(false);
+// How many there is room for, if need be with a button for the others.
+std::size_t fitting_tools(float height) {
+  const auto fits = [&](std::size_t slots) { return top_of(slots - 1) + tool_size + 2 * strip_top <= height; };
+  std::size_t count = std::size(strip);
+  if (fits(count)) return count;
+  while (--count > 0 && !fits(count + 1)) continue;
+  return count;
+}
+
+bool is_on(const Context& ui, const StripTool& entry) {
+  return scene::is_on(ui.workspace, *scene::find_command(entry.command)).value_or(false);
+}
+
+// Returns whether it was clicked.
+bool card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 at, bool enabled, bool on) {
   ImGui::SetCursorScreenPos(at);
   ImGui::BeginDisabled(!enabled);
-  if (ImGui::InvisibleButton(entry.command, {tool_size, tool_size})) command.run(ui.workspace);
-  record(ui, std::string("strip/") + entry.command, enabled);
+  const bool clicked = ImGui::InvisibleButton(name, {tool_size, tool_size});
+  record(ui, std::string("strip/") + name, enabled);
   ImGui::EndDisabled();
   const bool hovered = enabled && ImGui::IsItemHovered();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + tool_size, at.y + tool_size};
-  const ImU32 card = on ? ui.colors.card_active : hovered ? ui.colors.card_hover : ui.colors.card;
-  draw.AddRectFilled(at, end, faded(card, enabled ? 0.94f : 0.5f), 6);
+  const ImU32 back = on ? ui.colors.card_active : hovered ? ui.colors.card_hover : ui.colors.card;
+  draw.AddRectFilled(at, end, faded(back, enabled ? 0.94f : 0.5f), 6);
   if (on) draw.AddRect(at, end, faded(ui.colors.accent, 0.8f), 6);
   const ImU32 color = on ? ui.colors.accent : hovered ? ui.colors.text : ui.colors.faint;
-  entry.icon({draw, {at.x + 15, at.y + 16}, faded(color, enabled ? 1 : 0.45f)});
+  icon({draw, {at.x + 15, at.y + 16}, faded(color, enabled ? 1 : 0.45f)});
+  return clicked;
+}
+
+void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
+  const scene::Command& command = *scene::find_command(entry.command);
+  const bool enabled = command.enabled(ui.workspace);
+  if (card(ui, entry.command, entry.icon, at, enabled, is_on(ui, entry))) command.run(ui.workspace);
   const std::string key = scene::text(ui.workspace.remembered.keymap.of(command).first);
   const float size = key.size() > 1 ? 9.0f : 11.0f;
   const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 100, 0, key.c_str());
-  draw.AddText(ImGui::GetFont(), size, {end.x - room.x - 4, end.y - room.y - 2},
-               faded(ui.colors.faint, enabled ? 1 : 0.45f), key.c_str());
+  ImGui::GetWindowDrawList()->AddText(
+      ImGui::GetFont(), size, {at.x + tool_size - room.x - 4, at.y + tool_size - room.y - 2},
+      faded(ui.colors.faint, enabled ? 1 : 0.45f), key.c_str());
   hint(std::string(command.label) + ".  " + hint_of(ui, command));
+}
+
+// Those that there is no room for, in a menu.
+void more_tools(const Context& ui, std::span<const StripTool> others, ImVec2 at) {
+  const bool on = std::ranges::any_of(others, [&](const StripTool& t) { return is_on(ui, t); });
+  if (card(ui, "more", more_icon, at, true, on)) ImGui::OpenPopup("More tools");
+  hint("More tools.");
+  if (!ImGui::BeginPopup("More tools")) return;
+  if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
+  for (const StripTool& entry : others) {
+    const scene::Command& command = *scene::find_command(entry.command);
+    if (menu_item(ui, command, command.label)) command.run(ui.workspace);
+  }
+  ImGui::EndPopup();
 }
 
 }  // namespace
 
 void tool_strip(const Context& ui) {
   const scene::Viewport& v = ui.workspace.viewport;
-  std::size_t count = 0;  // as many as there is room for
-  while (count < std::size(strip) && top_of(count) + tool_size + 2 * strip_top <= v.size.y) ++count;
-  if (!ui.workspace.document.model.surface || count == 0 || v.size.x < 240) return;
-  const float height = top_of(count - 1) + tool_size;
+  if (!ui.workspace.document.model.surface) return;
+  const std::size_t count = fitting_tools(v.size.y);
+  const bool all = count == std::size(strip);
+  const float height = top_of(count - (all ? 1 : 0)) + tool_size;
   const ImVec2 low{v.origin.x + strip_inset, v.origin.y + strip_top};
   ImGui::SetNextWindowPos(low);
   ImGui::SetNextWindowSize({tool_size, height});
@@ -173,9 +213,10 @@ void tool_strip(const Context& ui) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  for (std::size_t i = 0; i < count; ++i) tool(ui, strip[i], {low.x, low.y + top_of(i)});
-  ImGui::End();
   ImGui::PopStyleVar(2);
+  for (std::size_t i = 0; i < count; ++i) tool(ui, strip[i], {low.x, low.y + top_of(i)});
+  if (!all) more_tools(ui, std::span(strip).subspan(count), {low.x, low.y + top_of(count)});
+  ImGui::End();
 }
 
 }  // namespace viete::ui

@@ -103,8 +103,6 @@ void transform_fields(const Context& ui) {
   const auto kind = static_cast<std::size_t>(w.document.selection.kind());
   if (w.document.has_cage())
     command_choice(ui, {"select_vertices", "select_edges", "select_faces", "select_probes"}, kind);
-  command_choice(ui, {"tool_select", "tool_move", "tool_rotate", "tool_scale", "tool_paint"},
-                 static_cast<std::size_t>(w.tool));
   if (w.tool == scene::Tool::paint) return brush_fields(ui);
   const Fields shown = fields(w);
   const scene::LengthUnit unit = w.document.model.unit;

@@ -1,11 +1,15 @@
 #include "ui/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
 
 #include "scene/commands.h"
+#include "scene/edit.h"
 #include "scene/number_entry.h"
+#include "ui/imgui_bridge.h"
 
 namespace viete::ui {
 
@@ -76,8 +80,30 @@ void section_note(const Context& ui, const std::string& text, ImU32 color) {
                                       color ? color : ui.colors.faint, text.c_str());
 }
 
+bool wants_hint() {
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive() &&
+         !(tooltip && tooltip->Active);
+}
+
+bool take_escape(scene::Workspace& w) {
+  if (ImGui::IsMouseClicked(0)) scene::take_hold(w);
+  if (w.question || !key_pressed(scene::Key::escape)) return false;
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    ImGui::ClosePopupToLevel(0, true);
+    return true;
+  }
+  // Texts and the timeline have a way back of their own.
+  if (!ImGui::IsMouseDown(0) || !ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || w.time_view.drag)
+    return false;
+  ImGui::ClearActiveID();
+  ImGui::ClearDragDrop();
+  scene::call_off_hold(w);
+  return true;
+}
+
 void hint(const std::string& text) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (!wants_hint()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // also where the window has none
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(280);
@@ -91,7 +117,7 @@ void command_button(const Context& ui, std::string_view name, float width) {
   const scene::Command& command = require(name);
   const bool enabled = command.enabled(ui.workspace);
   ImGui::BeginDisabled(!enabled);
-  const std::string label = std::string(command.label) + "##" + std::string(name);
+  const std::string label = std::string(command.label.brief) + "##" + std::string(name);
   if (ImGui::Button(label.c_str(), {width, 0})) command.run(ui.workspace);
   record(ui, std::string(name), enabled);
   ImGui::EndDisabled();
@@ -122,7 +148,7 @@ void command_choice(const Context& ui, std::initializer_list<std::string_view> c
 
 void command_toggle(const Context& ui, std::string_view name, bool value) {
   const scene::Command& command = require(name);
-  const std::string label = std::string(command.label) + "##" + std::string(name);
+  const std::string label = std::string(command.label.brief) + "##" + std::string(name);
   if (ImGui::Checkbox(label.c_str(), &value)) command.run(ui.workspace);
   record(ui, std::string(name));
   hint(hint_of(ui, command));
@@ -130,6 +156,14 @@ void command_toggle(const Context& ui, std::string_view name, bool value) {
 
 std::string method_label(scene::Method method) {
   return std::string(label(method));
+}
+
+const scene::MethodSample* running_sample(const scene::Workspace& w) {
+  const auto& methods = scene::compared_methods;
+  const auto at = std::ranges::find(methods, w.document.method);
+  const bool known = w.document.scheme.exponential() && w.methods.matrices > 0 && at != methods.end() &&
+                     scene::differs_from_rest(w.document);
+  return known ? &w.methods.samples[static_cast<std::size_t>(at - methods.begin())] : nullptr;
 }
 
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color) {
@@ -204,24 +238,30 @@ void folder_beside(const Context& ui, ImVec2 at, float right, const std::string&
 
 }  // namespace
 
-void recent_list(const Context& ui, std::size_t most) {
+std::optional<std::size_t> recent_list(const Context& ui, std::size_t most, std::size_t chosen) {
   const auto& recent = ui.workspace.remembered.recent;
+  std::optional<std::size_t> clicked;
+  ImGui::PushStyleColor(ImGuiCol_Header, ui.colors.card_active);
   for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
-    const scene::RecentFile file = recent[i];  // what is clicked may change the list
+    const scene::RecentFile& file = recent[i];
     const std::string id = "##recent" + std::to_string(i);
     const std::string name = file.file.filename().string();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float right = at.x + ImGui::GetContentRegionAvail().x;
-    const bool clicked = ImGui::Selectable((name + id).c_str());
+    if (ImGui::Selectable((name + id).c_str(), i == chosen, ImGuiSelectableFlags_AllowDoubleClick))
+      clicked = i;
     folder_beside(ui, at, right, name, file.file.parent_path().filename().string());
-    if (clicked) {
-      ui.workspace.requests.open =
-          scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
-      ui.workspace.browser.open = false;
-    }
     record(ui, "recent/" + std::to_string(i));
     hint("Open " + file.file.string() + (file.cage.empty() ? "" : "  in  " + file.cage.string()));
   }
+  ImGui::PopStyleColor();
+  return clicked;
+}
+
+void open_recent(scene::Workspace& w, std::size_t index) {
+  const scene::RecentFile& file = w.remembered.recent[index];
+  w.requests.open = scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
+  w.browser.open = false;
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {
@@ -230,6 +270,14 @@ void note(const Context& ui, const std::string& text, ImU32 color) {
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
+}
+
+void note_within(const Context& ui, int lines, const std::string& text, ImU32 color) {
+  const float line = ImGui::GetCursorPosY();
+  note(ui, text, color);
+  const float end = line + static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing();
+  const float left = end - ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+  if (left > 0) ImGui::Dummy({0, left});
 }
 
 }  // namespace viete::ui

@@ -37,13 +37,24 @@ std::string message_text(const scene::Message& message);
 
 /// The method's label on its button.
 std::string method_label(scene::Method method);
+/// What was measured of the method that runs; null where it is not used, or at rest, where there is nothing
+/// to measure.
+const scene::MethodSample* running_sample(const scene::Workspace& workspace);
 
 /// "label ........ value" on one line, the value right-aligned in tabular figures.
 void value_row(const Context& ui, const char* label, const std::string& value, ImU32 color = 0);
 /// A wrapped line in a quiet colour.
 void note(const Context& ui, const std::string& text, ImU32 color = 0);
+/// The same with room for so many lines, whatever it says: what comes below stays where it is.
+void note_within(const Context& ui, int lines, const std::string& text, ImU32 color = 0);
 /// A tooltip for the last item, wrapped.
 void hint(const std::string& text);
+/// Whether the last item is to have one: the mouse rests on it, holds nothing, and no other has one.
+bool wants_hint();
+
+/// Before anything else takes a frame's Esc: it closes what has dropped down, or lets go of the widget that
+/// the mouse holds, as if it had never been touched. True if it did either.
+bool take_escape(scene::Workspace& workspace);
 
 /// A field for a number, with a decimal point or comma: shows `value`, and gives what was typed when it is
 /// left by Enter or a click elsewhere; nothing while it is being edited, after Esc, and if no digit was
@@ -55,8 +66,11 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
 std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
                                       float width, const char* what);
 
-/// The newest recent files, at most so many, each a line that opens it.
-void recent_list(const Context& ui, std::size_t most);
+/// The newest recent files, at most so many, a line each, that one marked; gives the one that is clicked.
+std::optional<std::size_t> recent_list(const Context& ui, std::size_t most,
+                                       std::size_t chosen = scene::FileBrowser::none);
+/// With its cage.
+void open_recent(scene::Workspace& workspace, std::size_t index);
 
 /// Text of the numbers font, right edge at x, on the line that comes next or the one that begins at y = line.
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color);

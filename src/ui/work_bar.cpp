@@ -10,11 +10,23 @@ namespace {
 
 constexpr double silent_seconds = 0.2;  // what is done sooner shows no bar
 
-// From how long the part that is done took; nothing while that says little.
-std::string time_left(const scene::WorkState& work) {
-  if (work.seconds < 0.5 || work.done < 0.02) return "";
-  const double left = work.seconds * (1 - work.done) / work.done;
-  return left < 1 ? "a moment" : std::to_string(static_cast<int>(std::ceil(left))) + " s left";
+// No more exactly than it is known.
+std::string words_of(std::optional<double> left) {
+  if (!left) return "";
+  if (*left < 1) return "a moment";
+  if (*left > 90) return std::to_string(std::lround(*left / 60)) + " min left";
+  const double step = *left > 10 ? 5 : 1;
+  return std::to_string(std::lround(step * std::ceil(*left / step))) + " s left";
+}
+
+// As much of it as there is room for.
+std::string shortened(std::string text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > width) {
+    while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+    text.pop_back();
+  }
+  return text + "...";
 }
 
 void bar(const Context& ui, float width, double done) {
@@ -27,12 +39,13 @@ void bar(const Context& ui, float width, double done) {
 }
 
 // What is done, how far, and a way to stop it.
-void row(const Context& ui, const scene::WorkState& work, const char* stop) {
-  constexpr float widest = 420;
-  const float width = std::min(widest, 0.8f * ui.workspace.viewport.size.x);
+void row(const Context& ui, const scene::WorkState& work, scene::TimeLeft& time_left, const char* stop) {
+  constexpr float widest = 420, time_width = 96;
+  const float width = std::min(widest, notice_room(ui) - 2 * ImGui::GetStyle().WindowPadding.x);
   const float right = ImGui::GetCursorScreenPos().x + width;
-  text_right(ui, right, time_left(work), ui.colors.faint);
-  ImGui::TextUnformatted(work.what.c_str());
+  text_right(ui, right, words_of(time_left.of(work)), ui.colors.faint);
+  ImGui::TextUnformatted(shortened(work.what, width - time_width).c_str());
+  hint(work.what);
   bar(ui, width, work.done);
   command_button(ui, stop);
 }
@@ -44,7 +57,7 @@ bool shows(const scene::WorkState& work) {
 }  // namespace
 
 float work_bar(const Context& ui, float bottom) {
-  const auto& w = ui.workspace;
+  auto& w = ui.workspace;
   const scene::WorkState& work = w.loading.running       ? w.loading
                                  : w.making_cage.running ? w.making_cage
                                                          : w.binding;
@@ -56,9 +69,9 @@ float work_bar(const Context& ui, float bottom) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNav);
-  if (shows(w.exporting)) row(ui, w.exporting, "stop_export");
+  if (shows(w.exporting)) row(ui, w.exporting, w.export_left, "stop_export");
   if (shows(w.exporting) && shows(work)) ImGui::Spacing();
-  if (shows(work)) row(ui, work, "stop_work");
+  if (shows(work)) row(ui, work, w.time_left, "stop_work");
   const float top = ImGui::GetWindowPos().y;
   ImGui::End();
   ImGui::PopStyleVar();

@@ -31,7 +31,7 @@ struct Desk {
   explicit Desk(bool remembers = true) { begin(remembers); }
   void begin(bool remembers = true, app::SavedBindings saved = {}) {
     desk.reset();
-    workspace = {};
+    std::destroy_at(&workspace), std::construct_at(&workspace);  // GCC 12 is wrong about moving one
     desk.emplace(remembers ? state : std::filesystem::path(), std::move(saved), workspace);
   }
   void frame(bool no_drag = true) {

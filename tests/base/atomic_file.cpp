@@ -13,6 +13,7 @@
 #include "base/progress.h"
 #include "support/folder.h"
 #include "support/full_disk.h"
+#include "support/zombie.h"
 
 namespace fs = std::filesystem;
 using namespace viete;
@@ -191,6 +192,17 @@ TEST_CASE("a_folder_is_swept_of_parts_but_not_of_those_at_work") {
   close(handle);
   base::remove_stale_parts(folder.path());
   CHECK_FALSE(fs::exists(folder / "locked.999999999-1-0.part"));
+}
+
+TEST_CASE("parts_of_a_program_that_has_ended_and_is_still_listed_are_swept") {
+  const test::TemporaryFolder folder;
+  const test::Zombie zombie;
+  for (const std::string target : {"a", "b"})
+    test::put_file(folder / (target + "." + zombie.name + "-0.part"), "x");
+  replace_file(folder / "b", "whole");
+  CHECK(folder.entries() == 2);
+  base::remove_stale_parts(folder.path());
+  CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("a_name_that_is_taken_is_numbered") {

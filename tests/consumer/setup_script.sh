@@ -117,7 +117,7 @@ stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
 stand_in sudo 'exec "$@"'
 stand_in apt-get 'case "$*" in
   *update*) tries=$(grep -c "apt-get.*update" "'"$calls"'"); [ $tries -gt 2 ] || { echo "E: Could not get lock /var/lib/apt/lists/lock"; exit 100; } ;;
-  *--assume-no*) echo "Need to get 7 MB of archives." ;;
+  "-s "*) echo "Need to get 7 MB of archives." ;;
   *install*) echo "dlstatus:1:50.0:x"; echo "pmstatus:one:100.0:x" ;;
 esac'
 run "$script" build
@@ -153,6 +153,65 @@ stand_in apt-get 'case "$*" in *" -y install "*fonts-inter*) echo "E: held broke
 run "$script" build
 expect 'a package that is only wished for and cannot be installed stops nothing' ended_with 0
 expect 'and the needed ones are installed' called ' -y install .*libglm-dev'
+
+fresh
+stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
+stand_in sudo 'exec "$@"'
+run "$script" deps
+expect 'a look at how much there is to install installs nothing' [ "$(grep -c '^apt-get.* install' "$calls")" -eq 2 ]
+expect 'because it only simulates' called 'apt-get -s .*install .*libglm-dev'
+expect 'and nothing but the one install that was meant is called without that' \
+  [ "$(grep '^apt-get.* install' "$calls" | grep -v -c '^apt-get -s ')" -eq 1 ]
+
+fresh
+stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
+stand_in sudo 'echo "somebody is not in the sudoers file"; exit 1'
+run "$script" build
+expect 'a sudo that refuses is an error where packages are needed' ended_with 1
+expect 'which are named' says 'missing: libglm-dev'
+expect 'with the advice of those without sudo' says "sudo has refused.*su -c '$script deps program'"
+
+fresh
+stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
+stand_in sudo 'exec "$@"'
+stand_in apt-get 'case "$*" in
+  *update*) echo "W: Failed to fetch http://deb.debian.org/x  Temporary failure resolving" ;;
+  *install*) echo "E: Unable to locate package libglm-dev"; exit 100 ;;
+esac'
+run "$script" build
+expect 'a machine without a network is an error' ended_with 1
+expect 'that ends in a sentence that says so' [ -n "$(printf '%s\n' "$out" | tail -n 1 | grep 'cannot be reached.*libglm-dev')" ]
+
+fresh
+stand_in cmake 'case "$1" in
+  -S) : >"$4/build.ninja" ;;
+  --build) mkdir "$2/busy" || echo "two at once"; i=0; while [ $i -lt 20000 ]; do i=$((i + 1)); done; rmdir "$2/busy" ;;
+esac'
+for tool in rmdir; do ln -s "$(command -v $tool)" "$scratch/bin/$tool"; done
+(cd "$scratch/elsewhere" && PATH=$scratch/bin sh "$script" build >"$scratch/first" 2>&1) &
+run "$script" build
+wait $!
+expect 'two runs at once both end well' [ "$code" -eq 0 ]
+expect 'one after the other' no grep -q 'two at once' "$scratch/first"
+expect 'both of them' no says 'two at once'
+ln -s 999999999 "$scratch/check out/.cache/setup.lock"
+run "$script" build
+expect 'the lock of a run that was killed stops nobody' ended_with 0
+expect 'and no lock is left' [ ! -L "$scratch/check out/.cache/setup.lock" ]
+sh -c 'while :; do :; done # setup' &
+busy=$!
+ln -s $busy "$scratch/check out/.cache/setup.lock"
+stand_in sleep "kill $busy"
+run "$script" build
+expect 'who waits for another run says for which' says "process $busy"
+expect 'and goes on when that has ended' ended_with 0
+
+fresh
+stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) : >"$2/viete_1_amd64.deb" ;; esac'
+run "$script" package
+expect 'packages are made' ended_with 0
+expect 'of a build for any machine' called 'cmake -S .*build-package.*VIETE_KERNELS=all'
+expect 'and it is said where they are' says 'made .*build-package/viete_1_amd64.deb'
 
 [ $failures -eq 0 ] && echo "setup.sh: all is as it should be"
 exit $failures

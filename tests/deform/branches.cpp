@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/linear_map.h"
 #include "deform/shapes.h"
 
 using namespace viete;
@@ -98,3 +99,16 @@ TEST_CASE("turns_choose_among_whole_turns") {
     CHECK(b.turns[0][2] == doctest::Approx((30 + 360 * k) * degree));
   }
 }
+
+namespace {
+
+// As by a bend: about x, from one end of the tube to the other, and then about z.
+Rotations bent(const Cage& cage, double degrees, double about_z) {
+  Rotations rotations;
+  for (const Vec3& center : cage.centers)
+    rotations.push_back(deform::times(similarity({0, 0, 1}, about_z * degree).linear,
+                              similarity({1, 0, 0}, (10 + center[2] * degrees) * degree).linear));
+  return rotations;
+}
+
+}  // namespace

@@ -13,13 +13,13 @@ Vec3 apply_map(const AffineMap& map, const Vec3& x) {
   return Affine{map.linear, map.center}(x);
 }
 
-const viete::sym3::Mat3<double> identity = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+const viete::sym3::Mat3<double> unmoved = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 }  // namespace
 
 TEST_CASE("unmoved_elements_have_exactly_the_identity") {
   const Cage cage = make_cage(tube(9, 7, 0.31, 2.3));
-  for (const auto& map : maps_of(cage, cage.surface.positions)) CHECK(map.linear == identity);
+  for (const auto& map : maps_of(cage, cage.surface.positions)) CHECK(map.linear == unmoved);
 }
 
 TEST_CASE("a_map_takes_the_corners_of_its_element_to_their_posed_places") {
@@ -77,9 +77,9 @@ TEST_CASE("elements_without_area_have_defined_maps") {
       viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
   const Cage cage = make_cage(surface);
   auto posed = surface.positions;
-  CHECK(maps_of(cage, posed)[1].linear == identity);
+  CHECK(maps_of(cage, posed)[1].linear == unmoved);
   posed.assign(4, {5, 5, 5});
   const auto maps = maps_of(cage, posed);
   CHECK(maps[0].linear == viete::sym3::Mat3<double>{});
-  CHECK(maps[1].linear == identity);
+  CHECK(maps[1].linear == unmoved);
 }

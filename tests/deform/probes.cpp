@@ -16,7 +16,7 @@ namespace sym3 = viete::sym3;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const viete::mesh::Surface& probed_tube() {
   static const auto tube_model = tube(60, 24, 0.3, 1.5);

@@ -9,7 +9,7 @@ using viete::sym3::Method;
 
 namespace {
 
-mesh::Surface model() {
+mesh::Surface tube_model() {
   return tube(30, 12, 0.25, 1.9);
 }
 
@@ -98,7 +98,7 @@ TEST_CASE("similarity_poses_hold_at_every_length_scale_and_far_from_the_origin")
       return surface;
     };
     for (const auto& c : {faces, mean_values}) {
-      Bound b(scaled(model()), scaled(box()), c);
+      Bound b(scaled(tube_model()), scaled(box()), c);
       CHECK(b.error(similarity({1, 2, 3}, 2, 3, {s, s, -s})) < 1e-12);
       CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 1e-14 * b.cage->diagonal);
     }
@@ -107,7 +107,7 @@ TEST_CASE("similarity_poses_hold_at_every_length_scale_and_far_from_the_origin")
     for (auto& p : surface.positions) p = p + Vec3{1e7, -2e7, 3e7};
     return surface;
   };
-  Bound b(moved(model()), moved(box()));
+  Bound b(moved(tube_model()), moved(box()));
   CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 2e-8);  // ulp of 3e7: 3.7e-9
   const auto shift = [](const Vec3& x) { return x + Vec3{0.5, 0.25, -0.5}; };
   CHECK(largest_distance(b.deform(b.pose(shift)), mapped(b.model.positions, shift)) < 2e-8);
@@ -116,7 +116,7 @@ TEST_CASE("similarity_poses_hold_at_every_length_scale_and_far_from_the_origin")
 TEST_CASE("affine_poses_of_closed_cages_are_exact_for_mean_values") {
   for (const auto& cage :
        {box({1, 1.1, 1.2}), tube(9, 7, 0.4, 2.2), together(box(), box({0.3, 0.3, 2}, {5, 0, 0}))}) {
-    for (const auto& m : {model(), model_across()}) {
+    for (const auto& m : {tube_model(), model_across()}) {
       Bound b(m, cage, mean_values);
       CHECK(b.error(shear()) < 1e-12);
       CHECK(b.error(similarity({1, 2, 3}, 2.5, 1e3)) < 1e-12);
@@ -125,7 +125,7 @@ TEST_CASE("affine_poses_of_closed_cages_are_exact_for_mean_values") {
 }
 
 TEST_CASE("moving_the_scene_moves_the_result") {
-  Bound b(model(), box());
+  Bound b(tube_model(), box());
   const auto bent = [](const Vec3& x) { return Vec3{x[0] + 0.3 * x[2] * x[2], x[1], x[2] * 1.2}; };
   const auto moved = [&](const Vec3& x) { return bent(x) + Vec3{100, -50, 25}; };
   const auto here = b.deform(b.pose(bent));
@@ -145,7 +145,7 @@ TEST_CASE("all_methods_agree_on_the_positions") {
 }
 
 TEST_CASE("dragging_a_root_through_180_degrees_does_not_jump") {
-  Bound b(model(), tube(9, 7, 0.4, 2.2));
+  Bound b(tube_model(), tube(9, 7, 0.4, 2.2));
   std::vector<mesh::Point> before;
   std::vector<Vec3> turns;
   double largest_step = 0;
@@ -162,7 +162,7 @@ TEST_CASE("dragging_a_root_through_180_degrees_does_not_jump") {
 }
 
 TEST_CASE("winding_up_and_back_returns_exactly") {
-  Bound b(model(), tube(9, 7, 0.4, 2.2));
+  Bound b(tube_model(), tube(9, 7, 0.4, 2.2));
   const auto end = [](double a) { return similarity({1, 2, 3}, a * degree); };
   std::vector<Vec3> turns;
   for (int a = 0; a <= 720; a += 20) {

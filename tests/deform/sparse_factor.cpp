@@ -14,7 +14,7 @@ using namespace viete::test;
 
 namespace {
 
-using Dense = Eigen::MatrixXd;
+using DenseMatrix = Eigen::MatrixXd;
 using EigensSparse = Eigen::SparseMatrix<double>;
 
 /// visit(row, column, value) of the entries of L.
@@ -36,9 +36,9 @@ void for_entries(const SparseFactor& f, const Visit& visit) {
 }
 
 // P^T L D L^T P.
-Dense product(const SparseFactor& f) {
+DenseMatrix product(const SparseFactor& f) {
   const auto n = Eigen::Index(f.size());
-  Dense l = Dense::Identity(n, n);
+  DenseMatrix l = DenseMatrix::Identity(n, n);
   for_entries(f, [&](std::uint32_t row, std::uint32_t column, double value) {
     REQUIRE(row > column);
     l(row, column) = value;
@@ -48,8 +48,8 @@ Dense product(const SparseFactor& f) {
     d[i] = f.pivots[std::size_t(i)];
     CHECK(f.inverse[std::size_t(i)] == 1 / d[i]);
   }
-  const Dense permuted = l * d.asDiagonal() * l.transpose();
-  Dense result(n, n);
+  const DenseMatrix permuted = l * d.asDiagonal() * l.transpose();
+  DenseMatrix result(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j)
       result(f.order[std::size_t(i)], f.order[std::size_t(j)]) = permuted(i, j);
@@ -95,7 +95,7 @@ SparseMatrix firm_laplacian(const mesh::Surface& s) {
 }
 
 void check_product(const SparseMatrix& matrix) {
-  const Dense whole = Dense(eigens(matrix)).selfadjointView<Eigen::Lower>();
+  const DenseMatrix whole = DenseMatrix(eigens(matrix)).selfadjointView<Eigen::Lower>();
   const auto neighbours = neighbours_of_unknowns(matrix);
   base::WorkerPool pool(2);
   for (const auto& kernel : sym3::kernels()) {

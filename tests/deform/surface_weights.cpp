@@ -18,7 +18,7 @@ using namespace viete::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Small triangles at these places: each an element, of a cage that encloses nothing.
 Cage triangles_at(const std::vector<Vec3>& places) {
@@ -169,7 +169,7 @@ TEST_CASE("harmonic_weights_are_between_0_and_1_whatever_the_triangles_are") {
         solved_weights(mesh::from_triangles(model.positions, model.triangles), cage, harmonics);
     CHECK(weights.minCoeff() == 0);
     CHECK(weights.maxCoeff() <= 1 + 1e-12);
-    CHECK(off_one(weights) < 1e-11);
+    CHECK(off_one(weights) < 1e-9);
   }
 }
 

@@ -134,3 +134,26 @@ TEST_CASE("more_than_65536_vertices_are_drawn") {
   });
   CHECK(count(image, {255, 128, 0, 255}) == 40 * 20);
 }
+
+TEST_CASE("what_was_drawn_last_is_known_from_all_else") {
+  Panels panels;
+  const auto draw = [&](float x, ImU32 color) {
+    panels.picture([&](ImDrawList& list) { list.AddRectFilled(ImVec2(x, 30), ImVec2(60, 50), color); });
+    return panels.renderer.has_drawn(*ImGui::GetDrawData());
+  };
+  const auto would_be_the_same = [&](float x, ImU32 color) {
+    ImGui::NewFrame();
+    ImGui::GetForegroundDrawList()->AddRectFilled(ImVec2(x, 30), ImVec2(60, 50), color);
+    ImGui::Render();
+    return panels.renderer.has_drawn(*ImGui::GetDrawData());
+  };
+  CHECK(draw(20, orange));
+  CHECK(would_be_the_same(20, orange));
+  CHECK_FALSE(would_be_the_same(21, orange));
+  CHECK_FALSE(would_be_the_same(20, orange - 1));
+  ImGui::GetIO().DisplaySize.x -= 1;
+  CHECK_FALSE(would_be_the_same(20, orange));
+  ImGui::GetIO().DisplaySize.x += 1;
+  panels.renderer.upload_fonts();
+  CHECK_FALSE(would_be_the_same(20, orange));
+}

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <imgui.h>
 
+#include <string>
+
 using viete::platform::InputEvent;
 using viete::platform::InputQueue;
 
@@ -84,4 +86,57 @@ TEST_CASE("a_modifier_is_held_when_its_key_goes_down") {
   CHECK(ImGui::GetIO().KeyShift);
   f.frame();
   CHECK_FALSE(ImGui::GetIO().KeyShift);
+}
+
+namespace {
+
+// Characters of the next frame of a field that has the keyboard.
+std::string typed_in_a_frame(Frames& f) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.WantTextInput = true;
+  f.queue.feed_frame();
+  ImGui::NewFrame();
+  std::string typed;
+  for (const ImWchar c : io.InputQueueCharacters) typed += static_cast<char>(c);
+  ImGui::EndFrame();
+  return typed;
+}
+
+}  // namespace
+
+TEST_CASE("in_a_field_any_text_is_taken_at_once_and_what_comes_after_a_key_waits_for_it") {
+  Frames f;
+  const auto press = [&](int code, const char* text) {
+    f.queue.push(InputEvent::key(code, true));
+    if (*text) f.queue.push(InputEvent::typed(text));
+    f.queue.push(InputEvent::key(code, false));
+  };
+  for (int i = 0; i < 60; ++i) press(key_a, "a");
+  CHECK(typed_in_a_frame(f) == std::string(60, 'a'));
+  CHECK(f.queue.empty());
+  constexpr int backspace = 259;
+  press(key_a, "b");
+  press(backspace, "");
+  press(key_a, "c");
+  CHECK(typed_in_a_frame(f) == "b");
+  CHECK_FALSE(f.queue.empty());
+  std::string rest;
+  for (int i = 0; i < 4; ++i) rest += typed_in_a_frame(f);
+  CHECK(rest == "c");
+  CHECK(f.queue.empty());
+}
+
+TEST_CASE("in_a_field_a_key_with_ctrl_is_a_key_and_one_that_went_down_before_comes_up") {
+  Frames f;
+  f.queue.push(InputEvent::key(key_a, true));
+  f.frame();
+  CHECK(ImGui::IsKeyDown(static_cast<ImGuiKey>(table(key_a))));
+  f.queue.push(InputEvent::key(key_a, false));
+  typed_in_a_frame(f);
+  CHECK_FALSE(ImGui::IsKeyDown(static_cast<ImGuiKey>(table(key_a))));
+  f.queue.push(InputEvent::key(341, true));
+  f.queue.push(InputEvent::key(key_a, true));
+  typed_in_a_frame(f);
+  CHECK(ImGui::GetIO().KeyCtrl);
+  CHECK(ImGui::IsKeyDown(static_cast<ImGuiKey>(table(key_a))));
 }

@@ -8,7 +8,7 @@ using test::Driver;
 namespace {
 
 template <class Condition>
-bool frames_until(Driver& d, Condition condition) {
+bool frames_to_end(Driver& d, Condition condition) {
   const double deadline = base::wall_seconds() + 600;
   while (!condition()) {
     if (base::wall_seconds() > deadline) return false;
@@ -31,7 +31,7 @@ TEST_CASE("the_benchmark_runs_beside_the_view_and_draws_every_method") {
   Driver driver;
   Driver& d = with_open_section(driver);
   CHECK(d.workspace().benchmark.running);
-  REQUIRE(frames_until(d, [&] { return !d.workspace().benchmark.running; }));
+  REQUIRE(frames_to_end(d, [&] { return !d.workspace().benchmark.running; }));
   const auto& bench = d.workspace().benchmark;
   REQUIRE(bench.bars.size() == 6);
   CHECK(bench.bars[0].name == "Diag");
@@ -45,7 +45,7 @@ TEST_CASE("a_cancelled_benchmark_stops_and_shows_nothing") {
   Driver& d = with_open_section(driver);
   REQUIRE(d.workspace().benchmark.running);
   d.click("stop_benchmark");
-  REQUIRE(frames_until(d, [&] { return !d.workspace().benchmark.running; }));
+  REQUIRE(frames_to_end(d, [&] { return !d.workspace().benchmark.running; }));
   CHECK(d.workspace().benchmark.bars.empty());
   CHECK(d.workspace().messages.all().empty());
   CHECK(scene::find_command("run_benchmark")->enabled(d.workspace()));

@@ -41,12 +41,12 @@ bool frames_until(Driver& d, Condition condition) {
   return true;
 }
 
-std::vector<mesh::Point> positions(Driver& d) {
+std::vector<mesh::Point> deformed_positions(Driver& d) {
   const auto p = d.viewer().deformer()->positions();
   return {p.begin(), p.end()};
 }
 
-void open_posed_dragon(Driver& d) {
+void open_dragon_with_pose(Driver& d) {
   d.open_dragon();
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(40, 20));
@@ -73,12 +73,12 @@ app::ViewerOptions small_window() {
 TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") {
   const test::TemporaryFolder folder;
   Driver d(small_window());
-  open_posed_dragon(d);
+  open_dragon_with_pose(d);
   // 51 MB and half a second; a machine that binds it in a moment gets more.
   for (int levels = 2;; ++levels) {
     REQUIRE_MESSAGE(levels < 5, "a fifth of a billion weights came at once");
     const auto* cage = d.document().cage.get();
-    const auto before = positions(d);
+    const auto before = deformed_positions(d);
     const auto pose = d.document().pose.positions;
     const auto edits = test::edit_count(d.document().history);
     d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), levels)}};
@@ -101,7 +101,7 @@ TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") 
     }
     CHECK(d.document().pose.positions == pose);
     CHECK(test::edit_count(d.document().history) == edits);
-    CHECK(positions(d) == before);
+    CHECK(deformed_positions(d) == before);
     CHECK(d.workspace().messages.all().back().text.find("Stopped binding") != std::string::npos);
     break;
   }
@@ -110,7 +110,7 @@ TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") 
 TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
   const test::TemporaryFolder folder;
   Driver d(small_window());
-  open_posed_dragon(d);
+  open_dragon_with_pose(d);
   const auto* cage = d.document().cage.get();
   d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 1)}};
   REQUIRE(frames_until(d, [&] {
@@ -159,14 +159,14 @@ TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_st
   }
   const test::TemporaryFolder folder;
   Driver d(small_window());
-  open_posed_dragon(d);
+  open_dragon_with_pose(d);
   const auto* cage = d.document().cage.get();
-  const auto before = positions(d);
+  const auto before = deformed_positions(d);
   d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 8)}};
   d.frame();
   REQUIRE(frames_until(d, [&] { return !d.viewer().loading(); }));
   CHECK(d.document().cage.get() == cage);
-  CHECK(positions(d) == before);
+  CHECK(deformed_positions(d) == before);
   CHECK(test::edit_count(d.document().history) == 1);
   const auto& message = d.workspace().messages.all().back();
   CHECK(message.severity == scene::Severity::error);
@@ -185,7 +185,7 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
     scene::mark_saved(d.workspace());
     REQUIRE(d.open({dragon, ball_cage(folder.path(), levels)}));
     d.settle();
-    const auto rest = positions(d);
+    const auto rest = deformed_positions(d);
     test::run_command(d.workspace(), "weights_mean_value");
     d.frame();
     if (!d.workspace().binding.running) continue;
@@ -194,16 +194,16 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
     d.click(at);  // so dense a cage is dragged by what is selected
     d.press_and_move(at, at + glm::vec2(30, 10));
     const bool live = d.workspace().binding.running;
-    const auto during = positions(d);
+    const auto during = deformed_positions(d);
     d.button(0, false);
     if (!live) continue;
     CHECK_MESSAGE(during != rest, "the mesh follows while it is bound anew");
-    const auto moved = positions(d);
+    const auto moved = deformed_positions(d);
     d.press_key(scene::Key::escape);
     if (d.document().scheme.weighting.weights == deform::Weights::mean_value) continue;
     CHECK(!d.workspace().binding.running);
     CHECK(d.document().scheme.weighting.weights == deform::Weights::inverse);
-    CHECK(positions(d) == moved);
+    CHECK(deformed_positions(d) == moved);
     CHECK(!d.viewer().deformer()->sample_matrices(10).empty());
     break;
   }
@@ -221,7 +221,7 @@ TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it
     scene::mark_saved(d.workspace());
     REQUIRE(d.open({dragon, ball_cage(folder.path(), levels)}));
     d.settle();
-    const auto rest = positions(d);
+    const auto rest = deformed_positions(d);
     scene::set_reach(d.document(), 3);
     d.frame();
     if (!d.workspace().binding.running) continue;
@@ -230,14 +230,14 @@ TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it
     if (d.document().scheme.weighting.reach == 3) continue;
     CHECK(!d.workspace().binding.running);
     CHECK(d.document().scheme.weighting.reach == deform::whole_cage);
-    CHECK(positions(d) == rest);
+    CHECK(deformed_positions(d) == rest);
     break;
   }
 }
 
 TEST_CASE("what_a_binding_takes_is_known_before") {
   Driver d(small_window());
-  open_posed_dragon(d);
+  open_dragon_with_pose(d);
   const auto plan = scene::binding_plan(d.document(), {deform::Elements::point});
   CHECK(plan.handles == d.document().pose.positions.size());
   CHECK(plan.bytes ==

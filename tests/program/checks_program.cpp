@@ -3,6 +3,7 @@
 
 #include "mesh/write.h"
 #include "program/open_cage.h"
+#include "support/commands.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -180,4 +181,73 @@ TEST_CASE("the_next_step_with_an_own_model_is_one_thing_at_a_time_until_work_beg
   CHECK(offers("hide_cage_offer"));
   d.press_key(scene::key('A'));  // work has begun
   CHECK_FALSE(offers("hide_cage_offer"));
+}
+
+namespace {
+
+bool is_in_the_view(Driver& d, const std::string& widget) {
+  d.frame(2);
+  const auto rect = d.viewer().recorder().find(widget);
+  const auto& v = d.workspace().viewport;
+  return rect && rect->visible && rect->x0 > v.origin.x && rect->x1 < v.origin.x + v.size.x &&
+         rect->y1 < v.origin.y + v.size.y;
+}
+
+// Of the dragon, below which a part of it looks out.
+fs::path low_cage(const fs::path& folder) {
+  auto cage = *scene::open_surface(dragon_cage).surface;
+  for (auto& p : cage.positions) p[1] -= 0.3;
+  mesh::write(folder / "low.obj", cage);
+  return folder / "low.obj";
+}
+
+void check(Driver& d) {
+  d.settle();
+  d.viewer().finish_checks();
+  d.frame(2);
+}
+
+}  // namespace
+
+TEST_CASE("a_badge_in_the_view_says_what_is_wrong_while_the_cage_is_edited_and_helps") {
+  const test::TemporaryFolder scratch;
+  Driver d;
+  REQUIRE(d.open({dragon, low_cage(scratch.path())}));
+  check(d);
+  CHECK_FALSE(is_in_the_view(d, "badge"));  // there is a larger offer at first
+  test::run_command(d.workspace(), "edit_cage");
+  check(d);
+  REQUIRE(is_in_the_view(d, "badge"));
+  CHECK(d.workspace().checks.badge->title.ends_with("vertices outside the cage"));
+  if (const char* pictures = std::getenv("VIETE_PICTURES"))
+    render::write_png(fs::path(pictures) / "badge.png", d.picture());
+  // It stays while they are looked for anew, so that nothing jumps under the hand.
+  test::run_command(d.workspace(), "subdivide_cage");
+  d.frame();
+  CHECK(is_in_the_view(d, "badge"));
+  check(d);
+  d.click("badge/enclose_model");
+  check(d);
+  CHECK(find(d, scene::Defect::vertices_outside) == nullptr);
+  const auto& badge = d.workspace().checks.badge;
+  CHECK((!badge || !badge->title.ends_with("vertices outside the cage")));
+}
+
+TEST_CASE("a_badge_shows_where_it_is_and_stays_away_once_it_was_put_away") {
+  const test::TemporaryFolder scratch;
+  Driver d;
+  d.workspace().view.axes = false;
+  REQUIRE(d.open({dragon, open_cage(scratch.path())}));
+  check(d);
+  REQUIRE(is_in_the_view(d, "badge/show"));
+  CHECK(highlighted(d) == 0);
+  d.click("badge/show");
+  d.settle();
+  CHECK(highlighted(d) > 100);
+  d.click("badge/close");
+  test::run_command(d.workspace(), "edit_cage");
+  test::run_command(d.workspace(), "subdivide_cage");
+  check(d);
+  CHECK(find(d, scene::Defect::open));
+  CHECK_FALSE(is_in_the_view(d, "badge"));
 }

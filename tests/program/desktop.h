@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "support/data.h"
+#include "support/folder.h"
 
 namespace viete::test {
 
@@ -88,14 +89,18 @@ struct Desktop {
   Desktop() {
     fs::create_directories(folder);
     const fs::path number = folder / "display";
-    server.emplace("Xvfb -displayfd 3 -screen 0 1440x900x24 -nolisten tcp 3>'" + number.string() + "'",
+    server.emplace("Xvfb -displayfd 3 -screen 0 1440x900x24 -nolisten tcp -fbdir '" + folder.string() +
+                       "' 3>'" + number.string() + "'",
                    folder / "xvfb.log");
     REQUIRE_MESSAGE(wait_until([&] { return fs::exists(number) && fs::file_size(number) > 1; }, 20),
                     "Xvfb did not start");
     std::ifstream(number) >> display;
     display = ":" + display;
     setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);  // each desktop remembers for itself
-    setenv("VIETE_REDUCED_MOTION", "1", 1);                   // what moves is moved by the test
+    fs::create_directories(folder / "state" / "viete");
+    std::ofstream(folder / "state" / "viete" / "remembered.json")
+        << R"({"format": "viete remembered", "version": 1, "ask_keys": false})";
+    setenv("VIETE_REDUCED_MOTION", "1", 1);  // what moves is moved by the test
   }
   ~Desktop() {
     server.reset();
@@ -104,6 +109,27 @@ struct Desktop {
   void xdotool(const std::string& arguments) {
     REQUIRE(std::system(("DISPLAY=" + display + " xdotool " + arguments + " >/dev/null 2>&1").c_str()) == 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  }
+  /// The screen as the server keeps it, in a file.
+  std::string screen() const { return file_bytes(folder / "Xvfb_screen0"); }
+  /// Waits until a window is drawn where there was another picture, and nothing on the screen changes any more:
+  /// the program has done all that it was told.
+  void rest(const std::string& before = "") {
+    std::string seen = before;
+    const auto same_again = [&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(400));  // a caret may blink slower
+      std::string now = screen();
+      const bool same = now == seen && now != before;
+      seen = std::move(now);
+      return same;
+    };
+    REQUIRE_MESSAGE(wait_until(same_again, 60), "the screen does not come to rest");
+  }
+  /// Likewise after keys or a mouse that change what is seen.
+  void xdotool_seen(const std::string& arguments) {
+    const std::string before = screen();
+    xdotool(arguments);
+    rest(before);
   }
   void drag(glm::ivec2 from, glm::ivec2 to) {
     const auto at = [](glm::ivec2 p) { return std::to_string(p.x) + " " + std::to_string(p.y); };

@@ -31,6 +31,7 @@ public:
       : offscreen_(options, kind) {
     // What tests ask of frames, links and reach they ask of the published way, unless they choose another.
     document().scheme = {};
+    workspace().remembered.layout.sections["Lab"] = true;  // and its numbers are there
   }
 
   static app::ViewerOptions default_options() {

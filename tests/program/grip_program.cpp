@@ -440,7 +440,7 @@ TEST_CASE("a drag at once after a click is a drag and no double click") {
   const auto v = d.free_vertex();
   const auto before = d.workspace().camera.destination();
   d.click(d.vertex(v));
-  d.click("tool_select");  // no gizmo is in the way
+  d.click("strip/tool_select");  // no gizmo is in the way
   d.click(d.vertex(v));
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
   CHECK(d.moved() == std::vector<std::uint32_t>{v});

@@ -1,11 +1,15 @@
 // The hand at work: gizmo, typed numbers, edges and faces, orthographic view, axis widget, with real events.
 #include <cmath>
 
+#include "mesh/write.h"
 #include "program/driver.h"
+#include "scene/ball.h"
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/pointer.h"
+#include "support/commands.h"
 #include "support/edits.h"
+#include "support/folder.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -57,7 +61,7 @@ double distance(const mesh::Point& a, const mesh::Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-double largest_distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
+double farthest_apart(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, distance(a[i], b[i]));
   return largest;
@@ -106,7 +110,7 @@ TEST_CASE("a_ring_rotates_the_selection_about_its_centre_and_ctrl_snaps") {
   d.button(0, false);
   d.key(Driver::left_ctrl, false);
   d.frame();
-  CHECK(largest_distance(d.mesh(), turned(rest, center, std::copysign(45, degrees))) < 1e-12);
+  CHECK(farthest_apart(d.mesh(), turned(rest, center, std::copysign(45, degrees))) < 1e-12);
 }
 
 TEST_CASE("the_whole_cage_turned_by_hand_twice_round_stays_rigid_and_its_turns_are_counted") {
@@ -130,7 +134,7 @@ TEST_CASE("the_whole_cage_turned_by_hand_twice_round_stays_rigid_and_its_turns_a
   CHECK(d.workspace().interaction.drag->readout().substr(0, 4) == "Y 84");
   d.button(0, false);
   d.frame();
-  CHECK(largest_distance(d.mesh(), turned(rest, center, degrees)) < 1e-12);
+  CHECK(farthest_apart(d.mesh(), turned(rest, center, degrees)) < 1e-12);
   CHECK(d.document().pose.turns[0][1] ==
         doctest::Approx(degrees * 3.14159265358979323846 / 180).epsilon(1e-9));
   d.press_key('Z', true);
@@ -153,7 +157,7 @@ TEST_CASE("a_typed_angle_is_exact_and_enter_keeps_it") {
   d.move(to + glm::vec2(80, 80));
   d.button(0, false);
   d.frame();
-  CHECK(largest_distance(d.mesh(), turned(rest, center, 90)) < 1e-12);
+  CHECK(farthest_apart(d.mesh(), turned(rest, center, 90)) < 1e-12);
   CHECK(d.document().pose.turns[0][1] == doctest::Approx(2.5 * 3.14159265358979323846).epsilon(1e-9));
   CHECK(test::edit_count(d.document().history) == 1);
   d.press_key('Z', true);
@@ -337,11 +341,11 @@ TEST_CASE("numbers_are_typed_in_the_cage_panel") {
   CHECK_MESSAGE(test::edit_count(d.document().history) == 1, "an Enter without a change is no edit");
   d.click("undo");
   d.click("select_all");
-  d.click("tool_rotate");
+  d.click("strip/tool_rotate");
   const auto before = d.mesh();
   const glm::dvec3 center = scene::selection_center(d.document());
   enter("transform_y", "90");
-  CHECK(largest_distance(d.mesh(), turned(before, center, 90)) < 1e-12);
+  CHECK(farthest_apart(d.mesh(), turned(before, center, 90)) < 1e-12);
   d.click("undo");
   CHECK(d.pose() == rest);
 }
@@ -411,7 +415,7 @@ TEST_CASE("a_field_takes_its_number_when_it_is_left_and_not_before") {
     CHECK(d.pose() == d.rest);
   }
   SUBCASE("by a click on a button") {
-    d.click("tool_scale");
+    d.click("strip/tool_scale");
     CHECK(d.point()[1] == 1.5);
     CHECK(d.edits() == 1);
   }
@@ -462,7 +466,7 @@ TEST_CASE("a_number_that_leads_out_of_range_moves_nothing_and_says_so") {
   CHECK(d.pose() == d.rest);
   CHECK(d.edits() == 0);
   d.click("select_all");
-  d.click("tool_rotate");
+  d.click("strip/tool_rotate");
   d.type_in("transform_y", "1e15");
   d.press_key(scene::Key::enter);
   d.frame(2);
@@ -546,4 +550,30 @@ TEST_CASE("the_brush_is_set_in_the_panel_and_by_shift_and_wheel") {
   CHECK(d.document().mask);
   d.click("mask_clear");
   CHECK_FALSE(d.document().mask);
+}
+
+TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one_that_has_none") {
+  const test::TemporaryFolder folder;
+  mesh::Surface cage = test::ball(1.2, 1);
+  cage.positions[5][0] += 0.3;  // without an image
+  mesh::write(folder / "ball.obj", test::ball(1, 3));
+  mesh::write(folder / "cage.obj", cage);
+  Driver d;
+  REQUIRE(d.open({folder / "ball.obj", folder / "cage.obj"}));
+  d.settle();
+  for (const auto plane : {scene::MirrorPlane::x, scene::MirrorPlane::fit}) {
+    const auto before = d.document().cage;
+    d.workspace().handling.mirror = plane;
+    d.frame(2);
+    REQUIRE(scene::mirror_of(d.workspace())->unpaired() > 0);
+    d.click("make_symmetric_cage");
+    d.frame();
+    d.viewer().finish_making();
+    d.frame(2);
+    CHECK(scene::mirror_of(d.workspace())->unpaired() == 0);
+    CHECK_FALSE(scene::find_command("make_symmetric_cage")->enabled(d.workspace()));
+    test::run_command(d.workspace(), "cancel_cage");
+    d.frame(3);
+    CHECK(d.document().cage == before);
+  }
 }

@@ -1,10 +1,8 @@
 // Work by a real mouse and keyboard in the real window: mirror, soft selection, pivot, a box over a dense
 // cage, the palette, a dialog and the full screen. What came of it is read from the session that the program
 // saves.
-#include <chrono>
 #include <cmath>
 #include <sstream>
-#include <thread>
 
 #include "mesh/write.h"
 #include "program/desktop.h"
@@ -53,7 +51,8 @@ struct RealHand {
     REQUIRE(scene::save_session(offscreen.workspace(), session));
     viewer.emplace(desktop.viete("work.viete"), desktop.folder / "viete.log");
     desktop.xdotool("search --sync --onlyvisible --name work");
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    desktop.rest();
+    saved();
   }
   static app::ViewerOptions options() {
     auto options = Driver::default_options();
@@ -62,11 +61,16 @@ struct RealHand {
   }
 
   void act(const std::string& words) { desktop.xdotool(words); }
-  /// What the program has now.
+  /// What the program has now, after all that it was told: events come in order. A window that has no keyboard
+  /// yet is told again.
   scene::Session saved() {
     const auto before = fs::last_write_time(session);
-    act("key ctrl+s");
-    REQUIRE(wait_until([&] { return fs::last_write_time(session) != before; }, 30));
+    const auto written = [&] { return fs::last_write_time(session) != before; };
+    for (int i = 0; i < 6 && !written(); ++i) {
+      act("key ctrl+s");
+      wait_until(written, 10);
+    }
+    REQUIRE(written());
     return scene::read_session(session);
   }
   void quit() {
@@ -104,6 +108,7 @@ TEST_CASE("a_real_mouse_moves_both_sides_softly_and_places_the_pivot" *
   hand.act("key ctrl+z");
   hand.act("key shift+m key shift+m key shift+m key shift+m");  // round to none
   hand.act("key s");
+  REQUIRE(hand.moved(hand.saved()) == 0);
   hand.act(drag_words(from, to, "click 4 sleep 0.05 click 4 sleep 0.05"));
   const auto soft = hand.saved();
   CHECK(soft.handling.mirror == scene::MirrorPlane::none);
@@ -112,8 +117,11 @@ TEST_CASE("a_real_mouse_moves_both_sides_softly_and_places_the_pivot" *
   CHECK(hand.moved(soft) > 3);
   CHECK(hand.moved(soft) < hand.rest().size());
   hand.act("key ctrl+z");
+  REQUIRE(hand.moved(hand.saved()) == 0);
   hand.act("key j");
-  hand.act("mousemove " + at(from) + " sleep 0.2 click 1 sleep 0.1");
+  hand.act("mousemove " + at(from));
+  hand.saved();
+  hand.act("click 1");
   const auto placed = hand.saved();
   CHECK(placed.handling.pivot == scene::Pivot::point);
   REQUIRE(placed.handling.point);
@@ -134,20 +142,23 @@ TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_command
   hand.offscreen.drag(from, to);
   const auto expected = hand.offscreen.document().selection.indices();
   REQUIRE(expected.size() > 40);
-  hand.act("mousemove " + at(from) + " key b sleep 0.1");
+  hand.act("mousemove " + at(from) + " key b");
+  hand.saved();
   hand.act(drag_words(from, to));
   const auto boxed = hand.saved();
   CHECK(boxed.selection == expected);
   CHECK(hand.moved(boxed) == 0);
 
   // A window that is drawn slowly takes some frames until it has the keyboard.
-  hand.act("key ctrl+k sleep 1.5 type --delay 60 wire");
-  hand.act("sleep 1 key Return sleep 0.5");
+  hand.desktop.xdotool_seen("key ctrl+k");
+  hand.desktop.xdotool_seen("type --delay 60 wire");
+  hand.desktop.xdotool_seen("key Return");
   CHECK(hand.saved().view.wireframe);
 
-  hand.act("key ctrl+shift+s sleep 1.5 key ctrl+a sleep 0.5");
-  hand.act("type b");
-  hand.act("sleep 1 key Return");
+  hand.desktop.xdotool_seen("key ctrl+shift+s");
+  hand.desktop.xdotool_seen("key ctrl+a");
+  hand.desktop.xdotool_seen("type b");
+  hand.act("key Return");
   CHECK(wait_until([&] { return fs::exists(hand.desktop.folder / "b.viete"); }, 30));
   hand.quit();
 }
@@ -172,9 +183,11 @@ TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::t
   const glm::ivec2 small(1000, 700), screen(1440, 900);
   hand.act("search --onlyvisible --name work windowsize 1000 700");
   REQUIRE(wait_until([&] { return size() == small; }, 15));
-  hand.act(std::string("mousemove 500 300 sleep 1 key ") + f11_keycode);
+  hand.act("mousemove 500 300");
+  hand.desktop.rest();
+  hand.act(std::string("key ") + f11_keycode);
   CHECK(wait_until([&] { return size() == screen; }, 15));
-  std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+  hand.desktop.rest();
   hand.act(std::string("key ") + f11_keycode);
   CHECK(wait_until([&] { return size() == small; }, 15));
   hand.quit();

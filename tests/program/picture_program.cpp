@@ -435,7 +435,7 @@ void show_outside(Driver& d) {
   d.settle();
   d.viewer().finish_checks();
   d.frame(3);
-  for (const char* command : {"edit_cage", "show_outside"}) d.click(command);
+  for (const char* command : {"strip/edit_cage", "show_outside"}) d.click(command);
   d.settle();
   d.click("section/Model");
   d.move({1, 1});

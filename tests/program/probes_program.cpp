@@ -21,8 +21,8 @@ using test::Driver;
 
 namespace {
 
-struct Hand : Driver {
-  explicit Hand(bool cage) {
+struct ProbeHand : Driver {
+  explicit ProbeHand(bool cage) {
     if (cage) {
       open_dragon();
     } else {
@@ -55,7 +55,7 @@ struct Hand : Driver {
 TEST_CASE("a_probe_is_placed_dragged_turned_and_taken_back_by_hand") {
   for (const bool cage : {true, false}) {
     INFO(cage);
-    Hand d(cage);
+    ProbeHand d(cage);
     const auto rest = d.document().model.surface->positions;
     d.place_probe();
     // It lies on the model, where the cursor was.
@@ -110,7 +110,7 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_taken_back_by_hand") {
 }
 
 TEST_CASE("probes_are_set_in_their_panel") {
-  Hand d(false);
+  ProbeHand d(false);
   d.place_probe();
   d.click("section/Probes");
   d.frame(2);
@@ -141,7 +141,7 @@ TEST_CASE("probes_are_set_in_their_panel") {
 namespace {
 
 // What it shows then, in double.
-std::vector<mesh::Point> save_and_write(Hand& d, const std::filesystem::path& folder) {
+std::vector<mesh::Point> save_and_write(ProbeHand& d, const std::filesystem::path& folder) {
   d.place_probe();
   d.press_key('W');
   d.frame(2);
@@ -165,7 +165,7 @@ TEST_CASE("a_model_without_a_cage_is_saved_written_and_opened_again_with_its_pro
   std::vector<mesh::Point> shown;
   scene::Session saved;
   {
-    Hand d(false);
+    ProbeHand d(false);
     shown = save_and_write(d, folder.path());
     saved = scene::session_of(d.workspace());
   }
@@ -180,7 +180,7 @@ TEST_CASE("a_model_without_a_cage_is_saved_written_and_opened_again_with_its_pro
 }
 
 TEST_CASE("a_cage_that_is_opened_leaves_the_probes_and_they_are_placed_on_what_others_have_moved") {
-  Hand d(false);
+  ProbeHand d(false);
   d.place_probe();
   d.document().probes.all[0].pose.move = {0.1, 0.25, 0};
   ++d.document().revisions.pose;
@@ -207,7 +207,7 @@ TEST_CASE("a_cage_that_is_opened_leaves_the_probes_and_they_are_placed_on_what_o
 }
 
 TEST_CASE("the_model_is_seen_at_rest_whatever_moves_it_and_follows_again") {
-  Hand d(true);
+  ProbeHand d(true);
   d.press_key('C');  // the cage would be drawn where it is
   d.settle();
   const auto rest = d.picture();

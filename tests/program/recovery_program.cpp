@@ -4,6 +4,7 @@
 #include "program/kept_work.h"
 #include "scene/edit.h"
 #include "scene/saving.h"
+#include "scene/time_edit.h"
 #include "scene/transform.h"
 #include "support/edits.h"
 #include "support/pictures.h"
@@ -24,7 +25,13 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
     REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     CHECK(kept_files(state).empty());
-    drag_some_vertex(d, {30, 20});
+    const glm::vec2 from = glm::round(d.vertex(d.free_vertex()));
+    d.press_and_move(from, from + glm::vec2(30, 20));
+    d.frame(3);
+    CHECK(scene::has_unsaved_edits(d.workspace()));
+    CHECK_FALSE(wait_until([&] { return !kept_files(state).empty(); }, 0.2));  // nothing is finished yet
+    d.button(0, false);
+    d.frame();
     REQUIRE(settled(1));
     CHECK(kept_pose() == d.document().pose.positions);
     const auto first = d.document().pose.positions;
@@ -378,6 +385,73 @@ TEST_CASE("edits_of_a_model_whose_name_is_not_utf_8_are_kept") {
   CHECK(scene::read_remembered(state / "remembered.json").recent.at(0).file == odd);
 }
 
+TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_and_closing") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  const fs::path state = folder / "state", session = folder / "a.viete";
+  for (const scene::Key key : {scene::Key::right, scene::Key::space, scene::Key::up}) {
+    CAPTURE(static_cast<int>(key));
+    std::vector<mesh::Point> posed;
+    {
+      Driver d(remembering(state));
+      REQUIRE(d.open({small.model, small.cage}));
+      d.settle();
+      d.press_key(scene::key('I'));
+      drag_some_vertex(d, {30, 20});
+      scene::set_key(d.document(), 11);
+      REQUIRE(scene::save_session(d.workspace(), session));
+      d.frame(3);
+      drag_some_vertex(d, {20, -20});
+      posed = d.document().pose.positions;
+      d.press_key(key);
+      d.frame(3);
+      CHECK(d.document().pose.positions != posed);
+      CHECK(scene::has_unsaved_edits(d.workspace()));
+      quit(d);
+      CHECK(d.viewer().closed());
+      CHECK(d.viewer().keeping());
+    }
+    REQUIRE(kept_files(state).size() == 1);
+    fs::rename(kept_files(state).front(), state / "recovery" / "999999999-1.viete");  // of a process that ended
+    Driver again(remembering(state));
+    again.frame(3);
+    again.click("restore_leftover");
+    again.settle();
+    CHECK(again.document().pose.positions == posed);
+    CHECK(scene::has_unsaved_edits(again.workspace()));
+    REQUIRE(scene::save_session(again.workspace(), session));
+    again.frame(3);
+    REQUIRE(wait_until([&] { return kept_files(state).empty(); }, 5));
+  }
+}
+
+TEST_CASE("what_is_kept_goes_where_another_frame_leaves_nothing_unsaved") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  const fs::path state = folder / "state";
+  Driver d(remembering(state));
+  REQUIRE(d.open({small.model, small.cage}));
+  d.settle();
+  drag_some_vertex(d, {30, 20});
+  d.press_key(scene::key('I'));
+  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+  d.frame(3);
+  scene::reset_pose(d.document());
+  REQUIRE(wait_until(
+      [&] {
+        d.frame();
+        return kept_files(state).size() == 1;
+      },
+      5));
+  d.press_key(scene::Key::right);  // rest is never lost
+  CHECK(wait_until(
+      [&] {
+        d.frame();
+        return kept_files(state).empty();
+      },
+      5));
+}
+
 // Runs in a process of its own, see the next test: finishes edit after edit, and says in a log which one is
 // about to be finished and which one is.
 TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
@@ -457,7 +531,7 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   Desktop desktop;
   Child viewer(desktop.viete(""), desktop.folder / "first.log");
   desktop.xdotool("search --sync --onlyvisible --name dragon");
-  std::this_thread::sleep_for(std::chrono::seconds(3));
+  desktop.rest();
   desktop.drag(from, to);
   REQUIRE(wait_until([&] { return !kept_files(desktop.folder / "state" / "viete").empty(); }, 20));
   viewer.kill_now();

@@ -30,15 +30,21 @@ void cut_panels(render::Image& image) {
   }
 }
 
+// A picture that is kept is as smooth as one at rest.
+app::ViewerOptions as_in_the_window() {
+  auto options = Driver::default_options();
+  options.size = {1440, 900};
+  options.samples = 4;
+  return options;
+}
+
 }  // namespace
 
 TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_program_puts_it" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  auto options = Driver::default_options();
-  options.size = {1440, 900};
-  Driver d(options);
-  d.document().scheme = deform::default_scheme();  // as the window that is compared with it
+  Driver d(as_in_the_window());
+  d.document().scheme = deform::default_scheme();
   d.open_dragon();
   d.frame();
   scene::frame_all(d.workspace(), false);
@@ -48,10 +54,10 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
   Desktop desktop;
   Child viewer(desktop.viete(""), desktop.folder / "viete.log");
   desktop.xdotool("search --sync --onlyvisible --name dragon");
-  std::this_thread::sleep_for(std::chrono::seconds(3));
+  desktop.rest();
   desktop.drag(from, to);
   desktop.xdotool("mousemove 1430 20");
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  desktop.rest();
   desktop.xdotool(std::string("key ") + f12_keycode);
   REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
   auto real = test::read_png(*desktop.screenshot());
@@ -78,10 +84,8 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
 TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  auto options = Driver::default_options();
-  options.size = {1440, 900};
-  Driver d(options);
-  d.document().scheme = deform::default_scheme();  // as the window that is compared with it
+  Driver d(as_in_the_window());
+  d.document().scheme = deform::default_scheme();
   d.open_dragon();
   d.frame();
   scene::frame_all(d.workspace(), false);
@@ -95,7 +99,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
                    "\" && exec \"" + test::build_dir().string() + "/viete\" --scale 1'",
                desktop.folder / "viete.log");
   desktop.xdotool("search --sync --onlyvisible --name dragon");
-  std::this_thread::sleep_for(std::chrono::seconds(3));
+  desktop.rest();
   d.move({1000, 20});
   d.press_key('A');
   d.drag(tip, end);
@@ -121,7 +125,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
   desktop.xdotool("key Return");
   desktop.xdotool("mouseup 1");
   desktop.xdotool("mousemove 1430 20");
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  desktop.rest();
   desktop.xdotool(std::string("key ") + f12_keycode);
   REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
   auto real = test::read_png(*desktop.screenshot());
@@ -144,10 +148,8 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
 TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_not" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  auto options = Driver::default_options();
-  options.size = {1440, 900};
-  Driver d(options);
-  d.document().scheme = deform::default_scheme();  // as the window that is compared with it
+  Driver d(as_in_the_window());
+  d.document().scheme = deform::default_scheme();
   d.open_dragon();
   d.frame();
   const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
@@ -160,9 +162,9 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     if (!can_keep) test::put_file(state / "recovery", "a file, not a folder");
     Child viewer(desktop.viete(""), log);
     desktop.xdotool("search --sync --onlyvisible --name dragon");
-    std::this_thread::sleep_for(std::chrono::seconds(3));
+    desktop.rest();
     desktop.drag(from, to);
-    std::this_thread::sleep_for(std::chrono::seconds(1));
+    desktop.rest();
     viewer.terminate();
     if (can_keep) {
       REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
@@ -171,12 +173,11 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
       continue;
     }
     CHECK_FALSE(wait_until([&] { return viewer.finished(); }, 2));
-    desktop.xdotool("key Escape");  // it has asked: back to work, each time
-    std::this_thread::sleep_for(std::chrono::seconds(1));
+    desktop.xdotool_seen("key Escape");  // it has asked: back to work, each time
     viewer.terminate();
     CHECK_FALSE(wait_until([&] { return viewer.finished(); }, 2));
     desktop.xdotool("key Escape");
-    std::this_thread::sleep_for(std::chrono::seconds(1));
+    desktop.rest();
     desktop.xdotool("key ctrl+q");
     CHECK_FALSE(wait_until([&] { return viewer.finished(); }, 2));
     desktop.xdotool("key Left");

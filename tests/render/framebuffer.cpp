@@ -76,3 +76,29 @@ TEST_CASE("what_is_drawn_after_the_resolve_is_in_the_picture") {
   CHECK(image.pixel(5, 195) == render::Rgba8{0, 0, 255, 255});
   CHECK(image.pixel(5, 5) == render::Rgba8{255, 0, 0, 255});
 }
+
+TEST_CASE("a_picture_begins_with_another_one_stretched_to_its_size_and_leaves_that_as_it_is") {
+  test::Stage stage;
+  const render::Image small = stage.picture([&] {
+    clear(stage.gl, 0, 1, 0, 1);
+    stage.gl.Enable(GL_SCISSOR_TEST);
+    stage.gl.Scissor(0, 0, 160, 200);
+    clear(stage.gl, 1, 0, 0, 1);
+    stage.gl.Disable(GL_SCISSOR_TEST);
+  });
+  render::Framebuffer whole(stage.gl);
+  for (const int factor : {1, 2}) {
+    whole.begin_with(stage.framebuffer, factor * stage.view.size);
+    stage.gl.Enable(GL_SCISSOR_TEST);
+    stage.gl.Scissor(0, 0, 10, 10);
+    clear(stage.gl, 0, 0, 1, 1);
+    stage.gl.Disable(GL_SCISSOR_TEST);
+    const render::Image image = whole.read();
+    CHECK(image.width == factor * small.width);
+    CHECK(image.height == factor * small.height);
+    CHECK(image.pixel(20 * factor, 20 * factor) == render::Rgba8{255, 0, 0, 255});
+    CHECK(image.pixel(300 * factor, 20 * factor) == render::Rgba8{0, 255, 0, 255});
+    CHECK(image.pixel(5, image.height - 5) == render::Rgba8{0, 0, 255, 255});
+    CHECK(stage.framebuffer.read().rgba == small.rgba);
+  }
+}

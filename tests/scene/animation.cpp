@@ -57,6 +57,26 @@ TEST_CASE("540_degrees_from_key_to_key_are_three_half_turns") {
   }
 }
 
+TEST_CASE("a_sheared_cage_with_a_whole_turn_from_key_to_key_goes_round") {
+  Keyed k;
+  deform::Pose sheared = turned_cube(0), turned;
+  for (auto& [x, y, z] : sheared.positions) x += 0.5 * y, y += 0.25 * z;
+  turned = sheared;
+  turned.turns[0] = {0, 0, 2 * std::numbers::pi};
+  const Animation a = k.animation(two_keys(sheared, turned));
+  for (const double degrees : {36.0, 90.0, 180.0, 288.0}) {
+    auto expected = sheared.positions;
+    const double c = std::cos(degrees / 180 * std::numbers::pi),
+                 s = std::sin(degrees / 180 * std::numbers::pi);
+    for (auto& [x, y, z] : expected) {
+      const double old = x;
+      x = c * old - s * y;
+      y = s * old + c * y;
+    }
+    CHECK(distance(a.at(1 + degrees / 36).cage.positions, expected) < 1e-12);
+  }
+}
+
 TEST_CASE("poses_that_say_nothing_of_whole_turns_have_those_nearest_to_the_key_before") {
   Keyed k;
   Timeline t;
@@ -201,4 +221,42 @@ TEST_CASE("vectors_of_poses_are_taken_once_and_forgotten_with_the_pose") {
   CHECK_THROWS(k.vectors.of(test::whole({{{0, 0, 0}}, {}})));
   k.vectors.follow(nullptr);
   CHECK(k.vectors.of(t.keys[1].pose) == nullptr);
+}
+
+TEST_CASE("the_progress_between_two_keys_is_what_is_played") {
+  Keyed k;
+  Timeline timeline;
+  for (int i = 0; i < 4; ++i)
+    timeline.keys.push_back(key(1 + 10 * i, turned_cube(90 * i * i), Easing::smooth));
+  timeline.keys[1].easing = Easing::linear;
+  const Animation a = k.animation(timeline);
+  double off_smoothstep = 0;
+  for (std::size_t from = 0; from < 3; ++from) {
+    const std::vector<double> progress = a.progress(from, 20);
+    REQUIRE(progress.size() == 21);
+    const double start = 90.0 * double(from * from), end = 90.0 * double((from + 1) * (from + 1));
+    for (std::size_t i = 0; i <= 20; ++i) {
+      const double t = double(i) / 20, degrees = start + progress[i] * (end - start);
+      CHECK(distance(a.at(1 + 10 * (double(from) + t)).cage.positions, turned_cube(degrees).positions) <
+            1e-9);
+      off_smoothstep = std::max(off_smoothstep, std::abs(progress[i] - t * t * (3 - 2 * t)));
+    }
+  }
+  CHECK(off_smoothstep > 0.05);
+  CHECK(a.progress(3, 20).empty());
+}
+
+TEST_CASE("progress_is_along_straight_ways_where_they_are_straight_and_what_holds_stays") {
+  Keyed k;
+  for (const Easing easing : {Easing::smooth, Easing::linear, Easing::hold, Easing::bezier}) {
+    Timeline timeline = two_keys(turned_cube(0), turned_cube(120), easing);
+    timeline.straight = true;
+    const Animation a = k.animation(timeline);
+    const auto progress = a.progress(0, 10);
+    const auto first = a.at(1).cage.positions, last = a.at(11).cage.positions;
+    for (std::size_t i = 0; i <= 10; ++i) {
+      const auto now = a.at(1 + double(i)).cage.positions;
+      CHECK(now[0][0] == doctest::Approx(first[0][0] + progress[i] * (last[0][0] - first[0][0])));
+    }
+  }
 }

@@ -164,6 +164,29 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   CHECK(problem_of_name(browser) != "");
 }
 
+TEST_CASE("what_is_chosen_of_the_list_stands_in_the_field_and_a_folder_keeps_the_name_to_save_under") {
+  const test::TemporaryFolder folder;
+  put_files(folder);
+  std::filesystem::create_directory(folder / "a folder");
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::model, folder.path());
+  for (std::size_t i = 0; i < shown(browser).size(); ++i) {
+    highlight(browser, i);
+    CHECK(browser.highlighted == i);
+    CHECK(browser.path == browser.folder / shown(browser)[i]->name);
+  }
+  move_highlight(browser, -100);
+  CHECK(browser.path == browser.folder / shown(browser)[0]->name);
+  highlight(browser, 1000);
+  CHECK(browser.highlighted == 0);
+  show(browser, FileBrowser::Purpose::save_model, folder.path(), "new.obj");
+  REQUIRE(shown(browser)[0]->folder);
+  highlight(browser, 0);
+  CHECK(browser.path == browser.folder / "new.obj");
+  highlight(browser, shown(browser).size() - 1);
+  CHECK(browser.path == browser.folder / shown(browser).back()->name);
+}
+
 TEST_CASE("when_saving_nothing_is_highlighted_until_the_list_is_walked") {
   const test::TemporaryFolder folder;
   put_files(folder);

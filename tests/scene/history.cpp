@@ -37,6 +37,20 @@ TEST_CASE("a_new_edit_ends_redo") {
   CHECK_FALSE(h.can_redo());
 }
 
+TEST_CASE("an_edit_that_is_called_off_leaves_what_could_be_repeated") {
+  History h;
+  h.record("one", at(0));
+  h.undo(at(1));
+  const unsigned long before = h.recorded();
+  h.record("slide", at(0));
+  CHECK(h.recorded() == before + 1);
+  CHECK_FALSE(h.can_redo());
+  CHECK(x_of(h.drop_last()) == 0);
+  CHECK(h.recorded() == before);
+  CHECK_FALSE(h.can_undo());
+  CHECK(x_of(h.redo(at(0))) == 1);
+}
+
 TEST_CASE("no_number_of_clicks_takes_an_edit_out_of_reach") {
   History h;
   const auto mask =

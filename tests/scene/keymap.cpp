@@ -63,6 +63,54 @@ TEST_CASE("presets_give_hands_their_keys_and_take_them_from_others") {
   CHECK(text(keys_of(keymap, "toggle_grid").first) == "G");
 }
 
+TEST_CASE("a_key_of_another_program_does_here_what_it_does_there_or_nothing") {
+  const auto runs = [](KeyPreset preset, const char* written) {
+    Keymap keymap;
+    keymap.set_preset(preset);
+    std::set<std::string_view> names;
+    for (const Command* command : keymap.commands_of(*shortcut_of(written))) names.insert(command->name);
+    return names;
+  };
+  using Names = std::set<std::string_view>;
+  struct Expected {
+    KeyPreset preset;
+    const char* key;
+    Names names;
+  };
+  const Expected all[] = {
+      {KeyPreset::blender, "Ctrl+R", {}},  // cuts a loop
+      {KeyPreset::blender, "T", {"toggle_tools"}},
+      {KeyPreset::blender, "N", {"toggle_lab"}},
+      {KeyPreset::blender, "K", {}},  // a knife
+      {KeyPreset::blender, "U", {}},
+      {KeyPreset::blender, "P", {}},
+      {KeyPreset::blender, "Ctrl+B", {}},  // a bevel
+      {KeyPreset::blender, "Ctrl+E", {}},
+      {KeyPreset::blender, "Ctrl+P", {}},
+      {KeyPreset::blender, "Shift+1", {}},
+      {KeyPreset::blender, "Shift+H", {"hide_others"}},
+      {KeyPreset::blender, "Shift+R", {}},
+      {KeyPreset::blender, "F11", {}},
+      {KeyPreset::maya, "F9", {"select_vertices"}},
+      {KeyPreset::maya, "F10", {"select_edges"}},
+      {KeyPreset::maya, "F11", {"select_faces"}},
+      {KeyPreset::maya, "F12", {}},
+      {KeyPreset::maya, "Ctrl+R", {}},
+      {KeyPreset::maya, "Ctrl+E", {"extrude_faces"}},
+      {KeyPreset::maya, "T", {}},
+      {KeyPreset::maya, "X", {}},  // snaps to the grid
+      {KeyPreset::maya, "C", {}},
+      {KeyPreset::maya, "P", {}},
+      {KeyPreset::maya, "K", {}},
+      {KeyPreset::maya, "1", {}},
+      {KeyPreset::viete, "Ctrl+R", {"reset_pose"}},
+      {KeyPreset::viete, "T", {"toggle_theme"}},
+      {KeyPreset::viete, "F11", {"toggle_full_screen"}},
+  };
+  for (const auto& [preset, key, names] : all)
+    CHECK_MESSAGE(runs(preset, key) == names, key, " in ", all_key_presets()[std::size_t(preset)].word);
+}
+
 TEST_CASE("a_changed_key_is_taken_from_others_and_given_back") {
   Keymap keymap;
   const Keymap fresh;

@@ -18,6 +18,19 @@ TEST_CASE("every_command_stands_in_one_menu") {
   CHECK(names.size() == commands().size());
 }
 
+TEST_CASE("every_command_is_understood_by_its_label_alone") {
+  std::set<std::string_view> labels;
+  const std::set<std::string_view> plain = {"Undo", "Redo", "Quit", "Play"};
+  for (const Command& command : commands()) {
+    const std::string_view label = command.label;
+    CHECK_MESSAGE(labels.insert(label).second, label);
+    CHECK_MESSAGE((label.find(' ') != label.npos || plain.contains(label)), label);
+    CHECK_FALSE(command.label.brief.empty());
+    if (submenu_of(command).empty()) continue;
+    CHECK_MESSAGE(label.size() > command.label.brief.size(), label);  // its headline, too
+  }
+}
+
 TEST_CASE("commands_of_one_choice_follow_one_another_in_their_menu") {
   for (const Menu& menu : menus()) {
     std::set<std::string_view> ended;

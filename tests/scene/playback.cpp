@@ -3,10 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <functional>
+#include <map>
 
 #include "scene/cage_editing.h"
 #include "scene/edit.h"
 #include "scene/posed_cube.h"
+#include "scene/saving.h"
+#include "support/commands.h"
 #include "support/edits.h"
 
 using namespace viete;
@@ -97,6 +101,72 @@ TEST_CASE("a_pose_that_is_in_no_key_is_not_lost_by_going_elsewhere") {
     record_edit(p.document(), "move a probe");
     p.document().probes.all[0].pose.move = {1, 2, 3};
   });
+}
+
+TEST_CASE("a_pose_that_is_in_no_key_is_unsaved_work_whatever_has_taken_its_place") {
+  Played p;
+  test::add_two_poses(p.document());
+  const std::map<std::string, std::function<void()>> ways{
+      {"a step", [&] { test::run_command(p.w, "next_frame"); }},
+      {"a key", [&] { test::run_command(p.w, "previous_key"); }},
+      {"an end", [&] { test::run_command(p.w, "last_frame"); }},
+      {"scrubbing", [&] { go_to_frame(p.w, 3.5), go_to_frame(p.w, 4); }},
+      {"playing", [&] { test::run_command(p.w, "play"), p.pass(0.2), test::run_command(p.w, "play"); }},
+      {"a pose", [&] { apply_pose(p.w, 0); }},
+      {"a pose, then a step", [&] { apply_pose(p.w, 1), go_to_frame(p.w, 9); }}};
+  for (const auto& [way, go] : ways) {
+    CAPTURE(way);
+    go_to_frame(p.w, 6);
+    p.pass(0);
+    mark_saved(p.w);
+    p.put(turned_cube(33));
+    p.pass(0);
+    const std::size_t edits = p.edits();
+    go();
+    p.pass(0);
+    CHECK(has_unsaved_edits(p.w));
+    REQUIRE(p.timeline().unkeyed.size() == 1);
+    CHECK(p.timeline().unkeyed[0].frame == 6);
+    CHECK(p.timeline().unkeyed[0].pose->cage.positions == turned_cube(33).positions);
+    while (p.edits() > edits) undo(p.document());
+    CHECK(p.positions() == turned_cube(33).positions);
+    CHECK(p.timeline().unkeyed.empty());
+    undo(p.document());
+    p.pass(0);
+    CHECK_FALSE(has_unsaved_edits(p.w));
+  }
+}
+
+TEST_CASE("a_pose_that_is_kept_elsewhere_or_was_saved_is_no_unsaved_work_elsewhere_in_time") {
+  Played p;
+  go_to_frame(p.w, 6);
+  p.put(turned_cube(33));
+  keep_pose(p.document(), "kept");
+  mark_saved(p.w);
+  go_to_frame(p.w, 11);
+  CHECK(p.timeline().unkeyed.empty());
+  CHECK_FALSE(has_unsaved_edits(p.w));
+  p.put(turned_cube(44));
+  mark_saved(p.w);
+  go_to_frame(p.w, 6);
+  CHECK_FALSE(has_unsaved_edits(p.w));
+  mark_saved(p.w);  // with another pose: that one is in the list
+  CHECK_FALSE(has_unsaved_edits(p.w));
+  p.put(turned_cube(55));
+  go_to_frame(p.w, 7);
+  CHECK(p.timeline().unkeyed.size() == 2);
+  CHECK(has_unsaved_edits(p.w));
+}
+
+TEST_CASE("a_pose_that_is_put_there_while_it_plays_is_not_lost_by_stopping") {
+  Played p;
+  start_playing(p.w);
+  p.pass(0.5);
+  p.put(turned_cube(33));
+  stop_playing(p.w);
+  REQUIRE(p.timeline().unkeyed.size() == 1);
+  undo(p.document());
+  CHECK(p.positions() == turned_cube(33).positions);
 }
 
 TEST_CASE("rest_is_never_lost_and_nothing_is_said_of_it") {

@@ -28,7 +28,9 @@ struct Mixed {
   }
   std::vector<NamedPose>& poses() { return document.library.poses; }
   const std::vector<mesh::Point>& positions() const { return document.pose.positions; }
-  bool weigh(std::size_t pose, double weight) { return set_weight(document, vectors, pose, weight); }
+  bool weigh(std::size_t pose, double weight, bool selected_alone = false) {
+    return set_weight(document, vectors, pose, weight, selected_alone);
+  }
   // As a hand does.
   void put(const deform::Pose& pose, const char* label = "move by hand") {
     record_edit(document, label);
@@ -223,23 +225,33 @@ TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
   m.check_undone(start);
 }
 
-TEST_CASE("what_is_selected_when_a_slider_leaves_0_is_what_it_moves") {
+TEST_CASE("a_slider_moves_the_whole_cage_whatever_is_selected") {
+  Mixed m;
+  m.poses()[1].pose = whole(stretched_cube(2, 3));
+  m.document.selection.apply(std::vector<std::uint32_t>{4, 5, 6, 7}, SelectMode::replace);
+  m.weigh(1, 1);
+  CHECK(m.poses()[1].part.empty());
+  CHECK(m.positions() == stretched_cube(2, 3).positions);
+}
+
+TEST_CASE("where_that_is_wished_what_is_selected_when_a_slider_leaves_0_is_what_it_moves") {
   Mixed m;
   m.poses()[1].pose = whole(stretched_cube(2, 3));
   m.document.selection.apply(std::vector<std::uint32_t>{4, 5, 6, 7}, SelectMode::replace);  // the upper face
-  m.weigh(1, 1);
+  CHECK(selected_part(m.document).size() == 4);
+  m.weigh(1, 1, true);
   CHECK(m.poses()[1].part == std::vector<std::uint32_t>{4, 5, 6, 7});
   const auto upper = m.positions();
   // The faces between both move by as much of it as they have corners there, and take the lower one along.
   CHECK(upper[1][0] - upper[0][0] < 4);
   CHECK(upper[5][0] - upper[4][0] > 4.5);
   m.document.selection.clear();
-  m.weigh(1, 0.5);
+  m.weigh(1, 0.5, true);
   CHECK(m.poses()[1].part.size() == 4);
   m.weigh(1, 0);
   CHECK(m.poses()[1].part.empty());
   CHECK(m.positions() == test::cube(1.5).positions);
-  m.weigh(1, 1);
+  m.weigh(1, 1, true);  // nothing is selected any more
   CHECK(m.poses()[1].part.empty());
   CHECK(m.positions() == stretched_cube(2, 3).positions);
 }

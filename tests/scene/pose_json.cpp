@@ -48,6 +48,8 @@ Workspace animated(const test::CubeFiles& files) {
   t.keys[0].handles = {0.1, -1.0 / 3, 0.7, 1.2};
   t.keys[1].easing = Easing::hold;
   t.keys[1].pose = test::whole(test::turned_cube(540), {w.document.probes.all[0].pose});
+  t.unkeyed = {test::key(9, test::turned_cube(-30)),
+               {3, test::whole(test::turned_cube(400), {w.document.probes.all[0].pose})}};
   t.cameras = {{1, {{0.1f, 0, 0}, 3, 1, 0.2f}}, {90, {{0, 0, 0}, 5, 40, -0.5f}}};
   t.first = -4, t.last = 90, t.rate = 29.97, t.repeat = Repeat::ping_pong, t.straight = true;
   w.document.frame = 7.25;
@@ -69,6 +71,7 @@ bool same(const Workspace& a, const Workspace& b) {
                      const bool curve = p.easing != Easing::bezier || p.handles == q.handles;
                      return p.frame == q.frame && p.easing == q.easing && curve;
                    }) &&
+         same_keys(s.unkeyed, t.unkeyed, [](const auto& p, const auto& q) { return p.frame == q.frame; }) &&
          s.cameras == t.cameras && s.first == t.first && s.last == t.last && s.rate == t.rate &&
          s.repeat == t.repeat && s.straight == t.straight && a.document.frame == b.document.frame;
 }
@@ -297,6 +300,66 @@ TEST_CASE("recovered_work_has_its_poses_and_keys") {
   REQUIRE(open_now(again, {OpenRequest::What::recovery, {files / "left.viete"}}));
   CHECK(same(w, again));
   CHECK(has_unsaved_edits(again));
+}
+
+TEST_CASE("undo_leads_back_to_poses_in_no_key_in_a_session_that_is_opened_or_recovered") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  w.document.timeline = test::three_keys();
+  follow_time(w, 0);
+  const std::vector<mesh::Point> first = test::turned_cube(33).positions,
+                                 last = test::turned_cube(400).positions;
+  for (const double degrees : {33, 400}) {
+    go_to_frame(w, degrees / 10);
+    record_edit(w.document, "move");
+    w.document.pose = test::turned_cube(degrees);
+    follow_time(w, 0);
+  }
+  go_to_frame(w, 11);
+  const auto keyed = w.document.pose.positions;
+  REQUIRE(save_session(w, files / "a.viete"));
+  CHECK_FALSE(has_unsaved_edits(w));
+  const auto leads_back = [&](Workspace& again) {
+    CHECK(again.document.pose.positions == last);
+    CHECK(again.document.pose.turns == test::turned_cube(400).turns);
+    CHECK(again.document.frame == 40);
+    undo(again.document);
+    CHECK(again.document.pose.positions == first);
+    CHECK(again.document.timeline.unkeyed.empty());
+  };
+  Workspace opened;
+  REQUIRE(open_now(opened, {OpenRequest::What::model, {files / "a.viete"}}));
+  opened.playback.auto_key = true;
+  follow_time(opened, 0);
+  CHECK_FALSE(has_unsaved_edits(opened));
+  CHECK(opened.document.pose.positions == keyed);
+  CHECK(opened.document.timeline.keys.size() == 3);
+  undo(opened.document);
+  leads_back(opened);
+
+  test::put_file(files / "left.viete", session_text(session_of(w), files / "left.viete", false));
+  Workspace recovered;
+  recovered.playback.auto_key = true;
+  REQUIRE(open_now(recovered, {OpenRequest::What::recovery, {files / "left.viete"}}));
+  follow_time(recovered, 0);
+  CHECK(has_unsaved_edits(recovered));
+  CHECK(recovered.document.timeline.keys.size() == 3);
+  leads_back(recovered);
+}
+
+TEST_CASE("poses_in_no_key_go_along_to_another_cage_and_lose_probes_that_are_removed") {
+  const test::CubeFiles files;
+  Workspace w = animated(files);
+  forget_probe(w.document, 0);
+  for (const PoseKey& left : w.document.timeline.unkeyed) CHECK(left.pose->probes.empty());
+  carry_poses(w.document, [](deform::Pose pose) {
+    pose.positions.emplace_back();
+    return pose;
+  });
+  for (const PoseKey& left : w.document.timeline.unkeyed) CHECK(left.pose->cage.positions.size() == 9);
+  drop_poses(w.document);
+  CHECK(w.document.timeline.unkeyed.empty());
 }
 
 TEST_CASE("damaged_animations_are_opened_or_refused_and_what_opens_plays_and_is_saved") {

@@ -14,7 +14,7 @@ using namespace viete::scene;
 namespace {
 
 // Keys of a single number, one a pose of its own.
-struct Numbers {
+struct EasedKeys {
   Timeline timeline;
   std::vector<double> values;
 
@@ -31,8 +31,8 @@ struct Numbers {
   double slope(double frame, double step) const { return (at(frame + step) - at(frame)) / step; }
 };
 
-Numbers all_easings_in_turn() {
-  Numbers n;
+EasedKeys all_easings_in_turn() {
+  EasedKeys n;
   const Easing all[] = {Easing::smooth, Easing::smooth, Easing::linear, Easing::smooth,
                         Easing::hold,   Easing::smooth, Easing::bezier, Easing::smooth};
   int frame = -7;
@@ -54,7 +54,7 @@ CameraKey camera(int frame, float yaw, float distance = 4, float x = 0) {
 }  // namespace
 
 TEST_CASE("shares_of_keys_sum_to_1_at_any_moment") {
-  Numbers n = all_easings_in_turn();
+  EasedKeys n = all_easings_in_turn();
   for (const bool closed : {false, true}) {
     if (closed) n.timeline.keys.back().pose = n.timeline.keys.front().pose;
     for (double frame = -20; frame < 60; frame += 0.13) {
@@ -68,7 +68,7 @@ TEST_CASE("shares_of_keys_sum_to_1_at_any_moment") {
 }
 
 TEST_CASE("a_keys_frame_is_that_key_alone_and_outside_of_all_keys_the_nearest_one_stays") {
-  const Numbers n = all_easings_in_turn();
+  const EasedKeys n = all_easings_in_turn();
   for (std::size_t i = 0; i < n.values.size(); ++i) {
     const Moment moment = moment_at(n.timeline, n.timeline.keys[i].frame);
     REQUIRE(moment.shares.size() == 1);
@@ -83,7 +83,7 @@ TEST_CASE("a_keys_frame_is_that_key_alone_and_outside_of_all_keys_the_nearest_on
 }
 
 TEST_CASE("what_moves_has_no_jump_but_where_a_key_holds") {
-  const Numbers n = all_easings_in_turn();
+  const EasedKeys n = all_easings_in_turn();
   for (std::size_t i = 1; i < n.values.size(); ++i) {
     const int frame = n.timeline.keys[i].frame;
     const bool held = n.timeline.keys[i - 1].easing == Easing::hold;
@@ -93,7 +93,7 @@ TEST_CASE("what_moves_has_no_jump_but_where_a_key_holds") {
 }
 
 TEST_CASE("smooth_keys_flow_with_one_slope_at_uneven_times_and_rest_at_both_ends") {
-  Numbers n;
+  EasedKeys n;
   for (const auto& [frame, value] : {std::pair(1, 0.0), {4, 5.0}, {20, -3.0}, {21, 4.0}, {50, 4.0}})
     n.add(frame, value);
   for (const int frame : {4, 20, 21})
@@ -101,13 +101,13 @@ TEST_CASE("smooth_keys_flow_with_one_slope_at_uneven_times_and_rest_at_both_ends
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
   CHECK(n.slope(50, -1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
   // Uneven keys of an even motion: even between the inner ones.
-  Numbers even;
+  EasedKeys even;
   for (const int frame : {0, 1, 7, 9, 30}) even.add(frame, 2.5 * frame);
   for (double frame = 1; frame <= 9; frame += 0.25) CHECK(even.at(frame) == doctest::Approx(2.5 * frame));
 }
 
 TEST_CASE("beside_a_linear_piece_a_smooth_one_has_its_slope_and_beside_a_hold_it_rests") {
-  Numbers n;
+  EasedKeys n;
   n.add(0, 0);
   n.add(10, 1, Easing::linear);
   n.add(20, 4);
@@ -123,7 +123,7 @@ TEST_CASE("beside_a_linear_piece_a_smooth_one_has_its_slope_and_beside_a_hold_it
 }
 
 TEST_CASE("a_loop_whose_last_key_is_the_first_one_flows_through_it") {
-  Numbers n;
+  EasedKeys n;
   n.add(1, 2);
   n.add(5, 7);
   n.add(16, 1);
@@ -133,7 +133,7 @@ TEST_CASE("a_loop_whose_last_key_is_the_first_one_flows_through_it") {
   n.timeline.repeat = Repeat::once;
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
   // After a whole turn, a wheel goes on at its speed.
-  Numbers wheel;
+  EasedKeys wheel;
   for (int i = 0; i <= 4; ++i) wheel.add(10 * i, 90 * i);
   wheel.timeline.keys.back().pose =
       test::whole({wheel.timeline.keys.front().pose->cage.positions, {{0, 0, 2 * std::numbers::pi}}});

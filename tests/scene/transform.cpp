@@ -4,9 +4,11 @@
 
 #include <cmath>
 
+#include "deform/cage_state.h"
 #include "scene/cube.h"
 #include "scene/edit.h"
 #include "scene/grip.h"
+#include "scene/pose_library.h"
 #include "support/edits.h"
 
 using namespace viete;
@@ -114,6 +116,61 @@ TEST_CASE("turning_on_and_back_again_forgets_the_turns") {
   transform_selection(document, Tool::rotate, plain_grip(document), turn(500));
   transform_selection(document, Tool::rotate, plain_grip(document), turn(-500));
   CHECK(std::abs(document.pose.turns[0][1]) < 1e-12);
+}
+
+TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken_back") {
+  using mesh::operator-, mesh::operator*;
+  const std::vector<std::vector<double>> ways{{360},      {90, 270}, {120, 120, 120}, {180, 180},
+                                              {200, 160}, {-360},    {1080},          {400, -40}};
+  for (const glm::dvec3& axis :
+       {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::normalize(glm::dvec3(1, -2, 3))}) {
+    for (const auto& way : ways) {
+      CAPTURE(way.front());
+      Document document = selected_cube();
+      for (auto& [x, y, z] : document.pose.positions) x += 0.4 * y - 0.3 * z, y += 0.5 * z;
+      document.pose.positions[3][2] += 0.7;
+      const auto posed = document.pose.positions;
+      const auto shown = [&] {  // as the frame does
+        deform::CageState state(document.cage, document.scheme.weighting.elements, document.scheme.blend);
+        state.set_pose(document.pose);
+        document.pose.turns = state.report().turns;
+        return document.pose.turns[0];
+      };
+      const mesh::Vec3 before = shown();
+      double degrees = 0;
+      for (const double step : way) {
+        transform_selection(document, Tool::rotate, plain_grip(document), turn(step, axis));
+        shown();
+        degrees += step;
+      }
+      const mesh::Vec3 turned = shown(), along{axis.x, axis.y, axis.z};
+      const mesh::Vec3 expected = (degrees * degree + mesh::dot(before, along)) * along;
+      CHECK(mesh::norm(turned - expected) < 1e-6);
+      CHECK_FALSE(same_pose(document.pose, {posed, {before}}));
+      transform_selection(document, Tool::rotate, plain_grip(document), turn(-degrees, axis));
+      CHECK(mesh::norm(shown() - before) < 1e-6);
+      for (std::size_t i = 0; i <= way.size(); ++i) undo(document);
+      CHECK(mesh::norm(shown() - before) < 1e-12);
+      redo(document);
+      for (std::size_t i = 1; i < way.size(); ++i) redo(document);
+      CHECK(mesh::norm(shown() - turned) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("a_posed_cage_that_has_turned_keeps_its_turn_while_it_is_posed_on") {
+  using mesh::operator-;
+  Document document = selected_cube();
+  transform_selection(document, Tool::rotate, plain_grip(document), turn(360, {0, 0, 1}));
+  for (int i = 0; i < 40; ++i) {
+    document.pose.positions[6][0] += 0.02;
+    document.pose.positions[1][2] -= 0.02;
+    deform::CageState state(document.cage, document.scheme.weighting.elements, document.scheme.blend);
+    state.set_pose(document.pose);
+    document.pose.turns = state.report().turns;
+  }
+  CHECK(mesh::norm(document.pose.turns[0] - mesh::Vec3{0, 0, 360 * degree}) < 1);
+  CHECK(std::hypot(document.pose.turns[0][0], document.pose.turns[0][1]) < 1e-9);
 }
 
 TEST_CASE("an_edit_that_moves_nothing_is_not_recorded") {

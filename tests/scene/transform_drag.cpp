@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/cube.h"
+#include "scene/edit.h"
 #include "scene/picking.h"
 #include "support/edits.h"
 
@@ -236,6 +237,26 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
   d.update();
   CHECK(d.w.document.pose.turns[0][0] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
   CHECK(std::abs(d.w.document.pose.turns[0][1]) < 1e-9);
+}
+
+TEST_CASE("a_whole_turn_of_a_posed_cage_is_counted_when_the_drag_ends") {
+  Drag d(Tool::rotate, {}, {100, 0});
+  d.drag->cancel(d.w.document);
+  Document& document = d.w.document;
+  for (auto& [x, y, z] : document.pose.positions) x += 0.5 * y, z += 0.25 * x;
+  const auto before = document.pose.turns;
+  document.selection.select_all(8);
+  for (const char* degrees : {"90", "270"}) {
+    d.drag.emplace(document, plain_grip(document), Tool::rotate, Constraint{Kind::axis, 2}, 1, d.input.cursor,
+                   d.w.camera);
+    d.type(degrees);
+    d.drag->commit(document);
+  }
+  CHECK(document.pose.turns[0][2] == doctest::Approx(2 * pi).epsilon(0.1));
+  CHECK(std::hypot(document.pose.turns[0][0], document.pose.turns[0][1]) < 1e-9);
+  undo(document);
+  undo(document);
+  CHECK(document.pose.turns == before);
 }
 
 TEST_CASE("an_axis_scale_follows_its_handle_and_scales_nothing_else") {

@@ -52,7 +52,7 @@ QuadSym exact(Which which, const QuadSym& s) {
 }
 
 /// The promise of log.h for condition k and |log S| = size.
-double bound(Which which, double k, double size) {
+double log_bound(Which which, double k, double size) {
   if (which == Which::log) return 6 * std::max(1.0, k / size);
   if (which == Which::sqrt) return 6 * std::sqrt(k);
   if (which == Which::inv_sqrt) return 6 * k;
@@ -76,7 +76,7 @@ void check_bounds(double condition) {
         CAPTURE(int(which));
         CAPTURE(kernel.name);
         CAPTURE(condition);
-        CHECK(error_in_u(out[i], truth[i]) <= bound(which, static_cast<double>(high / low), size));
+        CHECK(error_in_u(out[i], truth[i]) <= log_bound(which, static_cast<double>(high / low), size));
       }
     }
   }

@@ -1,0 +1,160 @@
+// The view is a picture that stays while nothing in it changes: it is never an old one.
+#include <random>
+
+#include "program/small_scene.h"
+#include "support/commands.h"
+#include "support/pictures.h"
+
+using namespace viete;
+using test::Driver, test::small_options, test::SmallScene;
+
+namespace {
+
+glm::vec2 bare_place(Driver& d) {
+  const auto& v = d.workspace().viewport;
+  return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 40);
+}
+
+// Clicks, drags and commands without a plan.
+class RandomHand {
+public:
+  RandomHand(Driver& driver, unsigned seed) : d(driver), random_(seed) {}
+
+  void act() {
+    switch (below(8)) {
+      case 0: return d.move(near_vertex());
+      case 1: return d.click(near_vertex());
+      case 2: return drag(near_vertex(), 0);
+      case 3: return drag(anywhere(), 1 + below(2));
+      case 4: return d.wheel(static_cast<float>(below(5) - 2));
+      case 5: return d.move(anywhere());
+      default: return run_any_command();
+    }
+  }
+
+private:
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+  glm::vec2 anywhere() { return {below(700), below(420)}; }
+  glm::vec2 near_vertex() {
+    const auto count = static_cast<int>(d.document().pose.positions.size());
+    const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+    const auto at = project(d.document().pose.positions[static_cast<std::size_t>(below(count))]);
+    return at ? glm::round(glm::vec2(*at)) : anywhere();
+  }
+  void drag(glm::vec2 from, int button) {
+    d.move(from);
+    d.button(button, true);
+    for (int i = 1; i <= 4; ++i) d.move(from + glm::vec2(9 * i, 5 * i - 12));
+    if (below(2) == 0) d.button(button, false);
+  }
+  // Not those that leave, or ask for files or for what the whole screen is.
+  void run_any_command() {
+    const auto all = scene::commands();
+    const scene::Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
+    auto& w = d.workspace();
+    if (command.enabled(w) && command.group != "File") command.run(w);
+    w.requests = {};
+    w.browser.open = w.full_screen = false;
+    w.question.reset();
+    d.frame();
+  }
+
+  Driver& d;
+  std::mt19937 random_;
+};
+
+double differs_from_a_fresh_one(Driver& d) {
+  const render::Image kept = d.picture();
+  d.viewer().draw_anew();
+  return test::difference(kept, d.picture(), 0);
+}
+
+}  // namespace
+
+TEST_CASE("whatever_is_done_the_picture_is_the_one_that_a_fresh_drawing_makes") {
+  unsigned long kept = 0, drawn = 0;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    auto options = small_options();
+    options.may_be_coarse = seed % 2 == 0;
+    options.samples = seed == 3 ? 4 : 0;
+    SmallScene scene(options);
+    scene.d.workspace().remembered.coarse_motion = true;
+    RandomHand hand(scene.d, seed);
+    for (int i = 0; i < 120; ++i) {
+      CAPTURE(seed);
+      CAPTURE(i);
+      const auto before = scene.d.viewer().views_drawn();
+      hand.act();
+      ++(before == scene.d.viewer().views_drawn() ? kept : drawn);
+      REQUIRE(differs_from_a_fresh_one(scene.d) == 0);
+      scene.d.frame(i % 3);
+      REQUIRE(differs_from_a_fresh_one(scene.d) == 0);
+    }
+  }
+  CHECK(kept > 40);
+  CHECK(drawn > 100);
+}
+
+TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
+  SmallScene scene;
+  Driver& d = scene.d;
+  const auto views = d.viewer().views_drawn();
+  const render::Image before = d.picture();
+  d.move(d.place_of("undo"));
+  d.move(d.place_of("view_front"));
+  d.frame(3);
+  CHECK(test::difference(before, d.picture(), 0) > 0);
+  d.press_key(scene::key('K'), true);
+  d.frame(2);
+  d.type("wire");
+  d.frame(2);
+  CHECK(d.viewer().recorder().find("palette/toggle_wireframe"));
+  CHECK(d.viewer().views_drawn() == views);
+  d.press_key(scene::Key::enter);
+  d.frame();
+  CHECK(d.viewer().views_drawn() > views);
+}
+
+TEST_CASE("where_nothing_changes_the_view_is_not_drawn") {
+  SmallScene scene;
+  Driver& d = scene.d;
+  d.settle();
+  const auto views = d.viewer().views_drawn();
+  d.frame(3);
+  d.move(d.place_of("view_front"));
+  d.frame();
+  d.move(d.place_of("view_front") + glm::vec2(1, 0));  // still over the same button
+  CHECK(d.viewer().views_drawn() == views);
+  d.viewer().resize({690, 420});
+  d.frame();
+  CHECK(d.viewer().has_drawn());
+}
+
+TEST_CASE("what_moves_is_drawn_coarsely_where_a_processor_draws_and_sharpens_at_rest") {
+  auto options = small_options();
+  options.may_be_coarse = true;
+  options.still_samples = 4;
+  SmallScene scene(options);
+  Driver& d = scene.d;
+  const auto orbit = [&] { d.press_and_move(bare_place(d), bare_place(d) + glm::vec2(60, 0), 2); };
+  const auto rest = [&] {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    while (d.viewer().view_fineness() != app::Fineness::smooth && std::chrono::steady_clock::now() < end) {
+      if (d.viewer().wants_frame()) d.frame();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return d.viewer().view_fineness() == app::Fineness::smooth;
+  };
+  d.workspace().remembered.coarse_motion = true;
+  orbit();
+  CHECK(d.viewer().view_fineness() == app::Fineness::coarse);
+  CHECK(rest());  // the button is still held
+  d.button(2, false);
+  d.workspace().remembered.coarse_motion = false;
+  orbit();
+  CHECK(d.viewer().view_fineness() == app::Fineness::plain);
+  d.button(2, false);
+  d.workspace().remembered.coarse_motion.reset();
+  orbit();
+  CHECK((d.viewer().view_fineness() == app::Fineness::coarse) == d.workspace().about.software);
+}

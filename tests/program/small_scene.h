@@ -1,0 +1,30 @@
+// The program with little in it, which is quickly drawn.
+#pragma once
+
+#include "mesh/write.h"
+#include "program/driver.h"
+#include "scene/ball.h"
+#include "support/folder.h"
+
+namespace viete::test {
+
+inline app::ViewerOptions small_options() {
+  auto options = Driver::default_options();
+  options.size = {700, 420};
+  return options;
+}
+
+// A ball of 642 vertices in a larger one of 42.
+struct SmallScene {
+  explicit SmallScene(const app::ViewerOptions& options = small_options()) : d(options) {
+    mesh::write(folder / "ball.obj", ball(1, 3));
+    mesh::write(folder / "cage.obj", ball(1.2, 1));
+    REQUIRE(d.open({folder / "ball.obj", folder / "cage.obj"}));
+    d.settle();
+  }
+
+  TemporaryFolder folder;
+  Driver d;
+};
+
+}  // namespace viete::test

@@ -1,0 +1,101 @@
+// In a window of any size and scale nothing that can be used is out of reach.
+#include "program/small_scene.h"
+#include "support/commands.h"
+
+using namespace viete;
+using test::Driver, test::small_options, test::SmallScene;
+
+namespace {
+
+struct WindowSize {
+  glm::ivec2 device;
+  float scale;
+};
+
+// The least that a window can be, and those of real screens.
+const WindowSize sizes[] = {{{640, 400}, 1},    {{1280, 800}, 2},  {{800, 600}, 1},   {{1024, 640}, 1},
+                            {{1366, 768}, 1},   {{2048, 1280}, 2}, {{2560, 1440}, 2}, {{1920, 1080}, 1.25f},
+                            {{2880, 1620}, 1.5f}, {{1440, 900}, 1}};
+
+const char* const tools[] = {"tool_select", "tool_move",    "tool_rotate",  "tool_scale", "tool_paint", "select_box",
+                             "select_lasso", "select_brush", "edit_cage",    "add_probe",  "mark_point"};
+const char* const commands_of_time[] = {"first_frame", "previous_key",   "play",            "next_key",     "last_frame",
+                                        "set_key",     "set_camera_key", "toggle_auto_key", "toggle_paths", "save_animation"};
+const char* const fields_of_time[] = {"time/frame",     "time/first",    "time/last",  "time/rate",
+                                      "time/repeat", "time/log_space", "time/straight", "time/easing"};
+
+bool is_inside(Driver& d, const std::string& widget) {
+  const auto rect = d.viewer().recorder().find(widget);
+  const glm::vec2 end = d.workspace().viewport.window;
+  return rect && rect->visible && rect->x0 >= 0 && rect->y0 >= 0 && rect->x1 <= end.x && rect->y1 <= end.y;
+}
+
+// There, or in the menu that opens at `more`; the menu is closed again.
+bool is_in_reach(Driver& d, const std::string& there, const std::string& in_menu, const std::string& more) {
+  if (is_inside(d, there)) return true;
+  if (!is_inside(d, more)) return false;
+  d.click(more);
+  d.frame(3);
+  const bool found = is_inside(d, in_menu);
+  d.press_key(scene::Key::escape);
+  d.frame(3);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("all_of_strip_and_timeline_is_in_the_window_or_in_the_menu_at_its_end") {
+  int in_menus = 0;
+  for (const auto& [device, scale] : sizes) {
+    CAPTURE(device.x);
+    CAPTURE(device.y);
+    auto options = small_options();
+    options.size = glm::vec2(device) / scale;
+    options.scale = scale;
+    SmallScene scene(options);
+    Driver& d = scene.d;
+    d.workspace().remembered.layout.timeline = true;
+    test::run_command(d.workspace(), "set_key");
+    d.frame(4);
+    for (const std::string tool : tools) {
+      CHECK_MESSAGE(is_in_reach(d, "strip/" + tool, "menu/" + tool, "strip/more"), tool);
+      in_menus += !is_inside(d, "strip/" + tool);
+    }
+    for (const std::string command : commands_of_time) {
+      CHECK_MESSAGE(is_in_reach(d, "time/" + command, "menu/" + command, "time/more"), command);
+      in_menus += !is_inside(d, "time/" + command);
+    }
+    for (const std::string field : fields_of_time) {
+      const bool range = field != "time/frame";
+      CHECK_MESSAGE(is_in_reach(d, field, field, range ? "time/more_of_range" : "time/more"), field);
+      in_menus += !is_inside(d, field);
+    }
+    for (const char* menu : {"File", "Time", "Help"})
+      CHECK_MESSAGE(is_inside(d, std::string("menu/") + menu), menu);
+  }
+  CHECK(in_menus > 20);
+}
+
+TEST_CASE("what_is_in_the_menu_of_strip_and_timeline_works_from_there") {
+  auto options = small_options();
+  options.size = {1024, 640};
+  SmallScene scene(options);
+  Driver& d = scene.d;
+  d.workspace().remembered.layout.timeline = true;
+  d.frame(3);
+  d.click("strip/more");
+  d.frame(3);
+  d.click("menu/add_probe");
+  d.frame(2);
+  CHECK(d.document().probes.all.size() == 1);
+  d.click("time/more");
+  d.frame(3);
+  d.click("menu/toggle_auto_key");
+  d.frame(2);
+  CHECK(d.workspace().playback.auto_key);
+  d.click("time/more_of_range");
+  d.frame(3);
+  d.click("time/straight");
+  d.frame(2);
+  CHECK(d.document().timeline.straight);
+}

@@ -1,0 +1,313 @@
+// Widgets in the real program: Esc takes back what is held and closes what has dropped down; dialogs, offers
+// and notices.
+//
+// VIETE_PICTURES=FOLDER also writes pictures, to be looked at.
+#include <imgui_internal.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "program/driver.h"
+#include "render/image.h"
+#include "scene/edit.h"
+#include "scene/pose_edit.h"
+#include "scene/time_edit.h"
+#include "support/folder.h"
+
+using namespace viete;
+using test::Driver;
+namespace fs = std::filesystem;
+
+namespace {
+
+app::ViewerOptions sized(glm::ivec2 size) {
+  app::ViewerOptions options = Driver::default_options();
+  options.size = size;
+  return options;
+}
+
+void keep_picture(Driver& d, const std::string& name) {
+  if (const char* folder = std::getenv("VIETE_PICTURES"))
+    render::write_png(fs::path(folder) / (name + ".png"), d.picture());
+}
+
+// All that a slider can change, but for what follows from it.
+struct State {
+  scene::Scheme scheme;
+  scene::PoseLibrary library;
+  scene::Timeline timeline;
+  deform::Pose pose;
+  deform::Probes probes;
+  scene::Handling handling;
+  scene::PanelLayout layout;
+  float brush, share;
+  std::string undo;
+  bool redo;
+
+  explicit State(const scene::Workspace& w)
+      : scheme(w.document.scheme),
+        library(w.document.library),
+        timeline(w.document.timeline),
+        pose(w.document.pose),
+        probes(w.document.probes),
+        handling(w.handling),
+        layout(w.remembered.layout),
+        brush(w.brush.radius),
+        share(w.brush.share),
+        undo(w.document.history.undo_label()),
+        redo(w.document.history.can_redo()) {}
+  friend bool operator==(const State& a, const State& b) {
+    return a.scheme == b.scheme && a.library == b.library && a.timeline == b.timeline &&
+           scene::same_pose(a.pose, b.pose) && a.probes == b.probes && a.handling == b.handling &&
+           a.layout == b.layout && a.brush == b.brush && a.share == b.share && a.undo == b.undo &&
+           a.redo == b.redo;
+  }
+};
+
+bool has_tooltip() {
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  return tooltip && tooltip->Active && !tooltip->Hidden;
+}
+
+struct Held : Driver {
+  Held() : Driver(sized({1440, 1000})) {
+    open_dragon("pose_alert");
+    workspace().view.model = false;  // to draw it takes long
+    for (const char* section : {"Poses", "Probes"}) workspace().remembered.layout.sections[section] = true;
+    workspace().remembered.layout.sections["Model"] = workspace().remembered.layout.sections["View"] = false;
+    for (const char* command : {"keep_pose", "reset_pose", "toggle_soft"}) run(command);
+    scene::set_key(document(), 1);
+    scene::set_key(document(), 20);
+    scene::set_easing(document(), std::vector{1}, scene::Easing::bezier);
+    workspace().remembered.layout.timeline = true;
+    frame(3);
+  }
+  void run(const char* command) {
+    scene::find_command(command)->run(workspace());
+    frame(2);
+  }
+  // Something that can be repeated is there before, and after it.
+  void check_called_off(const std::string& widget, glm::vec2 way) {
+    const glm::vec2 at = place_of(widget);
+    const State before(workspace());
+    press_and_move(at, at + way);
+    CHECK_MESSAGE(!(State(workspace()) == before), widget, " does not move");
+    CHECK_MESSAGE(!has_tooltip(), widget);
+    press_key(scene::Key::escape);
+    CHECK_MESSAGE(State(workspace()) == before, widget);
+    move(at - way);
+    button(0, false);
+    frame(2);
+    CHECK_MESSAGE(State(workspace()) == before, widget);
+  }
+  std::set<std::string> names() {
+    std::set<std::string> all;
+    for (const auto& [name, rect] : viewer().recorder().all())
+      if (name != "choice_picture") all.insert(name);  // comes where the mouse rests
+    return all;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("esc_calls_off_whatever_slider_or_handle_the_mouse_holds") {
+  Held d;
+  scene::set_reach(d.document(), 3);
+  scene::undo(d.document());
+  REQUIRE(d.document().history.can_redo());
+  const glm::vec2 right{31, 0};
+  for (const char* slider : {"reach", "exponent", "turn", "stretch", "pose_weight/0", "soft_radius"})
+    d.check_called_off(slider, right);
+  d.check_called_off("time/handle1", {20, -20});
+  d.check_called_off("edge/lab", {-40, 0});
+  d.check_called_off("edge/tools", {40, 0});
+  d.run("toggle_stitched");
+  for (const char* slider : {"iterations", "pins", "hold"}) d.check_called_off(slider, right);
+  d.run("tool_paint");
+  for (const char* slider : {"brush_radius", "brush_share"}) d.check_called_off(slider, -right);
+  d.run("tool_move");
+  d.run("add_probe");
+  d.check_called_off("probe_turn_radius", right);
+}
+
+TEST_CASE("esc_closes_what_has_dropped_down_and_changes_nothing") {
+  Held d;
+  d.workspace().remembered.layout.sections["View"] =
+      true;  // below the probes, so that these are scrolled into view
+  d.run("add_probe");
+  for (const char* chooser :
+       {"elements", "weights", "blend", "pivot", "axes", "mirror", "soft_curve", "soft_distance", "probe_mix",
+        "probe_turn", "time/repeat", "time/easing", "menu/File", "menu/View"}) {
+    const bool in_bar = std::string_view(chooser).starts_with("menu/");  // above what is scrolled
+    const auto rect = d.viewer().recorder().find(chooser);
+    const glm::vec2 place = in_bar ? glm::vec2(rect.value().x0 + 4, rect->y0 + 4) : d.place_of(chooser);
+    d.frame(2);
+    const std::set<std::string> closed = d.names();
+    const State before(d.workspace());
+    d.click(place);
+    d.frame(2);
+    CHECK_MESSAGE(d.names().size() > closed.size(), chooser);
+    d.press_key(scene::Key::escape);
+    d.frame(2);
+    CHECK_MESSAGE(d.names() == closed, std::string(chooser));
+    CHECK_MESSAGE(State(d.workspace()) == before, chooser);
+  }
+}
+
+TEST_CASE("esc_in_a_field_leaves_its_number_and_name") {
+  Held d;
+  for (const char* field : {"pose_weight/0/typed", "pose_name/0", "time/frame", "time/rate", "time/last"}) {
+    const State before(d.workspace());
+    d.click(field);
+    d.type("77");
+    d.press_key(scene::Key::escape);
+    d.frame(3);
+    CHECK_MESSAGE(State(d.workspace()) == before, field);
+  }
+}
+
+TEST_CASE("a_pose_moves_the_whole_cage_unless_the_box_says_otherwise") {
+  Held d;
+  d.document().selection.apply(std::vector<std::uint32_t>{0, 1, 2}, scene::SelectMode::replace);
+  d.click("pose_weight/0");
+  CHECK(d.document().library.poses[0].weight > 0);
+  CHECK(d.document().library.poses[0].part.empty());
+  d.run("clear_mix");
+  d.click("toggle_mix_selected");
+  CHECK(d.workspace().handling.mix_selected);
+  d.click("pose_weight/0");
+  CHECK(d.document().library.poses[0].part.size() == 3);
+  keep_picture(d, "poses");
+}
+
+TEST_CASE("the_buttons_above_the_poses_stay_where_they_are") {
+  Held d;
+  const glm::vec2 before = d.place_of("keep_pose");
+  d.click("keep_pose");
+  d.frame(2);
+  CHECK(d.document().library.poses.size() == 2);
+  CHECK(d.place_of("keep_pose") == before);
+}
+
+TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "inner");
+  fs::copy_file(test::dragon_cage, folder / "inner" / "cage.obj");
+  fs::copy_file(test::dragon_cage, folder / "other.obj");
+  Driver d;
+  REQUIRE(d.open({test::dragon}));
+  d.settle();
+  d.frame(30);
+  scene::FileBrowser& browser = d.workspace().browser;
+  scene::show(browser, scene::FileBrowser::Purpose::cage, folder.path());
+  d.frame(3);
+  d.click("file/inner");
+  d.frame(30);
+  CHECK(browser.folder == fs::weakly_canonical(folder.path()));
+  CHECK(browser.path == browser.folder / "inner");
+  for (int i = 0; i < 2; ++i) d.click("file/inner");
+  d.frame(30);
+  CHECK(browser.folder.filename() == "inner");
+  d.click("file/cage.obj");
+  d.frame(30);
+  CHECK(browser.open);
+  CHECK_FALSE(d.document().has_cage());
+  SUBCASE("two clicks") {
+    for (int i = 0; i < 2; ++i) d.click("file/cage.obj");
+  }
+  SUBCASE("enter") {
+    d.press_key(scene::Key::enter);
+  }
+  SUBCASE("the button") {
+    d.click("file_choose");
+  }
+  d.settle();
+  CHECK_FALSE(browser.open);
+  CHECK(d.document().has_cage());
+}
+
+TEST_CASE("two_clicks_on_a_file_to_save_under_replace_nothing") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "precious.obj", "precious");
+  Driver d;
+  d.open_dragon();
+  scene::FileBrowser& browser = d.workspace().browser;
+  scene::show(browser, scene::FileBrowser::Purpose::save_model, folder.path(), "new.obj");
+  d.frame(30);
+  for (int i = 0; i < 2; ++i) d.click("file/precious.obj");
+  d.frame(3);
+  CHECK(browser.open);
+  CHECK(browser.path == browser.folder / "precious.obj");
+  CHECK(d.viewer().recorder().find("file_replaces"));
+  d.press_key(scene::Key::enter);  // once says so, twice does it
+  d.frame(3);
+  CHECK(browser.open);
+  CHECK(test::file_bytes(folder / "precious.obj") == "precious");
+}
+
+TEST_CASE("the_lab_is_one_line_until_it_is_opened") {
+  Driver d(sized({1440, 900}));
+  d.open_dragon("pose_alert");
+  d.workspace().remembered.layout.sections.erase("Lab");
+  d.frame(3);
+  CHECK(d.viewer().recorder().find("elements"));
+  for (const char* widget : {"method_fast", "section/Timings", "section/Accuracy", "section/Benchmark"})
+    CHECK_FALSE(d.viewer().recorder().find(widget));
+  keep_picture(d, "lab_closed");
+  d.click("section/Lab");
+  d.frame(3);
+  for (const char* widget : {"method_fast", "section/Timings", "section/Accuracy", "section/Benchmark"})
+    CHECK(d.viewer().recorder().find(widget));
+  keep_picture(d, "lab_open");
+}
+
+TEST_CASE("the_first_start_asks_once_whose_keys_the_hands_know") {
+  for (const bool chooses : {true, false}) {
+    Driver d(sized({1024, 640}));
+    d.open_dragon();
+    CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
+    d.workspace().ask_keys = true;
+    d.frame(3);
+    keep_picture(d, "ask_keys");
+    d.click(chooses ? "ask_keys/blender" : "ask_keys/close");
+    d.frame(2);
+    CHECK(d.workspace().remembered.keymap.preset() ==
+          (chooses ? scene::KeyPreset::blender : scene::KeyPreset::viete));
+    CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
+  }
+}
+
+TEST_CASE("notices_are_whole_and_cover_no_tool") {
+  for (const glm::ivec2 size : {glm::ivec2(1024, 640), glm::ivec2(1440, 900)}) {
+    for (const bool dark : {true, false}) {
+      Driver d(sized(size));
+      d.open_dragon();
+      scene::Workspace& w = d.workspace();
+      w.view.dark = dark;
+      w.leftovers = {{"/tmp/1.viete", "a_model_with_quite_a_long_name_of_a_person.viete"}};
+      w.pose_notes = {
+          "A part of the cage has turned so far that its neighbours no longer say which way round."};
+      w.messages.warn(
+          "A warning that is rather long, so that it has to be wrapped into more lines than one.");
+      w.exporting = {true, "Exporting a_model_with_quite_a_long_name_that_goes_on_and_on_and_on_deformed.obj",
+                     0.4, 6, 6};
+      d.frame(4);
+      w.exporting = {true, "Exporting a_model_with_quite_a_long_name_that_goes_on_and_on_and_on_deformed.obj",
+                     0.5, 7, 7};
+      d.frame(1);
+      keep_picture(d, "notices_" + std::to_string(size.x) + (dark ? "_dark" : "_light"));
+      const auto tool = d.viewer().recorder().find("strip/tool_move");
+      REQUIRE(tool);
+      for (const char* notice :
+           {"restore_leftover", "put_off_leftover", "discard_leftover", "toast/0", "pose_note/0"}) {
+        const auto rect = d.viewer().recorder().find(notice);
+        REQUIRE_MESSAGE(rect, notice);
+        CHECK_MESSAGE(rect->x0 >= tool->x1, notice);
+        CHECK_MESSAGE(rect->x1 <= w.viewport.origin.x + w.viewport.size.x, notice);
+      }
+      d.click("pose_note/0/close");
+      d.frame(2);
+      CHECK_FALSE(d.viewer().recorder().find("pose_note/0"));
+    }
+  }
+}
