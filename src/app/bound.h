@@ -23,7 +23,7 @@ struct Bound {
   /// True if its stitching is for the elements of this scheme, held as it says.
   bool stitches(const deform::Scheme& scheme) const {
     return stitching && stitching->handles == deform::entry(scheme.weighting.elements).handles &&
-           stitching->settings == deform::settings_of(scheme.holding);
+           stitching->settings == deform::settings_of(scheme);
   }
   /// True if it binds the document's model to the document's cage, by whatever weights.
   bool binds(const scene::Document& document) const {

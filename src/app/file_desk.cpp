@@ -84,10 +84,21 @@ void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
   exporter_.add(std::move(what), scene::files_open(w));
 }
 
+PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::path& file) const {
+  PictureExport what{file, program_, scene::session_of(w)};
+  if (const auto& choice = w.browser.pictures) {
+    scene::ViewOptions& view = what.session.view;
+    view.cage = choice->cage, view.grid = choice->grid, view.dark = !choice->light;
+    what.session.window = {choice->width, choice->height};
+    what.panels = choice->panels;
+  }
+  return what;
+}
+
 void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path& file) {
   const std::string extension = mesh::extension_of(file);
   if (extension == "png" || scene::is_video_format(extension))
-    return exporter_.add(PictureExport{file, program_, scene::session_of(w)}, scene::files_open(w));
+    return exporter_.add(picture_export_of(w, file), scene::files_open(w));
   scene::AnimationExport what = scene::animation_export_of(w.document, file);
   what.model.up = w.camera.pose().up;
   what.tolerance = w.browser.morphs.tolerance;

@@ -65,6 +65,7 @@ public:
 
 private:
   void start_export(const scene::Workspace& w, const std::filesystem::path& file);
+  PictureExport picture_export_of(const scene::Workspace& w, const std::filesystem::path& file) const;
   void start_animation_export(const scene::Workspace& w, const std::filesystem::path& file);
   void take_loaded(scene::Workspace& workspace, bool wait);
   void take(scene::Workspace& workspace, Loader::Loaded&& loaded);

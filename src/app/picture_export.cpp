@@ -68,9 +68,10 @@ std::vector<std::string> write_pictures_aside(const PictureExport& what, base::P
   const ScratchFolder scratch;
   const fs::path session = scratch.path() / "animation.viete";
   base::replace_file(session, scene::session_text(what.session, session), base::Durability::process);
-  base::ChildProgram child(
-      {what.program.string(), "animate", session.string(), "-o", fs::absolute(what.file).string()},
-      "start this program again", {"VIETE_PROGRESS=1"});
+  std::vector<std::string> words{what.program.string(), "animate", session.string(), "-o",
+                                 fs::absolute(what.file).string()};
+  if (what.panels) words.push_back("--panels");
+  base::ChildProgram child(words, "start this program again", {"VIETE_PROGRESS=1"});
   try {
     while (child.running()) {
       std::this_thread::sleep_for(look_again);

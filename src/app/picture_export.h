@@ -15,6 +15,7 @@ struct PictureExport {
   std::filesystem::path file;     ///< frame_####.png, or a video, see animation_pictures.h
   std::filesystem::path program;  ///< `viete`
   scene::Session session;         ///< as it is at one moment: what plays, as it is looked at
+  bool panels = false;
 };
 
 /// Throws base::Error with what the other run says, and base::Cancelled. Returns what a person should know of

@@ -130,7 +130,7 @@ private:
     auto& made = stitchings_[elements];
     if (!made)
       made = std::make_shared<const deform::Stitching>(
-          deform::stitch(surface_, *cage_, elements, all_, deform::settings_of(scheme.holding)));
+          deform::stitch(surface_, *cage_, elements, all_, deform::settings_of(scheme)));
     return made;
   }
 

@@ -37,8 +37,9 @@ Topology topology_of(const Shell& shell) {
   }
   Topology found;
   for (std::uint32_t v = 0; v < shell.positions.size(); ++v) found.parts += parts.find(v) == v ? 1 : 0;
-  const std::size_t euler_and_faces = shell.positions.size();  // V = E - F + 2 parts - 2 handles, 2 E = 3 F
-  found.handles = (2 * found.parts + shell.triangles.size() / 2 - euler_and_faces) / 2;
+  // V = E - F + 2 parts - 2 handles, 2 E = 3 F; parts that touch count as less than one each.
+  const std::size_t spheres = 2 * found.parts + shell.triangles.size() / 2;
+  found.handles = (spheres - std::min(spheres, shell.positions.size())) / 2;
   return found;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "mesh/summary.h"
 
@@ -113,9 +115,34 @@ FramedModel shape_in(const Frame& frame, const mesh::Surface& surface) {
   return model;
 }
 
+namespace {
+
+// Of triangles with the same corners in the same direction, as a polygon that goes round more than once has
+// them, the first.
+void drop_copies(std::vector<mesh::Triangle>& triangles) {
+  const auto from_lowest = [&](std::uint32_t i) {
+    mesh::Triangle t = triangles[i];
+    std::ranges::rotate(t, std::ranges::min_element(t));
+    return t;
+  };
+  std::vector<std::uint32_t> order(triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, from_lowest);
+  std::vector<char> is_copy(triangles.size(), 0);
+  for (std::size_t i = 1; i < order.size(); ++i)
+    is_copy[order[i]] = from_lowest(order[i]) == from_lowest(order[i - 1]);
+  std::size_t t = 0;
+  std::erase_if(triangles, [&](const mesh::Triangle&) { return is_copy[t++] != 0; });
+}
+
+}  // namespace
+
 FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
   FramedModel model = shape_in(frame, surface);
-  const mesh::Summary summary = mesh::summarize(surface);
+  const std::size_t all = model.triangles.size();
+  drop_copies(model.triangles);
+  const mesh::Summary summary = mesh::summarize(
+      model.triangles.size() == all ? surface : mesh::from_triangles(surface.positions, model.triangles));
   model.closed = summary.closed() && summary.manifold() && summary.oriented();
   return model;
 }

@@ -1,6 +1,7 @@
 #include "cages/make.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "base/error.h"
@@ -14,7 +15,7 @@ struct Maker::Kept {
   std::shared_ptr<const mesh::Surface> model;
   mesh::Bounds box;
   std::optional<std::optional<Plane>> own_plane;  // once it was looked for
-  std::optional<Subject> subject;                 // of the last wish
+  std::unique_ptr<const Subject> subject;         // of the last wish
 
   std::optional<Plane> plane_of(Symmetry symmetry, base::Progress* progress) {
     if (symmetry == Symmetry::none) return std::nullopt;
@@ -31,7 +32,7 @@ struct Maker::Kept {
   const Subject& with(const std::optional<Plane>& mirror, base::Progress* progress) {
     if (!subject || subject->mirror != mirror) {
       subject.reset();
-      subject.emplace(*model, mirror, progress);
+      subject = std::make_unique<const Subject>(*model, mirror, progress);
     }
     return *subject;
   }

@@ -121,11 +121,10 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
                                          std::size_t vertices) {
   std::vector<std::string> warnings;
   if (weights != Weights::mean_value) return warnings;
-  if (!cage.closed) {
+  if (!cage.sides.closed) {
     warnings.push_back(
-        "mean value coordinates need a closed cage with consistent faces; with this one the model does not "
-        "follow "
-        "rotations and stretches exactly");
+        "mean value coordinates need a closed cage; with this one the model does not follow rotations and "
+        "stretches exactly");
   }
   if (failed > 0) {
     warnings.push_back(std::to_string(failed) + " of " + std::to_string(vertices) +
@@ -142,6 +141,10 @@ Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weig
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, EngineKind engine,
              const Binding* known, base::WorkerPool& pool, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
+  if (weighting.weights == Weights::mean_value && cage.sides.triangles.empty())
+    throw base::Error(
+        "", "mean value coordinates need a cage with an outside, and faces of this one cannot agree on it",
+        "turn or remove the faces that disagree, or use other weights");
   Binding binding;
   binding.weighting = weighting;
   binding.vertices = model.positions.size();

@@ -113,6 +113,7 @@ void connect(Cage& cage) {
   cage.roots = graph_centers(cage.element_count(), cage.dual_edges, cage.degenerate);
   cage.parts = graph_parts(cage.element_count(), cage.dual_edges, cage.roots);
   cage.closed = graph.open + graph.nonmanifold + graph.misoriented == 0;
+  cage.sides = mesh::one_sided(cage.surface);
   const auto warn = [&cage](std::size_t count, const char* what) {
     if (count == 0) return;
     cage.warnings.push_back(std::to_string(count) + (count == 1 ? " cage edge is " : " cage edges are ") +

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/half_edges.h"
+#include "mesh/repair.h"
 #include "mesh/surface.h"
 #include "mesh/vector.h"
 
@@ -44,7 +45,8 @@ struct Cage {
   double diagonal = 0;  ///< of the rest bounding box, the unit of tolerances
   double contact =
       0;  ///< a point nearer than this to an element lies on it: what rounding cannot tell from 0
-  bool closed = false;  ///< every edge has exactly two triangles, run through in opposite directions
+  bool closed = false;   ///< every edge has exactly two triangles, run through in opposite directions
+  mesh::OneSided sides;  ///< what mean value coordinates are of
   std::vector<std::string> warnings;  ///< one line each, naming elements (0-based)
 
   std::size_t element_count() const { return centers.size(); }

@@ -111,7 +111,7 @@ void weights_of_closest_point(const Cage& cage, const mesh::Point& p, std::span<
 bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights) {
   if (weights_on_cage(cage, p, weights)) return true;
   std::fill(weights.begin(), weights.end(), 0.0);
-  for (const auto& t : cage.surface.triangles) {
+  for (const auto& t : cage.sides.triangles) {
     const View view = view_of(p, cage, t);
     const Vec3 w = along_corners(view, mean_vector(view));
     for (int i = 0; i < 3; ++i) weights[t[i]] += w[i] * (cage.diagonal / view.d[i]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "mesh/point_tree.h"
 #include "mesh/union_find.h"
@@ -14,16 +15,9 @@ constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // of the 
 constexpr double farther = 4;                                         // than the nearest part
 constexpr std::size_t most_parts = 6;
 // Chosen by how far models of 2 to 30,000 parts come apart in bends, drags and twists (bench modes, torn).
-constexpr double of_filled_gap = 2, most_strength = 1e4;
+constexpr double of_filled_gap = 2;
 
-struct Neighbour {
-  std::uint32_t part, vertex;
-  double square;
-
-  bool nearer_than(const Neighbour& other) const {
-    return square != other.square ? square < other.square : vertex < other.vertex;
-  }
-};
+using Neighbour = mesh::PointTree::Near;
 
 /// Which vertices lie near a vertex and are not joined to it.
 class Neighbours {
@@ -32,22 +26,19 @@ public:
       : positions_(surface.positions),
         paths_(paths),
         diagonal_(mesh::used_bounds(surface).diagonal()),
-        radius_((has_parts(used) ? reach : touching) * diagonal_),
-        tree_(positions_, std::move(used)) {}
+        has_parts_(has_parts(used)),
+        tree_(positions_, std::move(used), paths.parts()) {}
 
   // The nearest of each part.
   std::vector<Neighbour> of(std::uint32_t a) const {
     std::vector<Neighbour> found;
-    tree_.for_within(positions_[a], radius_, [&](std::uint32_t b) {
-      const Neighbour other{paths_.part(b), b, squared_norm(positions_[a] - positions_[b])};
-      if (other.part == paths_.part(a) && !touches(a, other)) return;
-      const auto known = std::ranges::find(found, other.part, &Neighbour::part);
-      if (known == found.end()) return found.push_back(other);
-      if (other.nearer_than(*known)) *known = other;
-    });
+    if (has_parts_) found = tree_.nearest_of_groups(positions_[a], reach * diagonal_, paths_.part(a));
+    if (const auto fold = nearest_fold(a)) found.push_back(*fold);
     std::ranges::sort(found, [](const Neighbour& x, const Neighbour& y) { return x.nearer_than(y); });
     found.resize(std::min(found.size(), most_parts));
-    std::erase_if(found, [&](const Neighbour& n) { return n.square > farther * farther * found[0].square; });
+    std::erase_if(found, [&](const Neighbour& n) {
+      return n.squared_distance > farther * farther * found[0].squared_distance;
+    });
     return found;
   }
 
@@ -55,14 +46,22 @@ private:
   bool has_parts(const std::vector<std::uint32_t>& used) const {
     return std::ranges::any_of(used, [&](auto v) { return paths_.part(v) != paths_.part(used[0]); });
   }
-  bool touches(std::uint32_t a, const Neighbour& b) const {
-    const double near = touching * diagonal_;
-    return b.vertex != a && b.square <= near * near && !paths_.joined(a, b.vertex, way_around * diagonal_);
+  // Of its own part, where no short path leads.
+  std::optional<Neighbour> nearest_fold(std::uint32_t a) const {
+    std::optional<Neighbour> nearest;
+    tree_.for_within(positions_[a], touching * diagonal_, [&](std::uint32_t b) {
+      if (b == a || paths_.part(b) != paths_.part(a)) return;
+      const Neighbour other{paths_.part(b), b, squared_norm(positions_[a] - positions_[b])};
+      if (nearest && !other.nearer_than(*nearest)) return;
+      if (!paths_.joined(a, b, way_around * diagonal_)) nearest = other;
+    });
+    return nearest;
   }
 
   std::span<const mesh::Point> positions_;
   const mesh::EdgePaths& paths_;
-  double diagonal_, radius_;
+  double diagonal_;
+  bool has_parts_;
   mesh::PointTree tree_;
 };
 

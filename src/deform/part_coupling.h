@@ -18,6 +18,8 @@ struct Coupling {
   double strength;
 };
 
+inline constexpr double most_strength = 1e4;
+
 /// Of each vertex with the nearest one of every other part within 1.5 % of the model's diagonal, as far as
 /// that is no farther than four times the nearest of them (six at most); and, within 0.1 %, of its own part
 /// where no path of edges shorter than 1 % joins both: folds that touch. The gap counts as if it were filled:

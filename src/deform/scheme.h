@@ -187,11 +187,14 @@ struct Scheme {
   Holding holding{};  ///< of stitched models
 
   bool stitched() const { return iterations > 0; }
+  /// Weighting::apart makes a difference.
+  bool couples_parts() const { return stitched() || entry(weighting.weights).on_surface; }
   /// A frame takes an exponential a vertex.
   bool exponential() const { return entry(weighting.elements).affine && entry(blend).exponential; }
   friend bool operator==(const Scheme& a, const Scheme& b) {
     return a.weighting.elements == b.weighting.elements && a.weighting == b.weighting && a.blend == b.blend &&
-           a.amounts == b.amounts && a.iterations == b.iterations && a.holding == b.holding;
+           a.amounts == b.amounts && a.iterations == b.iterations && a.holding == b.holding &&
+           (!a.stitched() || a.weighting.apart == b.weighting.apart);
   }
 };
 

@@ -229,9 +229,10 @@ void Stitcher::load_refitted() {
   pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     std::array<Mat, triangles_per_block> rotations;
     for (std::size_t t = begin; t < end; ++t) {
-      const auto& [a, b, c] = stitching_.triangles[t];
+      const std::uint32_t as = stitching_.rotated_as[t];
+      const auto& [a, b, c] = stitching_.triangles[as];
       const Vec3 u = positions_[a] - positions_[c], v = positions_[b] - positions_[c];
-      const auto& [su, sv] = stretched_[t];
+      const auto& [su, sv] = stretched_[as];
       for (std::size_t r = 0; r < 3; ++r) {
         for (std::size_t k = 0; k < 3; ++k) rotations[t - begin][3 * r + k] = u[r] * su[k] + v[r] * sv[k];
       }

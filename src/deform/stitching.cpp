@@ -15,6 +15,9 @@
 #include "deform/leaves.h"
 #include "deform/map_rows.h"
 #include "deform/matrix_log.h"
+#include "deform/part_coupling.h"
+#include "mesh/edge_paths.h"
+#include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
 #include "sym3/polar.h"
@@ -23,6 +26,7 @@ namespace viete::deform {
 
 namespace {
 
+constexpr auto no_triangle = std::numeric_limits<std::uint32_t>::max();
 constexpr double found_pins = 0.5;  // of the time
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
@@ -93,12 +97,14 @@ public:
 
   Stitching make() {
     find_thin();
+    find_couplings();
     find_pins();
     hold_the_rest();
-    SparseMatrix matrix = stiffness_matrix(model_.positions, model_.triangles);
+    SparseMatrix matrix = with_couplings(stiffness_matrix(model_.positions, model_.triangles), couplings_);
     add_diagonal(matrix);
     Stitching s{entry(elements_).handles,
                 settings_,
+                {},
                 {},
                 {},
                 {},
@@ -119,6 +125,16 @@ private:
     for (std::size_t t = 0; t < thin_.size(); ++t) {
       const auto& [a, b, c] = model_.triangles[t];
       thin_[t] = is_thin(p[a], p[b], p[c]);
+    }
+  }
+
+  void find_couplings() {
+    if (settings_.apart) return;
+    const mesh::Surface joined = mesh::welded(model_);
+    couplings_ = part_couplings(joined, mesh::EdgePaths(joined), intrinsic_laplacian(joined).masses, pool_);
+    const auto lowest = mesh::lowest_in_place(model_.positions);
+    for (std::uint32_t v = 0; v < lowest.size(); ++v) {
+      if (lowest[v] != v) couplings_.push_back({v, lowest[v], most_strength});
     }
   }
 
@@ -159,6 +175,7 @@ private:
       parts.join(a, b), parts.join(b, c);
       firm[a] = firm[b] = firm[c] = 1;
     }
+    for (const auto& [a, b, strength] : couplings_) parts.join(a, b), firm[a] |= firm[b], firm[b] |= firm[a];
     for (const auto& pin : pins_) pinned[parts.find(pin.vertex)] = 1;
     for (std::uint32_t v = 0; v < n; ++v) {
       double weight = settings_.translation;
@@ -194,6 +211,18 @@ private:
     std::ranges::stable_sort(s.triangles, {}, first_place);
     for (const mesh::Triangle& t : s.triangles)
       s.gradients.push_back(area_gradients(p[t[0]], p[t[1]], p[t[2]]));
+    std::vector<std::uint32_t> beside(p.size(), no_triangle);
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+      s.rotated_as.push_back(t);
+      for (const auto v : s.triangles[t]) beside[v] = t;
+    }
+    for (const auto& [a, b, strength] : couplings_) {
+      const auto own = static_cast<std::uint32_t>(s.triangles.size());
+      s.rotated_as.push_back(beside[a] != no_triangle ? beside[a] : own);
+      const Vec3 g = strength * (p[a] - p[b]);
+      s.triangles.push_back({a, b, b});
+      s.gradients.push_back({g, Vec3{0, 0, 0} - g});
+    }
     s.around = mesh::make_adjacency(p.size(), [&](const auto& add) {
       for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         for (std::uint32_t k = 0; k < 3; ++k) add(places[s.triangles[t][k]], 3 * t + k);
@@ -230,6 +259,7 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
+  std::vector<Coupling> couplings_;
   std::vector<Stitching::Pin> pins_;
   std::vector<Stitching::Hold> holds_;
 };
@@ -242,8 +272,9 @@ std::size_t stitching_bytes(std::size_t vertices) {
   return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 48 + 72 + 48) + 28 + 80));
 }
 
-StitchingSettings settings_of(const Holding& holding) {
-  return {.radius = holding.radius, .translation = holding.weight};
+StitchingSettings settings_of(const Scheme& scheme) {
+  return {
+      .radius = scheme.holding.radius, .translation = scheme.holding.weight, .apart = scheme.weighting.apart};
 }
 
 Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements, base::WorkerPool& pool,

@@ -20,10 +20,11 @@ struct StitchingSettings {
   double radius = 0;       ///< in diagonals of the cage: vertices so near to a handle are pinned too
   double exponent = 2;     ///< by pin ((radius - distance) / radius)^exponent
   double translation = 0;  ///< of every vertex, to its blended position
+  bool apart = false;      ///< parts of the model are not coupled
 
   friend bool operator==(const StitchingSettings&, const StitchingSettings&) = default;
 };
-StitchingSettings settings_of(const Holding& holding);
+StitchingSettings settings_of(const Scheme& scheme);
 
 /// What of stitching does not change with the pose. With M_t = R_t S_t the blended map of triangle t,
 /// positions x' minimise
@@ -35,6 +36,10 @@ StitchingSettings settings_of(const Holding& holding);
 /// map takes its direction exactly as M_t does, whatever the others do; what is left is the plane's share, in
 /// a third as many unknowns. Derivatives of it give K x' = sum_t M_t g_t, K the stiffness matrix and g_t, i =
 /// area grad of the hat function of corner i: one factorisation, and three right-hand sides a pose.
+///
+/// Parts that lie near each other, cracks, and vertices at the same place are held together by
+/// part_couplings() of strength c, which add sum c |(x'_a - x'_b) - M (x_a - x_b)|^2: triangles (a, b, b), as
+/// it were. A model of one part that touches nowhere has none.
 ///
 /// Lengths are relative to where things are, so that it does not matter how far from the origin or how large
 /// the scene is. Thin triangles count as in half_cotangents(). Every vertex has its place: parts without a
@@ -53,7 +58,10 @@ struct Stitching {
   Handles handles;  ///< of the cage, which the pins name
   StitchingSettings settings;
   std::vector<std::uint32_t> order;       ///< all vertices, neighbours near each other
-  std::vector<mesh::Triangle> triangles;  ///< that count, in the order of their vertices
+  std::vector<mesh::Triangle> triangles;  ///< that count, in the order of their vertices; then couplings
+  /// Whose rotation each of them takes when rotations are fitted: its own, and couplings that of a triangle
+  /// beside, since along one line any rotation fits.
+  std::vector<std::uint32_t> rotated_as;
   /// g of their first two corners; the third is what these lack to 0.
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< 3 t + corner, of each vertex in the order

@@ -73,9 +73,9 @@ void Weigher::add_triangles() {
 // Elements without area are left out: the two sides of such a one see the same. Points on them are not for
 // vector code.
 void Weigher::add_views() {
-  for (std::uint32_t e = 0; e < cage_.element_count(); ++e) {
-    const auto& t = cage_.surface.triangles[e];
-    if (cage_.degenerate[e]) {
+  for (std::size_t i = 0; i < cage_.sides.of.size(); ++i) {
+    const auto& t = cage_.sides.triangles[i];
+    if (const auto e = cage_.sides.of[i]; cage_.degenerate[e]) {
       without_area_.push_back(e);
     } else {
       views_.push_back({{t[0], t[1], t[2]}, {}, {}});

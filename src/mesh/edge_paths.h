@@ -16,6 +16,7 @@ public:
 
   /// A number that all vertices have which edges join, directly or not.
   std::uint32_t part(std::uint32_t vertex) const { return parts_[vertex]; }
+  std::span<const std::uint32_t> parts() const { return parts_; }
   /// A path along edges, no longer than that, leads from a to b.
   bool joined(std::uint32_t a, std::uint32_t b, double longest) const;
 

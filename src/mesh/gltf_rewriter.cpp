@@ -133,8 +133,8 @@ private:
       has_normals |= take(piece->normals, normals, [&](const Vec3& n) { return map.of_normal(n); });
       has_tangents |= take(piece->tangents, tangents, [&](const Vec3& t) { return map.of_vector(t); });
     }
-    if (has_normals) normals_ = deformed_normals(rest_, posed_, normals, map_.corner_vertex);
-    if (has_tangents) tangents_ = deformed_tangents(rest_, posed_, tangents, map_.corner_vertex);
+    if (has_normals) normals_ = deformed_normals(rest_, posed_, normals, map_.corner_vertex, map_.surface_vertex);
+    if (has_tangents) tangents_ = deformed_tangents(rest_, posed_, tangents, map_.corner_vertex, map_.surface_vertex);
     unmoved_normals_ = std::move(normals);
     unmoved_tangents_ = std::move(tangents);
   }
@@ -243,9 +243,9 @@ private:
                   bool with_normals) const {
     std::vector<Vec3> normals, tangents;
     if (with_normals && !normals_.empty())
-      normals = deformed_normals(rest_, now, unmoved_normals_, map_.corner_vertex);
+      normals = deformed_normals(rest_, now, unmoved_normals_, map_.corner_vertex, map_.surface_vertex);
     if (with_normals && !tangents_.empty())
-      tangents = deformed_tangents(rest_, now, unmoved_tangents_, map_.corner_vertex);
+      tangents = deformed_tangents(rest_, now, unmoved_tangents_, map_.corner_vertex, map_.surface_vertex);
     for (const MorphedPiece& p : pieces) {
       const auto values = [&](const std::vector<float>& base, const auto& moved, const auto& local) {
         std::vector<double> all(base.begin(), base.end());

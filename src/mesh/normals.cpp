@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 #include "mesh/attributes.h"
+#include "mesh/point_tree.h"
+#include "mesh/triangle_tree.h"
 
 namespace viete::mesh {
 
@@ -65,12 +70,88 @@ bool has_moved(const Triangle& t, std::span<const Point> rest, std::span<const P
   return rest[t[0]] != posed[t[0]] || rest[t[1]] != posed[t[1]] || rest[t[2]] != posed[t[2]];
 }
 
+// The least turn that takes one direction to another; as it was where they are opposite.
+Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
+  const Vec3 a = unit(from), b = unit(to), axis = cross(a, b);
+  const double cosine = dot(a, b);
+  if (!(cosine > -1)) return n;
+  return cosine * n + cross(axis, n) + (dot(axis, n) / (1 + cosine)) * axis;
+}
+
+// How a motion turns what no triangle with area holds: as the nearest triangle does that has one, and where
+// there is none as triangles of the nearest points do.
+class NearbyTurns {
+public:
+  NearbyTurns(const Surface& rest, std::span<const Point> posed) : rest_(rest.positions), posed_(posed) {
+    for (const Triangle& t : rest.triangles) {
+      if (TriangleMap(t, rest_, posed_).usable()) usable_.push_back(t);
+    }
+    if (!usable_.empty()) {
+      triangles_.emplace(rest.positions, usable_);
+      return;
+    }
+    points_.emplace(rest_, every_vertex(rest));
+    diagonal_ = bounds(rest_).diagonal();
+  }
+
+  template <class Move>
+  Vec3 of(std::uint32_t vertex, const Vec3& vector, const Move& move) const {
+    if (triangles_) {
+      const Triangle& t = usable_[triangles_->nearest(rest_[vertex]).triangle];
+      return has_moved(t, rest_, posed_) ? unit(move(TriangleMap(t, rest_, posed_), vector)) : vector;
+    }
+    const std::vector<std::uint32_t> near = neighbours(vertex);
+    const auto stays = [&](std::uint32_t v) { return rest_[v] == posed_[v]; };
+    if (near.empty() || (stays(vertex) && std::ranges::all_of(near, stays))) return vector;
+    Vec3 sum{0, 0, 0};
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const TriangleMap map({vertex, near[i], near[j]}, rest_, posed_);
+        if (map.usable()) sum = sum + move(map, vector);
+      }
+    }
+    if (squared_norm(sum) > 0) return unit(sum);
+    const std::uint32_t far = near.back();
+    return turned_along(vector, rest_[far] - rest_[vertex], posed_[far] - posed_[vertex]);
+  }
+
+private:
+  // Six, the nearest first, or as many as there are elsewhere.
+  std::vector<std::uint32_t> neighbours(std::uint32_t vertex) const {
+    constexpr std::size_t enough = 6;
+    const Point& p = rest_[vertex];
+    std::vector<std::uint32_t> near;
+    for (double radius = diagonal_ / std::sqrt(static_cast<double>(rest_.size()));; radius *= 2) {
+      near.clear();
+      points_->for_within(p, radius, [&](std::uint32_t v) {
+        if (rest_[v] != p) near.push_back(v);
+      });
+      if (near.size() >= enough || !(radius < diagonal_)) break;
+    }
+    std::ranges::sort(near, {}, [&](std::uint32_t v) { return std::pair(squared_norm(rest_[v] - p), v); });
+    near.resize(std::min(near.size(), enough));
+    return near;
+  }
+
+  std::span<const Point> rest_, posed_;
+  std::vector<Triangle> usable_;
+  std::optional<TriangleTree> triangles_;
+  std::optional<PointTree> points_;
+  double diagonal_ = 0;
+};
+
+// of_vertex: of each vector its vertex, where it is of no corner.
 template <class Move>
 std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
                           std::span<const Vec3> vectors, std::span<const std::uint32_t> of_corner,
-                          const Move& move) {
+                          std::span<const std::uint32_t> of_vertex, const Move& move) {
   std::vector<Vec3> sums(vectors.size(), Vec3{0, 0, 0});
   std::vector<char> moved(vectors.size(), 0);
+  std::vector<std::uint32_t> home(of_vertex.begin(), of_vertex.end());
+  home.resize(vectors.size(), none);
+  for (std::size_t c = 0; c < of_corner.size(); ++c) {
+    if (of_corner[c] != none) home[of_corner[c]] = rest.corners[c];
+  }
   for_each_triangle(rest, [&](const Triangle& triangle, const Triangle& corners) {
     const TriangleMap map(triangle, rest.positions, positions);
     const bool moves = has_moved(triangle, rest.positions, positions);
@@ -82,13 +163,26 @@ std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
     }
   });
   std::vector<Vec3> result(vectors.begin(), vectors.end());
+  std::optional<NearbyTurns> nearby;
+  const bool all_stays = std::ranges::equal(rest.positions, positions);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (moved[i] && squared_norm(sums[i]) > 0) result[i] = unit(sums[i]);
+    if (squared_norm(sums[i]) > 0) {
+      if (moved[i]) result[i] = unit(sums[i]);
+    } else if (!all_stays && home[i] != none && is_direction(vectors[i]) && squared_norm(vectors[i]) > 0) {
+      if (!nearby) nearby.emplace(rest, positions);
+      result[i] = nearby->of(home[i], vectors[i], move);
+    }
   }
   return result;
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> every_vertex(const Surface& surface) {
+  std::vector<std::uint32_t> all(surface.positions.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
 
 Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> triangles) {
   return make_adjacency(vertices, [&](const auto& add) {
@@ -113,16 +207,19 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
 
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
-                                   std::span<const std::uint32_t> corner_normal) {
-  return carried(rest, positions, normals, corner_normal, [](const TriangleMap& map, const Vec3& n) {
-    return is_direction(n) ? map.of_normal(n) : map.to.area * map.to.normal;
-  });
+                                   std::span<const std::uint32_t> corner_normal,
+                                   std::span<const std::uint32_t> vertex_of_normal) {
+  return carried(rest, positions, normals, corner_normal, vertex_of_normal,
+                 [](const TriangleMap& map, const Vec3& n) {
+                   return is_direction(n) ? map.of_normal(n) : map.to.area * map.to.normal;
+                 });
 }
 
 std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
                                     std::span<const Vec3> tangents,
-                                    std::span<const std::uint32_t> corner_tangent) {
-  return carried(rest, positions, tangents, corner_tangent,
+                                    std::span<const std::uint32_t> corner_tangent,
+                                    std::span<const std::uint32_t> vertex_of_tangent) {
+  return carried(rest, positions, tangents, corner_tangent, vertex_of_tangent,
                  [](const TriangleMap& map, const Vec3& t) { return map.of_tangent(t); });
 }
 

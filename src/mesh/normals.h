@@ -26,14 +26,23 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
 /// area. corner_normal: of each of rest.corners an index into normals, or `none` (attributes.h). Split
 /// normals stay split. What is no direction becomes the surface's. Unit vectors, but for normals around which
 /// nothing moved: those keep their bits.
+///
+/// Normals that no triangle with area holds, of points, lines and corners of faces without area, turn as the
+/// nearest triangle does, and where there is none as triangles of the six nearest points do.
+/// vertex_of_normal: of each normal its vertex, of use where it is of no corner.
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
-                                   std::span<const std::uint32_t> corner_normal);
+                                   std::span<const std::uint32_t> corner_normal,
+                                   std::span<const std::uint32_t> vertex_of_normal = {});
+
+/// The numbers of its vertices: whose the vectors are where each vertex has one.
+std::vector<std::uint32_t> every_vertex(const Surface& surface);
 
 /// The same for tangents, which move with the surface.
 std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
                                     std::span<const Vec3> tangents,
-                                    std::span<const std::uint32_t> corner_tangent);
+                                    std::span<const std::uint32_t> corner_tangent,
+                                    std::span<const std::uint32_t> vertex_of_tangent = {});
 
 /// False where one is no direction: not three finite numbers.
 inline bool is_direction(const Vec3& v) {

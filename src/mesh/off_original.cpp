@@ -36,7 +36,7 @@ public:
     directions_.keep(5, 1);
     std::vector<Vec3> moved = normals;
     if (has_normals) {
-      moved = deformed_normals(rest_, positions_, normals, rest_.corners);
+      moved = deformed_normals(rest_, positions_, normals, rest_.corners, every_vertex(rest_));
       keep_lengths(normals, moved);
     }
     walk(rest_.positions.size(), [&](std::size_t v, const Words& words) {

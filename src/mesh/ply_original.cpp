@@ -227,11 +227,12 @@ private:
 
   void follow() {
     vertex_vectors_.front().now.assign(positions_.begin(), positions_.end());
+    const std::vector<std::uint32_t> own = every_vertex(rest_);
     for (std::size_t i = 1; i < vertex_vectors_.size(); ++i) {
       PlyVectors& vectors = vertex_vectors_[i];
       vectors.printed.keep(5, 1);
-      vectors.now = is_tangent_[i] ? deformed_tangents(rest_, positions_, vectors.before, rest_.corners)
-                                   : deformed_normals(rest_, positions_, vectors.before, rest_.corners);
+      const auto follow_surface = is_tangent_[i] ? deformed_tangents : deformed_normals;
+      vectors.now = follow_surface(rest_, positions_, vectors.before, rest_.corners, own);
       keep_lengths(vectors.before, vectors.now);
     }
     for (PlyFaceNormals& faces : face_normals_) follow(faces);

@@ -1,10 +1,14 @@
 #include "mesh/repair.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include "mesh/half_edges.h"
 #include "mesh/point_index.h"
+#include "mesh/summary.h"
+#include "mesh/winding_number.h"
 
 namespace viete::mesh {
 
@@ -38,13 +42,21 @@ public:
   std::vector<std::uint8_t> turned() {
     std::vector<std::uint8_t> turn(side_.size(), 0);
     for (std::uint32_t seed = 0; seed < side_.size(); ++seed) {
-      if (side_[seed] != unseen || !reach(seed)) continue;
+      if (side_[seed] != unseen) continue;
+      const bool can_agree = reach(seed);
+      parts_.push_back(part_);
+      agree_ &= can_agree;
+      if (!can_agree) continue;
       const auto others = std::count_if(part_.begin(), part_.end(), [&](auto t) { return side_[t] == 1; });
       const std::uint8_t minority = 2 * static_cast<std::size_t>(others) > part_.size() ? 0 : 1;
       for (const auto t : part_) turn[t] = side_[t] == minority;
     }
     return turn;
   }
+
+  // After turned(): the triangles of each part, and whether all parts could agree.
+  const std::vector<std::vector<std::uint32_t>>& parts() const { return parts_; }
+  bool agree() const { return agree_; }
 
 private:
   static constexpr std::uint8_t unseen = 2;
@@ -70,7 +82,88 @@ private:
   std::vector<std::vector<Neighbour>> neighbours_;
   std::vector<std::uint8_t> side_;  // 0 as the seed of its part, 1 opposite
   std::vector<std::uint32_t> part_;
+  std::vector<std::vector<std::uint32_t>> parts_;
+  bool agree_ = true;
 };
+
+// The corners around a polygon from the lowest on, in that direction which is lower; which one that was.
+std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_t> corners) {
+  std::vector<std::uint32_t> forward(corners.begin(), corners.end());
+  std::ranges::rotate(forward, std::ranges::min_element(forward));
+  std::vector<std::uint32_t> backward = forward;
+  std::reverse(backward.begin() + 1, backward.end());
+  const bool ahead = forward <= backward;
+  return {ahead ? std::move(forward) : std::move(backward), ahead};
+}
+
+// Of polygons that are each other's backs all but the first.
+std::vector<std::uint8_t> backs(const Surface& joined) {
+  std::map<std::vector<std::uint32_t>, bool> seen;
+  std::vector<std::uint8_t> is_back(joined.polygon_count(), 0);
+  for (std::size_t p = 0; p < is_back.size(); ++p) {
+    const auto first = joined.polygon_starts[p], end = joined.polygon_starts[p + 1];
+    auto [corners, ahead] = outline(std::span(joined.corners).subspan(first, end - first));
+    const auto [known, is_new] = seen.try_emplace(std::move(corners), ahead);
+    is_back[p] = !is_new && known->second != ahead;
+  }
+  return is_back;
+}
+
+void turn(Triangle& t) {
+  std::swap(t[1], t[2]);
+}
+
+Surface part_of(const Surface& whole, std::span<const std::uint32_t> triangles) {
+  Surface part;
+  part.positions = whole.positions;
+  for (const auto t : triangles) part.triangles.push_back(whole.triangles[t]);
+  return part;
+}
+
+// Whether every edge is run through as often in one direction as in the other; what has one side only is
+// open.
+bool balanced(const Surface& surface, bool open_too) {
+  const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
+  for (std::size_t e = 0; e < table.edges.size(); ++e) {
+    const auto sides = table.of(e);
+    const auto ahead = static_cast<std::size_t>(std::ranges::count_if(sides, &HalfEdge::forward));
+    if (2 * ahead != sides.size() && (open_too || sides.size() > 1)) return false;
+  }
+  return true;
+}
+
+// Closed parts that are in no other, or in an even number of them, are all outward or all inward, and those
+// in an odd number the other way around: if not, what is not so is turned.
+void turn_parts(Surface& joined, const std::vector<std::vector<std::uint32_t>>& parts) {
+  struct Part {
+    Surface surface;
+    const std::vector<std::uint32_t>* triangles;
+    bool outward, as_it_should_be;
+  };
+  std::vector<Part> closed;
+  for (const auto& triangles : parts) {
+    Surface part = part_of(joined, triangles);
+    if (!balanced(part, true)) continue;
+    const double volume = summarize(part).volume;
+    if (volume != 0) closed.push_back({std::move(part), &triangles, volume > 0, true});
+  }
+  for (Part& part : closed) {
+    const Point at = joined.positions[part.surface.triangles.front()[0]];
+    int around = 0;
+    for (const Part& other : closed) {
+      double number = 0;
+      if (&other != &part) winding_numbers(other.surface, {&at, 1}, {&number, 1});
+      around += std::abs(number) > 0.5;
+    }
+    part.as_it_should_be = part.outward == (around % 2 == 0);
+  }
+  const auto right = [](const Part& part) { return part.as_it_should_be; };
+  if (std::ranges::none_of(closed, right)) return;
+  for (const Part& part : closed) {
+    if (!right(part))
+      for (const auto t : *part.triangles) turn(joined.triangles[t]);
+  }
+}
 
 }  // namespace
 
@@ -105,9 +198,34 @@ Surface consistently_oriented(const Surface& surface) {
   const auto turned = Orienter(surface).turned();
   std::vector<Triangle> triangles = surface.triangles;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (turned[t]) std::swap(triangles[t][1], triangles[t][2]);
+    if (turned[t]) turn(triangles[t]);
   }
   return from_triangles(surface.positions, triangles);
+}
+
+OneSided one_sided(const Surface& surface) {
+  Surface joined = welded(surface);
+  const auto is_back = backs(joined);
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    if (!is_back[surface.triangle_polygon[t]]) kept.push_back(t);
+  }
+  Surface front = part_of(joined, kept);
+  Orienter orienter(front);
+  const auto turned = orienter.turned();
+  for (std::size_t t = 0; t < kept.size(); ++t) {
+    if (turned[t]) turn(front.triangles[t]);
+  }
+  if (!orienter.agree() || !balanced(front, false)) return {};
+  turn_parts(front, orienter.parts());
+  OneSided result{{}, {}, balanced(front, true)};
+  for (std::size_t t = 0; t < kept.size(); ++t) {
+    Triangle own = surface.triangles[kept[t]];
+    if (front.triangles[t] != joined.triangles[kept[t]]) turn(own);
+    result.triangles.push_back(own);
+  }
+  result.of = std::move(kept);
+  return result;
 }
 
 }  // namespace viete::mesh

@@ -78,6 +78,11 @@ bool FileBrowser::makes_morphs() const {
          !base::NumberedName::is_pattern(path);
 }
 
+bool FileBrowser::makes_pictures() const {
+  const std::string format = format_of(*this);
+  return purpose == Purpose::save_animation && (format == "png" || is_video_format(format));
+}
+
 bool FileBrowser::replaces() const {
   if (!saves()) return false;
   const fs::path file = chosen_file(*this);

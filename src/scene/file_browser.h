@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,13 @@ struct MorphChoice {
 
   friend bool operator==(const MorphChoice&, const MorphChoice&) = default;
 };
+
+/// How pictures and films are drawn.
+struct PictureChoice {
+  bool cage = true, grid = true, light = false, panels = false;
+  int width = 0, height = 0;  ///< logical pixels, least_picture to largest_picture
+};
+inline constexpr int least_picture = 16, largest_picture = 8192;
 
 struct FileBrowser {
   enum class Purpose {
@@ -58,6 +66,7 @@ struct FileBrowser {
   std::size_t recent = none;  ///< chosen of the files that were open before, instead
 
   MorphChoice morphs;
+  std::optional<PictureChoice> pictures;  ///< nothing: as the window looks at them
   std::string morph_size;  ///< how many targets these take, and how much; empty: it is being found
 
   bool saves() const { return purpose >= Purpose::save_session; }
@@ -66,6 +75,8 @@ struct FileBrowser {
   std::span<const std::string_view> formats() const;
   /// Whether the file of the text field is an animation of morph targets.
   bool makes_morphs() const;
+  /// Whether it is pictures or a film.
+  bool makes_pictures() const;
   /// Whether the file of the text field is there and not in use, so that saving would replace it.
   bool replaces() const;
 };

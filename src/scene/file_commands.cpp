@@ -95,14 +95,21 @@ void browse_to_save_model(Workspace& w) {
 
 void browse_to_save_animation(Workspace& w) {
   browse_to_save(w, Purpose::save_animation, w.document.model.path, "_animation.pc2");
+  const glm::ivec2 size = glm::clamp(glm::ivec2(w.viewport.window), least_picture, largest_picture);
+  w.browser.pictures = PictureChoice{w.view.cage, w.view.grid, !w.view.dark, false, size.x, size.y};
+}
+
+const Leftover& offered_leftover(const Workspace& w) {
+  const auto chosen = std::ranges::find(w.leftovers, w.chosen_leftover, &Leftover::file);
+  return chosen == w.leftovers.end() ? w.leftovers.front() : *chosen;
 }
 
 void restore_leftover(Workspace& w) {
-  w.requests.open = OpenRequest{OpenRequest::What::recovery, {w.leftovers.front().file}};
+  w.requests.open = OpenRequest{OpenRequest::What::recovery, {offered_leftover(w).file}};
 }
 
 void discard_leftover(Workspace& w) {
-  w.requests.discard = w.leftovers.front().file;
+  w.requests.discard = offered_leftover(w).file;
 }
 
 void undo_discard_leftover(Workspace& w) {
@@ -114,7 +121,7 @@ void hide_discarded(Workspace& w) {
 }
 
 void put_off_leftover(Workspace& w) {
-  w.leftovers.erase(w.leftovers.begin());
+  w.leftovers.erase(w.leftovers.begin() + (&offered_leftover(w) - w.leftovers.data()));
 }
 
 }  // namespace viete::scene

@@ -20,7 +20,9 @@ void browse_to_save_animation(Workspace& workspace);
 /// The chosen one. Requires it.
 void browse_to_save_named_pose(Workspace& workspace);
 
-/// With the first leftover: open it, move it aside until the program ends, or leave it for another day.
+/// The leftover that was chosen, or the newest. Requires that there are some.
+const Leftover& offered_leftover(const Workspace& workspace);
+/// With that one: open it, move it aside until the program ends, or leave it for another day.
 /// Require one.
 void restore_leftover(Workspace& workspace);
 void discard_leftover(Workspace& workspace);

@@ -40,7 +40,7 @@ void History::push(std::string label, Snapshot before, bool of_selection) {
   given_up_ = std::exchange(redo_, {});
   ++recorded_;
   if (undo_.size() >= limit) drop_oldest();
-  undo_.push_back({std::move(label), std::move(before), of_selection});
+  undo_.push_back({std::move(label), std::move(before), of_selection, recorded_});
 }
 
 void History::file_replaced(const std::filesystem::path& file,
@@ -52,6 +52,14 @@ void History::file_replaced(const std::filesystem::path& file,
       entry.state.cage_file.path.clear();
     }
   }
+}
+
+std::string History::first_edit_since(unsigned long recorded) const {
+  const auto counts = [](const Entry& entry) { return !entry.of_selection; };
+  for (const Entry& entry : undo_)
+    if (counts(entry) && entry.number > recorded) return entry.label;
+  const auto undone = std::ranges::find_if(redo_, counts);
+  return undone == redo_.end() ? "" : "undo " + undone->label;
 }
 
 Snapshot History::drop_last() {
@@ -67,7 +75,7 @@ Snapshot History::undo(Snapshot now) {
   ++revision_;
   Entry entry = std::move(undo_.back());
   undo_.pop_back();
-  redo_.push_back({entry.label, std::move(now), entry.of_selection});
+  redo_.push_back({entry.label, std::move(now), entry.of_selection, entry.number});
   return std::move(entry.state);
 }
 
@@ -75,7 +83,7 @@ Snapshot History::redo(Snapshot now) {
   ++revision_;
   Entry entry = std::move(redo_.back());
   redo_.pop_back();
-  undo_.push_back({entry.label, std::move(now), entry.of_selection});
+  undo_.push_back({entry.label, std::move(now), entry.of_selection, entry.number});
   return std::move(entry.state);
 }
 

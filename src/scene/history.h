@@ -53,6 +53,9 @@ public:
   Snapshot drop_last();
   /// Edits that were recorded, those that were dropped since not counted.
   unsigned long recorded() const { return recorded_; }
+  /// The label of the oldest edit since so many were recorded, or "undo ..." if earlier ones were taken back;
+  /// empty if there is neither. Those of the selection alone do not count.
+  std::string first_edit_since(unsigned long recorded) const;
 
   /// The file now holds this cage: others that states have from it are in no file any more.
   void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);
@@ -78,7 +81,8 @@ private:
   struct Entry {
     std::string label;
     Snapshot state;
-    bool of_selection;  // alone
+    bool of_selection;     // alone
+    unsigned long number;  // of those that were recorded
   };
   std::vector<Entry> undo_, redo_;
   std::vector<Entry> given_up_;  // what could be repeated before the last edit

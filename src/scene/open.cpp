@@ -465,6 +465,7 @@ void take(Workspace& w, Opened&& opened) {
   w.saved.nowhere = opened.recovered;
   if (opened.recovered) {
     w.recovered_from = opened.file;
+    mark_edits_saved(w, opened.session->first_edit);
   } else {
     mark_saved(w);
     if (opened.session) w.saved.scheme = opened.session->scheme;       // another one was asked for: unsaved

@@ -44,6 +44,10 @@ std::tm local(std::time_t time) {
   return parts;
 }
 
+bool is_same_day(const std::tm& a, const std::tm& b) {
+  return a.tm_year == b.tm_year && a.tm_yday == b.tm_yday;
+}
+
 std::string text(const char* format, const std::tm& time) {
   char buffer[64];
   return {buffer, std::strftime(buffer, sizeof buffer, format, &time)};
@@ -80,12 +84,15 @@ void remove_discarded(const fs::path& folder) {
 }
 
 Leftover describe_leftover(const fs::path& file) {
-  Leftover leftover{file, file.filename().string(), 0};
+  Leftover leftover{file, file.filename().string()};
   struct stat status {};
   if (stat(file.c_str(), &status) == 0) leftover.time = status.st_mtime;
   try {
     const Session session = read_session(file);
-    leftover.name = (session.origin.empty() ? session.model : session.origin).filename().string();
+    const fs::path& of = session.origin.empty() ? session.model : session.origin;
+    leftover.name = of.filename().string();
+    leftover.folder = of.parent_path();
+    leftover.first_edit = session.first_edit;
   } catch (const std::exception&) {
     // Its own name will do; opening it says what is wrong.
   }
@@ -107,8 +114,11 @@ std::vector<Leftover> find_leftovers(const fs::path& folder) {
 
 std::string when(std::time_t time, std::time_t now) {
   const std::tm then = local(time), today = local(now);
-  const bool same_day = then.tm_year == today.tm_year && then.tm_yday == today.tm_yday;
-  return text(same_day ? "today %H:%M" : "%b %d, %H:%M", then);
+  std::tm noon = today;  // of the day before: no change of the clock makes that another one
+  noon.tm_hour = 12, --noon.tm_mday;
+  if (is_same_day(then, today)) return text("today %H:%M", then);
+  if (is_same_day(then, local(std::mktime(&noon)))) return text("yesterday %H:%M", then);
+  return text(then.tm_year == today.tm_year ? "%b %d, %H:%M" : "%b %d %Y, %H:%M", then);
 }
 
 }  // namespace viete::scene

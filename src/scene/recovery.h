@@ -11,8 +11,10 @@ namespace viete::scene {
 /// A session file that a program kept because its edits were in no other file.
 struct Leftover {
   std::filesystem::path file;
-  std::string name;      ///< of its session or model, for people
-  std::time_t time = 0;  ///< of its last edit
+  std::string name;                ///< of its session or model, for people
+  std::time_t time = 0;            ///< of its last edit
+  std::filesystem::path folder{};  ///< of its session or model; empty: not known
+  std::string first_edit{};        ///< since that was saved last: "move 3 vertices"; empty: not known
 
   friend bool operator==(const Leftover&, const Leftover&) = default;
 };
@@ -39,7 +41,7 @@ Leftover describe_leftover(const std::filesystem::path& file);
 /// Newest first; only those whose program has ended. Nothing if there is no such folder.
 std::vector<Leftover> find_leftovers(const std::filesystem::path& folder);
 
-/// "today 14:32", "May 3, 14:32".
+/// "today 14:32", "yesterday 14:32", "May 03, 14:32", "May 03 2024, 14:32".
 std::string when(std::time_t time, std::time_t now);
 
 }  // namespace viete::scene

@@ -151,6 +151,11 @@ bool has_unsaved_edits(const Workspace& w) {
                                      (!by_time && !same_pose(real_pose(w.document), w.saved.pose)));
 }
 
+void mark_edits_saved(Workspace& workspace, const std::string& first_edit) {
+  workspace.saved.edits = workspace.document.history.recorded();
+  workspace.saved.first_edit = first_edit;
+}
+
 void mark_saved(Workspace& workspace) {
   workspace.saved.cage = workspace.document.cage;
   workspace.saved.scheme = workspace.document.scheme;
@@ -167,6 +172,7 @@ void mark_pose_saved(Workspace& workspace) {
   workspace.saved.pose = real_pose(workspace.document);
   workspace.saved.nowhere = false;
   ++workspace.saved.revision;
+  if (!has_unsaved_edits(workspace)) mark_edits_saved(workspace, "");
 }
 
 }  // namespace viete::scene

@@ -35,5 +35,7 @@ bool has_unsaved_edits(const Workspace& workspace);
 /// What is open now is safe, or only its pose.
 void mark_saved(Workspace& workspace);
 void mark_pose_saved(Workspace& workspace);
+/// Edits from now on are told by the first of them; of recovered work by one that was before.
+void mark_edits_saved(Workspace& workspace, const std::string& first_edit);
 
 }  // namespace viete::scene

@@ -88,7 +88,7 @@ ordered_json scheme_json(const deform::Scheme& scheme) {
   if (weighting.exponent != usually.exponent) json["exponent"] = weighting.exponent;
   if (!weighting.clamp) json["clamp"] = false;
   if (weighting.normalise) json["normalise"] = true;
-  if (deform::entry(weighting.weights).on_surface) json["apart"] = weighting.apart;
+  if (scheme.couples_parts()) json["apart"] = weighting.apart;
   const deform::Amounts& amounts = scheme.amounts;
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
   if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
@@ -159,13 +159,13 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
   take_part(json, "exponent", weighting.exponent, exponent_of, "2 instead", warnings);
   take_part(json, "clamp", weighting.clamp, flag_of, "clamped instead", warnings);
   take_part(json, "normalise", weighting.normalise, flag_of, "not normalised instead", warnings);
-  weighting.apart = deform::entry(weighting.weights).on_surface;  // older sessions do not say
-  take_part(json, "apart", weighting.apart, flag_of, "parts apart instead", warnings);
   take_part(json, "turn", result.amounts.turn, amount_of, "100 percent instead", warnings);
   take_part(json, "stretch", result.amounts.stretch, amount_of, "100 percent instead", warnings);
   take_part(
       json, "stitched", result.iterations, [&](const auto& v) { return iterations_of(v, result); },
       "not stitched instead", warnings);
+  weighting.apart = result.couples_parts();  // older sessions do not say
+  take_part(json, "apart", weighting.apart, flag_of, "parts apart instead", warnings);
   take_part(json, "pins", result.holding.radius, share_of, "0 instead", warnings);
   take_part(json, "hold", result.holding.weight, share_of, "0 instead", warnings);
   return result;

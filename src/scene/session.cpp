@@ -195,6 +195,8 @@ Session session_of(const Workspace& w) {
   session.cage_content = w.document.cage_file.content;
   session.origin = w.saved.session;
   session.origin_content = w.saved.content;
+  session.first_edit =
+      w.saved.first_edit.empty() ? w.document.history.first_edit_since(w.saved.edits) : w.saved.first_edit;
   session.method = w.document.method;
   session.scheme = w.document.scheme;
   session.mask = runs_of(w.document.mask);
@@ -265,6 +267,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
     json["session"] = stored(session.origin, file, false);
     if (session.origin_content) json["session_content"] = hexadecimal(*session.origin_content);
   }
+  if (!portable && !session.first_edit.empty()) json["first_edit"] = session.first_edit;
   json["method"] = sym3::name(session.method);
   json.update(scheme_json(session.scheme));
   if (!session.mask.empty()) json["mask"] = mask_json(session.mask);
@@ -296,6 +299,8 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
       "saving will ask for a name");
   const char* unknown = "whether it has changed is not known";
   take("session_content", s.origin_content, from_hexadecimal, unknown);
+  take(
+      "first_edit", s.first_edit, [](const auto& v) { return v.text(); }, "it is not known");
   if (keys_are_common) take("model_content", s.model_content, from_hexadecimal, unknown);
   if (keys_are_common) take("cage_content", s.cage_content, from_hexadecimal, unknown);
   take(

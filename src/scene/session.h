@@ -28,6 +28,7 @@ struct MaskRun {
 ///   "model_content", "cage_content"   mesh::content_key() of what they were, 16 hexadecimal digits
 ///   "session"             only in recovered work: the session file that it belongs to
 ///   "session_content"     likewise: checksum of that file as it was then, 16 hexadecimal digits
+///   "first_edit"          likewise: what was done first since that was saved, for people
 ///   "method"              "diag", "sd", "improved_sd" or "fast"
 ///   "elements", "weights", "blend"   names of deform/scheme.h; missing: what fits the others
 ///   "coordinates"         "face" or "mvc", short for three that go together; those count where both stand
@@ -67,6 +68,7 @@ struct Session {
   std::optional<OpenedSurface> made_cage;  ///< that is in no file
   std::filesystem::path origin;            ///< "session"; absolute; may be empty
   std::optional<std::uint64_t> origin_content;
+  std::string first_edit;
   std::uint64_t model_content = 0, cage_content = 0;  ///< 0: not known
   sym3::Method method = sym3::Method::fast;
   deform::Scheme scheme;

@@ -187,16 +187,18 @@ struct Saved {
   std::vector<NamedSet> sets;                ///< likewise
   PoseLibrary library;                       ///< likewise
   Timeline timeline;                         ///< likewise
+  unsigned long edits = 0;                   ///< that had been recorded then
+  std::string first_edit;                    ///< since then, of recovered work
   bool nowhere = false;                      ///< recovered work, which is in no file of the user's
   unsigned long revision = 0;                ///< grows with each change
 };
 
 /// What runs, for the status bar and the help.
 struct About {
-  std::string version;   ///< "0.2.0"
-  std::string build;     ///< build type and compiler
-  std::string kernel;    ///< of the exponential
-  std::string renderer;  ///< of OpenGL
+  std::string version;    ///< "0.2.0"
+  std::string build;      ///< build type and compiler
+  std::string kernel;     ///< of the exponential
+  std::string renderer;   ///< of OpenGL
   bool software = false;  ///< a processor draws
 };
 
@@ -263,6 +265,7 @@ struct Workspace {
   Saved saved;
   Remembered remembered;
   std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
+  std::filesystem::path chosen_leftover;     ///< of several; none of these: the newest
   std::filesystem::path binding_file;        ///< a saved binding that was named; empty: none
   std::filesystem::path recovered_from;      ///< the leftover that is open, until its work is safe elsewhere
   Revision opened = 0;                       ///< another document was opened

@@ -243,6 +243,10 @@ bool handle_keys(const Context& ui, bool typing_path) {
   return steps != 0;
 }
 
+bool shows_pictures(const Browser& browser) {
+  return browser.pictures && browser.makes_pictures();
+}
+
 // How near morph targets are to be, and what that takes.
 void morph_row(const Context& ui) {
   scene::MorphChoice& morphs = ui.workspace.browser.morphs;
@@ -266,11 +270,39 @@ void morph_row(const Context& ui) {
   record(ui, "morph_size");
 }
 
+// What pictures and films show.
+void picture_choices(const Context& ui) {
+  scene::PictureChoice& choice = *ui.workspace.browser.pictures;
+  const auto box = [&](const char* label, const char* name, bool& on, const char* what) {
+    ImGui::Checkbox(label, &on);
+    record(ui, name);
+    hint(what);
+    ImGui::SameLine(0, 18);
+  };
+  box("Cage", "picture_cage", choice.cage, "Draw the cage.");
+  box("Grid", "picture_grid", choice.grid, "Draw the ground grid.");
+  box("Light", "picture_light", choice.light, "On a light background.");
+  box("Panels", "picture_panels", choice.panels, "Draw the columns and bars of the window, too.");
+  const auto side = [&](const char* name, int& pixels) {
+    ImGui::SetNextItemWidth(64);
+    if (const auto typed = number_field(ui, name, pixels))
+      pixels =
+          static_cast<int>(std::clamp(*typed, double{scene::least_picture}, double{scene::largest_picture}));
+    record(ui, name);
+    hint("Width and height in pixels, 16 to 8192.");
+  };
+  side("picture_width", choice.width);
+  ImGui::SameLine();
+  ImGui::TextUnformatted("x");
+  ImGui::SameLine();
+  side("picture_height", choice.height);
+}
+
 void lists(const Context& ui, bool moved) {
   Browser& browser = ui.workspace.browser;
   const bool recent = browser.purpose == Purpose::model && !ui.workspace.remembered.recent.empty();
   const float row = ImGui::GetFrameHeight() + 12;
-  const float height = browser.makes_morphs() ? -2 * row : -row;
+  const float height = browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row;
   if (recent) {
     ImGui::BeginChild("recent", {220, height}, true);
     note(ui, "Recent");
@@ -343,6 +375,7 @@ void file_panel(const Context& ui) {
   const bool moved = browser.open && handle_keys(ui, typing_path);
   lists(ui, moved);
   if (browser.makes_morphs()) morph_row(ui);
+  if (shows_pictures(browser)) picture_choices(ui);
   button_row(ui);
   if (!open) browser.open = false;
   ImGui::End();

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "scene/commands.h"
+#include "scene/file_commands.h"
 #include "scene/recovery.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -63,17 +64,77 @@ void notice_words(const Context& ui, const std::string& text, const std::string&
   if (ImGui::CalcTextSize(text.c_str()).x + gap + buttons <= room) ImGui::SameLine(0, gap);
 }
 
-void leftover_line(const Context& ui) {
-  const auto& leftovers = ui.workspace.leftovers;
-  const std::size_t others = leftovers.size() - 1;
-  const std::string more = others > 0 ? "  (and " + std::to_string(others) + " more)" : "";
-  notice_words(
-      ui, "Kept: unsaved " + edits_of(leftovers.front()) + more,
-      leftovers.front().file.string(),
-      buttons_width({"restore_leftover", "put_off_leftover", "discard_leftover"}, 2 * apart_gap + 16));
+// The last folders of it, as many as there is room for.
+std::string shortened_folder(std::string folder, float width) {
+  const std::string cut = "...";
+  for (std::size_t slash = 0; ImGui::CalcTextSize(folder.c_str()).x > width;) {
+    slash = folder.find('/', folder.starts_with(cut) ? cut.size() + 1 : 1);
+    if (slash == std::string::npos) break;
+    folder = cut + folder.substr(slash);
+  }
+  return shortened(folder, width);
+}
+
+// At both ends of a line.
+void two_texts(ImVec2 at, float width, const std::string& left, const std::string& right, ImU32 color) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddText(at, color, left.c_str());
+  draw.AddText({at.x + width - ImGui::CalcTextSize(right.c_str()).x, at.y}, color, right.c_str());
+}
+
+// What it is of and when; below, where that lies and how the edits began.
+void leftover_texts(const Context& ui, const scene::Leftover& leftover, ImVec2 at, float width) {
+  constexpr float gap = 16;
+  const auto room_beside = [&](const std::string& text) {
+    return width - ImGui::CalcTextSize(text.c_str()).x - gap;
+  };
+  const std::string when = scene::when(leftover.time, std::time(nullptr));
+  two_texts(at, width, shortened(leftover.name, room_beside(when)), when, ui.colors.text);
+  const std::string began = leftover.first_edit.empty() ? "" : "began with: " + leftover.first_edit;
+  const std::string edit = shortened(began, 0.6f * width);
+  at.y += ImGui::GetTextLineHeight();
+  two_texts(at, width, shortened_folder(leftover.folder.string(), room_beside(edit)), edit, ui.colors.faint);
+}
+
+// One of several can be chosen.
+void leftover_row(const Context& ui, std::size_t i, float width) {
+  auto& w = ui.workspace;
+  const scene::Leftover& leftover = w.leftovers[i];
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size(width, 2 * ImGui::GetTextLineHeight());
+  const bool chosen = w.leftovers.size() > 1 && &scene::offered_leftover(w) == &leftover;
+  const std::string name = "leftover/" + std::to_string(i);
+  if (w.leftovers.size() == 1) {
+    ImGui::Dummy(size);
+  } else if (ImGui::Selectable(("##" + name).c_str(), chosen, 0, size)) {
+    w.chosen_leftover = leftover.file;
+  }
+  leftover_texts(ui, leftover, at, width);
+  record(ui, name);
+  hint("Edits of " + (leftover.folder / leftover.name).string() + "\nkept in " + leftover.file.string());
+}
+
+// Few at once: the others are reached by the wheel.
+void leftover_rows(const Context& ui) {
+  constexpr float widest = 460, most = 3.5f;
+  const std::size_t count = ui.workspace.leftovers.size();
+  const float width = std::min(widest, inner_room(ui));
+  const float row = 2 * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
+  ImGui::PushStyleColor(ImGuiCol_Header, ui.colors.card_active);
+  ImGui::BeginChild("Leftovers", {width, row * std::min(most, static_cast<float>(count))});
+  const float inner = ImGui::GetContentRegionAvail().x;
+  for (std::size_t i = 0; i < count; ++i) leftover_row(ui, i, inner);
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+}
+
+void leftover_offer(const Context& ui) {
+  const std::size_t count = ui.workspace.leftovers.size();
+  ImGui::TextUnformatted(count == 1 ? "Unsaved edits were kept:" : "Unsaved edits were kept; choose one:");
+  leftover_rows(ui);
   command_button(ui, "restore_leftover");
   next_button(ui, "put_off_leftover");
-  if (leftovers.empty()) return;
+  if (ui.workspace.leftovers.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Button, 0);
   next_button(ui, "discard_leftover", apart_gap);
   ImGui::PopStyleColor();
@@ -123,7 +184,7 @@ void notice_bar(const Context& ui) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNav);
-  if (!w.leftovers.empty()) leftover_line(ui);
+  if (!w.leftovers.empty()) leftover_offer(ui);
   if (discarded) discarded_line(ui);
   ImGui::End();
   ImGui::PopStyleVar();

@@ -137,7 +137,8 @@ void falloff_slider(const Context& ui) {
 }
 
 void weight_limits(const Context& ui) {
-  const scene::Weighting& weighting = ui.workspace.document.scheme.weighting;
+  const scene::Scheme& scheme = ui.workspace.document.scheme;
+  const scene::Weighting& weighting = scheme.weighting;
   const bool sums = entry(weighting.weights).has.normalise;
   const char* name = sums ? "toggle_normalise" : "toggle_clamp";
   const scene::Condition& condition = scene::find_command(name)->enabled;
@@ -150,7 +151,7 @@ void weight_limits(const Context& ui) {
   record(ui, name, possible);
   ImGui::EndDisabled();
   if (!possible) hint(std::string(condition.otherwise));
-  if (!weighting.used_apart()) return;  // of older sessions alone
+  if (!scheme.couples_parts() || !scheme.weighting.apart) return;  // of older sessions alone
   ImGui::SameLine();
   command_toggle(ui, "toggle_apart", true);
   record(ui, "toggle_apart", true);

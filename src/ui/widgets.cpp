@@ -113,6 +113,15 @@ void hint(const std::string& text) {
   ImGui::PopStyleVar();
 }
 
+std::string shortened(std::string text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > width) {
+    while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+    text.pop_back();
+  }
+  return text + "...";
+}
+
 void command_button(const Context& ui, std::string_view name, float width) {
   const scene::Command& command = require(name);
   const bool enabled = command.enabled(ui.workspace);

@@ -47,6 +47,8 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
 void note(const Context& ui, const std::string& text, ImU32 color = 0);
 /// The same with room for so many lines, whatever it says: what comes below stays where it is.
 void note_within(const Context& ui, int lines, const std::string& text, ImU32 color = 0);
+/// As much of a text as there is room for, with "..." for the rest.
+std::string shortened(std::string text, float width);
 /// A tooltip for the last item, wrapped.
 void hint(const std::string& text);
 /// Whether the last item is to have one: the mouse rests on it, holds nothing, and no other has one.

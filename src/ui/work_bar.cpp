@@ -19,16 +19,6 @@ std::string words_of(std::optional<double> left) {
   return std::to_string(std::lround(step * std::ceil(*left / step))) + " s left";
 }
 
-// As much of it as there is room for.
-std::string shortened(std::string text, float width) {
-  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > width) {
-    while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
-    text.pop_back();
-  }
-  return text + "...";
-}
-
 void bar(const Context& ui, float width, double done) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();

@@ -111,3 +111,29 @@ TEST_CASE("gaps_are_closed_as_wide_as_is_wished") {
   CHECK(parts(0.01) == 2);
   CHECK(parts(0.15) == 1);
 }
+
+TEST_CASE("a_face_that_goes_round_many_times_and_faces_there_many_times_cost_nothing") {
+  const auto box = [](std::size_t rounds, std::size_t copies) {
+    Surface s;
+    s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1.2, 0}, {0, 1.2, 0},
+                   {0, 0, 1}, {1, 0, 1}, {1, 1.2, 1}, {0, 1.2, 1}};
+    s.polygon_starts.push_back(0);
+    const auto add = [&](std::initializer_list<std::uint32_t> face, std::size_t times) {
+      for (std::size_t i = 0; i < times; ++i) s.corners.insert(s.corners.end(), face);
+      s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
+    };
+    for (std::size_t i = 0; i < copies; ++i) add({0, 3, 2, 1}, rounds);
+    add({4, 5, 6, 7}, 1), add({0, 1, 5, 4}, 1), add({1, 2, 6, 5}, 1), add({2, 3, 7, 6}, 1),
+        add({3, 0, 4, 7}, 1);
+    mesh::triangulate(s);
+    return s;
+  };
+  base::WorkerPool pool(2);
+  const cages::Wish wish{.triangles = 60, .effort = cages::Effort::preview};
+  const auto once = cages::make(box(1, 1), wish, pool);
+  using Times = std::pair<std::size_t, std::size_t>;
+  for (const auto& [rounds, copies] : {Times{2, 1}, Times{200, 1}, Times{1, 200}}) {
+    check_sound({"round and round", box(rounds, copies)}, wish);
+    CHECK(cages::make(box(rounds, copies), wish, pool).notes == once.notes);
+  }
+}

@@ -107,8 +107,30 @@ Rotations bent(const Cage& cage, double degrees, double about_z) {
   Rotations rotations;
   for (const Vec3& center : cage.centers)
     rotations.push_back(deform::times(similarity({0, 0, 1}, about_z * degree).linear,
-                              similarity({1, 0, 0}, (10 + center[2] * degrees) * degree).linear));
+                                      similarity({1, 0, 0}, (10 + center[2] * degrees) * degree).linear));
   return rotations;
 }
 
 }  // namespace
+
+TEST_CASE("whole_turns_about_another_axis_than_that_of_the_logs_stay_and_the_logs_are_coherent") {
+  const Cage cage = make_cage(tube(9, 7, 0.3, 2));
+  const Branches least = branches_of(cage, bent(cage, 20, 0), {});
+  for (const double count : {1.0, 2.0, 5.0}) {
+    const double length = count * 360 * degree;
+    for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{0.6, 0, -0.8}}) {
+      std::vector<Vec3> turns{length * axis};
+      for (int i = 0; i < 3; ++i) {
+        const Branches b = branches_of(cage, bent(cage, 20, 0), turns);
+        turns = b.turns;
+        CHECK(norm(turns[0] - with_whole_turns(axis, count, least.turns[0])) < 1e-9);
+        CHECK(whole_turns(turns[0], least.turns[0]) == count);
+        for (const auto& [e, f] : cage.dual_edges) CHECK(norm(b.logs[e] - b.logs[f]) < 90 * degree);
+      }
+    }
+  }
+  // On the way round and on.
+  std::vector<Vec3> turns{{0, 0, 360 * degree}};
+  for (int a = 0; a <= 720; a += 10) turns = branches_of(cage, bent(cage, 20, a), turns).turns;
+  CHECK(norm(turns[0] - Vec3{0, 0, 3 * 360 * degree}) < 1e-6);
+}

@@ -30,7 +30,7 @@ TEST_CASE("cut_off_weights_are_their_definition_and_say_how_much_reaches_a_point
   for (int n = 0; n < 500; ++n) {
     const Vec3 p = random.vector(4);
     for (const int exponent : {1, 2, 5}) {
-      const Weighting weighting = test::cut_off(0.2, exponent);
+      const Weighting weighting = viete::test::cut_off(0.2, exponent);
       const double total = cut_off_weights(cage, p, weighting, w);
       long double expected = 0, sum = 0;
       for (std::uint32_t e = 0; e < w.size(); ++e) {
@@ -57,15 +57,16 @@ TEST_CASE("cut_off_weights_know_no_length_scale_and_both_sides_of_a_face") {
     const Cage here = make_cage(surface), there = make_cage(scaled);
     std::vector<double> a(here.element_count()), b(a.size());
     for (const Vec3& p : {Vec3{0.9, 0.1, 0.2}, Vec3{1.1, 0.1, 0.2}, Vec3{1, 0, 0}}) {
-      const double t = cut_off_weights(here, p, test::cut_off(0.1), a);
-      CHECK(cut_off_weights(there, scale * p, test::cut_off(0.1), b) == doctest::Approx(t).epsilon(1e-12));
+      const double t = cut_off_weights(here, p, viete::test::cut_off(0.1), a);
+      CHECK(cut_off_weights(there, scale * p, viete::test::cut_off(0.1), b) ==
+            doctest::Approx(t).epsilon(1e-12));
       for (std::size_t e = 0; e < a.size(); ++e) CHECK(a[e] == doctest::Approx(b[e]).epsilon(1e-12));
     }
   }
   const Cage cage = make_cage(surface);
   std::vector<double> inside(cage.element_count()), outside(inside.size());
-  const double t = cut_off_weights(cage, {0.9, 0, 0}, test::cut_off(0.05), inside);
-  CHECK(cut_off_weights(cage, {1.1, 0, 0}, test::cut_off(0.05), outside) == doctest::Approx(t));
+  const double t = cut_off_weights(cage, {0.9, 0, 0}, viete::test::cut_off(0.05), inside);
+  CHECK(cut_off_weights(cage, {1.1, 0, 0}, viete::test::cut_off(0.05), outside) == doctest::Approx(t));
 }
 
 TEST_CASE("on_an_element_a_cut_off_weight_is_finite_and_normalised_weights_jump_where_they_end") {

@@ -157,6 +157,64 @@ TEST_CASE("a_model_in_quads_moves_alike_however_they_are_cut") {
   CHECK(largest_distance(a.deform(a.pose(twist)), b.deform(b.pose(twist))) < 1e-13);
 }
 
+namespace {
+
+// A U whose two caps are concave polygons, each begun at another corner.
+mesh::Surface u_cage(std::uint32_t first) {
+  const double outline[8][2] = {{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 1.5}, {2, 1.5}, {2, 4}, {0, 4}};
+  std::vector<mesh::Point> positions;
+  for (const double z : {-0.6, 0.6}) {
+    for (const auto& p : outline) positions.push_back({p[0], p[1], z});
+  }
+  Polygons polygons(2);
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    polygons[0].push_back(7 - (i + first) % 8), polygons[1].push_back(8 + (i + first) % 8);
+    const std::uint32_t next = (i + 1) % 8;
+    polygons.push_back({i, next, 8 + next, 8 + i});
+  }
+  return of_polygons(positions, polygons);
+}
+
+mesh::Surface moved(mesh::Surface surface, const Vec3& by) {
+  for (auto& p : surface.positions) p = p + by;
+  return surface;
+}
+
+}  // namespace
+
+TEST_CASE("concave_polygons_are_taken_alike_wherever_they_begin_and_follow_similarities") {
+  const auto model = moved(tube(20, 12, 0.3, 3), {1, 2, 0});
+  for (const Weights weights : {Weights::integrated, Weights::inverse}) {
+    const Weighting weighting{Elements::polygon, weights};
+    Bound first(model, u_cage(0), weighting);
+    auto posed = first.cage->surface.positions;
+    for (std::size_t v = 0; v < posed.size(); ++v)
+      posed[v] = posed[v] + Vec3{0.3 * std::sin(double(v)), 0.2 * std::cos(3.0 * double(v)), 0.1};
+    CHECK(first.error(similarity({1, 2, 3}, 2, 1.5)) < 1e-13);
+    const auto one = first.deform({posed, {}});
+    CHECK(largest_distance(one, model.positions) > 0.1);
+    for (std::uint32_t begin = 1; begin < 8; ++begin) {
+      Bound other(model, u_cage(begin), weighting);
+      // Cut elsewhere, its triangles have the same maps; distances to each of them differ.
+      CHECK(largest_distance(one, other.deform({posed, {}})) <
+            (weights == Weights::integrated ? 1e-12 : 0.1));
+    }
+  }
+}
+
+TEST_CASE("the_other_arm_of_a_concave_cage_stays_where_it_is") {
+  const auto left = moved(tube(20, 12, 0.3, 2), {1, 2.5, 0});
+  for (const Weighting& weighting : {face_integrals, mean_values}) {
+    for (std::uint32_t first = 0; first < 8; ++first) {
+      Bound b(left, u_cage(first), weighting, 2,
+              weighting.elements == Elements::point ? Blend::linear : Blend::srl);
+      auto posed = b.cage->surface.positions;
+      for (const std::size_t v : {2, 3, 10, 11}) posed[v][0] += 2.5;  // the end of the right arm
+      CHECK(largest_distance(b.deform({posed, {}}), left.positions) < 0.05);
+    }
+  }
+}
+
 TEST_CASE("corners_in_the_middle_of_a_side_do_not_count") {
   auto positions = box_corners();
   positions.push_back({0, 0.55, 0});  // between 0 and 2

@@ -4,7 +4,8 @@
 
 #include <numeric>
 
-#include "deform/shapes.h"
+#include "base/error.h"
+#include "deform/bound.h"
 
 using namespace viete::test;
 
@@ -160,4 +161,36 @@ TEST_CASE("weights_are_the_same_at_every_length_scale") {
     const auto b = at(make_cage(box({s, 2 * s, 3 * s})), {0.2 * s, 0.9 * s, -1.3 * s}).weights;
     for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-12));
   }
+}
+
+TEST_CASE("a_cage_whose_faces_disagree_follows_as_one_whose_faces_agree") {
+  const auto sound = tube(7, 9, 0.5, 3);
+  auto some = sound.triangles, twice = sound.triangles;
+  for (std::size_t t = 0; t < some.size(); t += 3) std::swap(some[t][1], some[t][2]);
+  for (const auto& [a, b, c] : sound.triangles) twice.push_back({b, a, c});
+  const auto model = tube(12, 10, 0.3, 2);
+  Bound reference(model, sound, mean_values, 2, Blend::linear);
+  const auto motion = similarity({1, 2, 3}, 37 * degree);
+  for (const auto& triangles : {some, twice}) {
+    Bound b(model, viete::mesh::from_triangles(sound.positions, triangles), mean_values, 2, Blend::linear);
+    CHECK(b.error(motion) < 1e-12);
+    auto posed = sound.positions;
+    posed[3] = posed[3] + Vec3{0.4, 0.2, 0.1};
+    CHECK(largest_distance(b.deform({posed, {}}), reference.deform({posed, {}})) < 1e-12);
+  }
+}
+
+TEST_CASE("a_cage_that_has_no_outside_is_refused_for_mean_value_coordinates_alone") {
+  std::vector<viete::mesh::Point> positions;
+  std::vector<viete::mesh::Triangle> triangles;
+  for (std::uint32_t i = 0; i < 6; ++i) {  // a Moebius strip
+    for (int j = 0; j < 2; ++j) positions.push_back({std::cos(1.0 * i), std::sin(1.0 * i), 1.0 * j});
+    const std::uint32_t a = 2 * i, b = a + 1, c = i < 5 ? a + 2 : 1, d = i < 5 ? a + 3 : 0;
+    triangles.push_back({a, c, b}), triangles.push_back({b, c, d});
+  }
+  const auto strip = viete::mesh::from_triangles(positions, triangles);
+  const auto model = tube(6, 5, 0.3, 1);
+  CHECK_THROWS_WITH_AS(Bound(model, strip, mean_values, 2, Blend::linear), doctest::Contains("cannot agree"),
+                       viete::base::Error);
+  CHECK_NOTHROW(Bound(model, strip, faces));
 }

@@ -322,3 +322,46 @@ TEST_CASE("elements_without_area_pin_nothing") {
   for (const auto& pin : stitch(s.model, *s.cage, Elements::face, pool).pins)
     CHECK(pin.handle + 1 < s.cage->element_count());
 }
+
+TEST_CASE("a_soup_of_triangles_and_layers_are_stitched_as_one_and_come_apart_where_that_is_asked_for") {
+  const mesh::Surface whole = pipe();
+  mesh::Surface soup, layers = whole;
+  for (const auto& t : whole.triangles) {
+    for (const auto v : t) soup.positions.push_back(whole.positions[v]);
+  }
+  for (std::uint32_t i = 0; i < soup.positions.size(); i += 3) soup.triangles.push_back({i, i + 1, i + 2});
+  soup = mesh::from_triangles(soup.positions, soup.triangles);
+  const auto n = static_cast<std::uint32_t>(whole.positions.size());
+  for (const auto& p : whole.positions) layers.positions.push_back({0.96 * p[0], 0.96 * p[1], 0.99 * p[2]});
+  for (const auto& [a, b, c] : whole.triangles) layers.triangles.push_back({a + n, b + n, c + n});
+  layers = mesh::from_triangles(layers.positions, layers.triangles);
+
+  const StitchScene one(whole), of_soup(soup), of_layers(layers);
+  const Pose pose = one.pose(Twist{2, {0, 0, 0}, -1.5, 1.5, 0, 60 * degree});
+  for (const int iterations : {1, 3}) {
+    Scheme together = stitched(Elements::face, Blend::srl, iterations), apart = together;
+    apart.weighting.apart = true;
+    const auto torn = [&](const std::vector<mesh::Point>& posed) {
+      double most = 0;
+      for (std::uint32_t v = 0; v < n; ++v)
+        most = std::max(most, std::abs(norm(posed[v] - posed[v + n]) -
+                                       norm(layers.positions[v] - layers.positions[v + n])));
+      return most;
+    };
+    const auto expected = one.deform(pose, together), posed = of_soup.deform(pose, together),
+               loose = of_soup.deform(pose, apart);
+    double off = 0, off_apart = 0;
+    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const mesh::Point& p = expected[whole.triangles[t][k]];
+        off = std::max(off, norm(posed[3 * t + k] - p));
+        off_apart = std::max(off_apart, norm(loose[3 * t + k] - p));
+      }
+    }
+    CHECK(off < 2e-3);
+    CHECK(off_apart > 0.02);
+    CHECK(torn(of_layers.deform(pose, together)) < 0.2 * torn(of_layers.deform(pose, apart)));
+    // Without a second part nothing is coupled.
+    CHECK(one.deform(pose, apart) == expected);
+  }
+}

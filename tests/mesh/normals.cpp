@@ -111,3 +111,57 @@ TEST_CASE("a_rotation_turns_normals_that_lean_from_their_faces") {
     CHECK(norm(moved[i] - Vec3{-normals[i][1], normals[i][0], normals[i][2]}) < 1e-13);
   }
 }
+
+namespace {
+
+// A turn by 90 degrees about x, and a shift.
+Point turned_about_x(const Point& p) {
+  return {p[0] + 1, -p[2], p[1]};
+}
+
+std::vector<Point> turned(const std::vector<Point>& points) {
+  std::vector<Point> all;
+  for (const Point& p : points) all.push_back(turned_about_x(p));
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("normals_that_no_triangle_with_area_holds_turn_with_what_is_near") {
+  const Vec3 up{0, 0, 1}, is_then{0, -1, 0};
+  const auto near = [](const Vec3& a, const Vec3& b) { return norm(a - b) < 1e-14; };
+  Surface points;
+  points.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 1, 1}, {3, 1, 0}};
+  const std::vector<Vec3> normals(5, up);
+  for (const auto& n : deformed_normals(points, turned(points.positions), normals, {}, every_vertex(points)))
+    CHECK(near(n, is_then));
+  CHECK(deformed_normals(points, points.positions, normals, {}, every_vertex(points)) == normals);
+  for (const auto& t : deformed_tangents(points, turned(points.positions), normals, {}, every_vertex(points)))
+    CHECK(near(t, is_then));
+
+  Surface line;  // along y: how it turns about itself is open
+  line.positions = {{0, 0, 0}, {0, 1, 0}, {0, 3, 0}};
+  for (const auto& n :
+       deformed_normals(line, turned(line.positions), std::vector<Vec3>(3, up), {}, every_vertex(line)))
+    CHECK(near(n, is_then));
+
+  // A loose vertex beside a triangle, and a face without area: they turn as the triangle does.
+  Surface mixed = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {2, 0, 0}, {3, 0, 0}},
+                                 {{0, 1, 2}, {1, 4, 5}});
+  const auto now = turned(mixed.positions);
+  for (const auto& n :
+       deformed_normals(mixed, now, std::vector<Vec3>(6, up), mixed.corners, every_vertex(mixed)))
+    CHECK(near(n, is_then));
+  const std::vector<std::uint32_t> a_face_each = {0, 0, 0, 1, 1, 1};
+  for (const auto& n : deformed_normals(mixed, now, std::vector<Vec3>(2, up), a_face_each))
+    CHECK(near(n, is_then));
+
+  // A corner in the middle of a side.
+  Surface side;
+  side.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+  side.corners = {0, 1, 2, 3, 4};
+  side.polygon_starts = {0, 5};
+  triangulate(side);
+  for (const auto& n : deformed_normals(side, turned(side.positions), std::vector<Vec3>(5, up), side.corners))
+    CHECK(near(n, is_then));
+}

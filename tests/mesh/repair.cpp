@@ -59,4 +59,47 @@ TEST_CASE("a_moebius_strip_is_left_as_it_is") {
   const Surface strip = from_triangles(positions, triangles);
   CHECK(!summarize(strip).oriented());
   CHECK(consistently_oriented(strip).triangles == strip.triangles);
+  CHECK(one_sided(strip).triangles.empty());
+}
+
+TEST_CASE("one_side_of_everything_is_kept_and_parts_agree_with_each_other") {
+  const auto moved = [](Surface s, double by, double scale) {
+    for (auto& p : s.positions) p = {scale * p[0] + by, scale * p[1], scale * p[2]};
+    return s;
+  };
+  const auto turned = [](Surface s) {
+    for (auto& t : s.triangles) std::swap(t[1], t[2]);
+    return from_triangles(s.positions, s.triangles);
+  };
+  const auto both = [](const Surface& a, const Surface& b) {
+    Surface s = a;
+    const auto n = static_cast<std::uint32_t>(a.positions.size());
+    s.positions.insert(s.positions.end(), b.positions.begin(), b.positions.end());
+    for (const auto& t : b.triangles) s.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+    return from_triangles(s.positions, s.triangles);
+  };
+  const auto volume_of = [](const Surface& s) {
+    const OneSided one = one_sided(s);
+    CHECK(one.closed);
+    return summarize(from_triangles(s.positions, one.triangles)).volume;
+  };
+  const Surface ball = test::sphere(2);
+  const double v = summarize(ball).volume;
+  CHECK(one_sided(ball).triangles == ball.triangles);
+  CHECK(one_sided(turned(ball)).triangles == turned(ball).triangles);
+  const Surface hollow = both(ball, turned(moved(ball, 0, 0.5)));
+  CHECK(one_sided(hollow).triangles == hollow.triangles);
+  CHECK(volume_of(both(ball, moved(ball, 0, 0.5))) == doctest::Approx(v * (1 - 0.125)));
+  CHECK(volume_of(both(ball, moved(turned(ball), 5, 1))) == doctest::Approx(2 * v));
+
+  Surface two_sided = ball;
+  const Surface back = turned(ball);
+  two_sided.triangles.insert(two_sided.triangles.end(), back.triangles.begin(), back.triangles.end());
+  two_sided = from_triangles(two_sided.positions, two_sided.triangles);
+  CHECK(one_sided(two_sided).triangles == ball.triangles);
+  std::ranges::reverse(two_sided.triangles);
+  CHECK(std::abs(volume_of(from_triangles(two_sided.positions, two_sided.triangles))) == doctest::Approx(v));
+
+  CHECK_FALSE(one_sided(test::torus(12, 8, true)).closed);
+  CHECK(one_sided(test::torus(12, 8, true)).triangles.size() == test::torus(12, 8, true).triangles.size());
 }

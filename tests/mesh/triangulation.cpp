@@ -215,7 +215,8 @@ TEST_CASE("polygons_that_touch_themselves_are_covered") {
                                  {4, 2}});
   const Ring hole_at_side = flat({{0, 0}, {4, 0}, {4, 4}, {2, 4}, {3, 2}, {1, 2}, {2, 4}, {0, 4}});
   const Ring slit = flat({{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 1}, {2, 4}, {0, 4}});
-  for (const Ring& ring : {two_bridges, hole_at_side, slit}) {
+  const Ring touching_corner = flat({{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 2}, {0, 0}, {1, 2}, {1, 4}, {0, 4}});
+  for (const Ring& ring : {two_bridges, hole_at_side, slit, touching_corner}) {
     for (std::size_t first = 0; first < ring.size(); ++first) {
       const Ring from = from_corner(ring, first), slope = onto_a_slope(from);
       check_cover(from, triangulation(from));

@@ -156,6 +156,30 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(first.rgba != last.rgba);
   CHECK(fs::exists(folder / "f_02.png"));
   CHECK_FALSE(fs::exists(folder / "f_04.png"));
+
+  // As the dialog says: without the cage, on a light ground, of another size, and never with panels unasked.
+  scene::find_command("save_animation")->run(d.workspace());
+  d.frame(2);
+  d.press_key('A', true);
+  d.type((folder / "h_##.png").string());
+  d.frame(2);
+  d.click("picture_cage");
+  d.click("picture_light");
+  REQUIRE(d.workspace().browser.pictures);
+  CHECK_FALSE(d.workspace().browser.pictures->cage);
+  CHECK_FALSE(d.workspace().browser.pictures->panels);
+  d.workspace().browser.pictures->width = 200;
+  d.workspace().browser.pictures->height = 120;
+  if (const char* pictures = std::getenv("VIETE_PICTURES"))
+    render::write_png(fs::path(pictures) / "picture_export.png", d.picture());
+  d.press_key(scene::Key::enter);
+  d.frame(2);
+  d.frames_until([&] { return !d.viewer().exporting(); });
+  const auto other = test::read_png(folder / "h_01.png");
+  CHECK(other.width == 200);
+  CHECK(other.height == 120);
+  const auto brightness = [](const render::Image& image) { return int{image.rgba[0]}; };
+  CHECK(brightness(other) > brightness(first) + 60);
   test::put_file(folder / "g_02.png", "somebody's");
   d.workspace().requests.save_animation = folder / "g_##.png";
   d.frames_until([&] { return !d.viewer().exporting(); });

@@ -87,7 +87,8 @@ void visit_questions(Driver& d, const std::string& look) {
 
 void visit_notices(Driver& d, const std::string& look) {
   auto& w = d.workspace();
-  w.leftovers = {{"/a.viete", "walk.viete", 0}, {"/b.viete", "b", 0}};
+  w.leftovers = {{"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon", "move 3 vertices"},
+                 {"/b.viete", "b", 0}};
   d.frame(2);
   show(d, look + "_leftover");
   w.discarded = {{{"/b.viete", "dragon.ply", 0}, "/b.discarded"}};

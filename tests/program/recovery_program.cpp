@@ -166,6 +166,53 @@ TEST_CASE("discarded_work_comes_back_until_the_program_ends_and_work_put_off_sta
   CHECK(kept_files(state).size() == 1);
 }
 
+TEST_CASE("each_kept_work_is_offered_by_name_place_time_and_first_edit_and_the_chosen_one_is_restored") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  const fs::path state = folder / "state";
+  fs::create_directories(folder / "a rather long name of a folder" / "walk cycle");
+  fs::create_directories(state / "recovery");
+  {
+    Driver d(remembering({}));
+    REQUIRE(d.open({small.model, small.cage}));
+    d.settle();
+    const auto keep = [&](const char* name, int hours_ago) {
+      const fs::path file = state / "recovery" / name;
+      test::put_file(file, scene::session_text(scene::session_of(d.workspace()), file, false));
+      fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(hours_ago));
+    };
+    drag_some_vertex(d, {30, 20});
+    keep("999999999-1.viete", 30);
+    d.workspace().saved.session = folder / "a rather long name of a folder" / "walk cycle" / "walk.viete";
+    scene::mark_saved(d.workspace());
+    scene::set_reach(d.document(), 3);
+    keep("999999999-2.viete", 0);
+  }
+  Driver d(remembering(state));
+  d.frame(3);
+  const auto& kept = d.workspace().leftovers;
+  REQUIRE(kept.size() == 2);
+  CHECK(kept[0].name == "walk.viete");
+  CHECK(kept[0].first_edit == "change reach");
+  CHECK(kept[1].first_edit == "move a vertex");
+  CHECK(kept[1].folder == fs::canonical(folder.path()));
+  if (const char* pictures = std::getenv("VIETE_PICTURES"))
+    render::write_png(fs::path(pictures) / "kept_work.png", d.picture());
+  const auto older = d.viewer().recorder().find("leftover/1"),
+             newer = d.viewer().recorder().find("leftover/0");
+  REQUIRE(older);
+  CHECK(older->y0 >= newer->y1);
+  d.click("leftover/1");
+  d.frame(2);
+  CHECK(kept.size() == 2);
+  d.click("restore_leftover");
+  d.settle();
+  CHECK(d.document().model.path == fs::canonical(small.model));
+  CHECK(d.document().scheme.weighting.reach == deform::whole_cage);
+  REQUIRE(kept.size() == 1);
+  CHECK(kept[0].name == "walk.viete");
+}
+
 TEST_CASE("leftovers_that_cannot_be_discarded_stay_and_it_is_said") {
   const test::TemporaryFolder folder;
   const fs::path state = folder / "state";
@@ -412,7 +459,8 @@ TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_
       CHECK(d.viewer().keeping());
     }
     REQUIRE(kept_files(state).size() == 1);
-    fs::rename(kept_files(state).front(), state / "recovery" / "999999999-1.viete");  // of a process that ended
+    fs::rename(kept_files(state).front(),
+               state / "recovery" / "999999999-1.viete");  // of a process that ended
     Driver again(remembering(state));
     again.frame(3);
     again.click("restore_leftover");

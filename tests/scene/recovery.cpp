@@ -4,8 +4,12 @@
 
 #include "base/error.h"
 #include "base/process.h"
+#include "scene/edit.h"
 #include "scene/files.h"
+#include "scene/grip.h"
+#include "scene/saving.h"
 #include "scene/session.h"
+#include "scene/transform.h"
 #include "support/open.h"
 #include "support/zombie.h"
 
@@ -56,7 +60,9 @@ TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
   REQUIRE(leftovers.size() == 3);
   CHECK(leftovers[0].name == "walk.viete");
   CHECK(leftovers[1].name == "999999999-3.viete");
+  CHECK(leftovers[1].folder.empty());
   CHECK(leftovers[2].name == "model.obj");
+  for (const std::size_t i : {0u, 2u}) CHECK(leftovers[i].folder == fs::canonical(files.path()));
 }
 
 TEST_CASE("names_for_work_set_aside_do_not_collide") {
@@ -89,5 +95,57 @@ TEST_CASE("times_of_today_are_told_without_the_day") {
   noon.tm_isdst = -1;
   const std::time_t time = std::mktime(&noon);
   CHECK(when(time, time + 3600) == "today 12:05");
-  CHECK(when(time, time + 86400) == "May 03, 12:05");
+  CHECK(when(time, time + 86400) == "yesterday 12:05");
+  CHECK(when(time, time + 2 * 86400) == "May 03, 12:05");
+  CHECK(when(time, time + 365 * 86400) == "May 03 2026, 12:05");
+  CHECK(when(time, time - 86400) == "May 03, 12:05");
+}
+
+namespace {
+
+std::string first_edit_kept(const Workspace& w, const fs::path& file) {
+  test::put_file(file, session_text(session_of(w), file, false));
+  return describe_leftover(file).first_edit;
+}
+
+}  // namespace
+
+TEST_CASE("kept_work_tells_the_first_edit_since_it_was_saved_and_a_saved_session_tells_none") {
+  const test::CubeFiles files;
+  const fs::path kept = files / "999999999-1.viete";
+  Workspace w;
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  CHECK(first_edit_kept(w, kept).empty());
+  w.document.selection.select_all(8);
+  const auto move = [&] {
+    Transform by;
+    by.shift = {0.1, 0, 0};
+    transform_selection(w.document, Tool::move, plain_grip(w.document), by);
+  };
+  move();
+  set_reach(w.document, 3);
+  CHECK(first_edit_kept(w, kept) == "move 8 vertices");
+
+  REQUIRE(save_session(w, files / "saved.viete"));
+  CHECK(read_session(files / "saved.viete").first_edit.empty());
+  const std::string last = w.document.history.undo_label();
+  undo(w.document);
+  CHECK(first_edit_kept(w, kept) == "undo " + last);
+  reset_pose(w.document);
+  CHECK(first_edit_kept(w, kept) == "reset pose");
+  move();
+  REQUIRE(save_session(w, files / "saved.viete"));
+  reset_pose(w.document);
+  REQUIRE(save_pose(w, files / "pose.obj"));
+  move();
+  CHECK(first_edit_kept(w, kept) == "move 8 vertices");
+
+  Workspace recovered;
+  REQUIRE(open_now(recovered, {OpenRequest::What::recovery, {kept}}));
+  reset_pose(recovered.document);
+  CHECK(first_edit_kept(recovered, files / "999999999-2.viete") == "move 8 vertices");
+  REQUIRE(save_session(recovered, files / "saved.viete"));
+  move();
+  reset_pose(recovered.document);
+  CHECK(first_edit_kept(recovered, kept) != "move 8 vertices");
 }
