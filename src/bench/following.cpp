@@ -68,7 +68,7 @@ double deviation(const WholePose& pose, const deform::Cage& cage, std::span<cons
   double largest = 0;
   for (std::size_t v = 0; v < model.size(); ++v) {
     const double off = norm(positions[v] - moved_by(pose, middle, cage.diagonal, model[v]));
-    largest = off <= largest ? largest : off;  // NaN counts
+    largest = std::isnan(largest) || off <= largest ? largest : off;  // NaN counts
   }
   return largest / mesh::used_bounds(posed).diagonal();
 }

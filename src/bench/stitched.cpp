@@ -169,7 +169,7 @@ public:
     const auto positions = frames_[1]->positions();
     for (std::size_t v = 0; v < size(); ++v) {
       const double off = mesh::norm(positions[v] - plain_->positions()[v]);
-      largest = off <= largest ? largest : off;  // NaN counts
+      largest = std::isnan(largest) || off <= largest ? largest : off;  // NaN counts
     }
     return largest / cage_->diagonal;
   }

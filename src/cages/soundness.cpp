@@ -1,6 +1,7 @@
 #include "cages/soundness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cages/frame.h"
@@ -29,6 +30,25 @@ std::vector<std::uint32_t> one_vertex_a_part(std::size_t vertices,
   return firsts;
 }
 
+// Those that a quick look does not find within the cage: an exact one takes as long as the cage has
+// triangles, and a soup has as many parts as triangles.
+std::vector<std::uint32_t> in_doubt(const mesh::Surface& cage, std::span<const mesh::Point> positions,
+                                    const std::vector<std::uint32_t>& vertices, base::WorkerPool& pool) {
+  constexpr double certain = 0.75;  // the quick look is a few hundredths off
+  if (cage.triangles.empty()) return vertices;
+  const mesh::TriangleTree tree(cage.positions, cage.triangles);
+  std::vector<char> doubt(vertices.size(), 0);
+  pool.for_blocks(vertices.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      doubt[i] = !(std::abs(tree.winding_number(positions[vertices[i]])) > certain);
+  });
+  std::vector<std::uint32_t> some;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (doubt[i]) some.push_back(vertices[i]);
+  }
+  return some;
+}
+
 }  // namespace
 
 Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
@@ -47,7 +67,7 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
                                 cage.positions[corners[2]]};
     if (mesh::has_plane(here) && tree.is_near(here)) found.cutting.push_back(t);
   }
-  const auto firsts = one_vertex_a_part(positions.size(), triangles);
+  const auto firsts = in_doubt(cage, positions, one_vertex_a_part(positions.size(), triangles), pool);
   std::vector<mesh::Point> places(firsts.size());
   std::ranges::transform(firsts, places.begin(), [&](std::uint32_t v) { return positions[v]; });
   for (const auto i : mesh::points_outside(cage, places, &pool)) found.outside.push_back(firsts[i]);

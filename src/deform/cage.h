@@ -56,6 +56,9 @@ struct Cage {
 Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
                     std::span<const mesh::Point> positions);
 
+/// Whether a corner of it turns back by more than rounding.
+bool is_concave(const mesh::Surface& surface, std::uint32_t polygon);
+
 /// Throws base::Error if the surface has no triangle with area, is a closed one squashed flat, or has a fin
 /// (an edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.
 Cage make_cage(mesh::Surface surface);

@@ -22,7 +22,7 @@ constexpr double flat_basis = 1e-9;
 // A corner of a polygon, and the side that runs from it to the next one.
 struct Corner {
   std::uint32_t polygon, previous, at, next;  // the last three are vertices
-  std::uint32_t following;                    // the next corner's place among all
+  std::uint32_t own, following;               // places among all, its own and the next corner's
 };
 
 std::vector<Corner> corners_of(const mesh::Surface& surface) {
@@ -31,7 +31,7 @@ std::vector<Corner> corners_of(const mesh::Surface& surface) {
     const std::size_t first = surface.polygon_starts[p], n = surface.polygon_starts[p + 1] - first;
     for (std::size_t i = 0; i < n; ++i) {
       corners.push_back({p, surface.corners[first + (i + n - 1) % n], surface.corners[first + i],
-                         surface.corners[first + (i + 1) % n],
+                         surface.corners[first + (i + 1) % n], static_cast<std::uint32_t>(first + i),
                          static_cast<std::uint32_t>(first + (i + 1) % n)});
     }
   }
@@ -54,10 +54,13 @@ struct Plane {
   Vec3 area{0, 0, 0}, centroid{0, 0, 0};
 };
 
+std::span<const std::uint32_t> polygon_corners(const mesh::Surface& surface, std::uint32_t polygon) {
+  const auto first = surface.polygon_starts[polygon];
+  return std::span(surface.corners).subspan(first, surface.polygon_starts[polygon + 1] - first);
+}
+
 Plane plane_of(const mesh::Surface& surface, std::uint32_t polygon, Positions at) {
-  const auto corners = std::span(surface.corners)
-                           .subspan(surface.polygon_starts[polygon],
-                                    surface.polygon_starts[polygon + 1] - surface.polygon_starts[polygon]);
+  const auto corners = polygon_corners(surface, polygon);
   const Vec3& first = at[corners[0]];
   Plane plane;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -254,10 +257,15 @@ struct VertexShape : Shape {
 };
 
 struct PolygonShape : VertexShape {
-  using VertexShape::VertexShape;
+  PolygonShape(const Cage& of, Table maps, std::vector<std::uint8_t> is_cut)
+      : VertexShape(of, std::move(maps)), cut(std::move(is_cut)) {}
   Vec3 center(std::uint32_t element, Positions at, const Vec3& origin) const override {
-    return polygon_center(cage.surface, cage.surface.triangle_polygon[element], at) - origin;
+    const auto polygon = cage.surface.triangle_polygon[element];
+    return cut[polygon] ? element_center(cage, element, at, origin)
+                        : polygon_center(cage.surface, polygon, at) - origin;
   }
+
+  const std::vector<std::uint8_t> cut;  // polygons that are concave
 };
 
 // The vectors of a map; alone: without what its element shares, across its own two.
@@ -362,16 +370,23 @@ std::vector<Corner> corners_with_maps(const Cage& cage, std::span<const Corner> 
   return some;
 }
 
-// Of each triangle all of its polygon.
-Table table_of_polygons(const Cage& cage, const std::vector<Corner>& corners) {
+// Of each triangle all of its polygon; of a concave one, whose ends may be far from each other, its own.
+Table table_of_polygons(const Cage& cage, const std::vector<Corner>& corners,
+                        std::span<const std::uint8_t> concave) {
   const mesh::Surface& surface = cage.surface;
   Table t;
   t.starts.push_back(0);
   for (std::uint32_t e = 0; e < cage.element_count(); ++e) {
     const auto polygon = surface.triangle_polygon[e];
     const auto first = surface.polygon_starts[polygon];
-    for (const Corner& c : corners_with_maps(
-             cage, std::span(corners).subspan(first, surface.polygon_starts[polygon + 1] - first))) {
+    const auto all = corners_with_maps(
+        cage, std::span(corners).subspan(first, surface.polygon_starts[polygon + 1] - first));
+    const auto is_own = [&](const Corner& c) {
+      return !concave[polygon] || std::ranges::count(surface.triangles[e], c.at) > 0;
+    };
+    const bool some = std::ranges::any_of(all, is_own);
+    for (const Corner& c : all) {
+      if (some && !is_own(c)) continue;
       t.corners.push_back(c);
       t.owners.push_back(e);
     }
@@ -380,22 +395,31 @@ Table table_of_polygons(const Cage& cage, const std::vector<Corner>& corners) {
   return t;
 }
 
-// All maps of a polygon, in whatever triangle of it, and across edges its first ones.
+// All maps of a polygon, in whatever triangle of it, and across edges its first ones; of a concave one those
+// of a corner, along its sides, and across them.
 std::vector<mesh::Edge> neighbours_of_polygons(const Cage& cage, const std::vector<Corner>& corners,
-                                               const Table& table) {
-  std::vector<std::uint32_t> first(cage.surface.polygon_count(), not_one);
+                                               const Table& table, std::span<const std::uint8_t> concave) {
+  std::vector<std::uint32_t> first(corners.size(), not_one);
+  const auto first_for = [&](const Corner& c) -> std::uint32_t& {
+    return first[concave[c.polygon] ? c.own : cage.surface.polygon_starts[c.polygon]];
+  };
   std::vector<mesh::Edge> pairs;
-  for (std::uint32_t m = 0; m < table.corners.size(); ++m) {
-    auto& of_polygon = first[table.corners[m].polygon];
-    if (of_polygon == not_one) {
-      of_polygon = m;
-    } else {
-      pairs.push_back({of_polygon, m});
-    }
-  }
-  for (const auto& side : sides_beside(cage, corners)) {
-    const auto a = first[corners[side.a].polygon], b = first[corners[side.b].polygon];
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
     if (a != not_one && b != not_one && a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
+  };
+  for (std::uint32_t m = 0; m < table.corners.size(); ++m) {
+    auto& known = first_for(table.corners[m]);
+    if (known == not_one) known = m;
+    add(known, m);
+  }
+  for (const auto& side : sides_beside(cage, corners))
+    add(first_for(corners[side.a]), first_for(corners[side.b]));
+  std::uint32_t before = not_one;
+  for (const Corner& c : corners) {
+    const auto m = first_for(c);
+    if (!concave[c.polygon] || m == not_one) continue;
+    if (before != not_one && table.corners[before].polygon == c.polygon) add(before, m);
+    before = m;
   }
   return pairs;
 }
@@ -404,10 +428,13 @@ std::vector<mesh::Edge> neighbours_of_polygons(const Cage& cage, const std::vect
 
 std::unique_ptr<const ElementMaps> polygon_maps(const Cage& cage) {
   const auto corners = corners_of(cage.surface);
-  Table table = table_of_polygons(cage, corners);
-  auto pairs = neighbours_of_polygons(cage, corners, table);
-  return corner_maps(std::make_unique<PolygonShape>(cage, std::move(table)), std::move(pairs), Kind::edges,
-                     false);
+  std::vector<std::uint8_t> concave;
+  for (std::uint32_t p = 0; p < cage.surface.polygon_count(); ++p)
+    concave.push_back(is_concave(cage.surface, p));
+  Table table = table_of_polygons(cage, corners, concave);
+  auto pairs = neighbours_of_polygons(cage, corners, table, concave);
+  return corner_maps(std::make_unique<PolygonShape>(cage, std::move(table), std::move(concave)),
+                     std::move(pairs), Kind::edges, false);
 }
 
 std::unique_ptr<const ElementMaps> edge_maps(const Cage& cage) {

@@ -13,7 +13,9 @@ namespace viete::deform {
 
 /// Of each triangle, those of its polygon: of a triangle its own; of others one a corner, of the edges to the
 /// next and the previous corner and N / sqrt|N|, N their cross product. Corners that are flat at rest, as in
-/// the middle of a side, have none, unless all are. All triangles of a polygon share its map and its centre.
+/// the middle of a side, have none, unless all are. All triangles of a convex polygon share its map and its
+/// centre; one of a concave polygon, whose ends may be far from each other, has those of its own corners, and
+/// its own centre.
 std::unique_ptr<const ElementMaps> polygon_maps(const Cage& cage);
 /// Of each polygon edge, one map a polygon beside it: of the edge, the way from its middle to the polygon's
 /// centroid, and, shared, |edge| times the unit mean of the polygons' unit normals.

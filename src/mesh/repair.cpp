@@ -208,7 +208,8 @@ OneSided one_sided(const Surface& surface) {
   const auto is_back = backs(joined);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    if (!is_back[surface.triangle_polygon[t]]) kept.push_back(t);
+    const bool of_polygon = t < surface.triangle_polygon.size();  // or added by itself
+    if (!of_polygon || !is_back[surface.triangle_polygon[t]]) kept.push_back(t);
   }
   Surface front = part_of(joined, kept);
   Orienter orienter(front);
