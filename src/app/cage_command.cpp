@@ -10,6 +10,7 @@
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/output.h"
+#include "app/terminal_progress.h"
 #include "base/clock.h"
 #include "base/quantity.h"
 #include "cages/closeness.h"
@@ -127,14 +128,18 @@ int make_cage(const CageOptions& options) {
   scene::add_surface(read, options.model, model.original.get(), model.attributes.get(), scene::the_model);
   check_output(options.output, Content::surface, read, options.force);
   print_notes(model.warnings);
+  auto work = std::make_unique<TerminalProgress>("Making " + options.output.filename().string());
   base::WorkerPool pool;
   base::Stopwatch watch;
   cages::Made made;
   try {
-    made = cages::make(model.surface, options.wish, pool);
+    made = cages::make(model.surface, options.wish, pool, &work->progress());
   } catch (const base::Error& error) {
     throw base::Error(options.model.string(), error.problem(), error.advice());
+  } catch (const base::Cancelled&) {
+    throw base::Error(options.output.string(), "stopped", "no file was changed");
   }
+  work.reset();  // its line gives way to what is said
   const double seconds = 1e-3 * watch.lap_ms();
   const std::string format = mesh::extension_of(options.output);
   const bool is_gltf = format == "glb" || format == "gltf";

@@ -137,7 +137,7 @@ void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked) {
   add_reach_option(app, [&asked](double reach) { asked.reach = reach; });
   auto* radius = app.add_option_function<double>(
       "--radius", [&asked](double percent) { asked.radius = deform::radius_from_percent(percent); },
-      "Of cut-off weights: where they end, in percent of the cage's diagonal");
+      "Of cut-off weights: where they end, in percent of the cage's size");
   in_range(radius, 100 * deform::least_radius, 100 * deform::largest_radius)
       ->option_text("PERCENT")
       ->default_str("25");
@@ -185,7 +185,7 @@ void add_stitching_options(CLI::App& app, scene::AskedSettings& asked) {
   add_share_option(
       app, "--pins", asked.pins,
       "Of a stitched mesh: vertices so near to an element of the cage follow it, the nearer the more, in "
-      "percent of the cage's diagonal");
+      "percent of the cage's size");
   add_share_option(
       app, "--hold", asked.hold,
       "Of a stitched mesh: how firmly every vertex is held where it would be if it was not stitched");

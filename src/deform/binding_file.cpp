@@ -34,7 +34,7 @@ struct Header {
   std::uint64_t failed = 0;
   double reach = 0, radius = 0, tolerance = 0;
   std::uint16_t exponent = 0, clamp = 0;
-  std::uint8_t normalise = 0, together = 0;  // parts of the model
+  std::uint8_t normalise = 0, since_03 = 0;  // not Weighting::as_before
   std::uint16_t shared = 0;
   std::uint64_t content = 0, itself = 0;  // checksums of what follows, and of what stands before
 };
@@ -53,7 +53,7 @@ void put_numbers(const Weighting& weighting, Header& header) {
   header.exponent = static_cast<std::uint16_t>(weighting.used_exponent());
   header.clamp = weighting.used_clamp();
   header.normalise = weighting.used_normalise();
-  header.together = entry(weighting.weights).on_surface && !weighting.apart;
+  header.since_03 = weighting.changed_in_03() && !weighting.as_before;
 }
 
 template <class T>
@@ -181,7 +181,7 @@ void require_same(const Reader& reader, const Header& h, const mesh::Surface& mo
   };
   if (h.clamp != wanted.clamp) reader.stale(with(h.clamp, "clamped"));
   if (h.normalise != wanted.normalise) reader.stale(with(h.normalise, "normalised"));
-  if (h.together != wanted.together) reader.stale(with(h.together, "those of parts that stay together"));
+  if (h.since_03 != wanted.since_03) reader.stale(with(!h.since_03, "those of before version 0.3"));
 }
 
 void set_ranks(const Reader& reader, const std::vector<std::uint32_t>& ranks, TiledBinding& b) {

@@ -43,6 +43,7 @@ struct Cage {
   std::vector<std::uint32_t>
       parts;            ///< of each element the part, a place in roots; without area: roots.size()
   double diagonal = 0;  ///< of the rest bounding box, the unit of tolerances
+  double size = 0;      ///< mesh::used_size(), the unit of radii
   double contact =
       0;  ///< a point nearer than this to an element lies on it: what rounding cannot tell from 0
   bool closed = false;   ///< every edge has exactly two triangles, run through in opposite directions
@@ -58,6 +59,11 @@ Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
 
 /// Whether a corner of it turns back by more than rounding.
 bool is_concave(const mesh::Surface& surface, std::uint32_t polygon);
+
+/// What radii are parts of. As before version 0.3, see Weighting::as_before, the diagonal.
+inline double size_of(const Cage& cage, bool as_before) {
+  return as_before ? cage.diagonal : cage.size;
+}
 
 /// Throws base::Error if the surface has no triangle with area, is a closed one squashed flat, or has a fin
 /// (an edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.

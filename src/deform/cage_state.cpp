@@ -108,7 +108,7 @@ std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements)
   return cage.surface.positions;
 }
 
-CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend)
+CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend, bool as_before)
     : cage_(std::move(cage)),
       handles_(entry(elements).handles),
       form_(row_form(elements, blend)),
@@ -118,7 +118,7 @@ CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend 
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});
   values_.resize(handles * shape(form_).columns);
   if (form_ == RowForm::positions) return;
-  elements_ = element_maps(*cage_, has_moments(form_) ? Elements::vertex_patch : elements);
+  elements_ = element_maps(*cage_, has_moments(form_) ? Elements::vertex_patch : elements, as_before);
   all_maps_ = first_numbers(elements_->count());
   maps_.resize(elements_->count());
   rest_centers_.resize(handles);

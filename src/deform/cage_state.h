@@ -46,7 +46,7 @@ struct Rows {
 class CageState {
 public:
   /// cage must not be null.
-  CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend);
+  CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend, bool as_before = false);
 
   /// Throws base::Error if pose.positions is not one per cage vertex.
   void set_pose(const Pose& pose);

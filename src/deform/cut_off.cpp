@@ -15,7 +15,7 @@ double share_of_motion(const Weighting& weighting, double total) {
 double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& weighting,
                        std::span<double> weights) {
   const auto& x = cage.surface.positions;
-  const double radius = weighting.radius * cage.diagonal;
+  const double radius = weighting.radius * size_of(cage, weighting.as_before);
   const Handles handles = entry(weighting.elements).handles;
   double total = 0;
   for (std::size_t h = 0; h < weights.size(); ++h) {

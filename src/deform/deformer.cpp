@@ -11,7 +11,7 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
                    const Scheme& scheme, base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching)
     : binding_(std::move(binding)),
       scheme_(scheme),
-      state_(cage, scheme.weighting.elements, scheme.blend),
+      state_(cage, scheme.weighting.elements, scheme.blend, scheme.weighting.as_before),
       weigher_(state_.cage(), binding_->weighting),
       layer_(binding_->rest, pool) {
   state_.set_amounts(scheme.amounts);

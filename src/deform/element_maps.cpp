@@ -53,13 +53,13 @@ ElementMaps::ElementMaps(MapGraph graph, mesh::Adjacency vertices, std::vector<s
       shares_(std::move(shares)),
       single_(false) {}
 
-std::unique_ptr<const ElementMaps> element_maps(const Cage& cage, Elements elements) {
+std::unique_ptr<const ElementMaps> element_maps(const Cage& cage, Elements elements, bool as_before) {
   switch (elements) {
     case Elements::face:
     case Elements::point: break;
     case Elements::polygon: return polygon_maps(cage);
-    case Elements::patch: return face_patch_maps(cage);
-    case Elements::vertex_patch: return vertex_patch_maps(cage);
+    case Elements::patch: return face_patch_maps(cage, size_of(cage, as_before));
+    case Elements::vertex_patch: return vertex_patch_maps(cage, size_of(cage, as_before));
     case Elements::edge: return edge_maps(cage);
     case Elements::vertex: return vertex_maps(cage);
     case Elements::vertex_face: return vertex_face_maps(cage);

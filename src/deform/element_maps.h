@@ -51,6 +51,6 @@ private:
 };
 
 /// Of elements that have affine maps.
-std::unique_ptr<const ElementMaps> element_maps(const Cage& cage, Elements elements);
+std::unique_ptr<const ElementMaps> element_maps(const Cage& cage, Elements elements, bool as_before = false);
 
 }  // namespace viete::deform

@@ -11,7 +11,7 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // of the diagonal
+constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // of the size
 constexpr double farther = 4;                                         // than the nearest part
 constexpr std::size_t most_parts = 6;
 // Chosen by how far models of 2 to 30,000 parts come apart in bends, drags and twists (bench modes, torn).
@@ -25,14 +25,14 @@ public:
   Neighbours(const mesh::Surface& surface, const mesh::EdgePaths& paths, std::vector<std::uint32_t> used)
       : positions_(surface.positions),
         paths_(paths),
-        diagonal_(mesh::used_bounds(surface).diagonal()),
+        size_(mesh::used_size(surface)),
         has_parts_(has_parts(used)),
         tree_(positions_, std::move(used), paths.parts()) {}
 
   // The nearest of each part.
   std::vector<Neighbour> of(std::uint32_t a) const {
     std::vector<Neighbour> found;
-    if (has_parts_) found = tree_.nearest_of_groups(positions_[a], reach * diagonal_, paths_.part(a));
+    if (has_parts_) found = tree_.nearest_of_groups(positions_[a], reach * size_, paths_.part(a));
     if (const auto fold = nearest_fold(a)) found.push_back(*fold);
     std::ranges::sort(found, [](const Neighbour& x, const Neighbour& y) { return x.nearer_than(y); });
     found.resize(std::min(found.size(), most_parts));
@@ -49,18 +49,18 @@ private:
   // Of its own part, where no short path leads.
   std::optional<Neighbour> nearest_fold(std::uint32_t a) const {
     std::optional<Neighbour> nearest;
-    tree_.for_within(positions_[a], touching * diagonal_, [&](std::uint32_t b) {
+    tree_.for_within(positions_[a], touching * size_, [&](std::uint32_t b) {
       if (b == a || paths_.part(b) != paths_.part(a)) return;
       const Neighbour other{paths_.part(b), b, squared_norm(positions_[a] - positions_[b])};
       if (nearest && !other.nearer_than(*nearest)) return;
-      if (!paths_.joined(a, b, way_around * diagonal_)) nearest = other;
+      if (!paths_.joined(a, b, way_around * size_)) nearest = other;
     });
     return nearest;
   }
 
   std::span<const mesh::Point> positions_;
   const mesh::EdgePaths& paths_;
-  double diagonal_;
+  double size_;
   bool has_parts_;
   mesh::PointTree tree_;
 };
@@ -114,7 +114,7 @@ Bodies bodies(const mesh::Surface& surface, const mesh::EdgePaths& paths, std::s
   constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   const auto& p = surface.positions;
   const auto n = static_cast<std::uint32_t>(p.size());
-  const double near = touching * mesh::used_bounds(surface).diagonal();
+  const double near = touching * mesh::used_size(surface);
   std::vector<double> share(n, 0);
   for (std::uint32_t v = 0; v < n; ++v) share[paths.part(v)] += masses[v];
   mesh::UnionFind sets(n);

@@ -16,13 +16,13 @@ namespace {
 
 using Symmetric = sym3::Sym3<double>;
 
-constexpr double width_of_fit = 0.03;  // e, of the cage's diagonal
+constexpr double width_of_fit = 0.03;  // e, of the cage's size
 constexpr double least_spread = 0.1;   // of the largest singular value
 constexpr double flat_spread = 1e-3;   // below it a patch lies in a plane
 constexpr std::size_t most_vertices = 256;
 constexpr double least_area = 1e-9;  // of a sum of areas: what is less has cancelled
 
-// Sums of w x x^T, lengths in diagonals of the cage.
+// Sums of w x x^T, lengths in sizes of the cage.
 struct Spread {
   Symmetric k{0, 0, 0, 0, 0, 0};
 
@@ -86,8 +86,9 @@ struct Patches {
 // them last.
 class PatchMaker {
 public:
-  PatchMaker(const Cage& cage, const Seeds& seeds)
+  PatchMaker(const Cage& cage, double size, const Seeds& seeds)
       : cage_(cage),
+        scale_(1 / size),
         seeds_(seeds),
         seen_seed_(seeds.centers.size(), none),
         seen_vertex_(cage.surface.positions.size(), none) {}
@@ -130,7 +131,7 @@ private:
   }
 
   Vec3 from_center(std::uint32_t vertex) const {
-    return (1 / cage_.diagonal) * (cage_.surface.positions[vertex] - seeds_.centers[patch_]);
+    return scale_ * (cage_.surface.positions[vertex] - seeds_.centers[patch_]);
   }
   static double weight(const Vec3& x) { return 1 / (width_of_fit * width_of_fit + squared_norm(x)); }
 
@@ -144,22 +145,22 @@ private:
   }
 
   void finish() {
-    const double scale = 1 / cage_.diagonal;
     if (spread_.ratio() < flat_spread) {
       if (squared_norm(seeds_.normals[patch_]) == 0) return;
-      const Vec3 n = scale * seeds_.normals[patch_];
+      const Vec3 n = scale_ * seeds_.normals[patch_];
       const double w = spread_.largest() / squared_norm(n);
       spread_.add(w, n);
-      patches_.normal_duals[patch_] = (scale * w) * times(inverse(spread_.k), n);
+      patches_.normal_duals[patch_] = (scale_ * w) * times(inverse(spread_.k), n);
     }
     const Symmetric k = inverse(spread_.k);
     for (const auto v : vertices_) {
       const Vec3 x = from_center(v);
-      patches_.vertices.push_back({v, (scale * weight(x)) * times(k, x)});
+      patches_.vertices.push_back({v, (scale_ * weight(x)) * times(k, x)});
     }
   }
 
   const Cage& cage_;
+  double scale_;
   const Seeds& seeds_;
   std::vector<std::uint32_t> seen_seed_, seen_vertex_;
   Patches patches_;
@@ -265,8 +266,8 @@ private:
 };
 
 template <class Normal, class Center>
-std::unique_ptr<const ElementMaps> patch_maps(const Cage& cage, MapGraph graph, Seeds seeds, Normal normal,
-                                              Center center) {
+std::unique_ptr<const ElementMaps> patch_maps(const Cage& cage, double size, MapGraph graph, Seeds seeds,
+                                              Normal normal, Center center) {
   const auto& rest = cage.surface.positions;
   const Vec3 zero{0, 0, 0};
   for (std::uint32_t s = 0; s < graph.count(); ++s) {
@@ -274,14 +275,14 @@ std::unique_ptr<const ElementMaps> patch_maps(const Cage& cage, MapGraph graph, 
     seeds.normals.push_back(normal(s, rest));
   }
   seeds.skipped = graph.skipped;
-  Patches patches = PatchMaker(cage, seeds).make();
+  Patches patches = PatchMaker(cage, size, seeds).make();
   return std::make_unique<PatchMaps<Normal, Center>>(cage, std::move(graph), seeds, std::move(patches),
                                                      std::move(normal), std::move(center));
 }
 
 }  // namespace
 
-std::unique_ptr<const ElementMaps> face_patch_maps(const Cage& cage) {
+std::unique_ptr<const ElementMaps> face_patch_maps(const Cage& cage, double size) {
   MapGraph graph = face_graph(cage);
   Seeds seeds;
   seeds.corners = mesh::make_adjacency(graph.count(), [&](const auto& add) {
@@ -291,14 +292,14 @@ std::unique_ptr<const ElementMaps> face_patch_maps(const Cage& cage) {
   });
   seeds.around = mesh::adjacency(graph.count(), graph.edges);
   return patch_maps(
-      cage, std::move(graph), std::move(seeds),
+      cage, size, std::move(graph), std::move(seeds),
       [&cage](std::uint32_t e, std::span<const mesh::Point> at) { return posed_normal(cage, e, at); },
       [&cage](std::uint32_t e, std::span<const mesh::Point> at, const Vec3& origin) {
         return element_center(cage, e, at, origin);
       });
 }
 
-std::unique_ptr<const ElementMaps> vertex_patch_maps(const Cage& cage) {
+std::unique_ptr<const ElementMaps> vertex_patch_maps(const Cage& cage, double size) {
   MapGraph graph = vertex_graph(cage);
   Seeds seeds;
   seeds.corners = mesh::make_adjacency(graph.count(), [&](const auto& add) {
@@ -306,7 +307,7 @@ std::unique_ptr<const ElementMaps> vertex_patch_maps(const Cage& cage) {
   });
   seeds.around = mesh::adjacency(graph.count(), graph.edges);
   return patch_maps(
-      cage, std::move(graph), std::move(seeds),
+      cage, size, std::move(graph), std::move(seeds),
       [&cage, around = mesh::vertex_triangles(cage.surface.positions.size(), cage.surface.triangles)](
           std::uint32_t v, std::span<const mesh::Point> at) { return vertex_normal(cage, around.of(v), at); },
       [](std::uint32_t v, std::span<const mesh::Point> at, const Vec3& origin) { return at[v] - origin; });

@@ -285,13 +285,19 @@ std::optional<UnusedSetting> unused_setting(Weights weights, const AskedWeightin
 bool Weighting::same_numbers(const Weighting& o) const {
   return used_reach() == o.used_reach() && used_radius() == o.used_radius() &&
          used_exponent() == o.used_exponent() && used_clamp() == o.used_clamp() &&
-         used_normalise() == o.used_normalise() && used_apart() == o.used_apart();
+         used_normalise() == o.used_normalise() && used_as_before() == o.used_as_before();
 }
 const WeightsEntry& entry(Weights weights) {
   return find(weights_table, weights);
 }
 const BlendEntry& entry(Blend blend) {
   return find(blend_table, blend);
+}
+
+bool Scheme::changed_in_03() const {
+  const bool fits_patches = weighting.elements == Elements::patch ||
+                            weighting.elements == Elements::vertex_patch || entry(blend).of_points;
+  return stitched() || fits_patches || weighting.changed_in_03();
 }
 
 Scheme default_scheme(bool has_triangles) {

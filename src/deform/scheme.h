@@ -97,7 +97,7 @@ inline constexpr double whole_cage = std::numeric_limits<double>::infinity();
 /// model would show the cage's edges.
 inline constexpr double lowest_reach = 1.5;
 
-/// Of the cage's diagonal.
+/// Of the cage's size.
 inline constexpr double least_radius = 0.001, largest_radius = 10;
 inline constexpr int most_exponent = 8;
 
@@ -112,7 +112,7 @@ struct Weighting {
   /// lowest_reach or more. Weights that have no reach leave it unused.
   double reach = whole_cage;
 
-  /// Where cut-off weights end, in diagonals of the cage: least_radius to largest_radius.
+  /// Where cut-off weights end, in sizes of the cage (see size_of()): least_radius to largest_radius.
   double radius = 0.25;
   /// Of distances, 1 to most_exponent: the higher, the more local.
   int exponent = 2;
@@ -120,16 +120,18 @@ struct Weighting {
   bool clamp = true;
   /// Weights always sum to 1, also where few elements reach: see cut_off_weights().
   bool normalise = false;
-  /// Parts of a model are weighed each by itself, along its surface alone, so that they come apart: as before
-  /// version 0.3, for sessions of then.
-  bool apart = false;
+  /// By the rules before version 0.3, for sessions and bindings of then: parts of a model are weighed each by
+  /// itself, along its surface alone, so that they come apart; and the size of a cage is the diagonal of its
+  /// bounds, which is another one when cage and model are turned together.
+  bool as_before = false;
 
   double used_reach() const { return entry(weights).has.reach ? reach : whole_cage; }
   double used_radius() const { return entry(weights).has.radius ? radius : 0; }
   int used_exponent() const { return entry(weights).has.exponent ? exponent : 0; }
   bool used_clamp() const { return entry(weights).has.clamp && clamp; }
   bool used_normalise() const { return entry(weights).has.normalise && normalise; }
-  bool used_apart() const { return entry(weights).on_surface && apart; }
+  bool used_as_before() const { return changed_in_03() && as_before; }
+  bool changed_in_03() const { return entry(weights).on_surface || entry(weights).has.radius; }
   /// Elements that are far away have no weight at all.
   bool local() const { return used_reach() < whole_cage || entry(weights).has.radius; }
   /// Weights of a vertex may sum to less than 1: what is missing stays at rest, see Shares in binding.h.
@@ -170,7 +172,7 @@ inline constexpr double largest_amount = 2;
 
 /// What holds a stitched model beside the triangles nearest to the cage's handles: see StitchingSettings.
 struct Holding {
-  double radius = 0;  ///< in diagonals of the cage, 0 to largest_pin_radius
+  double radius = 0;  ///< in sizes of the cage, 0 to largest_pin_radius
   double weight = 0;  ///< of every vertex's blended place, 0 to 1
 
   friend bool operator==(const Holding&, const Holding&) = default;
@@ -187,14 +189,14 @@ struct Scheme {
   Holding holding{};  ///< of stitched models
 
   bool stitched() const { return iterations > 0; }
-  /// Weighting::apart makes a difference.
-  bool couples_parts() const { return stitched() || entry(weighting.weights).on_surface; }
+  /// Weighting::as_before makes a difference.
+  bool changed_in_03() const;
   /// A frame takes an exponential a vertex.
   bool exponential() const { return entry(weighting.elements).affine && entry(blend).exponential; }
   friend bool operator==(const Scheme& a, const Scheme& b) {
     return a.weighting.elements == b.weighting.elements && a.weighting == b.weighting && a.blend == b.blend &&
            a.amounts == b.amounts && a.iterations == b.iterations && a.holding == b.holding &&
-           (!a.stitched() || a.weighting.apart == b.weighting.apart);
+           (!a.changed_in_03() || a.weighting.as_before == b.weighting.as_before);
   }
 };
 
@@ -251,9 +253,9 @@ std::string text_of_percent(double fraction);
 std::string text_of_reach(double reach);
 /// Percent, 0 to 200, as a fraction.
 std::optional<double> amount_from_percent(double percent);
-/// Percent of the cage's diagonal, as a fraction; nothing if it is no radius.
+/// Percent of the cage's size, as a fraction; nothing if it is no radius.
 std::optional<double> radius_from_percent(double percent);
-/// Percent, 0 to 100, as a fraction: of the cage's diagonal, of a Holding, or of a whole.
+/// Percent, 0 to 100, as a fraction: of the cage's size, of a Holding, or of a whole.
 std::optional<double> share_from_percent(double percent);
 /// A number from lowest_reach on, or "all".
 std::optional<double> reach_from_text(std::string_view text);

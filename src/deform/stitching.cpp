@@ -129,7 +129,7 @@ private:
   }
 
   void find_couplings() {
-    if (settings_.apart) return;
+    if (settings_.as_before) return;
     const mesh::Surface joined = mesh::welded(model_);
     couplings_ = part_couplings(joined, mesh::EdgePaths(joined), intrinsic_laplacian(joined).masses, pool_);
     const auto lowest = mesh::lowest_in_place(model_.positions);
@@ -156,7 +156,7 @@ private:
     if (t < model_.triangles.size()) {
       for (const auto v : model_.triangles[t]) pins.push_back({v, handle, settings_.pin});
     }
-    const double radius = settings_.radius * cage_.diagonal;
+    const double radius = settings_.radius * size_of(cage_, settings_.as_before);
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {
       const double d = norm(model_.positions[v] - center);
       if (d < radius)
@@ -273,8 +273,9 @@ std::size_t stitching_bytes(std::size_t vertices) {
 }
 
 StitchingSettings settings_of(const Scheme& scheme) {
-  return {
-      .radius = scheme.holding.radius, .translation = scheme.holding.weight, .apart = scheme.weighting.apart};
+  return {.radius = scheme.holding.radius,
+          .translation = scheme.holding.weight,
+          .as_before = scheme.weighting.as_before};
 }
 
 Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements, base::WorkerPool& pool,

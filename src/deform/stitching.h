@@ -17,10 +17,10 @@ namespace viete::deform {
 /// neighbours, see stiffness_matrix().
 struct StitchingSettings {
   double pin = 0.03;       ///< of each corner of the triangle nearest to a handle, to where its map takes it
-  double radius = 0;       ///< in diagonals of the cage: vertices so near to a handle are pinned too
+  double radius = 0;       ///< in sizes of the cage (size_of()): vertices so near to a handle are pinned too
   double exponent = 2;     ///< by pin ((radius - distance) / radius)^exponent
   double translation = 0;  ///< of every vertex, to its blended position
-  bool apart = false;      ///< parts of the model are not coupled
+  bool as_before = false;  ///< Weighting::as_before: parts of the model are not coupled
 
   friend bool operator==(const StitchingSettings&, const StitchingSettings&) = default;
 };

@@ -167,7 +167,8 @@ double Weigher::squared_softening() const {
 }
 
 double Weigher::cut() const {
-  if (weighting_.weights == Weights::cut_off) return 1 / (scale_ * cage_.diagonal * weighting_.radius);
+  if (weighting_.weights == Weights::cut_off)
+    return 1 / (scale_ * size_of(cage_, weighting_.as_before) * weighting_.radius);
   return 1 / weighting_.reach / weighting_.reach;
 }
 

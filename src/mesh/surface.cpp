@@ -99,4 +99,41 @@ Bounds used_bounds(const Surface& surface) {
   return surface.corners.empty() ? bounds(surface.positions) : bounds(surface.positions, surface.corners);
 }
 
+namespace {
+
+// Of areas, lengths in units: coordinates may be up to largest_coordinate.
+Point area_center(const Surface& surface, const Point& origin, double unit) {
+  Vec3 sum{0, 0, 0};
+  double total = 0;
+  for (const auto& [a, b, c] : surface.triangles) {
+    const auto at = [&](std::uint32_t v) { return (1 / unit) * (surface.positions[v] - origin); };
+    const double area = norm(cross(at(b) - at(a), at(c) - at(a)));
+    sum = sum + (area / 3) * (at(a) + at(b) + at(c));
+    total += area;
+  }
+  return total > 0 ? origin + (unit / total) * sum : origin;
+}
+
+Point mean_of(std::span<const Point> positions, const std::vector<std::uint32_t>& some, const Point& origin) {
+  Vec3 sum{0, 0, 0};
+  for (const auto v : some) sum = sum + (1.0 / static_cast<double>(some.size())) * (positions[v] - origin);
+  return origin + sum;
+}
+
+}  // namespace
+
+double used_size(const Surface& surface) {
+  const Bounds box = used_bounds(surface);
+  const double unit = box.diagonal();
+  if (!(unit > 0)) return 0;
+  std::vector<std::uint32_t> used = surface.corners;
+  if (used.empty()) used.resize(surface.positions.size()), std::iota(used.begin(), used.end(), 0u);
+  std::ranges::sort(used);
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const Point center = area_center(surface, mean_of(surface.positions, used, box.center()), unit);
+  double farthest = 0;
+  for (const auto v : used) farthest = std::max(farthest, norm(surface.positions[v] - center));
+  return 2 * farthest;
+}
+
 }  // namespace viete::mesh

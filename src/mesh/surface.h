@@ -81,4 +81,9 @@ Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> s
 /// polygon.
 Bounds used_bounds(const Surface& surface);
 
+/// Twice as far as the farthest of those vertices is from the centre of the surface's area (from their mean
+/// where it has none): of a box its diagonal, and the same however the surface is turned, which the diagonal
+/// of its bounds is not.
+double used_size(const Surface& surface);
+
 }  // namespace viete::mesh

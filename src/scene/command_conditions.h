@@ -34,9 +34,8 @@ inline constexpr Condition has_clamp{
 inline constexpr Condition has_normalise{
     [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.normalise; },
     "These weights always sum to 1."};
-inline constexpr Condition has_surface_weights{
-    [](const Workspace& w) { return w.document.scheme.couples_parts(); },
-    "These weights are a matter of space: parts always stay together."};
+inline constexpr Condition changed_in_03{[](const Workspace& w) { return w.document.scheme.changed_in_03(); },
+                                         "These weights are a matter of space: parts always stay together."};
 inline constexpr Condition has_maps{
     [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.elements).affine; },
     "These elements only move: there are no maps that triangles could follow."};

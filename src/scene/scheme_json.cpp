@@ -29,7 +29,7 @@ double reach_of(const JsonReader& json) {
 
 double radius_of(const JsonReader& json) {
   const auto radius = deform::radius_from_percent(json.number());
-  if (!radius) json.fail("a radius must be 0.1 to 1000 percent of the cage's diagonal");
+  if (!radius) json.fail("a radius must be 0.1 to 1000 percent of the cage's size");
   return *radius;
 }
 
@@ -88,7 +88,7 @@ ordered_json scheme_json(const deform::Scheme& scheme) {
   if (weighting.exponent != usually.exponent) json["exponent"] = weighting.exponent;
   if (!weighting.clamp) json["clamp"] = false;
   if (weighting.normalise) json["normalise"] = true;
-  if (scheme.couples_parts()) json["apart"] = weighting.apart;
+  if (scheme.changed_in_03()) json["as_before"] = weighting.as_before;
   const deform::Amounts& amounts = scheme.amounts;
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
   if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
@@ -164,8 +164,8 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
   take_part(
       json, "stitched", result.iterations, [&](const auto& v) { return iterations_of(v, result); },
       "not stitched instead", warnings);
-  weighting.apart = result.couples_parts();  // older sessions do not say
-  take_part(json, "apart", weighting.apart, flag_of, "parts apart instead", warnings);
+  weighting.as_before = result.changed_in_03();  // older sessions do not say
+  take_part(json, "as_before", weighting.as_before, flag_of, "as before version 0.3 instead", warnings);
   take_part(json, "pins", result.holding.radius, share_of, "0 instead", warnings);
   take_part(json, "hold", result.holding.weight, share_of, "0 instead", warnings);
   return result;

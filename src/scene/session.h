@@ -36,7 +36,7 @@ struct MaskRun {
 ///   "stitched"            how often a stitched model is solved for, 1 to 20; missing: it is not stitched
 ///   "pins", "hold"        of stitched models, percent, 0 to 100, see deform::Holding; missing: 0
 ///   "reach"               of weights that have one, 1.5 or more; missing: the whole cage
-///   "radius", "exponent"  of weights that have them, percent of the cage's diagonal (missing: 25) and 1 to 8
+///   "radius", "exponent"  of weights that have them, percent of the cage's size (missing: 25) and 1 to 8
 ///                         (missing: 2)
 ///   "clamp", "normalise"  of weights that have them, true or false; missing: true, false
 ///   "mask"                painted shares of the model's vertices in their order, in 255ths: [share, for how

@@ -113,11 +113,10 @@ void radius_slider(const Context& ui) {
   const double radius = document.scheme.weighting.radius;
   const auto above = std::ranges::lower_bound(shown_radii, radius);
   int stop = static_cast<int>(std::min(above, shown_radii.end() - 1) - shown_radii.begin());
-  const bool moved =
-      stops(ui, "radius", "Radius", stop, static_cast<int>(shown_radii.size()) - 1, true,
-            scene::text_of_percent(radius),
-            "Where weights end, in percent of the cage's diagonal. What no element of the cage "
-            "reaches stays at rest.");
+  const bool moved = stops(ui, "radius", "Radius", stop, static_cast<int>(shown_radii.size()) - 1, true,
+                           scene::text_of_percent(radius),
+                           "Where weights end, in percent of the cage's size. What no element of the cage "
+                           "reaches stays at rest.");
   if (moved) scene::set_radius(document, shown_radii[static_cast<std::size_t>(stop)]);
 }
 
@@ -151,10 +150,10 @@ void weight_limits(const Context& ui) {
   record(ui, name, possible);
   ImGui::EndDisabled();
   if (!possible) hint(std::string(condition.otherwise));
-  if (!scheme.couples_parts() || !scheme.weighting.apart) return;  // of older sessions alone
+  if (!scheme.changed_in_03() || !scheme.weighting.as_before) return;  // of older sessions alone
   ImGui::SameLine();
-  command_toggle(ui, "toggle_apart", true);
-  record(ui, "toggle_apart", true);
+  command_toggle(ui, "toggle_as_before", true);
+  record(ui, "toggle_as_before", true);
 }
 
 bool amount_slider(const Context& ui, const char* name, const char* label, double& amount, bool used,
@@ -202,7 +201,7 @@ void holding(const Context& ui) {
   const bool pins =
       choose("pins", "Pins", shown.radius, radii,
              "Vertices so near to an element of the cage follow it, the nearer the more, in percent "
-             "of the cage's diagonal. 0 %: only the triangle that is nearest to each.");
+             "of the cage's size. 0 %: only the triangle that is nearest to each.");
   const bool held =
       choose("hold", "Hold", shown.weight, weights,
              "How firmly every vertex is held where it would be if the model was not stitched.");

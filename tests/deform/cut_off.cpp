@@ -34,7 +34,7 @@ TEST_CASE("cut_off_weights_are_their_definition_and_say_how_much_reaches_a_point
       const double total = cut_off_weights(cage, p, weighting, w);
       long double expected = 0, sum = 0;
       for (std::uint32_t e = 0; e < w.size(); ++e) {
-        const long double d = exact_distance(cage, e, p) / (0.2L * cage.diagonal);
+        const long double d = exact_distance(cage, e, p) / (0.2L * cage.size);
         const long double own = d < 1 ? std::pow(1 - d, (long double)exponent) : 0;
         expected += own, sum += w[e];
         CHECK(std::abs(w[e] * total - double(own)) < 1e-14);

@@ -182,3 +182,44 @@ TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_
     }
   }
 }
+
+namespace {
+
+// Of no symmetry, so that nothing hangs on which of two equals is taken.
+mesh::Surface shaken(mesh::Surface surface, double by) {
+  Random random(11);
+  for (auto& p : surface.positions) p = p + by * random.vector(1);
+  return surface;
+}
+
+mesh::Surface turned(mesh::Surface surface, const Affine& map) {
+  surface.positions = mapped(surface.positions, map);
+  return surface;
+}
+
+}  // namespace
+
+TEST_CASE("model_cage_and_pose_that_are_turned_together_give_the_turned_result") {
+  const auto map = similarity({1, -2, 3}, 37 * degree, 1, {0.5, 2, -1});
+  const auto small = shaken(model(), 0.02), cage = shaken(cage_of_a_part(), 0.05);
+  const auto pose = shaken(cage, 0.15).positions;
+  auto schemes = all_schemes();
+  for (const Elements e : {Elements::face, Elements::vertex_patch}) {
+    schemes.push_back(complete(only(e), default_scheme()));
+    schemes.back().iterations = 1, schemes.back().holding = {0.2, 0.1};
+  }
+  base::WorkerPool pool(2);
+  for (Scheme scheme : schemes) {
+    CAPTURE(text(scheme));
+    CAPTURE(scheme.stitched());
+    const auto deformed = [&](const mesh::Surface& m, const mesh::Surface& c,
+                              const std::vector<mesh::Point>& positions) {
+      return deform_exactly(m, std::make_shared<const Cage>(make_cage(c)), scheme, {positions, {}},
+                            sym3::Method::diag, pool)
+          .positions;
+    };
+    const auto there = mapped(deformed(small, cage, pose), map),
+               here = deformed(turned(small, map), turned(cage, map), mapped(pose, map));
+    CHECK(largest_distance(here, there) < 1e-9);
+  }
+}

@@ -191,13 +191,20 @@ Maps face_maps(const mesh::Surface& cage, Points posed) {
   return maps;
 }
 
-Quad diagonal_of(Points points) {
-  Vector low = quad(points[0]), high = low;
-  for (const auto& p : points) {
-    for (int i = 0; i < 3; ++i)
-      low[i] = std::min(low[i], Quad(p[i])), high[i] = std::max(high[i], Quad(p[i]));
+// Twice the farthest distance from the centre of area.
+Quad size_of(const mesh::Surface& cage) {
+  Vector center{};
+  Quad total = 0;
+  for (const auto& t : cage.triangles) {
+    const Corners c = corners(t, cage.positions);
+    const Quad area = length(cross(minus(c[1], c[0]), minus(c[2], c[0])));
+    center = plus(center, centroid(c), area);
+    total += area;
   }
-  return length(minus(high, low));
+  center = plus({}, center, 1 / total);
+  Quad farthest = 0;
+  for (const auto& p : cage.positions) farthest = std::max(farthest, length(minus(quad(p), center)));
+  return 2 * farthest;
 }
 
 // Of a patch: what it begins with, where it grows, and its vertices so far.
@@ -257,7 +264,7 @@ Vector mean_of(const std::vector<std::size_t>& vertices, Points at) {
 // The least-squares fit of each patch about the mean of its seed's vertices.
 Maps patch_maps(const mesh::Surface& cage, Points posed, const Lists& seeds, const Lists& groups) {
   const Points rest = cage.positions;
-  const Quad width = Quad(0.03) * diagonal_of(rest);
+  const Quad width = Quad(0.03) * size_of(cage);
   Maps maps{{}, beside(groups, seeds.size())};
   for (std::size_t s = 0; s < seeds.size(); ++s) {
     Patch patch{mean_of(seeds[s], rest), std::vector<bool>(seeds.size()), std::vector<bool>(rest.size()), {}};
@@ -745,8 +752,7 @@ std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const d
   }
   const auto squares = squared_distances(x, cage, deform::entry(weighting.elements).handles);
   if (weighting.weights == deform::Weights::cut_off)
-    return cut_off(squares, weighting.radius * diagonal_of(cage.positions), weighting.exponent,
-                   weighting.normalise);
+    return cut_off(squares, weighting.radius * size_of(cage), weighting.exponent, weighting.normalise);
   return inverse_distance(squares, weighting.reach, weighting.exponent);
 }
 

@@ -14,7 +14,7 @@ using namespace viete::test;
 namespace {
 
 constexpr Weighting plates{.weights = Weights::biharmonic};
-constexpr Weighting plates_apart{.weights = Weights::biharmonic, .apart = true};
+constexpr Weighting plates_apart{.weights = Weights::biharmonic, .as_before = true};
 
 // Every triangle by itself, its corners moved by up to this.
 mesh::Surface soup_of(const mesh::Surface& surface, double moved) {

@@ -15,7 +15,7 @@ namespace {
 constexpr Weighting patches{Elements::patch};
 
 std::vector<AffineMap> patch_maps_of(const Cage& cage, std::span<const mesh::Point> posed) {
-  return maps_of(cage, *face_patch_maps(cage), posed);
+  return maps_of(cage, *face_patch_maps(cage, cage.size), posed);
 }
 
 double patch_difference(const AffineMap& map, const Affine& affine) {
@@ -51,7 +51,7 @@ TEST_CASE("a_patch_that_did_not_move_is_exactly_the_identity_and_so_are_triangle
   const Cage cage = make_cage(surface);
   auto posed = surface.positions;
   posed.back()[2] += 0.3;
-  const auto elements = face_patch_maps(cage);
+  const auto elements = face_patch_maps(cage, cage.size);
   const auto maps = patch_maps_of(cage, posed);
   std::size_t still = 0;
   for (std::size_t e = 0; e < maps.size(); ++e) {
@@ -82,10 +82,10 @@ TEST_CASE("a_patch_of_a_round_cage_is_its_ring_and_of_a_flat_side_it_grows_aroun
     return std::set<std::uint32_t>(v.begin(), v.end()).size();
   };
   const Cage round = make_cage(tube(12, 8, 1, 2));
-  CHECK(distinct(*face_patch_maps(round), 40) <= 12);
-  CHECK(distinct(*vertex_patch_maps(round), 40) == 7);
+  CHECK(distinct(*face_patch_maps(round, round.size), 40) <= 12);
+  CHECK(distinct(*vertex_patch_maps(round, round.size), 40) == 7);
   const Cage far = make_cage(tube(2, 400, 1, 1));
-  for (const auto& elements : {face_patch_maps(far), vertex_patch_maps(far)}) {
+  for (const auto& elements : {face_patch_maps(far, far.size), vertex_patch_maps(far, far.size)}) {
     for (std::size_t e = 0; e < elements->count(); ++e) CHECK(distinct(*elements, e) <= 256 + 800);
   }
 }

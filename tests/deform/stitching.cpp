@@ -340,7 +340,7 @@ TEST_CASE("a_soup_of_triangles_and_layers_are_stitched_as_one_and_come_apart_whe
   const Pose pose = one.pose(Twist{2, {0, 0, 0}, -1.5, 1.5, 0, 60 * degree});
   for (const int iterations : {1, 3}) {
     Scheme together = stitched(Elements::face, Blend::srl, iterations), apart = together;
-    apart.weighting.apart = true;
+    apart.weighting.as_before = true;
     const auto torn = [&](const std::vector<mesh::Point>& posed) {
       double most = 0;
       for (std::uint32_t v = 0; v < n; ++v)

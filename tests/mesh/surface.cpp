@@ -59,3 +59,17 @@ TEST_CASE("the_box_of_huge_and_tiny_coordinates_has_a_finite_centre_and_diagonal
     CHECK(box.diagonal() == doctest::Approx(std::sqrt(12.0) * scale).epsilon(1e-14));
   }
 }
+
+TEST_CASE("the_size_of_a_surface_is_a_box_s_diagonal_and_turns_with_it") {
+  const Surface cube = viete::test::cube();
+  CHECK(used_size(cube) == doctest::Approx(used_bounds(cube).diagonal()).epsilon(1e-15));
+  CHECK(used_size(Surface{}) == 0);
+  Surface points;
+  points.positions = {{0, 0, 0}, {0, 0, 4}};
+  CHECK(used_size(points) == 4);
+  points.positions = {{-1e100, 0, 0}, {1e100, 0, 0}, {0, 1e100, 0}};
+  points.corners = {0, 1, 2};
+  points.polygon_starts = {0, 3};
+  triangulate(points);
+  CHECK(used_size(points) == doctest::Approx(2e100 * std::sqrt(10.0) / 3).epsilon(1e-14));
+}

@@ -368,14 +368,14 @@ TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
   }
   const struct {
     const char *key, *value, *warning;
-  } wrong[] = {{"radius", "0",
-                "radius: a radius must be 0.1 to 1000 percent of the cage's diagonal; 25 percent instead"},
-               {"radius", "1001", "radius: a radius must be 0.1"},
-               {"exponent", "0", "exponent: an exponent must be 1 to 8; 2 instead"},
-               {"exponent", "9", "exponent: an exponent must be 1 to 8"},
-               {"exponent", "2.5", "exponent: "},
-               {"clamp", "1", "clamp: found a number where true or false belongs"},
-               {"normalise", "\"yes\"", "normalise: found a text where true or false belongs"}};
+  } wrong[] = {
+      {"radius", "0", "radius: a radius must be 0.1 to 1000 percent of the cage's size; 25 percent instead"},
+      {"radius", "1001", "radius: a radius must be 0.1"},
+      {"exponent", "0", "exponent: an exponent must be 1 to 8; 2 instead"},
+      {"exponent", "9", "exponent: an exponent must be 1 to 8"},
+      {"exponent", "2.5", "exponent: "},
+      {"clamp", "1", "clamp: found a number where true or false belongs"},
+      {"normalise", "\"yes\"", "normalise: found a text where true or false belongs"}};
   for (const auto& w : wrong) {
     test::put_file(files / "a.viete", with(w.key, w.value));
     const Session session = read_session(files / "a.viete");
@@ -572,14 +572,14 @@ TEST_CASE("of_sessions_that_do_not_say_so_the_parts_of_a_model_come_apart_as_the
     return scheme_of(JsonReader(json, "a.viete"), warnings).weighting;
   };
   const nlohmann::json older = {{"elements", "face"}, {"weights", "biharmonic"}, {"blend", "srl"}};
-  CHECK(read(older).used_apart());
+  CHECK(read(older).used_as_before());
   const deform::Scheme now = deform::default_scheme();
-  CHECK_FALSE(now.weighting.apart);
+  CHECK_FALSE(now.weighting.as_before);
   CHECK(read(nlohmann::json(scheme_json(now))) == now.weighting);
   deform::Scheme before = now;
-  before.weighting.apart = true;
+  before.weighting.as_before = true;
   CHECK(read(nlohmann::json(scheme_json(before))) == before.weighting);
   CHECK_FALSE(before.weighting == now.weighting);
-  CHECK_FALSE(read({{"coordinates", "mvc"}}).used_apart());
+  CHECK_FALSE(read({{"coordinates", "mvc"}}).used_as_before());
   CHECK(warnings.empty());
 }
