@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "deform/face_maps.h"
+#include "deform/linear_map.h"
 #include "mesh/normals.h"
 #include "sym3/eigenvalues.h"
 
@@ -51,11 +52,6 @@ Symmetric inverse(const Symmetric& m) {
                     m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
   const double scale = 1 / (m.xx * c.xx + m.xy * c.xy + m.xz * c.xz);
   return {scale * c.xx, scale * c.xy, scale * c.xz, scale * c.yy, scale * c.yz, scale * c.zz};
-}
-
-Vec3 times(const Symmetric& m, const Vec3& x) {
-  return {m.xx * x[0] + m.xy * x[1] + m.xz * x[2], m.xy * x[0] + m.yy * x[1] + m.yz * x[2],
-          m.xz * x[0] + m.yz * x[1] + m.zz * x[2]};
 }
 
 // A cage vertex, and how far its movement goes into the map of a patch.

@@ -8,7 +8,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float name_width = 92, value_width = 116, bar_height = 10;
+constexpr float name_width = 92, value_width = 116, row_height = 10;
 
 void progress(const Context& ui, double done) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -26,8 +26,8 @@ void bar(const Context& ui, const scene::BenchmarkBar& bar, double longest, doub
   const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight();
   const float room = width - name_width - value_width;
   const float length = std::max(2.0f, room * static_cast<float>(bar.ns / longest));
-  const float x = at.x + name_width, y = at.y + 0.5f * (line - bar_height);
-  ImGui::GetWindowDrawList()->AddRectFilled({x, y}, {x + length, y + bar_height},
+  const float x = at.x + name_width, y = at.y + 0.5f * (line - row_height);
+  ImGui::GetWindowDrawList()->AddRectFilled({x, y}, {x + length, y + row_height},
                                             bar.ours ? ui.colors.accent : ui.colors.faint, 2);
   text_right(ui, at.x + width - 48, nanoseconds(bar.ns), bar.ours ? ui.colors.text : ui.colors.faint);
   text_right(ui, at.x + width, ratio(first / bar.ns), ui.colors.faint);

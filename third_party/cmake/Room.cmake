@@ -59,18 +59,23 @@ endfunction()
 
 # Several sources of a room are compiled as one: headers are read once, which halves the time of the whole build.
 option(VIETE_UNITY "Compile the sources of the rooms that allow it in batches" ON)
+set(VIETE_BATCH 24 CACHE STRING "So many sources make a batch")
 
-# viete_room(deform [UNITY] SOURCES a.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
+# viete_room(deform [UNITY] [QUICK] SOURCES a.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
 # makes target viete::deform with include prefix "deform/". UNITY: no two of its sources use a name for two things.
+# QUICK: nothing is computed there that takes time, so that it is quickly compiled.
 function(viete_room room)
-  cmake_parse_arguments(ARG "UNITY" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY;QUICK" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   # What a library uses inside is no business of who finds it installed.
   list(TRANSFORM ARG_PRIVATE_USES REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")
   add_library(viete_${room} STATIC ${ARG_SOURCES})
   add_library(viete::${room} ALIAS viete_${room})
   set_target_properties(viete_${room} PROPERTIES EXPORT_NAME ${room} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   if(ARG_UNITY AND VIETE_UNITY)
-    set_target_properties(viete_${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(viete_${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${VIETE_BATCH})
+  endif()
+  if(ARG_QUICK)
+    target_compile_options(viete_${room} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   target_include_directories(viete_${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   target_compile_features(viete_${room} PUBLIC cxx_std_20)
