@@ -10,8 +10,8 @@
 #include "app/method_probe.h"
 #include "base/background.h"
 #include "bench/exp.h"
-#include "scene/checks.h"
-#include "scene/workspace.h"
+#include "scene/document/checks.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

@@ -17,9 +17,9 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/quantity.h"
-#include "mesh/source.h"
-#include "scene/animation_export.h"
-#include "scene/animation_import.h"
+#include "mesh/formats/source.h"
+#include "scene/files/animation_export.h"
+#include "scene/files/animation_import.h"
 
 namespace viete::app {
 

@@ -11,10 +11,12 @@
 #include "base/child_program.h"
 #include "base/error.h"
 #include "base/made_files.h"
-#include "mesh/source.h"
-#include "scene/animation_export.h"
-#include "scene/pose_edit.h"
-#include "scene/session.h"
+#include "mesh/formats/source.h"
+#include "scene/document/pose_edit.h"
+#include "scene/files/animation_export.h"
+#include "scene/files/session.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/saving.h"
 
 namespace viete::app {
 

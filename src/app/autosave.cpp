@@ -5,8 +5,8 @@
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"
-#include "scene/saving.h"
-#include "scene/session.h"
+#include "scene/workspace/saving.h"
+#include "scene/files/session.h"
 
 namespace viete::app {
 

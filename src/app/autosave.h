@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/background.h"
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

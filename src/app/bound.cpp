@@ -4,6 +4,8 @@
 
 #include "base/clock.h"
 #include "base/worker_pool.h"
+#include "deform/bind.h"
+#include "deform/engine_for.h"
 
 namespace viete::app {
 
@@ -17,7 +19,7 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
   const bool shared = same && known.binding->weighting == weighting;
   Bound bound{model, cage, shared ? known.binding : nullptr, same ? known.stitching : nullptr};
   auto& binding = bound.binding;
-  const bool staged = scheme.exponential() && !scheme.stitched() && method != sym3::Method::fast;
+  const bool staged = deform::engine_for(scheme, method) == EngineKind::staged;
   if (!binding || !binding->tiles) {
     if (staged) progress.section(0, 0.5);
     FoundBinding found = find_binding(saved, *model, *cage, weighting, progress);
@@ -36,8 +38,8 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
   }
   if (scheme.stitched() && !bound.stitches(scheme)) {
     progress.section(progress.done(), 1);
-    bound.stitching = std::make_shared<const deform::Stitching>(deform::stitch(
-        *model, *cage, weighting.elements, pool, deform::settings_of(scheme), &progress));
+    bound.stitching = std::make_shared<const deform::Stitching>(
+        deform::stitch(*model, *cage, weighting.elements, pool, deform::settings_of(scheme), &progress));
   }
   return bound;
 }

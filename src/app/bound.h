@@ -8,7 +8,7 @@
 #include "base/progress.h"
 #include "deform/binding.h"
 #include "deform/stitching.h"
-#include "scene/document.h"
+#include "scene/document/document.h"
 
 namespace viete::app {
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "scene/pose_json.h"
-#include "scene/session.h"
+#include "scene/files/pose_json.h"
+#include "scene/files/session.h"
 
 namespace viete::app {
 
@@ -31,8 +31,8 @@ bool add_loop(scene::Workspace& w, const std::filesystem::path& file) {
       return false;
     scene::fit_poses(session.library, session.timeline, document.cage.get(), file.string(), session.warnings);
     if (!session.warnings.empty()) return false;  // nothing is missing but a show
-    document.library = w.saved.library = std::move(session.library);
-    document.timeline = w.saved.timeline = std::move(session.timeline);
+    document.library = w.saved.state.library = std::move(session.library);
+    document.timeline = w.saved.state.timeline = std::move(session.timeline);
     document.frame = session.frame;
   } catch (const base::Error&) {
     return false;

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

@@ -12,12 +12,13 @@
 #include "app/output.h"
 #include "app/terminal_progress.h"
 #include "base/clock.h"
+#include "base/error.h"
 #include "base/quantity.h"
 #include "cages/closeness.h"
 #include "cages/make.h"
 #include "cages/soundness.h"
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 
 namespace viete::app {
 

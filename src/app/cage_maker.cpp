@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "base/worker_pool.h"
+#include "deform/bind.h"
 
 namespace viete::app {
 

@@ -9,7 +9,7 @@
 #include "app/bound.h"
 #include "base/background.h"
 #include "cages/make.h"
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

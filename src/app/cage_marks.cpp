@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/elements.h"
+#include "scene/document/elements.h"
 
 namespace viete::app {
 

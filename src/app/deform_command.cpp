@@ -6,7 +6,7 @@
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/output.h"
-#include "scene/export.h"
+#include "scene/files/export.h"
 
 namespace viete::app {
 

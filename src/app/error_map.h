@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "scene/frame_stats.h"
+#include "scene/workspace/frame_stats.h"
 #include "sym3/exp.h"
 #include "sym3/sym3.h"
 

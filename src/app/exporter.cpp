@@ -4,7 +4,7 @@
 
 #include "base/numbered_files.h"
 #include "base/quantity.h"
-#include "scene/output.h"
+#include "scene/files/output.h"
 
 namespace viete::app {
 

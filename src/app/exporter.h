@@ -9,11 +9,11 @@
 
 #include "app/picture_export.h"
 #include "base/background.h"
-#include "scene/animation_export.h"
-#include "scene/export.h"
-#include "scene/files_in_use.h"
-#include "scene/messages.h"
-#include "scene/workspace.h"
+#include "scene/files/animation_export.h"
+#include "scene/files/export.h"
+#include "scene/document/files_in_use.h"
+#include "scene/workspace/messages.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

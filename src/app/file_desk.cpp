@@ -5,10 +5,11 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "mesh/source.h"
-#include "scene/file_commands.h"
-#include "scene/output.h"
-#include "scene/saving.h"
+#include "mesh/formats/source.h"
+#include "scene/files/output.h"
+#include "scene/workspace/file_commands.h"
+#include "scene/workspace/saving.h"
+#include "scene/workspace/taking.h"
 
 namespace viete::app {
 
@@ -115,7 +116,7 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     const bool replaces_edits = result->value->opened.document && scene::has_unsaved_edits(w);
     if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result->value));
     waiting_ = std::move(result->value);
-    w.question = scene::ask_before_opening(w, autosave_.problem());
+    w.question = scene::ask_before_opening(scene::name_of_work(w), autosave_.problem());
   } else {
     const char* stopped = loader_.was_binding() ? "Stopped binding; everything is as it was."
                                                 : "Stopped reading; everything is as it was.";
@@ -134,7 +135,7 @@ void FileDesk::close(scene::Workspace& w) {
   closing_ = exporter_.running();
   if (closing_) return;
   if (!scene::has_unsaved_edits(w) || autosave_.keep_now(w)) return go_on(w, Kind::close);
-  w.question = scene::ask_before_closing(w, autosave_.problem());
+  w.question = scene::ask_before_closing(scene::name_of_work(w), autosave_.problem());
 }
 
 void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
@@ -172,7 +173,8 @@ void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over
   if (!over_changes && scene::changed_on_disk(w, file)) {
     w.question = scene::ask_before_replacing(file);
   } else if (!scene::save_session(w, file) && w.after_saving) {
-    w.question = scene::ask_after_failed_save(w, *w.after_saving, w.messages.all().back().text);
+    w.question =
+        scene::ask_after_failed_save(scene::name_of_work(w), *w.after_saving, w.messages.all().back().text);
   }
 }
 

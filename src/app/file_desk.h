@@ -13,7 +13,7 @@
 #include "app/loader.h"
 #include "app/morph_sizes.h"
 #include "base/background.h"
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

@@ -7,7 +7,7 @@
 #include "render/disc_layer.h"
 #include "render/face_layer.h"
 #include "render/line_layer.h"
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "deform/pose_io.h"
-#include "scene/edit.h"
-#include "scene/saving.h"
+#include "scene/document/edit.h"
+#include "scene/workspace/saving.h"
 
 namespace viete::app {
 

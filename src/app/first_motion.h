@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

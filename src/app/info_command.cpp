@@ -10,10 +10,10 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "base/quantity.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 #include "mesh/topology.h"
-#include "scene/checks.h"
-#include "scene/elements.h"
+#include "scene/document/checks.h"
+#include "scene/document/elements.h"
 
 namespace viete::app {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/output.h"
-#include "scene/open.h"
+#include "scene/files/open.h"
 
 namespace viete::app {
 

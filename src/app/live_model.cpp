@@ -2,9 +2,10 @@
 
 #include <utility>
 
-#include "scene/binding_plan.h"
-#include "scene/edit.h"
-#include "scene/pose_notes.h"
+#include "scene/document/binding_plan.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_notes.h"
+#include "deform/bind.h"
 
 namespace viete::app {
 

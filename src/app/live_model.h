@@ -10,7 +10,7 @@
 #include "base/background.h"
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

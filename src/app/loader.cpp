@@ -3,7 +3,8 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "scene/binding_plan.h"
+#include "scene/document/binding_plan.h"
+#include "deform/bind.h"
 
 namespace viete::app {
 

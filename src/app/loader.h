@@ -10,7 +10,8 @@
 #include "app/bound.h"
 #include "app/model_shading.h"
 #include "base/background.h"
-#include "scene/open.h"
+#include "scene/files/open.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

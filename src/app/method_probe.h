@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/background.h"
-#include "scene/frame_stats.h"
+#include "scene/workspace/frame_stats.h"
 
 namespace viete::app {
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "mesh/image_files.h"
-#include "mesh/source.h"
+#include "mesh/formats/image_files.h"
+#include "mesh/formats/source.h"
 
 namespace viete::app {
 

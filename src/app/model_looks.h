@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/attributes.h"
+#include "mesh/formats/attributes.h"
 #include "mesh/surface.h"
 #include "render/surface_layer.h"
 

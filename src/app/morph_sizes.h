@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/background.h"
-#include "scene/animation_export.h"
-#include "scene/workspace.h"
+#include "scene/files/animation_export.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

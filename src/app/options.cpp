@@ -8,8 +8,8 @@
 #include "app/words.h"
 #include "base/quantity.h"
 #include "deform/scheme.h"
-#include "scene/frame_stats.h"
-#include "scene/range.h"
+#include "scene/workspace/frame_stats.h"
+#include "scene/document/range.h"
 
 namespace viete::app {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/output.h"
-#include "mesh/text_writer.h"
-#include "scene/settings.h"
+#include "mesh/formats/text_writer.h"
+#include "scene/document/settings.h"
 #include "sym3/exp.h"
 
 namespace viete::app {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "scene/output.h"
+#include "scene/files/output.h"
 
 namespace viete::app {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "scene/session.h"
+#include "scene/files/session.h"
 
 namespace viete::app {
 

@@ -9,6 +9,7 @@
 #include "app/inputs.h"
 #include "app/options.h"
 #include "base/error.h"
+#include "scene/workspace/taking.h"
 
 namespace viete::app {
 

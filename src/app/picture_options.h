@@ -7,7 +7,7 @@
 
 #include "app/offscreen_viewer.h"
 #include "app/saved_bindings.h"
-#include "scene/open.h"
+#include "scene/files/open.h"
 
 namespace viete::app {
 

@@ -10,7 +10,7 @@
 #include "app/output.h"
 #include "app/picture_options.h"
 #include "base/error.h"
-#include "mesh/source.h"
+#include "mesh/formats/source.h"
 
 namespace viete::app {
 

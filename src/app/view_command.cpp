@@ -10,6 +10,7 @@
 #include "app/window_viewer.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "scene/workspace/taking.h"
 
 namespace viete::app {
 

@@ -9,12 +9,14 @@
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "render/palette.h"
-#include "scene/cage_editing.h"
-#include "scene/saving.h"
+#include "scene/document/cage_editing.h"
+#include "scene/workspace/saving.h"
 #include "sym3/kernel.h"
 #include "ui/input.h"
 #include "ui/panels.h"
 #include "ui/style.h"
+#include "scene/workspace/check_view.h"
+#include "scene/workspace/playing.h"
 
 namespace viete::app {
 

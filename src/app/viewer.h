@@ -15,8 +15,8 @@
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
-#include "scene/pointer.h"
-#include "scene/workspace.h"
+#include "scene/workspace/pointer.h"
+#include "scene/workspace/workspace.h"
 #include "ui/context.h"
 #include "ui/imgui_bridge.h"
 

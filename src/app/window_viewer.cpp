@@ -14,8 +14,8 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "platform/window.h"
-#include "scene/commands.h"
-#include "scene/saving.h"
+#include "scene/workspace/commands.h"
+#include "scene/workspace/saving.h"
 
 namespace viete::app {
 

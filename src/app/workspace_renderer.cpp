@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "render/palette.h"
-#include "scene/elements.h"
-#include "scene/pointer.h"
-#include "scene/selection_sets.h"
+#include "scene/document/elements.h"
+#include "scene/workspace/pointer.h"
+#include "scene/document/selection_sets.h"
 
 namespace viete::app {
 

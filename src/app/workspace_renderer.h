@@ -16,7 +16,7 @@
 #include "render/line_layer.h"
 #include "render/shadow_layer.h"
 #include "render/surface_layer.h"
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
 

@@ -17,6 +17,7 @@
 #include "deform/mean_value.h"
 #include "deform/tiled_binding.h"
 #include "deform/weigher.h"
+#include "deform/bind.h"
 
 namespace viete::bench {
 

@@ -11,7 +11,7 @@
 #include "bench/table.h"
 #include "cages/closeness.h"
 #include "cages/make.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 
 namespace viete::bench {
 

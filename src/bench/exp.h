@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "bench/plot.h"
 #include "bench/rounds.h"
-#include "scene/benchmark.h"
+#include "scene/workspace/benchmark.h"
 #include "sym3/view.h"
 
 namespace viete::bench {

@@ -13,7 +13,7 @@
 #include "base/quantity.h"
 #include "bench/bars.h"
 #include "bench/rounds.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 
 namespace viete::bench {
 

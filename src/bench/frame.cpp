@@ -21,6 +21,7 @@
 #include "bench/rounds.h"
 #include "bench/table.h"
 #include "deform/deformer.h"
+#include "deform/bind.h"
 
 namespace viete::bench {
 

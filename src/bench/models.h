@@ -6,7 +6,7 @@
 
 #include "deform/cage.h"
 #include "mesh/surface.h"
-#include "scene/document.h"
+#include "scene/document/document.h"
 
 namespace viete::bench {
 

@@ -21,6 +21,8 @@
 #include "bench/torn.h"
 #include "deform/deformer.h"
 #include "deform/pose_io.h"
+#include "deform/bind.h"
+#include "bench/mode_comparison.h"
 
 namespace viete::bench {
 

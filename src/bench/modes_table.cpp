@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/following.h"
+#include "bench/mode_comparison.h"
 
 namespace viete::bench {
 

@@ -17,6 +17,8 @@
 #include "deform/pose_io.h"
 #include "deform/stitching.h"
 #include "mesh/normals.h"
+#include "deform/bind.h"
+#include "deform/laplacian.h"
 
 namespace viete::bench {
 

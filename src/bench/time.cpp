@@ -20,8 +20,9 @@
 #include "bench/table.h"
 #include "deform/deformer.h"
 #include "deform/tiled_binding.h"
-#include "scene/animation.h"
-#include "scene/open.h"
+#include "scene/document/animation.h"
+#include "scene/files/open.h"
+#include "deform/bind.h"
 
 namespace viete::bench {
 

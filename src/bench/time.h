@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "deform/cage.h"
-#include "scene/timeline.h"
+#include "scene/document/timeline.h"
 
 namespace viete::bench {
 

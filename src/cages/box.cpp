@@ -4,6 +4,7 @@
 #include <map>
 
 #include "cages/frame.h"
+#include "mesh/triangulation.h"
 
 namespace viete::cages {
 

@@ -5,6 +5,7 @@
 
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
+#include "mesh/triangulation.h"
 #include "mesh/winding_number.h"
 
 namespace viete::cages {

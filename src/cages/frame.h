@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cages/clearance.h"
-#include "cages/mirror.h"
+#include "cages/plane.h"
 #include "mesh/surface.h"
 
 namespace viete::cages {

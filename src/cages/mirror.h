@@ -5,18 +5,11 @@
 
 #include "base/progress.h"
 #include "cages/extraction.h"
+#include "cages/plane.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_tree.h"
 
 namespace viete::cages {
-
-/// Points p with dot(normal, p) = offset; normal is a unit vector.
-struct Plane {
-  mesh::Vec3 normal{1, 0, 0};
-  double offset = 0;
-
-  friend bool operator==(const Plane&, const Plane&) = default;
-};
 
 /// The half and its image, joined where x is 0. Vertices of the half keep their numbers.
 Shell whole(const Shell& half);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/half_edges.h"
+#include "mesh/triangulation.h"
 
 namespace viete::cages {
 

@@ -1,16 +1,14 @@
 // Binding, compiled once per instruction set.
 #include "deform/bind_kernel.h"
 
-#include "deform/kernel_choice.h"
+#include "deform/sparse/kernel_choice.h"
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "deform/bind_kernel.cpp"
 #include <hwy/foreach_target.h>
 
 #include "deform/bind_kernel-inl.h"
-#include "deform/front_kernel-inl.h"
 #include "deform/integrated_kernel-inl.h"
 #include "deform/mean_value_kernel-inl.h"
-#include "deform/solve_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
@@ -19,9 +17,7 @@ static const BindKernel bind = {inverse_distance, inverse_distance_rows,
                                 cut_off,          cut_off_rows,
                                 integrated,       integrated_rows,
                                 mean_value,       to_rows,
-                                take_out,         solve,
-                                solve_columns,    solve_four,
-                                eliminate,        subtract_product};
+                                take_out,         solve};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

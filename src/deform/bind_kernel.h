@@ -4,116 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "deform/bind_jobs.h"
 #include "sym3/kernel.h"
 
 namespace viete::deform {
-
-inline constexpr std::size_t bind_lanes = 8;  ///< points at once
-
-/// A triangle in coordinates of its own, see distance_triangle.h: x along its longest edge, here its first, y
-/// inward, z along its normal. A point has the coordinates axes . point - shift there.
-template <class T>
-struct DistanceTriangle {
-  T axes[3][3];
-  T length[3];  ///< of the edges
-  /// Along its second and third edge a point is at along . (x, y, 1), and left of it by inward . (x, y, 1).
-  T along[2][3], inward[2][3];
-  T outside;  ///< 0; infinity where there is no area: nothing is inside
-  T near;  ///< squared, a sixteenth of the longest edge, or a little: nearer distances lose digits in float
-  T twice_area;
-  T opposite;       ///< dot product of the two edges at the corner opposite to the longest one
-  bool degenerate;  ///< without influence
-};
-
-template <class T>
-struct WeightJob {
-  const DistanceTriangle<T>* triangles;
-  const T (*shifts)[3];
-  std::size_t count;
-  T least_square;   ///< of a distance: the squared contact, or the squared softening
-  T cut;            ///< of inverse distances 1 / reach^2, of cut-off ones 1 / radius; 0: no end
-  int exponent;     ///< of distances
-  const T* points;  ///< [3][lane]
-};
-
-/// A triangle of the cage by its corners and the edges opposite to them.
-struct MeanValueTriangle {
-  std::uint32_t corner[3], edge[3];
-  double sign[3];  ///< 1 where it runs through the edge from its lower corner to its higher one, else -1
-};
-
-struct MeanValueJob {
-  const double (*corners)[3];  ///< positions, the cage's diagonal being 1
-  std::size_t corner_count;
-  const std::uint32_t (*edges)[2];  ///< the lower corner first
-  std::size_t edge_count;
-  const MeanValueTriangle* triangles;  ///< those that have area
-  std::size_t triangle_count;
-  const double* points;  ///< [3][lane]
-  double* scratch;       ///< scratch_size() numbers
-
-  static constexpr std::size_t scratch_size(std::size_t corners, std::size_t edges) {
-    return bind_lanes * (4 * corners + 5 * edges);
-  }
-};
-
-/// A tile of weights, or eight lanes of it.
-struct RowJob {
-  const double (*handles)[3];  ///< positions
-  std::size_t count;
-  float* rows;              ///< [handle][16 lanes]
-  double* sums;             ///< [3][16 lanes]: sum of weight times position, of the weights as floats
-  float* totals = nullptr;  ///< [16 lanes], of cut-off weights: their sums before they are made 1
-};
-
-/// A leaf that is being compressed.
-struct LeafRows {
-  float* rows;  ///< [tile][column][16 lanes], aligned; what is left of them
-  std::size_t tiles, columns;
-};
-
-inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides at once
-
-inline constexpr std::size_t column_group = 4;  ///< columns at once
-
-/// Columns [first, first + columns) of L, whose entries below lie in the same rows. Values: of one column
-/// group after the other, of these row by row, first those of its own columns, of which the first has 0
-/// entries, the second 1, and so on (the diagonal of ones is not kept), then of the supernode's other columns
-/// and of the rows below it.
-struct Supernode {
-  std::uint32_t first, columns, below;
-  std::size_t rows, values;  ///< where they begin
-
-  std::size_t entries() const {
-    return std::size_t{columns} * (columns - 1) / 2 + std::size_t{columns} * below;
-  }
-};
-
-/// L and D of a matrix L D L^T.
-struct TriangularFactor {
-  const Supernode* supernodes;
-  std::size_t count;
-  const std::uint32_t* rows;
-  const double* values;
-  const double* inverse;  ///< of D
-};
-
-inline constexpr std::size_t front_lanes = 8;  ///< what fronts are padded to a multiple of
-
-/// Columns of a front, the dense matrix that unknowns are eliminated in, by columns; what is above the
-/// diagonal is of no use.
-struct Front {
-  double* values;      ///< aligned
-  std::size_t stride;  ///< rows: a multiple of front_lanes
-};
-
-/// into[i, j] -= sum over p of left[i, p] right[j, p], i >= j.
-struct ProductJob {
-  Front into, left;     ///< all of their rows; the first row of both is that of column 0
-  std::size_t rows;     ///< a multiple of front_lanes
-  const double* right;  ///< [j / column_group][p][column_group], padded with 0
-  std::size_t depth;    ///< p
-};
 
 struct BindKernel {
   /// weights [triangle][8 lanes]: inverse_distance_weights().
@@ -139,15 +33,6 @@ struct BindKernel {
   void (*take_out)(const LeafRows& leaf, const float* unit_row, float* coefficients, float* squared_norms);
   /// Coefficients [tile][t][lane] become factors of the pivots' rows, in place: lower is [s][t], rank x rank.
   void (*solve)(float* coefficients, std::size_t tiles, std::size_t rank, const float* lower);
-  /// block [row][solved_columns], aligned, in place: right-hand sides become solutions.
-  void (*solve_columns)(const TriangularFactor& factor, double* block);
-  /// The same of [row][4].
-  void (*solve_four)(const TriangularFactor& factor, double* block);
-  /// Columns [begin, end) become those of L, and their pivots D: what earlier columns before `begin` take
-  /// from them is taken. Few columns: their number is that of operations for each entry.
-  void (*eliminate)(const Front& front, std::size_t begin, std::size_t end, double* pivots);
-  /// Of column groups [begin, end).
-  void (*subtract_product)(const ProductJob& job, std::size_t begin, std::size_t end);
 };
 
 /// That of the same instruction set.

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "deform/dual_graph.h"
-#include "deform/face_maps.h"
 #include "mesh/triangle.h"
 
 namespace viete::deform {

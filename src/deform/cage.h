@@ -6,23 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "deform/triangle_basis.h"
 #include "mesh/half_edges.h"
 #include "mesh/repair.h"
 #include "mesh/surface.h"
 #include "mesh/vector.h"
 
 namespace viete::deform {
-
-using mesh::cross, mesh::dot, mesh::largest_abs, mesh::norm, mesh::relative_to, mesh::squared_norm;
-using mesh::Vec3;
-using mesh::operator+, mesh::operator-, mesh::operator*;
-
-/// A basis of an element at rest, as its map needs it: edges u and v from one of its corners, n = N / sqrt|N|
-/// with N = u x v; and the dual basis, the rows of [u v n]^-1.
-struct RestBasis {
-  int corner = 0;
-  Vec3 u{}, v{}, n{}, dual_u{}, dual_v{}, dual_n{};
-};
 
 /// The rest cage with everything about it that does not change when it is posed. Elements are its triangles.
 struct Cage {

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <utility>
 
+#include "deform/engine_for.h"
 #include "deform/vertex_sample.h"
 
 namespace viete::deform {
@@ -27,12 +28,10 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
 }
 
 std::optional<EngineKind> Deformer::engine(sym3::Method method) const {
-  if (stitched_) return EngineKind::stitched;
-  if (scheme_.stitched()) return std::nullopt;
-  const bool fuses = !scheme_.exponential() || (method == sym3::Method::fast && !all_staged_);
-  if (fused_ && fuses) return EngineKind::fused;
-  if (staged_) return EngineKind::staged;
-  return std::nullopt;
+  const EngineKind wanted = engine_for(scheme_, method, all_staged_);
+  if (wanted == EngineKind::stitched) return stitched_ ? std::optional(wanted) : std::nullopt;
+  if (wanted == EngineKind::fused && fused_) return wanted;
+  return staged_ ? std::optional(EngineKind::staged) : std::nullopt;
 }
 
 void Deformer::set_amounts(const Amounts& amounts) {

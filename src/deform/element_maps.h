@@ -50,7 +50,4 @@ private:
   bool single_;
 };
 
-/// Of elements that have affine maps.
-std::unique_ptr<const ElementMaps> element_maps(const Cage& cage, Elements elements, bool as_before = false);
-
 }  // namespace viete::deform

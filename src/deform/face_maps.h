@@ -17,18 +17,12 @@ Vec3 middle(std::span<const mesh::Point> positions);
 /// does not reach keeps its bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
-/// x / sqrt|x| of an area x: as long as its side. Any length scale; 0 for 0.
-Vec3 side_along(const Vec3& area);
-
 /// What takes the basis at rest to u, v, n; near rest as I + (posed - rest) rest^-1, which is exactly I where
 /// nothing moved.
 sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n);
 
 /// n of an element at these positions, see RestBasis; 0 without area.
 Vec3 posed_normal(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions);
-
-/// Of a triangle of these positions.
-RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
 
 /// Centroid of an element at these positions, relative to origin.
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,

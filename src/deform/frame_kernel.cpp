@@ -1,7 +1,7 @@
 // The fused frame, compiled once per instruction set.
 #include "deform/frame_kernel.h"
 
-#include "deform/kernel_choice.h"
+#include "deform/sparse/kernel_choice.h"
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "deform/frame_kernel.cpp"
 #include <hwy/foreach_target.h>

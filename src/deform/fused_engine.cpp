@@ -8,6 +8,7 @@
 #include "base/clock.h"
 #include "deform/map_rows.h"
 #include "deform/moments.h"
+#include "deform/place_vertices.h"
 
 namespace viete::deform {
 

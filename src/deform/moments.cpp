@@ -12,8 +12,6 @@ namespace {
 
 using MomentMatrix = sym3::Mat3<double>;
 
-constexpr double cloud_radius = 0.1;  // of the cage's edges
-
 Vec3 vector_at(const double* numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
@@ -91,19 +89,6 @@ Vec3 fitted(RowForm form, const Moments& moments, const Vec3& o, double length) 
 }
 
 }  // namespace
-
-double moment_length(const Cage& cage) {
-  const auto& p = cage.surface.positions;
-  double sum = 0;
-  for (const auto& [a, b] : cage.edges) sum += squared_norm(p[b] - p[a]);
-  return cloud_radius * std::sqrt(sum / static_cast<double>(cage.edges.size()));
-}
-
-void write_moment_row(const AffineMap& map, const Vec3& rest_center, double length, std::span<double> row) {
-  for (int i = 0; i < 3; ++i) row[i] = rest_center[i] / length;
-  for (int i = 0; i < 9; ++i) row[3 + i] = length * map.linear[i];
-  std::ranges::copy(map.center, row.begin() + 12);
-}
 
 void place_by_moments(const Binding& binding, const Shares& shares, const Rows& rows, std::size_t begin,
                       std::size_t end, std::span<mesh::Point> positions) {

@@ -10,6 +10,7 @@
 #include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/cage_state.h"
+#include "deform/moment_rows.h"
 
 namespace viete::deform {
 
@@ -30,14 +31,6 @@ namespace viete::deform {
 ///
 /// Weights below 0 (biharmonic ones) move the means of x' alone: in K they could cancel others.
 ///
-/// Rows hold p / l (from the middle of the rest cage), l A by rows and p' (from the pose's origin).
-
-/// l: 10 % of the root mean square of the rest cage's edges. Positive.
-double moment_length(const Cage& cage);
-
-/// map: of the point's patch; rest_center: p, from the middle of the rest cage. row.size() == 15.
-void write_moment_row(const AffineMap& map, const Vec3& rest_center, double length, std::span<double> row);
-
 /// Positions of the vertices [begin, end) of a binding for the staged engine, all links at once, in double.
 /// Each is computed by itself. Of its way from rest a vertex goes its share. The form of the rows must be one
 /// of moments.

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "mesh/read.h"
-#include "mesh/source.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/source.h"
+#include "mesh/formats/write.h"
 #include "mesh/triangle.h"
-#include "mesh/write.h"
 
 namespace viete::deform {
 

@@ -11,6 +11,8 @@
 #include "deform/linear_map.h"
 #include "mesh/point_index.h"
 #include "sym3/exp.h"
+#include "deform/all_element_maps.h"
+#include "deform/laplacian.h"
 
 namespace viete::deform {
 

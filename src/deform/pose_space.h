@@ -12,7 +12,7 @@
 #include "deform/element_maps.h"
 #include "deform/log_maps.h"
 #include "deform/map_split.h"
-#include "deform/sparse_cholesky.h"
+#include "deform/sparse/sparse_cholesky.h"
 
 namespace viete::deform {
 

@@ -21,6 +21,7 @@
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
 #include "sym3/polar.h"
+#include "deform/laplacian.h"
 
 namespace viete::deform {
 

@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/binding.h"
-#include "deform/sparse_cholesky.h"
+#include "deform/sparse/sparse_cholesky.h"
 
 namespace viete::deform {
 

@@ -14,6 +14,7 @@
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
+#include "deform/sparse/sparse_kernel.h"
 
 namespace viete::deform {
 
@@ -206,7 +207,7 @@ void SurfaceSystem::set_right_hand_side(std::size_t handle, std::size_t column,
 void SurfaceSystem::solve_block(std::size_t begin, std::size_t end, std::span<double> block) const {
   if (plate_) return plate_->solve(begin, end, block);
   for (std::size_t h = begin; h < end; ++h) set_right_hand_side(h, h - begin, block);
-  solver_->solve(block, bind_kernel(sym3::kernel()));
+  solver_->solve(block, sparse_kernel(sym3::kernel()));
 }
 
 void SurfaceSystem::solve(const std::function<void(const Solved&)>& store, base::WorkerPool& pool,

@@ -12,11 +12,11 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "deform/block_solver.h"
 #include "deform/cage.h"
 #include "deform/intrinsic_laplacian.h"
 #include "deform/part_coupling.h"
 #include "deform/scheme.h"
+#include "deform/sparse/block_solver.h"
 #include "deform/thin_plate.h"
 
 namespace viete::deform {

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "deform/sparse/sparse_kernel.h"
 
 namespace viete::deform {
 
@@ -72,7 +73,7 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
 // Forces whose sum over each part, with that at its ground, is 0 become what they bend the plate to, 0 at the
 // grounds.
 void ThinPlate::bend(std::span<double> block) const {
-  const auto& kernel = bind_kernel(sym3::kernel());
+  const auto& kernel = sparse_kernel(sym3::kernel());
   solver_.solve(block, kernel);
   std::vector<Columns> means(parts_.grounds.size(), Columns{});
   for (std::uint32_t v = 0; v < masses_.size(); ++v) {

@@ -9,8 +9,8 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "deform/block_solver.h"
 #include "deform/intrinsic_laplacian.h"
+#include "deform/sparse/block_solver.h"
 
 namespace viete::deform {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "deform/bind_kernel.h"
 #include "deform/cage_state.h"
 #include "deform/factoring.h"
 #include "deform/frame_kernel.h"

@@ -1,8 +1,8 @@
 #include "deform/vertex_sample.h"
 
-#include "deform/exact.h"
 #include "deform/inverse_distance.h"
 #include "deform/map_rows.h"
+#include "deform/place_vertices.h"
 
 namespace viete::deform {
 

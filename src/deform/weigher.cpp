@@ -14,6 +14,7 @@
 #include "deform/mean_value.h"
 #include "mesh/half_edges.h"
 #include "mesh/triangle.h"
+#include "deform/bind_kernel.h"
 
 namespace viete::deform {
 

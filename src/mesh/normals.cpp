@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "mesh/attributes.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle_tree.h"
 

@@ -23,7 +23,7 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
 
 /// What becomes of a file's normals when the vertices of `rest` move to `positions`: each triangle moves by
 /// an affine map, normals by its cofactors, and a normal is the mean over its corners, weighed by deformed
-/// area. corner_normal: of each of rest.corners an index into normals, or `none` (attributes.h). Split
+/// area. corner_normal: of each of rest.corners an index into normals, or `none`. Split
 /// normals stay split. What is no direction becomes the surface's. Unit vectors, but for normals around which
 /// nothing moved: those keep their bits.
 ///

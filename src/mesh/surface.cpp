@@ -5,8 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "mesh/triangulation.h"
-
 namespace viete::mesh {
 
 namespace {
@@ -19,33 +17,6 @@ void extend(Bounds& box, const Point& p) {
 }
 
 }  // namespace
-
-void triangulate(Surface& surface) {
-  const std::size_t polygons = surface.polygon_count();
-  const std::size_t triangles = surface.corners.size() - std::min(surface.corners.size(), 2 * polygons);
-  surface.triangles.clear();
-  surface.triangles.reserve(triangles);
-  surface.triangle_polygon.clear();
-  surface.triangle_polygon.reserve(triangles);
-  surface.clipped.clear();
-  std::vector<Point> places;
-  for (std::uint32_t p = 0; p < polygons; ++p) {
-    const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
-    surface.triangle_polygon.insert(surface.triangle_polygon.end(), end - begin - 2, p);
-    if (end - begin == 3) continue;
-    places.clear();
-    for (std::uint32_t c = begin; c < end; ++c) places.push_back(surface.positions[surface.corners[c]]);
-    if (is_fan(places)) continue;
-    for (const auto& [i, j, k] : triangulation(places))
-      surface.clipped.push_back({begin + i, begin + j, begin + k});
-  }
-  surface.triangles.resize(surface.triangle_polygon.size());
-  std::size_t t = 0;
-  for_each_triangle(surface, [&](const Triangle&, const Triangle& corners) {
-    const auto& [i, j, k] = corners;
-    surface.triangles[t++] = {surface.corners[i], surface.corners[j], surface.corners[k]};
-  });
-}
 
 std::span<const Triangle> clipped_of(const Surface& surface, std::size_t polygon) {
   const auto first = [](const Triangle& t) { return t[0]; };

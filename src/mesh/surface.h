@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Files with larger ones are refused, so that volumes stay finite.
 inline constexpr double largest_coordinate = 1e100;
+
+/// In place of an index: there is none.
+inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// Positions in the file's order and full precision; polygons as the file has them; triangles for work.
 /// Invariants (kept by the readers): every index < positions.size(); every position finite; triangles are
@@ -31,10 +35,6 @@ struct Surface {
 
   std::size_t polygon_count() const { return polygon_starts.empty() ? 0 : polygon_starts.size() - 1; }
 };
-
-/// Cuts the polygons, as they are at these positions, into triangles (see triangulation.h): fills all that is
-/// said of triangles from corners and polygon_starts.
-void triangulate(Surface& surface);
 
 /// use(triangle, corners) for each of triangles, in order; corners: its places in Surface::corners.
 template <class Use>

@@ -21,4 +21,8 @@ bool is_fan(std::span<const Point> corners);
 /// corners.
 std::vector<Triangle> triangulation(std::span<const Point> corners);
 
+/// Cuts the polygons, as they are at these positions, into triangles: fills all that is
+/// said of triangles from corners and polygon_starts.
+void triangulate(Surface& surface);
+
 }  // namespace viete::mesh

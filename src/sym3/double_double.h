@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sym3/reference.h"
+#include "sym3/sym3.h"
 
 namespace viete::sym3 {
 

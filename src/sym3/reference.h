@@ -5,11 +5,6 @@
 
 namespace viete::sym3 {
 
-/// A value hi + lo, |lo| <= ulp(hi) / 2: about 106 bits.
-struct DoubleDouble {
-  double hi = 0, lo = 0;
-};
-
 /// exp(S) with a relative Frobenius error below 1e-28 for spreads up to 1000 (tested against 113 bits), as
 /// long as it is above 1e-270: below, the low parts underflow. Double-double Taylor polynomial and squaring,
 /// some 2 us. Entries of S up to 1e6 in size; else, and for NaN, all NaN. Overflow gives infinities.

@@ -16,4 +16,9 @@ constexpr Sym3<T> identity() {
   return {T(1), T(0), T(0), T(1), T(0), T(1)};
 }
 
+/// A value hi + lo, |lo| <= ulp(hi) / 2: about 106 bits.
+struct DoubleDouble {
+  double hi = 0, lo = 0;
+};
+
 }  // namespace viete::sym3

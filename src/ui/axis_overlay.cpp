@@ -1,5 +1,5 @@
 // The axis widget at the top right of the view.
-#include "scene/pointer.h"
+#include "scene/workspace/pointer.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 

@@ -2,8 +2,8 @@
 // thing: a cage, while it has none; what of it is outside of its cage.
 #include <algorithm>
 
-#include "scene/cage_making.h"
-#include "scene/check_view.h"
+#include "scene/document/cage_making.h"
+#include "scene/workspace/check_view.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/choice_picture.h"
+#include "scene/pictures/choice_picture.h"
 #include "ui/context.h"
 #include "ui/widgets.h"
 

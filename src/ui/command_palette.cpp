@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "scene/menus.h"
+#include "scene/workspace/menus.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 #include "ui/recorder.h"
 
 namespace viete::ui {

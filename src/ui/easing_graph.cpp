@@ -4,12 +4,14 @@
 #include <cmath>
 #include <string>
 
-#include "scene/command_conditions.h"
-#include "scene/time_commands.h"
-#include "scene/time_edit.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/time_commands.h"
+#include "scene/document/time_edit.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/time_gestures.h"
 
 namespace viete::ui {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "scene/file_browser.h"
+#include "scene/workspace/file_browser.h"
 #include "ui/format.h"
 #include "ui/imgui_bridge.h"
 #include "ui/panels.h"

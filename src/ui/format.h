@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/quantity.h"
-#include "scene/length_unit.h"
+#include "scene/document/length_unit.h"
 
 namespace viete::ui {
 

@@ -226,10 +226,8 @@ private:
 }  // namespace
 
 std::optional<std::size_t> frame_formula(const Context& ui) {
-  const scene::Document& document = ui.workspace.document;
-  const scene::Scheme& scheme = document.scheme;
-  const bool fused = scheme.stitched() || !scheme.exponential() ||
-                     (document.method == scene::Method::fast && !ui.workspace.view.same_path);
+  const scene::Scheme& scheme = ui.workspace.document.scheme;
+  const bool fused = !scene::shows_links(ui.workspace);
   const float width = ImGui::GetContentRegionAvail().x;
   Setting setting(ui, width);
   setting.set(Formula(fused, scheme.stitched()).of(scheme.blend));

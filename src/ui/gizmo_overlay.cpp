@@ -1,8 +1,8 @@
 // The gizmo, and what a drag tells while it lasts.
 #include <algorithm>
 
-#include "scene/drag_guides.h"
-#include "scene/pointer.h"
+#include "scene/hand/drag_guides.h"
+#include "scene/workspace/pointer.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "scene/commands.h"
+#include "scene/workspace/commands.h"
 
 namespace viete::ui {
 

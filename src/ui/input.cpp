@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "scene/commands.h"
+#include "scene/workspace/commands.h"
 #include "ui/imgui_bridge.h"
 #include "ui/widgets.h"
 

@@ -1,8 +1,8 @@
 // From ImGui's input to the pointer and the commands.
 #pragma once
 
-#include "scene/pointer.h"
-#include "scene/workspace.h"
+#include "scene/workspace/pointer.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::ui {
 

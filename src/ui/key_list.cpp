@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/menus.h"
+#include "scene/workspace/menus.h"
 #include "ui/imgui_bridge.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

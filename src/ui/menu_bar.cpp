@@ -1,5 +1,5 @@
 // The bar at the top, and the menu that a click with the right button opens: commands by their groups.
-#include "scene/menus.h"
+#include "scene/workspace/menus.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

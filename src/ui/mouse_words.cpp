@@ -1,6 +1,6 @@
 #include "ui/mouse_words.h"
 
-#include "scene/commands.h"
+#include "scene/workspace/commands.h"
 
 namespace viete::ui {
 

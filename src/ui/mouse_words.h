@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/keymap.h"
+#include "scene/workspace/keymap.h"
 
 namespace viete::ui {
 

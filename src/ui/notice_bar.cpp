@@ -3,9 +3,9 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "scene/commands.h"
-#include "scene/file_commands.h"
-#include "scene/recovery.h"
+#include "scene/workspace/commands.h"
+#include "scene/workspace/file_commands.h"
+#include "scene/files/recovery.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -17,10 +17,7 @@ std::string picture_error(const scene::Workspace& w) {
     std::snprintf(text, sizeof text, "%.0e of the size", w.fused_error);
     return text;
   }
-  const scene::Scheme& scheme = w.document.scheme;
-  const bool fused = scheme.stitched() || !scheme.exponential() ||
-                     (w.document.method == scene::Method::fast && !w.view.same_path);
-  return fused ? "-" : "none: in double";
+  return scene::shows_links(w) ? "none: in double" : "-";
 }
 
 void picture_row(const Context& ui) {

@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-#include "scene/binding_plan.h"
-#include "scene/commands.h"
-#include "scene/edit.h"
+#include "scene/document/binding_plan.h"
+#include "scene/workspace/commands.h"
+#include "scene/document/edit.h"
 #include "ui/choice_picture.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -1,4 +1,4 @@
-#include "scene/elements.h"
+#include "scene/document/elements.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -1,5 +1,5 @@
 // About what, along what and with what else the selection moves.
-#include "scene/hand_commands.h"
+#include "scene/workspace/hand_commands.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

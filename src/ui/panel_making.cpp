@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/cage_making.h"
+#include "scene/document/cage_making.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -1,7 +1,7 @@
 // Lengths, area and volume of the posed model, and how they have changed.
 #include <cmath>
 
-#include "scene/measures.h"
+#include "scene/workspace/measures.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

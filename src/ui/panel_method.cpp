@@ -1,8 +1,8 @@
 #include <cmath>
 #include <string>
 
-#include "scene/commands.h"
-#include "scene/edit.h"
+#include "scene/workspace/commands.h"
+#include "scene/document/edit.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

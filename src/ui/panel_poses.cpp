@@ -4,9 +4,9 @@
 #include <cstring>
 #include <string>
 
-#include "scene/command_conditions.h"
-#include "scene/pose_edit.h"
-#include "scene/time_commands.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/document/pose_edit.h"
+#include "scene/workspace/time_commands.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/picture_painter.h"

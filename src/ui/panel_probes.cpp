@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/probes.h"
+#include "scene/document/probes.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

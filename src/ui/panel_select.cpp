@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "scene/command_conditions.h"
-#include "scene/selection_sets.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/document/selection_sets.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

@@ -49,7 +49,7 @@ void panel_benchmark(const Context& ui);
 void status_bar(const Context& ui);
 void help_overlay(const Context& ui);
 void file_panel(const Context& ui);
-void question_panel(const Context& ui);        ///< what must be answered first, see scene/question.h
+void question_panel(const Context& ui);        ///< what must be answered first, see scene/workspace/question.h
 void message_log(const Context& ui);           ///< all that was said
 void toasts(const Context& ui, float bottom);  ///< what was said just now, above `bottom`
 /// At the bottom of the view; returns where they begin, or `bottom` while they are not shown.

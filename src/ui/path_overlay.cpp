@@ -1,10 +1,12 @@
 // The ways of the selected vertices of the cage through all keys: in log space, and in a straight line.
 #include <vector>
 
-#include "scene/motion_path.h"
-#include "scene/picking.h"
+#include "scene/workspace/motion_path.h"
+#include "scene/hand/picking.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/playing.h"
 
 namespace viete::ui {
 
@@ -36,7 +38,7 @@ void way(OverlayPainter& painter, const scene::Projector& project, const scene::
 void path_overlay(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   if (!w.playback.paths || !w.view.cage || w.document.timeline.keys.size() < 2) return;
-  const scene::MotionPaths& paths = w.paths.of(w);
+  const scene::MotionPaths& paths = w.paths.of(w.document, scene::animation_of(w));
   if (paths.paths.empty()) return;
   const scene::Projector project(w.document.space, w.camera, w.viewport);
   OverlayPainter painter(ui);

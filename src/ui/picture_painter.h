@@ -1,7 +1,7 @@
-// Draws the flat shapes of small pictures, see scene/picture_view.h.
+// Draws the flat shapes of small pictures, see scene/pictures/picture_view.h.
 #pragma once
 
-#include "scene/picture_view.h"
+#include "scene/pictures/picture_view.h"
 #include "ui/context.h"
 
 namespace viete::ui {

@@ -1,8 +1,8 @@
 // Probes in the view: frames with three axes, and how far the selected ones reach.
 #include <algorithm>
 
-#include "scene/cursor_projection.h"
-#include "scene/probes.h"
+#include "scene/hand/cursor_projection.h"
+#include "scene/document/probes.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 

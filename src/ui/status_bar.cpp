@@ -1,7 +1,7 @@
 #include <cctype>
 
-#include "scene/elements.h"
-#include "scene/gizmo.h"
+#include "scene/document/elements.h"
+#include "scene/hand/gizmo.h"
 #include "ui/format.h"
 #include "ui/mouse_words.h"
 #include "ui/panels.h"

@@ -4,14 +4,15 @@
 #include <span>
 #include <vector>
 
-#include "scene/command_conditions.h"
-#include "scene/menus.h"
-#include "scene/time_commands.h"
-#include "scene/time_edit.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/menus.h"
+#include "scene/workspace/time_commands.h"
+#include "scene/document/time_edit.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "scene/workspace/playing.h"
 
 namespace viete::ui {
 

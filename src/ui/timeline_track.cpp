@@ -3,12 +3,14 @@
 #include <cmath>
 #include <string>
 
-#include "scene/menus.h"
-#include "scene/time_view.h"
+#include "scene/workspace/menus.h"
+#include "scene/workspace/time_view.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/time_gestures.h"
 
 namespace viete::ui {
 

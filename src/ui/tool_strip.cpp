@@ -3,8 +3,8 @@
 #include <cmath>
 #include <span>
 
-#include "scene/commands.h"
-#include "scene/menus.h"
+#include "scene/workspace/commands.h"
+#include "scene/workspace/menus.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

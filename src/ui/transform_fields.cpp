@@ -2,11 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/elements.h"
-#include "scene/pointer.h"
+#include "scene/document/elements.h"
+#include "scene/workspace/pointer.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "scene/hand/placing.h"
 
 namespace viete::ui {
 

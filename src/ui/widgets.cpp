@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <cstring>
 
-#include "scene/commands.h"
-#include "scene/edit.h"
-#include "scene/number_entry.h"
+#include "scene/workspace/commands.h"
+#include "scene/document/edit.h"
+#include "scene/hand/number_entry.h"
 #include "ui/imgui_bridge.h"
 
 namespace viete::ui {

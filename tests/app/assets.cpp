@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 
 using namespace viete;
 

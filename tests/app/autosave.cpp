@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <thread>
 
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/open.h"
-#include "scene/saving.h"
-#include "scene/session.h"
+#include "scene/files/open.h"
+#include "scene/workspace/saving.h"
+#include "scene/files/session.h"
 #include "support/open.h"
+#include "scene/document/pose_edit.h"
+#include "scene/workspace/taking.h"
 
 using namespace viete;
 

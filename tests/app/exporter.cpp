@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "scene/files.h"
-#include "scene/open.h"
+#include "scene/files/open.h"
 #include "support/open.h"
 
 using namespace viete;

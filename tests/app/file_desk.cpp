@@ -9,11 +9,12 @@
 #include <thread>
 #include <utility>
 
+#include "mesh/formats/write.h"
 #include "mesh/shapes.h"
-#include "mesh/write.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
 #include "scene/files.h"
-#include "scene/saving.h"
+#include "scene/workspace/saving.h"
 
 using namespace viete;
 using What = scene::OpenRequest::What;

@@ -6,10 +6,13 @@
 
 #include "app/bundled_loop.h"
 #include "deform/pose_io.h"
-#include "scene/edit.h"
-#include "scene/open.h"
-#include "scene/saving.h"
+#include "scene/document/edit.h"
+#include "scene/files/open.h"
+#include "scene/workspace/saving.h"
 #include "support/data.h"
+#include "scene/document/record.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/taking.h"
 
 using namespace viete;
 

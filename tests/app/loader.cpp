@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/saving.h"
+#include "scene/workspace/saving.h"
 
 using namespace viete;
 using What = scene::OpenRequest::What;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "mesh/normals.h"
+#include "mesh/triangulation.h"
 #include "support/folder.h"
 
 using namespace viete;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "geometry.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 #include "mesh/summary.h"
 #include "support/data.h"
 

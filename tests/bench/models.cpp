@@ -12,6 +12,7 @@
 #include "mesh/summary.h"
 #include "mesh/triangle.h"
 #include "mesh/winding_number.h"
+#include "deform/bind.h"
 
 using namespace viete;
 

@@ -11,6 +11,7 @@
 #include "bench/models.h"
 #include "deform/shapes.h"
 #include "mesh/shapes.h"
+#include "bench/mode_comparison.h"
 
 using namespace viete;
 using namespace viete::bench;

@@ -6,7 +6,7 @@
 #include "cages/best_fit.h"
 #include "cages/make.h"
 #include "cages/models.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/winding_number.h"
 #include "support/data.h"

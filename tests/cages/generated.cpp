@@ -7,6 +7,7 @@
 #include "cages/make.h"
 #include "cages/models.h"
 #include "cages/soundness.h"
+#include "mesh/triangulation.h"
 
 using namespace viete;
 using namespace viete::test;

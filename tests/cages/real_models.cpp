@@ -4,7 +4,7 @@
 #include "cages/closeness.h"
 #include "cages/judge.h"
 #include "cages/make.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 #include "support/data.h"
 
 using namespace viete;

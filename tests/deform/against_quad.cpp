@@ -5,6 +5,8 @@
 #include "deform/bound.h"
 #include "deform/independent.h"
 #include "deform/moments.h"
+#include "deform/bind.h"
+#include "deform/moment_rows.h"
 
 using namespace viete;
 using namespace viete::test;

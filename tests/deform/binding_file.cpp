@@ -7,6 +7,7 @@
 
 #include "deform/bound.h"
 #include "support/folder.h"
+#include "deform/bind.h"
 
 using namespace viete::test;
 using viete::base::Error;

@@ -1,10 +1,11 @@
-#include "deform/block_solver.h"
+#include "deform/sparse/block_solver.h"
 
 #include <doctest/doctest.h>
 
 #include "base/error.h"
 #include "deform/shapes.h"
 #include "sym3/kernel.h"
+#include "deform/sparse/sparse_kernel.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -39,7 +40,7 @@ TEST_CASE("sixteen_systems_are_solved_at_once_on_every_instruction_set") {
         for (std::size_t c = 0; c < solved_columns; ++c)
           block[solver.place(row) + c] += value * x[column * solved_columns + c];
       }
-      solver.solve(block, bind_kernel(kernel));
+      solver.solve(block, sparse_kernel(kernel));
       double worst = 0;
       for (std::uint32_t i = 0; i < n; ++i) {
         for (std::size_t c = 0; c < solved_columns; ++c)
@@ -56,7 +57,7 @@ TEST_CASE("only_the_lower_triangle_of_a_system_is_read") {
       sparse_matrix(2, std::vector<MatrixEntry>{{0, 0, 2}, {1, 0, 1}, {1, 1, 3}, {0, 1, 77}}), pool);
   base::AlignedVector<double> block(2 * solved_columns, 0.0);
   block[solver.place(0)] = 5, block[solver.place(1)] = 10;  // (1, 3)
-  solver.solve(block, bind_kernel(sym3::kernel()));
+  solver.solve(block, sparse_kernel(sym3::kernel()));
   CHECK(block[solver.place(0)] == doctest::Approx(1));
   CHECK(block[solver.place(1)] == doctest::Approx(3));
 }

@@ -5,6 +5,7 @@
 
 #include "deform/deformer.h"
 #include "deform/shapes.h"
+#include "deform/bind.h"
 
 namespace viete::test {
 

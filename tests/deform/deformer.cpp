@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "deform/bound.h"
+#include "deform/bind.h"
 
 using namespace viete::test;
 using viete::sym3::Method;

@@ -6,6 +6,8 @@
 
 #include "deform/bound.h"
 #include "deform/maps.h"
+#include "mesh/triangulation.h"
+#include "deform/all_element_maps.h"
 
 using namespace viete;
 using namespace viete::test;

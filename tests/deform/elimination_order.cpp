@@ -1,4 +1,4 @@
-#include "deform/elimination_order.h"
+#include "deform/sparse/elimination_order.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "deform/shapes.h"
-#include "deform/sparse_factor.h"
+#include "deform/sparse/sparse_factor.h"
 
 using namespace viete;
 using namespace viete::test;

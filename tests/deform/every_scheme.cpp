@@ -4,6 +4,7 @@
 #include "deform/bound.h"
 #include "deform/exact.h"
 #include "deform/map_rows.h"
+#include "deform/bind.h"
 
 using namespace viete;
 using namespace viete::test;

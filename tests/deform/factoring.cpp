@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "deform/shapes.h"
+#include "deform/bind_kernel.h"
 
 using namespace viete::test;
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sym3/quad_reference.h"
+#include "deform/face_maps.h"
 
 namespace viete::test {
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "deform/shapes.h"
+#include "deform/laplacian.h"
 
 using namespace viete;
 using namespace viete::test;

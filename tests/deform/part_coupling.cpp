@@ -7,6 +7,7 @@
 #include "deform/binding.h"
 #include "deform/shapes.h"
 #include "mesh/repair.h"
+#include "deform/bind.h"
 
 using namespace viete;
 using namespace viete::test;

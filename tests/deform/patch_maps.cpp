@@ -6,6 +6,7 @@
 
 #include "deform/bound.h"
 #include "deform/maps.h"
+#include "deform/bind.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "deform/shapes.h"
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "support/text.h"
 
 using namespace viete::test;

@@ -9,6 +9,7 @@
 #include "deform/linear_map.h"
 #include "deform/probe_layer.h"
 #include "deform/stitching.h"
+#include "deform/bind.h"
 
 using namespace viete::test;
 using viete::sym3::Method;

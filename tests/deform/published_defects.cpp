@@ -72,6 +72,8 @@
 #include "deform/polar.h"
 #include "deform/tiled_binding.h"
 #include "mesh/triangle.h"
+#include "deform/bind.h"
+#include "deform/all_element_maps.h"
 
 using namespace viete;
 using namespace viete::test;

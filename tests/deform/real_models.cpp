@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "deform/bound.h"
 #include "deform/pose_io.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 #include "support/data.h"
 
 using namespace viete;

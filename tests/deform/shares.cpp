@@ -6,6 +6,7 @@
 #include "deform/matrix_log.h"
 #include "deform/vertex_sample.h"
 #include "sym3/rotation.h"
+#include "deform/bind.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -1,4 +1,4 @@
-#include "deform/sparse_cholesky.h"
+#include "deform/sparse/sparse_cholesky.h"
 
 #include <doctest/doctest.h>
 
@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "deform/shapes.h"
+#include "deform/laplacian.h"
 
 using namespace viete;
 using namespace viete::deform;

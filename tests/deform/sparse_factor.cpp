@@ -1,4 +1,4 @@
-#include "deform/sparse_factor.h"
+#include "deform/sparse/sparse_factor.h"
 
 #include <doctest/doctest.h>
 
@@ -8,6 +8,8 @@
 
 #include "deform/shapes.h"
 #include "sym3/kernel.h"
+#include "deform/laplacian.h"
+#include "deform/sparse/sparse_kernel.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -101,7 +103,7 @@ void check_product(const SparseMatrix& matrix) {
   for (const auto& kernel : sym3::kernels()) {
     for (const std::size_t piece : {5u, 1000u}) {
       const auto f = factor(matrix, neighbours, elimination_order(neighbours, pool, {}, 0, piece), pool, {},
-                            bind_kernel(kernel));
+                            sparse_kernel(kernel));
       CAPTURE(kernel.name);
       CHECK((product(f) - whole).cwiseAbs().maxCoeff() <= 1e-14 * whole.cwiseAbs().maxCoeff());
     }
@@ -165,7 +167,7 @@ TEST_CASE("solutions_are_eigens") {
       const auto f = factor(matrix, neighbours, elimination_order(neighbours, pool, {}, 0, piece), pool);
       base::AlignedVector<double> block(4 * n, 0.0);
       for (std::size_t i = 0; i < n; ++i) block[4 * i + 2] = right[f.order[i]];
-      bind_kernel(sym3::kernel()).solve_four(f.view(), block.data());
+      sparse_kernel(sym3::kernel()).solve_four(f.view(), block.data());
       Eigen::VectorXd ours(n);
       for (std::size_t i = 0; i < n; ++i) {
         ours[f.order[i]] = block[4 * i + 2];

@@ -5,6 +5,7 @@
 #include "deform/bound.h"
 #include "deform/exact.h"
 #include "mesh/normals.h"
+#include "deform/bind.h"
 
 using namespace viete;
 using namespace viete::test;

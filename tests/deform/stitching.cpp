@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
+#include "deform/bind.h"
+#include "deform/laplacian.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -9,9 +9,10 @@
 #include "deform/exact.h"
 #include "deform/inverse_distance.h"
 #include "deform/vertex_sample.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 #include "mesh/triangle.h"
 #include "support/data.h"
+#include "deform/bind.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "mesh/point_cache.h"
+#include "mesh/formats/point_cache.h"
 
 namespace {
 

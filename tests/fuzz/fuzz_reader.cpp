@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/conversion.h"
-#include "mesh/gltf.h"
-#include "mesh/gltf_output.h"
-#include "mesh/obj.h"
-#include "mesh/off.h"
-#include "mesh/ply.h"
-#include "mesh/stl.h"
+#include "mesh/formats/conversion.h"
+#include "mesh/formats/gltf.h"
+#include "mesh/formats/gltf_output.h"
+#include "mesh/formats/obj.h"
+#include "mesh/formats/off.h"
+#include "mesh/formats/ply.h"
+#include "mesh/formats/stl.h"
 #include "mesh/summary.h"
 
 using namespace viete::mesh;

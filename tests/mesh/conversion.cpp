@@ -1,10 +1,10 @@
 // What a file says besides positions, in another format.
-#include "mesh/conversion.h"
+#include "mesh/formats/conversion.h"
 
 #include <doctest/doctest.h>
 
+#include "mesh/formats/write.h"
 #include "mesh/shapes.h"
-#include "mesh/write.h"
 #include "support/gltf.h"
 
 using namespace viete;

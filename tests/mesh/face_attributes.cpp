@@ -4,8 +4,8 @@
 #include <bit>
 #include <sstream>
 
+#include "mesh/formats/write.h"
 #include "mesh/shapes.h"
-#include "mesh/write.h"
 
 using namespace viete;
 using namespace viete::mesh;

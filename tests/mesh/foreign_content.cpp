@@ -1,8 +1,8 @@
-#include "mesh/foreign_content.h"
+#include "mesh/formats/foreign_content.h"
 
 #include <doctest/doctest.h>
 
-#include "mesh/point_cache.h"
+#include "mesh/formats/point_cache.h"
 #include "mesh/shapes.h"
 
 using namespace viete;

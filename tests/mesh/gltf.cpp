@@ -1,10 +1,10 @@
-#include "mesh/gltf.h"
+#include "mesh/formats/gltf.h"
 
 #include <doctest/doctest.h>
 #include <tiny_gltf.h>
 
+#include "mesh/formats/write.h"
 #include "mesh/shapes.h"
-#include "mesh/write.h"
 #include "support/full_disk.h"
 #include "support/gltf.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mesh/shapes.h"
+#include "mesh/triangulation.h"
 
 using namespace viete;
 using namespace viete::mesh;

@@ -1,11 +1,11 @@
 // Images of materials on their way from one format to another.
-#include "mesh/image_files.h"
+#include "mesh/formats/image_files.h"
 
 #include <doctest/doctest.h>
 
 #include "base/picture.h"
+#include "mesh/formats/write.h"
 #include "mesh/shapes.h"
-#include "mesh/write.h"
 #include "support/gltf.h"
 
 using namespace viete;

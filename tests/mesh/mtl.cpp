@@ -1,4 +1,4 @@
-#include "mesh/mtl.h"
+#include "mesh/formats/mtl.h"
 
 #include <doctest/doctest.h>
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "mesh/shapes.h"
+#include "mesh/triangulation.h"
 
 using namespace viete;
 using namespace viete::mesh;

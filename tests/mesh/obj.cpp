@@ -1,4 +1,4 @@
-#include "mesh/obj.h"
+#include "mesh/formats/obj.h"
 
 #include <doctest/doctest.h>
 

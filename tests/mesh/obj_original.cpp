@@ -1,5 +1,5 @@
 // OBJ files written again: nothing lost, nothing changed but what moved.
-#include "mesh/obj.h"
+#include "mesh/formats/obj.h"
 
 #include <doctest/doctest.h>
 

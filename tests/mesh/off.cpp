@@ -1,4 +1,4 @@
-#include "mesh/off.h"
+#include "mesh/formats/off.h"
 
 #include <doctest/doctest.h>
 

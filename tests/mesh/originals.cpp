@@ -4,9 +4,9 @@
 #include <bit>
 #include <sstream>
 
-#include "mesh/ply.h"
+#include "mesh/formats/ply.h"
+#include "mesh/formats/stl.h"
 #include "mesh/shapes.h"
-#include "mesh/stl.h"
 
 using namespace viete;
 using namespace viete::mesh;

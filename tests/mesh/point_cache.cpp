@@ -1,4 +1,4 @@
-#include "mesh/point_cache.h"
+#include "mesh/formats/point_cache.h"
 
 #include <doctest/doctest.h>
 

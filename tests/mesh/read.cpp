@@ -1,4 +1,4 @@
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 
 #include <doctest/doctest.h>
 
@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "mesh/obj.h"
-#include "mesh/off.h"
-#include "mesh/ply.h"
+#include "mesh/formats/obj.h"
+#include "mesh/formats/off.h"
+#include "mesh/formats/ply.h"
+#include "mesh/formats/stl.h"
+#include "mesh/formats/write.h"
 #include "mesh/shapes.h"
-#include "mesh/stl.h"
-#include "mesh/write.h"
 #include "support/data.h"
 
 namespace fs = std::filesystem;

@@ -17,9 +17,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/text_writer.h"
 #include "mesh/surface.h"
-#include "mesh/text_writer.h"
+#include "mesh/triangulation.h"
 #include "support/folder.h"
 
 namespace viete::test {

@@ -1,4 +1,4 @@
-#include "mesh/stl.h"
+#include "mesh/formats/stl.h"
 
 #include <doctest/doctest.h>
 

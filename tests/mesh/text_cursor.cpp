@@ -1,4 +1,4 @@
-#include "mesh/text_cursor.h"
+#include "mesh/formats/text_cursor.h"
 
 #include <doctest/doctest.h>
 

@@ -7,12 +7,12 @@
 #include <numbers>
 #include <random>
 
-#include "mesh/gltf_output.h"
-#include "mesh/obj.h"
-#include "mesh/off.h"
-#include "mesh/ply.h"
+#include "mesh/formats/gltf_output.h"
+#include "mesh/formats/obj.h"
+#include "mesh/formats/off.h"
+#include "mesh/formats/ply.h"
+#include "mesh/formats/stl.h"
 #include "mesh/shapes.h"
-#include "mesh/stl.h"
 #include "mesh/summary.h"
 
 using namespace viete;

@@ -1,14 +1,15 @@
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 
 #include <doctest/doctest.h>
 
 #include <random>
 
-#include "mesh/obj.h"
-#include "mesh/off.h"
-#include "mesh/ply.h"
+#include "mesh/formats/obj.h"
+#include "mesh/formats/off.h"
+#include "mesh/formats/ply.h"
+#include "mesh/formats/stl.h"
 #include "mesh/shapes.h"
-#include "mesh/stl.h"
+#include "mesh/triangulation.h"
 
 namespace fs = std::filesystem;
 using namespace viete;

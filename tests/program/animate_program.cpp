@@ -7,12 +7,12 @@
 
 #include "base/numbered_files.h"
 #include "base/process.h"
-#include "mesh/point_cache.h"
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/formats/point_cache.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "program/command_line.h"
 #include "scene/animated_cube.h"
-#include "scene/open.h"
+#include "scene/files/open.h"
 
 using namespace viete;
 using namespace viete::test;

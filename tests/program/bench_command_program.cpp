@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "deform/scheme.h"
+#include "mesh/formats/write.h"
 #include "mesh/shapes.h"
-#include "mesh/write.h"
 #include "program/command_line.h"
 
 using namespace viete;

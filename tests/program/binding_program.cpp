@@ -3,15 +3,16 @@
 #include <fstream>
 #include <thread>
 
+#include "mesh/formats/write.h"
 #include "mesh/shapes.h"
-#include "mesh/write.h"
 #include "program/driver.h"
-#include "scene/binding_plan.h"
-#include "scene/edit.h"
-#include "scene/saving.h"
+#include "scene/document/binding_plan.h"
+#include "scene/document/edit.h"
+#include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
+#include "deform/bind.h"
 
 using namespace viete;
 using test::dragon;

@@ -1,11 +1,12 @@
 // Making a cage in the window: offered, made, changed by sliders, taken back, posed and saved.
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "mesh/winding_number.h"
-#include "mesh/write.h"
 #include "program/driver.h"
-#include "scene/edit.h"
-#include "scene/saving.h"
-#include "scene/session.h"
+#include "scene/document/edit.h"
+#include "scene/files/session.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/saving.h"
 #include "support/edits.h"
 #include "support/folder.h"
 

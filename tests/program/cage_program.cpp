@@ -2,9 +2,9 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "mesh/summary.h"
-#include "mesh/write.h"
 #include "program/command_line.h"
 #include "scene/cube.h"
 

@@ -1,7 +1,7 @@
 // Broken cages in the real program: what is wrong is found, said, and shown where it is.
 #include <cstdlib>
 
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 #include "program/open_cage.h"
 #include "support/commands.h"
 #include "support/folder.h"

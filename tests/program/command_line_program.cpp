@@ -7,8 +7,8 @@
 #include <fstream>
 #include <vector>
 
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "program/command_line.h"
 #include "render/image.h"
 #include "scene/cube.h"

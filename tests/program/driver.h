@@ -13,11 +13,12 @@
 #include "app/offscreen_viewer.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
-#include "scene/commands.h"
-#include "scene/export.h"
-#include "scene/picking.h"
+#include "scene/workspace/commands.h"
+#include "scene/files/export.h"
+#include "scene/hand/picking.h"
 #include "support/data.h"
 #include "ui/imgui_bridge.h"
+#include "scene/hand/projector.h"
 
 namespace viete::test {
 

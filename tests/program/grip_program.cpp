@@ -3,12 +3,13 @@
 #include <cstdlib>
 
 #include "program/driver.h"
-#include "scene/pointer.h"
-#include "scene/saving.h"
-#include "scene/shape_handle.h"
+#include "scene/workspace/pointer.h"
+#include "scene/workspace/saving.h"
+#include "scene/hand/shape_handle.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
+#include "scene/hand/shaping.h"
 
 using namespace viete;
 using mesh::operator-;

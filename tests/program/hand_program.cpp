@@ -1,12 +1,14 @@
 // The hand at work: gizmo, typed numbers, edges and faces, orthographic view, axis widget, with real events.
 #include <cmath>
 
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 #include "program/driver.h"
 #include "scene/ball.h"
-#include "scene/edit.h"
-#include "scene/elements.h"
-#include "scene/pointer.h"
+#include "scene/document/edit.h"
+#include "scene/document/elements.h"
+#include "scene/document/pose_edit.h"
+#include "scene/hand/anchor.h"
+#include "scene/workspace/pointer.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"

@@ -4,6 +4,7 @@
 #include "program/small_scene.h"
 #include "support/commands.h"
 #include "support/pictures.h"
+#include "scene/hand/projector.h"
 
 using namespace viete;
 using test::Driver, test::small_options, test::SmallScene;

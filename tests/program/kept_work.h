@@ -1,10 +1,10 @@
 // Viewers that remember, models that load at once, and what a viewer has kept, for tests of files.
 #pragma once
 
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 #include "program/desktop.h"
 #include "program/driver.h"
-#include "scene/open.h"
+#include "scene/files/open.h"
 #include "support/folder.h"
 
 namespace viete::test {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "program/driver.h"
-#include "scene/menus.h"
+#include "scene/workspace/menus.h"
 #include "ui/mouse_words.h"
 
 using namespace viete;

@@ -1,10 +1,10 @@
 // Columns, menus, toasts and the palette, by mouse and keys.
 #include "base/clock.h"
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "program/driver.h"
-#include "scene/menus.h"
-#include "scene/remembered.h"
+#include "scene/workspace/menus.h"
+#include "scene/workspace/remembered.h"
 #include "support/folder.h"
 
 using namespace viete;

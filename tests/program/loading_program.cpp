@@ -1,6 +1,6 @@
 // Large files read aside, and loads that fail.
 #include "program/kept_work.h"
-#include "scene/saving.h"
+#include "scene/workspace/saving.h"
 #include "support/edits.h"
 
 using namespace viete;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <sstream>
 
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 #include "program/desktop.h"
 #include "program/driver.h"
 #include "scene/ball.h"
-#include "scene/saving.h"
-#include "scene/session.h"
+#include "scene/files/session.h"
+#include "scene/workspace/saving.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -61,8 +61,8 @@ struct RealHand {
   }
 
   void act(const std::string& words) { desktop.xdotool(words); }
-  /// What the program has now, after all that it was told: events come in order. A window that has no keyboard
-  /// yet is told again.
+  /// What the program has now, after all that it was told: events come in order. A window that has no
+  /// keyboard yet is told again.
   scene::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "program/driver.h"
 
 namespace viete::test {

@@ -2,7 +2,7 @@
 #include <map>
 #include <vector>
 
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 #include "program/command_line.h"
 #include "render/image.h"
 #include "scene/cube.h"
@@ -42,8 +42,7 @@ TEST_CASE("what_is_read_is_not_written_over_whatever_it_is_called") {
         deform + quoted(files / "cage.obj"), std::string("deform s.viete -o cage.obj"),
         std::string("bind model.obj cage.obj -o model.obj"),
         std::string("bind model.obj cage.obj -o cage.obj"), std::string("bind s.viete -o s.viete"),
-        std::string("render model.obj -o link.png"),
-        std::string("bench exp --json a.svg --plot a.svg")}) {
+        std::string("render model.obj -o link.png"), std::string("bench exp --json a.svg --plot a.svg")}) {
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
     CHECK_MESSAGE(mentions(outcome, "is one of those that are read"), line << '\n' << outcome.text);

@@ -5,9 +5,11 @@
 
 #include "program/open_cage.h"
 #include "render/image.h"
-#include "scene/open.h"
-#include "scene/time_edit.h"
+#include "scene/files/open.h"
+#include "scene/document/time_edit.h"
 #include "support/folder.h"
+#include "scene/document/pose_edit.h"
+#include "scene/workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
@@ -68,13 +70,13 @@ void show(Driver& d, const std::string& name) {
 void visit_questions(Driver& d, const std::string& look) {
   auto& w = d.workspace();
   w.question =
-      scene::ask_before_closing(w,
+      scene::ask_before_closing(scene::name_of_work(w),
                                 "/home/somebody/.local/state/viete/recovery: unsaved work cannot be kept "
                                 "here: Not a directory; save often");
   d.frame(2);
   show(d, look + "_question_close");
   REQUIRE(d.viewer().recorder().find("question_go_on"));
-  w.question = scene::ask_before_opening(w, "There is no home folder to keep them in.");
+  w.question = scene::ask_before_opening(scene::name_of_work(w), "There is no home folder to keep them in.");
   w.question->chosen = 2;
   d.frame(2);
   show(d, look + "_question_open");
@@ -182,7 +184,7 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window") {
   w.discarded = {{{"/b.viete", name, 0}, "/b.discarded"}};
   w.tell_discarded = true;
   w.question =
-      scene::ask_before_closing(w, "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
+      scene::ask_before_closing(scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
   d.frame(5);
   std::size_t seen = 0;
   for (const auto& [widget, rect] : d.viewer().recorder().all()) {

@@ -5,11 +5,13 @@
 // reference, or VIETE_UPDATE_PICTURES=1, writes the picture instead: look at it before you commit it.
 #include <cstdlib>
 
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
+#include "mesh/triangulation.h"
 #include "program/open_cage.h"
 #include "render/image.h"
-#include "scene/edit.h"
-#include "scene/probes.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/probes.h"
 #include "support/commands.h"
 #include "support/folder.h"
 #include "support/pictures.h"

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 #include "program/driver.h"
-#include "scene/edit.h"
-#include "scene/picking.h"
-#include "scene/pointer.h"
-#include "scene/probes.h"
-#include "scene/saving.h"
-#include "scene/session.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/probes.h"
+#include "scene/files/session.h"
+#include "scene/hand/picking.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/pointer.h"
+#include "scene/workspace/saving.h"
 #include "support/edits.h"
 #include "support/folder.h"
 #include "support/pictures.h"

@@ -2,12 +2,14 @@
 #include <random>
 
 #include "program/kept_work.h"
-#include "scene/edit.h"
-#include "scene/saving.h"
-#include "scene/time_edit.h"
-#include "scene/transform.h"
+#include "scene/document/edit.h"
+#include "scene/workspace/saving.h"
+#include "scene/document/time_edit.h"
+#include "scene/hand/transform.h"
 #include "support/edits.h"
 #include "support/pictures.h"
+#include "scene/hand/grip.h"
+#include "scene/hand/placing.h"
 
 using namespace viete;
 using namespace test;

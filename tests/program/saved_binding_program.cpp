@@ -5,10 +5,10 @@
 #include "base/process.h"
 #include "deform/binding_file.h"
 #include "deform/deformer.h"
+#include "mesh/formats/write.h"
 #include "mesh/shapes.h"
-#include "mesh/write.h"
 #include "program/driver.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "support/folder.h"
 
 using namespace viete;

@@ -1,10 +1,11 @@
 // Selecting in the real program, over a dense cage and with real events: box, lasso and brush in the hand.
 #include <cmath>
 
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 #include "program/driver.h"
 #include "scene/ball.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
+#include "scene/hand/projector.h"
 #include "support/folder.h"
 #include "support/pictures.h"
 

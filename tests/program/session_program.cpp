@@ -1,9 +1,10 @@
 // Sessions that open to the same picture; open and save by hand.
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "program/kept_work.h"
-#include "scene/edit.h"
-#include "scene/saving.h"
+#include "scene/document/edit.h"
+#include "scene/workspace/saving.h"
+#include "scene/workspace/taking.h"
 #include "support/pictures.h"
 
 using namespace viete;

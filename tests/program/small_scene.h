@@ -1,7 +1,7 @@
 // The program with little in it, which is quickly drawn.
 #pragma once
 
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 #include "program/driver.h"
 #include "scene/ball.h"
 #include "support/folder.h"

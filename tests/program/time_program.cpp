@@ -7,10 +7,11 @@
 
 #include "program/driver.h"
 #include "render/image.h"
-#include "scene/edit.h"
-#include "scene/saving.h"
-#include "scene/time_edit.h"
+#include "scene/document/edit.h"
+#include "scene/workspace/saving.h"
+#include "scene/document/time_edit.h"
 #include "support/folder.h"
+#include "scene/workspace/playing.h"
 
 using namespace viete;
 using scene::Easing;
@@ -261,7 +262,7 @@ TEST_CASE("paths_of_the_selected_vertices_are_drawn_in_both_ways") {
   d.frame(2);
   CHECK(d.picture().rgba != before.rgba);
   d.show("paths");
-  const auto& paths = d.workspace().paths.of(d.workspace());
+  const auto& paths = d.workspace().paths.of(d.workspace().document, scene::animation_of(d.workspace()));
   REQUIRE(paths.paths.size() == 1);
   CHECK(paths.paths[0].by_logs.front() == paths.paths[0].straight.front());
   CHECK(paths.paths[0].by_logs.back() == paths.paths[0].straight.back());

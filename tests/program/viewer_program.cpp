@@ -2,10 +2,12 @@
 #include <cmath>
 #include <fstream>
 
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "program/kept_work.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
+#include "scene/hand/projector.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/pictures.h"

@@ -9,9 +9,9 @@
 
 #include "program/driver.h"
 #include "render/image.h"
-#include "scene/edit.h"
-#include "scene/pose_edit.h"
-#include "scene/time_edit.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/time_edit.h"
 #include "support/folder.h"
 
 using namespace viete;

@@ -5,7 +5,7 @@
 
 #include "program/desktop.h"
 #include "program/driver.h"
-#include "scene/pointer.h"
+#include "scene/workspace/pointer.h"
 #include "support/folder.h"
 #include "support/pictures.h"
 

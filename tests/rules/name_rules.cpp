@@ -30,7 +30,7 @@ Texts texts_below(const std::string& top) {
   return texts;
 }
 
-std::string room_of(const std::string& file) {
+std::string home_of(const std::string& file) {
   return file.substr(0, file.find('/'));
 }
 
@@ -49,7 +49,7 @@ std::set<std::string> clashes(const Texts& texts) {
     for (const Head& head : heads_of(plain_code(text))) {
       const auto declared = head.anonymous ? declared_by(head.text) : std::nullopt;
       if (!declared) continue;
-      auto& others = known[{room_of(file) + head.space, declared->name}];
+      auto& others = known[{home_of(file) + head.space, declared->name}];
       for (const auto& [other, its] : others)
         if (other != file && clash(its, *declared))
           found.insert(declared->name + " in " + other + " and " + file);
@@ -98,11 +98,11 @@ std::set<std::string> missing_includes(const Texts& texts) {
     const auto is_included = [&](const std::string& home) { return included.count(home) > 0; };
     std::set<std::string> seen;
     for (std::sregex_iterator at(code.begin(), code.end(), used), end; at != end; ++at) {
-      const std::string room = (*at)[2].matched ? (*at)[2].str() : room_of(file), name = (*at)[3];
+      const std::string room = (*at)[2].matched ? (*at)[2].str() : home_of(file), name = (*at)[3];
       const auto home = homes.find(name);
       const bool called = (*at)[4].length() > 0 || std::isupper(static_cast<unsigned char>(name[0]));
       if (!called || home == homes.end() || !seen.insert(room + name).second) continue;
-      const auto of_room = [&](const std::string& header) { return room_of(header) == room; };
+      const auto of_room = [&](const std::string& header) { return home_of(header) == room; };
       if (std::ranges::none_of(home->second, of_room) || std::ranges::any_of(home->second, is_included))
         continue;
       const auto names_it = [&](const std::string& header) {
@@ -120,7 +120,7 @@ std::set<std::string> missing_includes(const Texts& texts) {
 TEST_CASE("a_name_in_an_anonymous_namespace_means_one_thing_in_a_room_and_in_its_tests") {
   for (const auto& found : clashes(texts_below("src"))) FAIL_CHECK(found);
   Texts tests = texts_below("tests");
-  std::erase_if(tests, [](const auto& text) { return room_of(text.first) == "fuzz"; });  // a program each
+  std::erase_if(tests, [](const auto& text) { return home_of(text.first) == "fuzz"; });  // a program each
   for (const auto& found : clashes(tests)) FAIL_CHECK(found);
 }
 

@@ -1,12 +1,17 @@
 // The README is read in one go, and its sentences at once.
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "rules/room_table.h"
 #include "support/data.h"
 
 namespace {
@@ -59,5 +64,57 @@ TEST_CASE("no_sentence_of_the_manual_is_long") {
        {"README", "window", "cages", "blending", "time", "files", "command_line", "figures"}) {
     const std::string text = text_of(("assets/manual/" + std::string(chapter) + ".md").c_str());
     for (const std::string& sentence : sentences_of(text)) CHECK_MESSAGE(words_in(sentence) <= 36, sentence);
+  }
+}
+
+namespace {
+
+// The cells of a row of a table.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream row(line);
+  for (std::string cell; std::getline(row, cell, '|');) {
+    const auto first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
+    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last + 1 - first));
+  }
+  return cells;
+}
+
+std::set<std::string> words_of(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
+}
+
+}  // namespace
+
+TEST_CASE("the_readme_of_the_sources_has_the_table_of_rooms") {
+  std::map<std::string, std::set<std::string>> written, rules;
+  std::istringstream lines(text_of("src/README.md"));
+  for (std::string line; std::getline(lines, line) && !line.starts_with("**");) {
+    const auto cells = cells_of(line);
+    if (cells.size() == 4 && cells[1].starts_with("`"))
+      written[cells[1].substr(1, cells[1].size() - 2)] = words_of(cells[2]);
+  }
+  for (const auto& [name, room] : viete::rules::rooms()) rules[name] = room.knows;
+  CHECK(written == rules);
+}
+
+TEST_CASE("the_readme_of_a_room_names_its_headers_and_no_others") {
+  namespace fs = std::filesystem;
+  static const std::regex named(R"(`([\w-]+\.h)`)");
+  for (const auto& [name, rules] : viete::rules::rooms()) {
+    const fs::path folder = viete::test::source_dir() / "src" / name;
+    const std::string readme = text_of(("src/" + name + "/README.md").c_str());
+    std::set<std::string> spoken_of;
+    for (std::sregex_iterator at(readme.begin(), readme.end(), named), end; at != end; ++at)
+      spoken_of.insert((*at)[1]);
+    for (const auto& header : spoken_of)
+      CHECK_MESSAGE(fs::exists(folder / header), name << "/README.md: there is no " << header);
+    if (name == "sym3" || name == "python") continue;  // headers that are included by others alone
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string file = entry.path().filename().string();
+      if (file.ends_with(".h") && !file.ends_with("-inl.h"))
+        CHECK_MESSAGE(spoken_of.count(file), name << "/README.md does not say what " << file << " is");
+    }
   }
 }

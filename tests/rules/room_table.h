@@ -1,6 +1,7 @@
 // The table of rooms: which room may include which, and which packages it may name.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <regex>
@@ -17,25 +18,88 @@ struct Room {
   std::set<std::string> source_packages;  ///< and those that only its .cpp files may include
 };
 
+/// By folder in src. A room in another one has its namespace.
 inline const std::map<std::string, Room>& rooms() {
   static const std::map<std::string, Room> table = {
       {"base", {{}, {}, {"stb"}}},
       {"sym3", {{}, {"eigen", "highway"}, {}}},
       {"python", {{"sym3"}, {"pybind11"}, {}}},
-      {"mesh", {{"base"}, {"json"}, {"openmesh", "tinygltf"}}},
+      {"mesh", {{"base"}, {}, {"openmesh"}}},
+      {"mesh/formats", {{"base", "mesh"}, {"json"}, {"tinygltf"}}},
       {"cages", {{"base", "mesh"}, {"openmesh"}, {"eigen"}}},
-      {"deform", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
-      {"scene", {{"base", "sym3", "mesh", "cages", "deform"}, {"glm", "json"}, {}}},
+      {"deform/sparse", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
+      {"deform", {{"base", "sym3", "mesh", "mesh/formats", "deform/sparse"}, {}, {"eigen", "highway"}}},
+      {"scene/document",
+       {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "deform/sparse"}, {"glm"}, {}}},
+      {"scene/hand", {{"base", "sym3", "mesh", "cages", "deform", "scene/document"}, {"glm"}, {}}},
+      {"scene/files",
+       {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "scene/document"}, {"glm", "json"}, {}}},
+      {"scene/pictures", {{"base", "sym3", "mesh", "cages", "deform", "scene/document"}, {"glm"}, {}}},
+      {"scene/workspace",
+       {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "scene/document", "scene/hand",
+         "scene/files", "scene/pictures"},
+        {"glm", "json"},
+        {}}},
       {"render", {{"base"}, {"gl", "glm"}, {}}},
-      {"ui", {{"base", "scene"}, {"imgui"}, {}}},
+      {"ui",
+       {{"base", "scene/document", "scene/hand", "scene/files", "scene/pictures", "scene/workspace"},
+        {"imgui"},
+        {}}},
       {"platform", {{"base", "render"}, {"gl", "glm", "imgui"}, {"glfw"}}},
-      {"bench", {{"base", "sym3", "mesh", "cages", "deform", "scene"}, {"json"}, {"eigen", "highway", "openmesh"}}},
+      {"bench",
+       {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "deform/sparse", "scene/document",
+         "scene/hand", "scene/files", "scene/pictures", "scene/workspace"},
+        {"json"},
+        {"eigen", "highway", "openmesh"}}},
       {"app",
-       {{"base", "sym3", "mesh", "cages", "deform", "scene", "render", "ui", "platform", "bench"},
+       {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "deform/sparse", "scene/document",
+         "scene/hand", "scene/files", "scene/pictures", "scene/workspace", "render", "ui", "platform",
+         "bench"},
         {"imgui", "cli11", "json", "glm"},
         {}}},
   };
   return table;
+}
+
+/// The room of a file in src, or of an include; nothing for those of no room.
+inline std::optional<std::string> room_of(std::string path) {
+  for (auto slash = path.rfind('/'); slash != std::string::npos; slash = path.rfind('/')) {
+    path.resize(slash);
+    if (rooms().count(path)) return path;
+  }
+  return std::nullopt;
+}
+
+/// What its names stand in.
+inline std::string namespace_of(const std::string& room) {
+  return room.substr(0, room.find('/'));
+}
+
+/// Files that include each other, however many are in between: a header and its source count as one. Each
+/// cycle once, in the order of its includes; `includes`: of each file, without its extension, those of src.
+inline std::vector<std::string> find_cycle(const std::map<std::string, std::set<std::string>>& includes) {
+  enum class State { entered, left };
+  std::map<std::string, State> seen;
+  std::vector<std::string> path;
+  const auto visit = [&](const auto& self, const std::string& file) -> bool {
+    path.push_back(file);
+    seen[file] = State::entered;
+    for (const auto& next : includes.at(file)) {
+      if (next == file || !includes.count(next)) continue;
+      const auto known = seen.find(next);
+      if (known == seen.end() && self(self, next)) return true;
+      if (known == seen.end() || known->second == State::left) continue;
+      path.erase(path.begin(), std::find(path.begin(), path.end(), next));
+      return true;
+    }
+    seen[file] = State::left;
+    path.pop_back();
+    return false;
+  };
+  for (const auto& [file, ignored] : includes) {
+    if (!seen.count(file) && visit(visit, file)) return path;
+  }
+  return {};
 }
 
 /// The package that an include belongs to; none for the standard library and the system.
@@ -96,7 +160,11 @@ inline std::vector<std::string> foreign_names(const std::string& room, const std
   std::vector<std::string> found;
   for (std::sregex_iterator at(code.begin(), code.end(), qualified), end; at != end; ++at) {
     const std::string other = (*at)[2];
-    if (other == room || !rooms().count(other) || rooms().at(room).knows.count(other)) continue;
+    const auto is_other = [&](const std::string& known) { return namespace_of(known) == other; };
+    const bool is_room =
+        std::any_of(rooms().begin(), rooms().end(), [&](const auto& r) { return is_other(r.first); });
+    const auto& knows = rooms().at(room).knows;
+    if (!is_room || is_other(room) || std::any_of(knows.begin(), knows.end(), is_other)) continue;
     found.push_back(other + "::" + (*at)[3].str());
   }
   return found;
@@ -115,11 +183,9 @@ inline std::optional<std::string> violation(const std::string& room, bool is_hea
     return room + " may not use package " + *package;
   }
   if (include.find("..") != std::string::npos) return "relative include " + include;
-  const auto slash = include.find('/');
-  const std::string target = include.substr(0, slash);
-  if (slash != std::string::npos && rooms().count(target)) {
-    if (target == room || rules.knows.count(target)) return std::nullopt;
-    return room + " may not know " + target;
+  if (const auto target = room_of(include)) {
+    if (*target == room || rules.knows.count(*target)) return std::nullopt;
+    return room + " may not know " + *target;
   }
   return std::nullopt;  // the standard library and the system
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scene/animation.h"
+#include "scene/document/animation.h"
 #include "scene/files.h"
 #include "scene/posed_cube.h"
 

@@ -1,4 +1,4 @@
-#include "scene/animation.h"
+#include "scene/document/animation.h"
 
 #include <doctest/doctest.h>
 
@@ -8,6 +8,8 @@
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
 #include "scene/posed_cube.h"
+#include "scene/document/pose_edit.h"
+#include "deform/bind.h"
 
 using namespace viete;
 using namespace viete::scene;

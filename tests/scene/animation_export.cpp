@@ -1,4 +1,4 @@
-#include "scene/animation_export.h"
+#include "scene/files/animation_export.h"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include <tuple>
 
 #include "base/error.h"
-#include "mesh/point_cache.h"
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/formats/point_cache.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "scene/animated_cube.h"
 #include "support/full_disk.h"
 #include "support/gltf.h"

@@ -1,4 +1,4 @@
-#include "scene/animation_import.h"
+#include "scene/files/animation_import.h"
 
 #include <doctest/doctest.h>
 
@@ -6,11 +6,12 @@
 
 #include "base/error.h"
 #include "deform/pose_io.h"
-#include "mesh/point_cache.h"
+#include "mesh/formats/point_cache.h"
 #include "scene/animated_cube.h"
-#include "scene/animation_export.h"
-#include "scene/edit.h"
-#include "scene/open.h"
+#include "scene/document/edit.h"
+#include "scene/files/animation_export.h"
+#include "scene/files/open.h"
+#include "scene/workspace/taking.h"
 #include "support/text.h"
 
 using namespace viete;

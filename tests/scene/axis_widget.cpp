@@ -1,4 +1,4 @@
-#include "scene/axis_widget.h"
+#include "scene/hand/axis_widget.h"
 
 #include <doctest/doctest.h>
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::test {
 

@@ -1,17 +1,18 @@
-#include "scene/brush.h"
+#include "scene/document/brush.h"
 
 #include <doctest/doctest.h>
 
 #include "deform/affine_map.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/saving.h"
-#include "scene/session.h"
-#include "scene/workspace.h"
+#include "scene/workspace/saving.h"
+#include "scene/files/session.h"
+#include "scene/workspace/workspace.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/open.h"
 #include "support/text.h"
+#include "scene/workspace/taking.h"
 
 using namespace viete;
 using namespace viete::scene;

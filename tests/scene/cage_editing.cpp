@@ -1,5 +1,5 @@
 // Editing the cage itself: what becomes of its shape, its pose and the history.
-#include "scene/cage_editing.h"
+#include "scene/document/cage_editing.h"
 
 #include <doctest/doctest.h>
 
@@ -8,12 +8,13 @@
 #include "base/error.h"
 #include "mesh/winding_number.h"
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/elements.h"
-#include "scene/saving.h"
-#include "scene/session.h"
+#include "scene/document/edit.h"
+#include "scene/document/elements.h"
+#include "scene/workspace/saving.h"
+#include "scene/files/session.h"
 #include "support/edits.h"
 #include "support/folder.h"
+#include "scene/document/pose_edit.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -60,7 +61,7 @@ TEST_CASE("the_mode_shows_the_cage_at_rest_and_keeps_the_pose") {
 TEST_CASE("what_a_hand_moves_in_the_mode_is_the_rest_and_the_pose_follows") {
   Document document = edited_cube();
   const auto before = document.cage->surface.positions;
-  document.history.record("move", snapshot_of(document));
+  document.history.record("move", state_of(document));
   document.pose.positions[7] = {2, 2, 2};
   CHECK(settle_cage_edit(document));
   CHECK_FALSE(settle_cage_edit(document));
@@ -76,7 +77,7 @@ TEST_CASE("what_a_hand_moves_in_the_mode_is_the_rest_and_the_pose_follows") {
 TEST_CASE("a_move_that_leaves_no_cage_is_taken_back_and_said") {
   Document document = edited_cube();
   const auto before = document.cage->surface.positions;
-  document.history.record("move", snapshot_of(document));
+  document.history.record("move", state_of(document));
   for (auto& p : document.pose.positions) p = {0, 0, 0};
   CHECK_THROWS_AS(settle_cage_edit(document), base::Error);
   CHECK(document.cage->surface.positions == before);
@@ -157,7 +158,7 @@ TEST_CASE("subdividing_makes_four_of_one_and_mirroring_makes_both_sides_alike") 
   subdivide_cage(document);
   CHECK(document.cage->element_count() == 48);
   CHECK(volume(document.cage->surface) == doctest::Approx(size));
-  document.history.record("move", snapshot_of(document));
+  document.history.record("move", state_of(document));
   for (auto& p : document.pose.positions) {
     if (p == mesh::Point{1.5, 1.5, 1.5}) p = {1.9, 1.7, 1.8};
   }
@@ -238,7 +239,7 @@ TEST_CASE("selected_vertices_within_the_model_snap_out_of_it_and_stay_selected")
   Document document = edited_cube();
   document.pose.positions[7] = {0.7, 0.2, 0.1};
   document.pose.positions[6] = {0, 0.4, 0.8};
-  document.history.record("move", snapshot_of(document));
+  document.history.record("move", state_of(document));
   REQUIRE(settle_cage_edit(document));
   const auto before = document.cage->surface.positions;
   select(document, ElementKind::vertex, {3, 7});

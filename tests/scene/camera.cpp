@@ -1,4 +1,4 @@
-#include "scene/camera.h"
+#include "scene/document/camera.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "scene/range.h"
+#include "scene/document/range.h"
 
 using namespace viete::scene;
 

@@ -1,11 +1,12 @@
-#include "scene/checks.h"
+#include "scene/document/checks.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "scene/check_view.h"
+#include "mesh/triangulation.h"
 #include "scene/cube.h"
+#include "scene/workspace/check_view.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,6 +1,6 @@
 // The pictures of the choosers: there is one for each entry, they tell entries apart, and they say what is
 // so.
-#include "scene/choice_picture.h"
+#include "scene/pictures/choice_picture.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/commands.h"
+#include "scene/workspace/commands.h"
 
 #include <doctest/doctest.h>
 
@@ -6,9 +6,10 @@
 #include <set>
 
 #include "scene/cube.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "support/commands.h"
 #include "support/edits.h"
+#include "scene/workspace/saving.h"
 
 using namespace viete;
 using namespace viete::scene;

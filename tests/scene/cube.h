@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::test {
 

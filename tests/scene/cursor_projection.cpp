@@ -1,4 +1,4 @@
-#include "scene/cursor_projection.h"
+#include "scene/hand/cursor_projection.h"
 
 #include <doctest/doctest.h>
 

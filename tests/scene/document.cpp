@@ -1,14 +1,15 @@
-#include "scene/document.h"
+#include "scene/document/document.h"
 
 #include <doctest/doctest.h>
 
 #include <fstream>
 
 #include "base/error.h"
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 #include "scene/cube.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "scene/files.h"
+#include "scene/workspace/taking.h"
 #include "support/open.h"
 
 using namespace viete;

@@ -1,8 +1,9 @@
-#include "scene/drag_guides.h"
+#include "scene/hand/drag_guides.h"
 
 #include <doctest/doctest.h>
 
 #include "scene/cube.h"
+#include "scene/hand/grip.h"
 
 using namespace viete;
 using namespace viete::scene;

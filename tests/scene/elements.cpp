@@ -1,9 +1,10 @@
-#include "scene/elements.h"
+#include "scene/document/elements.h"
 
 #include <doctest/doctest.h>
 
+#include "mesh/triangulation.h"
 #include "scene/cube.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,11 +1,11 @@
-#include "scene/export.h"
+#include "scene/files/export.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "base/error.h"
-#include "mesh/read.h"
+#include "mesh/formats/read.h"
 #include "scene/files.h"
 
 using namespace viete;

@@ -1,10 +1,11 @@
-#include "scene/file_browser.h"
+#include "scene/workspace/file_browser.h"
 
 #include <doctest/doctest.h>
 
 #include <fstream>
 
 #include "support/folder.h"
+#include "scene/workspace/saving.h"
 
 using namespace viete;
 using namespace viete::scene;

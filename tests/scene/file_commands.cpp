@@ -1,12 +1,13 @@
-#include "scene/file_commands.h"
+#include "scene/workspace/file_commands.h"
 
 #include <doctest/doctest.h>
 
-#include "scene/commands.h"
+#include "scene/workspace/commands.h"
 #include "scene/files.h"
-#include "scene/output.h"
+#include "scene/files/output.h"
 #include "support/commands.h"
 #include "support/open.h"
+#include "scene/workspace/saving.h"
 
 using namespace viete;
 using namespace viete::scene;

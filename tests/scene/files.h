@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "mesh/write.h"
+#include "mesh/formats/write.h"
 #include "scene/cube.h"
 #include "support/folder.h"
 

@@ -1,4 +1,4 @@
-#include "scene/frame_stats.h"
+#include "scene/workspace/frame_stats.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/gizmo.h"
+#include "scene/hand/gizmo.h"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,12 @@
-#include "scene/grip.h"
+#include "scene/hand/grip.h"
 
 #include <doctest/doctest.h>
 
 #include <array>
 
 #include "scene/cube.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
+#include "scene/hand/placing.h"
 
 using namespace viete;
 using namespace viete::scene;

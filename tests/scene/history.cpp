@@ -1,4 +1,4 @@
-#include "scene/history.h"
+#include "scene/document/history.h"
 
 #include <doctest/doctest.h>
 
@@ -6,10 +6,12 @@ using namespace viete::scene;
 
 namespace {
 
-Snapshot at(double x) {
-  return {{{{x, 0, 0}}, {}}, {}, {}, nullptr, {}};
+DocumentState at(double x) {
+  DocumentState state;
+  state.pose.positions = {{x, 0, 0}};
+  return state;
 }
-double x_of(const Snapshot& s) {
+double x_of(const DocumentState& s) {
   return s.pose.positions[0][0];
 }
 
@@ -56,7 +58,7 @@ TEST_CASE("no_number_of_clicks_takes_an_edit_out_of_reach") {
   const auto mask =
       std::make_shared<const std::vector<float>>(5u << 20, 1.0f);  // so large that few states fit
   const auto state = [&](double x) {
-    Snapshot s = at(x);
+    DocumentState s = at(x);
     s.mask = mask;
     return s;
   };
@@ -64,7 +66,7 @@ TEST_CASE("no_number_of_clicks_takes_an_edit_out_of_reach") {
   h.record("two", state(1));
   for (int i = 0; i < 100; ++i) h.record_selection(state(2));
   int steps = 0;
-  Snapshot now = state(2);
+  DocumentState now = state(2);
   while (h.can_undo() && h.undo_label() == "select") now = h.undo(now), ++steps;
   CHECK(steps < 20);
   REQUIRE(h.undo_label() == "two");

@@ -1,4 +1,4 @@
-#include "scene/json_file.h"
+#include "scene/files/json_file.h"
 
 #include <doctest/doctest.h>
 

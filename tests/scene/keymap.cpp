@@ -1,10 +1,10 @@
-#include "scene/keymap.h"
+#include "scene/workspace/keymap.h"
 
 #include <doctest/doctest.h>
 
 #include <set>
 
-#include "scene/commands.h"
+#include "scene/workspace/commands.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,5 +1,5 @@
 // Boxes side by side as a surface: closed, outward, corners shared.
-#include "scene/lattice.h"
+#include "scene/pictures/lattice.h"
 
 #include <doctest/doctest.h>
 

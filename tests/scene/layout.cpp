@@ -1,8 +1,8 @@
-#include "scene/layout.h"
+#include "scene/workspace/layout.h"
 
 #include <doctest/doctest.h>
 
-#include "scene/remembered.h"
+#include "scene/workspace/remembered.h"
 #include "support/folder.h"
 
 using namespace viete;

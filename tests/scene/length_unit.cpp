@@ -1,14 +1,15 @@
 // What one unit of a file measures: guessed, chosen, kept, and said.
-#include "scene/length_unit.h"
+#include "scene/document/length_unit.h"
 
 #include <doctest/doctest.h>
 
-#include "mesh/read.h"
-#include "mesh/write.h"
-#include "scene/export.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
 #include "scene/files.h"
-#include "scene/open.h"
-#include "scene/saving.h"
+#include "scene/files/export.h"
+#include "scene/files/open.h"
+#include "scene/workspace/saving.h"
+#include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/text.h"
 

@@ -1,4 +1,4 @@
-#include "scene/menus.h"
+#include "scene/workspace/menus.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/messages.h"
+#include "scene/workspace/messages.h"
 
 #include <doctest/doctest.h>
 

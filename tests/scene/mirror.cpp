@@ -1,12 +1,12 @@
-#include "scene/mirror.h"
+#include "scene/document/mirror.h"
 
 #include <doctest/doctest.h>
 
 #include <array>
 
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/mirror_edit.h"
+#include "scene/document/edit.h"
+#include "scene/hand/mirror_edit.h"
 #include "support/edits.h"
 
 using namespace viete;

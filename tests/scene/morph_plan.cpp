@@ -1,4 +1,4 @@
-#include "scene/morph_plan.h"
+#include "scene/files/morph_plan.h"
 
 #include <doctest/doctest.h>
 

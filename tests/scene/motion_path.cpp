@@ -1,4 +1,4 @@
-#include "scene/motion_path.h"
+#include "scene/workspace/motion_path.h"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/time_edit.h"
+#include "scene/document/edit.h"
+#include "scene/document/time_edit.h"
+#include "scene/document/pose_edit.h"
+#include "scene/workspace/playing.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -54,13 +56,13 @@ TEST_CASE("long_ways_have_keys_and_as_many_places_between_them_as_can_be_told_ap
 
 TEST_CASE("paths_are_of_what_is_selected_and_follow_the_timeline") {
   Workspace w = turning_workspace(11);
-  CHECK(w.paths.of(w).paths.empty());
+  CHECK(w.paths.of(w.document, animation_of(w)).paths.empty());
   w.document.selection.apply(std::array<std::uint32_t, 2>{1, 4}, SelectMode::replace);
-  CHECK(w.paths.of(w).paths.size() == 2);
-  const auto* before = &w.paths.of(w).paths[0].by_logs[3];
-  CHECK(before == &w.paths.of(w).paths[0].by_logs[3]);  // kept
+  CHECK(w.paths.of(w.document, animation_of(w)).paths.size() == 2);
+  const auto* before = &w.paths.of(w.document, animation_of(w)).paths[0].by_logs[3];
+  CHECK(before == &w.paths.of(w.document, animation_of(w)).paths[0].by_logs[3]);  // kept
   set_easing(w.document, std::array{1}, Easing::hold);
-  CHECK(w.paths.of(w).paths[0].by_logs[3] == w.paths.of(w).paths[0].by_logs[0]);
+  CHECK(w.paths.of(w.document, animation_of(w)).paths[0].by_logs[3] == w.paths.of(w.document, animation_of(w)).paths[0].by_logs[0]);
   remove_keys(w.document, std::array{1, 11});
-  CHECK(w.paths.of(w).paths.empty());
+  CHECK(w.paths.of(w.document, animation_of(w)).paths.empty());
 }

@@ -1,4 +1,4 @@
-#include "scene/number_entry.h"
+#include "scene/hand/number_entry.h"
 
 #include <doctest/doctest.h>
 

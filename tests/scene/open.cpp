@@ -1,4 +1,4 @@
-#include "scene/open.h"
+#include "scene/files/open.h"
 
 #include <doctest/doctest.h>
 
@@ -7,15 +7,16 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/pose_edit.h"
-#include "scene/saving.h"
-#include "scene/selection_sets.h"
+#include "scene/document/pose_edit.h"
+#include "scene/workspace/saving.h"
+#include "scene/document/selection_sets.h"
 #include "support/data.h"
 #include "support/edits.h"
 #include "support/open.h"
 #include "support/text.h"
+#include "scene/workspace/taking.h"
 
 using namespace viete;
 using namespace viete::scene;

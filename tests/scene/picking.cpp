@@ -1,9 +1,10 @@
-#include "scene/picking.h"
+#include "scene/hand/picking.h"
 
 #include <doctest/doctest.h>
 
 #include "scene/cube.h"
-#include "scene/elements.h"
+#include "scene/document/elements.h"
+#include "scene/hand/projector.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,9 +1,9 @@
 // A scene as flat shapes: where they are, which way round, and what hides what.
-#include "scene/picture_view.h"
+#include "scene/pictures/picture_view.h"
 
 #include <doctest/doctest.h>
 
-#include "scene/lattice.h"
+#include "scene/pictures/lattice.h"
 
 using namespace viete;
 using scene::Ink, scene::PictureView;

@@ -1,4 +1,4 @@
-#include "scene/playback.h"
+#include "scene/workspace/playback.h"
 
 #include <doctest/doctest.h>
 
@@ -6,12 +6,15 @@
 #include <functional>
 #include <map>
 
-#include "scene/cage_editing.h"
-#include "scene/edit.h"
+#include "scene/document/cage_editing.h"
+#include "scene/document/edit.h"
 #include "scene/posed_cube.h"
-#include "scene/saving.h"
+#include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
+#include "scene/document/record.h"
+#include "scene/document/selection_sets.h"
+#include "scene/workspace/playing.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,11 +1,12 @@
-#include "scene/pointer.h"
+#include "scene/workspace/pointer.h"
 
 #include <doctest/doctest.h>
 
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/picking.h"
+#include "scene/document/edit.h"
+#include "scene/hand/picking.h"
 #include "support/edits.h"
+#include "scene/hand/projector.h"
 
 using namespace viete;
 using namespace viete::scene;

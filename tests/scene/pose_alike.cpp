@@ -1,5 +1,5 @@
 // Parts of cages that are built alike, and one posed like the other.
-#include "scene/pose_alike.h"
+#include "scene/hand/pose_alike.h"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,9 @@
 #include <functional>
 #include <numeric>
 
-#include "scene/edit.h"
-#include "scene/part_match.h"
+#include "mesh/triangulation.h"
+#include "scene/document/edit.h"
+#include "scene/document/part_match.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,4 +1,4 @@
-#include "scene/pose_edit.h"
+#include "scene/document/pose_edit.h"
 
 #include <doctest/doctest.h>
 
@@ -6,12 +6,13 @@
 #include <limits>
 
 #include "base/error.h"
-#include "scene/cage_editing.h"
-#include "scene/cage_making.h"
-#include "scene/edit.h"
+#include "scene/document/cage_editing.h"
+#include "scene/document/cage_making.h"
+#include "scene/document/edit.h"
 #include "scene/posed_cube.h"
-#include "scene/probes.h"
+#include "scene/document/probes.h"
 #include "support/edits.h"
+#include "scene/document/record.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,4 +1,4 @@
-#include "scene/pose_json.h"
+#include "scene/files/pose_json.h"
 
 #include <doctest/doctest.h>
 
@@ -9,15 +9,18 @@
 #include <random>
 #include <sstream>
 
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/open.h"
+#include "scene/files/open.h"
 #include "scene/posed_cube.h"
-#include "scene/probes.h"
-#include "scene/saving.h"
-#include "scene/session.h"
+#include "scene/document/probes.h"
+#include "scene/workspace/saving.h"
+#include "scene/files/session.h"
 #include "support/open.h"
 #include "support/text.h"
+#include "scene/document/record.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/taking.h"
 
 using namespace viete;
 using namespace viete::scene;

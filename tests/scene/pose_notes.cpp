@@ -1,4 +1,4 @@
-#include "scene/pose_notes.h"
+#include "scene/document/pose_notes.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/pose_picture.h"
+#include "scene/pictures/pose_picture.h"
 
 #include <doctest/doctest.h>
 

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "scene/cube.h"
-#include "scene/pose_edit.h"
-#include "scene/time_edit.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/time_edit.h"
 
 namespace viete::test {
 

@@ -1,21 +1,25 @@
-#include "scene/probes.h"
+#include "scene/document/probes.h"
 
 #include <doctest/doctest.h>
 
 #include "deform/affine_map.h"
-#include "scene/brush.h"
-#include "scene/edit.h"
+#include "scene/document/brush.h"
+#include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/grip.h"
-#include "scene/picking.h"
-#include "scene/pointer.h"
-#include "scene/range.h"
-#include "scene/saving.h"
-#include "scene/session.h"
+#include "scene/hand/grip.h"
+#include "scene/hand/picking.h"
+#include "scene/workspace/pointer.h"
+#include "scene/document/range.h"
+#include "scene/workspace/saving.h"
+#include "scene/files/session.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/open.h"
 #include "support/text.h"
+#include "scene/hand/anchor.h"
+#include "scene/hand/placing.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/taking.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -4,17 +4,19 @@
 #include <random>
 #include <string>
 
-#include "scene/command_conditions.h"
-#include "scene/commands.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/commands.h"
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/pointer.h"
-#include "scene/pose_edit.h"
-#include "scene/probes.h"
-#include "scene/selection_sets.h"
-#include "scene/time_edit.h"
+#include "scene/document/edit.h"
+#include "scene/workspace/pointer.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/probes.h"
+#include "scene/document/selection_sets.h"
+#include "scene/document/time_edit.h"
 #include "support/commands.h"
 #include "support/edits.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/playing.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,17 +1,19 @@
-#include "scene/recovery.h"
+#include "scene/files/recovery.h"
 
 #include <doctest/doctest.h>
 
 #include "base/error.h"
 #include "base/process.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/grip.h"
-#include "scene/saving.h"
-#include "scene/session.h"
-#include "scene/transform.h"
+#include "scene/hand/grip.h"
+#include "scene/workspace/saving.h"
+#include "scene/files/session.h"
+#include "scene/hand/transform.h"
 #include "support/open.h"
 #include "support/zombie.h"
+#include "scene/hand/placing.h"
+#include "scene/workspace/taking.h"
 
 using namespace viete;
 using namespace viete::scene;

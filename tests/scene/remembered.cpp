@@ -1,4 +1,4 @@
-#include "scene/remembered.h"
+#include "scene/workspace/remembered.h"
 
 #include <doctest/doctest.h>
 

@@ -1,15 +1,17 @@
-#include "scene/saving.h"
+#include "scene/workspace/saving.h"
 
 #include <doctest/doctest.h>
 
-#include "mesh/read.h"
-#include "scene/edit.h"
+#include "mesh/formats/read.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
 #include "scene/files.h"
-#include "scene/grip.h"
-#include "scene/pose_edit.h"
+#include "scene/files/session.h"
+#include "scene/hand/grip.h"
+#include "scene/hand/placing.h"
+#include "scene/hand/transform.h"
 #include "scene/posed_cube.h"
-#include "scene/session.h"
-#include "scene/transform.h"
+#include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/open.h"
 #include "support/text.h"
@@ -24,7 +26,7 @@ Workspace edited(const test::CubeFiles& files) {
   Workspace w;
   REQUIRE(test::load_model(w, files.model, files.cage));
   CHECK_FALSE(has_unsaved_edits(w));
-  w.document.history.record("move", snapshot_of(w.document));
+  w.document.history.record("move", state_of(w.document));
   w.document.pose.positions[0][0] -= 0.25;
   CHECK(has_unsaved_edits(w));
   return w;
@@ -65,7 +67,7 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   turn.degrees = 360;
   w.document.selection.select_all(w.document.pose.positions.size());
   transform_selection(w.document, Tool::rotate, plain_grip(w.document), turn);
-  CHECK(w.document.pose.positions == w.saved.pose.positions);
+  CHECK(w.document.pose.positions == w.saved.state.pose.positions);
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_pose(w, files / "p.obj"));
   CHECK_FALSE(has_unsaved_edits(w));

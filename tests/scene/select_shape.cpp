@@ -1,6 +1,6 @@
 // Boxes, lassos and brushes in the hand, over a coarse cage and a dense one, through it or as far as one
 // sees.
-#include "scene/select_shape.h"
+#include "scene/hand/select_shape.h"
 
 #include <doctest/doctest.h>
 
@@ -9,11 +9,13 @@
 
 #include "scene/ball.h"
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/elements.h"
-#include "scene/pointer.h"
-#include "scene/sight.h"
+#include "scene/document/edit.h"
+#include "scene/document/elements.h"
+#include "scene/workspace/pointer.h"
+#include "scene/hand/sight.h"
 #include "support/commands.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/sight_keeper.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,12 +1,13 @@
 // Selections made from selections, on closed cages, open ones, and such with edges of many faces.
-#include "scene/selecting.h"
+#include "scene/document/selecting.h"
 
 #include <doctest/doctest.h>
 
+#include "mesh/triangulation.h"
 #include "scene/ball.h"
 #include "scene/cube.h"
-#include "scene/edge_rings.h"
-#include "scene/elements.h"
+#include "scene/document/edge_rings.h"
+#include "scene/document/elements.h"
 
 using namespace viete;
 using namespace viete::scene;

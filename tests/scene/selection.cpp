@@ -1,4 +1,4 @@
-#include "scene/selection.h"
+#include "scene/document/selection.h"
 
 #include <doctest/doctest.h>
 

@@ -1,19 +1,22 @@
 // The selection as an edit; what is hidden; sets by name, through edits of the cage and sessions.
-#include "scene/selection_sets.h"
+#include "scene/document/selection_sets.h"
 
 #include <doctest/doctest.h>
 
-#include "scene/cage_editing.h"
+#include "scene/document/cage_editing.h"
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/elements.h"
-#include "scene/picking.h"
-#include "scene/pointer.h"
-#include "scene/saving.h"
-#include "scene/session.h"
+#include "scene/document/edit.h"
+#include "scene/document/elements.h"
+#include "scene/hand/picking.h"
+#include "scene/workspace/pointer.h"
+#include "scene/workspace/saving.h"
+#include "scene/files/session.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
+#include "scene/hand/grip.h"
+#include "scene/hand/placing.h"
+#include "scene/hand/projector.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,4 +1,4 @@
-#include "scene/session.h"
+#include "scene/files/session.h"
 
 #include <doctest/doctest.h>
 
@@ -7,14 +7,16 @@
 #include <random>
 
 #include "base/error.h"
-#include "mesh/read.h"
-#include "scene/edit.h"
+#include "mesh/formats/read.h"
+#include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/grip.h"
-#include "scene/json_file.h"
-#include "scene/open.h"
-#include "scene/saving.h"
-#include "scene/scheme_json.h"
+#include "scene/files/json_file.h"
+#include "scene/files/open.h"
+#include "scene/files/scheme_json.h"
+#include "scene/hand/grip.h"
+#include "scene/hand/placing.h"
+#include "scene/workspace/saving.h"
+#include "scene/workspace/taking.h"
 #include "support/open.h"
 #include "support/text.h"
 

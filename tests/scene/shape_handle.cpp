@@ -1,4 +1,5 @@
-#include "scene/shape_handle.h"
+#include "scene/hand/shape_handle.h"
+#include "scene/hand/shaping.h"
 
 #include <doctest/doctest.h>
 

@@ -1,13 +1,14 @@
-#include "scene/shaping.h"
+#include "scene/hand/shaping.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "scene/camera.h"
+#include "scene/document/camera.h"
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/grip.h"
+#include "scene/document/edit.h"
+#include "scene/hand/grip.h"
+#include "scene/hand/placing.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -102,7 +103,7 @@ TEST_CASE("flattening_in_full_leaves_no_thickness_and_smoothing_makes_it_smaller
 
 TEST_CASE("twisting_a_whole_cube_by_two_turns_is_undone_to_the_bit") {
   Document document = test::cube_document();
-  const Snapshot before = snapshot_of(document);
+  const DocumentState before = state_of(document);
   shape_cube(document, Shape::twist, 720);
   CHECK(document.pose.positions != before.pose.positions);
   undo(document);

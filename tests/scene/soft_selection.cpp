@@ -1,4 +1,4 @@
-#include "scene/soft_selection.h"
+#include "scene/hand/soft_selection.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/space.h"
+#include "scene/document/space.h"
 
 #include <doctest/doctest.h>
 

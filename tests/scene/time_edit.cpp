@@ -1,4 +1,4 @@
-#include "scene/time_edit.h"
+#include "scene/document/time_edit.h"
 
 #include <doctest/doctest.h>
 
@@ -6,9 +6,10 @@
 #include <limits>
 
 #include "base/error.h"
-#include "scene/edit.h"
+#include "scene/document/edit.h"
 #include "scene/posed_cube.h"
 #include "support/edits.h"
+#include "scene/document/record.h"
 
 using namespace viete;
 using namespace viete::scene;

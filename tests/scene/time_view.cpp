@@ -1,12 +1,13 @@
-#include "scene/time_view.h"
+#include "scene/workspace/time_view.h"
 
 #include <doctest/doctest.h>
 
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/time_edit.h"
+#include "scene/document/edit.h"
+#include "scene/document/time_edit.h"
 #include "support/commands.h"
 #include "support/edits.h"
+#include "scene/workspace/time_gestures.h"
 
 using namespace viete;
 using namespace viete::scene;

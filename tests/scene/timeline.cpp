@@ -1,4 +1,4 @@
-#include "scene/timeline.h"
+#include "scene/document/timeline.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/transform.h"
+#include "scene/hand/transform.h"
 
 #include <doctest/doctest.h>
 
@@ -6,10 +6,12 @@
 
 #include "deform/cage_state.h"
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/grip.h"
-#include "scene/pose_library.h"
+#include "scene/document/edit.h"
+#include "scene/hand/grip.h"
+#include "scene/document/pose_library.h"
 #include "support/edits.h"
+#include "scene/hand/anchor.h"
+#include "scene/hand/placing.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -259,7 +261,7 @@ TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
     at_once.selection.apply(upper, SelectMode::replace);
     transform_selection(at_once, Tool::rotate, plain_grip(at_once), turn(degrees));
     slowly.selection.apply(upper, SelectMode::replace);
-    const Snapshot before = snapshot_of(slowly);
+    const DocumentState before = state_of(slowly);
     const Grip grip = plain_grip(slowly);
     for (double seen = 0; seen < degrees; seen += 10) {
       place(slowly, before, grip, turn(seen + 10), seen - 30);  // a jump of 40: followed

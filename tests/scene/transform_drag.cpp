@@ -1,13 +1,15 @@
-#include "scene/transform_drag.h"
+#include "scene/hand/transform_drag.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "scene/cube.h"
-#include "scene/edit.h"
-#include "scene/picking.h"
+#include "scene/document/edit.h"
+#include "scene/hand/picking.h"
 #include "support/edits.h"
+#include "scene/hand/anchor.h"
+#include "scene/hand/grip.h"
 
 using namespace viete;
 using namespace viete::scene;

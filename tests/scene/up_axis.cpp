@@ -1,13 +1,13 @@
 // Which axis points up, and what is measured.
-#include "scene/up_axis.h"
+#include "scene/document/up_axis.h"
 
 #include <doctest/doctest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/axis_widget.h"
+#include "scene/hand/axis_widget.h"
 #include "scene/cube.h"
-#include "scene/measures.h"
+#include "scene/workspace/measures.h"
 #include "support/commands.h"
 
 using namespace viete;

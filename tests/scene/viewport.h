@@ -1,7 +1,7 @@
 // The part of the window that the tests look into.
 #pragma once
 
-#include "scene/camera.h"
+#include "scene/document/camera.h"
 
 namespace viete::test {
 

@@ -1,11 +1,11 @@
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "scene/edit.h"
-#include "scene/handling_json.h"
+#include "scene/document/edit.h"
+#include "scene/files/handling_json.h"
 #include "scene/posed_cube.h"
 
 using namespace viete;

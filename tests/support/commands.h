@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/commands.h"
+#include "scene/workspace/commands.h"
 
 namespace viete::test {
 

@@ -1,7 +1,7 @@
 // How many edits a person could take back, changes of the selection apart.
 #pragma once
 
-#include "scene/history.h"
+#include "scene/document/history.h"
 
 namespace viete::test {
 

@@ -1,7 +1,8 @@
 // Files opened at once.
 #pragma once
 
-#include "scene/workspace.h"
+#include "scene/workspace/workspace.h"
+#include "scene/workspace/taking.h"
 
 namespace viete::test {
 

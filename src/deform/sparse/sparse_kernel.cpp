@@ -1,0 +1,28 @@
+// Sparse factors, compiled once per instruction set.
+#include "deform/sparse/sparse_kernel.h"
+
+#include "deform/sparse/kernel_choice.h"
+#include "sym3/highway_targets.h"
+#define HWY_TARGET_INCLUDE "deform/sparse/sparse_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include "deform/sparse/front_kernel-inl.h"
+#include "deform/sparse/solve_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace viete::deform::HWY_NAMESPACE {
+
+static const SparseKernel sparse = {solve_columns, solve_four, eliminate, subtract_product};
+
+}  // namespace viete::deform::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace viete::deform {
+
+const SparseKernel& sparse_kernel(const sym3::Kernel& kernel) {
+  VIETE_RETURN_COMPILED(sparse, kernel.highway_target);
+}
+
+}  // namespace viete::deform
+#endif

@@ -1,0 +1,42 @@
+#include "deform/sparse/sparse_matrix.h"
+
+#include <Eigen/SparseCore>
+#include <algorithm>
+
+namespace viete::deform {
+
+SparseMatrix sparse_matrix(std::size_t n, std::span<const MatrixEntry> entries) {
+  std::vector<Eigen::Triplet<double>> triplets;
+  triplets.reserve(entries.size());
+  for (const auto& e : entries)
+    triplets.emplace_back(static_cast<int>(e.row), static_cast<int>(e.column), e.value);
+  const auto size = static_cast<int>(n);
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  const int* starts = matrix.outerIndexPtr();
+  const auto count = matrix.nonZeros();
+  return {{starts, starts + size + 1},
+          {matrix.innerIndexPtr(), matrix.innerIndexPtr() + count},
+          {matrix.valuePtr(), matrix.valuePtr() + count}};
+}
+
+mesh::UnionFind connected(const SparseMatrix& matrix) {
+  mesh::UnionFind parts(matrix.size());
+  for (std::uint32_t v = 0; v < matrix.size(); ++v)
+    for_column(matrix, v, [&](std::uint32_t row, double) { parts.join(row, v); });
+  return parts;
+}
+
+SparseMatrix grounded(const SparseMatrix& matrix, const std::vector<bool>& free) {
+  std::vector<MatrixEntry> lower;
+  for (std::uint32_t v = 0; v < free.size(); ++v) {
+    if (!free[v]) lower.push_back({v, v, 1});
+    if (!free[v]) continue;
+    for_column(matrix, v, [&](std::uint32_t row, double value) {
+      if (row >= v && free[row]) lower.push_back({row, v, value});
+    });
+  }
+  return sparse_matrix(free.size(), lower);
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,138 @@
+#include "mesh/formats/foreign_content.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace viete::mesh {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Signature {
+  std::string_view begins, what, advice;
+};
+
+constexpr auto unpack = "unpack it first"sv, utf8 = "save it as UTF-8 or ASCII"sv,
+               export_it = "export it as OBJ, PLY, OFF, STL or glTF from a program that opens it"sv,
+               download = "download the file itself, not the page that shows it"sv;
+
+// Capitals and small letters are the same.
+constexpr Signature signatures[] = {
+    {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer, which stands for the file"sv,
+     "fetch the file itself with `git lfs pull`"sv},
+    {"/annex/objects/"sv, "a git-annex pointer, which stands for the file"sv,
+     "fetch the file itself with `git annex get`"sv},
+    {"\x1F\x8B"sv, "a compressed file (gzip)"sv, "unpack it first, with gunzip"sv},
+    {"PK\3\4"sv, "a compressed file (zip, as 3MF and USDZ are)"sv, "unpack it first, with unzip"sv},
+    {"PK\5\6"sv, "an empty compressed file (zip)"sv, "copy it again"sv},
+    {"7z\xBC\xAF\x27\x1C"sv, "a compressed file (7z)"sv, unpack},
+    {"Rar!\x1A\7"sv, "a compressed file (rar)"sv, unpack},
+    {"BZh"sv, "a compressed file (bzip2)"sv, "unpack it first, with bunzip2"sv},
+    {"\xFD"
+     "7zXZ"sv,
+     "a compressed file (xz)"sv, "unpack it first, with unxz"sv},
+    {"\x28\xB5\x2F\xFD"sv, "a compressed file (zstd, as newer .blend files are)"sv,
+     "unpack it first, with unzstd, or export it from its program"sv},
+    {"\xFF\xFE\0\0"sv, "UTF-32 text"sv, utf8},
+    {"\0\0\xFE\xFF"sv, "UTF-32 text"sv, utf8},
+    {"\xFF\xFE"sv, "UTF-16 text"sv, utf8},
+    {"\xFE\xFF"sv, "UTF-16 text"sv, utf8},
+    {"<!DOCTYPE html"sv, "a web page"sv, download},
+    {"<html"sv, "a web page"sv, download},
+    {"<head"sv, "a web page"sv, download},
+    {"Kaydara FBX Binary"sv, "an FBX file"sv, export_it},
+    {"; FBX"sv, "an FBX file"sv, export_it},
+    {"PXR-USDC"sv, "a USD file"sv, export_it},
+    {"#usda"sv, "a USD file"sv, export_it},
+    {"BLENDER-v"sv, "a Blender file"sv, export_it},
+    {"BLENDER_v"sv, "a Blender file"sv, export_it},
+    {"BLENDER17"sv, "a Blender file"sv, export_it},
+    {"Ogawa"sv, "an Alembic file"sv, export_it},
+    {"\x89HDF"sv, "an HDF5 file, as older Alembic files are"sv, export_it},
+    {"//Maya ASCII"sv, "a Maya scene"sv, export_it},
+    {"FOR4"sv, "a Maya scene"sv, export_it},
+    {"FOR8"sv, "a Maya scene"sv, export_it},
+    {"3D Geometry File Format"sv, "a Rhino file"sv, export_it},
+    {"ISO-10303-21"sv, "a STEP file"sv, export_it},
+    {"#VRML"sv, "a VRML file"sv, export_it},
+    {"#X3D"sv, "an X3D file"sv, export_it},
+    {"# vtk DataFile"sv, "a VTK file"sv, export_it},
+    {"$MeshFormat"sv, "a Gmsh file"sv, export_it},
+    {"MeshVersionFormatted"sv, "a Medit file"sv, export_it},
+    {"DRACO"sv, "a Draco file"sv, export_it},
+    {"OCTM"sv, "an OpenCTM file"sv, export_it},
+    {"POINTCACHE2"sv, "a point cache (PC2), positions of a model frame after frame"sv,
+     "open the model that it is of, and take the cache as keys"sv},
+    {"%PDF-"sv, "a PDF document"sv, export_it},
+    {"\x89PNG"sv, "a picture (PNG)"sv, "name the model that it belongs to"sv},
+    {"\xFF\xD8\xFF"sv, "a picture (JPEG)"sv, "name the model that it belongs to"sv},
+    {"GIF8"sv, "a picture (GIF)"sv, "name the model that it belongs to"sv},
+};
+
+// Of XML, by the name of its outermost element.
+constexpr Signature elements[] = {{"<COLLADA"sv, "a COLLADA file"sv, export_it},
+                                  {"<X3D"sv, "an X3D file"sv, export_it},
+                                  {"<VTKFile"sv, "a VTK file"sv, export_it},
+                                  {"<amf"sv, "an AMF file"sv, export_it},
+                                  {"<model"sv, "a part of a 3MF file"sv, export_it},
+                                  {"<svg"sv, "a drawing (SVG)"sv, export_it},
+                                  {"<html"sv, "a web page"sv, download},
+                                  {"<Error"sv, "an error message of a server"sv, download}};
+
+char small(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+}
+
+constexpr auto same_letter = [](char a, char b) { return small(a) == small(b); };
+
+bool begins(std::string_view bytes, std::string_view signature) {
+  return std::ranges::equal(bytes.substr(0, signature.size()), signature, same_letter);
+}
+
+bool holds(std::string_view bytes, std::string_view signature) {
+  return !std::ranges::search(bytes, signature, same_letter).empty();
+}
+
+// Every other byte of the beginning is 0, and the others are of text.
+bool is_utf16_without_mark(std::string_view bytes) {
+  bytes = bytes.substr(0, 64);
+  std::size_t zeros[2] = {0, 0}, text = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    zeros[i % 2] += bytes[i] == '\0';
+    text += (bytes[i] >= 32 && bytes[i] < 127) || (bytes[i] >= 9 && bytes[i] <= 13);
+  }
+  const std::size_t half = bytes.size() / 2;
+  return half >= 2 && text >= half && (zeros[0] + 1 >= half || zeros[1] + 1 >= half) &&
+         zeros[0] * zeros[1] == 0;
+}
+
+[[noreturn]] void refuse_as(const std::string& name, const Signature& is) {
+  throw base::Error(name, "this is " + std::string(is.what), std::string(is.advice));
+}
+
+}  // namespace
+
+void refuse_foreign(const std::string& name, std::string_view bytes) {
+  if (bytes.empty()) throw base::Error(name, "the file is empty", "export or copy it again");
+  if (bytes.find_first_not_of('\0') == std::string_view::npos)
+    throw base::Error(name, "the file holds nothing but zeros: it was never written to its end",
+                      "export or copy it again");
+  for (const Signature& s : signatures) {
+    if (begins(bytes, s.begins)) refuse_as(name, s);
+  }
+  if (is_utf16_without_mark(bytes)) refuse_as(name, {"", "UTF-16 text", utf8});
+  bytes = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
+  if (!bytes.starts_with('<')) return;
+  bytes = bytes.substr(0, 4096);
+  for (const Signature& s : signatures) {
+    if (begins(bytes, s.begins)) refuse_as(name, s);
+  }
+  for (const Signature& s : elements) {
+    if (holds(bytes, s.begins)) refuse_as(name, s);
+  }
+  refuse_as(name, {"", "text in XML or HTML", export_it});
+}
+
+}  // namespace viete::mesh

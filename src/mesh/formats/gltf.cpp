@@ -1,0 +1,376 @@
+#include "mesh/formats/gltf.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "base/error.h"
+#include "base/quantity.h"
+#include "mesh/formats/gltf_accessors.h"
+#include "mesh/formats/gltf_file.h"
+#include "mesh/formats/gltf_original.h"
+#include "mesh/formats/gltf_scene.h"
+#include "mesh/formats/surface_builder.h"
+#include "mesh/formats/written_positions.h"
+#include "mesh/repair.h"
+
+namespace viete::mesh {
+
+namespace {
+
+using tinygltf::Primitive;
+
+constexpr std::size_t instanced_vertices = std::size_t{1} << 22;
+
+// Of light in [0, 1] as it is computed with, to that which is stored in pictures.
+float srgb_of_linear(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+}
+
+Color srgb_of_linear(std::span<const double> c) {
+  const double opacity = c.size() > 3 ? std::clamp(c[3], 0.0, 1.0) : 1.0;
+  return {srgb_of_linear(c[0]), srgb_of_linear(c[1]), srgb_of_linear(c[2]), static_cast<float>(opacity)};
+}
+
+// KHR_texture_transform.
+struct TextureTransform {
+  Vec2 offset{0, 0}, scale{1, 1};
+  double rotation = 0;
+  int set = 0;
+
+  friend bool operator==(const TextureTransform&, const TextureTransform&) = default;
+
+  Vec2 operator()(const Vec2& p) const {
+    const double x = scale[0] * p[0], y = scale[1] * p[1], c = std::cos(rotation), s = std::sin(rotation);
+    return {c * x + s * y + offset[0], -s * x + c * y + offset[1]};
+  }
+};
+
+TextureTransform transform_of(const tinygltf::TextureInfo& texture) {
+  TextureTransform transform;
+  transform.set = texture.texCoord;
+  const auto found = texture.extensions.find("KHR_texture_transform");
+  if (found == texture.extensions.end() || !found->second.IsObject()) return transform;
+  const auto take = [&](const char* key, Vec2& pair) {
+    if (!found->second.Has(key)) return;
+    const tinygltf::Value& value = found->second.Get(key);
+    for (std::size_t k = 0; k < 2 && value.IsArray() && value.ArrayLen() == 2; ++k)
+      pair[k] = value.Get(static_cast<int>(k)).GetNumberAsDouble();
+  };
+  take("offset", transform.offset);
+  take("scale", transform.scale);
+  if (found->second.Has("rotation")) transform.rotation = found->second.Get("rotation").GetNumberAsDouble();
+  if (found->second.Has("texCoord")) transform.set = found->second.Get("texCoord").GetNumberAsInt();
+  return transform;
+}
+
+class GltfReader {
+public:
+  GltfReader(const Source& source, GltfFile file)
+      : source_(source),
+        file_(std::move(file)),
+        parsed_(parse_gltf(file_)),
+        model_(*parsed_),
+        accessors_(file_, model_),
+        builder_(source),
+        attributes_(std::make_shared<Attributes>()) {}
+
+  ReadResult read() {
+    for (const std::string& warning : file_.warnings) builder_.warn(warning);
+    take_materials();
+    for (const GltfBuffer& buffer : file_.buffers) budget_ += buffer.bytes.size();
+    map_.placements = placements_of(file_, model_);
+    for (std::size_t i = 0; i < map_.placements.size(); ++i) {
+      source_.report(static_cast<double>(i) / static_cast<double>(map_.placements.size()));
+      place_mesh(i);
+    }
+    tell_what_is_not_seen();
+    drop_what_is_not_there();
+    ReadResult result = builder_.finish(file_.binary ? "glTF binary" : "glTF");
+    if (!attributes_->empty()) result.attributes = attributes_;
+    result.original = gltf_original(source_, std::move(file_), std::move(map_));
+    return result;
+  }
+
+private:
+  using PieceKey = std::tuple<int, int, int, int, int>;
+
+  void take_materials() {
+    for (const GltfImage& image : file_.images) attributes_->images.push_back(image.file);
+    for (const tinygltf::Material& m : model_.materials) {
+      Material material;
+      material.name = m.name;
+      const auto& color = m.pbrMetallicRoughness.baseColorFactor;
+      material.base_color = color.size() >= 3 ? srgb_of_linear(color) : Color{1, 1, 1, 1};
+      take_texture(m.pbrMetallicRoughness.baseColorTexture, material);
+      attributes_->materials.push_back(material);
+    }
+    name_images();
+  }
+
+  // Those without a name by what they colour.
+  void name_images() {
+    auto& images = attributes_->images;
+    for (const Material& m : attributes_->materials) {
+      if (m.base_color_image != none && images[m.base_color_image].name.empty())
+        images[m.base_color_image].name = m.name;
+    }
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      if (images[i].name.empty()) images[i].name = "image " + std::to_string(i);
+    }
+  }
+
+  // The image, or that of an extension where there is no other.
+  static int source_of(const tinygltf::Texture& texture) {
+    if (texture.source >= 0) return texture.source;
+    for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
+      const auto found = texture.extensions.find(extension);
+      if (found == texture.extensions.end() || !found->second.IsObject() || !found->second.Has("source"))
+        continue;
+      return found->second.Get("source").GetNumberAsInt();
+    }
+    return -1;
+  }
+
+  void take_texture(const tinygltf::TextureInfo& info, Material& material) const {
+    if (info.index < 0 || static_cast<std::size_t>(info.index) >= model_.textures.size()) return;
+    const tinygltf::Texture& texture = model_.textures[static_cast<std::size_t>(info.index)];
+    const int source = source_of(texture);
+    if (source < 0 || static_cast<std::size_t>(source) >= file_.images.size()) return;
+    material.base_color_image = static_cast<std::uint32_t>(source);
+    if (texture.sampler >= 0 && static_cast<std::size_t>(texture.sampler) < model_.samplers.size())
+      material.repeats = model_.samplers[static_cast<std::size_t>(texture.sampler)].wrapS !=
+                         TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+  }
+
+  // All primitives of a mesh, and then what of their vertices lies at the same place.
+  void place_mesh(std::size_t placement) {
+    const GltfPlacement& p = map_.placements[placement];
+    const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(p.mesh)];
+    pieces_.clear();
+    const std::size_t first = points_.size(), first_corner = map_.corner_vertex.size();
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+      const Primitive& primitive = mesh.primitives[i];
+      const auto found = primitive.attributes.find("POSITION");
+      if (found == primitive.attributes.end()) continue;  // nothing to be seen, as the format says
+      add_group(p, mesh, primitive);
+      add_polygons(primitive, piece_of(placement, primitive), p.map.determinant() < 0);
+      morphs_ |= !primitive.targets.empty();
+    }
+    weld(first, first_corner);
+  }
+
+  void add_group(const GltfPlacement& p, const tinygltf::Mesh& mesh, const Primitive& primitive) {
+    const std::string& node = model_.nodes[static_cast<std::size_t>(p.node)].name;
+    Group group;
+    group.first_polygon = polygons_;
+    group.object = node.empty() ? mesh.name : node;
+    if (primitive.material >= 0 && static_cast<std::size_t>(primitive.material) < model_.materials.size())
+      group.material = static_cast<std::uint32_t>(primitive.material);
+    group.smooth = primitive.attributes.count("NORMAL") > 0;
+    auto& groups = attributes_->groups;
+    if (!groups.empty() && groups.back().first_polygon == polygons_) groups.pop_back();  // it has no polygons
+    groups.push_back(group);
+  }
+
+  static int accessor_of(const Primitive& primitive, const std::string& attribute) {
+    const auto found = primitive.attributes.find(attribute);
+    return found == primitive.attributes.end() ? -1 : found->second;
+  }
+
+  TextureTransform texture_of(const Primitive& primitive) const {
+    if (primitive.material < 0 || static_cast<std::size_t>(primitive.material) >= model_.materials.size())
+      return {};
+    const auto& material = model_.materials[static_cast<std::size_t>(primitive.material)];
+    return transform_of(material.pbrMetallicRoughness.baseColorTexture);
+  }
+
+  // The material, if it moves the texture: another one has texture points of its own.
+  int mover_of(const Primitive& primitive, const TextureTransform& transform) const {
+    return transform == TextureTransform{.set = transform.set} ? -1 : primitive.material;
+  }
+
+  struct Piece {
+    std::size_t first = 0, count = 0;
+    bool has_texture = false, has_normals = false;
+  };
+
+  Piece piece_of(std::size_t placement, const Primitive& primitive) {
+    const TextureTransform transform = texture_of(primitive);
+    const int texture = accessor_of(primitive, "TEXCOORD_" + std::to_string(std::max(0, transform.set)));
+    const int normals = accessor_of(primitive, "NORMAL"), colors = accessor_of(primitive, "COLOR_0");
+    const int positions = accessor_of(primitive, "POSITION"), tangents = accessor_of(primitive, "TANGENT");
+    const PieceKey key{positions, normals, tangents, texture, mover_of(primitive, transform)};
+    if (const auto found = pieces_.find(key); found != pieces_.end()) return found->second;
+    Piece piece{points_.size(), accessors_.count(positions), texture >= 0, normals >= 0};
+    spend(piece.count);
+    map_.pieces.push_back({placement, piece.first, piece.count, positions, normals, tangents});
+    const AffineMap& map = map_.placements[placement].map;
+    add_points(positions, map);
+    add_texture(piece, texture, transform);
+    add_normals(piece, normals, map);
+    add_colors(piece, colors);
+    if (tangents >= 0) matching(piece, tangents, 4);
+    return pieces_[key] = piece;
+  }
+
+  // Vertices and corners that the file's bytes cannot hold one by one are bounded.
+  void spend(std::size_t elements) {
+    spent_ += elements;
+    if (spent_ > budget_ + instanced_vertices)
+      throw base::Error(file_.name, "its nodes place meshes so often that more than 4 million vertices arise",
+                        "open fewer of them");
+  }
+
+  void add_points(int accessor, const AffineMap& map) {
+    const std::vector<double> numbers = accessors_.numbers(accessor, 3);
+    const bool moves = !map.is_identity();
+    for (std::size_t i = 0; i < numbers.size(); i += 3) {
+      Point p{numbers[i], numbers[i + 1], numbers[i + 2]};
+      if (moves) p = map.of_point(p);
+      if (!is_place(p))
+        accessors_.fail("accessor", accessor, "position " + std::to_string(i / 3) + " is no place");
+      points_.push_back(p);
+    }
+  }
+
+  std::vector<double> matching(const Piece& piece, int accessor, std::size_t components) const {
+    if (accessors_.count(accessor) != piece.count)
+      accessors_.fail("accessor", accessor,
+                      "has " + std::to_string(accessors_.count(accessor)) + " elements for " +
+                          std::to_string(piece.count) + " positions");
+    return accessors_.numbers(accessor, components);
+  }
+
+  // The first row of a picture is its upper one here, where v = 0.
+  void add_texture(const Piece& piece, int accessor, const TextureTransform& transform) {
+    attributes_->texture_points.resize(piece.first + piece.count, Vec2{0, 0});
+    if (accessor < 0) return;
+    const std::vector<double> numbers = matching(piece, accessor, 2);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      const Vec2 p = transform({numbers[2 * i], numbers[2 * i + 1]});
+      if (std::isfinite(p[0] + p[1])) attributes_->texture_points[piece.first + i] = {p[0], 1 - p[1]};
+    }
+    has_texture_ = true;
+  }
+
+  void add_normals(const Piece& piece, int accessor, const AffineMap& map) {
+    attributes_->normals.resize(piece.first + piece.count, Vec3{0, 0, 0});
+    if (accessor < 0) return;
+    const std::vector<double> numbers = matching(piece, accessor, 3);
+    const bool turns = !map.is_identity();
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      Vec3 n{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+      if (turns) n = map.of_normal(n);
+      if (turns && norm(n) > 0) n = (1 / norm(n)) * n;
+      if (std::isfinite(n[0] + n[1] + n[2])) attributes_->normals[piece.first + i] = n;
+    }
+    has_normals_ = true;
+  }
+
+  void add_colors(const Piece& piece, int accessor) {
+    colors_.resize(piece.first + piece.count, Color{1, 1, 1, 1});
+    if (accessor < 0) return;
+    const std::size_t components = accessors_.components(accessor) == 4 ? 4 : 3;
+    const std::vector<double> numbers = matching(piece, accessor, components);
+    for (std::size_t i = 0; i < piece.count; ++i)
+      colors_[piece.first + i] = srgb_of_linear(std::span(numbers).subspan(components * i, components));
+    has_colors_ = true;
+  }
+
+  void add_polygons(const Primitive& primitive, const Piece& piece, bool mirrored) {
+    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+    const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP, fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    if (mode != TINYGLTF_MODE_TRIANGLES && !strip && !fan) return void(++unseen_primitives_);
+    std::vector<std::uint32_t> list;
+    if (primitive.indices >= 0) list = accessors_.indices(primitive.indices, piece.count);
+    const std::size_t n = primitive.indices >= 0 ? list.size() : piece.count;
+    const auto vertex = [&](std::size_t i) { return list.empty() ? static_cast<std::uint32_t>(i) : list[i]; };
+    spend(n);
+    if (!strip && !fan) {
+      for (std::size_t i = 0; i + 2 < n; i += 3)
+        add_triangle(piece, {vertex(i), vertex(i + 1), vertex(i + 2)}, mirrored);
+      return;
+    }
+    for (std::size_t i = 0; i + 2 < n; ++i) {
+      const Triangle t = fan ? Triangle{vertex(0), vertex(i + 1), vertex(i + 2)}
+                             : Triangle{vertex(i), vertex(i + 1 + i % 2), vertex(i + 2 - i % 2)};
+      const bool joins_strips = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+      if (!joins_strips) add_triangle(piece, t, mirrored);
+    }
+  }
+
+  void add_triangle(const Piece& piece, Triangle t, bool mirrored) {
+    if (mirrored) std::swap(t[1], t[2]);
+    for (const std::uint32_t v : t) {
+      const auto vertex = static_cast<std::uint32_t>(piece.first + v);
+      map_.corner_vertex.push_back(vertex);
+      attributes_->corner_texture.push_back(piece.has_texture ? vertex : none);
+      attributes_->corner_normal.push_back(piece.has_normals ? vertex : none);
+    }
+    ++polygons_;
+  }
+
+  void weld(std::size_t first, std::size_t first_corner) {
+    if (points_.size() >= none)
+      throw base::Error(file_.name, "more than 4294967294 vertices", "split the model");
+    const auto lowest = lowest_in_place(std::span(points_).subspan(first));
+    map_.surface_vertex.resize(points_.size());
+    for (std::size_t i = 0; i < lowest.size(); ++i) {
+      if (lowest[i] != i) {
+        map_.surface_vertex[first + i] = map_.surface_vertex[first + lowest[i]];
+        continue;
+      }
+      map_.surface_vertex[first + i] = static_cast<std::uint32_t>(builder_.vertex_count());
+      builder_.position(points_[first + i]);
+      attributes_->colors.push_back(colors_[first + i]);
+    }
+    for (std::size_t c = first_corner; c < map_.corner_vertex.size(); ++c) {
+      builder_.corner(map_.surface_vertex[map_.corner_vertex[c]]);
+      if (c % 3 == 2) builder_.end_polygon();
+    }
+  }
+
+  void tell_what_is_not_seen() {
+    if (unseen_primitives_ > 0)
+      builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
+                    " of points or lines: moved along, but not drawn");
+    if (morphs_ && !source_.played) builder_.warn(file_.name + ": morph targets are not played here");
+  }
+
+  void drop_what_is_not_there() {
+    Attributes& a = *attributes_;
+    if (!has_texture_) a.texture_points.clear(), a.corner_texture.clear();
+    if (!has_normals_) a.normals.clear(), a.corner_normal.clear();
+    if (!has_colors_) a.colors.clear();
+    if (!a.groups.empty() && a.groups.back().first_polygon == polygons_) a.groups.pop_back();
+  }
+
+  const Source& source_;
+  GltfFile file_;
+  std::shared_ptr<const tinygltf::Model> parsed_;
+  const tinygltf::Model& model_;
+  GltfAccessors accessors_;
+  SurfaceBuilder builder_;
+  std::shared_ptr<Attributes> attributes_;
+  GltfMap map_;
+  std::vector<Point> points_;  // of the file's vertices, where their nodes put them
+  std::vector<Color> colors_;  // the same
+  std::map<PieceKey, Piece> pieces_;
+  std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;
+  std::uint32_t polygons_ = 0;
+  bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false;
+};
+
+}  // namespace
+
+ReadResult read_gltf(const Source& source) {
+  return GltfReader(source, take_apart(source)).read();
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,65 @@
+// The numbers in a glTF file's buffers, every offset and index checked before it is followed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mesh/formats/gltf_file.h"
+#include "mesh/vector.h"
+
+namespace tinygltf {
+class Model;
+struct Accessor;
+}  // namespace tinygltf
+
+namespace viete::mesh {
+
+/// What the JSON of the surface says. Throws base::Error if that is not sound glTF.
+std::shared_ptr<const tinygltf::Model> parse_gltf(const GltfFile& file);
+
+/// Where the elements of an accessor lie. All of them are within the buffer.
+struct GltfPlace {
+  std::size_t buffer = 0, offset = 0, stride = 0, count = 0, size = 0;  ///< size: bytes of an element
+  bool has_bytes = false;  ///< false: they are zeros, where no sparse value stands
+};
+
+/// Borrows file and model.
+class GltfAccessors {
+public:
+  GltfAccessors(const GltfFile& file, const tinygltf::Model& model) : file_(file), model_(model) {}
+
+  /// The number of its elements. Throws base::Error naming the accessor if it does not fit its buffer.
+  std::size_t count(int accessor) const { return place(accessor).count; }
+
+  /// Of one element; 0 for a matrix.
+  std::size_t components(int accessor) const;
+
+  GltfPlace place(int accessor) const;
+
+  /// `components` numbers of each element one after the other: floats, or integers as the accessor says they
+  /// are meant (normalized: [0, 1] or [-1, 1]). An accessor of four components may be asked for three. Throws
+  /// base::Error.
+  std::vector<double> numbers(int accessor, std::size_t components) const;
+
+  /// Unsigned integers. Throws base::Error, also for one that is not below `limit`.
+  std::vector<std::uint32_t> indices(int accessor, std::size_t limit) const;
+
+  [[noreturn]] void fail(const std::string& what, int index, const std::string& problem) const;
+
+private:
+  const tinygltf::Accessor& at(int accessor) const;
+  GltfPlace of_view(int accessor, int view, std::size_t offset, std::size_t count, std::size_t size) const;
+  void put_sparse(int index, const tinygltf::Accessor& accessor, std::size_t components,
+                  std::vector<double>& numbers) const;
+  const unsigned char* bytes(const GltfPlace& place) const {
+    return reinterpret_cast<const unsigned char*>(file_.buffers[place.buffer].bytes.data()) + place.offset;
+  }
+
+  const GltfFile& file_;
+  const tinygltf::Model& model_;
+};
+
+}  // namespace viete::mesh

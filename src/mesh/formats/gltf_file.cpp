@@ -1,0 +1,401 @@
+#include "mesh/formats/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/formats/foreign_content.h"
+#include "mesh/formats/gltf_json.h"
+#include "mesh/formats/gltf_shape.h"
+
+namespace viete::mesh {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view glb_magic = "glTF", base64_mark = ";base64,";
+constexpr std::string_view base64_letters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+[[noreturn]] void refuse_gltf(const Source& source, const std::string& problem,
+                              const std::string& advice = "export the model again") {
+  throw base::Error(source.name, problem, advice);
+}
+
+std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t word = 0;
+  for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return word;
+}
+
+struct Chunks {
+  std::string_view json;
+  std::optional<std::string_view> binary;
+  std::string others = {};  // of other kinds, which are passed over, as the format asks, but kept
+};
+
+Chunks chunks_of(const Source& source) {
+  constexpr std::uint32_t json_kind = 0x4E4F534A, binary_kind = 0x004E4942;
+  if (source.bytes.size() < 20) refuse_gltf(source, "the file ends within its head");
+  if (word_at(source.bytes, 4) != 2)
+    refuse_gltf(source, "version " + std::to_string(word_at(source.bytes, 4)) + " of GLB is not read",
+                "export as glTF 2.0");
+  const std::size_t length = word_at(source.bytes, 8);
+  if (length > source.bytes.size())
+    refuse_gltf(source,
+                "the head promises " + std::to_string(length) + " bytes, the file has " +
+                    std::to_string(source.bytes.size()),
+                "the file seems to be cut short: export or copy it again");
+  Chunks chunks;
+  for (std::size_t at = 12; at + 8 <= length;) {
+    const std::size_t size = word_at(source.bytes, at), kind = word_at(source.bytes, at + 4);
+    at += 8;
+    if (size > length - at) refuse_gltf(source, "a chunk is longer than the file");
+    const std::string_view chunk = source.bytes.substr(at, size);
+    if (at == 20 && kind == json_kind) chunks.json = chunk;
+    const bool is_binary = kind == binary_kind && !chunks.binary;
+    if (at > 20 && is_binary) chunks.binary = chunk;
+    if (at > 20 && !is_binary) chunks.others.append(source.bytes.substr(at - 8, size + 8));
+    at += size;
+    if (chunks.json.empty()) refuse_gltf(source, "the first chunk is not JSON");
+  }
+  return chunks;
+}
+
+// What would take more than its share of stack or time: nesting, and the members of one object, which are
+// searched one after the other.
+void check_shape(const Source& source, std::string_view text) {
+  constexpr std::size_t deepest = 64, most_members = 4096;
+  std::array<std::size_t, deepest + 1> members{};
+  std::array<bool, deepest + 1> is_object{};
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\') ++i;
+      if (c == '"') quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > deepest) refuse_gltf(source, "the JSON is nested more than 64 deep");
+      members[depth] = 0;
+      is_object[depth] = c == '{';
+    } else if (c == '}' || c == ']') {
+      if (depth > 0) --depth;
+    } else if (c == ',' && is_object[depth] && ++members[depth] > most_members) {
+      refuse_gltf(source, "an object of the JSON has more than 4096 members");
+    }
+  }
+}
+
+GltfJson parsed(const Source& source, std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  check_shape(source, text);
+  try {
+    GltfJson document = GltfJson::parse(text.begin(), text.end());
+    if (!document.is_object()) refuse_gltf(source, "the JSON is no object");
+    return document;
+  } catch (const GltfJson::parse_error& error) {
+    refuse_gltf(source, "not JSON at byte " + std::to_string(error.byte));
+  } catch (const GltfJson::exception&) {
+    refuse_gltf(source, "the JSON holds a number that is none");
+  }
+}
+
+std::string unbase64(const Source& source, const std::string& place, std::string_view text) {
+  static const auto values = [] {
+    std::array<int, 256> table;
+    table.fill(-1);
+    for (std::size_t i = 0; i < 64; ++i)
+      table[static_cast<unsigned char>(base64_letters[i])] = static_cast<int>(i);
+    return table;
+  }();
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    const int value = values[static_cast<unsigned char>(c)];
+    if (value < 0) throw base::Error(source.name + ": " + place, "not base64", "export the model again");
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    count += 6;
+    if (count >= 8) bytes.push_back(static_cast<char>(bits >> (count -= 8)));
+  }
+  return bytes;
+}
+
+std::string embedded(const Source& source, const std::string& place, std::string_view uri) {
+  const auto mark = uri.substr(0, 256).find(base64_mark);
+  if (mark == std::string_view::npos)
+    throw base::Error(source.name + ": " + place, "its data are not base64", "export the model again");
+  return unbase64(source, place, uri.substr(mark + base64_mark.size()));
+}
+
+// A file that the model names by the way to it; nothing for other addresses.
+std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) {
+  const fs::path relative = decoded_uri(uri);
+  const std::string text = relative.string();
+  const bool is_no_way = relative.empty() || relative.is_absolute() || text.find('\0') != std::string::npos ||
+                         text.find("://") != std::string::npos;
+  if (is_no_way) return std::nullopt;
+  return fs::path(source.name).parent_path() / relative;
+}
+
+// What a buffer holds becomes part of what is written: nothing outside of the folder of the model is taken
+// because a model says so. Images, which are only decoded, often lie beside that folder.
+std::optional<fs::path> path_within(const Source& source, std::string_view uri) {
+  const auto path = path_of_uri(source, uri);
+  const fs::path relative = decoded_uri(uri);
+  const bool leads_out =
+      std::any_of(relative.begin(), relative.end(), [](const fs::path& p) { return p == ".."; });
+  return leads_out ? std::nullopt : path;
+}
+
+class GltfTaker {
+public:
+  GltfTaker(const Source& source, const Chunks& chunks, bool binary)
+      : source_(source), chunks_(chunks), document_(parsed(source, chunks.json)) {
+    file_.name = source.name;
+    file_.binary = binary;
+  }
+
+  GltfFile take() {
+    check_version();
+    check_extensions();
+    check_gltf(source_.name, document_);
+    const std::size_t buffers = list_of(document_, "buffers").size();
+    for (std::size_t i = 0; i < buffers; ++i) take_buffer(i);
+    for (const GltfBuffer& buffer : file_.buffers) left_for_images_ += buffer.bytes.size();
+    for (std::size_t i = 0; i < list_of(document_, "images").size(); ++i) take_image(i);
+    tell_what_is_not_played();
+    file_.json = document_.dump();
+    file_.other_chunks = std::move(chunks_.others);
+    file_.loadable = loadable();
+    return std::move(file_);
+  }
+
+private:
+  void check_version() {
+    const std::string version = text_of(member_of(document_, "asset"), "version");
+    if (version.empty()) refuse_gltf(source_, "the JSON has no asset version: this is not glTF");
+    if (!version.starts_with("2."))
+      refuse_gltf(source_, "glTF " + version.substr(0, 16) + " is not read", "export as glTF 2.0");
+  }
+
+  void check_extensions() {
+    for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
+      for (const GltfJson& extension : list_of(document_, key)) {
+        if (extension.is_string()) check_extension(extension.get<std::string>(), key[10] == 'R');
+      }
+    }
+  }
+
+  void check_extension(const std::string& name, bool required) {
+    static const std::set<std::string> shapes = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                                                 "KHR_meshopt_compression"};
+    static const std::set<std::string> known = {"KHR_mesh_quantization", "KHR_texture_transform",
+                                                "KHR_lights_punctual",   "KHR_texture_basisu",
+                                                "EXT_texture_webp",      "KHR_animation_pointer"};
+    if (shapes.count(name))
+      refuse_gltf(source_, "its shapes are compressed (" + name + "), which is not read",
+                  "export without compression");
+    if (!required || known.count(name) || name.starts_with("KHR_materials_")) return;
+    refuse_gltf(source_, "it needs the extension " + name.substr(0, 64) + ", which is not known here",
+                "export without it");
+  }
+
+  void take_buffer(std::size_t i) {
+    const std::string place = "buffer " + std::to_string(i);
+    const auto fail = [&](const std::string& problem) {
+      throw base::Error(source_.name + ": " + place, problem, "export the model again with its buffers");
+    };
+    GltfJson& json = document_["buffers"][i];
+    const auto length = count_of(json, "byteLength");
+    if (!length || *length == 0) fail("has no byteLength");
+    const std::string uri = text_of(json, "uri");
+    GltfBuffer buffer;
+    if (uri.starts_with("data:")) {
+      buffer.home = GltfBuffer::Home::text;
+      buffer.bytes = embedded(source_, place, uri);
+      json.erase("uri");
+    } else if (!uri.empty()) {
+      buffer.home = GltfBuffer::Home::beside;
+      const auto path = path_within(source_, uri);
+      if (!path) fail("lies outside of the model's folder: " + uri.substr(0, 200));
+      buffer.path = path->lexically_normal();
+      const bool again = !beside_.insert(buffer.path).second;
+      buffer.bytes = FileBytes(*path, nullptr).view();
+      if (again && (repeated_ += buffer.bytes.size()) > most_repeated_bytes)
+        fail("is a file of other buffers, which together are too large");
+    } else if (i == 0 && chunks_.binary) {
+      buffer.bytes = *chunks_.binary;
+    } else {
+      fail("has neither bytes nor an address");
+    }
+    if (buffer.bytes.size() < *length && !buffer.path.empty())
+      refuse_foreign(buffer.path.string(), buffer.bytes);
+    if (buffer.bytes.size() < *length)
+      fail("should have " + std::to_string(*length) + " bytes and has " +
+           std::to_string(buffer.bytes.size()));
+    buffer.bytes.resize(*length);
+    file_.buffers.push_back(std::move(buffer));
+  }
+
+  void take_image(std::size_t i) {
+    const GltfJson& json = document_["images"][i];
+    GltfImage image;
+    image.file.name = text_of(json, "name");
+    const std::string uri = text_of(json, "uri");
+    if (uri.starts_with("data:")) {
+      const std::string place = "image " + std::to_string(i);
+      image.file.bytes = std::make_shared<const std::string>(embedded(source_, place, uri));
+    } else if (!uri.empty()) {
+      take_image_beside(image, uri);
+    } else {
+      image.file.bytes = bytes_of_view(count_of(json, "bufferView"));
+      if (!image.file.bytes) warn("image " + std::to_string(i) + " is not in the file");
+    }
+    file_.images.push_back(std::move(image));
+  }
+
+  void take_image_beside(GltfImage& image, const std::string& uri) {
+    image.uri = uri;
+    if (const auto path = path_of_uri(source_, uri)) {
+      image.file.path = fs::absolute(*path);
+    } else {
+      warn("image " + uri.substr(0, 200) + " is not named by the way to a file, and is not opened");
+    }
+  }
+
+  // Once for each view, and no more of all views than there are bytes: others lie over each other.
+  std::shared_ptr<const std::string> bytes_of_view(std::optional<std::uint64_t> view) {
+    const GltfJson& views = list_of(document_, "bufferViews");
+    if (!view || *view >= views.size()) return nullptr;
+    const GltfJson& json = views[*view];
+    const auto buffer = count_of(json, "buffer"), length = count_of(json, "byteLength");
+    const std::uint64_t offset = count_of(json, "byteOffset").value_or(0);
+    if (!buffer || !length || *buffer >= file_.buffers.size()) return nullptr;
+    const std::string& bytes = file_.buffers[*buffer].bytes;
+    if (offset > bytes.size() || *length > bytes.size() - offset) return nullptr;
+    auto& kept = of_view_[*view];
+    if (!kept && *length <= left_for_images_) {
+      kept = std::make_shared<const std::string>(bytes, offset, *length);
+      left_for_images_ -= *length;
+    }
+    return kept;
+  }
+
+  void tell_what_is_not_played() {
+    std::string list;
+    for (const char* key : {"animations", "skins", "cameras"}) {
+      if (source_.played && key == std::string_view("animations")) continue;
+      if (!list_of(document_, key).empty()) list += (list.empty() ? "" : ", ") + std::string(key);
+    }
+    if (!list.empty()) warn(list + " are not played here");
+    for (const GltfJson& node : list_of(document_, "nodes")) {
+      if (member_of(member_of(node, "extensions"), "EXT_mesh_gpu_instancing").is_null()) continue;
+      return warn("EXT_mesh_gpu_instancing is not known here: each instanced mesh is shown once");
+    }
+  }
+
+  void warn(const std::string& text) { file_.warnings.push_back(source_.name + ": " + text); }
+
+  // Who checks the JSON needs no bytes: one stands for those of each buffer.
+  std::string loadable() const {
+    static const std::set<std::string> wanted = {"asset",     "scene",    "scenes",      "nodes",
+                                                 "meshes",    "buffers",  "bufferViews", "accessors",
+                                                 "materials", "textures", "samplers"};
+    GltfJson reduced = GltfJson::object();
+    for (const auto& [key, value] : document_.items()) {
+      if (wanted.count(key)) reduced[key] = value;
+    }
+    for (std::size_t i = 0; i < file_.buffers.size(); ++i)
+      reduced["buffers"][i] = {{"byteLength", 1}, {"uri", "data:application/octet-stream;base64,AA=="}};
+    return reduced.dump();
+  }
+
+  const Source& source_;
+  Chunks chunks_;
+  GltfJson document_;
+  GltfFile file_;
+  static constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;
+  std::set<fs::path> beside_;
+  std::size_t repeated_ = 0;
+  std::map<std::uint64_t, std::shared_ptr<const std::string>> of_view_;
+  std::uint64_t left_for_images_ = 0;
+};
+
+bool is_glb(const Source& source) {
+  return source.bytes.starts_with(glb_magic);
+}
+
+}  // namespace
+
+GltfFile take_apart(const Source& source) {
+  const bool binary = is_glb(source);
+  return GltfTaker(source, binary ? chunks_of(source) : Chunks{source.bytes, std::nullopt, {}}, binary)
+      .take();
+}
+
+bool looks_like_gltf(const Source& source) {
+  if (is_glb(source)) return true;
+  const auto first = source.bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string_view::npos && source.bytes[first] == '{' &&
+         source.bytes.find("\"asset\"") != std::string_view::npos;
+}
+
+std::string base64(std::string_view bytes) {
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text.push_back(k <= n ? base64_letters[bits >> (18 - 6 * k) & 63] : '=');
+  }
+  return text;
+}
+
+std::string decoded_uri(std::string_view uri) {
+  const auto digit = [](char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    c = static_cast<char>(c | 32);
+    return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+  };
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool escaped =
+        uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+    text.push_back(escaped ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i]);
+    if (escaped) i += 2;
+  }
+  return text;
+}
+
+std::string encoded_uri(std::string_view path) {
+  constexpr std::string_view plain = "-._~/!$&'()*+,;=@", hexadecimal = "0123456789ABCDEF";
+  std::string text;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool letter = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (letter || plain.find(c) != std::string_view::npos) {
+      text.push_back(c);
+    } else {
+      text.append({'%', hexadecimal[byte >> 4], hexadecimal[byte & 15]});
+    }
+  }
+  return text;
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,189 @@
+#include "mesh/formats/gltf_original.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/quantity.h"
+#include "mesh/formats/gltf_beyond.h"
+#include "mesh/formats/gltf_morphs.h"
+#include "mesh/formats/gltf_output.h"
+#include "mesh/formats/gltf_rewriter.h"
+#include "mesh/formats/image_files.h"
+
+namespace viete::mesh {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class GltfOriginal final : public Original {
+public:
+  GltfOriginal(const Source& source, GltfFile file, GltfMap map)
+      : owner_(source.owner),
+        bytes_(source.owner ? source.bytes : std::string_view()),
+        shared_file_(std::make_shared<const GltfFile>(std::move(file))),
+        shared_map_(std::make_shared<const GltfMap>(std::move(map))),
+        file_(*shared_file_),
+        map_(*shared_map_) {}
+
+  bool writes(std::string_view extension) const override { return extension == "gltf" || extension == "glb"; }
+  std::vector<std::string> beyond_attributes() const override { return mesh::beyond_attributes(file_); }
+
+  std::vector<fs::path> files_beside() const override {
+    std::vector<fs::path> files;
+    for (const GltfBuffer& buffer : file_.buffers) files.push_back(buffer.path);
+    for (const GltfImage& image : file_.images) files.push_back(image.file.path);
+    return files;
+  }
+
+  // In one piece.
+  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
+                                 TextWriter& out) const override {
+    if (is_at_rest(rest, positions)) return out.text(bytes_), std::vector<std::string>();
+    GltfRewritten result = rewritten_gltf(file_, map_, rest, positions);
+    for (std::size_t i = file_.binary ? 1 : 0; i < result.buffers.size(); ++i) embed(result, i);
+    put(result, file_.binary, out);
+    return std::move(result.notes);
+  }
+
+  std::vector<std::string> write_file(const fs::path& path, const Surface& rest,
+                                      std::span<const Point> positions, Digits /*floats have none*/,
+                                      base::Progress* progress, FilesBeside* beside) const override {
+    const bool binary = extension_of(path) == "glb";
+    if (file_.binary == binary && leads_nowhere() && is_at_rest(rest, positions)) {
+      base::replace_file(path, bytes_);
+      return {};
+    }
+    return write_result(path, rewritten_gltf(file_, map_, rest, positions), progress, beside);
+  }
+
+  std::vector<std::string> write_animated(const fs::path& path, const Surface& rest,
+                                          std::span<const Point> positions, const MorphMotion& motion,
+                                          base::Progress* progress) const override {
+    check_motion(motion, rest.positions.size());
+    return write_result(path, rewritten_gltf(file_, map_, rest, positions, &motion, progress), progress);
+  }
+
+  std::shared_ptr<const MorphClip> morphs() const override { return gltf_morphs(shared_file_, shared_map_); }
+
+private:
+  std::vector<std::string> write_result(const fs::path& path, GltfRewritten result, base::Progress* progress,
+                                        FilesBeside* beside = nullptr) const {
+    const bool binary = extension_of(path) == "glb";
+    lead_images(path, result);
+    if (!binary && !file_.other_chunks.empty())
+      result.notes.push_back("chunks of kinds that are not known here are left out: glTF as text has none");
+    base::FilesTogether files;
+    for (const fs::path& buffer : put_buffers(path, binary, result, files))
+      if (beside) beside->add(buffer);
+    files.put(path, [&](const base::ByteSink& sink) {
+      TextWriter out(sink, progress);
+      put(result, binary, out);
+      out.finish();
+    });
+    files.replace();
+    return std::move(result.notes);
+  }
+
+  bool is_at_rest(const Surface& rest, std::span<const Point> positions) const {
+    return !bytes_.empty() && std::ranges::equal(rest.positions, positions);
+  }
+
+  // Neither to buffers nor to images beside.
+  bool leads_nowhere() const {
+    return std::ranges::none_of(file_.buffers,
+                                [](const GltfBuffer& b) { return b.home == GltfBuffer::Home::beside; }) &&
+           std::ranges::all_of(file_.images, [](const GltfImage& i) { return i.uri.empty(); });
+  }
+
+  static void embed(GltfRewritten& result, std::size_t buffer) {
+    result.document["buffers"][buffer]["uri"] =
+        "data:application/octet-stream;base64," + base64(result.buffers[buffer]);
+  }
+
+  // The first of its buffers is the chunk of a GLB; the others have their addresses.
+  void put(GltfRewritten& result, bool binary, TextWriter& out) const {
+    const auto& buffers = result.buffers;
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+      result.document["buffers"][i]["byteLength"] = buffers[i].size();
+    if (!binary) return void(out.text(result.document.dump(2)).text("\n"));
+    if (!buffers.empty()) result.document["buffers"][0].erase("uri");
+    write_glb_chunks(result.document.dump(), buffers.empty() ? std::string_view() : buffers.front(),
+                     file_.other_chunks, out);
+  }
+
+  // Into a GLB, or as they were: in the text, or beside it.
+  std::set<fs::path> put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
+                                 base::FilesTogether& files) const {
+    std::set<fs::path> beside;
+    for (std::size_t i = binary ? 1 : 0; i < result.buffers.size(); ++i) {
+      if (binary || file_.buffers[i].home == GltfBuffer::Home::text) {
+        embed(result, i);
+        continue;
+      }
+      const fs::path name = name_beside(path, beside);
+      beside.insert(name);
+      files.put(name, [&](const base::ByteSink& sink) { sink(result.buffers[i]); });
+      result.document["buffers"][i]["uri"] = encoded_uri(name.filename().string());
+    }
+    if (beside.empty()) return beside;
+    std::string names;
+    for (const fs::path& name : beside) names += (names.empty() ? "" : ", ") + name.string();
+    result.notes.push_back((beside.size() == 1 ? "the buffer is in " : "the buffers are in ") + names);
+    return beside;
+  }
+
+  // Images beside stay where they are: from another folder they are named by the way to it.
+  void lead_images(const fs::path& path, GltfRewritten& result) const {
+    const fs::path to = folder_of(path);
+    if (folder_of(file_.name) == to) return;
+    std::size_t led = 0;
+    for (std::size_t i = 0; i < file_.images.size(); ++i) {
+      const GltfImage& image = file_.images[i];
+      if (image.uri.empty() || image.file.path.empty()) continue;
+      result.document["images"][i]["uri"] = encoded_uri(way_to(image.file.path, to).generic_string());
+      ++led;
+    }
+    if (led > 0) result.notes.push_back(stayed_note(base::counted(led, "image"), path));
+  }
+
+  // "out.bin", or with a number where this is taken: also by another buffer of the same file.
+  fs::path name_beside(const fs::path& path, const std::set<fs::path>& taken) const {
+    for (int i = 1;; ++i) {
+      const std::string number = i == 1 ? "" : "-" + std::to_string(i);
+      const fs::path name = path.parent_path() / (path.stem().string() + number + ".bin");
+      std::error_code ignored;
+      const bool is_there = fs::exists(fs::symlink_status(name, ignored));
+      if (taken.count(name) == 0 && (!is_there || is_of_older_result(path, name))) return name;
+    }
+  }
+
+  // A file that is replaced takes its buffer with it, but for one that the model itself was read from.
+  bool is_of_older_result(const fs::path& path, const fs::path& buffer) const {
+    std::error_code failed;
+    for (const GltfBuffer& own : file_.buffers) {
+      if (!own.path.empty() && fs::equivalent(own.path, buffer, failed)) return false;
+    }
+    if (!fs::is_regular_file(path, failed) || !fs::is_regular_file(buffer, failed)) return false;
+    const FileBytes older(path, nullptr);
+    return older.view().find('"' + encoded_uri(buffer.filename().string()) + '"') != std::string_view::npos;
+  }
+
+  std::shared_ptr<const void> owner_;
+  std::string_view bytes_;
+  std::shared_ptr<const GltfFile> shared_file_;
+  std::shared_ptr<const GltfMap> shared_map_;
+  const GltfFile& file_;
+  const GltfMap& map_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map) {
+  return std::make_shared<GltfOriginal>(source, std::move(file), std::move(map));
+}
+
+}  // namespace viete::mesh

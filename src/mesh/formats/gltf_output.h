@@ -1,0 +1,31 @@
+// Writes GLB and glTF: the container, and a file made of any surface.
+#pragma once
+
+#include <string_view>
+
+#include "base/progress.h"
+#include "mesh/formats/morphs.h"
+#include "mesh/formats/text_writer.h"
+
+namespace viete::mesh {
+
+/// A node with a mesh for each object, see objects_of(), and in it a primitive for each material, positions
+/// in float; materials with their base colour and its image (if its bytes are there, and PNG or JPEG),
+/// texture points, normals, colours. A smooth group without normals gets computed ones, a flat one none,
+/// which is how glTF says so. Polygons become triangles. Throws base::Error past 4 GB, which GLB cannot hold.
+void write_glb(const Content& content, TextWriter& out);
+
+/// The same as text with all bytes in it.
+void write_gltf(const Content& content, TextWriter& out);
+
+/// Either of these with an animation of the content's vertices, see check_motion(). Tells progress (which
+/// may be null) of its targets. Throws base::Cancelled too.
+void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
+                         base::Progress* progress);
+
+/// The JSON, the bytes of its first buffer (there may be none), and further chunks with their heads. Throws
+/// base::Error past 4 GB.
+void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
+                      TextWriter& out);
+
+}  // namespace viete::mesh

@@ -1,0 +1,399 @@
+#include "mesh/formats/gltf_rewriter.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/error.h"
+#include "base/quantity.h"
+#include "mesh/formats/gltf_accessors.h"
+#include "mesh/formats/gltf_morph_output.h"
+#include "mesh/formats/gltf_sharing.h"
+#include "mesh/formats/written_positions.h"
+#include "mesh/normals.h"
+
+namespace viete::mesh {
+
+namespace {
+
+using Json = GltfJson;
+
+// The file with other positions, before it is put into one form or the other.
+class GltfRewriter {
+public:
+  GltfRewriter(const GltfFile& file, const GltfMap& map, const Surface& rest,
+               std::span<const Point> positions, const MorphMotion* motion, base::Progress* progress)
+      : file_(file),
+        map_(map),
+        rest_(rest),
+        posed_(positions),
+        model_(parse_gltf(file)),
+        accessors_(file, *model_),
+        document_(Json::parse(file.json)) {
+    for (const GltfBuffer& buffer : file.buffers) buffers_.push_back(buffer.bytes);
+    if (motion) find_morphing(*motion);
+    for (const GltfPiece& piece : map.pieces) {
+      if (moves(piece) || morphs(piece)) moved_.push_back(&piece);
+    }
+    if (!moved_.empty()) rewrite();
+    if (motion) put_morphs(*motion, progress);
+  }
+
+  GltfRewritten take() && { return {std::move(document_), std::move(buffers_), std::move(notes_)}; }
+
+private:
+  bool moves(std::size_t vertex) const {
+    const std::uint32_t v = map_.surface_vertex[vertex];
+    return rest_.positions[v] != posed_[v];
+  }
+
+  bool moves(const GltfPiece& piece) const {
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      if (moves(piece.first + i)) return true;
+    }
+    return false;
+  }
+
+  // Placements of which a target moves a vertex.
+  void find_morphing(const MorphMotion& motion) {
+    morphing_.assign(map_.placements.size(), false);
+    for (const GltfPiece& piece : map_.pieces) {
+      for (std::size_t i = 0; i < piece.count && !morphing_[piece.placement]; ++i)
+        morphing_[piece.placement] = motion.moves[map_.surface_vertex[piece.first + i]] != 0;
+    }
+  }
+
+  bool morphs(const GltfPiece& piece) const { return !morphing_.empty() && morphing_[piece.placement]; }
+
+  void rewrite() {
+    part_instances();
+    sharing_.emplace(document_, *model_, accessors_);
+    list_primitives();
+    carry_vectors();
+    for (const GltfPiece* piece : moved_) {
+      const AffineMap inverse = inverse_of(*piece);
+      if (!moves(*piece)) continue;
+      put(*piece, "POSITION", piece->positions, 3, positions_of(*piece, inverse));
+      if (piece->normals >= 0) put(*piece, "NORMAL", piece->normals, 3, normals_of(*piece, inverse));
+      if (piece->tangents >= 0) put(*piece, "TANGENT", piece->tangents, 4, tangents_of(*piece, inverse));
+    }
+  }
+
+  AffineMap inverse_of(const GltfPiece& piece) const {
+    const GltfPlacement& placement = map_.placements[piece.placement];
+    const auto inverse = placement.map.inverse();
+    if (!inverse)
+      throw base::Error(file_.name + ": node " + std::to_string(placement.node),
+                        "flattens its mesh, so that no deformation can be put back into it",
+                        "apply the node's scale in a modelling program first, or write another format");
+    return *inverse;
+  }
+
+  // Each node that has moved a mesh of several gets its own.
+  void part_instances() {
+    std::map<int, std::size_t> users;
+    for (const tinygltf::Node& node : model_->nodes) ++users[node.mesh];
+    std::size_t parted = 0, last = map_.placements.size();
+    for (const GltfPiece* piece : moved_) {
+      if (std::exchange(last, piece->placement) == piece->placement) continue;
+      const GltfPlacement& placement = map_.placements[piece->placement];
+      if (users[placement.mesh] < 2) continue;
+      --users[placement.mesh];
+      Json copy = document_["meshes"][static_cast<std::size_t>(placement.mesh)];
+      document_["nodes"][static_cast<std::size_t>(placement.node)]["mesh"] = document_["meshes"].size();
+      document_["meshes"].push_back(std::move(copy));
+      ++parted;
+    }
+    if (parted > 0)
+      notes_.push_back(
+          std::string(parted == 1 ? "1 copy" : std::to_string(parted) + " copies") +
+          " of meshes that several nodes share are meshes of their own now, for each deforms differently");
+  }
+
+  // Normals and tangents of all vertices of the file, in the scene.
+  void carry_vectors() {
+    std::vector<Vec3> normals(map_.surface_vertex.size(), Vec3{0, 0, 0}), tangents = normals;
+    bool has_normals = false, has_tangents = false;
+    for (const GltfPiece* piece : moved_) {
+      const AffineMap& map = map_.placements[piece->placement].map;
+      const auto take = [&](int accessor, std::vector<Vec3>& to, auto move) {
+        if (accessor < 0) return false;
+        const std::vector<double> numbers = accessors_.numbers(accessor, 3);
+        for (std::size_t i = 0; i < piece->count; ++i)
+          to[piece->first + i] = move(Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]});
+        return true;
+      };
+      has_normals |= take(piece->normals, normals, [&](const Vec3& n) { return map.of_normal(n); });
+      has_tangents |= take(piece->tangents, tangents, [&](const Vec3& t) { return map.of_vector(t); });
+    }
+    if (has_normals)
+      normals_ = deformed_normals(rest_, posed_, normals, map_.corner_vertex, map_.surface_vertex);
+    if (has_tangents)
+      tangents_ = deformed_tangents(rest_, posed_, tangents, map_.corner_vertex, map_.surface_vertex);
+    unmoved_normals_ = std::move(normals);
+    unmoved_tangents_ = std::move(tangents);
+  }
+
+  std::vector<float> positions_of(const GltfPiece& piece, const AffineMap& inverse) const {
+    std::vector<float> values = floats(piece.positions, 3);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      if (!moves(piece.first + i)) continue;
+      const std::uint32_t v = map_.surface_vertex[piece.first + i];
+      const Point local = inverse.of_point(posed_[v]);
+      check_written(file_.name, v, local, largest_float);
+      set(values, 3 * i, local);
+    }
+    return values;
+  }
+
+  std::vector<float> normals_of(const GltfPiece& piece, const AffineMap& inverse) const {
+    std::vector<float> values = floats(piece.normals, 3);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      const Vec3& n = normals_[piece.first + i];
+      if (changed(unmoved_normals_[piece.first + i], n))
+        set(values, 3 * i, unit_or_zero(inverse.of_normal(n)));
+    }
+    return values;
+  }
+
+  // Of a piece without normals it need not be at a right angle to anything.
+  static Vec3 local_tangent(const AffineMap& inverse, const Vec3& tangent, const Vec3& normal) {
+    const Vec3 n = unit_or_zero(inverse.of_normal(normal)), t = inverse.of_vector(tangent);
+    return unit_or_zero(t - dot(t, n) * n);
+  }
+
+  std::vector<float> tangents_of(const GltfPiece& piece, const AffineMap& inverse) const {
+    std::vector<float> values = floats(piece.tangents, 4);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      const std::size_t v = piece.first + i;
+      if (changed(unmoved_tangents_[v], tangents_[v]))
+        set(values, 4 * i, local_tangent(inverse, tangents_[v], normal_of(piece, normals_, v)));
+    }
+    return values;
+  }
+
+  static Vec3 normal_of(const GltfPiece& piece, const std::vector<Vec3>& normals, std::size_t vertex) {
+    return piece.normals < 0 ? Vec3{0, 0, 0} : normals[vertex];
+  }
+
+  struct MorphedPiece {
+    const GltfPiece* piece;
+    AffineMap inverse;
+    MorphedVertices vertices;
+  };
+
+  // Pieces that differ in nothing but texture points have their primitives in common.
+  std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
+    std::vector<MorphedPiece> found;
+    std::set<std::array<int, 4>> seen;
+    for (const GltfPiece* piece : moved_) {
+      const bool is_new =
+          seen.insert({static_cast<int>(piece->placement), piece->positions, piece->normals, piece->tangents})
+              .second;
+      if (!morphs(*piece) || !is_new) continue;
+      const GltfPlacement& placement = map_.placements[piece->placement];
+      MorphedPiece made{piece, inverse_of(*piece), {}};
+      made.vertices.node = static_cast<std::size_t>(placement.node);
+      made.vertices.primitives = primitive_numbers(*piece);
+      made.vertices.positions = positions_of(*piece, made.inverse);
+      if (with_normals && piece->normals >= 0) made.vertices.normals = normals_of(*piece, made.inverse);
+      if (with_normals && piece->tangents >= 0) {
+        const std::vector<float> four = tangents_of(*piece, made.inverse);
+        for (std::size_t i = 0; i < four.size(); i += 4)
+          made.vertices.tangents.insert(made.vertices.tangents.end(), {four[i], four[i + 1], four[i + 2]});
+      }
+      found.push_back(std::move(made));
+    }
+    return found;
+  }
+
+  void put_morphs(const MorphMotion& motion, base::Progress* progress) {
+    const std::vector<MorphedPiece> pieces = morphed_pieces(motion.normals);
+    if (pieces.empty()) return void(notes_.push_back("no key moves the model: no animation is written"));
+    const std::size_t own = list_of(document_, "animations").size();
+    GltfMorphs out(document_, buffers_.front());
+    std::vector<std::size_t> nodes, before;
+    for (const MorphedPiece& p : pieces) {
+      if (!nodes.empty() && nodes.back() == p.vertices.node) continue;
+      nodes.push_back(p.vertices.node);
+      before.push_back(out.targets_before(p.vertices.node));
+    }
+    const std::size_t count = motion.targets.size();
+    std::size_t floats = 0;
+    for (const auto& [piece, inverse, vertices] : pieces)
+      floats += vertices.positions.size() + vertices.normals.size() + vertices.tangents.size();
+    buffers_.front().reserve(buffers_.front().size() + count * floats * sizeof(float));
+    for (std::size_t t = 0; t < count; ++t) {
+      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(count));
+      add_target(out, pieces, motion.positions(t), motion.normals);
+    }
+    out.finish(motion, nodes, before, [&](int output) { return accessors_.numbers(output, 1); });
+    if (own > 0)
+      notes_.push_back(base::counted(own, "animation") + " of the file " + (own == 1 ? "stays" : "stay") +
+                       " beside that which is new");
+  }
+
+  // What is where it is at rest has no difference, not even of rounding.
+  void add_target(GltfMorphs& out, const std::vector<MorphedPiece>& pieces, std::span<const Point> now,
+                  bool with_normals) const {
+    std::vector<Vec3> normals, tangents;
+    if (with_normals && !normals_.empty())
+      normals = deformed_normals(rest_, now, unmoved_normals_, map_.corner_vertex, map_.surface_vertex);
+    if (with_normals && !tangents_.empty())
+      tangents = deformed_tangents(rest_, now, unmoved_tangents_, map_.corner_vertex, map_.surface_vertex);
+    for (const MorphedPiece& p : pieces) {
+      const auto values = [&](const std::vector<float>& base, const auto& moved, const auto& local) {
+        std::vector<double> all(base.begin(), base.end());
+        for (std::size_t i = 0; 3 * i < all.size(); ++i) {
+          const std::size_t v = p.piece->first + i;
+          if (!moved(v)) continue;
+          const Vec3 to = local(v);
+          std::copy(to.begin(), to.end(), all.begin() + static_cast<std::ptrdiff_t>(3 * i));
+        }
+        return all;
+      };
+      const auto place = [&](std::size_t v) { return map_.surface_vertex[v]; };
+      out.add_target(p.vertices,
+                     values(
+                         p.vertices.positions, [&](auto v) { return now[place(v)] != posed_[place(v)]; },
+                         [&](auto v) { return p.inverse.of_point(now[place(v)]); }),
+                     values(
+                         p.vertices.normals, [&](auto v) { return normals[v] != normals_[v]; },
+                         [&](auto v) { return unit_or_zero(p.inverse.of_normal(normals[v])); }),
+                     values(
+                         p.vertices.tangents, [&](auto v) { return tangents[v] != tangents_[v]; },
+                         [&](auto v) {
+                           return local_tangent(p.inverse, tangents[v], normal_of(*p.piece, normals, v));
+                         }));
+    }
+  }
+
+  static Vec3 unit_or_zero(const Vec3& v) {
+    const double length = stable_norm(v);
+    return length > 0 ? (1 / length) * v : Vec3{0, 0, 0};
+  }
+
+  static void set(std::vector<float>& values, std::size_t at, const Vec3& v) {
+    for (std::size_t k = 0; k < 3; ++k) values[at + k] = static_cast<float>(v[k]);
+  }
+
+  std::vector<float> floats(int accessor, std::size_t components) const {
+    const std::vector<double> numbers = accessors_.numbers(accessor, components);
+    return {numbers.begin(), numbers.end()};
+  }
+
+  // Into the place of the old ones, if that is theirs alone.
+  void put(const GltfPiece& piece, const char* attribute, int accessor, std::size_t components,
+           const std::vector<float>& values) {
+    const std::vector<Json*> primitives = primitives_of(piece);
+    const auto index = static_cast<std::size_t>(accessor);
+    const bool in_place =
+        sharing_->uses(index) == primitives.size() && sharing_->is_alone(accessor, components);
+    const std::size_t to = in_place ? index : appended(index, components, values);
+    if (in_place) {
+      const GltfPlace place = accessors_.place(accessor);
+      for (std::size_t i = 0; i < place.count; ++i)
+        std::memcpy(buffers_[place.buffer].data() + place.offset + i * place.stride, &values[i * components],
+                    components * sizeof(float));
+    }
+    for (Json* primitive : primitives) (*primitive)["attributes"][attribute] = to;
+    set_bounds(document_["accessors"][to], components, values, *attribute == 'P');
+  }
+
+  using Vertices = std::array<int, 4>;  // a mesh, and accessors of positions, normals and tangents
+
+  void list_primitives() {
+    const auto accessor = [](const tinygltf::Primitive& p, const char* attribute) {
+      const auto found = p.attributes.find(attribute);
+      return found == p.attributes.end() ? -1 : found->second;
+    };
+    for (std::size_t mesh = 0; mesh < model_->meshes.size(); ++mesh) {
+      const auto& primitives = model_->meshes[mesh].primitives;
+      for (std::size_t i = 0; i < primitives.size(); ++i)
+        primitives_[{static_cast<int>(mesh), accessor(primitives[i], "POSITION"),
+                     accessor(primitives[i], "NORMAL"), accessor(primitives[i], "TANGENT")}]
+            .push_back(i);
+    }
+  }
+
+  // Those of its mesh that have the piece's vertices, as the file names them.
+  const std::vector<std::size_t>& primitive_numbers(const GltfPiece& piece) {
+    return primitives_[{map_.placements[piece.placement].mesh, piece.positions, piece.normals,
+                        piece.tangents}];
+  }
+
+  std::vector<Json*> primitives_of(const GltfPiece& piece) {
+    const GltfPlacement& placement = map_.placements[piece.placement];
+    const std::size_t mesh = document_["nodes"][static_cast<std::size_t>(placement.node)]["mesh"];
+    Json& primitives = document_["meshes"][mesh]["primitives"];
+    std::vector<Json*> found;
+    for (const std::size_t i : primitive_numbers(piece)) found.push_back(&primitives[i]);
+    return found;
+  }
+
+  // A new accessor like the old one, over new bytes at the end of its buffer.
+  std::size_t appended(std::size_t old, std::size_t components, const std::vector<float>& values) {
+    const GltfPlace place = accessors_.place(static_cast<int>(old));
+    std::string& bytes = buffers_[place.buffer];
+    bytes.resize((bytes.size() + 3) / 4 * 4);
+    Json& views = document_["bufferViews"];
+    Json view = {{"buffer", place.buffer},
+                 {"byteOffset", bytes.size()},
+                 {"byteLength", values.size() * sizeof(float)},
+                 {"target", TINYGLTF_TARGET_ARRAY_BUFFER}};
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+    Json accessor = document_["accessors"][old];
+    for (const char* key : {"sparse", "byteOffset", "normalized"}) accessor.erase(key);
+    accessor["bufferView"] = views.size();
+    accessor["componentType"] = TINYGLTF_COMPONENT_TYPE_FLOAT;
+    accessor["type"] = components == 4 ? "VEC4" : "VEC3";
+    views.push_back(std::move(view));
+    document_["accessors"].push_back(std::move(accessor));
+    return document_["accessors"].size() - 1;
+  }
+
+  // Positions must have bounds; of others they are only corrected.
+  static void set_bounds(Json& accessor, std::size_t components, const std::vector<float>& values,
+                         bool must) {
+    if (!must && !accessor.contains("min") && !accessor.contains("max")) return;
+    std::vector<float> low(components, std::numeric_limits<float>::max()), high(components, -low[0]);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      low[i % components] = std::min(low[i % components], values[i]);
+      high[i % components] = std::max(high[i % components], values[i]);
+    }
+    accessor["min"] = low;
+    accessor["max"] = high;
+  }
+
+  const GltfFile& file_;
+  const GltfMap& map_;
+  const Surface& rest_;
+  std::span<const Point> posed_;
+  std::shared_ptr<const tinygltf::Model> model_;
+  GltfAccessors accessors_;
+  Json document_;
+  std::vector<std::string> buffers_;
+  std::vector<const GltfPiece*> moved_;
+  std::vector<std::string> notes_;
+  std::optional<GltfSharing> sharing_;
+  std::map<Vertices, std::vector<std::size_t>> primitives_;
+  std::vector<Vec3> normals_, tangents_, unmoved_normals_, unmoved_tangents_;
+  std::vector<bool> morphing_;  // of each placement; empty without an animation
+};
+
+}  // namespace
+
+GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const Surface& rest,
+                             std::span<const Point> positions, const MorphMotion* motion,
+                             base::Progress* progress) {
+  return GltfRewriter(file, map, rest, positions, motion, progress).take();
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,205 @@
+#include "mesh/formats/mtl.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/error.h"
+#include "base/quantity.h"
+#include "mesh/formats/text_cursor.h"
+
+namespace viete::mesh {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr TextRules mtl_rules{.comment = '#', .continued_lines = true};
+constexpr std::size_t most_library_bytes = 64 << 20;
+
+// Options of a map and how many words follow each; -o, -s and -t have one to three numbers.
+std::size_t option_words(std::string_view option) {
+  constexpr auto one =
+      std::to_array<std::string_view>({"-blendu", "-blendv", "-bm", "-boost", "-cc", "-clamp", "-colorspace",
+                                       "-imfchan", "-texres", "-type"});
+  if (option == "-mm") return 2;
+  if (option == "-o" || option == "-s" || option == "-t") return 3;
+  return std::find(one.begin(), one.end(), option) == one.end() ? 0 : 1;
+}
+
+class MtlReader {
+public:
+  explicit MtlReader(const Source& source) : source_(source), text_(source, mtl_rules) {}
+
+  std::vector<MtlMaterial> read() {
+    for (; text_.next_filled_line(); text_.next_line()) statement(text_.word());
+    return std::move(found_);
+  }
+
+private:
+  void statement(std::string_view word) {
+    if (word == "newmtl") {
+      found_.emplace_back().material.name = text_.rest_of_line();
+      return;
+    }
+    if (found_.empty()) return;
+    Color& color = found_.back().material.base_color;
+    if (word == "Kd") {
+      diffuse(color);
+    } else if (word == "d" || word == "Tr") {
+      if (const auto value = next_number())
+        color[3] = static_cast<float>(std::clamp(word == "d" ? *value : 1 - *value, 0.0, 1.0));
+    } else if (word == "map_Kd") {
+      map(true);
+    } else if (is_map(word)) {
+      map(false);
+    }
+  }
+
+  static bool is_map(std::string_view word) {
+    constexpr auto others = std::to_array<std::string_view>({"bump", "disp", "decal", "refl", "norm"});
+    return word.starts_with("map_") || std::find(others.begin(), others.end(), word) != others.end();
+  }
+
+  std::optional<double> next_number() { return number_in(text_.word()); }
+
+  // Red, green and blue, or one number for all; not the curves and CIE forms.
+  void diffuse(Color& color) {
+    const auto red = next_number();
+    if (!red) return;
+    const auto green = next_number(), blue = next_number();
+    const std::array<double, 3> rgb = {*red, green.value_or(*red), blue.value_or(green.value_or(*red))};
+    for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(std::clamp(rgb[i], 0.0, 1.0));
+  }
+
+  void map(bool of_base_color) {
+    for (;;) {
+      TextCursor ahead = text_;
+      const std::string_view option = ahead.word();
+      const std::size_t words = option_words(option);
+      if (words == 0) break;
+      text_ = ahead;
+      map_option(option, words, of_base_color);
+    }
+    const std::string_view name = text_.rest_of_line();
+    if (name.empty()) return;
+    found_.back().maps.push_back(path_beside(source_.folder, name));
+    if (of_base_color) found_.back().image = found_.back().maps.back();
+  }
+
+  void map_option(std::string_view option, std::size_t words, bool of_base_color) {
+    for (std::size_t i = 0; i < words; ++i) {
+      TextCursor ahead = text_;
+      const std::string_view value = ahead.word();
+      if (words == 3 && i > 0 && !number_in(value)) return;
+      text_ = ahead;
+      if (option == "-clamp" && of_base_color) found_.back().repeats = value != "on";
+    }
+  }
+
+  const Source& source_;
+  TextCursor text_;
+  std::vector<MtlMaterial> found_;
+};
+
+using Library = std::map<std::string, MtlMaterial, std::less<>>;
+
+// Throws base::Error.
+std::vector<MtlMaterial> materials_in(const fs::path& path) {
+  const FileBytes bytes(path, nullptr, most_library_bytes);
+  return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
+}
+
+// Takes what the library at this path has. Throws base::Error.
+void add_library(const fs::path& path, Library& library) {
+  for (MtlMaterial& m : materials_in(path)) {
+    const std::string name = m.material.name;
+    library.emplace(name, std::move(m));
+  }
+}
+
+// One name with blanks, if there is such a file; or one for each word.
+std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
+  std::error_code code;
+  const fs::path whole = path_beside(folder, names);
+  const bool single = names.find_first_of(" \t") == std::string_view::npos;
+  if (single || names.size() > 4096 || fs::exists(whole, code)) return {whole};
+  std::vector<fs::path> paths;
+  const Source line{"", "", names};
+  TextCursor text(line, {});
+  while (!text.at_line_end() && paths.size() < 64) paths.push_back(path_beside(folder, text.word()));
+  return paths;
+}
+
+}  // namespace
+
+std::vector<MtlMaterial> read_mtl(const Source& source) {
+  return MtlReader(source).read();
+}
+
+namespace {
+
+// False if one of the libraries could not be read.
+bool read_libraries(const Source& source, const std::vector<std::string>& libraries, Library& library,
+                    SurfaceBuilder& builder) {
+  std::set<fs::path> seen;
+  bool all_read = true;
+  for (const std::string& names : libraries) {
+    for (const fs::path& path : library_paths(source.folder, names)) {
+      if (seen.size() >= 64 || !seen.insert(path).second) continue;
+      try {
+        add_library(path, library);
+      } catch (const base::Error& error) {
+        all_read = false;
+        builder.warn(source.name + ": material library " + error.what());
+      }
+    }
+  }
+  return all_read;
+}
+
+}  // namespace
+
+std::vector<fs::path> files_of_libraries(const fs::path& folder, const std::vector<std::string>& libraries) {
+  std::set<fs::path> files;
+  for (const std::string& names : libraries) {
+    for (const fs::path& path : library_paths(folder, names)) {
+      if (files.size() >= 4096 || !files.insert(path).second) continue;
+      try {
+        for (const MtlMaterial& m : materials_in(path)) files.insert(m.maps.begin(), m.maps.end());
+      } catch (const base::Error&) {  // reading the model has said so
+      }
+    }
+  }
+  return {files.begin(), files.end()};
+}
+
+void read_materials(const Source& source, const std::vector<std::string>& libraries, Attributes& attributes,
+                    SurfaceBuilder& builder) {
+  if (source.folder.empty() || attributes.materials.empty()) return;
+  Library library;
+  const bool all_read = read_libraries(source, libraries, library, builder);
+  std::size_t missing = 0;
+  std::map<fs::path, std::uint32_t> images;
+  for (Material& material : attributes.materials) {
+    const auto found = library.find(material.name);
+    if (found == library.end()) {
+      ++missing;
+      continue;
+    }
+    const fs::path& image = found->second.image;
+    material = found->second.material;
+    material.repeats = found->second.repeats;
+    if (image.empty()) continue;
+    const auto [at, added] = images.emplace(image, static_cast<std::uint32_t>(attributes.images.size()));
+    if (added) attributes.images.push_back({image, nullptr, image.filename().string()});
+    material.base_color_image = at->second;
+  }
+  if (missing > 0 && all_read && !libraries.empty())
+    builder.warn(source.name + ": " + base::counted(missing, "material") +
+                 " not found in the material libraries");
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,31 @@
+// Wavefront OBJ, text: vertices and polygons, texture coordinates, normals, colours, groups and materials.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/formats/read_result.h"
+#include "mesh/formats/source.h"
+#include "mesh/formats/text_writer.h"
+
+namespace viete::mesh {
+
+/// Source: Wavefront Advanced Visualizer manual, appendix B1. Read: v (x y z, and a colour behind them), vt,
+/// vn, f with v, v/vt, v//vn, v/vt/vn, relative indices, continued lines; o, g, s, usemtl and mtllib; also in
+/// capitals. A face may stand before its vertices. Texture and normal indices that lead nowhere, and
+/// libraries that cannot be read, are warnings. With source.owner the result can be written again. Throws
+/// base::Error, base::Cancelled.
+ReadResult read_obj(const Source& source);
+
+/// True if the first line that holds more than a comment starts with a word that only OBJ files use.
+bool looks_like_obj(const Source& source);
+
+/// The shortest digits that read back as the same numbers, unless other digits are asked for. Of the
+/// attributes all but materials' colours and images; materials must have names, see name_materials().
+void write_obj(const Content& content, TextWriter& out);
+
+/// The same with a line that names the library of its materials; none if that is empty.
+void write_obj_with_library(const Content& content, const std::string& library, TextWriter& out);
+
+}  // namespace viete::mesh

@@ -1,0 +1,357 @@
+#include "mesh/formats/off.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "base/error.h"
+#include "base/quantity.h"
+#include "mesh/formats/conversion.h"
+#include "mesh/formats/off_original.h"
+#include "mesh/formats/printed.h"
+#include "mesh/formats/rewriter.h"
+#include "mesh/formats/surface_builder.h"
+#include "mesh/formats/text_cursor.h"
+
+namespace viete::mesh {
+
+namespace {
+
+// OFF, behind ST (texture), C (colours), N (normals), 4, n (dimension): in this order by the manual.
+std::optional<OffForm> off_form(std::string_view word) {
+  OffForm form;
+  if (word == "off") return form;
+  if (!word.ends_with("OFF")) return std::nullopt;
+  word.remove_suffix(3);
+  const std::pair<std::string_view, bool OffForm::*> prefixes[] = {{"ST", &OffForm::texture},
+                                                                   {"C", &OffForm::colors},
+                                                                   {"N", &OffForm::normals},
+                                                                   {"4", &OffForm::more_axes},
+                                                                   {"n", &OffForm::more_axes}};
+  while (!word.empty()) {
+    const auto prefix =
+        std::ranges::find_if(prefixes, [&](const auto& p) { return word.starts_with(p.first); });
+    if (prefix == std::end(prefixes)) return std::nullopt;
+    form.*prefix->second = true;
+    word.remove_prefix(prefix->first.size());
+  }
+  return form;
+}
+
+// A number behind a position or a face.
+struct OffNumber {
+  double value = 0;
+  bool whole = false;  // written without a point
+};
+
+struct OffColor {
+  Color color{0, 0, 0, 1};
+  bool whole = true;  // written in whole numbers, but for the opacity
+
+  // Of three numbers or four.
+  explicit OffColor(std::span<const OffNumber> numbers) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i) {
+      color[i] = static_cast<float>(std::clamp(numbers[i].value, 0.0, 255.0));
+      whole &= numbers[i].whole || i == 3;
+    }
+  }
+};
+
+// In [0, 1]. Whole numbers go to 255 where one of them is larger than 1, and likewise those with a point.
+void to_unit_range(std::span<OffColor> colors) {
+  for (const bool whole : {false, true}) {
+    const std::size_t channels = whole ? 4 : 3;
+    const bool bytes = std::ranges::any_of(colors, [&](const OffColor& c) {
+      return c.whole == whole && *std::max_element(c.color.begin(), c.color.begin() + channels) > 1;
+    });
+    for (OffColor& c : colors) {
+      for (std::size_t i = 0; i < 3 && bytes && c.whole == whole; ++i) c.color[i] /= 255;
+    }
+  }
+  for (OffColor& c : colors) c.color[3] /= c.color[3] > 1 ? 255.0F : 1.0F;
+}
+
+class OffReader {
+public:
+  // Where line ends are blanks.
+  enum class Wrapped { nowhere, in_faces, everywhere };
+
+  OffReader(const Source& source, Wrapped wrapped)
+      : source_(source), text_(source, off_rules), builder_(source), wrapped_(wrapped) {}
+
+  ReadResult read() {
+    head();
+    const std::size_t vertices = count("vertex count"), faces = count("face count");
+    if (form_.wrapped) count("edge count");
+    check_room(vertices, faces);
+    text_.next_line();
+    const std::size_t body = text_.offset();
+    if (form_.normals && form_.colors && !form_.wrapped) form_.colors_first = colors_come_first(vertices);
+    builder_.surface().positions.reserve(vertices);
+    for (std::size_t i = 0; i < vertices; ++i) {
+      row("the last vertex", i);
+      vertex();
+    }
+    for (std::size_t i = 0; i < faces; ++i) {
+      if (form_.wrapped && !text_.at_line_end() && i == 0)
+        text_.fail("the faces begin within a line", "export the model again");
+      row("the last face", i);
+      face();
+    }
+    if (wrapped_ != Wrapped::nowhere && text_.next_filled_line())
+      text_.fail("the file goes on behind its last face", "export the model again");
+    auto attributes = finished_attributes();
+    ReadResult result = builder_.finish("OFF");
+    if (source_.owner)
+      result.original = std::make_shared<const OffOriginal>(source_.bytes, source_.owner, body, form_);
+    result.attributes = std::move(attributes);
+    return result;
+  }
+
+private:
+  void head() {
+    while (!text_.at_end() && text_.at_line_end()) comment_line();
+    TextCursor ahead = text_;
+    const std::string_view word = ahead.word();
+    if (const auto form = off_form(word)) {
+      if (form->more_axes)
+        text_.fail(in_quotes(word) + " has positions of four or n numbers, which are no points in space",
+                   "export as OFF");
+      text_ = ahead;
+      form_ = *form;
+      if (ahead.word() == "BINARY") text_.fail("binary OFF is not read", "export as text or as PLY");
+    }
+    form_.wrapped = wrapped_ == Wrapped::everywhere;
+    while (!text_.at_end() && text_.at_line_end()) comment_line();
+    text_.need_word("the counts");
+  }
+
+  void comment_line() {
+    builder_.comment(text_.rest_of_line());
+    text_.next_line();
+  }
+
+  std::size_t count(std::string_view what) {
+    if (form_.wrapped) text_.need_word(what);
+    const std::int64_t value = text_.integer(what);
+    if (value < 0)
+      text_.fail(std::string(what) + " " + std::to_string(value) + " is negative", "export the model again");
+    return static_cast<std::size_t>(value);
+  }
+
+  // A vertex takes six bytes at least, a face two.
+  void check_room(std::size_t vertices, std::size_t faces) const {
+    const std::size_t left = text_.bytes_left() + 1;
+    if (vertices <= left / 6 && faces <= (left - 6 * vertices) / 2) return;
+    text_.fail(std::to_string(vertices) + " vertices and " + std::to_string(faces) +
+                   " faces do not fit into the " + std::to_string(text_.bytes_left()) + " bytes that follow",
+               "the file seems to be cut short: export or copy it again");
+  }
+
+  // A normal has no whole numbers beyond 1, and not many others are whole.
+  bool colors_come_first(std::size_t vertices) const {
+    TextCursor ahead = text_;
+    for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {
+      three_words(ahead);
+      for (const std::string_view word : three_words(ahead)) {
+        const OffNumber n = number(word).value_or(OffNumber{});
+        if (!n.whole || n.value > 1) return n.whole;
+      }
+    }
+    return false;
+  }
+
+  void row(std::string_view what, std::size_t index) {
+    text_.need_word(what);
+    if (index % 8192 == 0) source_.report(text_.done());
+  }
+
+  void vertex() {
+    Point p{};
+    for (double& x : p) {
+      if (form_.wrapped) text_.need_word("the last vertex");
+      x = text_.coordinate();
+    }
+    builder_.position(p);
+    behind_position();
+    if (!form_.wrapped) text_.next_line();
+  }
+
+  static std::optional<OffNumber> number(std::string_view word) {
+    const auto value = number_in(word);
+    if (!value) return std::nullopt;
+    return OffNumber{*value, word.find_first_of(".eE") == std::string_view::npos};
+  }
+
+  // Up to so many; what is no number ends them.
+  std::span<const OffNumber> numbers(std::size_t most) {
+    numbers_.clear();
+    while (numbers_.size() < most && (form_.wrapped || !text_.at_line_end())) {
+      if (form_.wrapped) text_.need_word("the last vertex");
+      const auto n = number(text_.word());
+      if (!n) break;
+      numbers_.push_back(*n);
+    }
+    return numbers_;
+  }
+
+  // A normal, a colour of three or four numbers, and a texture point, as far as they are there.
+  void behind_position() {
+    if (form_.numbers() == 0) return unnamed();
+    std::span<const OffNumber> left = numbers(form_.numbers());
+    const auto take = [&](std::size_t n) {
+      const auto taken = left.first(std::min(n, left.size()));
+      left = left.subspan(taken.size());
+      return taken;
+    };
+    const auto value = [](std::span<const OffNumber> of, std::size_t i) {
+      return i < of.size() ? of[i].value : 0;
+    };
+    const auto color = [&](std::size_t most) { colors_.emplace_back(take(most)); };
+    if (form_.colors_first) color(4);
+    if (form_.normals) {
+      const auto n = take(3);
+      found_.normals.push_back({value(n, 0), value(n, 1), value(n, 2)});
+    }
+    if (form_.colors && !form_.colors_first)
+      color(std::min<std::size_t>(4, left.size() - (form_.texture && left.size() >= 2 ? 2 : 0)));
+    if (form_.texture) {
+      const auto t = take(2);
+      found_.texture_points.push_back({value(t, 0), value(t, 1)});
+    }
+  }
+
+  // What the head does not name: three numbers or four that are not negative are a colour.
+  void unnamed() {
+    if (form_.wrapped || text_.at_line_end()) return;
+    const auto behind = numbers(5);
+    const bool is_color = (behind.size() == 3 || behind.size() == 4) &&
+                          std::ranges::all_of(behind, [](const OffNumber& n) { return n.value >= 0; });
+    if (!is_color) ++unknown_rows_;
+    if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, behind);
+  }
+
+  // Of those that have one; the others have the usual one.
+  static std::vector<Color> spread(const std::vector<std::pair<std::size_t, OffColor>>& given,
+                                   std::size_t count) {
+    std::vector<OffColor> colors;
+    for (const auto& [at, color] : given) colors.push_back(color);
+    to_unit_range(colors);
+    std::vector<Color> all(given.empty() ? 0 : count, Material{}.base_color);
+    for (std::size_t i = 0; i < colors.size(); ++i) all[given[i].first] = colors[i].color;
+    return all;
+  }
+
+  std::shared_ptr<const Attributes> finished_attributes() {
+    to_unit_range(colors_);
+    for (const OffColor& c : colors_) found_.colors.push_back(c.color);
+    if (unknown_rows_ > 0) {
+      builder_.warn(source_.name + ": passed over what stands behind the positions of " +
+                    base::counted(unknown_rows_, "row") + " and is not named at its head");
+    } else if (!unnamed_colors_.empty()) {
+      found_.colors = spread(unnamed_colors_, builder_.vertex_count());
+    }
+    found_.polygon_colors = spread(face_colors_, builder_.surface().polygon_count());
+    if (form_.normals) found_.corner_normal = builder_.surface().corners;
+    if (form_.texture) found_.corner_texture = builder_.surface().corners;
+    if (found_.empty()) return nullptr;
+    return std::make_shared<const Attributes>(std::move(found_));
+  }
+
+  void face() {
+    const std::size_t corners = count("corner count");
+    for (std::size_t i = 0; i < corners; ++i) {
+      if (wrapped_ != Wrapped::nowhere) text_.need_word("the last face");
+      const std::int64_t index = text_.integer("vertex index");
+      if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count()) {
+        text_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
+                       std::to_string(builder_.vertex_count()),
+                   "export the model again");
+      }
+      builder_.corner(static_cast<std::uint32_t>(index));
+    }
+    builder_.end_polygon();
+    if (corners >= 3) face_color(builder_.surface().polygon_count() - 1);
+    text_.next_line();
+  }
+
+  // Three or four numbers behind the corners; a single one is the index of a list that is in no file.
+  void face_color(std::size_t polygon) {
+    std::array<OffNumber, 4> behind;
+    std::size_t n = 0;
+    for (; n < behind.size() && !text_.at_line_end(); ++n) {
+      const auto found = number(text_.word());
+      if (!found) break;
+      behind[n] = *found;
+    }
+    if (n >= 3) face_colors_.emplace_back(polygon, OffColor(std::span(behind).first(n)));
+  }
+
+  const Source& source_;
+  TextCursor text_;
+  SurfaceBuilder builder_;
+  Wrapped wrapped_;
+  OffForm form_;
+  std::vector<OffNumber> numbers_;                                              // of a row
+  std::vector<OffColor> colors_;                                                // one a vertex
+  std::vector<std::pair<std::size_t, OffColor>> unnamed_colors_, face_colors_;  // of vertices, of polygons
+  std::size_t unknown_rows_ = 0;
+  Attributes found_;
+};
+
+}  // namespace
+
+ReadResult read_off(const Source& source) {
+  using enum OffReader::Wrapped;
+  try {
+    return OffReader(source, nowhere).read();
+  } catch (const base::Error&) {
+    for (const OffReader::Wrapped wrapped : {in_faces, everywhere}) {
+      try {
+        return OffReader(source, wrapped).read();
+      } catch (const base::Error&) {  // the first one says what is wrong
+      }
+    }
+    throw;
+  }
+}
+
+bool looks_like_off(const Source& source) {
+  TextCursor text(source, off_rules);
+  return text.next_filled_line() && off_form(text.word()).has_value();
+}
+
+void write_off(const Content& content, TextWriter& out) {
+  const Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const std::size_t all = positions.size() + surface.polygon_count();
+  const bool colored = content.attributes && !content.attributes->colors.empty();
+  const bool faces_colored = content.attributes && !content.attributes->polygon_colors.empty();
+  const auto color = [&](const Color& c) {
+    for (const float x : c) out.text(" ").number(std::uint64_t{color_byte(x)});
+  };
+  std::size_t done = 0;
+  out.text(colored ? "COFF\n" : "OFF\n").comments("# ", content.comments);
+  out.number(std::uint64_t{positions.size()}).text(" ");
+  out.number(std::uint64_t{surface.polygon_count()}).text(" 0\n");
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    print_point(positions[v], out);
+    if (colored) color(content.attributes->colors[v]);
+    out.text("\n");
+    out.element_done(++done, all);
+  }
+  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
+    const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
+    out.number(std::uint64_t{end - begin});
+    for (auto c = begin; c < end; ++c) out.text(" ").number(std::uint64_t{surface.corners[c]});
+    if (faces_colored) color(content.attributes->polygon_colors[p]);
+    out.text("\n");
+    out.element_done(++done, all);
+  }
+}
+
+}  // namespace viete::mesh

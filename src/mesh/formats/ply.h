@@ -1,0 +1,27 @@
+// Stanford PLY, ascii and binary of either byte order.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/formats/read_result.h"
+#include "mesh/formats/source.h"
+#include "mesh/formats/text_writer.h"
+
+namespace viete::mesh {
+
+/// Source: Greg Turk, The PLY polygon file format, 1994. Read: x, y, z of element vertex, vertex_indices or
+/// vertex_index of element face, tristrips; of vertices what PlyAttributes knows. All else is kept for
+/// writing alone. The counts of the header are compared with the bytes there are before any memory is taken.
+/// Throws base::Error, base::Cancelled.
+ReadResult read_ply(const Source& source);
+
+/// True if the bytes start as every PLY file must.
+bool looks_like_ply(const Source& source);
+
+/// Binary, little-endian, positions in double; normals, colours and texture points where there is one a
+/// vertex.
+void write_ply(const Content& content, TextWriter& out);
+
+}  // namespace viete::mesh

@@ -1,0 +1,283 @@
+#include "mesh/formats/point_cache.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "base/error.h"
+#include "base/quantity.h"
+#include "mesh/formats/foreign_content.h"
+#include "mesh/formats/source.h"
+#include "mesh/formats/written_positions.h"
+
+namespace viete::mesh {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view pc2_magic{"POINTCACHE2\0", 12};
+constexpr std::size_t pc2_head_size = 32, mdd_head_size = 8;
+constexpr std::size_t most_of_cache = std::numeric_limits<std::int32_t>::max();
+
+constexpr std::uint32_t swapped_bytes(std::uint32_t x) {
+  return x << 24 | (x << 8 & 0xFF0000U) | (x >> 8 & 0xFF00U) | x >> 24;
+}
+
+// Of the file's order to that of the machine, and back.
+std::uint32_t word_in_order(std::uint32_t word, PointCacheFormat format) {
+  const std::endian order = format == PointCacheFormat::pc2 ? std::endian::little : std::endian::big;
+  return order == std::endian::native ? word : swapped_bytes(word);
+}
+
+class CacheHeadWriter {
+public:
+  explicit CacheHeadWriter(PointCacheFormat format) : format_(format) {}
+
+  void word(std::size_t value) { put(static_cast<std::uint32_t>(value)); }
+  void number(float value) { put(std::bit_cast<std::uint32_t>(value)); }
+  void text(std::string_view bytes) { all_ += bytes; }
+  std::string take() && { return std::move(all_); }
+
+private:
+  void put(std::uint32_t word) {
+    word = word_in_order(word, format_);
+    char bytes[4];
+    std::memcpy(bytes, &word, 4);
+    all_.append(bytes, 4);
+  }
+
+  PointCacheFormat format_;
+  std::string all_;
+};
+
+std::string bytes_of(const PointCacheHead& head) {
+  CacheHeadWriter out(head.format);
+  if (head.format == PointCacheFormat::pc2) {
+    out.text(pc2_magic);
+    out.word(1);
+    out.word(head.points);
+    out.number(head.start);
+    out.number(head.rate);
+    out.word(head.frames);
+  } else {
+    out.word(head.frames);
+    out.word(head.points);
+    for (const float s : head.seconds) out.number(s);
+  }
+  return std::move(out).take();
+}
+
+const PointCacheHead& writable(const fs::path& path, const PointCacheHead& head) {
+  if (head.points == 0 || head.frames == 0)
+    throw base::Error(path.string(), "a point cache without points or frames is none",
+                      "export at least one frame of a model with vertices");
+  if (head.points > most_of_cache || head.frames > most_of_cache)
+    throw base::Error(path.string(), "a point cache holds 2,147,483,647 points and frames at most",
+                      "export fewer frames");
+  if (head.format == PointCacheFormat::mdd && head.seconds.size() != head.frames)
+    throw base::Error(
+        path.string(),
+        base::counted(head.seconds.size(), "time") + " for " + base::counted(head.frames, "frame"),
+        "give each frame its time");
+  return head;
+}
+
+struct CloseCache {
+  int handle;
+  ~CloseCache() { close(handle); }
+};
+
+}  // namespace
+
+std::optional<PointCacheFormat> point_cache_format(const fs::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == "pc2") return PointCacheFormat::pc2;
+  if (extension == "mdd") return PointCacheFormat::mdd;
+  return std::nullopt;
+}
+
+PointCacheWriter::PointCacheWriter(const fs::path& path, const PointCacheHead& head, std::uint64_t key)
+    : path_(path), head_(writable(path, head)), file_(path, key) {
+  const std::string begins = bytes_of(head_);
+  const std::uint64_t frame_size = 12 * head_.points;
+  if (file_.size() >= begins.size() && file_.beginning(begins.size()) == begins) {
+    const std::uint64_t whole = (file_.size() - begins.size()) / frame_size;
+    frames_there_ = static_cast<std::size_t>(std::min<std::uint64_t>(whole, head_.frames));
+    file_.cut(begins.size() + frames_there_ * frame_size);
+  } else {
+    file_.cut(0);
+    file_.append(begins);
+  }
+}
+
+void PointCacheWriter::append(std::span<const float> positions) {
+  if (positions.size() != 3 * head_.points || frames_there_ == head_.frames)
+    throw base::Error(path_.string(),
+                      "frame " + std::to_string(frames_there_) + " of " + std::to_string(head_.frames) +
+                          " has " + std::to_string(positions.size() / 3) + " points for " +
+                          std::to_string(head_.points),
+                      "give each frame a position of every vertex");
+  const std::string place = path_.string() + ": frame " + std::to_string(frames_there_);
+  try {
+    for (std::size_t i = 0; i < positions.size(); i += 3)
+      check_written(place, i / 3, {positions[i], positions[i + 1], positions[i + 2]}, largest_float);
+  } catch (const base::Error&) {
+    discard();  // no run could go on with it
+    throw;
+  }
+  const auto* bytes = reinterpret_cast<const char*>(positions.data());
+  if (word_in_order(1, head_.format) != 1) {
+    swapped_.resize(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      swapped_[i] = swapped_bytes(std::bit_cast<std::uint32_t>(positions[i]));
+    bytes = reinterpret_cast<const char*>(swapped_.data());
+  }
+  file_.append({bytes, positions.size_bytes()});
+  ++frames_there_;
+}
+
+void PointCacheWriter::finish(base::Durability durability) {
+  if (frames_there_ < head_.frames)
+    throw base::Error(
+        path_.string(),
+        std::to_string(frames_there_) + " of " + base::counted(head_.frames, "frame") + " are there",
+        "export the rest");
+  file_.finish(durability);
+}
+
+PointCache::PointCache(const fs::path& path) : name_(path.string()) {
+  const int handle = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (handle < 0)
+    throw base::Error(name_, std::string("cannot be opened: ") + std::strerror(errno), "check the path");
+  const auto file = std::make_shared<const CloseCache>(handle);
+  struct stat status {};
+  if (fstat(handle, &status) != 0 || !S_ISREG(status.st_mode))
+    throw base::Error(name_, "this is not a regular file", "name a point cache");
+  read_ = [file, name = name_](std::uint64_t offset, std::span<char> to) {
+    while (!to.empty()) {
+      const ssize_t got = pread(file->handle, to.data(), to.size(), static_cast<off_t>(offset));
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) throw base::Error(name, "cannot be read to its end", "check the disk");
+      offset += static_cast<std::uint64_t>(got);
+      to = to.subspan(static_cast<std::size_t>(got));
+    }
+  };
+  read_head(static_cast<std::uint64_t>(status.st_size));
+}
+
+PointCache::PointCache(std::string name, std::string_view bytes) : name_(std::move(name)) {
+  read_ = [bytes](std::uint64_t offset, std::span<char> to) {
+    std::memcpy(to.data(), bytes.data() + offset, to.size());
+  };
+  read_head(bytes.size());
+}
+
+void PointCache::read_head(std::uint64_t size) {
+  std::string begins(std::min<std::uint64_t>(size, pc2_magic.size()), '\0');
+  read_(0, begins);
+  if (begins == pc2_magic) return read_pc2_head(size);
+  begins.resize(std::min<std::uint64_t>(size, 512));
+  read_(0, begins);
+  if (size > 0) refuse_foreign(name_, begins);
+  read_mdd_head(size);
+}
+
+namespace {
+
+std::int32_t count_at(std::span<const char> bytes, std::size_t at, PointCacheFormat format) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, bytes.data() + at, 4);
+  return static_cast<std::int32_t>(word_in_order(word, format));
+}
+
+float float_at(std::span<const char> bytes, std::size_t at, PointCacheFormat format) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(count_at(bytes, at, format)));
+}
+
+std::string cache_size_text(std::int64_t points, std::int64_t frames) {
+  return std::to_string(frames) + (frames == 1 ? " frame" : " frames") + " of " + std::to_string(points) +
+         (points == 1 ? " point" : " points");
+}
+
+}  // namespace
+
+void PointCache::read_pc2_head(std::uint64_t size) {
+  constexpr auto format = PointCacheFormat::pc2;
+  if (size < pc2_head_size)
+    throw base::Error(name_, "ends within the head of a PC2 file", "export the point cache again");
+  std::vector<char> head(pc2_head_size);
+  read_(0, head);
+  const std::int32_t points = count_at(head, 16, format), samples = count_at(head, 28, format);
+  if (points <= 0 || samples <= 0)
+    throw base::Error(name_, "a PC2 file of " + cache_size_text(points, samples),
+                      "export the point cache again");
+  head_ = {format, static_cast<std::size_t>(points), static_cast<std::size_t>(samples),
+           float_at(head, 20, format), float_at(head, 24, format)};
+  first_frame_ = pc2_head_size;
+  const std::uint64_t whole = (size - first_frame_) / (12 * head_.points);
+  if (whole < head_.frames)
+    throw base::Error(name_,
+                      "is shorter than its head says: " + std::to_string(whole) + " whole of " +
+                          cache_size_text(points, samples),
+                      "export the point cache again");
+  if (size > first_frame_ + head_.frames * 12 * head_.points)
+    warnings_.push_back(name_ + ": goes on behind its last frame");
+  if (std::isfinite(head_.start) && std::isfinite(head_.rate) && head_.rate > 0) return;
+  warnings_.push_back(name_ + ": its first frame and sample rate are no numbers; taken as 0 and 1");
+  head_.start = 0, head_.rate = 1;
+}
+
+// Nothing but its sizes tells it from other files.
+void PointCache::read_mdd_head(std::uint64_t size) {
+  constexpr auto format = PointCacheFormat::mdd;
+  std::vector<char> head(std::min<std::uint64_t>(size, mdd_head_size));
+  read_(0, head);
+  const std::int32_t frames = head.size() < mdd_head_size ? 0 : count_at(head, 0, format);
+  const std::int32_t points = head.size() < mdd_head_size ? 0 : count_at(head, 4, format);
+  if (frames <= 0 || points <= 0)
+    throw base::Error(name_, "this is neither a PC2 nor an MDD point cache",
+                      "check that it is the right file");
+  head_ = {format, static_cast<std::size_t>(points), static_cast<std::size_t>(frames), 0, 1};
+  const std::uint64_t frame_size = 4 + 12 * std::uint64_t{head_.points}, room = size - mdd_head_size;
+  if (room / frame_size < head_.frames || room != frame_size * head_.frames)
+    throw base::Error(name_,
+                      "as an MDD point cache it would be of " + cache_size_text(points, frames) +
+                          ", which its " + std::to_string(size) + " bytes do not fit",
+                      "check that it is the right file, or export it again");
+  std::vector<char> times(4 * head_.frames);
+  read_(mdd_head_size, times);
+  head_.seconds.resize(head_.frames);
+  for (std::size_t i = 0; i < head_.frames; ++i) {
+    head_.seconds[i] = float_at(times, 4 * i, format);
+    if (!std::isfinite(head_.seconds[i]))
+      throw base::Error(name_ + ": frame " + std::to_string(i), "its time is no number",
+                        "export the point cache again");
+  }
+  first_frame_ = mdd_head_size + times.size();
+}
+
+std::vector<Point> PointCache::frame(std::size_t number) const {
+  std::vector<char> bytes(12 * head_.points);
+  read_(first_frame_ + std::uint64_t{number} * bytes.size(), bytes);
+  std::vector<Point> points(head_.points);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    for (std::size_t k = 0; k < 3; ++k) points[v][k] = float_at(bytes, 12 * v + 4 * k, head_.format);
+    if (!is_place(points[v]))
+      throw base::Error(name_ + ": frame " + std::to_string(number),
+                        "the position of point " + std::to_string(v) + " is no place",
+                        "export the point cache again");
+  }
+  return points;
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,76 @@
+// Copies the bytes of a file with some words replaced.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include "mesh/formats/printed.h"
+#include "mesh/formats/text_cursor.h"
+#include "mesh/formats/text_writer.h"
+#include "mesh/normals.h"
+#include "mesh/vector.h"
+
+namespace viete::mesh {
+
+using ThreeWords = std::array<std::string_view, 3>;
+
+/// The next three of this line; those that are missing are empty.
+inline ThreeWords three_words(TextCursor& text) {
+  return {text.word(), text.word(), text.word()};  // from left to right
+}
+
+/// Of words that are no number, NaN.
+inline Vec3 vector_in(const ThreeWords& words) {
+  Vec3 v{};
+  for (std::size_t i = 0; i < 3; ++i) v[i] = number_in(words[i]).value_or(std::nan(""));
+  return v;
+}
+
+/// Replacements come in the order of the file; what lies between them is copied as it is.
+class Rewriter {
+public:
+  Rewriter(std::string_view bytes, TextWriter& out) : bytes_(bytes), out_(out) {}
+
+  /// word lies within the bytes.
+  void replace(std::string_view word, std::string_view by) {
+    copy_until(offset_of(word));
+    out_.text(by);
+    copied_ += word.size();
+  }
+
+  /// The words of a vector that was `before` and is `now`: those that would be printed as before stay.
+  void replace(const ThreeWords& words, const Vec3& before, const Vec3& now, const Printed& printed) {
+    if (!changed(before, now)) return;
+    std::array<char, 400> room;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!printed.same(before[i], now[i])) replace(words[i], printed.print(now[i], room));
+    }
+  }
+
+  /// Copies up to a place in the bytes, for what is inserted there.
+  void copy_until(std::size_t offset) {
+    constexpr std::size_t portion = 1 << 18;
+    while (copied_ < offset) {
+      const std::size_t size = std::min(portion, offset - copied_);
+      out_.text(bytes_.substr(copied_, size));
+      copied_ += size;
+      out_.element_done(copied_, bytes_.size());
+    }
+  }
+
+  void finish() { copy_until(bytes_.size()); }
+
+  std::size_t offset_of(std::string_view word) const {
+    return static_cast<std::size_t>(word.data() - bytes_.data());
+  }
+
+private:
+  std::string_view bytes_;
+  TextWriter& out_;
+  std::size_t copied_ = 0;
+};
+
+}  // namespace viete::mesh

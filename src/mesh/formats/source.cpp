@@ -1,0 +1,93 @@
+#include "mesh/formats/source.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+#include "base/error.h"
+
+namespace viete::mesh {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::size_t regular_file_size(const fs::path& path) {
+  if (path.empty()) throw base::Error("file name", "is empty", "name a file");
+  std::error_code code;
+  const fs::file_status status = fs::status(path, code);
+  if (status.type() == fs::file_type::not_found) {
+    throw base::Error(path.string(), "there is no such file", "check the path");
+  }
+  if (status.type() == fs::file_type::directory) {
+    throw base::Error(path.string(), "this is a folder", "name a file in it");
+  }
+  if (code) {
+    const bool circle = code == std::errc::too_many_symbolic_link_levels;
+    throw base::Error(path.string(), "cannot be opened: " + code.message(),
+                      circle ? "the link leads to itself: name the file" : "check the permissions");
+  }
+  if (status.type() != fs::file_type::regular) {
+    throw base::Error(path.string(), "this is not a regular file", "copy the data into a file first");
+  }
+  const auto size = fs::file_size(path, code);
+  if (code) throw base::Error(path.string(), "cannot be opened: " + code.message());
+  return static_cast<std::size_t>(size);
+}
+
+std::unique_ptr<char[]> allocate(const fs::path& path, std::size_t size) {
+  try {
+    return std::make_unique_for_overwrite<char[]>(size);
+  } catch (const std::bad_alloc&) {
+    throw base::Error(path.string(), std::to_string(size) + " bytes do not fit into memory",
+                      "reduce the model or use a larger machine");
+  }
+}
+
+}  // namespace
+
+std::string Source::place(std::string_view element, std::size_t index) const {
+  return name + ": " + std::string(element) + " " + std::to_string(index);
+}
+
+FileBytes::FileBytes(const fs::path& path, base::Progress* progress, std::size_t most) {
+  const std::size_t size = regular_file_size(path);
+  if (size > most)
+    throw base::Error(path.string(), "has more than " + std::to_string(most >> 20) + " MB",
+                      "check that it is the right file");
+  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+  if (!file) throw base::Error(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
+  bytes_ = allocate(path, size);
+  constexpr std::size_t step = 4 << 20;
+  while (size_ < size) {
+    const std::size_t got = std::fread(bytes_.get() + size_, 1, std::min(step, size - size_), file.get());
+    if (std::ferror(file.get()))
+      throw base::Error(path.string(), "cannot be read to its end", "check the disk");
+    if (got == 0) break;
+    size_ += got;
+    if (progress) progress->report(0.2 * static_cast<double>(size_) / static_cast<double>(size));
+  }
+}
+
+std::string extension_of(const fs::path& path) {
+  std::string extension = path.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : static_cast<char>(c);
+  });
+  return extension;
+}
+
+std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name) {
+  std::string slashed(name);
+  std::replace(slashed.begin(), slashed.end(), '\\', '/');
+  return (folder / slashed).lexically_normal();
+}
+
+}  // namespace viete::mesh

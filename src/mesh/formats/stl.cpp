@@ -1,0 +1,252 @@
+#include "mesh/formats/stl.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "base/error.h"
+#include "mesh/formats/attributes.h"
+#include "mesh/formats/printed.h"
+#include "mesh/formats/stl_original.h"
+#include "mesh/formats/surface_builder.h"
+#include "mesh/formats/text_cursor.h"
+#include "mesh/point_index.h"
+#include "mesh/formats/stl_layout.h"
+
+namespace viete::mesh {
+
+namespace {
+
+std::uint64_t announced_bytes(const Source& source) {
+  return stl_head_bytes + stl_triangle_bytes * std::uint64_t{stl_word(source.bytes.data() + 80)};
+}
+
+bool is_exact_binary(const Source& source) {
+  return source.bytes.size() >= stl_head_bytes && source.bytes.size() == announced_bytes(source);
+}
+
+bool starts_solid(const Source& source) {
+  TextCursor text(source, {});
+  return text.next_filled_line() && lower_stl_word(text.word()) == "solid";
+}
+
+bool holds_nul(const Source& source) {
+  return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+}
+
+// Joins equal corners.
+class CornerJoiner {
+public:
+  explicit CornerJoiner(SurfaceBuilder& builder) : builder_(builder) {}
+
+  void add(Point p) {
+    for (double& x : p) x += 0.0;  // -0 becomes 0
+    const std::size_t before = builder_.vertex_count();
+    const std::uint32_t vertex = index_.find_or_add(p, builder_.surface().positions);
+    if (vertex == before) builder_.position(p);
+    builder_.corner(vertex);
+  }
+
+private:
+  SurfaceBuilder& builder_;
+  PointIndex index_;
+};
+
+void keep_original(const Source& source, bool binary, ReadResult& result) {
+  if (!source.owner) return;
+  result.original = std::make_shared<const StlOriginal>(source.name, source.bytes, source.owner, binary);
+}
+
+std::string head_text(std::string_view head) {
+  std::string text = TextWriter::one_line(std::string(head.substr(0, head.find('\0'))));
+  return text;
+}
+
+// The two bytes behind each facet as a colour, five bits a channel. VisCAM and SolidView set the highest bit
+// where there is one, red in the upper bits. Magics says in the head that there are colours, and one for all;
+// it sets the bit where a facet has none of its own, red in the lower bits.
+class StlColors {
+public:
+  explicit StlColors(std::string_view head) {
+    constexpr std::string_view mark = "COLOR=";
+    const std::size_t at = head.find(mark);
+    if (at == std::string_view::npos || at + mark.size() + 4 > head.size()) return;
+    by_magics_ = true;
+    for (std::size_t i = 0; i < 4; ++i)
+      of_all_[i] = static_cast<float>(static_cast<unsigned char>(head[at + mark.size() + i])) / 255;
+  }
+
+  void take(const char* bytes) { words_.push_back(stl_short(bytes)); }
+
+  /// Null where the file has none.
+  std::shared_ptr<const Attributes> finish() const {
+    const bool any =
+        std::ranges::any_of(words_, [&](auto w) { return by_magics_ ? w != 0 : (w & own_) != 0; });
+    if (!any && !by_magics_) return nullptr;
+    auto found = std::make_shared<Attributes>();
+    for (const std::uint16_t word : words_) {
+      const bool has_own = any && ((word & own_) != 0) != by_magics_;
+      found->polygon_colors.push_back(has_own ? color(word) : of_all_);
+    }
+    return found;
+  }
+
+private:
+  static constexpr unsigned own_ = 0x8000;
+
+  Color color(std::uint16_t word) const {
+    const auto channel = [&](int shift) { return static_cast<float>(word >> shift & 31) / 31; };
+    return by_magics_ ? Color{channel(0), channel(5), channel(10), 1}
+                      : Color{channel(10), channel(5), channel(0), 1};
+  }
+
+  bool by_magics_ = false;
+  Color of_all_ = Material{}.base_color;
+  std::vector<std::uint16_t> words_;
+};
+
+ReadResult read_binary(const Source& source) {
+  const StlTriangles triangles(source);
+  SurfaceBuilder builder(source);
+  builder.comment(head_text(source.bytes.substr(0, 80)));
+  CornerJoiner corners(builder);
+  StlColors colors(source.bytes.substr(0, 80));
+  for (std::size_t t = 0; t < triangles.count(); ++t) {
+    const char* const at = source.bytes.data() + triangles.offset(t) + 12;
+    for (int c = 0; c < 3; ++c) {
+      Point p{};
+      for (int i = 0; i < 3; ++i) p[i] = stl_float(at + 12 * c + 4 * i);
+      if (!std::isfinite(p[0] + p[1] + p[2])) {
+        throw base::Error(source.place("triangle", t), "a coordinate is not a finite number",
+                          "repair the triangle");
+      }
+      corners.add(p);
+    }
+    builder.end_polygon();
+    colors.take(at + 36);
+    if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles.count()));
+  }
+  if (triangles.have_attributes()) {
+    builder.warn(source.name + ": passed over the attributes behind triangles");
+  }
+  if (const std::size_t behind = source.bytes.size() - triangles.end(); behind > 0) {
+    builder.warn(source.name + ": passed over " + std::to_string(behind) + " bytes behind the " +
+                 std::to_string(triangles.count()) + " triangles that the header announces");
+  }
+  ReadResult result = builder.finish("STL binary");
+  if (!triangles.have_attributes()) result.attributes = colors.finish();
+  keep_original(source, true, result);
+  return result;
+}
+
+class StlTextReader {
+public:
+  explicit StlTextReader(const Source& source)
+      : source_(source), text_(source, {}), builder_(source), corners_(builder_) {}
+
+  ReadResult read() {
+    while (text_.next_filled_line()) {
+      statement(lower_stl_word(text_.word()));
+      text_.next_line();
+      if (++lines_ % 16384 == 0) source_.report(text_.done());
+    }
+    if (in_facet_)
+      text_.fail("the file ends within a facet", "it seems to be cut short: export or copy it again");
+    if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
+    ReadResult result = builder_.finish("STL ascii");
+    keep_original(source_, false, result);
+    return result;
+  }
+
+private:
+  void statement(const std::string& word) {
+    if (word == "vertex") {
+      const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
+      if (!in_facet_) text_.fail("vertex outside of a facet", "export the model again");
+      corners_.add({x, y, z});
+      ++facet_corners_;
+    } else if (word == "facet") {
+      if (in_facet_) text_.fail("facet within a facet", "export the model again");
+      in_facet_ = true;
+      facet_corners_ = 0;
+    } else if (word == "endfacet") {
+      end_facet();
+    } else if (word == "solid") {
+      builder_.comment(text_.rest_of_line());
+    } else if (word == "endsolid") {
+      ended_ = true;
+    } else if (word != "outer" && word != "endloop") {
+      text_.fail(in_quotes(word) + " is not a word of STL", "export the model again");
+    }
+    if (word != "endsolid") ended_ = false;
+  }
+
+  void end_facet() {
+    if (!in_facet_ || facet_corners_ != 3) {
+      text_.fail("facet with " + std::to_string(facet_corners_) + " corners instead of 3",
+                 "export the model again");
+    }
+    builder_.end_polygon();
+    in_facet_ = false;
+  }
+
+  const Source& source_;
+  TextCursor text_;
+  SurfaceBuilder builder_;
+  CornerJoiner corners_;
+  std::size_t lines_ = 0;
+  int facet_corners_ = 0;
+  bool in_facet_ = false, ended_ = false;
+};
+
+// For the normal that STL wants; zero if there is no area.
+Point unit_normal(const Point& a, const Point& b, const Point& c) {
+  Point u = b - a, v = c - a;
+  const double scale = std::max(largest_abs(u), largest_abs(v));
+  if (scale == 0) return {0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    u[i] /= scale;
+    v[i] /= scale;
+  }
+  Point n = cross(u, v);
+  const double size = stable_norm(n);
+  if (size == 0) return {0, 0, 0};
+  for (double& x : n) x /= size;
+  return n;
+}
+
+}  // namespace
+
+ReadResult read_stl(const Source& source) {
+  if (is_exact_binary(source)) return read_binary(source);
+  if (starts_solid(source) && !holds_nul(source)) return StlTextReader(source).read();
+  return read_binary(source);
+}
+
+bool looks_like_stl(const Source& source) {
+  return is_exact_binary(source) || starts_solid(source);
+}
+
+void write_stl(const Content& content, TextWriter& out) {
+  const Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const auto& comments = content.comments;
+  std::size_t done = 0;
+  out.text("solid ").text(comments.empty() ? "surface" : TextWriter::one_line(comments.front())).text("\n");
+  for (const Triangle& t : surface.triangles) {
+    const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+    out.text(" facet normal ").point(unit_normal(a, b, c)).text("\n  outer loop\n");
+    for (const Point& p : {a, b, c}) {
+      out.text("   vertex ");
+      print_point(p, out);
+      out.text("\n");
+    }
+    out.text("  endloop\n endfacet\n");
+    out.element_done(++done, surface.triangles.size());
+  }
+  out.text("endsolid\n");
+}
+
+}  // namespace viete::mesh

@@ -1,0 +1,100 @@
+// Puts numbers into text so that reading them gives the same bits; independent of the locale.
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "base/progress.h"
+#include "mesh/formats/attributes.h"
+#include "mesh/surface.h"
+
+namespace viete::mesh {
+
+/// How many digits coordinates get where they are written as text.
+struct Digits {
+  enum class Kind {
+    as_printed,  ///< as many decimals as the file has that is written again; all of them without such a file
+    all,         ///< the shortest that read back as the same double
+    decimals     ///< so many behind the point
+  };
+  Kind kind = Kind::as_printed;
+  int decimals = 0;  ///< of Kind::decimals
+};
+
+/// What a file is written of.
+struct Content {
+  const Surface& surface;
+  std::span<const Point> positions;  ///< of its vertices, instead of its own
+  const std::vector<std::string>& comments;
+  const Attributes* attributes = nullptr;  ///< of the surface; null: none
+};
+
+/// Hands bytes on whenever a portion of them has come together, so that large files are never in memory as a
+/// whole.
+class TextWriter {
+public:
+  explicit TextWriter(base::ByteSink sink, base::Progress* progress = nullptr, Digits digits = {})
+      : sink_(std::move(sink)), progress_(progress), digits_(digits) {}
+
+  const Digits& digits() const { return digits_; }
+
+  TextWriter& text(std::string_view s) {
+    out_.append(s);
+    return *this;
+  }
+
+  /// The shortest digits (17 at most) that read back as the same double.
+  TextWriter& number(double value) { return shortest(value); }
+  TextWriter& number(std::uint64_t value) { return shortest(value); }
+
+  TextWriter& point(const Point& p) { return number(p[0]).text(" ").number(p[1]).text(" ").number(p[2]); }
+
+  /// One line each, behind the mark; line ends and control characters in a comment become blanks.
+  void comments(std::string_view mark, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) text(mark).text(one_line(line)).text("\n");
+  }
+
+  static std::string one_line(std::string text) {
+    for (char& c : text) {
+      if (static_cast<unsigned char>(c) < 32) c = ' ';
+    }
+    while (!text.empty() && (text.back() == '\\' || text.back() == ' ')) text.pop_back();
+    return text;
+  }
+
+  /// After each element: so many elements of so many are written. Throws base::Cancelled.
+  void element_done(std::size_t count, std::size_t of) {
+    constexpr std::size_t portion = 1 << 18;
+    if (out_.size() < portion) return;
+    finish();
+    if (progress_) progress_->report(static_cast<double>(count) / static_cast<double>(of));
+  }
+
+  /// Hands on what is left.
+  void finish() {
+    sink_(out_);
+    out_.clear();
+  }
+
+private:
+  template <class Number>
+  TextWriter& shortest(Number value) {
+    char digits[32];
+    out_.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    return *this;
+  }
+
+  base::ByteSink sink_;
+  base::Progress* progress_;
+  Digits digits_;
+  std::string out_;
+};
+
+}  // namespace viete::mesh

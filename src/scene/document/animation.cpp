@@ -1,0 +1,177 @@
+#include "scene/document/animation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace viete::scene {
+
+namespace {
+
+using mesh::operator+, mesh::operator*;
+
+void add_share(deform::ProbePose& sum, const deform::ProbePose& pose, double factor) {
+  sum.turn = sum.turn + factor * pose.turn;
+  sum.move = sum.move + factor * pose.move;
+  auto &a = sum.stretch, b = pose.stretch;
+  a = {a.xx + factor * b.xx, a.xy + factor * b.xy, a.xz + factor * b.xz,
+       a.yy + factor * b.yy, a.yz + factor * b.yz, a.zz + factor * b.zz};
+}
+
+}  // namespace
+
+void KnownVectors::follow(const std::shared_ptr<const deform::Cage>& cage) {
+  if (cage == cage_) {
+    std::erase_if(known_, [](const auto& entry) { return entry.second.pose.use_count() == 1; });
+    return;
+  }
+  known_.clear();
+  cage_ = cage;
+  space_ = cage ? std::make_shared<const deform::PoseSpace>(cage) : nullptr;
+}
+
+std::shared_ptr<const deform::PoseVector> KnownVectors::of(const SharedPose& pose,
+                                                           std::span<const mesh::Vec3> turns_before) {
+  if (!space_) return nullptr;
+  const bool depends = pose->cage.turns.empty();
+  const auto found = known_.find(pose.get());
+  if (found != known_.end() && (!depends || std::ranges::equal(found->second.turns_before, turns_before)))
+    return found->second.vector;
+  const auto vector = std::make_shared<const deform::PoseVector>(space_->vector(pose->cage, turns_before));
+  known_[pose.get()] = {pose, {turns_before.begin(), turns_before.end()}, vector};
+  return vector;
+}
+
+std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms) {
+  std::size_t count = 0;
+  for (const auto& [poses, factor] : terms) count = std::max(count, poses->size());
+  std::vector<deform::ProbePose> sum(count);
+  for (const auto& [poses, factor] : terms)
+    for (std::size_t i = 0; i < poses->size(); ++i) add_share(sum[i], (*poses)[i], factor);
+  return sum;
+}
+
+bool in_range(const WholePose& pose, double farthest) {
+  const auto drawn = [farthest](const mesh::Vec3& p) {
+    return std::ranges::all_of(p, [farthest](double x) { return std::abs(x) <= farthest; });
+  };
+  const auto turned = [](const mesh::Vec3& turn) { return mesh::norm(turn) <= largest_turn; };
+  return std::ranges::all_of(pose.cage.positions, drawn) && std::ranges::all_of(pose.cage.turns, turned) &&
+         std::ranges::all_of(pose.probes, [&](const deform::ProbePose& p) {
+           return turned(p.turn) && drawn(p.move) && is_probe_stretch(p.stretch);
+         });
+}
+
+// Turns that were missing are filled in at the first frame, by half a turn at most; another branch of the
+// same rotation is a whole turn away.
+bool same_pose(const deform::Pose& a, const deform::Pose& b) {
+  using mesh::operator-;
+  if (a.positions != b.positions) return false;
+  const auto turn = [](const deform::Pose& pose, std::size_t part) {
+    return part < pose.turns.size() ? pose.turns[part] : deform::Vec3{0, 0, 0};
+  };
+  for (std::size_t part = 0; part < std::max(a.turns.size(), b.turns.size()); ++part)
+    if (!(mesh::norm(turn(a, part) - turn(b, part)) < std::numbers::pi + 1e-3)) return false;
+  return true;
+}
+
+Animation::Animation(const Timeline& timeline, KnownVectors& vectors)
+    : timeline_(timeline), space_(vectors.space()) {
+  if (!space_) return;
+  std::span<const mesh::Vec3> turns;
+  for (const PoseKey& key : timeline_.keys) {
+    for (const mesh::Point& p : key.pose->cage.positions)
+      for (const double x : p) farthest_ = std::max(farthest_, std::abs(x));
+    vectors_.push_back(vectors.of(key.pose, turns));
+    turns = vectors_.back()->turns;
+  }
+  for (std::size_t i = 0; i + 1 < vectors_.size(); ++i)
+    held_.push_back(space_->held_between(*vectors_[i], *vectors_[i + 1]));
+}
+
+WholePose Animation::at(double frame) const {
+  return at(frame, timeline_.straight);
+}
+
+WholePose Animation::key(std::size_t key) const {
+  WholePose pose = *timeline_.keys[key].pose;
+  if (space_ && pose.cage.turns.empty()) pose.cage.turns = vectors_[key]->turns;
+  return pose;
+}
+
+WholePose Animation::at(double frame, bool straight) const {
+  const Moment moment = moment_at(timeline_, frame);
+  if (moment.shares.size() == 1) return key(moment.shares.front().key);
+  WholePose pose = blend(moment, straight);
+  return in_range(pose, farthest_) ? pose : key(moment.from);
+}
+
+WholePose Animation::blend(const Moment& moment, bool straight) const {
+  const auto& keys = timeline_.keys;
+  WholePose pose;
+  std::vector<ProbeTerm> probes;
+  for (const auto& [key, factor] : moment.shares) probes.push_back({&keys[key].pose->probes, factor});
+  pose.probes = blended_probes(probes);
+  if (!space_) return pose;
+  std::vector<deform::PoseTerm> terms;
+  for (const auto& [key, factor] : moment.shares) terms.push_back({vectors_[key].get(), factor});
+  const deform::PoseVector sum = deform::sum(space_->cage(), terms);
+  pose.cage = straight ? space_->straight(sum) : space_->pose(sum, held_[moment.from]);
+  return pose;
+}
+
+// As numbers in which a blend is a weighted sum.
+std::vector<double> Animation::place(std::size_t key, bool logs) const {
+  std::vector<double> all;
+  const auto add = [&](const auto& row) { all.insert(all.end(), row.begin(), row.end()); };
+  if (space_ && logs) {
+    std::ranges::for_each(vectors_[key]->logs, add);
+  } else if (space_) {
+    std::ranges::for_each(timeline_.keys[key].pose->cage.positions, add);
+  } else {
+    for (const deform::ProbePose& p : timeline_.keys[key].pose->probes) add(p.turn), add(p.move);
+  }
+  return all;
+}
+
+namespace {
+
+// Of a key's place along the way between two others, the first of which is the origin.
+double along(const std::vector<double>& place, const std::vector<double>& start,
+             const std::vector<double>& end) {
+  const auto at = [](const std::vector<double>& row, std::size_t i) { return i < row.size() ? row[i] : 0; };
+  double dot = 0, length = 0;
+  for (std::size_t i = 0; i < std::max(start.size(), end.size()); ++i) {
+    const double way = at(end, i) - at(start, i);
+    dot += (at(place, i) - at(start, i)) * way;
+    length += way * way;
+  }
+  return length > 0 ? dot / length : 0;
+}
+
+}  // namespace
+
+std::vector<double> Animation::progress(std::size_t from, int steps) const {
+  const auto& keys = timeline_.keys;
+  if (from + 1 >= keys.size()) return {};
+  bool logs = !timeline_.straight;
+  if (logs && place(from, true) == place(from + 1, true)) logs = false;  // what only moves
+  const std::vector<double> start = place(from, logs), end = place(from + 1, logs);
+  std::map<std::size_t, double> known{{from, 0}, {from + 1, 1}};
+  const auto of = [&](std::size_t key) {
+    const auto found = known.find(key);
+    return found != known.end() ? found->second : known[key] = along(place(key, logs), start, end);
+  };
+  std::vector<double> all;
+  for (int i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    double sum = 0;
+    for (const auto& [key, factor] :
+         moment_at(timeline_, keys[from].frame + share * (keys[from + 1].frame - keys[from].frame)).shares)
+      sum += factor * of(key);
+    all.push_back(sum);
+  }
+  return all;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,69 @@
+// What moves at any moment of a timeline: keys blended in log space.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "deform/pose_space.h"
+#include "scene/document/pose_library.h"
+#include "scene/document/timeline.h"
+
+namespace viete::scene {
+
+/// Poses of one cage as vectors, each taken once. Not thread-safe.
+class KnownVectors {
+public:
+  /// Of another cage, or none (null), all are forgotten.
+  void follow(const std::shared_ptr<const deform::Cage>& cage);
+  /// Null where there is no cage.
+  const std::shared_ptr<const deform::PoseSpace>& space() const { return space_; }
+  /// See PoseSpace::vector(). Null where there is no cage. Kept as long as the pose is in use elsewhere.
+  std::shared_ptr<const deform::PoseVector> of(const SharedPose& pose,
+                                               std::span<const mesh::Vec3> turns_before = {});
+
+private:
+  struct Known {
+    SharedPose pose;
+    std::vector<mesh::Vec3> turns_before;
+    std::shared_ptr<const deform::PoseVector> vector;
+  };
+  std::shared_ptr<const deform::Cage> cage_;
+  std::shared_ptr<const deform::PoseSpace> space_;
+  std::map<const WholePose*, Known> known_;
+};
+
+/// The poses of a timeline at any frame. Constant: thread-safe, and the same bits whatever frame came before.
+/// At a key's frame it is that key's pose, bit for bit. A pose that says nothing of whole turns has those
+/// nearest to the key before.
+///
+/// What is shown between keys is the cage that follows the blended logs, see PoseSpace; a timeline that is
+/// straight moves its vertices on straight lines. Probes are blended by their logs in either case. Where that
+/// leaves what can be drawn, as a curve that overshoots far may, the key before stays.
+class Animation {
+public:
+  /// Requires keys, of this cage.
+  Animation(const Timeline& timeline, KnownVectors& vectors);
+
+  WholePose at(double frame) const;
+  /// As if the timeline was straight, or was not.
+  WholePose at(double frame, bool straight) const;
+
+  /// How far what is shown has come on its way from a key to the next one, at so many even steps and at both
+  /// ends: 0 at the key, 1 at the next one, beyond where it overshoots. The way is that of the logs, or a
+  /// straight one.
+  std::vector<double> progress(std::size_t from, int steps) const;
+
+private:
+  WholePose key(std::size_t key) const;
+  std::vector<double> place(std::size_t key, bool logs) const;
+  WholePose blend(const Moment& moment, bool straight) const;
+
+  Timeline timeline_;
+  double farthest_ = most_drawn;  // coordinate; or that of a key, of models that are deformed and not drawn
+  std::shared_ptr<const deform::PoseSpace> space_;
+  std::vector<std::shared_ptr<const deform::PoseVector>> vectors_;  // of the keys; null without a cage
+  std::vector<deform::Held> held_;                                  // from each key to the next
+};
+
+}  // namespace viete::scene

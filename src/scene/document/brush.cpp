@@ -1,0 +1,133 @@
+#include "scene/document/brush.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace viete::scene {
+
+namespace {
+
+float stepped(float share) {
+  return std::round(std::clamp(share, 0.0f, 1.0f) * mask_steps) / mask_steps;
+}
+
+std::vector<float> shares_of(const Document& document) {
+  if (document.mask) return *document.mask;
+  return std::vector<float>(document.model.surface->positions.size(), 1.0f);
+}
+
+// Null where every vertex follows.
+deform::Mask mask_of(const std::vector<float>& shares) {
+  const bool whole = std::ranges::all_of(shares, [](float s) { return s == 1; });
+  return whole ? nullptr : std::make_shared<const std::vector<float>>(shares);
+}
+
+// Full up to half of the radius, then smoothly down to none: d is in radii.
+float coverage(double d) {
+  const double t = std::clamp(2 * (1 - d), 0.0, 1.0);
+  return static_cast<float>(t * t * (3 - 2 * t));
+}
+
+}  // namespace
+
+mesh::Point PosedModel::at(const mesh::Surface& model, std::size_t vertex) const {
+  if (vertices.size() != model.positions.size()) return model.positions[vertex];
+  const auto& p = vertices[vertex].position;
+  return {origin[0] + p[0], origin[1] + p[1], origin[2] + p[2]};
+}
+
+namespace {
+
+struct Hit {
+  SurfacePoint point;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+// After T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997); both sides count.
+Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const mesh::Surface& model = *document.model.surface;
+  const auto& [center, scale] = document.space;
+  const auto in_view = [&](std::uint32_t v) {
+    const mesh::Point p = posed.at(model, v);
+    return scale * glm::dvec3(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
+  };
+  Hit nearest;
+  for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
+    const auto& t = model.triangles[i];
+    const glm::dvec3 a = in_view(t[0]), u = in_view(t[1]) - a, v = in_view(t[2]) - a;
+    const glm::dvec3 p = glm::cross(ray.direction, v);
+    const double volume = glm::dot(u, p);
+    if (volume == 0) continue;
+    const glm::dvec3 from = ray.origin - a, q = glm::cross(from, u);
+    const double s = glm::dot(from, p) / volume, r = glm::dot(ray.direction, q) / volume;
+    const double distance = glm::dot(v, q) / volume;
+    if (s >= 0 && r >= 0 && s + r <= 1 && distance > 0 && distance < nearest.distance)
+      nearest = {{i, {1 - s - r, s, r}}, distance};
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const Hit hit = first_hit(document, posed, ray);
+  if (!std::isfinite(hit.distance)) return std::nullopt;
+  return document.space.to_file(ray.origin + hit.distance * ray.direction);
+}
+
+std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const Hit hit = first_hit(document, posed, ray);
+  if (!std::isfinite(hit.distance)) return std::nullopt;
+  return hit.point;
+}
+
+MaskStroke::MaskStroke(const Document& document)
+    : before_(state_of(document)), shares_(shares_of(document)), covered_(shares_.size(), 0.0f) {}
+
+void MaskStroke::dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
+                     float share) {
+  const mesh::Surface& model = *document.model.surface;
+  bool painted = false;
+  for (std::size_t v = 0; v < shares_.size(); ++v) {
+    const mesh::Point p = posed.at(model, v);
+    const double distance = std::hypot(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
+    const float cover = coverage(distance / radius);
+    if (!(cover > covered_[v])) continue;
+    covered_[v] = cover;
+    const float old = before_.mask ? (*before_.mask)[v] : 1.0f;
+    shares_[v] = stepped(std::lerp(old, share, cover));
+    painted = true;
+  }
+  if (painted) document.mask = mask_of(shares_);
+}
+
+void MaskStroke::commit(Document& document) {
+  if (same_mask(document.mask, before_.mask)) return cancel(document);
+  document.history.record("paint", std::move(before_));
+}
+
+void MaskStroke::cancel(Document& document) const {
+  document.mask = before_.mask;
+}
+
+bool same_mask(const deform::Mask& a, const deform::Mask& b) {
+  return a == b || (a && b && *a == *b);
+}
+
+void set_mask(Document& document, deform::Mask mask, const char* label) {
+  if (mask) mask = mask_of(*mask);
+  if (same_mask(mask, document.mask)) return;
+  document.history.record(label, state_of(document));
+  document.mask = std::move(mask);
+}
+
+deform::Mask inverted(const Document& document) {
+  std::vector<float> shares = shares_of(document);
+  for (float& s : shares) s = stepped(1 - s);
+  return mask_of(shares);
+}
+
+}  // namespace viete::scene

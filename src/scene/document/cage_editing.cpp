@@ -1,0 +1,274 @@
+#include "scene/document/cage_editing.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/error.h"
+#include "cages/best_fit.h"
+#include "cages/edit.h"
+#include "cages/enclose.h"
+#include "mesh/triangulation.h"
+#include "scene/document/cage_making.h"
+#include "scene/document/edit.h"
+#include "scene/document/elements.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/probes.h"
+#include "scene/document/selection_sets.h"
+
+namespace viete::scene {
+
+namespace {
+
+using mesh::operator+, mesh::operator-, mesh::operator*;
+
+constexpr double snug_margin = 0.2 * fit_margin;
+
+std::string edited_name(const OpenedSurface& cage) {
+  constexpr std::string_view mark = ", edited";
+  const std::string name = name_of(cage);
+  return name.ends_with(mark) ? name : name + std::string(mark);
+}
+
+// The image across a plane has the mirrored way from its rest.
+mesh::Vec3 across(const mesh::Vec3& way, const cages::Plane& plane) {
+  return way - (2 * mesh::dot(way, plane.normal)) * plane.normal;
+}
+
+// What ways from rest to pose follow by: those of images are mirrored first.
+struct Follow {
+  cages::Plane plane{};
+  std::array<mesh::Vec3, 3> linear = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // rows
+
+  mesh::Vec3 operator()(const mesh::Vec3& way) const {
+    return {mesh::dot(linear[0], way), mesh::dot(linear[1], way), mesh::dot(linear[2], way)};
+  }
+  // Of an axis with an angle for its length, which is not scaled.
+  mesh::Vec3 turn(const mesh::Vec3& rotation) const {
+    const mesh::Vec3 now = (*this)(rotation);
+    const double length = mesh::norm(now);
+    return length > 0 ? (mesh::norm(rotation) / length) * now : rotation;
+  }
+};
+
+// Whole turns go with the parts, as long as there are as many.
+deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
+                     const deform::Cage& after, const Follow& follow) {
+  deform::Pose now;
+  if (before.roots.size() == after.roots.size()) now.turns = pose.turns;
+  for (mesh::Vec3& turn : now.turns) turn = follow.turn(turn);
+  for (std::size_t v = 0; v < edited.origins.size(); ++v) {
+    const cages::Origin& origin = edited.origins[v];
+    mesh::Vec3 way{0, 0, 0};
+    const double share = 1 / static_cast<double>(origin.of.size());
+    for (const auto o : origin.of) way = way + share * (pose.positions[o] - before.surface.positions[o]);
+    if (origin.mirrored) way = across(way, follow.plane);
+    now.positions.push_back(edited.surface.positions[v] + follow(way));
+  }
+  return now;
+}
+
+CageGroups groups_of(const Document& document, const cages::Edited& edited) {
+  std::vector<std::span<const std::uint32_t>> origins;
+  for (const cages::Origin& origin : edited.origins) origins.emplace_back(origin.of);
+  return carried(document.groups, document.cage->surface.positions.size(), origins);
+}
+
+// In the mode its pose is at rest; outside of it, as far as vertices remained.
+void put_edited(Document& document, cages::Edited edited, const std::string& label,
+                const Follow& follow = {}) {
+  auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
+  deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, follow);
+  document.history.record(label, state_of(document));
+  carry_poses(document,
+              [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, follow); });
+  const bool editing = is_editing_cage(document);
+  CageGroups groups = groups_of(document, edited);
+  const ElementKind kind = document.selection.kind();
+  OpenedSurface file = made_surface(std::move(edited.surface), edited_name(document.cage_file));
+  if (editing) document.kept_pose = real;
+  replace_cage(document, std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
+  document.groups = std::move(groups);
+  if (kind == ElementKind::probe) return;
+  Selection made(ElementKind::vertex);
+  made.apply(edited.selection, SelectMode::replace);
+  document.selection = without_hidden(document, converted(*document.cage, made, kind));
+}
+
+// The same polygons with other places.
+cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
+  cages::Edited edited{cage, {}, {}};
+  edited.surface.positions = std::move(positions);
+  mesh::triangulate(edited.surface);
+  for (std::uint32_t v = 0; v < cage.positions.size(); ++v) edited.origins.push_back({{v}});
+  return edited;
+}
+
+std::vector<mesh::Edge> selected_edges(const Document& document) {
+  const Selection edges = converted(*document.cage, document.selection, ElementKind::edge);
+  std::vector<mesh::Edge> all;
+  for (const auto e : edges.indices()) all.push_back(document.cage->edges[e]);
+  return all;
+}
+
+std::vector<std::uint32_t> selected_polygons(const Document& document) {
+  return converted(*document.cage, document.selection, ElementKind::face).indices();
+}
+
+void require(bool any, const char* what, const char* advice) {
+  if (!any) throw base::Error("", what, advice);
+}
+
+}  // namespace
+
+void begin_cage_editing(Document& document) {
+  document.history.record("edit the cage", state_of(document));
+  document.kept_pose = std::exchange(document.pose, deform::rest_pose(*document.cage));
+  if (document.selection.kind() == ElementKind::probe) document.selection = Selection(ElementKind::vertex);
+  ++document.revisions.pose;
+}
+
+void end_cage_editing(Document& document) {
+  document.history.record("pose the cage", state_of(document));
+  document.pose = *std::exchange(document.kept_pose, std::nullopt);
+  ++document.revisions.pose;
+}
+
+bool settle_cage_edit(Document& document) {
+  if (!is_editing_cage(document) || document.pose.positions == document.cage->surface.positions) return false;
+  try {
+    cages::Edited edited = with_positions(document.cage->surface, document.pose.positions);
+    auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
+    deform::Pose real = carried(*document.cage, *document.kept_pose, edited, *cage, {});
+    const Selection selection = document.selection;
+    const CageGroups groups = document.groups;
+    carry_poses(document,
+                [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, {}); });
+    document.kept_pose = std::move(real);
+    replace_cage(document, made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
+                 deform::rest_pose(*cage));
+    document.selection = selection;
+    document.groups = groups;
+    document.history.go_on();
+    return true;
+  } catch (const base::Error& error) {
+    // The edit that moved it, and what was selected since.
+    while (document.history.can_undo() && is_editing_cage(document) &&
+           document.pose.positions != document.cage->surface.positions)
+      undo(document);
+    throw base::Error("", "this would be no cage: " + error.problem(), "it is as it was before");
+  }
+}
+
+void split_selected(Document& document) {
+  const auto edges = selected_edges(document);
+  require(!edges.empty(), "no edge of the cage is selected", "select edges, or both ends of some");
+  put_edited(document, cages::split_edges(document.cage->surface, edges), "split edges");
+}
+
+void cut_selected(Document& document) {
+  const auto polygons = selected_polygons(document);
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all corners of some");
+  put_edited(document, cages::cut_polygons(document.cage->surface, polygons), "cut faces");
+}
+
+void merge_selected(Document& document) {
+  const auto vertices = selected_vertices(*document.cage, document.selection);
+  require(vertices.size() > 1, "fewer than two vertices are selected", "select those that are to be one");
+  put_edited(document, cages::merge_vertices(document.cage->surface, vertices), "merge vertices");
+}
+
+void remove_selected(Document& document) {
+  const mesh::Surface& cage = document.cage->surface;
+  const Selection& selection = document.selection;
+  const auto put = [&](cages::Edited edited, const char* label) {
+    require(edited.surface.corners != cage.corners, "what is selected cannot be removed",
+            "there is no single loop around it; remove faces instead");
+    put_edited(document, std::move(edited), label);
+  };
+  if (selection.kind() == ElementKind::vertex)
+    return put(cages::dissolve_vertices(cage, selection.indices()), "remove vertices");
+  if (selection.kind() == ElementKind::edge)
+    return put(cages::dissolve_edges(cage, selected_edges(document)), "remove edges");
+  put(cages::remove_polygons(cage, selection.indices()), "remove faces");
+}
+
+void extrude_selected(Document& document) {
+  constexpr double distance = 0.05;  // of the cage's diagonal
+  const auto polygons = selected_polygons(document);
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all corners of some");
+  put_edited(document, cages::extrude(document.cage->surface, polygons, distance * document.cage->diagonal),
+             "extrude");
+}
+
+void subdivide_cage(Document& document) {
+  constexpr std::size_t most_vertices = 20000;
+  require(document.cage->surface.positions.size() < most_vertices / 4, "the cage would be too fine to pose",
+          "it can have 20,000 vertices");
+  put_edited(document, cages::subdivide(document.cage->surface), "subdivide the cage");
+}
+
+void mirror_cage(Document& document) {
+  const auto axis = static_cast<std::size_t>(symmetry_axis(document));
+  cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
+  plane.normal[axis] = 1;
+  // The side whose vertices are selected, else the positive one.
+  const auto& rest = document.cage->surface.positions;
+  double sum = 0;
+  for (const auto v : selected_vertices(*document.cage, document.selection))
+    sum += rest[v][axis] - plane.offset;
+  if (sum < 0) plane = {-1 * plane.normal, -plane.offset};
+  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror the cage", {plane});
+}
+
+namespace {
+
+const mesh::Surface& model_to_fit(const Document& document) {
+  require(document.model.bounds.diagonal() > 0, "all of the model is at one place, and a cage fits no point",
+          "move the cage by hand");
+  return *document.model.surface;
+}
+
+void put_fitted(Document& document, cages::Fitted fitted, const char* label) {
+  const Follow follow{{}, fitted.linear};
+  put_edited(document, with_positions(document.cage->surface, std::move(fitted.positions)), label, follow);
+}
+
+}  // namespace
+
+void fit_cage(Document& document) {
+  put_fitted(document, cages::fitted_to_box(document.cage->surface, model_to_fit(document), fit_margin),
+             "fit the cage");
+}
+
+double fit_cage_turned(Document& document) {
+  cages::Fitted fitted = cages::best_fit(document.cage->surface, model_to_fit(document), fit_margin);
+  const double degrees = fitted.degrees;
+  put_fitted(document, std::move(fitted), degrees > 0 ? "fit the cage, turned" : "fit the cage");
+  return degrees;
+}
+
+SnapResult snap_selected(Document& document) {
+  const mesh::Surface& cage = document.cage->surface;
+  const auto vertices = selected_vertices(*document.cage, document.selection);
+  require(!document.model.surface->triangles.empty(), "the model has no faces, so that nothing is within it",
+          "move the cage by hand");
+  auto snapped = cages::snap_outside(cage, vertices, *document.model.surface, snug_margin);
+  const Selection selection = document.selection;
+  if (snapped.moved > 0) {
+    put_edited(document, with_positions(cage, std::move(snapped.positions)), "snap outside");
+    document.selection = selection;
+  }
+  return {snapped.moved, snapped.left};
+}
+
+std::size_t enclose_model(Document& document) {
+  const mesh::Surface& cage = document.cage->surface;
+  require(document.cage->closed, "the cage is open, so that nothing is within it", "close it first");
+  cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
+  if (enclosing.positions != cage.positions)
+    put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");
+  return enclosing.left;
+}
+
+}  // namespace viete::scene

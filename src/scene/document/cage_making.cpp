@@ -1,0 +1,75 @@
+#include "scene/document/cage_making.h"
+
+#include <utility>
+
+#include "scene/document/pose_edit.h"
+#include "scene/document/record.h"
+#include "scene/document/selection_sets.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* make_cage_label = "make a cage";
+
+}  // namespace
+
+void replace_cage(Document& document, OpenedSurface surface, std::shared_ptr<const deform::Cage> cage,
+                  deform::Pose pose) {
+  document.cage_file = std::move(surface);
+  document.cage = std::move(cage);
+  document.pose = std::move(pose);
+  if (document.selection.kind() != ElementKind::probe) document.selection.clear();
+  document.groups = {};
+  document.carried.clear();
+  ++document.revisions.cage;
+  ++document.revisions.pose;
+}
+
+bool shows_made(const Document& document, const CageMaking& making) {
+  return making.made && document.cage == making.made;
+}
+
+bool goes_on(const Document& document, const CageMaking& making) {
+  return shows_made(document, making) && document.history.undo_label() == make_cage_label &&
+         !document.history.can_redo();
+}
+
+void take_made(Document& document, CageMaking& making, OpenedSurface surface,
+               std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
+  if (goes_on(document, making)) {
+    document.history.go_on();
+  } else {
+    document.history.record(make_cage_label, state_of(document));
+  }
+  deform::Pose pose = deform::rest_pose(*cage);
+  making.made = cage;
+  making.notes = std::move(notes);
+  if (const std::string lost = lost_sets(document.groups, {}); !lost.empty())
+    making.notes.push_back("Sets of the cage before are gone: " + lost + "; undo brings them back");
+  if (const std::string lost = drop_poses(document); !lost.empty())
+    making.notes.push_back("Poses of the cage before are gone: " + lost + "; undo brings them back");
+  document.kept_pose.reset();
+  replace_cage(document, std::move(surface), std::move(cage), std::move(pose));
+}
+
+void cancel_making(Document& document, CageMaking& making) {
+  while (making.made && document.cage != making.before && document.history.can_undo()) undo(document);
+  making = {.wish = making.wish};
+}
+
+fs::path cage_beside(const fs::path& model) {
+  const std::string stem = model.stem().string();
+  for (const std::string& name : {stem + "_cage", stem + ".cage", stem + "-cage", std::string("cage")}) {
+    for (const char* extension : {".obj", ".ply", ".off"}) {
+      const fs::path file = model.parent_path() / (name + extension);
+      std::error_code ignored;
+      if (file != model && fs::is_regular_file(file, ignored)) return file;
+    }
+  }
+  return {};
+}
+
+}  // namespace viete::scene

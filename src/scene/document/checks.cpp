@@ -1,0 +1,190 @@
+#include "scene/document/checks.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "base/quantity.h"
+#include "cages/best_fit.h"
+#include "mesh/defects.h"
+#include "mesh/repair.h"
+#include "mesh/self_intersection.h"
+#include "mesh/winding_number.h"
+#include "scene/document/cage_editing.h"
+
+namespace viete::scene {
+
+namespace {
+
+using Elements = std::vector<std::uint32_t>;
+
+void add(std::vector<Finding>& all, Defect defect, Subject subject, ElementKind kind, Elements elements) {
+  if (!elements.empty()) all.push_back({defect, subject, kind, std::move(elements), {}});
+}
+
+void add_edges(std::vector<Finding>& all, Defect defect, Subject subject,
+               const std::vector<mesh::Edge>& edges) {
+  if (!edges.empty()) all.push_back({defect, subject, ElementKind::edge, {}, edges});
+}
+
+// The polygons that these triangles were cut from, each once.
+Elements faces_of(const mesh::Surface& surface, Elements triangles) {
+  for (auto& t : triangles) t = surface.triangle_polygon[t];
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
+
+bool inside_out(const mesh::Summary& summary) {
+  return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
+}
+
+// What edges tell, and which faces have no area. `surface` as the edges are to be judged.
+void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
+                 Subject subject) {
+  add_edges(found, Defect::open, subject, summary.boundary_edges);
+  add_edges(found, Defect::nonmanifold_edge, subject, summary.nonmanifold_edges);
+  add(found, Defect::pinched_vertex, subject, ElementKind::vertex, mesh::nonmanifold_vertices(surface));
+  add_edges(found, Defect::misoriented, subject, summary.misoriented_edges);
+  if (inside_out(summary)) {
+    Elements all(surface.polygon_count());
+    std::iota(all.begin(), all.end(), 0u);
+    add(found, Defect::inside_out, subject, ElementKind::face, std::move(all));
+  }
+  add(found, Defect::degenerate, subject, ElementKind::face, faces_of(surface, summary.degenerate_triangles));
+}
+
+void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+}  // namespace
+
+std::string title(const Finding& finding) {
+  const bool one = finding.size() == 1;
+  const auto name = [&]() -> const char* {
+    switch (finding.defect) {
+      case Defect::vertices_outside: return one ? "vertex outside the cage" : "vertices outside the cage";
+      case Defect::self_intersection: return one ? "face cut by another" : "faces that cut each other";
+      case Defect::open: return one ? "open edge" : "open edges";
+      case Defect::nonmanifold_edge:
+        return one ? "edge of three or more faces" : "edges of three or more faces";
+      case Defect::pinched_vertex:
+        return one ? "vertex where parts only touch" : "vertices where parts only touch";
+      case Defect::misoriented:
+        return one ? "edge between faces that disagree" : "edges between faces that disagree";
+      case Defect::inside_out: return one ? "face, turned inside out" : "faces, all turned inside out";
+      case Defect::degenerate: return one ? "face without area" : "faces without area";
+      case Defect::thin: return one ? "very thin face" : "very thin faces";
+      case Defect::doubled_vertex: return one ? "vertex on top of another" : "vertices on top of others";
+      case Defect::unused_vertex: return one ? "vertex without a face" : "vertices without a face";
+    }
+    return "";
+  };
+  return base::with_thousands(finding.size()) + ' ' + name();
+}
+
+std::string first_elements(const Finding& finding, std::size_t most) {
+  std::string text;
+  const std::size_t shown = std::min(most, finding.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += ", ";
+    if (finding.kind == ElementKind::edge) {
+      text += std::to_string(finding.edges[i][0]) + '-' + std::to_string(finding.edges[i][1]);
+    } else {
+      text += std::to_string(finding.elements[i]);
+    }
+  }
+  if (shown == finding.size()) return text;
+  return text + " and " + base::with_thousands(finding.size() - shown) + " more";
+}
+
+std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface,
+                                       std::size_t element) {
+  if (finding.kind == ElementKind::edge) return {finding.edges[element][0], finding.edges[element][1]};
+  const auto index = finding.elements[element];
+  if (finding.kind == ElementKind::vertex) return {index};
+  const auto begin = surface.corners.begin();
+  return {begin + surface.polygon_starts[index], begin + surface.polygon_starts[index + 1]};
+}
+
+std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary) {
+  std::vector<Finding> found;
+  check_edges(found, model, summary, Subject::model);
+  add(found, Defect::doubled_vertex, Subject::model, ElementKind::vertex, mesh::duplicate_vertices(model));
+  add(found, Defect::unused_vertex, Subject::model, ElementKind::vertex, summary.unused_vertices);
+  return found;
+}
+
+std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progress) {
+  constexpr double thin = 1e-3;
+  std::vector<Finding> found;
+  add(found, Defect::self_intersection, Subject::cage, ElementKind::face,
+      faces_of(cage, mesh::self_intersecting_triangles(cage, progress)));
+  const mesh::Surface joined = mesh::welded(cage);
+  const mesh::Summary summary = mesh::summarize(joined);
+  check_edges(found, joined, summary, Subject::cage);
+  add(found, Defect::thin, Subject::cage, ElementKind::face,
+      faces_of(cage, mesh::thin_triangles(cage, thin)));
+  const auto doubled = mesh::duplicate_vertices(cage);
+  add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
+  // Joined to another one a vertex is not without a face.
+  Elements unused;
+  std::set_difference(summary.unused_vertices.begin(), summary.unused_vertices.end(), doubled.begin(),
+                      doubled.end(), std::back_inserter(unused));
+  add(found, Defect::unused_vertex, Subject::cage, ElementKind::vertex, std::move(unused));
+  return found;
+}
+
+// In portions, so that it can be stopped.
+std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Surface& model,
+                                       base::Progress* progress) {
+  const mesh::Surface around = mesh::consistently_oriented(mesh::welded(cage));
+  const std::span<const mesh::Point> points = model.positions;
+  const std::size_t portion =
+      std::max<std::size_t>(64, 2'000'000 / std::max<std::size_t>(cage.triangles.size(), 1));
+  Elements outside;
+  for (std::size_t begin = 0; begin < points.size(); begin += portion) {
+    if (progress) progress->report(static_cast<double>(begin) / static_cast<double>(points.size()));
+    const auto part = points.subspan(begin, std::min(portion, points.size() - begin));
+    for (const auto i : mesh::points_outside(around, part))
+      outside.push_back(static_cast<std::uint32_t>(begin + i));
+  }
+  if (outside.empty()) return std::nullopt;
+  return Finding{Defect::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};
+}
+
+namespace {
+
+// Asked only where so many are outside that the cage may be of another orientation.
+bool fits_turned(const OpenedSurface& model, const OpenedSurface& cage, const Finding& outside,
+                 base::Progress* progress) {
+  constexpr std::size_t matters = 10;  // one in so many
+  if (matters * outside.size() < model.surface->positions.size()) return false;
+  if (!(model.bounds.diagonal() > 0 && cage.bounds.diagonal() > 0)) return false;
+  return cages::best_fit(*cage.surface, *model.surface, fit_margin, progress).degrees > 0;
+}
+
+}  // namespace
+
+std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage, base::Progress* progress) {
+  std::vector<Finding> found;
+  if (cage.surface) {
+    if (progress) progress->section(0, 0.1);
+    append(found, check_cage(*cage.surface, progress));
+    if (progress) progress->section(0.1, 0.8);
+    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress)) {
+      if (progress) progress->section(0.8, 0.9);
+      outside->turned = fits_turned(model, cage, *outside, progress);
+      found.push_back(*std::move(outside));
+    }
+  }
+  if (progress) progress->section(0.9, 1);
+  append(found, check_model(*model.surface, model.summary));
+  std::stable_partition(found.begin(), found.end(), matters);
+  return found;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,138 @@
+#include "scene/document/document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/content_key.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/text_cursor.h"
+#include "scene/document/range.h"
+
+namespace viete::scene {
+
+namespace {
+
+struct SizeRange {
+  double least, most;
+  const char* use;
+};
+
+// A single point has no size; where it lies counts all the same.
+void check_size(const std::string& place, const mesh::Bounds& box, const SizeRange& range) {
+  double size = box.diagonal();
+  for (int k = 0; k < 3; ++k) size = std::max({size, std::abs(box.low[k]), std::abs(box.high[k])});
+  if (size <= range.most) size = box.diagonal();
+  if (size == 0 || (size >= range.least && size <= range.most)) return;
+  char text[64], advice[64];
+  std::snprintf(text, sizeof text, "a size of %.2g cannot be %s", size, range.use);
+  std::snprintf(advice, sizeof advice, "scale it to something between %g and %g", range.least, range.most);
+  throw base::Error(place, text, advice);
+}
+
+void check_pose(const std::string& place, const std::vector<mesh::Point>& positions, const SizeRange& range) {
+  if (!positions.empty()) check_size(place, mesh::bounds(positions), {0, range.most, range.use});
+}
+
+void check_sizes(const Document& document, const SizeRange& range) {
+  for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
+    if (opened->surface) check_size(place_of(*opened), opened->bounds, range);
+  }
+  for (const NamedPose& named : document.library.poses)
+    check_pose("the pose " + mesh::in_quotes(named.name), named.pose->cage.positions, range);
+  for (const PoseKey& key : document.timeline.keys)
+    check_pose("the key of frame " + std::to_string(key.frame), key.pose->cage.positions, range);
+  for (const PoseKey& left : document.timeline.unkeyed)
+    check_pose("the pose in no key of frame " + std::to_string(left.frame), left.pose->cage.positions, range);
+  if (document.library.unmixed)
+    check_pose("the pose before others are mixed in", document.library.unmixed->cage.positions, range);
+  if (document.cage_file.surface)
+    check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
+}
+
+}  // namespace
+
+OpenedSurface made_surface(mesh::Surface surface, std::string made) {
+  OpenedSurface opened;
+  opened.made = std::move(made);
+  opened.format = "in no file";
+  opened.summary = mesh::summarize(surface);
+  opened.bounds = mesh::used_bounds(surface);
+  opened.content = mesh::content_key(surface);
+  opened.surface = std::make_shared<const mesh::Surface>(std::move(surface));
+  return opened;
+}
+
+OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress) {
+  mesh::ReadResult read = mesh::read(path, progress);
+  OpenedSurface opened;
+  opened.path = path;
+  opened.format = std::move(read.format);
+  opened.summary = mesh::summarize(read.surface);
+  opened.bounds = mesh::used_bounds(read.surface);
+  opened.warnings = std::move(read.warnings);
+  opened.unit = guessed_unit(opened.format, read.comments);
+  opened.content = mesh::content_key(read.surface);
+  opened.attributes = std::move(read.attributes);
+  opened.original = std::move(read.original);
+  opened.surface = std::make_shared<const mesh::Surface>(std::move(read.surface));
+  return opened;
+}
+
+Document document_of(OpenedSurface model) {
+  Document document;
+  document.model = std::move(model);
+  document.space = space_for(document.model.bounds);
+  return document;
+}
+
+void check_drawable(const Document& document) {
+  check_sizes(document, {least_drawn, most_drawn, "drawn"});
+}
+
+// Squares of areas are the highest powers of a length that are formed. Measured: from 1e-75 to 1e76 the
+// dragon has every bit that it has at size 1, up to the factor; a billion times the size is left for finer
+// details.
+void check_deformable(const Document& document) {
+  check_sizes(document, {1e-60, 1e60, "deformed"});
+}
+
+void set_cage(Document& document, OpenedSurface cage) {
+  try {
+    document.cage = std::make_shared<const deform::Cage>(deform::make_cage(*cage.surface));
+  } catch (const base::Error& error) {
+    throw base::Error(place_of(cage), error.problem(), error.advice());
+  }
+  document.cage_file = std::move(cage);
+  if (!document.cage_file.path.empty()) document.also_read.push_back({document.cage_file.path, the_cage});
+  document.pose = deform::rest_pose(*document.cage);
+  document.selection.clear();
+  document.groups = {};
+  document.history = {};
+}
+
+Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
+                       base::Progress* progress) {
+  Document document = document_of(open_surface(model, progress));
+  if (!cage.empty()) set_cage(document, open_surface(cage));
+  return document;
+}
+
+DocumentState state_of(const Document& document) {
+  return document;
+}
+
+mesh::Point probe_center(const Document& document, std::size_t i) {
+  const deform::Probe& probe = document.probes.all[i];
+  return (i < document.carried.size() ? document.carried[i] : probe.place) + probe.pose.move;
+}
+
+std::vector<mesh::Point> probe_centers(const Document& document) {
+  std::vector<mesh::Point> centers;
+  for (std::size_t i = 0; i < document.probes.all.size(); ++i) centers.push_back(probe_center(document, i));
+  return centers;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,104 @@
+// The one home of state: model, cage, pose, selection and settings, with a revision of each.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "deform/binding.h"
+#include "deform/cage.h"
+#include "deform/probe.h"
+#include "deform/scheme.h"
+#include "mesh/summary.h"
+#include "mesh/surface.h"
+#include "scene/document/files_in_use.h"
+#include "scene/document/history.h"
+#include "scene/document/opened_surface.h"
+#include "scene/document/pose_library.h"
+#include "scene/document/selection.h"
+#include "scene/document/space.h"
+#include "sym3/exp.h"
+#include "scene/document/document_state.h"
+
+namespace viete::scene {
+
+using deform::all_blends, deform::all_elements, deform::all_weights, deform::complete, deform::entry,
+    deform::only;
+using deform::all_falloffs, deform::all_probe_mixes, deform::linear_part;
+using deform::Amounts, deform::Blend, deform::Holding, deform::largest_amount, deform::largest_pin_radius,
+    deform::most_exponent, deform::most_iterations, deform::Scheme, deform::text_of_percent,
+    deform::text_of_reach, deform::Weighting, deform::whole_cage;
+using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
+using mesh::Summary;
+
+/// Grows by one with each change; whoever derives something from a part remembers the number it was derived
+/// from.
+using Revision = unsigned long;
+
+struct Revisions {
+  Revision surfaces = 0;  ///< another document: model or cage were opened
+  Revision cage = 0;      ///< another cage around the same model, by an edit
+  Revision weights = 0;   ///< elements, weights or reach
+  Revision pose = 0;      ///< positions of the cage, or its turns
+  Revision method = 0;    ///< blend, or how exp is computed
+
+  friend bool operator==(const Revisions&, const Revisions&) = default;
+};
+
+struct Document : DocumentState {
+  OpenedSurface model;
+  std::filesystem::path cage_beside;  ///< a file that looks like a cage of the model, which has none
+  std::vector<FileInUse> also_read;   ///< poses and keys that came into it, and cages that it had
+  /// Where the cage has brought the probes' places in the last frame; shorter where that is not known: there
+  /// they are as at rest.
+  std::vector<mesh::Point> carried;
+  History history;
+  sym3::Method method = sym3::Method::fast;
+  Space space;
+  Revisions revisions;
+
+  bool has_cage() const { return cage != nullptr; }
+  /// Something moves the model, or may.
+  bool is_movable() const { return has_cage() || !probes.empty(); }
+};
+
+/// Reads a surface and says what is in it. progress may be null. Throws base::Error and base::Cancelled.
+OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress = nullptr);
+
+/// A new document of surfaces that were read. Throws base::Error if the cage is none.
+Document document_of(OpenedSurface model);
+/// Throws base::Error if the model, its cage or its pose is too large or too small for graphics cards, which
+/// compute in float: larger or farther from 0 than 1e32, or smaller than 1e-32.
+void check_drawable(const Document& document);
+/// The same for deforming in double, up to 1e60 and down to 1e-60.
+void check_deformable(const Document& document);
+void set_cage(Document& document, OpenedSurface cage);
+
+/// Reads a model and, if the path is not empty, a cage, into a new document. Throws base::Error; the caller's
+/// open document is untouched until it takes the new one.
+Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
+                       base::Progress* progress = nullptr);
+
+/// What an edit may change, as it is now.
+DocumentState state_of(const Document& document);
+
+/// True while the cage itself is edited (cage_editing.h): the document's pose is the rest of the cage, and
+/// the real one is kept beside it.
+inline bool is_editing_cage(const Document& document) {
+  return document.kept_pose.has_value();
+}
+
+/// The pose as files have it, in whatever mode.
+inline const deform::Pose& real_pose(const Document& document) {
+  return document.kept_pose ? *document.kept_pose : document.pose;
+}
+
+/// Where a probe is now: carried by the cage, then moved by hand.
+mesh::Point probe_center(const Document& document, std::size_t probe);
+std::vector<mesh::Point> probe_centers(const Document& document);
+
+}  // namespace viete::scene

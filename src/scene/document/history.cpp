@@ -1,0 +1,90 @@
+#include "scene/document/history.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace viete::scene {
+
+namespace {
+
+constexpr std::size_t memory_limit = 256u << 20;
+
+}  // namespace
+
+void History::record(std::string label, DocumentState before) {
+  ++revision_;
+  push(std::move(label), std::move(before), false);
+}
+
+void History::record_selection(DocumentState before) {
+  push("select", std::move(before), true);
+}
+
+// Snapshots are whole: without one between them, the edits beside it are taken back as before.
+void History::drop_oldest() {
+  const auto selection = std::ranges::find_if(undo_, &Entry::of_selection);
+  undo_.erase(selection == undo_.end() ? undo_.begin() : selection);
+}
+
+void History::push(std::string label, DocumentState before, bool of_selection) {
+  constexpr std::size_t bytes_of_cage_vertex = 1000;  // about what surface, bases and neighbourhood take
+  const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
+  // Poses and keys go along to another cage: then each state has its own.
+  const std::size_t poses =
+      before.library.poses.size() + before.timeline.keys.size() + before.timeline.unkeyed.size();
+  const std::size_t bytes_of_vertex = bytes_of_cage_vertex + poses * sizeof(mesh::Point);
+  const std::size_t bytes = 512 + (other_cage ? bytes_of_vertex * before.pose.positions.size() : 0) +
+                            before.pose.positions.size() * (sizeof(mesh::Point) + sizeof(std::uint32_t)) +
+                            (before.mask ? before.mask->size() * sizeof(float) : 0);
+  const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);
+  given_up_ = std::exchange(redo_, {});
+  ++recorded_;
+  if (undo_.size() >= limit) drop_oldest();
+  undo_.push_back({std::move(label), std::move(before), of_selection, recorded_});
+}
+
+void History::file_replaced(const std::filesystem::path& file,
+                            const std::shared_ptr<const deform::Cage>& by) {
+  for (auto* entries : {&undo_, &redo_, &given_up_}) {
+    for (Entry& entry : *entries) {
+      if (entry.state.cage_file.path != file || entry.state.cage == by) continue;
+      entry.state.cage_file.made = name_of(entry.state.cage_file) + ", before it was replaced";
+      entry.state.cage_file.path.clear();
+    }
+  }
+}
+
+std::string History::first_edit_since(unsigned long recorded) const {
+  const auto counts = [](const Entry& entry) { return !entry.of_selection; };
+  for (const Entry& entry : undo_)
+    if (counts(entry) && entry.number > recorded) return entry.label;
+  const auto undone = std::ranges::find_if(redo_, counts);
+  return undone == redo_.end() ? "" : "undo " + undone->label;
+}
+
+DocumentState History::drop_last() {
+  ++revision_;
+  --recorded_;
+  if (redo_.empty()) redo_ = std::exchange(given_up_, {});
+  DocumentState before = std::move(undo_.back().state);
+  undo_.pop_back();
+  return before;
+}
+
+DocumentState History::undo(DocumentState now) {
+  ++revision_;
+  Entry entry = std::move(undo_.back());
+  undo_.pop_back();
+  redo_.push_back({entry.label, std::move(now), entry.of_selection, entry.number});
+  return std::move(entry.state);
+}
+
+DocumentState History::redo(DocumentState now) {
+  ++revision_;
+  Entry entry = std::move(redo_.back());
+  redo_.pop_back();
+  undo_.push_back({entry.label, std::move(now), entry.of_selection, entry.number});
+  return std::move(entry.state);
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,356 @@
+#include "scene/document/pose_edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "scene/document/elements.h"
+#include "scene/document/record.h"
+
+namespace viete::scene {
+
+namespace {
+
+constexpr const char* no_room_for_poses = "there are as many poses as a document can have";
+
+// What of a pose acts on some vertices of the cage: of a triangle as many thirds as it has corners there.
+deform::PoseVector limited_to(const deform::Cage& cage, const deform::PoseVector& vector,
+                              const std::vector<std::uint32_t>& part) {
+  using mesh::operator*;
+  deform::PoseVector limited = vector;
+  if (part.empty()) return limited;
+  std::vector<double> share(cage.surface.positions.size());
+  for (const auto v : part) share[v] = 1;
+  for (std::size_t v = 0; v < share.size(); ++v) {
+    limited.ways[v] = share[v] * vector.ways[v];
+    limited.leftovers[v] = share[v] * vector.leftovers[v];
+  }
+  std::vector<double> shares(cage.roots.size()), counts(cage.roots.size());
+  for (std::size_t e = 0; e < limited.logs.size(); ++e) {
+    const auto& [a, b, c] = cage.surface.triangles[e];
+    const double of = (share[a] + share[b] + share[c]) / 3;
+    for (double& x : limited.logs[e]) x *= of;
+    if (cage.parts[e] < shares.size()) shares[cage.parts[e]] += of, counts[cage.parts[e]] += 1;
+  }
+  for (std::size_t p = 0; p < shares.size(); ++p) {
+    const double of = counts[p] > 0 ? shares[p] / counts[p] : 0;
+    limited.turns[p] = of * vector.turns[p];
+    limited.wholes[p] = of * vector.wholes[p];
+  }
+  return limited;
+}
+
+// Locked probes are as they are, whatever is mixed.
+void keep_locked(const Document& document, WholePose& pose) {
+  const auto& all = document.probes.all;
+  pose.probes.resize(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].locked) pose.probes[i] = all[i].pose;
+}
+
+// The pose `from`, and upon it `sign` times what the library mixes.
+WholePose mix_of(const Document& document, const PoseLibrary& library, KnownVectors& vectors,
+                 const SharedPose& from, double sign) {
+  std::vector<ProbeTerm> probes{{&from->probes, 1}};
+  for (const NamedPose& named : library.poses)
+    if (named.part.empty()) probes.push_back({&named.pose->probes, sign * named.weight});
+  WholePose pose{from->cage, blended_probes(probes)};
+  keep_locked(document, pose);
+  if (!document.has_cage()) return pose;
+  std::vector<deform::PoseVector> parts;
+  std::vector<double> factors;
+  for (const NamedPose& named : library.poses) {
+    if (named.weight == 0) continue;
+    parts.push_back(limited_to(*document.cage, *vectors.of(named.pose), named.part));
+    factors.push_back(sign * named.weight);
+  }
+  const auto base = vectors.of(from);
+  std::vector<deform::PoseTerm> terms;
+  for (std::size_t i = 0; i < parts.size(); ++i) terms.push_back({&parts[i], factors[i]});
+  const deform::Held held = vectors.space()->held_from(*base, terms);
+  terms.push_back({base.get(), 1});
+  pose.cage = vectors.space()->pose(deform::sum(*document.cage, terms), held);
+  return pose;
+}
+
+bool is_rest_pose(const Document& document, const WholePose& pose) {
+  return (!document.has_cage() || pose.cage.positions == document.cage->surface.positions) &&
+         std::ranges::all_of(pose.probes, [](const auto& p) { return p == deform::ProbePose{}; }) &&
+         std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
+}
+
+// One pose alone, all of it: that, to the last bit.
+const NamedPose* mixed_alone(const PoseLibrary& library) {
+  const NamedPose* found = nullptr;
+  for (const NamedPose& named : library.poses) {
+    if (named.weight == 0) continue;
+    if (found || named.weight != 1 || !named.part.empty()) return nullptr;
+    found = &named;
+  }
+  return found;
+}
+
+// The mix as it was is left aside: what remains is made by hand.
+SharedPose without_mix(const Document& document, KnownVectors& vectors) {
+  const PoseLibrary& library = document.library;
+  const SharedPose now = shared_pose(document);
+  if (!library.mixes()) return now;
+  if (const SharedPose known = unmixed_pose(document)) return known;
+  return std::make_shared<const WholePose>(mix_of(document, library, vectors, now, -1));
+}
+
+SharedPose mixed_upon(const Document& document, const PoseLibrary& library, KnownVectors& vectors,
+                      const SharedPose& base) {
+  if (!library.mixes()) return base;
+  const NamedPose* alone = mixed_alone(library);
+  if (alone && is_rest_pose(document, *base)) return alone->pose;
+  return std::make_shared<const WholePose>(mix_of(document, library, vectors, base, 1));
+}
+
+bool are_weights(const PoseLibrary& library) {
+  return std::ranges::all_of(library.poses, [](const NamedPose& p) {
+    return p.weight >= PoseLibrary::least_weight && p.weight <= PoseLibrary::largest_weight;
+  });
+}
+
+// Changes weights, and shows it. Says whether it did: not where that would leave what can be drawn.
+template <class Record, class Change>
+bool remix(Document& document, KnownVectors& vectors, Record record, Change change) {
+  vectors.follow(document.cage);
+  const SharedPose base = without_mix(document, vectors);
+  PoseLibrary library = document.library;
+  change(library);
+  const SharedPose pose = mixed_upon(document, library, vectors, base);
+  if (!are_weights(library) || !in_range(*pose)) return false;
+  record();
+  document.library = std::move(library);
+  put_whole_pose(document, *pose);
+  const bool mixes = document.library.mixes();
+  document.library.unmixed = mixes ? base : nullptr;
+  document.library.mixed = mixes ? shared_pose(document) : nullptr;
+  return true;
+}
+
+// At most so many bytes, and no part of a character of UTF-8.
+std::string cut(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
+void check_room_for_poses(const PoseLibrary& library, std::size_t more) {
+  if (library.poses.size() + more > PoseLibrary::most_poses)
+    throw base::Error("", no_room_for_poses, "delete some of the " + std::to_string(library.poses.size()));
+}
+
+}  // namespace
+
+bool PoseLibrary::mixes() const {
+  return std::ranges::any_of(poses, [](const NamedPose& p) { return p.weight != 0; });
+}
+
+WholePose whole_pose(const Document& document) {
+  WholePose pose;
+  if (document.has_cage()) {
+    pose.cage = real_pose(document);
+    pose.cage.turns.resize(document.cage->roots.size());  // those that are missing are known to be 0
+  }
+  for (const deform::Probe& probe : document.probes.all) pose.probes.push_back(probe.pose);
+  return pose;
+}
+
+SharedPose shared_pose(const Document& document) {
+  return std::make_shared<const WholePose>(whole_pose(document));
+}
+
+void put_whole_pose(Document& document, const WholePose& pose) {
+  if (document.has_cage()) {
+    document.kept_pose.reset();
+    document.pose = pose.cage;
+  }
+  auto& probes = document.probes.all;
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    if (!probes[i].locked) probes[i].pose = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
+  ++document.revisions.pose;
+}
+
+void end_mix(Document& document) {
+  for (NamedPose& named : document.library.poses) named.weight = 0, named.part.clear();
+  document.library.unmixed = document.library.mixed = nullptr;
+}
+
+SharedPose unmixed_pose(const Document& document) {
+  const PoseLibrary& library = document.library;
+  if (!library.mixes() || !library.mixed || !library.unmixed) return nullptr;
+  const WholePose now = whole_pose(document);
+  const bool same = same_pose(library.mixed->cage, now.cage) && library.mixed->probes == now.probes;
+  return same ? library.unmixed : nullptr;
+}
+
+std::string free_name(const PoseLibrary& library, const std::string& wish) {
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::any_of(library.poses, [&](const NamedPose& p) { return p.name == name; });
+  };
+  const std::string base = wish.empty() ? "pose" : cut(wish, PoseLibrary::longest_name);
+  std::string name = base;
+  for (int n = 2; taken(name); ++n) {
+    const std::string number = ' ' + std::to_string(n);
+    name = cut(base, PoseLibrary::longest_name - number.size()) + number;
+  }
+  return name;
+}
+
+std::size_t keep_pose(Document& document, const std::string& name) {
+  check_room_for_poses(document.library, 1);
+  record_edit(document, "keep a pose");
+  document.library.poses.push_back({free_name(document.library, name), shared_pose(document)});
+  return document.library.poses.size() - 1;
+}
+
+void add_poses(Document& document, std::vector<NamedPose> poses) {
+  check_room_for_poses(document.library, poses.size());
+  record_edit(document, "import poses");
+  for (NamedPose& pose : poses) {
+    pose.name = free_name(document.library, pose.name);
+    document.library.poses.push_back(std::move(pose));
+  }
+}
+
+void update_pose(Document& document, std::size_t pose) {
+  record_edit(document, "update a pose");
+  const SharedPose now = shared_pose(document);
+  end_mix(document);
+  document.library.poses[pose].pose = now;
+}
+
+void apply_pose(Document& document, std::size_t pose) {
+  record_edit(document, "apply a pose");
+  end_mix(document);
+  put_whole_pose(document, *document.library.poses[pose].pose);
+}
+
+void rename_pose(Document& document, std::size_t pose, const std::string& name) {
+  if (document.library.poses[pose].name == name || name.empty()) return;
+  record_edit(document, "rename a pose");
+  document.library.poses[pose].name.clear();
+  document.library.poses[pose].name = free_name(document.library, name);
+}
+
+void move_pose(Document& document, std::size_t pose, std::size_t to) {
+  auto& poses = document.library.poses;
+  if (to == pose || to == pose + 1) return;
+  record_edit(document, "move a pose");
+  NamedPose moved = std::move(poses[pose]);
+  poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(to > pose ? to - 1 : to), std::move(moved));
+}
+
+void duplicate_pose(Document& document, std::size_t pose) {
+  check_room_for_poses(document.library, 1);
+  record_edit(document, "duplicate a pose");
+  NamedPose copy = document.library.poses[pose];
+  copy.weight = 0;
+  copy.part.clear();
+  copy.name = free_name(document.library, copy.name);
+  auto& poses = document.library.poses;
+  poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(pose) + 1, std::move(copy));
+}
+
+void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose) {
+  const auto record = [&] { record_edit(document, "delete a pose"); };
+  const auto erase = [pose](PoseLibrary& library) {
+    library.poses.erase(library.poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  };
+  if (document.library.poses[pose].weight != 0 && remix(document, vectors, record, erase)) return;
+  record();
+  if (document.library.poses[pose].weight != 0) end_mix(document);
+  erase(document.library);
+}
+
+std::vector<std::uint32_t> selected_part(const Document& document) {
+  if (!document.has_cage() || document.selection.kind() == ElementKind::probe) return {};
+  return selected_vertices(*document.cage, document.selection);
+}
+
+bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight,
+                bool selected_alone) {
+  if (std::isnan(weight)) return false;
+  weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
+  const NamedPose& named = document.library.poses[pose];
+  if (named.weight == weight) return true;
+  const auto record = [&, label = "mix in " + named.name] { record_step(document, label); };
+  return remix(document, vectors, record, [&](PoseLibrary& library) {
+    NamedPose& changed = library.poses[pose];
+    if (changed.weight == 0 && selected_alone) changed.part = selected_part(document);
+    changed.weight = weight;
+    if (weight == 0) changed.part.clear();
+  });
+}
+
+bool clear_mix(Document& document, KnownVectors& vectors) {
+  if (!document.library.mixes()) return true;
+  const auto record = [&] { record_edit(document, "clear the mix"); };
+  return remix(document, vectors, record, [](PoseLibrary& library) {
+    for (NamedPose& named : library.poses) named.weight = 0, named.part.clear();
+  });
+}
+
+bool average_mix(Document& document, KnownVectors& vectors) {
+  double sum = 0;
+  for (const NamedPose& named : document.library.poses) sum += named.weight;
+  if (!(sum > 0)) return false;
+  const auto record = [&] { record_edit(document, "average poses"); };
+  return remix(document, vectors, record, [sum](PoseLibrary& library) {
+    for (NamedPose& named : library.poses) named.weight /= sum;
+  });
+}
+
+void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried) {
+  const auto carry = [&](SharedPose& pose) {
+    pose = std::make_shared<const WholePose>(WholePose{carried(pose->cage), pose->probes});
+  };
+  end_mix(document);
+  for (NamedPose& named : document.library.poses) carry(named.pose);
+  for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
+    for (PoseKey& key : *keys) carry(key.pose);
+}
+
+std::string counted_poses(const Document& document) {
+  const auto counted = [](std::size_t n, const std::string& what) {
+    return n == 0 ? std::string() : std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
+  };
+  const std::string poses = counted(document.library.poses.size(), "pose");
+  const std::string keys = counted(document.timeline.keys.size(), "key");
+  return poses.empty() || keys.empty() ? poses + keys : poses + " and " + keys;
+}
+
+std::string drop_poses(Document& document) {
+  const std::string lost = counted_poses(document);
+  document.library = {};
+  document.timeline.keys.clear();
+  document.timeline.unkeyed.clear();
+  return lost;
+}
+
+void forget_probe(Document& document, std::size_t probe) {
+  const auto forget = [probe](SharedPose& pose) {
+    if (probe >= pose->probes.size()) return;
+    WholePose without = *pose;
+    without.probes.erase(without.probes.begin() + static_cast<std::ptrdiff_t>(probe));
+    pose = std::make_shared<const WholePose>(std::move(without));
+  };
+  for (NamedPose& named : document.library.poses) forget(named.pose);
+  for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
+    for (PoseKey& key : *keys) forget(key.pose);
+  document.library.unmixed = document.library.mixed = nullptr;
+}
+
+void set_pose(Document& document, deform::Pose pose) {
+  document.history.record("open pose", state_of(document));
+  end_mix(document);
+  document.kept_pose.reset();  // it is a pose, not another cage
+  document.pose = std::move(pose);
+  ++document.revisions.pose;
+}
+
+}  // namespace viete::scene

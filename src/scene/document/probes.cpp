@@ -1,0 +1,188 @@
+#include "scene/document/probes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "mesh/point_tree.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/range.h"
+
+namespace viete::scene {
+
+using mesh::operator+, mesh::operator-, mesh::operator*;
+
+namespace {
+
+constexpr double usual_radius = 0.2;  // of the model's diagonal
+
+// Of a model that is one point, what it is drawn as.
+double size_of(const Document& document) {
+  return document.space.diagonal();
+}
+
+std::string label(const char* verb, const Document& document) {
+  const std::size_t n = document.selection.size();
+  return std::string(verb) + (n == 1 ? " a probe" : ' ' + std::to_string(n) + " probes");
+}
+
+// Begins an edit that changes them.
+deform::Probes& edit(Document& document, const std::string& name) {
+  document.history.record(name, state_of(document));
+  ++document.revisions.pose;
+  return document.probes;
+}
+
+template <class Change>
+void change_selected(Document& document, const std::string& name, const Change& change) {
+  deform::Probes& probes = edit(document, name);
+  for (const auto i : document.selection.indices()) {
+    if (!probes.all[i].locked) change(probes.all[i], i);
+  }
+}
+
+void select(Document& document, std::size_t first, std::size_t end) {
+  std::vector<std::uint32_t> added;
+  for (std::size_t i = first; i < end; ++i) added.push_back(static_cast<std::uint32_t>(i));
+  document.selection = Selection(ElementKind::probe);
+  document.selection.apply(added, SelectMode::replace);
+}
+
+// What is drawn there, at rest: as far from the nearest vertex.
+mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
+  const mesh::Surface& model = *document.model.surface;
+  double nearest = std::numeric_limits<double>::infinity();
+  mesh::Point place = at;
+  for (std::size_t v = 0; v < model.positions.size(); ++v) {
+    const mesh::Point p = posed.at(model, v);
+    const double distance = mesh::squared_norm(at - p);
+    if (distance < nearest) nearest = distance, place = model.positions[v] + (at - p);
+  }
+  return place;
+}
+
+}  // namespace
+
+bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& at) {
+  if (document.probes.all.size() >= most_probes) return false;
+  deform::Probe probe;
+  probe.place = at_rest(document, posed, at);
+  probe.turn = probe.stretch = probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
+  edit(document, "add a probe").all.push_back(probe);
+  document.carried.clear();
+  select(document, document.probes.all.size() - 1, document.probes.all.size());
+  return true;
+}
+
+void remove_probes(Document& document) {
+  auto& all = edit(document, label("remove", document)).all;
+  const auto& selected = document.selection.indices();
+  for (auto i = selected.rbegin(); i != selected.rend(); ++i) {
+    if (all[*i].locked) continue;
+    all.erase(all.begin() + *i);
+    forget_probe(document, *i);
+  }
+  document.carried.clear();
+  document.selection.clear();
+}
+
+bool has_free_probes(const Document& document) {
+  if (document.selection.kind() != ElementKind::probe) return false;
+  return std::ranges::any_of(document.selection.indices(),
+                             [&](auto i) { return !document.probes.all[i].locked; });
+}
+
+void rest_probes(Document& document) {
+  change_selected(document, label("reset", document), [](deform::Probe& p, auto) { p.pose = {}; });
+}
+
+void replace_probes(Document& document) {
+  change_selected(document, label("place", document), [](deform::Probe& p, auto) {
+    p.place = p.place + p.pose.move;
+    p.pose = {};
+  });
+  document.carried.clear();
+}
+
+int symmetry_axis(const Document& document) {
+  constexpr std::size_t samples = 256;
+  const auto& points = document.model.surface->positions;
+  std::vector<std::uint32_t> all(points.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const mesh::PointTree tree(points, std::move(all));
+  const mesh::Point middle = document.model.bounds.center();
+  std::array<double, 3> off{};
+  for (std::size_t n = 0; n < samples; ++n) {
+    const mesh::Point& p = points[n * points.size() / samples];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      mesh::Point image = p;
+      image[axis] = 2 * middle[axis] - p[axis];
+      off[axis] += mesh::norm(points[tree.nearest(image)] - image);
+    }
+  }
+  return static_cast<int>(std::ranges::min_element(off) - off.begin());
+}
+
+bool mirror_probes(Document& document, int axis) {
+  const std::size_t before = document.probes.all.size();
+  if (before + document.selection.size() > most_probes) return false;
+  auto& all = edit(document, label("mirror", document)).all;
+  const double middle = document.model.bounds.center()[static_cast<std::size_t>(axis)];
+  for (const auto i : document.selection.indices()) all.push_back(deform::mirrored(all[i], axis, middle));
+  document.carried.clear();
+  select(document, before, all.size());
+  return true;
+}
+
+void set_locked(Document& document, bool locked) {
+  auto& all = edit(document, label(locked ? "lock" : "unlock", document)).all;
+  for (const auto i : document.selection.indices()) all[i].locked = locked;
+}
+
+namespace {
+
+std::string part_label(Part part) {
+  return part == &deform::Probe::turn      ? "change where probes turn"
+         : part == &deform::Probe::stretch ? "change where probes stretch"
+                                           : "change where probes move";
+}
+
+}  // namespace
+
+void set_falloff(Document& document, Part part, deform::Falloff falloff) {
+  change_selected(document, part_label(part), [&](deform::Probe& p, auto) { (p.*part).falloff = falloff; });
+}
+
+void set_radius(Document& document, Part part, double radius) {
+  const std::string name = part_label(part) + ", by radius";
+  History& history = document.history;
+  const bool goes_on = history.undo_label() == name && !history.can_redo() &&
+                       history.before_last()->selection == document.selection;
+  if (goes_on) {
+    history.go_on();
+  } else {
+    history.record(name, state_of(document));
+  }
+  for (const auto i : document.selection.indices()) {
+    deform::Probe& probe = document.probes.all[i];
+    if (!probe.locked) (probe.*part).radius = radius;
+  }
+  ++document.revisions.pose;
+}
+
+void set_mix(Document& document, deform::ProbeMix mix) {
+  if (document.probes.mix != mix) edit(document, "change how probes share").mix = mix;
+}
+
+double least_probe_radius(const Document& document) {
+  return 0.01 * size_of(document);
+}
+double largest_probe_radius(const Document& document) {
+  return 2 * size_of(document);
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,194 @@
+#include "scene/document/time_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "scene/document/record.h"
+
+namespace viete::scene {
+
+namespace {
+
+constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr const char* move_label = "move keys";
+constexpr const char* play_label = "change what plays";
+
+void check_frame(int frame) {
+  if (frame < Timeline::least_frame || frame > Timeline::largest_frame)
+    throw base::Error("", "frame " + std::to_string(frame) + " is out of range",
+                      "choose one from " + std::to_string(Timeline::least_frame) + " to " +
+                          std::to_string(Timeline::largest_frame));
+}
+
+bool among(std::span<const int> frames, int frame) {
+  return std::ranges::find(frames, frame) != frames.end();
+}
+
+template <class Keys>
+auto place_for(Keys& keys, int frame) {
+  return std::ranges::lower_bound(keys, frame, {}, [](const auto& key) { return key.frame; });
+}
+
+// The key of the frame, made if it is not there.
+template <class Key>
+Key& key_for(std::vector<Key>& keys, int frame) {
+  const auto place = place_for(keys, frame);
+  if (place != keys.end() && place->frame == frame) return *place;
+  if (keys.size() >= Timeline::most_keys)
+    throw base::Error("", "there are as many keys as a document can have", "delete some");
+  return *keys.insert(place, Key{frame});
+}
+
+// The number itself, or the least one where it is none.
+double brought_into(double x, double least, double most) {
+  return x >= least ? std::min(x, most) : least;
+}
+
+bool has_keys(const Timeline& timeline, std::span<const int> frames) {
+  const auto of_these = [&](const auto& key) { return among(frames, key.frame); };
+  return std::ranges::any_of(timeline.keys, of_these) || std::ranges::any_of(timeline.cameras, of_these);
+}
+
+void include(Timeline& timeline, int frame) {
+  timeline.first = std::min(timeline.first, frame);
+  timeline.last = std::max(timeline.last, frame);
+}
+
+void put_key(Timeline& timeline, int frame, SharedPose pose) {
+  check_frame(frame);
+  key_for(timeline.keys, frame).pose = std::move(pose);
+  include(timeline, frame);
+}
+
+template <class Key>
+void move_in(std::vector<Key>& keys, std::span<const int> frames, std::span<const int> to) {
+  std::vector<Key> moved;
+  std::erase_if(keys, [&](const Key& key) {
+    const auto found = std::ranges::find(frames, key.frame);
+    if (found == frames.end()) return false;
+    moved.push_back(key);
+    moved.back().frame = to[static_cast<std::size_t>(found - frames.begin())];
+    return true;
+  });
+  for (Key& key : moved) key_for(keys, key.frame) = key;
+}
+
+}  // namespace
+
+int current_frame(const Document& document) {
+  return static_cast<int>(std::lround(document.frame));
+}
+
+void set_key(Document& document, int frame) {
+  Timeline timeline = document.timeline;
+  put_key(timeline, frame, shared_pose(document));
+  record_edit(document, "set a key");
+  document.timeline = std::move(timeline);
+}
+
+void add_key_to_edit(Document& document, int frame) {
+  put_key(document.timeline, frame, shared_pose(document));
+  document.history.go_on();
+}
+
+void set_camera_key(Document& document, int frame, const CameraPose& camera) {
+  check_frame(frame);
+  Timeline timeline = document.timeline;
+  CameraKey& key = key_for(timeline.cameras, frame);
+  key.camera = camera;
+  if (&key != &timeline.cameras.front()) {
+    const float before = (&key)[-1].camera.yaw;
+    key.camera.yaw = before + static_cast<float>(std::remainder(double(camera.yaw) - before, whole_turn));
+  }
+  include(timeline, frame);
+  record_edit(document, "set a camera key");
+  document.timeline = std::move(timeline);
+}
+
+void set_turntable(Document& document, const CameraPose& camera, int turns) {
+  constexpr int most_turns = 100;
+  turns = std::clamp(turns, -most_turns, most_turns);
+  record_edit(document, "set a turntable");
+  Timeline& t = document.timeline;
+  const int middle = t.first + (t.last - t.first) / 2;
+  t.cameras.clear();
+  for (const int frame : {t.first, middle, t.last}) {
+    if (!t.cameras.empty() && t.cameras.back().frame == frame) continue;
+    CameraPose pose = camera;
+    const double share = double(frame - t.first) / (t.last - t.first);
+    pose.yaw =
+        static_cast<float>(std::remainder(double(camera.yaw), whole_turn) + share * turns * whole_turn);
+    t.cameras.push_back({frame, pose});
+  }
+}
+
+void remove_keys(Document& document, std::span<const int> frames) {
+  if (!has_keys(document.timeline, frames)) return;
+  record_edit(document, "delete keys");
+  const auto gone = [&](const auto& key) { return among(frames, key.frame); };
+  std::erase_if(document.timeline.keys, gone);
+  std::erase_if(document.timeline.cameras, gone);
+}
+
+void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
+               std::span<const int> to) {
+  for (const int frame : to) check_frame(frame);
+  const DocumentState* last = document.history.before_last();
+  const bool goes_on = document.history.undo_label() == move_label && last->timeline == before;
+  if (goes_on && !document.history.can_redo()) {
+    document.history.go_on();
+  } else {
+    record_edit(document, move_label);
+  }
+  Timeline timeline = before;
+  move_in(timeline.keys, frames, to);
+  move_in(timeline.cameras, frames, to);
+  for (const int frame : to) include(timeline, frame);
+  document.timeline = std::move(timeline);
+}
+
+void set_easing(Document& document, std::span<const int> frames, Easing easing) {
+  const auto changes = [&](const PoseKey& key) { return among(frames, key.frame) && key.easing != easing; };
+  if (std::ranges::none_of(document.timeline.keys, changes)) return;
+  record_edit(document, "change the easing");
+  for (PoseKey& key : document.timeline.keys)
+    if (among(frames, key.frame)) key.easing = easing;
+}
+
+void set_handles(Document& document, int frame, const Handles& handles) {
+  if (!key_at(document.timeline, frame)) return;
+  record_step(document, "shape the curve of frame " + std::to_string(frame));
+  PoseKey& key = key_for(document.timeline.keys, frame);
+  key.easing = Easing::bezier;
+  key.handles = {brought_into(handles[0], 0, 1), brought_into(handles[1], -4, 5),
+                 brought_into(handles[2], 0, 1), brought_into(handles[3], -4, 5)};
+}
+
+bool are_handles(const Handles& h) {
+  const auto within = [](double x, double least, double most) { return x >= least && x <= most; };
+  return within(h[0], 0, 1) && within(h[1], -4, 5) && within(h[2], 0, 1) && within(h[3], -4, 5);
+}
+
+void put_timeline(Document& document, Timeline timeline, const std::string& label) {
+  document.history.record(label, state_of(document));
+  document.timeline = std::move(timeline);
+}
+
+Play play_of(const Timeline& t) {
+  return {t.first, t.last, t.rate, t.repeat, t.straight};
+}
+
+void set_play(Document& document, const Play& play) {
+  if (play == play_of(document.timeline)) return;
+  record_step(document, play_label);
+  Timeline& t = document.timeline;
+  t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
+  t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);
+  t.rate = brought_into(play.rate, Timeline::least_rate, Timeline::largest_rate);
+  t.repeat = play.repeat;
+  t.straight = play.straight;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,40 @@
+// What of a document the view shows, and how.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace viete::scene {
+
+/// What the model is coloured by.
+enum class Shading { clay, porcelain, jade, file, checker, normals, zebra };
+
+/// By number.
+struct ShadingChoice {
+  std::string_view word;   ///< in sessions and on the command line
+  std::string_view label;  ///< on buttons
+  std::string_view hint;   ///< one sentence
+};
+std::span<const ShadingChoice> all_shadings();
+
+struct ViewOptions {
+  bool dark = true;
+  bool model = true;
+  bool deformed = true;             ///< as cage and probes move it; else at rest, whatever they do
+  Shading shading = Shading::file;  ///< clay, where the file says nothing
+  bool wireframe = false;
+  bool cage = true;
+  bool grid = true;
+  bool axes = true;             ///< the axis widget
+  bool ghost = false;           ///< the rest pose of the cage, faintly, while the cage is posed
+  bool error_map = false;       ///< the error of the exponential as colours on the mesh
+  bool select_visible = false;  ///< what model or cage hide is not selected with the mouse
+  bool same_path = false;       ///< method `fast` runs link by link in double, too, as the others do
+  bool panels = true;
+  bool help = false;
+  bool hints = true;  ///< of the first start; gone after the first drag
+
+  friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
+};
+
+}  // namespace viete::scene

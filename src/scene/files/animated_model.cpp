@@ -1,0 +1,120 @@
+#include "scene/files/animated_model.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/memory.h"
+#include "deform/bind.h"
+#include "deform/engine_for.h"
+#include "deform/tiled_binding.h"
+#include "scene/document/pose_notes.h"
+
+namespace viete::scene {
+
+using Precision = AnimatedModel::Precision;
+
+AnimatedModel::AnimatedModel(const Export& model, const Timeline& timeline, Precision wish, double most,
+                             std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress)
+    : model_(model), pool_(pool) {
+  vectors_.follow(has_cage() ? model.cage : nullptr);
+  animation_.emplace(timeline, vectors_);
+  if (wish == Precision::fast && fuses() && has_memory_to_fuse()) make_fast(most, tried, progress);
+}
+
+// Else it stands for none.
+bool AnimatedModel::has_cage() const {
+  return model_.cage->element_count() > 0;
+}
+
+WholePose AnimatedModel::pose(double frame) const {
+  WholePose pose = animation_->at(frame);
+  if (!has_cage()) pose.cage = deform::rest_pose(*model_.cage);
+  return pose;
+}
+
+bool AnimatedModel::fuses() const {
+  return has_cage() && deform::engine_for(model_.scheme, model_.method) == deform::EngineKind::fused;
+}
+
+bool AnimatedModel::has_memory_to_fuse() const {
+  const std::size_t handles = deform::handle_count(*model_.cage, model_.scheme.weighting.elements);
+  const double weights =
+      4.0 * static_cast<double>(handles) * static_cast<double>(model_.model->positions.size());
+  return weights < 0.5 * base::free_memory().value_or(0);
+}
+
+// Compressed weights would be off by more than a float is.
+void AnimatedModel::make_fast(double most, std::span<const double> tried, base::Progress* progress) {
+  const deform::Weighting& weighting = model_.scheme.weighting;
+  constexpr double as_they_are = 0;
+  deform::Binding known;
+  known.tiles = std::make_shared<const deform::TiledBinding>(
+      deform::bind_tiles(*model_.model, *model_.cage, weighting, pool_, as_they_are, progress));
+  auto binding = std::make_shared<const deform::Binding>(deform::bind(
+      *model_.model, *model_.cage, weighting, deform::EngineKind::fused, &known, pool_, progress));
+  deformer_ = std::make_unique<deform::Deformer>(model_.cage, std::move(binding), model_.scheme, pool_);
+  deformer_->set_mask(model_.mask);
+  for (const double frame : tried) {
+    run_fast(frame);
+    error_ = std::max(error_, deformer_->sampled_error());
+  }
+  if (error_ <= most) return;
+  deformer_ = nullptr;
+  error_ = 0;
+}
+
+deform::Probes AnimatedModel::probes(const WholePose& pose) const {
+  deform::Probes probes = model_.probes;
+  for (std::size_t i = 0; i < probes.all.size(); ++i)
+    if (!probes.all[i].locked) probes.all[i].pose = i < pose.probes.size() ? pose.probes[i] : ProbePose{};
+  return probes;
+}
+
+deform::ExactModel AnimatedModel::exact(const WholePose& pose, base::Progress* progress) {
+  using deform::ExactDeformer;
+  if (!exact_)
+    exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.scheme, model_.method, pool_,
+                                             ExactDeformer::Weights::kept, model_.mask, progress);
+  deform::ExactModel deformed = exact_->deform(pose.cage, probes(pose), progress);
+  notes_ = pose_notes(deformed.report, *model_.cage, pose.cage);
+  notes_.insert(notes_.end(), deformed.warnings.begin(), deformed.warnings.end());
+  if (auto note = method_note(model_.method, deformed.exp_error); !note.empty())
+    notes_.push_back(std::move(note));
+  return deformed;
+}
+
+void AnimatedModel::run_fast(double frame) {
+  const WholePose pose = this->pose(frame);
+  deformer_->set_probes(probes(pose));
+  deformer_->deform(pose.cage, model_.method);
+  notes_ = pose_notes(deformer_->state().report(), *model_.cage, pose.cage);
+  notes_.insert(notes_.end(), deformer_->binding().warnings.begin(), deformer_->binding().warnings.end());
+}
+
+std::span<const float> AnimatedModel::floats(double frame) {
+  floats_.resize(3 * model_.model->positions.size());
+  const auto put = [&](std::size_t v, const mesh::Point& p) {
+    for (std::size_t i = 0; i < 3; ++i) floats_[3 * v + i] = static_cast<float>(p[i]);
+  };
+  if (precision() == Precision::exact) {
+    const auto positions = exact(pose(frame)).positions;
+    for (std::size_t v = 0; v < positions.size(); ++v) put(v, positions[v]);
+    return floats_;
+  }
+  run_fast(frame);
+  const auto vertices = deformer_->vertices();
+  const mesh::Vec3 o = deformer_->origin();
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const float* p = vertices[v].position;
+    put(v, {o[0] + p[0], o[1] + p[1], o[2] + p[2]});
+  }
+  return floats_;
+}
+
+std::vector<mesh::Point> AnimatedModel::positions(double frame) {
+  if (precision() == Precision::exact) return exact(pose(frame)).positions;
+  run_fast(frame);
+  return deformer_->positions();
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,93 @@
+// The deformed model at the frames of a timeline as files: the same from the window and from the command
+// line.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/made_files.h"
+#include "base/progress.h"
+#include "scene/document/timeline.h"
+#include "scene/files/export.h"
+
+namespace viete::scene {
+
+/// All that the files are made of, as it is at one moment, see Export. Its file says what they are:
+///
+/// .pc2, .mdd      a point cache of all frames; vertices in the model's order
+/// .glb, .gltf     one model with morph targets and an animation that plays them; not where the name has a
+///                 place for the number
+/// NAME_####.obj   (.ply, .off, .stl, .glb, .gltf) one model a frame, see base::NumberedName; the same bits
+/// as
+///                 write_deformed() gives for the frame's pose
+struct AnimationExport {
+  Export model;                       ///< its pose is not looked at
+  Timeline timeline;                  ///< keys, and whether they go straight
+  int first = 1, last = 1, step = 1;  ///< frames; last >= first, step >= 1
+  double rate = 24;                   ///< frames a second
+  double tolerance = 1e-4;   ///< of morph targets: how far from the motion lines between them may lead, in
+                             ///< diagonals of the model; above 0
+  bool every_frame = false;  ///< morph targets take the motion at these frames alone
+  bool normals = true;      ///< of morph targets: without, they take half as much, and light stays as at rest
+  double most_bytes = 1e9;  ///< of morph targets and their weights; more is refused
+  bool replaces_foreign = false;  ///< numbered files that somebody else has made are replaced
+  bool keeps_unfinished =
+      true;  ///< where it ends early, what is done of a single file stays for the next run
+
+  std::vector<int> frames() const;
+};
+
+/// Of the timeline's range and rate. Requires that something moves the model.
+AnimationExport animation_export_of(const Document& document, const std::filesystem::path& file);
+
+struct AnimationReport {
+  std::size_t frames = 0;            ///< that are in the files now, or poses between which morph targets go
+  std::size_t there = 0;             ///< of these, that an earlier run had made
+  std::string summary{};             ///< one line: what was written, by which engine, and how exact it is
+  std::vector<std::string> notes{};  ///< what a person should know of the result, one line each
+  std::size_t targets = 0;           ///< morph targets
+};
+
+/// The extensions of one file for all frames, and of one a frame: "pc2", "glb" ...; "obj" ...
+bool is_animation_format(const std::string& extension);
+bool is_frame_format(const std::string& extension);
+/// "mp4", "webm", "mkv" and "gif": pictures of all frames, which are drawn, see app/animation_pictures.h.
+bool is_video_format(const std::string& extension);
+
+/// Throws base::Error where the name says nothing that can be written, or cannot be written, or the timeline
+/// has no keys.
+void check_animation_export(const AnimationExport& what);
+
+/// Writes it, with one binding for all frames. Every file is there as a whole or as it was, whenever the
+/// program ends: numbered files that an earlier run has made of the same stay and are not made again (see
+/// base::MadeFiles), and a point cache goes on where the run before was ended. Uses a pool of its own for as
+/// long as it takes. progress may be null. Throws base::Error and base::Cancelled. Thread-safe.
+///
+/// Numbered files are in double. Point caches hold floats: they take the engine of the window, with weights
+/// as they are, where that is off by no more than fast_frame_error at three frames, and double otherwise; so
+/// do morph targets. The summary says which, and how far off.
+AnimationReport write_animation(const AnimationExport& what, base::Progress* progress = nullptr);
+
+/// What morph targets would take beside the model, by some of its vertices.
+struct MorphEstimate {
+  std::size_t targets = 0;
+  double bytes = 0;
+};
+/// Writes nothing. Requires keys. Throws what write_animation() does. Thread-safe.
+MorphEstimate estimate_morphs(const AnimationExport& what, base::Progress* progress = nullptr);
+
+/// Diagonals of the cage.
+inline constexpr double fast_frame_error = 2e-6;
+
+/// Files of a sequence that are to be made: checks that no other file would be replaced, unless `replaces`;
+/// those that are whole are left out. Throws base::Error.
+std::vector<base::MadeFiles::Planned> files_to_make(base::MadeFiles& made, const base::NumberedName& name,
+                                                    std::span<const base::MadeFiles::Planned> files,
+                                                    bool replaces);
+
+/// A checksum of a pose upon `before`.
+std::uint64_t pose_key(std::uint64_t before, const WholePose& pose);
+
+}  // namespace viete::scene

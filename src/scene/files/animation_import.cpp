@@ -1,0 +1,341 @@
+#include "scene/files/animation_import.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/numbered_files.h"
+#include "base/quantity.h"
+#include "deform/pose_io.h"
+#include "mesh/formats/point_cache.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/source.h"
+#include "mesh/point_tree.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/time_edit.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::string_view, 6> posed_formats{"obj", "ply", "off", "stl", "glb", "gltf"};
+
+bool is_gltf(const fs::path& file) {
+  const std::string extension = mesh::extension_of(file);
+  return extension == "glb" || extension == "gltf";
+}
+
+SharedPose shared(deform::Pose pose) {
+  return std::make_shared<const WholePose>(WholePose{std::move(pose), {}});
+}
+
+// Of positions that a graphics card, and the engines, can hold: those of any surface that is opened.
+void check_places(const std::string& place, std::span<const mesh::Point> positions) {
+  constexpr double largest = 1e32;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (mesh::largest_abs(positions[v]) <= largest) continue;
+    throw base::Error(place, "vertex " + std::to_string(v) + " is farther away than can be drawn",
+                      "export it again, in another unit");
+  }
+}
+
+void check_points(const std::string& place, std::size_t found, const deform::Cage& cage) {
+  const std::size_t wanted = cage.surface.positions.size();
+  if (found == wanted) return;
+  throw base::Error(place,
+                    "it moves " + base::counted(found, "point") + ", and the cage has " +
+                        base::with_thousands(wanted) + " vertices",
+                    "choose one that was made of this cage, not of the model");
+}
+
+// Morph targets of a file as positions of the cage.
+struct CageClip {
+  std::shared_ptr<const mesh::MorphClip> clip;  ///< null: none
+  std::vector<std::uint32_t> order;             ///< of each vertex of the cage: the file's vertex
+
+  std::vector<mesh::Point> of_cage(const std::vector<mesh::Point>& of_file) const {
+    std::vector<mesh::Point> positions;
+    for (const auto v : order) positions.push_back(of_file[v]);
+    return positions;
+  }
+  std::vector<mesh::Point> at_key(std::size_t key) const { return of_cage(clip->at_key(key)); }
+  std::vector<mesh::Point> at_target(std::size_t target) const { return of_cage(clip->at_target(target)); }
+};
+
+// glTF keeps no order of the vertices: they are told by where they are at rest, in floats. Each has one
+// partner.
+std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
+                                          const deform::Cage& cage) {
+  std::vector<std::uint32_t> all(found.positions.size());
+  std::iota(all.begin(), all.end(), 0U);
+  if (mesh::same_faces(found, cage.surface)) return all;
+  const mesh::PointTree tree(found.positions, all);
+  std::vector<bool> taken(all.size());
+  const double near = 1e-6 * cage.diagonal;
+  std::vector<std::uint32_t> order;
+  for (const mesh::Point& p : cage.surface.positions) {
+    const std::uint32_t v = tree.nearest(p);
+    if (taken[v] || mesh::norm(mesh::operator-(found.positions[v], p)) > near)
+      throw base::Error(file,
+                        "at rest it is not the cage: no vertex of its own is at that of vertex " +
+                            std::to_string(order.size()),
+                        "export the cage itself, as it is at rest, in the same axes and unit");
+    taken[v] = true;
+    order.push_back(v);
+  }
+  return order;
+}
+
+CageClip clip_of(const fs::path& file, const deform::Cage& cage, std::vector<std::string>& warnings) {
+  constexpr bool played = true;
+  const mesh::ReadResult read = mesh::read(file, nullptr, played);
+  warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
+  CageClip found{read.original ? read.original->morphs() : nullptr, {}};
+  if (!found.clip) return found;
+  check_points(file.string(), read.surface.positions.size(), cage);
+  found.order = order_by_place(file.string(), read.surface, cage);
+  warnings.insert(warnings.end(), found.clip->notes().begin(), found.clip->notes().end());
+  return found;
+}
+
+void report_part(base::Progress* progress, std::size_t done, std::size_t of) {
+  if (progress)
+    progress->report(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(of, 1)));
+}
+
+void add_targets(const fs::path& file, const CageClip& found, ImportedPoses& all) {
+  const mesh::MorphClip& clip = *found.clip;
+  for (std::size_t i = 0; i < clip.targets().size(); ++i) {
+    auto positions = found.at_target(i);
+    check_places(file.string() + ": " + clip.targets()[i], positions);
+    all.poses.push_back({clip.targets()[i], shared({std::move(positions), {}})});
+  }
+}
+
+void add_poses_of(const fs::path& file, const deform::Cage& cage, ImportedPoses& all) {
+  all.files.push_back(file);
+  if (is_gltf(file)) {
+    const CageClip found = clip_of(file, cage, all.warnings);
+    if (found.clip) return add_targets(file, found, all);
+  }
+  deform::Pose pose = deform::read_pose(file, cage, all.warnings);
+  check_places(file.string(), pose.positions);
+  all.poses.push_back({file.stem().string(), shared(std::move(pose))});
+}
+
+// "pose_2" before "pose_10".
+bool before_by_numbers(const std::string& a, const std::string& b) {
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!digit(a[i]) || !digit(b[j])) {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i, ++j;
+      continue;
+    }
+    const auto run = [&](const std::string& text, std::size_t& at) {
+      while (at + 1 < text.size() && text[at] == '0' && digit(text[at + 1])) ++at;
+      const std::size_t begin = at;
+      while (at < text.size() && digit(text[at])) ++at;
+      return text.substr(begin, at - begin);
+    };
+    const std::string x = run(a, i), y = run(b, j);
+    if (x != y) return x.size() != y.size() ? x.size() < y.size() : x < y;
+  }
+  return a.size() - i < b.size() - j;
+}
+
+std::vector<fs::path> models_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code code;
+  for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
+    const bool model =
+        std::ranges::find(posed_formats, mesh::extension_of(at->path())) != posed_formats.end();
+    std::error_code ignored;
+    if (model && at->is_regular_file(ignored)) files.push_back(at->path());
+  }
+  if (code) throw base::Error(folder.string(), "cannot be read: " + code.message(), "check the folder");
+  std::ranges::sort(files, before_by_numbers, [](const fs::path& p) { return p.filename().string(); });
+  return files;
+}
+
+void add_poses_in(const fs::path& folder, const deform::Cage& cage, ImportedPoses& all,
+                  base::Progress* progress) {
+  const std::vector<fs::path> files = models_in(folder);
+  std::size_t before = all.poses.size(), done = 0;
+  std::vector<std::string> refused;
+  for (const fs::path& file : files) {
+    report_part(progress, done++, files.size());
+    try {
+      add_poses_of(file, cage, all);
+    } catch (const base::Error& error) {
+      refused.push_back(std::string(error.what()) + "; left out");
+    }
+  }
+  if (all.poses.size() == before)
+    throw base::Error(
+        folder.string(),
+        files.empty() ? "there is no model in this folder"
+                      : "none of its " + base::counted(files.size(), "model") + " is a pose of this cage",
+        "choose a folder of posed versions of the cage, of the same vertices in the same order");
+  all.warnings.insert(all.warnings.end(), refused.begin(), refused.end());
+}
+
+}  // namespace
+
+ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& cage,
+                         base::Progress* progress) {
+  ImportedPoses all;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::error_code ignored;
+    if (fs::is_directory(files[i], ignored)) {
+      add_poses_in(files[i], cage, all, progress);
+    } else {
+      report_part(progress, i, files.size());
+      add_poses_of(files[i], cage, all);
+    }
+  }
+  if (all.poses.size() > PoseLibrary::most_poses)
+    throw base::Error(files.front().string(),
+                      "there are " + base::counted(all.poses.size(), "pose") + ", and a document holds " +
+                          base::with_thousands(PoseLibrary::most_poses),
+                      "choose fewer");
+  for (NamedPose& pose : all.poses) pose.name.resize(std::min(pose.name.size(), PoseLibrary::longest_name));
+  return all;
+}
+
+namespace {
+
+void check_key_count(const std::string& file, std::size_t count) {
+  if (count <= Timeline::most_keys) return;
+  throw base::Error(file,
+                    "it has " + base::counted(count, "frame") + ", and a timeline holds " +
+                        base::with_thousands(Timeline::most_keys) + " keys",
+                    "export every second frame, or fewer");
+}
+
+// Keys as they come, each after the one before.
+class KeyTaker {
+public:
+  explicit KeyTaker(std::string file, Easing easing) : file_(std::move(file)), easing_(easing) {}
+
+  void add(double frame, deform::Pose pose) {
+    const double whole = std::round(frame);
+    if (!(whole >= Timeline::least_frame && whole <= Timeline::largest_frame))
+      throw base::Error(file_, "it has a frame beyond 1,000,000", "export a shorter range");
+    const int number = static_cast<int>(whole);
+    if (!keys_.empty() && number <= keys_.back().frame) {
+      ++skipped_;
+      return;
+    }
+    check_places(file_ + ": frame " + std::to_string(number), pose.positions);
+    keys_.push_back({number, shared(std::move(pose)), easing_});
+  }
+
+  ImportedKeys take(std::vector<std::string> warnings, double rate) {
+    if (skipped_ > 0)
+      warnings.push_back(file_ + ": " + base::counted(skipped_, "key") + " fall on the frame of another at " +
+                         base::few_digits(rate) +
+                         " frames a second and were left out; choose a higher rate first");
+    return {std::move(keys_), std::move(warnings), {file_}};
+  }
+
+private:
+  std::string file_;
+  Easing easing_;
+  std::vector<PoseKey> keys_;
+  std::size_t skipped_ = 0;
+};
+
+ImportedKeys keys_of_files(const base::NumberedName& name, const deform::Cage& cage,
+                           base::Progress* progress) {
+  const auto files = name.find();
+  if (files.empty())
+    throw base::Error(name.pattern(), "there is no file of this name, with a number in the place of #",
+                      "check the name; as many # as the numbers have digits");
+  check_key_count(name.pattern(), files.size());
+  KeyTaker keys(name.pattern(), Easing::smooth);
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    report_part(progress, i, files.size());
+    keys.add(static_cast<double>(files[i].number), deform::read_pose(files[i].path, cage, warnings));
+  }
+  ImportedKeys read = keys.take(std::move(warnings), 0);
+  read.files.clear();
+  for (const base::NumberedFile& file : files) read.files.push_back(file.path);
+  return read;
+}
+
+ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,
+                           base::Progress* progress) {
+  const mesh::PointCache cache(file);
+  const mesh::PointCacheHead& head = cache.head();
+  check_points(file.string(), head.points, cage);
+  check_key_count(file.string(), head.frames);
+  base::require_memory({24.0 * static_cast<double>(head.frames) * static_cast<double>(head.points),
+                        base::counted(head.frames, "key") + " of the cage take", "export fewer frames",
+                        file.string()});
+  KeyTaker keys(file.string(), Easing::linear);
+  for (std::size_t i = 0; i < head.frames; ++i) {
+    report_part(progress, i, head.frames);
+    const bool has_times = head.format == mesh::PointCacheFormat::mdd;
+    const double frame = has_times ? times.first + double(head.seconds[i]) * times.rate
+                                   : double(head.start) + static_cast<double>(i) * double(head.rate);
+    keys.add(frame, {cache.frame(i), {}});
+  }
+  return keys.take(cache.warnings(), times.rate);
+}
+
+ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,
+                          base::Progress* progress) {
+  std::vector<std::string> warnings;
+  const CageClip found = clip_of(file, cage, warnings);
+  const auto& clip = found.clip;
+  if (!clip || clip->seconds().empty())
+    throw base::Error(file.string(), clip ? "its morph targets are not animated" : "it has no morph targets",
+                      clip ? "import it as poses" : "export shape keys of the cage with their animation");
+  const auto& seconds = clip->seconds();
+  check_key_count(file.string(), seconds.size());
+  KeyTaker keys(file.string(), Easing::linear);
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    report_part(progress, i, seconds.size());
+    keys.add(times.first + seconds[i] * times.rate, {found.at_key(i), {}});
+  }
+  return keys.take(std::move(warnings), times.rate);
+}
+
+}  // namespace
+
+ImportedKeys read_keys(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,
+                       base::Progress* progress) {
+  if (base::NumberedName::is_pattern(file)) return keys_of_files(base::NumberedName(file), cage, progress);
+  if (mesh::point_cache_format(file)) return keys_of_cache(file, cage, times, progress);
+  const auto sequence = base::NumberedName::of_file(file);
+  const bool alone = !sequence || sequence->find().size() < 2;
+  if (is_gltf(file) && alone) return keys_of_gltf(file, cage, times, progress);
+  if (!sequence)
+    throw base::Error(file.string(), "its name has no number, so that nothing says which frame it is",
+                      "choose a numbered posed cage (pose_0001.obj), a point cache or a glTF file");
+  return keys_of_files(*sequence, cage, progress);
+}
+
+void put_keys(Document& document, std::vector<PoseKey> keys, const std::string& label) {
+  Timeline timeline = document.timeline;
+  timeline.keys = std::move(keys);
+  timeline.first = timeline.keys.front().frame;
+  timeline.last = std::max(timeline.first + 1, timeline.keys.back().frame);
+  put_timeline(document, std::move(timeline), label);
+}
+
+void write_named_pose(const Document& document, std::size_t pose, const fs::path& file) {
+  deform::write_pose(file, *document.cage, document.library.poses[pose].pose->cage);
+}
+
+}  // namespace viete::scene

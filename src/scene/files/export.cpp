@@ -1,0 +1,196 @@
+#include "scene/files/export.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+#include "base/atomic_file.h"
+#include "base/checksum.h"
+#include "base/worker_pool.h"
+#include "deform/exact.h"
+#include "mesh/content_key.h"
+#include "mesh/formats/conversion.h"
+#include "mesh/formats/source.h"
+#include "mesh/formats/write.h"
+#include "scene/document/cage_editing.h"
+#include "scene/document/pose_notes.h"
+#include "scene/document/up_axis.h"
+#include "scene/files/probes_json.h"
+#include "scene/files/scheme_json.h"
+#include "scene/files/session.h"
+
+namespace viete::scene {
+
+Export export_of(const Document& document, const std::filesystem::path& file) {
+  Export all{file,
+             document.model.surface,
+             document.model.attributes,
+             document.model.original,
+             document.cage,
+             real_pose(document),
+             document.scheme,
+             document.method,
+             document.mask,
+             document.probes,
+             document.model.path,
+             document.model.unit,
+             guessed_up(document.model),
+             {}};
+  if (document.has_cage()) return all;
+  all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
+  all.pose = deform::rest_pose(*all.cage);
+  all.scheme = deform::no_motion();
+  return all;
+}
+
+namespace {
+
+// Nothing moves the model: whatever way it is deformed by leaves it as it is, but for rounding.
+bool is_at_rest(const Export& what) {
+  const auto has_done_nothing = [](const deform::Probe& p) { return p.pose == deform::ProbePose{}; };
+  const deform::Pose rest = deform::rest_pose(*what.cage);
+  return what.pose.positions == rest.positions && what.pose.turns == rest.turns &&
+         std::ranges::all_of(what.probes.all, has_done_nothing);
+}
+
+// Where only rounding moves a coordinate, it is at rest, and so it is written.
+void keep_at_rest(const mesh::Surface& model, const deform::Cage& cage, std::vector<mesh::Point>& positions) {
+  double size = 0;
+  for (const mesh::Bounds& box : {mesh::bounds(model.positions), mesh::bounds(cage.surface.positions)})
+    size = std::max({size, mesh::largest_abs(box.low), mesh::largest_abs(box.high)});
+  const double rounding = 1e-14 * size;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double rest = model.positions[v][i];
+      if (std::abs(positions[v][i] - rest) <= rounding) positions[v][i] = rest;
+    }
+  }
+}
+
+bool writes_original(const Export& what) {
+  return what.original && what.original->writes(mesh::extension_of(what.file));
+}
+
+}  // namespace
+
+std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
+  if (!writes_original(what)) mesh::check_format(what.file);
+  base::check_replaceable(what.file);
+  base::WorkerPool pool;
+  if (progress) progress->section(0, 0.5);
+  deform::ExactModel deformed = deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose,
+                                                       what.method, pool, progress, what.mask, what.probes);
+  if (progress) progress->section(0.5, 1);
+  return write_exact(what, std::move(deformed), progress);
+}
+
+std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
+                                     base::Progress* progress, std::vector<std::filesystem::path>* leads_to) {
+  if (is_at_rest(what)) {
+    deformed.positions = what.model->positions;
+  } else {
+    keep_at_rest(*what.model, *what.cage, deformed.positions);
+  }
+  const mesh::Content content{*what.model, deformed.positions, {}, what.attributes.get()};
+  std::vector<std::string> notes =
+      mesh::write(what.file, content, what.original.get(), what.digits, progress, leads_to);
+  std::ranges::move(deformed.warnings, std::back_inserter(notes));
+  for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
+  const std::string extension = mesh::extension_of(what.file);
+  const bool new_gltf = !writes_original(what) && (extension == "glb" || extension == "gltf");
+  for (const std::string& note :
+       {method_note(what.method, deformed.exp_error), new_gltf ? gltf_note(what.unit, what.up) : ""}) {
+    if (!note.empty()) notes.push_back(note);
+  }
+  return notes;
+}
+
+namespace {
+
+template <class Value>
+void add_all(base::Checksum& sum, const std::vector<Value>& values) {
+  sum.add(values.data(), values.size() * sizeof(Value));
+}
+
+void add_text(base::Checksum& sum, const std::string& text) {
+  sum.add(text.data(), text.size());
+}
+
+void add_number(base::Checksum& sum, std::uint64_t number) {
+  sum.add(&number, sizeof number);
+}
+
+void add_attributes(base::Checksum& sum, const mesh::Attributes& a) {
+  add_all(sum, a.texture_points);
+  add_all(sum, a.corner_texture);
+  add_all(sum, a.normals);
+  add_all(sum, a.corner_normal);
+  add_all(sum, a.colors);
+  add_all(sum, a.polygon_colors);
+  for (const mesh::Group& group : a.groups) {
+    add_text(sum, group.object + '\n' + group.name);
+    add_number(sum, std::uint64_t{group.first_polygon} << 32 | group.material);
+    add_number(sum, group.smooth);
+  }
+  for (const mesh::Material& material : a.materials) {
+    add_text(sum, material.name);
+    sum.add(material.base_color.data(), sizeof material.base_color);
+    add_number(sum, std::uint64_t{material.base_color_image} << 32 | std::uint64_t{material.repeats});
+  }
+  for (const mesh::ImageFile& image : a.images) {
+    add_text(sum, image.path.string() + '\n' + image.name);
+    image.bytes ? add_text(sum, *image.bytes) : add_number(sum, content_of(image.path).value_or(0));
+  }
+}
+
+}  // namespace
+
+std::uint64_t content_key(const Export& what) {
+  constexpr std::uint64_t how_files_are_made = 1;  // to grow when the same input gives other files
+  base::Checksum sum;
+  add_number(sum, how_files_are_made);
+  add_number(sum, mesh::content_key(*what.model));
+  if (what.attributes) add_attributes(sum, *what.attributes);
+  if (what.original) add_number(sum, content_of(what.model_file).value_or(0));
+  add_number(sum, mesh::content_key(what.cage->surface));
+  deform::Probes probes = what.probes;
+  for (Probe& probe : probes.all)
+    if (!probe.locked) probe.pose = {};
+  add_text(sum, scheme_json(what.scheme).dump() + probes_json(probes).dump() +
+                    std::string(sym3::name(what.method)));
+  if (what.mask) add_all(sum, *what.mask);
+  add_number(sum, static_cast<std::uint64_t>(what.unit));
+  add_number(sum, static_cast<std::uint64_t>(what.up));
+  add_number(sum, static_cast<std::uint64_t>(what.digits.kind) << 32 |
+                      static_cast<std::uint64_t>(what.digits.decimals));
+  return sum.value();
+}
+
+std::string gltf_note(LengthUnit unit, UpAxis up) {
+  const bool scaled = unit != LengthUnit::unknown && unit != LengthUnit::metre, turned = up == UpAxis::z;
+  if (!scaled && !turned) return "";
+  const std::string scale = "scale by " + mesh::short_number(static_cast<float>(entry(unit).metres));
+  const std::string are(entry(unit).plural), turn = "turn by -90 degrees about X";
+  if (!turned)
+    return "other programs take the numbers of a glTF file as metres; these are " + are + ": " + scale +
+           " there";
+  if (!scaled) return "other programs take Y of a glTF file as up; here it is Z: " + turn + " there";
+  return "other programs take the numbers of a glTF file as metres and Y as up; these are " + are +
+         " with Z up: " + scale + " there and " + turn;
+}
+
+std::string method_note(sym3::Method method, double worst_error) {
+  constexpr double matters = 1e-9;  // a thousand times what the methods lose where eigenvalues lie apart
+  if (worst_error <= matters) return "";
+  const std::string name(sym3::name(method));
+  if (!std::isfinite(worst_error))
+    return "method " + name + " gave no numbers in this pose; use method fast or diag";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", worst_error);
+  return "exponentials by method " + name + " are off by up to " + text +
+         " (relative) in this pose, where eigenvalues nearly coincide; methods fast and diag are exact to "
+         "1e-14";
+}
+
+}  // namespace viete::scene

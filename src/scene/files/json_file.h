@@ -1,0 +1,97 @@
+// JSON files that people read and may have written: laid out for the eye, and read with errors that name file
+// and key.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "mesh/formats/text_cursor.h"
+
+namespace viete::scene {
+
+/// What a file may have: more is no file of this program's, and is refused before it takes memory. The bytes
+/// are those of a pose of half a million vertices and more; a text is the name of a file, percent-encoded.
+inline constexpr std::size_t most_json_bytes = 64 << 20, most_json_depth = 32, longest_text = 3 * 4096;
+
+/// One key a line; an array stands on one line unless it holds arrays or objects, which get a line each.
+/// Numbers with the digits that read back as the same double. Throws base::Error naming `file` if a string is
+/// not UTF-8, or if read_json() would refuse the length.
+std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
+
+/// The name of a file: a string; where it is not UTF-8, which JSON strings are, {"percent_encoded":
+/// "caf%E9"}. JsonReader::path() reads both back to the same bytes.
+nlohmann::ordered_json path_json(const std::filesystem::path& path);
+
+/// A number that no double holds becomes 1e300 or -1e300, which is out of every range. Throws base::Error
+/// naming the file, and the line of a mistake.
+nlohmann::json read_json(const std::filesystem::path& path);
+
+/// A value and the key that leads to it. Everything throws base::Error, `file: key: problem`, if the value is
+/// not what is asked for. Refers to the JSON, which must outlive it.
+class JsonReader {
+public:
+  JsonReader(const nlohmann::json& value, std::string file, std::string key = "")
+      : value_(value), file_(std::move(file)), key_(std::move(key)) {}
+
+  /// Of an object. find: nothing if the key is missing or its value is null.
+  std::optional<JsonReader> find(const std::string& key) const;
+  JsonReader at(const std::string& key) const;
+  std::vector<std::string> keys() const;
+  /// Of an array.
+  std::size_t size() const;
+  JsonReader item(std::size_t index) const;
+
+  bool boolean() const;
+  double number() const;  ///< finite
+  std::uint32_t index() const;
+  std::string text() const;            ///< at most longest_text bytes
+  std::filesystem::path path() const;  ///< as path_json() writes it
+  /// An array of exactly N numbers.
+  template <std::size_t N>
+  std::array<double, N> numbers() const {
+    check_size(N);
+    std::array<double, N> all;
+    for (std::size_t i = 0; i < N; ++i) all[i] = item(i).number();
+    return all;
+  }
+  /// Of an array of points: its item `index`; nothing if that is no [x, y, z] with |x|, |y|, |z| <= limit.
+  std::optional<std::array<double, 3>> point(std::size_t index, double limit) const;
+
+  [[noreturn]] void fail(const std::string& problem,
+                         const std::string& advice = "correct it in the file") const;
+  [[noreturn]] void expected(const char* what) const;
+
+private:
+  void check_size(std::size_t n) const;
+
+  const nlohmann::json& value_;
+  std::string file_, key_;
+};
+
+/// What is damaged costs its own part: that stays as if the key was missing, and a warning says so.
+template <class Part, class Read>
+void take_part(const JsonReader& json, const char* key, Part& part, Read read, const char* instead,
+               std::vector<std::string>& warnings) {
+  try {
+    if (const auto value = json.find(key)) part = read(*value);
+  } catch (const base::Error& error) {
+    warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
+  }
+}
+
+/// One of a list of words, which `parse` knows.
+template <class Parse>
+auto word_of(const JsonReader& json, Parse parse) {
+  const auto value = parse(json.text());
+  if (!value) json.fail(mesh::in_quotes(json.text()) + " is not known");
+  return *value;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,354 @@
+#include "scene/files/open.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "base/quantity.h"
+#include "deform/pose_io.h"
+#include "mesh/formats/point_cache.h"
+#include "mesh/winding_number.h"
+#include "scene/document/animation.h"
+#include "scene/document/cage_making.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/record.h"
+#include "scene/document/selection_sets.h"
+#include "scene/document/up_axis.h"
+#include "scene/files/animation_import.h"
+#include "scene/files/output.h"
+#include "scene/files/pose_json.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+using What = OpenRequest::What;
+
+namespace {
+
+void append(std::vector<std::string>& all, const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+// How many of up to a hundred of its vertices, spread over all, are outside.
+struct Outside {
+  std::size_t count, of;
+};
+
+Outside outside(const mesh::Surface& outer, const mesh::Surface& inner) {
+  constexpr std::size_t samples = 100;
+  const auto& points = inner.positions;
+  std::vector<mesh::Point> sample;
+  const std::size_t n = std::min(samples, points.size());
+  for (std::size_t i = 0; i < n; ++i) sample.push_back(points[i * points.size() / n]);
+  return {mesh::points_outside(outer, sample).size(), n};
+}
+
+bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
+  for (int k = 0; k < 3; ++k) {
+    if (outer.low[k] > inner.low[k] || outer.high[k] < inner.high[k]) return false;
+  }
+  return true;
+}
+
+// One vertex in ten may stick out.
+bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
+  if (inner.positions.empty() || outer.triangles.empty()) return false;
+  if (!box_contains(mesh::used_bounds(outer), mesh::used_bounds(inner))) return false;
+  const Outside found = outside(outer, inner);
+  return 10 * found.count <= found.of;
+}
+
+// What is odd about the surfaces themselves is left to the checks, but not a cage that was made for another
+// model.
+void take_cage_warnings(Opened& opened) {
+  const Document& document = *opened.document;
+  append(opened.warnings, document.cage_file.warnings);
+  if (!document.has_cage() || !document.cage->closed) return;
+  const Outside found = outside(document.cage->surface, *document.model.surface);
+  if (2 * found.count <= found.of) return;
+  opened.warnings.push_back(
+      place_of(document.cage_file) + ": " + (found.count == found.of ? "all" : "most") + " of " +
+      document.model.path.filename().string() +
+      " is outside of this cage; see that both are of the same size and at the same place");
+}
+
+void take_warnings(Opened& opened) {
+  append(opened.warnings, opened.document->model.warnings);
+  take_cage_warnings(opened);
+}
+
+Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) {
+  const auto named = [&](std::size_t i) { return i < files.size() ? files[i] : fs::path(); };
+  Opened opened;
+  opened.document = open_document(named(0), named(1), progress);
+  take_warnings(opened);
+  if (named(2).empty()) return opened;
+  if (!opened.document->has_cage()) {
+    throw base::Error(named(2).string(), "a pose needs a cage and none is named", "name the cage too");
+  }
+  opened.document->pose = deform::read_pose(named(2), *opened.document->cage, opened.warnings);
+  opened.document->also_read.push_back({named(2), the_pose});
+  return opened;
+}
+
+Opened open_cage(OpenedSurface cage, const Document& current) {
+  Opened opened;
+  opened.document = document_of(current.model);
+  opened.document->mask = current.mask;
+  opened.document->probes = current.probes;
+  set_cage(*opened.document, std::move(cage));
+  take_cage_warnings(opened);
+  return opened;
+}
+
+Opened open_cage(const fs::path& file, const Document& current, base::Progress* progress) {
+  if (!current.model.surface) {
+    throw base::Error(file.string(), "a cage needs a model and none is open", "open the model first");
+  }
+  return open_cage(open_surface(file, progress), current);
+}
+
+Opened open_pose(const fs::path& file, const Document& current) {
+  if (!current.has_cage()) {
+    throw base::Error(file.string(), "a pose needs a cage and none is open", "open the cage first");
+  }
+  Opened opened;
+  opened.file = file;
+  opened.pose = deform::read_pose(file, *current.cage, opened.warnings);
+  opened.pose_of = current.cage;
+  opened.also_read.push_back({file, the_pose});
+  Document posed;
+  posed.cage_file = current.cage_file;
+  posed.pose = *opened.pose;
+  check_drawable(posed);
+  return opened;
+}
+
+Opened of_open_cage(const fs::path& file, const Document& current) {
+  if (!current.has_cage())
+    throw base::Error(file.string(), "poses need a cage and none is open", "open the cage first");
+  Opened opened;
+  opened.file = file;
+  opened.pose_of = current.cage;
+  return opened;
+}
+
+// What cannot be drawn is not taken.
+void check_imported(const Opened& imported) {
+  Document checked;
+  checked.library.poses = imported.poses;
+  checked.timeline.keys = imported.keys;
+  check_drawable(checked);
+}
+
+Opened open_poses(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
+  Opened opened = of_open_cage(files.front(), current);
+  ImportedPoses read = read_poses(files, *current.cage, progress);
+  opened.poses = std::move(read.poses);
+  check_imported(opened);
+  opened.warnings = std::move(read.warnings);
+  for (auto& path : read.files) opened.also_read.push_back({std::move(path), an_imported_pose});
+  return opened;
+}
+
+Opened open_animation(const fs::path& file, const Document& current, base::Progress* progress) {
+  Opened opened = of_open_cage(file, current);
+  const ImportTimes times{current.timeline.first, current.timeline.rate};
+  ImportedKeys read = read_keys(file, *current.cage, times, progress);
+  opened.keys = std::move(read.keys);
+  check_imported(opened);
+  opened.warnings = std::move(read.warnings);
+  for (auto& path : read.files) opened.also_read.push_back({std::move(path), the_keys});
+  return opened;
+}
+
+// Problems of its model or cage name the session too.
+Document document_of_session(const Session& session, const fs::path& file, base::Progress* progress) {
+  const char* key = "model";
+  try {
+    Document document = document_of(open_surface(session.model, progress));
+    key = "cage";
+    if (!session.cage.empty()) set_cage(document, open_surface(session.cage));
+    key = "made_cage";
+    if (session.made_cage) set_cage(document, *session.made_cage);
+    return document;
+  } catch (const base::Error& error) {
+    throw base::Error(file.string() + ": " + key, error.what(),
+                      std::string("or correct \"") + key + "\" in the session");
+  }
+}
+
+// Of a session that says nothing of the pose: what its keys make of its frame.
+void pose_by_keys(Document& document) {
+  if (document.timeline.keys.empty()) return;
+  KnownVectors vectors;
+  vectors.follow(document.cage);
+  put_whole_pose(document, Animation(document.timeline, vectors).at(document.frame));
+}
+
+Opened open_session(const fs::path& file, bool recovered, base::Progress* progress) {
+  Opened opened;
+  opened.file = file;
+  opened.recovered = recovered;
+  opened.has_settings = true;
+  opened.content = content_of(file);  // before it is read: what changes in between is noticed
+  opened.session = read_session(file);
+  Session& session = *opened.session;
+  Document document = document_of_session(session, file, progress);
+  document.method = session.method;
+  document.scheme = session.scheme;
+  document.mask = fit_to_model(session, *document.model.surface, file);
+  document.probes = session.probes;
+  document.model.unit = session.unit.value_or(document.model.unit);
+  const bool has_pose = session.pose.has_value() || !document.has_cage();
+  if (document.has_cage()) {
+    fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
+    if (session.pose) document.pose = std::move(*session.pose);
+  }
+  fit_poses(session.library, session.timeline, document.cage.get(), file.string(), session.warnings);
+  document.library = std::move(session.library);
+  if (document.library.unmixed) document.library.mixed = shared_pose(document);
+  document.timeline = std::move(session.timeline);
+  document.frame = session.frame;
+  if (!has_pose) pose_by_keys(document);
+  if (document.is_movable()) {
+    fit_selection(session, document, file);
+    document.selection = Selection(session.selecting);
+    document.selection.apply(session.selection, SelectMode::replace);
+    document.groups = fit_groups(session, document, file);
+    document.selection = without_hidden(document, document.selection);
+  }
+  tell_what_changed(session, document, file);
+  session.pose.reset();
+  opened.document = std::move(document);
+  append(opened.warnings, session.warnings);
+  take_warnings(opened);
+  return opened;
+}
+
+Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
+  const mesh::Surface& s = *surface.surface;
+  const std::string name = name_of(surface);
+  if (current.has_cage() && s.positions.size() == current.cage->surface.positions.size() &&
+      mesh::same_faces(s, current.cage->surface)) {
+    Opened opened = open_pose(surface.path, current);
+    opened.taken_as = "Took " + name + " as a pose: it has the vertices and faces of the cage";
+    return opened;
+  }
+  const bool cage = current.model.surface && !current.has_cage() &&
+                    s.positions.size() < current.model.surface->positions.size() &&
+                    encloses(s, *current.model.surface);
+  if (cage) {
+    Opened opened = open_cage(std::move(surface), current);
+    opened.taken_as = "Took " + name + " as the cage: it encloses the model";
+    return opened;
+  }
+  Opened opened;
+  opened.document = document_of(std::move(surface));
+  opened.taken_as = "Took " + name + " as a new model";
+  take_warnings(opened);
+  return opened;
+}
+
+Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage) {
+  if (cage.surface->positions.size() > model.surface->positions.size()) std::swap(model, cage);
+  std::string reason = "has fewer vertices and encloses it";
+  if (!encloses(*cage.surface, *model.surface)) {
+    const bool other = encloses(*model.surface, *cage.surface);
+    if (other) std::swap(model, cage);
+    reason = other ? "encloses it" : "has fewer vertices, though it does not enclose it";
+  }
+  Opened opened;
+  opened.taken_as =
+      "Took " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
+  opened.document = document_of(std::move(model));
+  set_cage(*opened.document, std::move(cage));
+  take_warnings(opened);
+  return opened;
+}
+
+Opened open_dropped(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
+  if (files.empty() || files.size() > 2 || std::any_of(files.begin(), files.end(), is_session)) {
+    throw base::Error("", std::to_string(files.size()) + " files were dropped",
+                      "drop one session, one model, one pose, or a model and its cage");
+  }
+  if (files.size() == 1 && mesh::point_cache_format(files[0]))
+    return open_animation(files[0], current, progress);
+  const double middle = files.size() == 2 ? 0.4 : 0.8;
+  if (progress) progress->section(0, middle);
+  OpenedSurface first = open_surface(files[0], progress);
+  if (files.size() == 1) return open_dropped_surface(std::move(first), current);
+  if (progress) progress->section(middle, 0.8);
+  return open_dropped_pair(std::move(first), open_surface(files[1], progress));
+}
+
+bool names_session(const OpenRequest& request) {
+  if (request.what == What::recovery) return true;
+  const bool alone =
+      request.what == What::model || (request.what == What::dropped && request.files.size() == 1);
+  return alone && !request.files.empty() && is_session(request.files.front());
+}
+
+Opened read(const OpenRequest& request, const Document& current, base::Progress* progress) {
+  const auto& files = request.files;
+  const fs::path first = files.empty() ? fs::path() : files.front();
+  if (names_session(request)) return open_session(first, request.what == What::recovery, progress);
+  switch (request.what) {
+    case What::cage: return open_cage(first, current, progress);
+    case What::pose: return open_pose(first, current);
+    case What::poses: return open_poses(files, current, progress);
+    case What::animation: return open_animation(first, current, progress);
+    case What::dropped: return open_dropped(files, current, progress);
+    default: return open_model(files, progress);
+  }
+}
+
+void check(const Opened& opened, void (*check_document)(const Document&)) {
+  if (!opened.document) return;
+  try {
+    check_document(*opened.document);
+  } catch (const base::Error& error) {
+    if (!opened.session) throw;
+    throw base::Error(opened.file.string() + ": " + error.place(), error.problem(), error.advice());
+  }
+}
+
+}  // namespace
+
+Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress) {
+  if (progress) progress->section(0, 0.8);  // the rest is what is computed from it
+  Opened opened = read(request, current, progress);
+  if (!opened.document) return opened;
+  Document& document = *opened.document;
+  if (!opened.has_settings) {
+    document.method = current.method;
+    document.scheme = current.scheme;
+  }
+  if (!document.has_cage() && !opened.session) document.cage_beside = cage_beside(document.model.path);
+  put_settings(document, request.settings, opened.has_settings);
+  const bool surfaceless = document.model.surface->triangles.empty() && !opened.has_settings;
+  if (surfaceless && deform::entry(document.scheme.weighting.weights).on_surface &&
+      !request.settings.choice.weights)
+    put_scheme(document,
+               deform::complete(only(deform::default_scheme(false).weighting.weights), document.scheme));
+  opened.has_settings |= request.settings.any();
+  return opened;
+}
+
+void check_drawable(const Opened& opened) {
+  check(opened, check_drawable);
+}
+void check_deformable(const Opened& opened) {
+  check(opened, check_deformable);
+}
+
+FilesInUse files_of(const Opened& opened) {
+  FilesInUse files;
+  if (opened.document) add_document(files, *opened.document, no_own);
+  for (const FileInUse& file : opened.also_read) files.add(file.path, file.what);
+  if (opened.session) files.add(opened.file, the_session);
+  return files;
+}
+
+}  // namespace viete::scene

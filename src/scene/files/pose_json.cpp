@@ -1,0 +1,346 @@
+#include "scene/files/pose_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/probes.h"
+#include "scene/document/range.h"
+#include "scene/document/time_edit.h"
+#include "scene/files/camera_json.h"
+
+namespace viete::scene {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+struct Points {
+  std::vector<mesh::Point> all;
+  std::vector<std::size_t> unread;
+};
+
+Points points_of(const JsonReader& json, double limit, double otherwise) {
+  Points points{std::vector<mesh::Point>(json.size(), {otherwise, otherwise, otherwise}), {}};
+  for (std::size_t i = 0; i < points.all.size(); ++i) {
+    if (const auto point = json.point(i, limit)) {
+      points.all[i] = *point;
+    } else {
+      points.unread.push_back(i);
+    }
+  }
+  return points;
+}
+
+// "vertex 5 is at rest instead".
+void tell_unread(const JsonReader& json, const std::vector<std::size_t>& unread, const std::string& element,
+                 const std::string& instead, std::vector<std::string>& warnings) {
+  if (unread.empty()) return;
+  const bool one = unread.size() == 1;
+  const std::string others = one ? "" : " and " + std::to_string(unread.size() - 1) + " more";
+  try {
+    json.item(unread.front()).numbers<3>();
+    json.item(unread.front()).fail("a number is too large");
+  } catch (const base::Error& error) {
+    warnings.emplace_back(base::Error(error.place(), error.problem(),
+                                      element + ' ' + std::to_string(unread.front()) + others +
+                                          (one ? " is " : " are ") + instead)
+                              .what());
+  }
+}
+
+std::array<double, 6> six(const sym3::Sym3<double>& s) {
+  return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+}
+
+mesh::Vec3 vector_of(const JsonReader& json, double limit) {
+  const auto vector = json.numbers<3>();
+  if (!(mesh::norm(vector) <= limit)) json.fail("a number is too large");
+  return vector;
+}
+
+sym3::Sym3<double> probe_stretch_of(const JsonReader& json) {
+  const auto x = json.numbers<6>();
+  const sym3::Sym3<double> stretch{x[0], x[1], x[2], x[3], x[4], x[5]};
+  if (!is_probe_stretch(stretch)) json.fail("a number is too large");
+  return stretch;
+}
+
+double within(const JsonReader& json, double least, double most) {
+  const double number = json.number();
+  if (!(number >= least && number <= most)) json.fail("this number is out of range");
+  return number;
+}
+
+int frame_of(const JsonReader& json) {
+  return static_cast<int>(std::lround(within(json, Timeline::least_frame, Timeline::largest_frame)));
+}
+
+template <class Choice>
+Choice choice_of(const JsonReader& json, std::span<const EasingChoice> all) {
+  return word_of(json, [&](const std::string& word) -> std::optional<Choice> {
+    const auto found = std::ranges::find(all, word, &EasingChoice::word);
+    if (found == all.end()) return std::nullopt;
+    return static_cast<Choice>(found - all.begin());
+  });
+}
+
+// What is damaged is left out, with a warning.
+template <class Read>
+void take_items(const JsonReader& json, std::size_t most, const char* instead,
+                std::vector<std::string>& warnings, Read read) {
+  if (json.size() > most) json.fail("there are more than " + std::to_string(most));
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    try {
+      read(json.item(i));
+    } catch (const base::Error& error) {
+      warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
+    }
+  }
+}
+
+std::vector<std::uint32_t> indices_of(const JsonReader& json) {
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < json.size(); ++i) indices.push_back(json.item(i).index());
+  return indices;
+}
+
+// As it was typed, where that gives the same weight back.
+double percent_of(double weight) {
+  const double typed = std::round(1e8 * weight) / 1e6;
+  return typed / 100 == weight ? typed : 100 * weight;
+}
+
+NamedPose named_pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  NamedPose named{json.at("name").text(), whole_pose_of(json, warnings)};
+  if (named.name.size() > PoseLibrary::longest_name) json.at("name").fail("this name is too long");
+  const auto weight_of = [](const JsonReader& v) {
+    return within(v, 100 * PoseLibrary::least_weight, 100 * PoseLibrary::largest_weight) / 100;
+  };
+  take_part(json, "weight", named.weight, weight_of, "it counts as made by hand", warnings);
+  const std::size_t told = warnings.size();
+  take_part(json, "part", named.part, indices_of, "it counts as made by hand", warnings);
+  if (warnings.size() > told) named.weight = 0;
+  return named;
+}
+
+PoseKey key_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  PoseKey key{frame_of(json.at("frame")), whole_pose_of(json, warnings)};
+  const auto easing_of = [](const JsonReader& v) { return choice_of<Easing>(v, all_easings()); };
+  const auto handles_of = [](const JsonReader& v) {
+    const Handles handles = v.numbers<4>();
+    if (!are_handles(handles)) v.fail("x is 0 to 1, y is -4 to 5");
+    return handles;
+  };
+  take_part(json, "easing", key.easing, easing_of, "smooth instead", warnings);
+  take_part(json, "handles", key.handles, handles_of, "the usual curve instead", warnings);
+  return key;
+}
+
+std::vector<PoseKey> keys_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  std::vector<PoseKey> keys;
+  take_items(json, Timeline::most_keys, "it is left out", warnings,
+             [&](const JsonReader& item) { keys.push_back(key_of(item, warnings)); });
+  return keys;
+}
+
+std::vector<CameraKey> cameras_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  std::vector<CameraKey> keys;
+  take_items(json, Timeline::most_keys, "this camera key is left out", warnings, [&](const JsonReader& item) {
+    keys.push_back({frame_of(item.at("frame")), camera_of(item, true)});
+  });
+  return keys;
+}
+
+// By frame; of two of the same frame the first one stays.
+template <class Keys>
+void put_in_order(Keys& keys) {
+  const auto frame = [](const auto& key) { return key.frame; };
+  std::ranges::stable_sort(keys, {}, frame);
+  keys.erase(std::ranges::unique(keys, {}, frame).begin(), keys.end());
+}
+
+bool fits(const WholePose& pose, const deform::Cage* cage) {
+  return pose.cage.positions.size() == (cage ? cage->surface.positions.size() : 0) &&
+         pose.cage.turns.size() <= (cage ? cage->roots.size() : 0);
+}
+
+void rest_unread(SharedPose& pose, const deform::Cage& cage) {
+  const auto unread = [](const mesh::Point& p) { return std::isnan(p[0]); };
+  if (std::ranges::none_of(pose->cage.positions, unread)) return;
+  WholePose whole = *pose;
+  for (std::size_t v = 0; v < whole.cage.positions.size(); ++v)
+    if (unread(whole.cage.positions[v])) whole.cage.positions[v] = cage.surface.positions[v];
+  pose = std::make_shared<const WholePose>(std::move(whole));
+}
+
+}  // namespace
+
+ordered_json pose_json(const deform::Pose& pose) {
+  return {{"turns", pose.turns}, {"positions", pose.positions}};
+}
+
+deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  const JsonReader positions = json.at("positions");
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  Points points = points_of(positions, largest_coordinate, unknown);
+  tell_unread(positions, points.unread, "vertex", "at rest instead", warnings);
+  deform::Pose pose{std::move(points.all), {}};
+  const auto turns_of = [&](const JsonReader& turns) {
+    Points read = points_of(turns, largest_turn, 0);
+    tell_unread(turns, read.unread, "part", "without whole turns instead", warnings);
+    return std::move(read.all);
+  };
+  take_part(json, "turns", pose.turns, turns_of, "no part has made a whole turn", warnings);
+  return pose;
+}
+
+void put_probe_pose(ordered_json& json, const deform::ProbePose& pose) {
+  const deform::ProbePose rest;
+  if (pose.turn != rest.turn) json["turned"] = pose.turn;
+  if (six(pose.stretch) != six(rest.stretch)) json["stretched"] = six(pose.stretch);
+  if (pose.move != rest.move) json["moved"] = pose.move;
+}
+
+deform::ProbePose probe_pose_of(const JsonReader& json) {
+  deform::ProbePose pose;
+  if (const auto v = json.find("turned")) pose.turn = vector_of(*v, largest_turn);
+  if (const auto v = json.find("stretched")) pose.stretch = probe_stretch_of(*v);
+  if (const auto v = json.find("moved")) pose.move = vector_of(*v, most_drawn);
+  return pose;
+}
+
+ordered_json whole_pose_json(const WholePose& pose) {
+  ordered_json json = ordered_json::object();
+  if (!pose.cage.positions.empty()) json.update(pose_json(pose.cage));
+  if (pose.probes.empty()) return json;
+  json["probes"] = ordered_json::array();
+  for (const auto& probe : pose.probes) {
+    ordered_json one = ordered_json::object();
+    put_probe_pose(one, probe);
+    json["probes"].push_back(std::move(one));
+  }
+  return json;
+}
+
+SharedPose whole_pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  WholePose pose;
+  if (json.find("positions")) pose.cage = pose_of(json, warnings);
+  if (const auto probes = json.find("probes")) {
+    if (probes->size() > most_probes) probes->fail("there are too many probes");
+    for (std::size_t i = 0; i < probes->size(); ++i) pose.probes.push_back(probe_pose_of(probes->item(i)));
+  }
+  return std::make_shared<const WholePose>(std::move(pose));
+}
+
+ordered_json library_json(const PoseLibrary& library) {
+  ordered_json all = ordered_json::array();
+  for (const NamedPose& named : library.poses) {
+    ordered_json json = {{"name", named.name}};
+    if (named.weight != 0) json["weight"] = percent_of(named.weight);
+    if (!named.part.empty()) json["part"] = named.part;
+    json.update(whole_pose_json(*named.pose));
+    all.push_back(std::move(json));
+  }
+  return all;
+}
+
+ordered_json timeline_json(const Timeline& timeline, double frame) {
+  ordered_json json = {{"first", timeline.first},
+                       {"last", timeline.last},
+                       {"rate", timeline.rate},
+                       {"frame", frame},
+                       {"repeat", all_repeats()[static_cast<std::size_t>(timeline.repeat)].word}};
+  if (timeline.straight) json["straight"] = true;
+  json["keys"] = ordered_json::array();
+  for (const PoseKey& key : timeline.keys) {
+    ordered_json one = {{"frame", key.frame},
+                        {"easing", all_easings()[static_cast<std::size_t>(key.easing)].word}};
+    if (key.easing == Easing::bezier) one["handles"] = key.handles;
+    one.update(whole_pose_json(*key.pose));
+    json["keys"].push_back(std::move(one));
+  }
+  for (const PoseKey& left : timeline.unkeyed) {
+    ordered_json one = {{"frame", left.frame}};
+    one.update(whole_pose_json(*left.pose));
+    json["unkeyed"].push_back(std::move(one));
+  }
+  if (timeline.cameras.empty()) return json;
+  json["cameras"] = ordered_json::array();
+  for (const CameraKey& key : timeline.cameras) {
+    ordered_json one = {{"frame", key.frame}};
+    one.update(camera_json(key.camera));
+    json["cameras"].push_back(std::move(one));
+  }
+  return json;
+}
+
+PoseLibrary library_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  PoseLibrary library;
+  take_items(json, PoseLibrary::most_poses, "this pose is left out", warnings, [&](const JsonReader& item) {
+    NamedPose named = named_pose_of(item, warnings);
+    named.name = free_name(library, named.name);  // each name once
+    library.poses.push_back(std::move(named));
+  });
+  return library;
+}
+
+Timeline timeline_of(const JsonReader& json, double& frame, std::vector<std::string>& warnings) {
+  Timeline t;
+  const auto take = [&](const char* key, auto& part, auto read, const char* instead) {
+    take_part(json, key, part, read, instead, warnings);
+  };
+  take("first", t.first, frame_of, "1 instead");
+  take("last", t.last, frame_of, "60 instead");
+  t.first = std::min(t.first, Timeline::largest_frame - 1);
+  t.last = std::max(t.last, t.first + 1);
+  take(
+      "rate", t.rate, [](const auto& v) { return within(v, Timeline::least_rate, Timeline::largest_rate); },
+      "24 frames a second instead");
+  take(
+      "repeat", t.repeat, [](const auto& v) { return choice_of<Repeat>(v, all_repeats()); }, "loop instead");
+  take(
+      "straight", t.straight, [](const auto& v) { return v.boolean(); }, "in log space instead");
+  take(
+      "keys", t.keys, [&](const auto& v) { return keys_of(v, warnings); }, "there are none instead");
+  take(
+      "unkeyed", t.unkeyed, [&](const auto& v) { return keys_of(v, warnings); }, "there are none instead");
+  take(
+      "cameras", t.cameras, [&](const auto& v) { return cameras_of(v, warnings); }, "there are none instead");
+  put_in_order(t.keys);
+  put_in_order(t.cameras);
+  frame = t.first;
+  take(
+      "frame", frame, [](const auto& v) { return within(v, Timeline::least_frame, Timeline::largest_frame); },
+      "at the first frame instead");
+  return t;
+}
+
+void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cage, const std::string& file,
+               std::vector<std::string>& warnings) {
+  const auto drop = [&](auto& all, const char* key, const char* what) {
+    const std::size_t dropped =
+        std::erase_if(all, [&](const auto& keyed) { return !fits(*keyed.pose, cage); });
+    if (dropped > 0)
+      warnings.push_back(file + ": " + key + ": " + std::to_string(dropped) + ' ' + what +
+                         (dropped == 1 ? " is" : "s are") + " of another cage, and dropped");
+    if (cage)
+      for (auto& keyed : all) rest_unread(keyed.pose, *cage);
+  };
+  drop(library.poses, "poses", "pose");
+  drop(timeline.keys, "time", "key");
+  drop(timeline.unkeyed, "time", "unkeyed pose");
+  if (library.unmixed && !fits(*library.unmixed, cage)) library.unmixed = nullptr;
+  if (library.unmixed && cage) rest_unread(library.unmixed, *cage);
+  for (NamedPose& named : library.poses) {
+    const auto unknown = [&](auto v) { return !cage || v >= cage->surface.positions.size(); };
+    if (std::ranges::none_of(named.part, unknown)) continue;
+    warnings.push_back(file + ": poses: " + mesh::in_quotes(named.name) +
+                       " is mixed into vertices that the cage does not have; it counts as made by hand");
+    named.part.clear(), named.weight = 0;
+  }
+}
+
+}  // namespace viete::scene

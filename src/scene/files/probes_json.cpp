@@ -1,0 +1,85 @@
+#include "scene/files/probes_json.h"
+
+#include <array>
+#include <cmath>
+
+#include "scene/document/probes.h"
+#include "scene/document/range.h"
+#include "scene/files/pose_json.h"
+
+namespace viete::scene {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+struct PartKey {
+  const char* key;
+  Part part;
+};
+constexpr PartKey part_keys[] = {
+    {"turn", &deform::Probe::turn}, {"stretch", &deform::Probe::stretch}, {"move", &deform::Probe::move}};
+
+ordered_json probe_json(const deform::Probe& probe) {
+  ordered_json json;
+  json["place"] = probe.place;
+  for (const auto& [key, part] : part_keys) {
+    const deform::Influence& influence = probe.*part;
+    json[key] = {{"falloff", deform::entry(influence.falloff).name}, {"radius", influence.radius}};
+  }
+  if (probe.locked) json["locked"] = true;
+  put_probe_pose(json, probe.pose);
+  return json;
+}
+
+mesh::Point point_of(const JsonReader& json, double limit) {
+  const auto point = json.numbers<3>();
+  for (const double x : point) {
+    if (!(std::abs(x) <= limit)) json.fail("a number is too large");
+  }
+  return point;
+}
+
+deform::Influence influence_of(const JsonReader& json) {
+  const auto falloff = [](auto name) { return deform::find_by_name(deform::all_falloffs(), name); };
+  const double radius = json.at("radius").number();
+  if (!(radius > 0 && radius <= most_drawn)) json.at("radius").fail("a radius must be above 0");
+  return {word_of(json.at("falloff"), falloff), radius};
+}
+
+deform::Probe probe_of(const JsonReader& json) {
+  deform::Probe probe;
+  probe.place = point_of(json.at("place"), most_drawn);
+  for (const auto& [key, part] : part_keys) probe.*part = influence_of(json.at(key));
+  if (const auto v = json.find("locked")) probe.locked = v->boolean();
+  probe.pose = probe_pose_of(json);
+  return probe;
+}
+
+}  // namespace
+
+ordered_json probes_json(const deform::Probes& probes) {
+  ordered_json json = {{"mix", deform::entry(probes.mix).name}, {"all", ordered_json::array()}};
+  for (const auto& probe : probes.all) json["all"].push_back(probe_json(probe));
+  return json;
+}
+
+deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  deform::Probes probes;
+  const auto mix_of = [](const JsonReader& v) {
+    return word_of(v, [](auto name) { return deform::find_by_name(deform::all_probe_mixes(), name); });
+  };
+  take_part(json, "mix", probes.mix, mix_of, "added instead, of added, partial, whole and softmax", warnings);
+  const JsonReader all = json.at("all");
+  if (all.size() > most_probes) all.fail("there are more than " + std::to_string(most_probes) + " probes");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    try {
+      probes.all.push_back(probe_of(all.item(i)));
+    } catch (const base::Error& error) {
+      warnings.emplace_back(base::Error(error.place(), error.problem(), "this probe is left out").what());
+    }
+  }
+  return probes;
+}
+
+}  // namespace viete::scene

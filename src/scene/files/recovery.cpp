@@ -1,0 +1,124 @@
+#include "scene/files/recovery.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/process.h"
+#include "scene/files/session.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// PROCESS.viete or PROCESS_3.viete.
+std::string process_of(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return stem.substr(0, stem.find('_'));
+}
+
+// A name in that folder that is free: PROCESS_1.viete.
+fs::path free_name(const fs::path& folder, const std::string& extension) {
+  std::error_code ignored;
+  for (int i = 1;; ++i) {
+    const fs::path file = folder / (base::process_name() + "_" + std::to_string(i) + extension);
+    if (!fs::exists(file, ignored)) return file;
+  }
+}
+
+void rename_leftover(const fs::path& from, const fs::path& to) {
+  std::error_code code;
+  fs::rename(from, to, code);
+  if (code)
+    throw base::Error(from.string(), "cannot be moved to " + to.filename().string() + ": " + code.message());
+}
+
+constexpr const char* discarded_extension = ".discarded";
+
+std::tm local(std::time_t time) {
+  std::tm parts{};
+  localtime_r(&time, &parts);
+  return parts;
+}
+
+bool is_same_day(const std::tm& a, const std::tm& b) {
+  return a.tm_year == b.tm_year && a.tm_yday == b.tm_yday;
+}
+
+std::string text(const char* format, const std::tm& time) {
+  char buffer[64];
+  return {buffer, std::strftime(buffer, sizeof buffer, format, &time)};
+}
+
+}  // namespace
+
+fs::path recovery_file(const fs::path& folder) {
+  return folder / (base::process_name() + ".viete");
+}
+
+fs::path set_aside_file(const fs::path& folder) {
+  return free_name(folder, ".viete");
+}
+
+DiscardedLeftover discard(const Leftover& leftover) {
+  const DiscardedLeftover discarded{leftover, free_name(leftover.file.parent_path(), discarded_extension)};
+  rename_leftover(leftover.file, discarded.aside);
+  return discarded;
+}
+
+void undo_discard(const DiscardedLeftover& discarded) {
+  rename_leftover(discarded.aside, discarded.leftover.file);
+}
+
+void remove_discarded(const fs::path& folder) {
+  std::error_code code, ignored;
+  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+    const fs::path& file = entry->path();
+    const std::string process = process_of(file);
+    if (file.extension() != discarded_extension) continue;
+    if (process == base::process_name() || !base::process_runs(process)) fs::remove(file, ignored);
+  }
+}
+
+Leftover describe_leftover(const fs::path& file) {
+  Leftover leftover{file, file.filename().string()};
+  struct stat status {};
+  if (stat(file.c_str(), &status) == 0) leftover.time = status.st_mtime;
+  try {
+    const Session session = read_session(file);
+    const fs::path& of = session.origin.empty() ? session.model : session.origin;
+    leftover.name = of.filename().string();
+    leftover.folder = of.parent_path();
+    leftover.first_edit = session.first_edit;
+  } catch (const std::exception&) {
+    // Its own name will do; opening it says what is wrong.
+  }
+  return leftover;
+}
+
+std::vector<Leftover> find_leftovers(const fs::path& folder) {
+  std::vector<Leftover> all;
+  std::error_code code;
+  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+    const fs::path& file = entry->path();
+    if (is_session(file) && !base::process_runs(process_of(file))) all.push_back(describe_leftover(file));
+  }
+  std::sort(all.begin(), all.end(), [](const Leftover& a, const Leftover& b) {
+    return a.time != b.time ? a.time > b.time : a.file < b.file;
+  });
+  return all;
+}
+
+std::string when(std::time_t time, std::time_t now) {
+  const std::tm then = local(time), today = local(now);
+  std::tm noon = today;  // of the day before: no change of the clock makes that another one
+  noon.tm_hour = 12, --noon.tm_mday;
+  if (is_same_day(then, today)) return text("today %H:%M", then);
+  if (is_same_day(then, local(std::mktime(&noon)))) return text("yesterday %H:%M", then);
+  return text(then.tm_year == today.tm_year ? "%b %d, %H:%M" : "%b %d %Y, %H:%M", then);
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,174 @@
+#include "scene/files/scheme_json.h"
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mesh/formats/text_cursor.h"
+
+namespace viete::scene {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+// As it was typed: 29 and not 28.999999999999996.
+double percent(double amount) {
+  return std::round(1e8 * amount) / 1e6;
+}
+
+double reach_of(const JsonReader& json) {
+  const double reach = json.number();
+  if (!(reach >= deform::lowest_reach)) {
+    json.fail("a reach must be " + deform::text_of_reach(deform::lowest_reach) + " or more");
+  }
+  return reach;
+}
+
+double radius_of(const JsonReader& json) {
+  const auto radius = deform::radius_from_percent(json.number());
+  if (!radius) json.fail("a radius must be 0.1 to 1000 percent of the cage's size");
+  return *radius;
+}
+
+int exponent_of(const JsonReader& json) {
+  const std::uint32_t number = json.index();
+  if (number < 1 || number > deform::most_exponent)
+    json.fail("an exponent must be 1 to " + std::to_string(deform::most_exponent));
+  return static_cast<int>(number);
+}
+
+double amount_of(const JsonReader& json) {
+  const auto amount = deform::amount_from_percent(json.number());
+  if (!amount) json.fail("an amount must be 0 to 200 percent");
+  return *amount;
+}
+
+double share_of(const JsonReader& json) {
+  const auto share = deform::share_from_percent(json.number());
+  if (!share) json.fail("it must be 0 to 100 percent");
+  return *share;
+}
+
+int iterations_of(const JsonReader& json, deform::Scheme scheme) {
+  const std::uint32_t number = json.index();
+  if (number < 1 || number > deform::most_iterations)
+    json.fail("iterations must be 1 to " + std::to_string(deform::most_iterations));
+  scheme.iterations = static_cast<int>(number);
+  if (const auto reason = deform::conflict(scheme)) json.fail(std::string(*reason));
+  return scheme.iterations;
+}
+
+// Of the same kind, with what weights have unless something else is asked for.
+deform::Weighting usual(const deform::Weighting& w) {
+  return {.elements = w.elements, .weights = w.weights, .reach = w.reach};
+}
+
+}  // namespace
+
+bool is_plain(const deform::Scheme& scheme) {
+  const deform::Weighting& weighting = scheme.weighting;
+  return !deform::shorthand(scheme).empty() && scheme.amounts.whole() && !scheme.stitched() &&
+         scheme.holding == deform::Holding{} && weighting.same_numbers(usual(weighting));
+}
+
+ordered_json scheme_json(const deform::Scheme& scheme) {
+  const deform::Weighting& weighting = scheme.weighting;
+  const deform::Weighting usually = usual(weighting);
+  ordered_json json;
+  json["elements"] = deform::entry(scheme.weighting.elements).name;
+  json["weights"] = deform::entry(scheme.weighting.weights).name;
+  json["blend"] = deform::entry(scheme.blend).name;
+  const std::string_view shorthand = deform::shorthand(scheme);
+  if (!shorthand.empty()) json["coordinates"] = shorthand;
+  if (weighting.reach < deform::whole_cage) json["reach"] = weighting.reach;
+  if (weighting.radius != usually.radius) json["radius"] = percent(weighting.radius);
+  if (weighting.exponent != usually.exponent) json["exponent"] = weighting.exponent;
+  if (!weighting.clamp) json["clamp"] = false;
+  if (weighting.normalise) json["normalise"] = true;
+  if (scheme.changed_in_03()) json["as_before"] = weighting.as_before;
+  const deform::Amounts& amounts = scheme.amounts;
+  if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
+  if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
+  if (scheme.stitched()) json["stitched"] = scheme.iterations;
+  if (scheme.holding.radius > 0) json["pins"] = percent(scheme.holding.radius);
+  if (scheme.holding.weight > 0) json["hold"] = percent(scheme.holding.weight);
+  return json;
+}
+
+namespace {
+
+// Names of a table as people list them.
+template <class Entry>
+std::string names(std::span<const Entry> table) {
+  std::string all;
+  for (const Entry& e : table) all += (all.empty() ? "" : ", ") + std::string(e.name);
+  return all;
+}
+
+}  // namespace
+
+deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  const auto take_choice = [&](const char* key, auto& choice, auto table) {
+    const std::string instead = "what fits the others instead, of " + names(table);
+    take_part(
+        json, key, choice,
+        [&](const auto& v) {
+          return word_of(v, [&](auto name) { return deform::find_by_name(table, name); });
+        },
+        instead.c_str(), warnings);
+  };
+  deform::PartialChoice choice;
+  take_choice("elements", choice.elements, deform::all_elements());
+  take_choice("weights", choice.weights, deform::all_weights());
+  take_choice("blend", choice.blend, deform::all_blends());
+  std::optional<deform::Scheme> scheme;
+  const char* key = choice.blend      ? "blend"
+                    : choice.weights  ? "weights"
+                    : choice.elements ? "elements"
+                                      : nullptr;
+  if (key) {
+    take_part(
+        json, key, scheme,
+        [&](const auto& v) {
+          try {
+            return deform::complete(choice);
+          } catch (const base::Error& error) {
+            v.fail(error.problem());
+          }
+        },
+        "coordinates count instead, or face", warnings);
+  }
+  if (!scheme) {
+    take_part(
+        json, "coordinates", scheme,
+        [](const auto& v) {
+          const auto found = deform::scheme_of_shorthand(v.text());
+          if (!found) v.fail(mesh::in_quotes(v.text()) + " is not known");
+          return *found;
+        },
+        "face instead, of face and mvc", warnings);
+  }
+  deform::Scheme result = scheme.value_or(deform::Scheme{});
+  deform::Weighting& weighting = result.weighting;
+  take_part(json, "reach", weighting.reach, reach_of, "the whole cage instead", warnings);
+  const auto flag_of = [](const auto& v) { return v.boolean(); };
+  take_part(json, "radius", weighting.radius, radius_of, "25 percent instead", warnings);
+  take_part(json, "exponent", weighting.exponent, exponent_of, "2 instead", warnings);
+  take_part(json, "clamp", weighting.clamp, flag_of, "clamped instead", warnings);
+  take_part(json, "normalise", weighting.normalise, flag_of, "not normalised instead", warnings);
+  take_part(json, "turn", result.amounts.turn, amount_of, "100 percent instead", warnings);
+  take_part(json, "stretch", result.amounts.stretch, amount_of, "100 percent instead", warnings);
+  take_part(
+      json, "stitched", result.iterations, [&](const auto& v) { return iterations_of(v, result); },
+      "not stitched instead", warnings);
+  weighting.as_before = result.changed_in_03();  // older sessions do not say
+  take_part(json, "as_before", weighting.as_before, flag_of, "as before version 0.3 instead", warnings);
+  take_part(json, "pins", result.holding.radius, share_of, "0 instead", warnings);
+  take_part(json, "hold", result.holding.weight, share_of, "0 instead", warnings);
+  return result;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,23 @@
+// A scheme as keys of a session.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "deform/scheme.h"
+#include "scene/files/json_file.h"
+
+namespace viete::scene {
+
+/// The keys that session.h lists from "elements" to "normalise".
+nlohmann::ordered_json scheme_json(const deform::Scheme& scheme);
+
+/// True if "coordinates" and "reach" say all of it: what programs know that read no session but of version 1.
+bool is_plain(const deform::Scheme& scheme);
+
+/// Elements, weights and blend by their own keys, or all by the one word that older programs know. What is
+/// damaged costs its own part, and a warning says what is taken instead.
+deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warnings);
+
+}  // namespace viete::scene

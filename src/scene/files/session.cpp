@@ -1,0 +1,447 @@
+#include "scene/files/session.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "base/checksum.h"
+#include "base/error.h"
+#include "mesh/content_key.h"
+#include "mesh/formats/source.h"
+#include "mesh/formats/text_cursor.h"
+#include "scene/document/cage_editing.h"
+#include "scene/document/elements.h"
+#include "scene/document/range.h"
+#include "scene/files/cage_json.h"
+#include "scene/files/camera_json.h"
+#include "scene/files/handling_json.h"
+#include "scene/files/json_file.h"
+#include "scene/files/pose_json.h"
+#include "scene/files/probes_json.h"
+#include "scene/files/scheme_json.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* format_name = "viete session";
+constexpr std::uint32_t newest_version = 5;
+
+struct ViewFlag {
+  const char* key;
+  bool ViewOptions::*option;
+};
+
+constexpr ViewFlag view_flags[] = {{"dark", &ViewOptions::dark},
+                                   {"model", &ViewOptions::model},
+                                   {"wireframe", &ViewOptions::wireframe},
+                                   {"cage", &ViewOptions::cage},
+                                   {"grid", &ViewOptions::grid},
+                                   {"ghost", &ViewOptions::ghost},
+                                   {"error_map", &ViewOptions::error_map},
+                                   {"panels", &ViewOptions::panels},
+                                   {"hints", &ViewOptions::hints},
+                                   {"deformed", &ViewOptions::deformed},
+                                   {"select_visible", &ViewOptions::select_visible},
+                                   {"same_path", &ViewOptions::same_path}};
+
+// Links in the folder are resolved, so that ".." leads where it should; the file keeps the name it was given.
+fs::path resolved(const fs::path& path) {
+  std::error_code code;
+  const fs::path absolute = fs::absolute(path, code);
+  const fs::path folder = fs::weakly_canonical(absolute.parent_path(), code);
+  return code ? absolute : folder / absolute.filename();
+}
+
+ordered_json stored(const fs::path& path, const fs::path& file, bool portable) {
+  const fs::path target = resolved(path);
+  const fs::path relative = portable ? target.lexically_relative(resolved(file).parent_path()) : fs::path();
+  return path_json(relative.empty() ? target : relative);
+}
+
+std::string hexadecimal(std::uint64_t number) {
+  char text[16];
+  const auto end = std::to_chars(text, text + sizeof text, number, 16).ptr;
+  return std::string(16 - static_cast<std::size_t>(end - text), '0') + std::string(text, end);
+}
+
+std::uint64_t from_hexadecimal(const JsonReader& json) {
+  const std::string text = json.text();
+  const char* const end = text.data() + text.size();
+  std::uint64_t number = 0;
+  if (text.size() != 16 || std::from_chars(text.data(), end, number, 16).ptr != end)
+    json.fail("these are not 16 hexadecimal digits");
+  return number;
+}
+
+ordered_json view_json(const ViewOptions& view) {
+  ordered_json json;
+  for (const auto& flag : view_flags) json[flag.key] = view.*flag.option;
+  if (view.shading != Shading::file)
+    json["shading"] = all_shadings()[static_cast<std::size_t>(view.shading)].word;
+  return json;
+}
+
+std::optional<Shading> shading_of_word(std::string_view word) {
+  const auto all = all_shadings();
+  const auto found = std::ranges::find(all, word, &ShadingChoice::word);
+  if (found == all.end()) return std::nullopt;
+  return static_cast<Shading>(found - all.begin());
+}
+
+ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  ViewOptions view;
+  (void)json.find("");  // what is no object is said once
+  for (const auto& flag : view_flags) {
+    take_part(
+        json, flag.key, view.*flag.option, [](const JsonReader& v) { return v.boolean(); },
+        "it stays as it is in a new window", warnings);
+  }
+  take_part(
+      json, "shading", view.shading, [](const JsonReader& v) { return word_of(v, shading_of_word); },
+      "the model is shown as its file says", warnings);
+  return view;
+}
+
+// Keys are of bytes as the machine stores them: others than the common ones say nothing.
+constexpr bool keys_are_common = std::endian::native == std::endian::little;
+
+std::vector<std::uint32_t> selection_of(const JsonReader& json) {
+  std::vector<std::uint32_t> indices(json.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = json.item(i).index();
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  return indices;
+}
+
+constexpr std::array kind_names = {"vertices", "edges", "faces", "probes"};
+
+std::optional<ElementKind> kind_from_name(std::string_view name) {
+  const auto found = std::find(kind_names.begin(), kind_names.end(), name);
+  if (found == kind_names.end()) return std::nullopt;
+  return static_cast<ElementKind>(found - kind_names.begin());
+}
+
+std::vector<NamedSet> sets_of(const JsonReader& json) {
+  std::vector<NamedSet> sets;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const JsonReader set = json.item(i);
+    const ElementKind kind = word_of(set.at("selecting"), kind_from_name);
+    if (kind == ElementKind::probe) set.at("selecting").fail("a set is of vertices, edges or faces");
+    sets.push_back({set.at("name").text(), kind, selection_of(set.at("vertices"))});
+  }
+  return sets;
+}
+
+std::vector<MaskRun> mask_of(const JsonReader& json) {
+  std::vector<MaskRun> mask;
+  for (std::size_t run = 0; run + 1 < json.size(); run += 2) {
+    const MaskRun read{json.item(run).index(), json.item(run + 1).index()};
+    if (read.share > mask_steps) json.item(run).fail("a share must be 0 to " + std::to_string(mask_steps));
+    mask.push_back(read);
+  }
+  if (json.size() % 2) json.fail("a share without the number of its vertices");
+  return mask;
+}
+
+glm::ivec2 window_of(const JsonReader& json) {
+  const auto [width, height] = json.numbers<2>();
+  if (!is_window(width, height)) json.fail("no window has this size");
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+void check_version(const JsonReader& json, const fs::path& file) {
+  const auto format = json.find("format");
+  if (!format || format->text() != format_name) {
+    throw base::Error(file.string(), "this is not a session", "choose a file that this program has saved");
+  }
+  const auto version = json.at("version").index();
+  if (version >= 1 && version <= newest_version) return;
+  json.at("version").fail(
+      "the session has version " + std::to_string(version) + ", this program reads 1 to " +
+          std::to_string(newest_version),
+      version > newest_version ? "open it with a newer program" : "save the session again");
+}
+
+}  // namespace
+
+namespace {
+
+ordered_json mask_json(const std::vector<MaskRun>& mask) {
+  ordered_json runs = ordered_json::array();
+  for (const auto& [share, vertices] : mask) {
+    runs.push_back(share);
+    runs.push_back(vertices);
+  }
+  return runs;
+}
+
+}  // namespace
+
+namespace {
+
+ordered_json sets_json(const std::vector<NamedSet>& sets) {
+  ordered_json all = ordered_json::array();
+  for (const NamedSet& set : sets)
+    all.push_back({{"name", set.name},
+                   {"selecting", kind_names[static_cast<std::size_t>(set.kind)]},
+                   {"vertices", set.vertices}});
+  return all;
+}
+
+}  // namespace
+
+namespace {
+
+// The oldest whose programs read all of it.
+std::uint32_t version_of(const Session& session) {
+  if (!session.library.poses.empty() || session.timeline != Timeline{}) return 5;
+  if (session.made_cage) return 4;
+  if (!session.probes.empty()) return 3;
+  return is_plain(session.scheme) && session.mask.empty() ? 1 : 2;
+}
+
+}  // namespace
+
+std::string session_text(const Session& session, const fs::path& file, bool portable) {
+  ordered_json json = {{"format", format_name}, {"version", version_of(session)}};
+  json["model"] = stored(session.model, file, portable);
+  if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
+  if (session.made_cage) json["made_cage"] = cage_json(*session.made_cage);
+  if (keys_are_common && session.model_content != 0)
+    json["model_content"] = hexadecimal(session.model_content);
+  if (keys_are_common && session.cage_content != 0) json["cage_content"] = hexadecimal(session.cage_content);
+  if (!portable && !session.origin.empty()) {
+    json["session"] = stored(session.origin, file, false);
+    if (session.origin_content) json["session_content"] = hexadecimal(*session.origin_content);
+  }
+  if (!portable && !session.first_edit.empty()) json["first_edit"] = session.first_edit;
+  json["method"] = sym3::name(session.method);
+  json.update(scheme_json(session.scheme));
+  if (!session.mask.empty()) json["mask"] = mask_json(session.mask);
+  if (!session.probes.empty()) json["probes"] = probes_json(session.probes);
+  if (session.camera) json["camera"] = camera_json(*session.camera);
+  json["view"] = view_json(session.view);
+  if (session.handling != Handling{}) json["hand"] = handling_json(session.handling);
+  if (session.unit) json["unit"] = entry(*session.unit).symbol;
+  if (session.window) json["window"] = {session.window->x, session.window->y};
+  json["selecting"] = kind_names[static_cast<std::size_t>(session.selecting)];
+  json["selection"] = session.selection;
+  if (!session.groups.sets.empty()) json["sets"] = sets_json(session.groups.sets);
+  if (!session.groups.hidden.empty()) json["hidden"] = session.groups.hidden;
+  if (session.pose) json["pose"] = pose_json(*session.pose);
+  if (!session.library.poses.empty()) json["poses"] = library_json(session.library);
+  if (session.library.unmixed) json["unmixed"] = whole_pose_json(*session.library.unmixed);
+  if (session.timeline != Timeline{}) json["time"] = timeline_json(session.timeline, session.frame);
+  return readable(json, file);
+}
+
+namespace {
+
+void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
+  const auto take = [&](const char* key, auto& part, auto read, const char* instead) {
+    take_part(json, key, part, read, instead, s.warnings);
+  };
+  take(
+      "session", s.origin, [&](const auto& v) { return resolved(folder / v.path()); },
+      "saving will ask for a name");
+  const char* unknown = "whether it has changed is not known";
+  take("session_content", s.origin_content, from_hexadecimal, unknown);
+  take(
+      "first_edit", s.first_edit, [](const auto& v) { return v.text(); }, "it is not known");
+  if (keys_are_common) take("model_content", s.model_content, from_hexadecimal, unknown);
+  if (keys_are_common) take("cage_content", s.cage_content, from_hexadecimal, unknown);
+  take(
+      "method", s.method, [](const auto& v) { return word_of(v, sym3::method_from_name); },
+      "fast instead, of diag, sd, improved_sd and fast");
+  s.scheme = scheme_of(json, s.warnings);
+  take("mask", s.mask, mask_of, "every vertex follows the cage instead");
+  bool all_probes = false;
+  const auto take_probes = [&](const auto& v) {
+    auto probes = probes_of(v, s.warnings);
+    all_probes = probes.all.size() == v.at("all").size();
+    return probes;
+  };
+  take("probes", s.probes, take_probes, "there are none instead");
+  take("sets", s.groups.sets, sets_of, "there are none instead");
+  take("hidden", s.groups.hidden, selection_of, "all of the cage is shown instead");
+  take(
+      "poses", s.library, [&](const auto& v) { return library_of(v, s.warnings); }, "there are none instead");
+  take(
+      "unmixed", s.library.unmixed, [&](const auto& v) { return whole_pose_of(v, s.warnings); },
+      "it is found anew from what is mixed");
+  take(
+      "time", s.timeline, [&](const auto& v) { return timeline_of(v, s.frame, s.warnings); },
+      "there are no keys instead");
+  take(
+      "camera", s.camera, [](const auto& v) { return camera_of(v); }, "the whole model is shown instead");
+  take(
+      "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");
+  take(
+      "hand", s.handling, [&](const auto& v) { return handling_of(v, s.warnings); },
+      "as in a new window instead");
+  take(
+      "unit", s.unit, [](const auto& v) { return std::optional(word_of(v, length_unit_of_symbol)); },
+      "as the model's file says instead");
+  take("window", s.window, window_of, "the usual size instead");
+  std::optional<ElementKind> kind = ElementKind::vertex;
+  take(
+      "selecting", kind,
+      [&](const auto& v) {
+        kind.reset();  // of an unknown kind nothing is selected
+        return word_of(v, kind_from_name);
+      },
+      "nothing is selected");
+  if (!kind) return;
+  s.selecting = *kind;
+  if (*kind == ElementKind::probe && !all_probes) return;  // others have their numbers now
+  take("selection", s.selection, selection_of, "nothing is selected");
+}
+
+}  // namespace
+
+Session read_session(const fs::path& file) {
+  const nlohmann::json whole = read_json(file);
+  const JsonReader json(whole, file.string());
+  check_version(json, file);
+  const fs::path folder = resolved(file).parent_path();
+  Session session;
+  session.model = resolved(folder / json.at("model").path());
+  if (const auto v = json.find("cage")) session.cage = resolved(folder / v->path());
+  if (const auto v = json.find("made_cage"); v && session.cage.empty()) session.made_cage = made_cage_of(*v);
+  if (const auto v = json.find("pose")) session.pose = pose_of(*v, session.warnings);
+  read_settings(json, folder, session);
+  return session;
+}
+
+// Elements are listed in ascending order.
+void fit_selection(Session& session, const Document& document, const fs::path& file) {
+  const std::size_t count = element_count(document, session.selecting);
+  if (session.selection.empty() || session.selection.back() < count) return;
+  const std::string last = std::to_string(session.selection.back());
+  const std::string where = session.selecting == ElementKind::probe
+                                ? "it has "
+                                : "the cage " + place_of(document.cage_file) + " has ";
+  session.warnings.emplace_back(base::Error(file.string() + ": selection",
+                                            element_name(session.selecting) + ' ' + last + " is selected, " +
+                                                where + counted(session.selecting, count),
+                                            "nothing is selected instead")
+                                    .what());
+  session.selection.clear();
+}
+
+CageGroups fit_groups(Session& session, const Document& document, const fs::path& file) {
+  const std::size_t count = element_count(document, ElementKind::vertex);
+  const auto fits = [&](const std::vector<std::uint32_t>& vertices) {
+    return vertices.empty() || vertices.back() < count;
+  };
+  CageGroups groups = std::move(session.groups);
+  std::erase_if(groups.sets, [&](const NamedSet& set) {
+    if (fits(set.vertices)) return false;
+    session.warnings.push_back(file.string() + ": sets: \"" + set.name + "\" is of vertex " +
+                               std::to_string(set.vertices.back()) + ", the cage has " +
+                               counted(ElementKind::vertex, count) + "; this set is dropped");
+    return true;
+  });
+  if (!fits(groups.hidden)) {
+    session.warnings.push_back(file.string() +
+                               ": hidden: there are no such vertices; all of the cage is shown");
+    groups.hidden.clear();
+  }
+  return groups;
+}
+
+void tell_what_changed(Session& session, const Document& document, const fs::path& file) {
+  const auto tell = [&](const char* key, std::uint64_t then, const OpenedSurface& now, const char* advice) {
+    if (then == 0 || now.content == 0 || then == now.content) return;
+    session.warnings.emplace_back(
+        base::Error(file.string() + ": " + key,
+                    place_of(now) + " is another one than when the session was saved", advice)
+            .what());
+  };
+  tell("model", session.model_content, document.model,
+       "if the result is not what you expect, bring back the older one");
+  tell(
+      "cage", session.cage_content, document.cage_file,
+      "its vertices may have another order, and the pose may not be of it: if it looks wrong, bring back the "
+      "older one");
+}
+
+void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& file) {
+  if (!session.pose) return;
+  const bool same = session.cage_content != 0 && session.cage_content == mesh::content_key(cage.surface);
+  const std::string advice =
+      same ? "the session is damaged: take an older copy of it"
+           : "the cage has changed since the session was saved: bring back the older one";
+  auto& [positions, turns] = *session.pose;
+  const auto& rest = cage.surface.positions;
+  if (positions.size() != rest.size()) {
+    throw base::Error(file.string() + ": pose.positions",
+                      "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
+                          (session.made_cage ? place_of(*session.made_cage) : session.cage.string()) +
+                          " has " + std::to_string(rest.size()),
+                      advice);
+  }
+  if (turns.size() > cage.roots.size()) {
+    throw base::Error(file.string() + ": pose.turns",
+                      "there are more than the " + std::to_string(cage.roots.size()) + " parts of the cage",
+                      advice);
+  }
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (std::isnan(positions[v][0])) positions[v] = rest[v];
+  }
+}
+
+deform::Mask fit_to_model(Session& session, const mesh::Surface& model, const fs::path& file) {
+  if (session.mask.empty()) return nullptr;
+  std::uint64_t shares = 0;
+  for (const MaskRun& run : session.mask) shares += run.vertices;
+  if (shares != model.positions.size()) {
+    session.warnings.push_back(file.string() + ": mask: it is of " + counted(ElementKind::vertex, shares) +
+                               ", the model has " + std::to_string(model.positions.size()) +
+                               "; every vertex follows the cage instead");
+    return nullptr;
+  }
+  std::vector<float> mask;
+  mask.reserve(model.positions.size());
+  for (const MaskRun& run : session.mask)
+    mask.insert(mask.end(), run.vertices, static_cast<float>(run.share) / mask_steps);
+  return std::make_shared<const std::vector<float>>(std::move(mask));
+}
+
+bool is_session(const fs::path& file) {
+  return mesh::extension_of(file) == session_extension + 1;
+}
+
+std::vector<MaskRun> runs_of(const deform::Mask& mask) {
+  std::vector<MaskRun> runs;
+  if (!mask) return runs;
+  for (const float s : *mask) {
+    const auto share = static_cast<std::uint32_t>(std::lround(s * mask_steps));
+    if (runs.empty() || runs.back().share != share) runs.push_back({share, 0});
+    ++runs.back().vertices;
+  }
+  return runs;
+}
+
+std::uint64_t content_of_bytes(std::string_view bytes) {
+  base::Checksum sum;
+  sum.add(bytes.data(), bytes.size());
+  return sum.value();
+}
+
+std::optional<std::uint64_t> content_of(const fs::path& file) {
+  try {
+    return content_of_bytes(mesh::FileBytes(file, nullptr).view());
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace viete::scene

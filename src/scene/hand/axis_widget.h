@@ -1,0 +1,39 @@
+// The small axes at the top right of the view: a click on a ball is a standard view, a drag orbits.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "scene/document/camera.h"
+
+namespace viete::scene {
+
+inline constexpr float axes_radius = 46;  ///< of the disc that takes the mouse, logical pixels
+
+struct AxisBall {
+  int axis;  ///< 0 x, 1 y, 2 z
+  bool positive;
+  glm::vec2 at;    ///< logical pixels
+  float nearness;  ///< 1 points at the viewer, -1 away
+  float radius;
+
+  StandardView view(UpAxis up) const;  ///< seen from this side
+};
+
+struct AxisWidget {
+  glm::vec2 center;
+  std::array<AxisBall, 6> balls;  ///< far to near
+
+  bool contains(const glm::vec2& cursor) const { return glm::distance(cursor, center) <= axes_radius; }
+  /// The nearest ball under the cursor.
+  const AxisBall* ball(const glm::vec2& cursor) const;
+};
+
+/// Nothing where the view is too small for it.
+std::optional<AxisWidget> axis_widget(const Camera& camera, const Viewport& viewport);
+
+/// To the side of the ball, eased; where the camera looks from there already, to the opposite side.
+void look_from(Camera& camera, const AxisBall& ball);
+
+}  // namespace viete::scene

@@ -1,0 +1,59 @@
+// The handles around the selection's centre: where they are on screen, and which one is under the cursor.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/document/camera.h"
+#include "scene/hand/tool.h"
+
+namespace viete::scene {
+
+/// Sizes in logical pixels: the same at every distance.
+inline constexpr float gizmo_radius = 84;      ///< of the rings; where the heads of the arms begin
+inline constexpr float gizmo_head = 14;        ///< length of an arrow's head
+inline constexpr float gizmo_view_ring = 102;  ///< radius of the ring that turns about the view direction
+inline constexpr float gizmo_center = 9;       ///< radius of the handle in the middle
+inline constexpr float gizmo_tolerance = 7;    ///< how near to a line of it the cursor must be
+
+/// What is drawn and what is hit, in logical pixels. Handles that point at the viewer fade out and cannot be
+/// hit.
+struct Gizmo {
+  struct Arm {
+    glm::vec2 base, tip, end;  ///< shaft from base to tip, head from tip to end
+    float opacity;             ///< 0 to 1
+  };
+  struct Plane {
+    std::array<glm::vec2, 4> corners;
+    float opacity;
+  };
+  struct RingPoint {
+    glm::vec2 at;
+    bool front;  ///< on the side of the viewer
+  };
+
+  Tool tool = Tool::move;
+  glm::vec2 center{0, 0};
+  std::array<Arm, 3> arms;                      ///< move and scale
+  std::array<Plane, 3> planes;                  ///< move and scale; by the axis that is normal to it
+  std::array<std::vector<RingPoint>, 3> rings;  ///< rotate; closed, by axis
+  std::array<int, 3> far_to_near{0, 1, 2};      ///< the order in which axes are drawn
+};
+
+/// `center` in view units, axes as columns of length 1. Nothing for tools that have none, and where the
+/// centre is not in front of the camera.
+std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::dmat3& axes,
+                                const Camera& camera, const Viewport& viewport);
+
+float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b);
+
+/// The handle under the cursor.
+std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor);
+
+/// "Move along X".
+std::string handle_name(Tool tool, const Constraint& handle);
+
+}  // namespace viete::scene

@@ -1,0 +1,129 @@
+#include "scene/hand/grip.h"
+
+#include "scene/document/selection_sets.h"
+#include "scene/hand/soft_selection.h"
+
+namespace viete::scene {
+
+using mesh::operator+, mesh::operator-, mesh::operator*;
+
+namespace {
+
+using Side = Gripped::Side;
+
+// So much of the motion: angle, factors and way alike.
+Transform share_of(const Transform& t, double share) {
+  if (share == 1) return t;
+  Transform part = t;
+  part.degrees *= share;
+  part.factors = glm::dvec3(1) + share * (t.factors - glm::dvec3(1));
+  part.shift *= share;
+  return part;
+}
+
+std::vector<Softened> with_what_is_near(const Document& document, const SoftSelection& soft,
+                                        std::span<const std::uint32_t> leading) {
+  if (soft.on)
+    return softened(*document.cage, document.pose.positions, leading, soft,
+                    soft.radius * document.space.diagonal());
+  std::vector<Softened> all;
+  for (std::uint32_t i = 0; i < leading.size(); ++i) all.push_back({leading[i], 1, i});
+  return all;
+}
+
+// Each vertex goes with the side from which it takes more; on the plane with both.
+std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const Mirror& mirror) {
+  std::vector<Gripped> by_vertex(mirror.partners.size(), Gripped{0, 0});
+  for (const Gripped& g : own) by_vertex[g.vertex] = g;
+  for (const Gripped& g : own) {
+    if (mirror.is_on_plane(g.vertex)) by_vertex[g.vertex].side = Side::plane;
+    if (!mirror.is_paired(g.vertex)) continue;
+    const std::uint32_t partner = mirror.partners[g.vertex];
+    if (by_vertex[partner].share < g.share) by_vertex[partner] = {partner, g.share, g.pivot, Side::other};
+  }
+  std::vector<Gripped> all;
+  for (const Gripped& g : by_vertex) {
+    if (g.share > 0) all.push_back(g);
+  }
+  return all;
+}
+
+mesh::Point moved(const PointMotion& motion, const glm::dvec3& pivot, Side side, const cages::Plane& plane,
+                  const mesh::Point& p) {
+  if (side == Side::own) return motion(p, pivot);
+  const mesh::Point from = side == Side::other ? reflected(plane, p) : p;
+  const mesh::Vec3 way = motion(from, pivot) - from;
+  if (side == Side::other) return p + reflected_direction(plane, way);
+  return p + 0.5 * (way + reflected_direction(plane, way));
+}
+
+}  // namespace
+
+std::vector<Gripped> gripped(const Document& document, const SoftSelection& soft, const Mirror* mirror,
+                             const Anchor& anchor) {
+  if (document.selection.kind() == ElementKind::probe) return {};
+  const auto leading = leading_vertices(document, mirror);
+  std::vector<Gripped> own;
+  for (const auto& [vertex, share, nearest] : with_what_is_near(document, soft, leading))
+    own.push_back({vertex, share, anchor.pivot_of.empty() ? 0 : anchor.pivot_of[nearest]});
+  if (mirror) own = on_both_sides(std::move(own), *mirror);
+  const auto hidden = hidden_elements(document, ElementKind::vertex);
+  std::erase_if(own, [&](const Gripped& g) { return g.vertex < hidden.size() && hidden[g.vertex]; });
+  return own;
+}
+
+Grip grip_of(const Document& document, const Handling& handling, const Mirror* mirror, const Camera& camera) {
+  Grip grip{anchor_of(document, handling, mirror, camera), {}, {}};
+  if (mirror) grip.plane = mirror->plane;
+  grip.vertices = gripped(document, handling.soft, mirror, grip.anchor);
+  return grip;
+}
+
+Grip plain_grip(const Document& document) {
+  Grip grip{plain_anchor(document), {}, {}};
+  grip.vertices = gripped(document, {}, nullptr, grip.anchor);
+  return grip;
+}
+
+std::vector<std::uint32_t> vertices_of(const Grip& grip) {
+  std::vector<std::uint32_t> vertices;
+  for (const Gripped& g : grip.vertices) vertices.push_back(g.vertex);
+  return vertices;
+}
+
+namespace {
+
+mesh::Point shaped_on_its_side(const Grip& grip, std::size_t i, double amount, const mesh::Point& p) {
+  const Gripped& g = grip.vertices[i];
+  if (!grip.shaping.ways.empty()) return p + g.share * amount * grip.shaping.ways[i];
+  // Of a factor 1 is nothing; of an angle 0.
+  const double own = grip.shaping.shape == Shape::taper ? 1 + g.share * (amount - 1) : g.share * amount;
+  if (g.side == Side::own) return shaped(grip.shaping, own, p);
+  const mesh::Point start = g.side == Side::other ? reflected(grip.plane, p) : p;
+  const mesh::Vec3 way = shaped(grip.shaping, own, start) - start;
+  if (g.side == Side::other) return p + reflected_direction(grip.plane, way);
+  return p + 0.5 * (way + reflected_direction(grip.plane, way));
+}
+
+}  // namespace
+
+void apply(const Transform& transform, const Grip& grip, std::span<const mesh::Point> from,
+           std::span<mesh::Point> to) {
+  if (grip.shaping.shape != Shape::none) {
+    const double amount = is_angle(grip.shaping.shape) ? transform.degrees : transform.amount;
+    const bool nothing = amount == (grip.shaping.shape == Shape::taper ? 1 : 0);
+    for (std::size_t i = 0; i < grip.vertices.size(); ++i) {
+      const auto v = grip.vertices[i].vertex;
+      to[v] = nothing ? from[v] : shaped_on_its_side(grip, i, amount, from[v]);
+    }
+    return;
+  }
+  double share = 1;
+  PointMotion motion(transform);
+  for (const Gripped& g : grip.vertices) {
+    if (g.share != share) motion = PointMotion(share_of(transform, share = g.share));
+    to[g.vertex] = moved(motion, grip.anchor.pivots[g.pivot], g.side, grip.plane, from[g.vertex]);
+  }
+}
+
+}  // namespace viete::scene

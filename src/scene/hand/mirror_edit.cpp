@@ -1,0 +1,67 @@
+#include "scene/hand/mirror_edit.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "scene/document/selection_sets.h"
+#include "scene/hand/anchor.h"
+
+namespace viete::scene {
+
+using mesh::operator+, mesh::operator*;
+
+namespace {
+
+// What is hidden stays where it is.
+void put_visible(Document& document, std::span<const std::uint8_t> hidden, std::uint32_t v,
+                 const mesh::Point& place) {
+  if (v >= hidden.size() || !hidden[v]) document.pose.positions[v] = place;
+}
+
+// Begins an edit of the pose; returns the positions as they were.
+std::vector<mesh::Point> begin_edit(Document& document, const char* label) {
+  document.history.record(label, state_of(document));
+  ++document.revisions.pose;
+  return document.pose.positions;
+}
+
+}  // namespace
+
+void copy_to_other_side(Document& document, const Mirror& mirror) {
+  const auto leading = leading_vertices(document, &mirror);
+  const auto before = begin_edit(document, "copy to the other side");
+  const auto hidden = hidden_elements(document, ElementKind::vertex);
+  for (const auto v : leading) {
+    if (mirror.partners[v] == Mirror::none) continue;
+    const mesh::Point image = reflected(mirror.plane, before[v]);
+    put_visible(document, hidden, mirror.partners[v],
+                mirror.is_on_plane(v) ? 0.5 * (before[v] + image) : image);
+  }
+}
+
+void swap_sides(Document& document, const Mirror& mirror) {
+  std::vector<std::uint32_t> vertices = moving_vertices(document);
+  if (vertices.empty()) {
+    vertices.resize(mirror.partners.size());
+    std::iota(vertices.begin(), vertices.end(), 0u);
+  }
+  const auto before = begin_edit(document, "swap sides");
+  const auto hidden = hidden_elements(document, ElementKind::vertex);
+  for (const auto v : with_partners(std::move(vertices), &mirror)) {
+    if (mirror.partners[v] == Mirror::none) continue;
+    put_visible(document, hidden, v, reflected(mirror.plane, before[mirror.partners[v]]));
+  }
+}
+
+void paste_pose(Document& document, std::span<const std::uint32_t> vertices,
+                std::span<const mesh::Point> positions, const Mirror* mirror) {
+  begin_edit(document, "paste pose");
+  const auto hidden = hidden_elements(document, ElementKind::vertex);
+  for (std::size_t i = 0; i < vertices.size() && mirror; ++i) {
+    if (mirror->is_paired(vertices[i]))
+      put_visible(document, hidden, mirror->partners[vertices[i]], reflected(mirror->plane, positions[i]));
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) put_visible(document, hidden, vertices[i], positions[i]);
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,219 @@
+#include "scene/hand/picking.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "scene/document/elements.h"
+#include "scene/document/probes.h"
+#include "scene/document/selection_sets.h"
+#include "scene/hand/select_shape.h"
+#include "scene/hand/sight.h"
+
+namespace viete::scene {
+
+namespace {
+
+constexpr float tolerance = 8;  // logical pixels
+
+using Flags = std::vector<std::uint8_t>;
+
+// Of candidates within the tolerance: the nearest, or, of those within 2 pixels of the nearest, the one in
+// front.
+class Nearest {
+public:
+  Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}
+
+  void offer(std::uint32_t index, float distance, const glm::vec3& at) {
+    if (!(distance <= tolerance) || hidden_[index] || (sight_ && !sight_->sees(at))) return;
+    nearest_ = std::min(nearest_, distance);
+    close_.push_back({{index, at.z}, distance});
+  }
+
+  std::optional<Pick> best() const {
+    constexpr float tie = 2;
+    std::optional<Pick> best;
+    for (const auto& [pick, distance] : close_) {
+      if (distance <= nearest_ + tie && (!best || pick.depth < best->depth)) best = pick;
+    }
+    return best;
+  }
+
+private:
+  const Sight* sight_;
+  const Flags& hidden_;
+  float nearest_ = std::numeric_limits<float>::max();
+  std::vector<std::pair<Pick, float>> close_;
+};
+
+std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::Point> points,
+                               const glm::vec2& cursor, const Sight* sight, const Flags& hidden) {
+  Nearest nearest(sight, hidden);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (const auto at = project(points[i])) nearest.offer(i, glm::distance(glm::vec2(*at), cursor), *at);
+  }
+  return nearest.best();
+}
+
+// Depth is not linear on screen in perspective, but near enough to say which of two edges is in front.
+std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Point> points,
+                              std::span<const mesh::Edge> edges, const glm::vec2& cursor, const Sight* sight,
+                              const Flags& hidden) {
+  Nearest nearest(sight, hidden);
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    const auto ends = project.segment(points[edges[i][0]], points[edges[i][1]]);
+    if (!ends) continue;
+    const glm::vec2 a((*ends)[0]), along = glm::vec2((*ends)[1]) - a;
+    const float square = glm::dot(along, along);
+    const float t = square > 0 ? std::clamp(glm::dot(cursor - a, along) / square, 0.0f, 1.0f) : 0.0f;
+    nearest.offer(i, glm::distance(a + t * along, cursor), glm::mix((*ends)[0], (*ends)[1], t));
+  }
+  return nearest.best();
+}
+
+// How far along the ray, from either side (T. Moeller, B. Trumbore, "Fast, minimum storage ray-triangle
+// intersection", 1997).
+std::optional<double> hit(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
+  const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], s = ray.origin - t[0];
+  const glm::dvec3 p = glm::cross(ray.direction, v), q = glm::cross(s, u);
+  const double volume = glm::dot(u, p), a = glm::dot(s, p) / volume, b = glm::dot(ray.direction, q) / volume;
+  if (!(a >= 0 && b >= 0 && a + b <= 1)) return std::nullopt;
+  return glm::dot(v, q) / volume;
+}
+
+std::optional<Pick> pick_inside(const Document& document, const Camera& camera, const Ray& ray,
+                                const Flags& hidden) {
+  const mesh::Surface& cage = document.cage->surface;
+  // An orthographic eye sees what is behind it, too.
+  const double start = camera.pose().orthographic ? -std::numeric_limits<double>::max() : 0;
+  double first = std::numeric_limits<double>::max();
+  std::optional<Pick> best;
+  for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
+    if (hidden[cage.triangle_polygon[t]]) continue;
+    std::array<glm::dvec3, 3> corners;
+    for (int i = 0; i < 3; ++i)
+      corners[i] = document.space.to_view(document.pose.positions[cage.triangles[t][i]]);
+    const auto at = hit(ray, corners);
+    if (!at || *at <= start || *at >= first) continue;
+    first = *at;
+    best = Pick{cage.triangle_polygon[t], camera.depth(glm::vec3(ray.origin + first * ray.direction))};
+  }
+  return best;
+}
+
+std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge& edge, const Flags& hidden) {
+  for (std::uint32_t f = 0; f < cage.surface.polygon_count(); ++f) {
+    const auto vertices = element_vertices(cage, ElementKind::face, f);
+    const auto has = [&](std::uint32_t v) {
+      return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
+    };
+    if (!hidden[f] && has(edge[0]) && has(edge[1])) return f;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
+                                 const glm::vec2& cursor, const Sight* sight) {
+  const Projector project(document.space, camera, viewport);
+  const auto kind = document.selection.kind();
+  const Flags hidden = hidden_elements(document, kind);
+  if (kind == ElementKind::probe)
+    return pick_point(project, probe_centers(document), cursor, nullptr, hidden);
+  if (!document.has_cage()) return std::nullopt;
+  const auto& points = document.pose.positions;
+  const auto& edges = document.cage->edges;
+  if (kind == ElementKind::vertex) return pick_point(project, points, cursor, sight, hidden);
+  if (kind == ElementKind::edge) return pick_edge(project, points, edges, cursor, sight, hidden);
+  const auto inside = pick_inside(document, camera, camera.ray(cursor, viewport), hidden);
+  if (inside && (!sight || sight->sees({cursor, inside->depth}))) return inside;
+  const Flags hidden_edges = hidden_elements(document, ElementKind::edge);
+  const auto edge = pick_edge(project, points, edges, cursor, sight, hidden_edges);
+  if (!edge) return std::nullopt;
+  const auto face = face_at(*document.cage, edges[edge->index], hidden);
+  return face ? std::optional(Pick{*face, edge->depth}) : std::nullopt;
+}
+
+// So many that a third of the places there is within the tolerance of one: eight in a circle of four times
+// its radius.
+bool is_crowded(const Document& document, const Camera& camera, const Viewport& viewport,
+                const glm::vec2& cursor, const Sight* sight) {
+  constexpr int crowd = 8;
+  if (!document.has_cage() || document.selection.kind() == ElementKind::probe) return false;
+  const Projector project(document.space, camera, viewport);
+  const Flags hidden = hidden_elements(document, ElementKind::vertex);
+  int close = 0;
+  for (std::size_t v = 0; v < hidden.size(); ++v) {
+    const auto at = project(document.pose.positions[v]);
+    if (!at || hidden[v] || glm::distance(glm::vec2(*at), cursor) > 4 * tolerance) continue;
+    if (!sight || sight->sees(*at)) ++close;
+    if (close == crowd) return true;
+  }
+  return false;
+}
+
+namespace {
+
+// inside(place on screen) says whether a vertex is.
+template <class Inside>
+std::vector<std::uint32_t> pick_within(const Document& document, const Camera& camera,
+                                       const Viewport& viewport, const Inside& inside, const Sight* sight) {
+  const Projector project(document.space, camera, viewport);
+  const auto kind = document.selection.kind();
+  const auto points = kind == ElementKind::probe ? probe_centers(document) : document.pose.positions;
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const auto at = project(points[i]);
+    if (at && inside(glm::vec2(*at))) found.push_back(i);
+  }
+  if (kind == ElementKind::probe || !document.has_cage()) return found;
+  Selection vertices;
+  vertices.apply(found, SelectMode::replace);
+  found = without_hidden(document, converted(*document.cage, vertices, kind)).indices();
+  if (sight) {
+    std::erase_if(found, [&](auto i) {
+      const auto at = project(element_middle(document, kind, i));
+      return !at || !sight->sees(*at);
+    });
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera,
+                                                const Viewport& viewport, const glm::vec2& corner,
+                                                const glm::vec2& opposite, const Sight* sight) {
+  const glm::vec2 low = glm::min(corner, opposite), high = glm::max(corner, opposite);
+  const auto inside = [&](const glm::vec2& p) {
+    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
+  };
+  return pick_within(document, camera, viewport, inside, sight);
+}
+
+std::vector<std::uint32_t> pick_elements_in_lasso(const Document& document, const Camera& camera,
+                                                  const Viewport& viewport, std::span<const glm::vec2> line,
+                                                  const Sight* sight) {
+  return pick_within(
+      document, camera, viewport, [&](const glm::vec2& p) { return encloses(line, p); }, sight);
+}
+
+std::vector<std::uint32_t> pick_elements_in_circle(const Document& document, const Camera& camera,
+                                                   const Viewport& viewport, const glm::vec2& center,
+                                                   float radius, const Sight* sight) {
+  const Projector project(document.space, camera, viewport);
+  const auto kind = document.selection.kind();
+  const auto under = pick_element(document, camera, viewport, center, sight);
+  const Flags hidden = hidden_elements(document, kind);
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < hidden.size(); ++i) {
+    if (hidden[i]) continue;
+    const auto at = project(element_middle(document, kind, i));
+    const bool within = at && glm::distance(glm::vec2(*at), center) <= radius &&
+                        (!sight || kind == ElementKind::probe || sight->sees(*at));
+    if (within || (under && under->index == i)) found.push_back(i);
+  }
+  return found;
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,51 @@
+// What is under the cursor: vertices, edges and faces of the cage near a pixel, or inside a rectangle.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/document/camera.h"
+#include "scene/document/document.h"
+#include "scene/document/space.h"
+#include "scene/hand/projector.h"
+
+namespace viete::scene {
+
+class Sight;
+
+/// An element of the cage, and how deep in front of the camera the place is at which the cursor met it, in
+/// view units.
+struct Pick {
+  std::uint32_t index;
+  float depth;
+};
+
+/// The element of the selection's kind under the cursor, in the pose: the vertex nearest to it within 8
+/// logical pixels, of vertices within 2 pixels of the nearest the one in front; edges likewise, by their
+/// nearest point; of faces the one in front, and outside of all the face at the nearest edge as close. The
+/// mesh hides nothing: a cage is edited from outside and from behind; unless `sight` says what is seen.
+/// Nothing if there is no cage.
+std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
+                                 const glm::vec2& cursor, const Sight* sight = nullptr);
+/// True if so many vertices of the cage are around the cursor that a hand hardly finds a place between them.
+bool is_crowded(const Document& document, const Camera& camera, const Viewport& viewport,
+                const glm::vec2& cursor, const Sight* sight = nullptr);
+
+/// The elements of the selection's kind that lie with all their vertices inside the rectangle, ascending;
+/// with `sight` those whose middle is seen.
+std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera,
+                                                const Viewport& viewport, const glm::vec2& corner,
+                                                const glm::vec2& opposite, const Sight* sight = nullptr);
+/// Likewise inside the closed line.
+std::vector<std::uint32_t> pick_elements_in_lasso(const Document& document, const Camera& camera,
+                                                  const Viewport& viewport, std::span<const glm::vec2> line,
+                                                  const Sight* sight = nullptr);
+/// Those whose middle is within the circle, and the one under its centre.
+std::vector<std::uint32_t> pick_elements_in_circle(const Document& document, const Camera& camera,
+                                                   const Viewport& viewport, const glm::vec2& center,
+                                                   float radius, const Sight* sight = nullptr);
+
+}  // namespace viete::scene

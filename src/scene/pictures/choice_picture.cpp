@@ -1,0 +1,246 @@
+#include "scene/pictures/choice_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <span>
+
+#include "deform/all_element_maps.h"
+#include "deform/bind.h"
+#include "deform/element_maps.h"
+#include "deform/exact.h"
+#include "scene/pictures/lattice.h"
+
+namespace viete::scene {
+
+namespace {
+
+using mesh::Point, mesh::Vec3;
+using mesh::operator+, mesh::operator-, mesh::operator*;
+
+constexpr double degree = std::numbers::pi / 180;
+
+// A model in a posed cage.
+struct Example {
+  mesh::Surface model;
+  std::shared_ptr<const deform::Cage> cage;
+  deform::Pose pose;
+};
+
+Example example(mesh::Surface model, mesh::Surface cage) {
+  const auto made = std::make_shared<const deform::Cage>(deform::make_cage(std::move(cage)));
+  return {std::move(model), made, deform::rest_pose(*made)};
+}
+
+template <class Choice>
+deform::Scheme scheme_with(Choice choice) {
+  return deform::complete(deform::only(choice), deform::default_scheme());
+}
+
+std::vector<Point> deformed(const Example& e, const deform::Scheme& scheme) {
+  base::WorkerPool alone(1);
+  return deform::deform_exactly(e.model, e.cage, scheme, e.pose, sym3::Method::fast, alone).positions;
+}
+
+template <class Shapes>
+void add(ChoicePicture& picture, Shapes shapes) {
+  std::ranges::move(shapes, std::back_inserter(picture.shapes));
+}
+
+// Elements: a bar that is bent, wider at one end.
+
+constexpr double bar_end = 3.2, bar_side = 0.9, bend = 100 * degree, widening = 1.5;
+
+// In a cage of quads, or cut into triangles.
+Example bent_bar(bool cut) {
+  const mesh::Surface cage = lattice_surface(
+      {even(-bar_end, bar_end, 3), even(-bar_side, bar_side, 1), even(-bar_side, bar_side, 1)});
+  Example e = example(lattice_surface({even(-3, 3, 24), even(-0.6, 0.6, 5), even(-0.6, 0.6, 5)}),
+                      cut ? mesh::from_triangles(cage.positions, cage.triangles) : cage);
+  const double length = 2 * bar_end, radius = length / bend;
+  for (Point& p : e.pose.positions) {
+    const double angle = bend * p[0] / length;
+    const double out = radius + (p[0] == bar_end ? widening : 1) * p[1];
+    p = {out * std::sin(angle), out * std::cos(angle), p[2]};
+  }
+  return e;
+}
+
+// What a handle's map makes of a point: the row of maps, or of positions, that the linear blend sums.
+Point moved(const deform::Rows& rows, std::size_t handle, const Point& center, const Point& p) {
+  const double* row = rows.values.data() + handle * rows.columns();
+  if (rows.form == deform::RowForm::positions)
+    return p - center + Point{row[0], row[1], row[2]} + rows.origin;
+  Point result = p + Point{row[9], row[10], row[11]} + rows.origin;
+  for (int i = 0; i < 9; ++i) result[i / 3] += row[i] * p[i % 3];
+  return result;
+}
+
+// Of a cage whose middle is 0.
+std::vector<PictureShape> squares(const PictureView& view, const Example& e, deform::Elements elements,
+                                  std::uint32_t marked) {
+  constexpr double half = 0.22;
+  deform::CageState state(e.cage, elements, deform::Blend::linear);
+  state.set_pose(e.pose);
+  const auto centers = deform::handle_centers(*e.cage, elements);
+  std::vector<PictureShape> shapes;
+  for (std::size_t h = 0; h < centers.size(); ++h) {
+    if (centers[h][2] < 0.9 * bar_side) continue;  // not in front
+    PictureShape shape{Ink::map}, around{Ink::marked};
+    for (const Vec3& corner : {Vec3{-half, -half, 0}, {-half, half, 0}, {half, half, 0}, {half, -half, 0}})
+      shape.points.push_back(view.at(moved(state.rows(), h, centers[h], centers[h] + corner)));
+    around.points = shape.points;
+    around.points.push_back(shape.points.front());
+    shapes.push_back(std::move(shape));
+    if (h == marked) shapes.push_back(std::move(around));
+  }
+  return shapes;
+}
+
+// Of those in front, to the right of the middle.
+std::uint32_t spoken_of(const Example& e, deform::Elements elements) {
+  const auto centers = deform::handle_centers(*e.cage, elements);
+  const auto distance = [](const Point& center) {
+    return mesh::squared_norm(center - Point{0.7, 0.5, bar_side});
+  };
+  return static_cast<std::uint32_t>(std::ranges::min_element(centers, {}, distance) - centers.begin());
+}
+
+// The vertices of the cage that an element's maps move with.
+std::set<std::uint32_t> moving(const Example& e, deform::Elements elements, std::uint32_t element) {
+  if (!deform::entry(elements).affine) return {element};
+  const auto maps = deform::element_maps(*e.cage, elements);
+  std::set<std::uint32_t> vertices;
+  for (std::size_t m = 0; m < maps->count(); ++m) {
+    if (maps->owners()[m] == element) vertices.insert(maps->vertices(m).begin(), maps->vertices(m).end());
+  }
+  return vertices;
+}
+
+std::vector<PictureShape> spots(const PictureView& view, const Example& e,
+                                const std::set<std::uint32_t>& vertices) {
+  std::vector<PictureShape> shapes;
+  const mesh::Surface& cage = e.cage->surface;
+  for (const std::size_t p : facing(view, cage, e.cage->surface.positions)) {
+    const auto corners =
+        std::span(cage.corners)
+            .subspan(cage.polygon_starts[p], cage.polygon_starts[p + 1] - cage.polygon_starts[p]);
+    if (std::ranges::all_of(corners, [&](auto v) { return vertices.contains(v); }))
+      shapes.push_back(area(view, Ink::spot, cage, p, e.pose.positions));
+  }
+  return shapes;
+}
+
+// Weights: a fork of which the end of one prong is held.
+
+constexpr double held_from = 6.7, between_prongs = 2;
+
+Example fork() {
+  const auto model = [](int x, int y, int) { return x < 9 || y < 5 || y >= 7; };
+  const auto cage = [](int x, int y, int) { return x == 0 || y != 1; };
+  return example(
+      lattice_surface({even(0, 10, 30), even(0, 4, 12), {-0.2, 0.2}}, model),
+      lattice_surface({{-0.25, 3.25, held_from, 10.25}, {-0.25, 1.85, 2.15, 4.25}, {-0.45, 0.45}}, cage));
+}
+
+bool held(const Point& p) {
+  return p[0] > held_from && p[1] > between_prongs;
+}
+
+// Of each vertex, of all that is held together.
+std::vector<float> held_weights(const Example& e, const deform::Weighting& weighting) {
+  base::WorkerPool alone(1);
+  const deform::Binding binding = deform::bind(e.model, *e.cage, weighting, alone);
+  const auto centers = deform::handle_centers(*e.cage, weighting.elements);
+  std::vector<float> sums;
+  for (std::size_t v = 0; v < binding.vertices; ++v) {
+    double sum = 0;
+    for (std::size_t h = 0; h < binding.handles; ++h) {
+      if (held(centers[h])) sum += binding.weights[v * binding.handles + h];
+    }
+    if (!binding.shares.empty()) sum *= binding.shares[v];
+    sums.push_back(static_cast<float>(std::clamp(sum, 0.0, 1.0)));
+  }
+  return sums;
+}
+
+std::vector<PictureShape> weighed_model(const PictureView& view, const mesh::Surface& model,
+                                        const std::vector<float>& weights) {
+  std::vector<PictureShape> shapes;
+  for (const std::size_t p : facing(view, model, model.positions)) {
+    shapes.push_back(area(view, Ink::weight, model, p, model.positions));
+    for (auto c = model.polygon_starts[p + 1]; c-- > model.polygon_starts[p];)
+      shapes.back().tones.push_back(weights[model.corners[c]]);
+  }
+  return shapes;
+}
+
+// Blend: a bar between two grips.
+
+constexpr double grip = 1.9, twist = 150 * degree, arch = 55 * degree, growth = 1.8;
+
+Example twisted_bar() {
+  const Lattice grips{{-3.15, -grip, grip, 3.15}, even(-0.7, 0.7, 1), even(-0.7, 0.7, 1)};
+  Example e = example(lattice_surface({even(-3, 3, 28), even(-0.5, 0.5, 4), even(-0.5, 0.5, 4)}),
+                      lattice_surface(grips, [](int x, int, int) { return x != 1; }));
+  const double radius = 2 * grip / arch;
+  for (Point& p : e.pose.positions) {
+    const double side = p[0] < 0 ? -1 : 1, size = p[0] < 0 ? 1 : growth;
+    const double t = side * twist / 2, a = side * arch / 2;
+    const Point q{p[0] - side * grip, size * (std::cos(t) * p[1] - std::sin(t) * p[2]),
+                  size * (std::sin(t) * p[1] + std::cos(t) * p[2])};
+    p = {std::cos(a) * q[0] + std::sin(a) * (q[1] + radius),
+         -std::sin(a) * q[0] + std::cos(a) * (q[1] + radius), q[2]};
+  }
+  return e;
+}
+
+}  // namespace
+
+ChoicePicture choice_picture(deform::Elements elements) {
+  const Example e = bent_bar(elements != deform::Elements::polygon);
+  const PictureView view({}, {e.pose.positions, choice_picture_size, 16});
+  const std::uint32_t element = spoken_of(e, elements);
+  ChoicePicture picture{{},
+                        deform::entry(elements).affine
+                            ? "What each map makes of a square. Amber: one of them, and its faces."
+                            : "What each point makes of a square: it only moves. Amber: one of them."};
+  add(picture, lit_model(view, e.model, deformed(e, scheme_with(elements))));
+  add(picture, spots(view, e, moving(e, elements, element)));
+  add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::cage));
+  add(picture, squares(view, e, elements, element));
+  return picture;
+}
+
+ChoicePicture choice_picture(deform::Weights weights) {
+  const Example e = fork();
+  const auto& at = e.cage->surface.positions;
+  const PictureView view({}, {at, choice_picture_size, 8});
+  ChoicePicture picture{
+      {}, "How much each place follows the marked end of the cage: yellow all of it, blue none."};
+  add(picture, weighed_model(view, e.model, held_weights(e, scheme_with(weights).weighting)));
+  add(picture, cage_lines(view, *e.cage, at, Ink::cage));
+  for (const std::size_t p : facing(view, e.cage->surface, at)) {
+    const std::size_t half = 2 * p;  // one of the triangles of the quad
+    if (held(e.cage->centers[half])) picture.shapes.push_back(outline(view, e.cage->surface, p, at));
+  }
+  return picture;
+}
+
+ChoicePicture choice_picture(deform::Blend blend) {
+  const Example e = twisted_bar();
+  // Some blends rise above the cage.
+  std::vector<Point> room = e.pose.positions;
+  room.push_back({0, 2 * grip / arch + 1.6, 0});
+  const PictureView view({-20, 18}, {room, choice_picture_size, 8});
+  ChoicePicture picture{{}, "A bar between two grips: one is twisted against the other, and larger."};
+  add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::behind));
+  add(picture, lit_model(view, e.model, deformed(e, scheme_with(blend))));
+  add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::cage));
+  return picture;
+}
+
+}  // namespace viete::scene

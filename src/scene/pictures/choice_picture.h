@@ -1,0 +1,61 @@
+// A small picture of what an entry of a chooser does, made by the deformer itself.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "base/error.h"
+#include "deform/scheme.h"
+#include "scene/pictures/picture_view.h"
+
+namespace viete::scene {
+
+/// Logical pixels.
+inline constexpr glm::vec2 choice_picture_size{264, 132};
+
+struct ChoicePicture {
+  std::vector<PictureShape> shapes;  ///< in the order in which they are drawn
+  std::string_view caption;          ///< what is to be seen
+
+  friend bool operator==(const ChoicePicture&, const ChoicePicture&) = default;
+};
+
+/// What else there is to choose is as default_scheme() has it, where that goes together. The same bits each
+/// time. Takes some milliseconds.
+///
+/// Elements: what each map of a bent cage makes of the same square, and which faces one of them is made of.
+ChoicePicture choice_picture(deform::Elements elements);
+/// How much each place of a fork follows the end of one prong.
+ChoicePicture choice_picture(deform::Weights weights);
+/// What becomes of a bar between two ends that are turned against each other, and of which one grows.
+ChoicePicture choice_picture(deform::Blend blend);
+
+/// Each is made when it is first asked for, and kept.
+class ChoicePictures {
+public:
+  template <class Choice>
+  const ChoicePicture& of(Choice choice) {
+    auto& kept = std::get<std::map<Choice, ChoicePicture>>(kept_);
+    const auto found = kept.find(choice);
+    return found != kept.end() ? found->second : kept.emplace(choice, made(choice)).first->second;
+  }
+
+private:
+  template <class Choice>
+  static ChoicePicture made(Choice choice) {
+    try {
+      return choice_picture(choice);
+    } catch (const base::Error&) {
+      return {{}, "There is no memory for a picture."};
+    }
+  }
+
+  std::tuple<std::map<deform::Elements, ChoicePicture>, std::map<deform::Weights, ChoicePicture>,
+             std::map<deform::Blend, ChoicePicture>>
+      kept_;
+};
+
+}  // namespace viete::scene

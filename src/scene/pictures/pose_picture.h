@@ -1,0 +1,40 @@
+// Small pictures of poses: the cage in each of them.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "scene/document/timeline.h"
+#include "scene/document/up_axis.h"
+#include "scene/pictures/picture_view.h"
+
+namespace viete::scene {
+
+/// Logical pixels.
+inline constexpr glm::vec2 pose_picture_size{56, 42};
+
+/// All on one scale, so that they can be compared: that of the cage at rest, or of the pose where it is
+/// larger. Empty for a cage of very many faces.
+std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::Pose& pose, UpAxis up);
+
+/// Each is made when it is first asked for, and kept as long as the pose is in use elsewhere.
+class PosePictures {
+public:
+  const std::vector<PictureShape>& of(const std::shared_ptr<const deform::Cage>& cage, const SharedPose& pose,
+                                      UpAxis up);
+  /// Forgets those of poses that are gone.
+  void tidy();
+
+private:
+  struct Picture {
+    SharedPose pose;
+    std::vector<PictureShape> shapes;
+  };
+  std::shared_ptr<const deform::Cage> cage_;
+  UpAxis up_ = UpAxis::y;
+  std::map<const WholePose*, Picture> pictures_;
+};
+
+}  // namespace viete::scene

@@ -1,0 +1,149 @@
+// When commands can run, and what is said where they cannot.
+#pragma once
+
+#include "scene/document/cage_editing.h"
+#include "scene/document/edit.h"
+#include "scene/document/elements.h"
+#include "scene/document/probes.h"
+#include "scene/workspace/command.h"
+#include "scene/workspace/workspace.h"
+
+namespace viete::scene {
+
+// What is dragged, painted or brushed is one edit, which others must not come between.
+inline bool in_hand(const Workspace& w) {
+  const auto& time = w.time_view.drag;
+  return w.interaction.drag || w.interaction.stroke || w.interaction.brushing ||
+         (time && time->what == TimeView::What::keys);
+}
+inline constexpr Condition hand_is_free{[](const Workspace& w) { return !in_hand(w); },
+                                        "Finish what you are dragging first."};
+template <const Condition& C>
+inline constexpr Condition with_free_hand{[](const Workspace& w) { return C(w) && !in_hand(w); },
+                                          C.otherwise};
+
+inline constexpr Condition always{[](const Workspace&) { return true; }, ""};
+inline constexpr Condition uses_method{
+    [](const Workspace& w) { return w.document.scheme.exponential(); },
+    "This way of blending takes no exponential; choose the blend Log space first."};
+inline constexpr Condition has_reach{
+    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.reach; },
+    "These weights have no reach: all of the cage moves all of the model."};
+inline constexpr Condition has_clamp{
+    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.clamp; },
+    "These weights are not clamped: they are never below 0, or are what they are by that."};
+inline constexpr Condition has_normalise{
+    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.normalise; },
+    "These weights always sum to 1."};
+inline constexpr Condition changed_in_03{[](const Workspace& w) { return w.document.scheme.changed_in_03(); },
+                                         "These weights are a matter of space: parts always stay together."};
+inline constexpr Condition has_maps{
+    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.elements).affine; },
+    "These elements only move: there are no maps that triangles could follow."};
+inline constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
+                                     "Open a model first."};
+inline constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); },
+                                    "Open a cage first."};
+inline constexpr Condition is_movable{[](const Workspace& w) { return w.document.is_movable(); },
+                                      "Open a cage or add a probe first."};
+inline constexpr Condition has_elements{
+    [](const Workspace& w) { return element_count(w.document, w.document.selection.kind()) > 0; },
+    "There is nothing of the kind to select: open a cage, or add a probe."};
+inline constexpr Condition has_probe_room{[](const Workspace& w) {
+                                            return has_model(w) &&
+                                                   w.document.probes.all.size() < most_probes && !in_hand(w);
+                                          },
+                                          "Open a model first; there can be 256 probes."};
+inline constexpr Condition has_probes_selected{[](const Workspace& w) {
+                                                 return w.document.selection.kind() == ElementKind::probe &&
+                                                        !w.document.selection.empty() && !in_hand(w);
+                                               },
+                                               "Select a probe first."};
+inline constexpr Condition has_free_probes_selected{
+    [](const Workspace& w) { return has_free_probes(w.document) && !in_hand(w); },
+    "Select a probe that is not locked first."};
+inline constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
+                                    "Nothing is painted: all of the model follows the cage."};
+inline constexpr Condition has_marks{[](const Workspace& w) { return !w.marks.empty(); },
+                                     "Point at the model and press Y first."};
+inline constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
+                                         "Nothing is selected."};
+inline constexpr Condition has_selection_or_hover{
+    [](const Workspace& w) {
+      return has_cage(w) && w.document.selection.kind() != ElementKind::probe &&
+             (has_selection(w) || w.interaction.hovered);
+    },
+    "Select something of the cage first, or point at it."};
+inline constexpr Condition selects_of_cage{
+    [](const Workspace& w) { return has_cage(w) && w.document.selection.kind() != ElementKind::probe; },
+    "Open a cage, and choose its vertices, edges or faces first."};
+inline constexpr Condition has_selection_of_cage{
+    [](const Workspace& w) { return selects_of_cage(w) && has_selection(w); },
+    "Select something of the cage first."};
+inline constexpr Condition has_hidden{[](const Workspace& w) { return !w.document.groups.hidden.empty(); },
+                                      "Nothing of the cage is hidden."};
+inline constexpr Condition can_draw_selection{
+    [](const Workspace& w) { return has_elements(w) && shows_selectable(w) && !in_hand(w); },
+    "There is nothing of the kind to select: open a cage, show it (C), or add a probe."};
+inline constexpr Condition is_armed{[](const Workspace& w) { return w.interaction.armed.has_value(); },
+                                    "Neither box, lasso nor brush is in the hand."};
+inline constexpr Condition is_working{
+    [](const Workspace& w) { return w.loading.running || w.binding.running || w.making_cage.running; },
+    "Nothing is being read, made or bound."};
+inline constexpr Condition can_make_cage{
+    [](const Workspace& w) { return has_model(w) && !w.making.open && !w.loading.running && !in_hand(w); },
+    "Open a model first; a cage that is being made is finished by Done."};
+inline constexpr Condition lacks_pairs{
+    [](const Workspace& w) { return can_make_cage(w) && mirror_of(w) && mirror_of(w)->unpaired() > 0; },
+    "Choose a mirror in the section Hand; where each vertex of the cage has its image, nothing is missing."};
+inline constexpr Condition can_edit_cage{
+    [](const Workspace& w) { return has_cage(w) && !w.making.open && !in_hand(w); },
+    "Open or make a cage first; a cage that is being made is finished by Done."};
+inline constexpr Condition is_editing{
+    [](const Workspace& w) { return is_editing_cage(w.document) && !in_hand(w); },
+    "Switch to editing the cage first (Tab)."};
+inline constexpr Condition has_cage_selected{
+    [](const Workspace& w) {
+      return is_editing(w) && w.document.selection.kind() != ElementKind::probe && has_selection(w) &&
+             !w.time_view.hovered;  // there keys of the keyboard are of keys in time
+    },
+    "Switch to editing the cage (Tab) and select something of it first."};
+inline constexpr Condition has_outside{
+    [](const Workspace& w) { return outside_finding(w.checks).has_value(); },
+    "The checks have found no vertices of the model outside of its cage."};
+inline constexpr Condition is_making{[](const Workspace& w) { return w.making.open; },
+                                     "No cage is being made."};
+inline constexpr Condition is_wishing{[](const Workspace& w) { return w.making.open && !w.making.closing; },
+                                      "No cage is being made, or it is done."};
+inline constexpr Condition has_cage_beside{
+    [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
+    "There is no file beside the model that looks like its cage."};
+inline constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
+                                        "Nothing is being exported."};
+inline constexpr Condition is_measuring{[](const Workspace& w) { return w.benchmark.running; },
+                                        "Nothing is being measured."};
+inline constexpr Condition is_not_measuring{[](const Workspace& w) { return !w.benchmark.running; },
+                                            "A measurement is running; cancel it first."};
+inline constexpr Condition has_leftover{
+    [](const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; },
+    "There are no unsaved edits of an earlier run."};
+inline constexpr Condition has_discarded{[](const Workspace& w) { return !w.discarded.empty(); },
+                                         "Nothing was discarded since the program was started."};
+inline constexpr Condition can_undo{
+    [](const Workspace& w) { return w.document.history.can_undo() && !in_hand(w); },
+    "There is no edit to take back."};
+inline constexpr Condition can_redo{
+    [](const Workspace& w) { return w.document.history.can_redo() && !in_hand(w); },
+    "No edit was taken back."};
+inline constexpr Condition is_posed{
+    [](const Workspace& w) { return !in_hand(w) && differs_from_rest(w.document); },
+    "Cage and probes are at rest."};
+inline constexpr Condition has_posed_selection{
+    [](const Workspace& w) {
+      const bool of_cage = w.document.selection.kind() != ElementKind::probe;
+      return has_selection(w) && is_posed(w) && !(of_cage && is_editing_cage(w.document)) &&
+             !w.time_view.hovered;
+    },
+    "Nothing that is selected has moved."};
+
+}  // namespace viete::scene

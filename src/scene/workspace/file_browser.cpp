@@ -1,0 +1,223 @@
+#include "scene/workspace/file_browser.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "base/numbered_files.h"
+#include "mesh/formats/source.h"
+#include "scene/files/animation_export.h"
+#include "scene/files/output.h"
+#include "scene/files/session.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+using Purpose = FileBrowser::Purpose;
+using Entry = FileBrowser::Entry;
+
+namespace {
+
+bool fits(const fs::path& path, const FileBrowser& browser) {
+  const auto formats = browser.formats();
+  const bool session = browser.purpose == Purpose::model || browser.purpose == Purpose::save_session;
+  return (session && is_session(path)) ||
+         std::find(formats.begin(), formats.end(), mesh::extension_of(path)) != formats.end();
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  }
+  return text;
+}
+
+bool before(const Entry& a, const Entry& b) {
+  if (a.folder != b.folder) return a.folder;
+  const std::string x = lower(a.name), y = lower(b.name);
+  return x != y ? x < y : a.name < b.name;
+}
+
+std::vector<Entry> list(const fs::path& folder, const FileBrowser& browser) {
+  std::vector<Entry> entries;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    std::error_code ignored;
+    const std::string name = entry.path().filename().string();
+    if (name.empty() || name[0] == '.') continue;
+    if (entry.is_directory(ignored)) {
+      entries.push_back({name, true, 0});
+    } else if (fits(entry.path(), browser)) {
+      entries.push_back({name, false, entry.file_size(ignored)});
+    }
+  }
+  std::sort(entries.begin(), entries.end(), before);
+  return entries;
+}
+
+}  // namespace
+
+std::span<const std::string_view> FileBrowser::formats() const {
+  static constexpr std::array<std::string_view, 6> all = {"obj", "ply", "off", "stl", "glb", "gltf"};
+  static constexpr std::array<std::string_view, 7> animated = {"pc2", "mdd", "glb", "gltf",
+                                                               "obj", "ply", "off"};
+  static constexpr std::array<std::string_view, 10> exported = {"pc2", "mdd", "glb", "gltf", "obj",
+                                                                "ply", "stl", "png", "mp4",  "webm"};
+  if (purpose == Purpose::save_session) return {};
+  if (purpose == Purpose::animation) return animated;
+  if (purpose == Purpose::save_animation) return exported;
+  const bool pose = purpose == Purpose::pose || purpose == Purpose::save_pose ||
+                    purpose == Purpose::save_named_pose || purpose == Purpose::save_cage;
+  return std::span(all).first(pose ? 3 : all.size());
+}
+
+bool FileBrowser::makes_morphs() const {
+  const std::string format = format_of(*this);
+  return purpose == Purpose::save_animation && (format == "glb" || format == "gltf") &&
+         !base::NumberedName::is_pattern(path);
+}
+
+bool FileBrowser::makes_pictures() const {
+  const std::string format = format_of(*this);
+  return purpose == Purpose::save_animation && (format == "png" || is_video_format(format));
+}
+
+bool FileBrowser::replaces() const {
+  if (!saves()) return false;
+  const fs::path file = chosen_file(*this);
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) && !in_use.find(file);
+}
+
+void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const std::string& suggested,
+          FilesInUse in_use) {
+  browser.suggested = suggested;
+  browser.in_use = std::move(in_use);
+  browser.open = browser.appearing = true;
+  browser.purpose = purpose;
+  browser.problem.clear();
+  browser.warned.clear();
+  std::error_code ignored;
+  if (!folder.empty()) enter(browser, folder);
+  if (folder.empty() || !browser.problem.empty()) enter(browser, fs::current_path(ignored));
+}
+
+void enter(FileBrowser& browser, const fs::path& folder) {
+  try {
+    const fs::path absolute = fs::weakly_canonical(fs::absolute(folder));
+    browser.entries = list(absolute, browser);
+    browser.folder = absolute;
+    browser.path =
+        (browser.saves() ? proposed_name(absolute / browser.suggested, browser.in_use) : absolute).string();
+    browser.problem.clear();
+    browser.filter.clear();
+    browser.highlighted = browser.saves() ? FileBrowser::none : 0;
+    browser.recent = FileBrowser::none;
+  } catch (const fs::filesystem_error& error) {
+    browser.problem = folder.string() + ": " + error.code().message() + "; choose another folder";
+  }
+}
+
+std::vector<const Entry*> shown(const FileBrowser& browser) {
+  std::vector<const Entry*> entries;
+  const std::string filter = lower(browser.filter);
+  for (const auto& entry : browser.entries) {
+    if (lower(entry.name).find(filter) != std::string::npos) entries.push_back(&entry);
+  }
+  return entries;
+}
+
+void highlight(FileBrowser& browser, std::size_t index) {
+  const auto entries = shown(browser);
+  if (index >= entries.size()) return;
+  browser.highlighted = index;
+  browser.recent = FileBrowser::none;
+  if (browser.saves() && entries[index]->folder) return;
+  browser.path = (browser.folder / entries[index]->name).string();
+  browser.problem.clear();
+}
+
+void move_highlight(FileBrowser& browser, int steps) {
+  const auto last = static_cast<std::ptrdiff_t>(shown(browser).size()) - 1;
+  const bool from_none = browser.highlighted == FileBrowser::none;
+  const auto wanted = from_none ? 0 : static_cast<std::ptrdiff_t>(browser.highlighted) + steps;
+  browser.highlighted =
+      static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(wanted, 0, std::max<std::ptrdiff_t>(last, 0)));
+  if (!browser.saves()) highlight(browser, browser.highlighted);
+}
+
+bool filters_by_path(const FileBrowser& browser) {
+  return !browser.filter.empty() && (browser.filter[0] == '/' || browser.filter[0] == '~');
+}
+
+fs::path typed_path(const FileBrowser& browser) {
+  const char* home = std::getenv("HOME");
+  if (home && (browser.path == "~" || browser.path.starts_with("~/"))) return home + browser.path.substr(1);
+  return browser.folder / browser.path;
+}
+
+namespace {
+
+// What holds one model gets a place for the number of the frame.
+fs::path animation_name(const fs::path& file) {
+  const std::string extension = mesh::extension_of(file);
+  const bool holds_all = is_animation_format(extension) || is_video_format(extension);
+  if (holds_all || base::NumberedName::is_pattern(file)) return file;
+  return file.parent_path() / (file.stem().string() + "_####" + file.extension().string());
+}
+
+}  // namespace
+
+fs::path chosen_file(const FileBrowser& browser) {
+  fs::path file = typed_path(browser);
+  const bool session = browser.purpose == Purpose::save_session;
+  if (session && !is_session(file)) file += session_extension;
+  const bool animation = browser.purpose == Purpose::save_animation;
+  if (browser.saves() && !session && file.extension().empty()) file += animation ? ".pc2" : ".obj";
+  return animation ? animation_name(file) : file;
+}
+
+std::string problem_of_name(const FileBrowser& browser) {
+  const fs::path file = chosen_file(browser);
+  const std::string name = file.filename().string();
+  std::error_code ignored;
+  if (!browser.saves())
+    return fs::exists(file, ignored) ? "" : name + " is not there; choose one of the list, or another path";
+  if (name.empty() || fs::is_directory(file, ignored)) return "Give the file a name.";
+  if (!fs::is_directory(file.parent_path(), ignored))
+    return file.parent_path().string() + " is no folder; choose another one";
+  if (const std::string* used = browser.in_use.find(file))
+    return name + " is open (" + *used + ") and stays as it is; " +
+           base::unused_name(file).filename().string() + " would be free.";
+  const auto formats = browser.formats();
+  const bool known = browser.purpose == Purpose::save_session ||
+                     std::find(formats.begin(), formats.end(), mesh::extension_of(file)) != formats.end();
+  return known ? ""
+               : name + " has an extension that is not known: files are written as " + format_list(browser);
+}
+
+std::string format_list(const FileBrowser& browser) {
+  std::string text;
+  for (const auto format : browser.formats()) {
+    const bool last = format == browser.formats().back();
+    text += text.empty() ? "" : last ? " or " : ", ";
+    for (const char c : format) text += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+  }
+  return text;
+}
+
+std::string format_of(const FileBrowser& browser) {
+  return mesh::extension_of(browser.path);
+}
+
+void set_format(FileBrowser& browser, const std::string& extension) {
+  fs::path path = browser.path;
+  browser.suggested = path.replace_extension(extension).filename().string();
+  browser.path = path.string();
+  browser.path = proposed_name(chosen_file(browser), browser.in_use).string();
+  browser.highlighted = FileBrowser::none;  // the hand is at the name
+  browser.problem.clear();
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,256 @@
+#include "scene/workspace/keymap.h"
+
+#include <algorithm>
+#include <array>
+
+#include "scene/workspace/command.h"
+
+namespace viete::scene {
+
+namespace {
+
+struct PresetKeys {
+  std::string_view command;
+  Shortcut first, second;
+};
+
+constexpr Shortcut plain(char c) {
+  return {key(c)};
+}
+constexpr Shortcut ctrl(char c) {
+  return {key(c), true};
+}
+constexpr Shortcut shift(char c) {
+  return {key(c), false, true};
+}
+constexpr Shortcut alt(char c) {
+  return {key(c), false, false, true};
+}
+
+constexpr PresetKeys no_key(std::string_view command) {
+  return {command, {}, {}};
+}
+
+// Where hands from Blender expect something else. What they mean and is not to be had here has no key: none
+// of them resets a pose where a loop was to be cut.
+constexpr auto blender_keys = std::to_array<PresetKeys>({
+    {"grab", plain('G'), {}},
+    {"grab_rotate", plain('R'), {}},
+    {"grab_scale", plain('S'), {}},
+    {"select_all", plain('A'), {}},
+    {"select_none", alt('A'), {}},
+    {"select_box", plain('B'), {}},
+    {"select_brush", plain('C'), {}},
+    {"hide_selected", plain('H'), {}},
+    {"show_hidden", alt('H'), {}},
+    {"select_more", {Key::pad_plus, true}, {}},
+    {"select_less", {Key::pad_minus, true}, {}},
+    {"toggle_soft", plain('O'), {}},
+    {"hide_others", shift('H'), {}},
+    {"select_similar", shift('G'), {}},
+    {"next_mirror", ctrl('M'), {}},
+    {"bend", shift('W'), {}},
+    {"tool_select", plain('W'), {}},
+    {"frame_selection", {Key::pad_point}, {}},
+    {"reset_selected", alt('G'), {Key::delete_key}},
+    {"remove_elements", plain('X'), {Key::delete_key}},
+    {"extrude_faces", plain('E'), {}},
+    {"merge_vertices", plain('M'), {}},
+    {"next_shading", plain('Z'), {}},
+    {"toggle_select_visible", alt('Z'), {}},
+    {"toggle_wireframe", {key('Z'), false, true, true}, {}},
+    {"command_palette", {Key::f3}, {}},
+    {"toggle_tools", plain('T'), {}},
+    {"toggle_lab", plain('N'), {}},
+    {"toggle_panels", {Key::space, true}, {}},
+    {"redo", {key('Z'), true, true}, {}},
+    {"delete_keys", plain('X'), {Key::delete_key}},
+    no_key("place_pivot"),
+    no_key("reset_pose"),
+    no_key("restore_leftover"),
+    no_key("open_pose"),
+    no_key("save_model"),
+    no_key("tool_move"),
+    no_key("select_lasso"),
+    no_key("select_loop"),
+    no_key("select_ring"),
+    no_key("method_diag"),
+    no_key("method_sd"),
+    no_key("method_improved_sd"),
+    no_key("method_fast"),
+    no_key("reach_shorter"),
+    no_key("reach_longer"),
+    no_key("add_probe"),
+    no_key("mirror_probe"),
+    no_key("mark_point"),
+    no_key("clear_marks"),
+    no_key("toggle_z_up"),
+    no_key("toggle_error_map"),
+    no_key("toggle_full_screen"),
+});
+
+// And from Maya, whose function keys choose what is selected.
+constexpr auto maya_keys = std::to_array<PresetKeys>({
+    {"frame_all", plain('A'), {}},
+    {"frame_selection", plain('F'), {}},
+    {"select_all", {key('A'), true, true}, {}},
+    {"select_none", {key('D'), false, false, true}, {}},
+    {"place_pivot", {Key::insert}, plain('D')},
+    {"toggle_soft", plain('B'), {}},
+    {"undo", plain('Z'), ctrl('Z')},
+    {"redo", shift('Z'), ctrl('Y')},
+    {"select_more", {key('.'), false, true}, {}},
+    {"select_less", {key(','), false, true}, {}},
+    {"select_vertices", {Key::f9}, {}},
+    {"select_edges", {Key::f10}, {}},
+    {"select_faces", {Key::f11}, {}},
+    {"invert_selection", {key('I'), true, true}, {}},
+    {"hide_selected", ctrl('H'), {}},
+    {"hide_others", alt('H'), {}},
+    {"show_hidden", {key('H'), true, true}, {}},
+    {"extrude_faces", ctrl('E'), {}},
+    {"command_palette", ctrl('K'), {}},
+    {"toggle_panels", {Key::space, true}, {}},
+    {"toggle_orthographic", {Key::pad5}, {}},
+    {"shading_file", plain('6'), {}},
+    {"toggle_wireframe", plain('4'), {}},
+    {"next_shading", plain('5'), {}},
+    {"set_key", plain('S'), {}},
+    {"play", alt('V'), {Key::space}},
+    {"previous_key", plain(','), {Key::down}},
+    {"next_key", plain('.'), {Key::up}},
+    {"previous_frame", alt(','), {Key::left}},
+    {"next_frame", alt('.'), {Key::right}},
+    no_key("reset_pose"),
+    no_key("restore_leftover"),
+    no_key("screenshot"),
+    no_key("select_linked"),
+    no_key("select_ring"),
+    no_key("select_similar"),
+    no_key("reach_shorter"),
+    no_key("reach_longer"),
+    no_key("add_probe"),
+    no_key("mirror_probe"),
+    no_key("mark_point"),
+    no_key("clear_marks"),
+    no_key("toggle_model"),
+    no_key("toggle_deformed"),
+    no_key("toggle_cage"),
+    no_key("toggle_grid"),
+    no_key("toggle_axes"),
+    no_key("toggle_ghost"),
+    no_key("toggle_theme"),
+    no_key("toggle_z_up"),
+    no_key("toggle_error_map"),
+});
+
+std::span<const PresetKeys> keys_of_preset(KeyPreset preset) {
+  switch (preset) {
+    case KeyPreset::blender: return blender_keys;
+    case KeyPreset::maya: return maya_keys;
+    case KeyPreset::viete:
+    case KeyPreset::viewer: break;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::span<const KeyPresetEntry> all_key_presets() {
+  static constexpr KeyPresetEntry all[] = {
+      {"viete", "Viete", "Q W E R choose tools, single letters switch what is seen."},
+      {"blender", "Blender",
+       "G R S move, turn and scale at once; B C A H select and hide; Tab edits the cage; T and N fold the "
+       "columns."},
+      {"maya", "Maya",
+       "Q W E R choose tools, F9 F10 F11 what is selected; F and A frame, Alt and the mouse move the "
+       "camera."},
+      {"viewer", "Viewer", "As Viete, and the left button turns the view where it is pressed on nothing."}};
+  return all;
+}
+
+bool shares_keys(std::string_view command, std::string_view other) {
+  // What has moved is reset, and in the mode that edits the cage what is selected is removed. Esc stops
+  // whatever is at work. Over the timeline keys are deleted.
+  const auto is_pair = [&](std::string_view a, std::string_view b) {
+    return (command == a && other == b) || (command == b && other == a);
+  };
+  return is_pair("remove_elements", "reset_selected") || is_pair("stop_work", "stop_selecting") ||
+         is_pair("delete_keys", "reset_selected") || is_pair("delete_keys", "remove_elements");
+}
+
+void Keymap::set_preset(KeyPreset preset) {
+  preset_ = preset;
+  resolve();
+}
+
+void Keymap::change(std::string_view command, const Shortcut& shortcut) {
+  changes_[std::string(command)] = shortcut;
+  if (shortcut.key != Key::none) {
+    for (auto& [name, key] : changes_) {
+      if (name != command && key == shortcut && !shares_keys(name, command)) key = {};
+    }
+  }
+  resolve();
+}
+
+void Keymap::take_back(std::string_view command) {
+  if (const auto found = changes_.find(command); found != changes_.end()) changes_.erase(found);
+  resolve();
+}
+
+void Keymap::take_all_back() {
+  changes_.clear();
+  resolve();
+}
+
+void Keymap::put(Changes changes) {
+  changes_ = std::move(changes);
+  resolve();
+}
+
+Shortcuts Keymap::of(const Command& command) const {
+  const auto found = keys_.find(command.name);
+  return found == keys_.end() ? Shortcuts{} : found->second;
+}
+
+std::vector<const Command*> Keymap::commands_of(const Shortcut& shortcut) const {
+  std::vector<const Command*> found;
+  if (shortcut.key == Key::none) return found;
+  for (const Command& command : commands()) {
+    const Shortcuts keys = of(command);
+    if (keys.first == shortcut || keys.second == shortcut) found.push_back(&command);
+  }
+  return found;
+}
+
+std::vector<const Command*> Keymap::losers(std::string_view command, const Shortcut& shortcut) const {
+  std::vector<const Command*> found = commands_of(shortcut);
+  std::erase_if(found, [&](const Command* other) {
+    return other->name == command || shares_keys(other->name, command);
+  });
+  return found;
+}
+
+void Keymap::give(const Command& command, const Shortcuts& shortcuts) {
+  for (auto& [name, keys] : keys_) {
+    if (shares_keys(name, command.name)) continue;
+    for (Shortcut* own : {&keys.first, &keys.second}) {
+      if (own->key != Key::none && (*own == shortcuts.first || *own == shortcuts.second)) *own = {};
+    }
+  }
+  keys_[command.name] = shortcuts;
+}
+
+void Keymap::resolve() {
+  keys_.clear();
+  for (const Command& command : commands()) keys_[command.name] = {command.shortcut, command.alternative};
+  for (const auto& [name, first, second] : keys_of_preset(preset_)) {
+    if (const Command* command = find_command(name)) give(*command, {first, second});
+  }
+  for (const auto& [name, shortcut] : changes_) {
+    if (const Command* command = find_command(name)) give(*command, {shortcut, {}});
+  }
+}
+
+}  // namespace viete::scene

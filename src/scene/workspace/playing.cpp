@@ -1,0 +1,209 @@
+#include "scene/workspace/playing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/quantity.h"
+#include "scene/document/cage_editing.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/time_edit.h"
+#include "scene/workspace/command_conditions.h"
+
+namespace viete::scene {
+
+namespace {
+
+constexpr const char* leave_label = "go to another frame";
+
+// That pose is there. Locked probes are no part of it.
+bool is_there(const Workspace& w, const WholePose& pose) {
+  if (w.document.has_cage() && !same_pose(pose.cage, real_pose(w.document))) return false;
+  const auto& probes = w.document.probes.all;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const deform::ProbePose there = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
+    if (!probes[i].locked && !(probes[i].pose == there)) return false;
+  }
+  return true;
+}
+
+// What is known of the motion is of this timeline.
+bool is_of_now(const Workspace& w) {
+  return w.playback.cage == w.document.cage && w.playback.timeline == w.document.timeline;
+}
+
+bool is_shown(const Workspace& w) {
+  return w.playback.shown && is_there(w, *w.playback.shown);
+}
+
+// What the document's frame looks like, without a word about what was there.
+void show_frame(Workspace& w, double frame) {
+  w.document.frame = frame;
+  if (const auto camera = camera_at(w.document.timeline, frame)) w.camera.set_pose(*camera);
+  const auto animation = animation_of(w);
+  if (!animation) return;
+  end_mix(w.document);
+  WholePose pose = animation->at(frame);
+  put_whole_pose(w.document, pose);
+  w.playback.shown = std::make_shared<const WholePose>(std::move(pose));
+}
+
+void see(Workspace& w) {
+  w.playback.seen_revision = w.document.history.revision();
+  w.playback.seen_timeline = w.document.timeline;
+}
+
+bool leaves_unkeyed(Workspace& w) {
+  animation_of(w);
+  return has_unkeyed_pose(w) && differs_from_rest(w.document);
+}
+
+void leave_for(Workspace& w, double frame) {
+  if (leaves_unkeyed(w)) {
+    replace_pose(w, [&] { record_edit(w.document, leave_label); });
+    w.messages.info("The pose was in no key; undo leads back to it.");
+  }
+  show_frame(w, frame);
+  see(w);
+}
+
+// An edit that changes the timeline changes what this frame looks like.
+void follow_edits(Workspace& w) {
+  Playback& p = w.playback;
+  const unsigned long revision = w.document.history.revision();
+  const bool moves_keys = w.time_view.drag.has_value();  // which is seen at once
+  if (revision == p.seen_revision || (in_hand(w) && !moves_keys)) return;
+  const bool retimed = p.seen_timeline != w.document.timeline;
+  see(w);
+  if (!animation_of(w)) {
+    p.shown = nullptr;
+    return;
+  }
+  if (p.auto_key && !retimed && !is_shown(w) && !is_there(w, p.animation->at(w.document.frame))) {
+    try {
+      add_key_to_edit(w.document, current_frame(w.document));
+      see(w);
+    } catch (const base::Error& error) {
+      w.messages.error(error.what(), {"key"});
+    }
+    animation_of(w);
+  }
+  if (is_there(w, p.animation->at(w.document.frame))) {
+    p.shown = shared_pose(w.document);
+  } else if (retimed && is_shown(w)) {
+    show_frame(w, w.document.frame);
+  } else {
+    p.playing = false;
+  }
+}
+
+void play(Workspace& w, double seconds) {
+  const auto frame = played(w.document.timeline, w.document.frame, seconds, w.playback.backward);
+  if (frame) return show_frame(w, *frame);
+  show_frame(w, w.playback.backward ? w.document.timeline.first : w.document.timeline.last);
+  stop_playing(w);
+}
+
+}  // namespace
+
+std::shared_ptr<const Animation> animation_of(Workspace& w) {
+  Playback& p = w.playback;
+  const Document& document = w.document;
+  if (is_editing_cage(document)) return nullptr;
+  if (is_of_now(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
+  p.vectors.follow(document.cage);
+  p.cage = document.cage;
+  p.timeline = document.timeline;
+  p.animation = p.timeline.keys.empty() ? nullptr : std::make_shared<const Animation>(p.timeline, p.vectors);
+  return p.animation;
+}
+
+bool has_unkeyed_pose(const Workspace& w) {
+  if (w.document.timeline.keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
+  const bool known = w.playback.animation && is_of_now(w);
+  return !known || !is_there(w, w.playback.animation->at(w.document.frame));
+}
+
+void go_to_frame(Workspace& w, double frame) {
+  if (in_hand(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
+  leave_for(w, std::clamp<double>(frame, Timeline::least_frame, Timeline::largest_frame));
+}
+
+void replace_pose(Workspace& w, const std::function<void()>& edit) {
+  const bool unkeyed = leaves_unkeyed(w);
+  PoseKey left{current_frame(w.document), unkeyed ? shared_pose(w.document) : nullptr};
+  edit();
+  const auto has_it = [&](const auto& kept) { return *kept.pose == *left.pose; };
+  Timeline& t = w.document.timeline;
+  if (unkeyed && std::ranges::none_of(t.keys, has_it) &&
+      std::ranges::none_of(w.document.library.poses, has_it))
+    t.unkeyed.push_back(std::move(left));
+}
+
+void apply_pose(Workspace& w, std::size_t pose) {
+  stop_playing(w);
+  replace_pose(w, [&] { apply_pose(w.document, pose); });
+}
+
+void go_to_key(Workspace& w, bool forward) {
+  std::vector<int> frames;
+  for (const PoseKey& key : w.document.timeline.keys) frames.push_back(key.frame);
+  for (const CameraKey& key : w.document.timeline.cameras) frames.push_back(key.frame);
+  if (frames.empty()) return;
+  std::ranges::sort(frames);
+  const double now = w.document.frame;
+  if (forward) {
+    const auto next = std::ranges::upper_bound(frames, now);
+    return go_to_frame(w, next == frames.end() ? frames.front() : *next);
+  }
+  const auto here = std::ranges::lower_bound(frames, now);
+  go_to_frame(w, here == frames.begin() ? frames.back() : *(here - 1));
+}
+
+void lead_back_to_unkeyed(Workspace& w, bool show) {
+  Document& document = w.document;
+  const std::size_t count = document.timeline.unkeyed.size();
+  if (count == 0) return;
+  const bool shows_keys = animation_of(w) && !has_unkeyed_pose(w);
+  Document then = document;
+  end_mix(then);
+  then.timeline.unkeyed.clear();
+  for (const PoseKey& left : document.timeline.unkeyed) {
+    put_whole_pose(then, *left.pose);
+    then.frame = left.frame;
+    document.history.record(leave_label, state_of(then));
+    then.timeline.unkeyed.push_back(left);
+  }
+  const bool shown = show && shows_keys;
+  if (shown) undo(document);
+  see(w);
+  w.messages.info(shown ? "The pose of this frame is in no key; set one (I) to keep it."
+                        : "Undo leads back to " + base::counted(count, "pose") + " in no key.");
+}
+
+void start_playing(Workspace& w) {
+  Playback& p = w.playback;
+  const Timeline& t = w.document.timeline;
+  if (t.empty() || is_editing_cage(w.document) || in_hand(w)) return;
+  p.playing = true;
+  p.backward = false;
+  const bool at_end = t.repeat == Repeat::once && w.document.frame >= t.last;
+  const bool outside = w.document.frame < t.first || w.document.frame > t.last;
+  go_to_frame(w, at_end || outside ? t.first : w.document.frame);
+}
+
+void stop_playing(Workspace& w) {
+  if (!w.playback.playing) return;
+  w.playback.playing = false;
+  leave_for(w, std::round(w.document.frame));
+}
+
+void follow_time(Workspace& w, double seconds) {
+  if (w.playback.playing && (in_hand(w) || is_editing_cage(w.document) || w.document.timeline.empty()))
+    w.playback.playing = false;
+  follow_edits(w);
+  if (w.playback.playing) play(w, seconds);
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,51 @@
+#include "scene/workspace/question.h"
+
+namespace viete::scene {
+
+namespace {
+
+using Asked = Question::Kind;
+
+std::string title_before(const std::string& work, Asked kind) {
+  return "Save the edits of " + work + (kind == Asked::open ? " first?" : "?");
+}
+
+}  // namespace
+
+Question ask_before_closing(const std::string& work, const std::string& why) {
+  return {Asked::close, title_before(work, Asked::close),
+          "Unsaved edits wait for the next start, but these could not be kept:", why};
+}
+
+Question ask_before_opening(const std::string& work, const std::string& why) {
+  return {Asked::open, title_before(work, Asked::open),
+          "What is opened takes their place, and they could not be set aside:", why};
+}
+
+Question ask_before_replacing(const std::filesystem::path& session) {
+  return {
+      Asked::replace, session.filename().string() + " has changed on disk",
+      "Another window or program has written it since it was opened here. Saving would replace what is there "
+      "now.",
+      ""};
+}
+
+Question ask_after_failed_save(const std::string& work, Asked kind, const std::string& why) {
+  return {kind, title_before(work, kind), "They are not saved yet:", why};
+}
+
+const char* label(Asked kind, Answer answer) {
+  switch (answer) {
+    case Answer::save: return kind == Asked::replace ? "Save as" : "Save";
+    case Answer::cancel: return "Cancel";
+    case Answer::go_on: break;
+  }
+  switch (kind) {
+    case Asked::close: return "Close without saving";
+    case Asked::open: return "Open without saving";
+    case Asked::replace: break;
+  }
+  return "Save anyway";
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,157 @@
+#include "scene/workspace/remembered.h"
+
+#include <algorithm>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "scene/document/range.h"
+#include "scene/files/json_file.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+fs::path from_root(const fs::path& path) {
+  std::error_code ignored;
+  return path.empty() ? path : fs::absolute(path, ignored).lexically_normal();
+}
+
+RecentFile recent_of(const JsonReader& json) {
+  RecentFile recent{json.at("file").path(), {}};
+  if (const auto cage = json.find("cage")) recent.cage = cage->path();
+  return recent;
+}
+
+ordered_json to_json(const RecentFile& recent) {
+  ordered_json json = {{"file", path_json(recent.file)}};
+  if (!recent.cage.empty()) json["cage"] = path_json(recent.cage);
+  return json;
+}
+
+constexpr const char* column_names[] = {"tools", "lab"};
+
+ordered_json to_json(const PanelLayout& layout) {
+  ordered_json json;
+  for (std::size_t i = 0; i < 2; ++i)
+    json[column_names[i]] = {{"width", layout.width[i]}, {"folded", layout.folded[i]}};
+  json["last"] = column_names[static_cast<std::size_t>(layout.last)];
+  json["timeline"] = layout.timeline;
+  json["sections"] = layout.sections;
+  return json;
+}
+
+PanelLayout layout_of(const JsonReader& json) {
+  PanelLayout layout;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto column = json.find(column_names[i]);
+    if (!column) continue;
+    const double width = column->at("width").number();
+    layout.width[i] =
+        static_cast<float>(std::clamp<double>(width, PanelLayout::least_width, PanelLayout::largest_width));
+    layout.folded[i] = column->at("folded").boolean();
+  }
+  if (const auto last = json.find("last"); last && last->text() == column_names[1]) layout.last = Column::lab;
+  if (const auto timeline = json.find("timeline")) layout.timeline = timeline->boolean();
+  if (const auto sections = json.find("sections")) {
+    for (const std::string& title : sections->keys()) layout.sections[title] = sections->at(title).boolean();
+  }
+  return layout;
+}
+
+std::optional<glm::ivec2> size_of(const JsonReader& json) {
+  const auto [width, height] = json.numbers<2>();
+  if (!is_window(width, height)) return std::nullopt;
+  return glm::ivec2(width, height);
+}
+
+// What no program of this version knows is passed over: a newer one may know it.
+Keymap keymap_of(const JsonReader& json) {
+  Keymap keymap;
+  const auto presets = all_key_presets();
+  if (const auto preset = json.find("preset")) {
+    const auto found = std::ranges::find(presets, preset->text(), &KeyPresetEntry::word);
+    if (found != presets.end()) keymap.set_preset(static_cast<KeyPreset>(found - presets.begin()));
+  }
+  if (const auto changed = json.find("changed")) {
+    for (const std::string& command : changed->keys()) {
+      if (const auto key = shortcut_of(changed->at(command).text())) keymap.change(command, *key);
+    }
+  }
+  return keymap;
+}
+
+ordered_json to_json(const Keymap& keymap) {
+  ordered_json json = {{"preset", all_key_presets()[static_cast<std::size_t>(keymap.preset())].word}};
+  for (const auto& [command, key] : keymap.changes()) json["changed"][command] = text(key);
+  return json;
+}
+
+// What was there before comes behind, where it does not stand already.
+void append_missing(Remembered& to, const std::vector<RecentFile>& more) {
+  for (const auto& file : more) {
+    if (to.recent.size() >= Remembered::most) return;
+    if (std::find(to.recent.begin(), to.recent.end(), file) == to.recent.end()) to.recent.push_back(file);
+  }
+}
+
+// A file that cannot be understood holds nothing worth keeping.
+std::vector<RecentFile> recent_in(const fs::path& file) {
+  try {
+    return read_remembered(file).recent;
+  } catch (const base::Error&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+void Remembered::add(const RecentFile& file) {
+  const RecentFile entry{from_root(file.file), from_root(file.cage)};
+  std::erase(recent, entry);
+  recent.insert(recent.begin(), entry);
+  if (recent.size() > most) recent.resize(most);
+}
+
+Remembered read_remembered(const fs::path& file) {
+  Remembered remembered;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return remembered;
+  const nlohmann::json whole = read_json(file);
+  const JsonReader json(whole, file.string());
+  std::vector<RecentFile> recent;
+  if (const auto list = json.find("recent")) {
+    for (std::size_t i = 0; i < list->size(); ++i) recent.push_back(recent_of(list->item(i)));
+  }
+  append_missing(remembered, recent);
+  if (const auto folder = json.find("folder")) remembered.folder = folder->path();
+  if (const auto hints = json.find("hints")) remembered.hints = hints->boolean();
+  if (const auto ask = json.find("ask_keys")) remembered.ask_keys = ask->boolean();
+  if (const auto dark = json.find("dark")) remembered.dark = dark->boolean();
+  if (const auto coarse = json.find("coarse_motion")) remembered.coarse_motion = coarse->boolean();
+  if (const auto window = json.find("window")) remembered.window = size_of(*window);
+  if (const auto keys = json.find("keys")) remembered.keymap = keymap_of(*keys);
+  if (const auto layout = json.find("layout")) remembered.layout = layout_of(*layout);
+  return remembered;
+}
+
+void write_remembered(const fs::path& file, const Remembered& remembered) {
+  Remembered all = remembered;
+  append_missing(all, recent_in(file));
+  ordered_json json = {{"format", "viete remembered"}, {"version", 1}};
+  json["recent"] = ordered_json::array();
+  for (const auto& entry : all.recent) json["recent"].push_back(to_json(entry));
+  json["folder"] = path_json(all.folder);
+  json["hints"] = all.hints;
+  json["ask_keys"] = all.ask_keys;
+  json["dark"] = all.dark;
+  if (all.coarse_motion) json["coarse_motion"] = *all.coarse_motion;
+  if (all.window) json["window"] = {all.window->x, all.window->y};
+  json["layout"] = to_json(all.layout);
+  if (all.keymap != Keymap{}) json["keys"] = to_json(all.keymap);
+  base::replace_file(file, readable(json, file), base::Durability::process);
+}
+
+}  // namespace viete::scene

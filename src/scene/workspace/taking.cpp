@@ -1,0 +1,164 @@
+#include "scene/workspace/taking.h"
+
+#include <utility>
+
+#include "base/quantity.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/selection_sets.h"
+#include "scene/document/up_axis.h"
+#include "scene/files/animation_import.h"
+#include "scene/workspace/playback.h"
+#include "scene/workspace/saving.h"
+#include "scene/workspace/playing.h"
+
+namespace viete::scene {
+
+namespace {
+
+void report(Workspace& workspace, const Opened& opened) {
+  const bool same_model =
+      opened.document && opened.document->model.surface == workspace.document.model.surface;
+  const Concern concern{.scope = same_model || !opened.document ? Scope::cage : Scope::model};
+  workspace.messages.succeeded("open");
+  if (!opened.taken_as.empty()) workspace.messages.info(opened.taken_as, concern);
+  for (const auto& warning : opened.warnings) workspace.messages.warn(warning, concern);
+}
+
+// Another cage of the same model: sets and poses are of the one before. Where they are in a file it is named.
+void tell_what_is_lost(Workspace& w, bool in_file) {
+  const std::string file = w.saved.session.filename().string();
+  const std::string where = in_file && !file.empty() ? "; " + file + " has them" : "";
+  const Concern concern{.scope = Scope::cage};
+  if (const std::string sets = lost_sets(w.document.groups, {}); !sets.empty())
+    w.messages.warn("Sets of the cage before are gone: " + sets + where, concern);
+  if (const std::string poses = counted_poses(w.document); !poses.empty())
+    w.messages.warn("Poses of the cage before are gone: " + poses + where, concern);
+}
+
+void take_document(Workspace& w, Document&& document, bool keep_settings) {
+  const Document& old = w.document;
+  const bool same_model = document.model.surface == old.model.surface;
+  if (keep_settings) {
+    document.method = old.method;
+    document.scheme = old.scheme;
+  }
+  document.revisions = {old.revisions.surfaces + 1, old.revisions.cage + 1, old.revisions.weights + 1,
+                        old.revisions.pose + 1, old.revisions.method + 1};
+  w.document = std::move(document);
+  w.interaction = {};
+  Playback stopped;
+  stopped.auto_key = w.playback.auto_key, stopped.paths = w.playback.paths;
+  w.playback = std::move(stopped);
+  w.making = {.wish = w.making.wish};
+  w.playback = {.auto_key = w.playback.auto_key, .paths = w.playback.paths};
+  w.chosen_pose.reset();
+  w.time_view = {};
+  w.offer_cage = true;
+  if (!same_model) w.marks.clear();
+  w.stats.clear();
+  w.methods = {};
+  w.error_map = {};
+  forget_findings(w.checks);
+  w.checks.badge.reset();
+  w.checks.put_away.clear();
+  ++w.opened;
+}
+
+// Help stays as it is; the hints of the first start do not come back.
+void take_view(Workspace& w, const Session& session) {
+  const ViewOptions old = w.view;
+  w.view = session.view;
+  w.view.help = old.help;
+  w.view.hints = old.hints && session.view.hints;
+}
+
+// A place of another model says nothing.
+void take_handling(Workspace& w, const Opened& opened, bool same_model) {
+  if (opened.session) {
+    w.handling = opened.session->handling;
+  } else if (!same_model) {
+    w.handling.point.reset();
+    if (w.handling.pivot == Pivot::point) w.handling.pivot = Pivot::median;
+  }
+}
+
+// What was read of poses is an edit. Says whether it was that.
+bool take_poses(Workspace& w, Opened& opened) {
+  const std::string name = opened.file.filename().string();
+  if (!opened.poses.empty()) {
+    const std::size_t count = opened.poses.size();
+    try {
+      add_poses(w.document, std::move(opened.poses));
+      w.messages.info("Added " + base::counted(count, "pose") + " of " + name + ".");
+    } catch (const base::Error& error) {
+      w.messages.error(error.what(), {"open"});
+    }
+    return true;
+  }
+  if (opened.keys.empty()) return false;
+  const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
+  put_keys(w.document, std::move(opened.keys), "Import animation");
+  w.messages.info("Took " + base::counted(count, "key") + " of " + name +
+                  (before > 0 ? "; undo brings the " + std::to_string(before) + " before back." : "."));
+  return true;
+}
+
+void take_pose(Workspace& w, deform::Pose&& pose) {
+  const bool was_saved = !has_unsaved_edits(w);
+  replace_pose(w, [&] { set_pose(w.document, std::move(pose)); });
+  if (was_saved) mark_pose_saved(w);  // nothing is lost with it: it stands in the file
+}
+
+}  // namespace
+
+void take(Workspace& w, Opened&& opened) {
+  if (opened.pose_of && opened.pose_of != w.document.cage)
+    return w.messages.error(
+        opened.file.string() + ": the cage was changed while this pose was read; open it again", {"open"});
+  report(w, opened);
+  w.document.also_read.insert(w.document.also_read.end(), opened.also_read.begin(), opened.also_read.end());
+  if (take_poses(w, opened)) return;
+  if (opened.pose) return take_pose(w, std::move(*opened.pose));
+  const bool same_model = opened.document->model.surface == w.document.model.surface;
+  if (same_model && !opened.session) tell_what_is_lost(w, !has_unsaved_edits(w));
+  take_document(w, std::move(*opened.document), !opened.has_settings);
+  w.saved = {.revision = w.saved.revision + 1};
+  w.recovered_from.clear();
+  if (opened.session) {
+    take_view(w, *opened.session);
+    w.saved.session = opened.recovered ? opened.session->origin : opened.file;
+    w.saved.content = opened.recovered ? opened.session->origin_content : opened.content;
+  }
+  take_handling(w, opened, same_model);
+  w.saved.nowhere = opened.recovered;
+  if (opened.recovered) {
+    w.recovered_from = opened.file;
+    mark_edits_saved(w, opened.session->first_edit);
+  } else {
+    mark_saved(w);
+    if (opened.session) w.saved.state.scheme = opened.session->scheme;       // another one was asked for: unsaved
+    if (!opened.session) w.saved.state.mask = nullptr, w.saved.state.probes = {};  // made for another cage: in no file
+    w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
+                                             : RecentFile{w.saved.session, {}});
+  }
+  lead_back_to_unkeyed(w, opened.recovered);
+  if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
+  if (same_model) return;
+  w.camera.set_up(guessed_up(w.document.model));
+  w.camera.look(StandardView::home);  // as if nothing had been open before
+  frame_all(w, false);
+}
+
+bool open_now(Workspace& workspace, const OpenRequest& request) {
+  try {
+    Opened opened = open_files(request, workspace.document);
+    check_drawable(opened);
+    take(workspace, std::move(opened));
+    return true;
+  } catch (const std::exception& error) {
+    workspace.messages.error(error.what(), {"open"});
+    return false;
+  }
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,16 @@
+// A workspace takes what was read of files, at once.
+#pragma once
+
+#include "scene/files/open.h"
+#include "scene/workspace/workspace.h"
+
+namespace viete::scene {
+
+/// Takes it into the workspace; messages say what is to be said.
+void take(Workspace& workspace, Opened&& opened);
+
+/// Opens at once, without reading aside. On failure everything stays as it was and a message says why.
+/// Returns success.
+bool open_now(Workspace& workspace, const OpenRequest& request);
+
+}  // namespace viete::scene

@@ -1,0 +1,273 @@
+#include "scene/workspace/time_commands.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/time_edit.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/file_commands.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/time_gestures.h"
+
+namespace viete::scene {
+
+namespace {
+
+constexpr const char *poses_group = "Poses", *time_group = "Time";
+
+constexpr Condition can_pose{
+    [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !in_hand(w); },
+    "Open a cage or add a probe first, and pose it rather than edit it (Tab)."};
+constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
+                                    "Choose a pose of the list first; Keep pose makes one of what is there."};
+constexpr Condition can_export_pose{[](const Workspace& w) { return has_chosen_pose(w) && has_cage(w); },
+                                    "Choose a pose of the list first."};
+constexpr Condition is_not_first_pose{
+    [](const Workspace& w) { return has_chosen_pose(w) && *w.chosen_pose > 0; },
+    "Choose a pose below the first one."};
+constexpr Condition is_not_last_pose{[](const Workspace& w) {
+                                       return has_chosen_pose(w) &&
+                                              *w.chosen_pose + 1 < w.document.library.poses.size();
+                                     },
+                                     "Choose a pose above the last one."};
+constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library.mixes(); },
+                            "Nothing is mixed: move the slider of a pose."};
+constexpr Condition can_average{[](const Workspace& w) {
+                                  double sum = 0;
+                                  for (const NamedPose& pose : w.document.library.poses) sum += pose.weight;
+                                  return has_mix(w) && sum > 0;
+                                },
+                                "Mix in poses first, more above than below 0 %."};
+constexpr Condition has_time{[](const Workspace& w) {
+                               return !w.document.timeline.empty() && !is_editing_cage(w.document) &&
+                                      !in_hand(w);
+                             },
+                             "There are no keys: pose the cage and set one (I)."};
+constexpr Condition has_pose_keys{
+    [](const Workspace& w) { return has_time(w) && !w.document.timeline.keys.empty(); },
+    "There are no keys: pose the cage and set one (I)."};
+constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !in_hand(w); },
+                                   "Open a model first."};
+constexpr Condition has_selected_keys{
+    [](const Workspace& w) { return has_time(w) && !selected_keys(w).empty(); },
+    "Select keys in the timeline first."};
+constexpr Condition deletes_keys{
+    [](const Workspace& w) { return has_selected_keys(w) && w.time_view.hovered; },
+    "Select keys in the timeline first, and leave the pointer there."};
+
+// What cannot be done is said, and changes nothing.
+template <class Edit>
+void try_edit(Workspace& w, const char* what, Edit edit) {
+  try {
+    edit();
+    w.messages.succeeded(what);
+  } catch (const base::Error& error) {
+    w.messages.error(error.what(), {what});
+  }
+}
+
+void keep(Workspace& w) {
+  try_edit(w, "poses", [&] {
+    const std::size_t n = w.document.library.poses.size();
+    w.chosen_pose = keep_pose(w.document, "Pose " + std::to_string(n + 1));
+  });
+}
+
+void duplicate(Workspace& w) {
+  try_edit(w, "poses", [&] {
+    duplicate_pose(w.document, *w.chosen_pose);
+    ++*w.chosen_pose;
+  });
+}
+
+void remove(Workspace& w) {
+  remove_pose(w.document, w.playback.vectors, *w.chosen_pose);
+  const std::size_t left = w.document.library.poses.size();
+  if (left == 0) {
+    w.chosen_pose.reset();
+  } else {
+    w.chosen_pose = std::min(*w.chosen_pose, left - 1);
+  }
+}
+
+void move_up(Workspace& w) {
+  move_pose(w.document, *w.chosen_pose, *w.chosen_pose - 1);
+  --*w.chosen_pose;
+}
+
+void move_down(Workspace& w) {
+  move_pose(w.document, *w.chosen_pose, *w.chosen_pose + 2);
+  ++*w.chosen_pose;
+}
+
+// Who sets a first key wants to see it.
+void show_timeline(Workspace& w, bool first) {
+  if (!first) return;
+  w.remembered.layout.timeline = true;
+  w.time_view.seen = fitting(w.document.timeline);
+}
+
+void key_pose(Workspace& w) {
+  try_edit(w, "key", [&] {
+    const bool first = w.document.timeline.empty();
+    stop_playing(w);
+    set_key(w.document, current_frame(w.document));
+    w.time_view.selected = {current_frame(w.document)};
+    show_timeline(w, first);
+  });
+}
+
+void key_camera(Workspace& w) {
+  try_edit(w, "key", [&] {
+    const bool first = w.document.timeline.empty();
+    stop_playing(w);
+    set_camera_key(w.document, current_frame(w.document), w.camera.pose());
+    w.time_view.selected = {current_frame(w.document)};
+    show_timeline(w, first);
+  });
+}
+
+void key_turntable(Workspace& w) {
+  try_edit(w, "key", [&] {
+    const bool first = w.document.timeline.empty();
+    stop_playing(w);
+    set_turntable(w.document, w.camera.pose());
+    show_timeline(w, first);
+  });
+}
+
+void delete_keys(Workspace& w) {
+  remove_keys(w.document, selected_keys(w));
+  w.time_view.selected.clear();
+}
+
+void play_or_stop(Workspace& w) {
+  w.playback.playing ? stop_playing(w) : start_playing(w);
+}
+
+template <int Steps>
+void step(Workspace& w) {
+  stop_playing(w);
+  go_to_frame(w, current_frame(w.document) + Steps);
+}
+
+template <bool Forward>
+void to_key(Workspace& w) {
+  stop_playing(w);
+  go_to_key(w, Forward);
+}
+
+template <int Timeline::*Frame>
+void to_end(Workspace& w) {
+  stop_playing(w);
+  go_to_frame(w, w.document.timeline.*Frame);
+}
+
+template <bool Playback::*Option>
+void toggle_play(Workspace& w) {
+  w.playback.*Option = !(w.playback.*Option);
+}
+
+void change_play(Workspace& w, const auto& change) {
+  Play play = play_of(w.document.timeline);
+  change(play);
+  set_play(w.document, play);
+}
+
+// What plays begins at the first key and ends at the last one.
+void fit_range(Workspace& w) {
+  const std::vector<int> frames = key_frames(w.document.timeline);
+  change_play(w, [&](Play& play) { play.first = frames.front(), play.last = frames.back(); });
+  w.time_view.seen = fitting(w.document.timeline);
+}
+
+template <Repeat Choice>
+Command repeat_command() {
+  static const std::string name = choice_command_name(Choice);
+  const EasingChoice& entry = all_repeats()[static_cast<std::size_t>(Choice)];
+  static const std::string label = "After the last frame: " + std::string(entry.label);
+  return {name,       {label, entry.label},
+          entry.hint, time_group,
+          {},         {},
+          has_model,  [](Workspace& w) {
+            change_play(w, [](Play& play) { play.repeat = Choice; }); }};
+}
+
+template <Easing Choice>
+Command easing_command() {
+  static const std::string name = choice_command_name(Choice);
+  const EasingChoice& entry = all_easings()[static_cast<std::size_t>(Choice)];
+  static const std::string label = "Easing: " + std::string(entry.label);
+  return {name, {label, entry.label}, entry.hint, time_group, {}, {}, has_pose_keys, [](Workspace& w) {
+            set_easing(w.document, eased_keys(w), Choice);
+          }};
+}
+
+constexpr Shortcut plain_key(char c) {
+  return {key(c)};
+}
+
+}  // namespace
+
+void change_mix(Workspace& w, const std::function<bool()>& change) {
+  stop_playing(w);
+  if (change()) return w.messages.succeeded("mix");
+  w.messages.error("the mix would leave what can be drawn; nothing was changed", {"mix"});
+}
+
+std::string choice_command_name(Repeat repeat) {
+  return "repeat_" + std::string(all_repeats()[static_cast<std::size_t>(repeat)].word);
+}
+
+std::string choice_command_name(Easing easing) {
+  return "easing_" + std::string(all_easings()[static_cast<std::size_t>(easing)].word);
+}
+
+std::vector<Command> time_commands() {
+  // clang-format off
+  return {
+      {"keep_pose", {"Keep this pose", "Keep pose"}, "Keep what is there now as a pose with a name.", poses_group, {}, {}, can_pose, keep},
+      {"apply_pose", {"Apply the chosen pose", "Apply"}, "Put cage and probes into the chosen pose.", poses_group, {}, {}, has_chosen_pose,
+       [](Workspace& w) { apply_pose(w, *w.chosen_pose); }},
+      {"update_pose", {"Update the chosen pose", "Update"}, "The chosen pose becomes what is there now.", poses_group, {}, {}, has_chosen_pose,
+       [](Workspace& w) { update_pose(w.document, *w.chosen_pose); }},
+      {"duplicate_pose", {"Duplicate the chosen pose", "Duplicate"}, "Another pose like the chosen one.", poses_group, {}, {}, has_chosen_pose, duplicate},
+      {"remove_pose", {"Delete the chosen pose", "Delete"}, "Take the chosen pose out of the list; undo brings it back.", poses_group, {}, {}, has_chosen_pose, remove},
+      {"pose_up", {"Move the chosen pose up", "Move up"}, "Move the chosen pose up in the list.", poses_group, {}, {}, is_not_first_pose, move_up},
+      {"pose_down", {"Move the chosen pose down", "Move down"}, "Move the chosen pose down in the list.", poses_group, {}, {}, is_not_last_pose, move_down},
+      {"export_pose", {"Export the chosen pose", "Export pose"}, "Write the cage in the chosen pose to a mesh file.", poses_group, {}, {}, can_export_pose, browse_to_save_named_pose},
+      {"clear_mix", "Clear mix", "All sliders back to 0 %: what was made by hand stays.", poses_group, {}, {}, has_mix,
+       [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); }},
+      {"average_mix", {"Average the mix", "Average"}, "Divide all sliders by their sum: the mean of the poses that are mixed, in log space.", poses_group, {}, {}, can_average,
+       [](Workspace& w) { change_mix(w, [&] { return average_mix(w.document, w.playback.vectors); }); }},
+      {"toggle_mix_selected", {"Mix only into what is selected", "Only what is selected"}, "The slider of a pose moves only what is selected when it leaves 0 %; else, or where nothing is selected, all of the cage.", poses_group, {}, {}, has_cage,
+       [](Workspace& w) { w.handling.mix_selected = !w.handling.mix_selected; }},
+
+      {"play", "Play", "Play what is keyed, or stop.", time_group, {Key::space}, {}, has_time, play_or_stop},
+      {"set_key", "Set a key", "Keep what is there now as the key of this frame.", time_group, plain_key('I'), {}, can_pose, key_pose},
+      {"set_camera_key", {"Set a camera key", "Camera key"}, "Keep where one looks from as a key of this frame.", time_group, {key('I'), false, true}, {}, can_key_camera, key_camera},
+      {"turntable", {"Turn the camera round", "Turntable"}, "The camera goes once round the model over what plays; its other keys give way.", time_group, {}, {}, can_key_camera, key_turntable},
+      {"delete_keys", {"Delete selected keys", "Delete keys"}, "Delete the selected keys; by its key while the pointer is over the timeline.", time_group, {Key::delete_key}, {}, deletes_keys,
+       delete_keys},
+      {"previous_frame", "Previous frame", "One frame back.", time_group, {Key::left}, {}, has_time, step<-1>},
+      {"next_frame", "Next frame", "One frame on.", time_group, {Key::right}, {}, has_time, step<1>},
+      {"previous_key", "Previous key", "Back to the last key before this frame.", time_group, {Key::down}, {}, has_time, to_key<false>},
+      {"next_key", "Next key", "On to the next key.", time_group, {Key::up}, {}, has_time, to_key<true>},
+      {"first_frame", "First frame", "To where playing begins.", time_group, {Key::left, false, true}, {}, has_time, to_end<&Timeline::first>},
+      {"last_frame", "Last frame", "To where playing ends.", time_group, {Key::right, false, true}, {}, has_time, to_end<&Timeline::last>},
+      {"fit_range", {"Play from first to last key", "Range of keys"}, "Play from the first key to the last one.", time_group, {}, {}, has_time, fit_range},
+      easing_command<Easing::smooth>(), easing_command<Easing::linear>(), easing_command<Easing::hold>(),
+      easing_command<Easing::bezier>(),
+      repeat_command<Repeat::once>(), repeat_command<Repeat::loop>(), repeat_command<Repeat::ping_pong>(),
+      {"toggle_auto_key", {"Set keys automatically", "Auto key"}, "Whatever the hand changes becomes a key of this frame, once there is a key.", time_group, {}, {}, always, toggle_play<&Playback::auto_key>},
+      {"toggle_straight", {"Straight lines between keys", "Straight lines"}, "Vertices of the cage go straight from key to key, as in other programs; else the logs of its maps are blended.", time_group, {}, {}, has_model,
+       [](Workspace& w) { change_play(w, [](Play& play) { play.straight = !play.straight; }); }},
+      {"toggle_paths", {"Show paths of vertices", "Paths"}, "Draw the ways of the selected vertices, by logs and in straight lines.", time_group, {}, {}, always, toggle_play<&Playback::paths>},
+      {"toggle_timeline", {"Show the timeline", "Timeline"}, "Show or hide the timeline.", time_group, {key('T'), false, true}, {}, always,
+       [](Workspace& w) { w.remembered.layout.timeline = !w.remembered.layout.timeline; }},
+  };
+  // clang-format on
+}
+
+}  // namespace viete::scene

@@ -1,0 +1,21 @@
+// Commands of poses with names, and of time.
+#pragma once
+
+#include <functional>
+#include <vector>
+#include "scene/document/timeline.h"
+#include "scene/workspace/command.h"
+
+namespace viete::scene {
+
+/// In the order of the help.
+std::vector<Command> time_commands();
+
+/// Stops playing, mixes, and says so where that would have led too far.
+void change_mix(Workspace& workspace, const std::function<bool()>& change);
+
+/// "repeat_loop", "easing_smooth": of the command that chooses it.
+std::string choice_command_name(Repeat);
+std::string choice_command_name(Easing);
+
+}  // namespace viete::scene

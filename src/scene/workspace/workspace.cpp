@@ -1,0 +1,139 @@
+#include "scene/workspace/workspace.h"
+
+#include <algorithm>
+
+#include "deform/engine_for.h"
+#include "scene/document/elements.h"
+#include "scene/document/pose_notes.h"
+#include "scene/document/probes.h"
+#include "scene/document/selection_sets.h"
+
+namespace viete::scene {
+
+namespace {
+
+std::vector<glm::vec3> in_view(const Space& space, std::span<const mesh::Point> points) {
+  std::vector<glm::vec3> seen;
+  seen.reserve(points.size());
+  for (const auto& p : points) seen.push_back(space.to_view(p));
+  return seen;
+}
+
+// The corners of the box that the used vertices fill: stray ones do not make the model small.
+std::vector<mesh::Point> corners(const mesh::Bounds& box) {
+  std::vector<mesh::Point> points;
+  for (int i = 0; i < 8; ++i) {
+    points.push_back(
+        {(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2]});
+  }
+  return points;
+}
+
+// Where the cage's elements are; vertices without any say nothing.
+std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::Pose& pose) {
+  std::vector<bool> used(pose.positions.size());
+  for (const auto& t : cage.surface.triangles) {
+    for (const auto v : t) used[v] = true;
+  }
+  std::vector<mesh::Point> points;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v]) points.push_back(pose.positions[v]);
+  }
+  return points;
+}
+
+}  // namespace
+
+namespace {
+
+// The corners of boxes around the selected ones, as wide as their largest radius.
+std::vector<mesh::Point> around_probes(const Document& document) {
+  std::vector<mesh::Point> points;
+  for (const auto i : document.selection.indices()) {
+    const deform::Probe& probe = document.probes.all[i];
+    const double half = 0.5 * std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
+    const mesh::Point center = probe_center(document, i);
+    for (int corner = 0; corner < 8; ++corner) {
+      mesh::Point p = center;
+      for (std::size_t k = 0; k < 3; ++k) p[k] += (corner >> k & 1) ? half : -half;
+      points.push_back(p);
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+bool shows_links(const Workspace& w) {
+  return deform::engine_for(w.document.scheme, w.document.method, w.view.same_path) ==
+         deform::EngineKind::staged;
+}
+
+bool shows_error_map(const Workspace& w) {
+  return !shows_mask(w) && w.view.error_map && w.document.has_cage() && w.document.scheme.exponential();
+}
+
+float offer_height(const Workspace& w) {
+  constexpr float usual = 152, with_cage_beside = 198;
+  const bool offered =
+      w.offer_cage && w.view.panels && w.document.model.surface && !w.making.open && !w.document.is_movable();
+  if (!offered) return 0;
+  const float height = w.document.cage_beside.empty() ? usual : with_cage_beside;
+  return std::min(height, 0.5f * w.viewport.size.y);
+}
+
+void frame_all(Workspace& workspace, bool eased) {
+  const Document& document = workspace.document;
+  if (!document.model.surface) return;
+  // A cage encloses its model: its vertices say where both are.
+  const std::vector<mesh::Point> points =
+      document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
+  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased, offer_height(workspace));
+}
+
+void frame_selection(Workspace& workspace, bool eased) {
+  const Document& document = workspace.document;
+  if (document.selection.empty()) return frame_all(workspace, eased);
+  std::vector<mesh::Point> points;
+  for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
+  if (document.selection.kind() == ElementKind::probe) points = around_probes(document);
+  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
+}
+
+void take_hold(Workspace& w) {
+  w.before_hold = {mark_of(w.document), w.handling, w.brush, w.making.wish, w.remembered.layout, w.opened};
+}
+
+// A cage that is being made follows its wish, and is no edit of the hand's.
+void call_off_hold(Workspace& w) {
+  if (!w.before_hold || w.before_hold->opened != w.opened) return;
+  BeforeHold before = *std::exchange(w.before_hold, std::nullopt);
+  w.handling = before.handling;
+  w.brush = before.brush;
+  w.making.wish = before.wish;
+  w.remembered.layout = before.layout;
+  if (!w.making.open) take_back(w.document, std::move(before.document));
+}
+
+std::optional<double> TimeLeft::of(const WorkState& work) {
+  if (work.what != what_ ||
+      (!seen_.empty() && (work.seconds < seen_.back()[0] || work.done < seen_.back()[1])))
+    seen_.clear();
+  what_ = work.what;
+  constexpr double apart = 0.05;
+  if (seen_.empty() || work.seconds > seen_.back()[0] + apart) seen_.push_back({work.seconds, work.done});
+  if (work.seconds < 0.5 || work.done < 0.02) return std::nullopt;
+  const auto half =
+      std::ranges::lower_bound(seen_, 0.5 * work.seconds, {}, [](const auto& s) { return s[0]; });
+  const double seconds = work.seconds - (*half)[0], done = work.done - (*half)[1];
+  if (seconds < 0.2 || !(done > 0)) return work.seconds * (1 - work.done) / work.done;
+  return seconds * (1 - work.done) / done;
+}
+
+void take_report(Workspace& workspace, const deform::LogReport& report) {
+  Document& document = workspace.document;
+  document.pose.turns = report.turns;
+  workspace.pose_notes = pose_notes(report, *document.cage, document.pose);
+}
+
+}  // namespace viete::scene
