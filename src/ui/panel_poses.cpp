@@ -4,8 +4,9 @@
 #include <cstring>
 #include <string>
 
-#include "scene/workspace/command_conditions.h"
 #include "scene/document/pose_edit.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/playing.h"
 #include "scene/workspace/time_commands.h"
 #include "ui/format.h"
 #include "ui/panels.h"

@@ -23,7 +23,7 @@ struct Shown {
 Shown shown(Driver& d, const render::Image& empty) {
   const auto picture = d.picture();
   Shown sum;
-  for (int y = 0; y < 660; ++y) {  // above the legend
+  for (int y = 0; y < 660; ++y) {      // above the legend
     for (int x = 330; x < 955; ++x) {  // beside the Lab, whose times are never the same
       const auto p = picture.pixel(x, y);
       if (p == empty.pixel(x, y)) continue;
@@ -105,18 +105,11 @@ TEST_CASE("on_the_same_path_fast_runs_link_by_link_in_double_and_its_error_of_th
   options.probe = true;
   Driver d(options);
   open_posed_dragon(d);
-  const auto until = [&](auto is_so) {
-    for (int i = 0; i < 3000 && !is_so(); ++i) {
-      d.frame();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return is_so();
-  };
-  CHECK(until([&] { return d.workspace().fused_error > 0 && d.workspace().methods.matrices > 0; }));
+  CHECK(d.until([&] { return d.workspace().fused_error > 0 && d.workspace().methods.matrices > 0; }));
   CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
 
   d.click("toggle_same_path");
-  CHECK(until([&] { return d.viewer().deformer()->ran() == EngineKind::staged; }));
+  CHECK(d.until([&] { return d.viewer().deformer()->ran() == EngineKind::staged; }));
   d.frame();
   CHECK(d.document().method == sym3::Method::fast);
   CHECK(d.workspace().fused_error == 0);
@@ -125,7 +118,7 @@ TEST_CASE("on_the_same_path_fast_runs_link_by_link_in_double_and_its_error_of_th
   d.click("toggle_same_path");
   d.settle();
   CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
-  CHECK(until([&] { return d.workspace().fused_error > 0; }));
+  CHECK(d.until([&] { return d.workspace().fused_error > 0; }));
 }
 
 TEST_CASE("the_term_of_the_formula_under_the_cursor_lights_its_link") {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <thread>
 
+#include "deform/bind.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "program/driver.h"
@@ -12,7 +13,6 @@
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
-#include "deform/bind.h"
 
 using namespace viete;
 using test::dragon;
@@ -29,17 +29,6 @@ fs::path ball_cage(const fs::path& folder, int levels) {
   const fs::path path = folder / ("ball" + std::to_string(levels) + ".ply");
   mesh::write(path, test::moved(test::sphere(levels), 5));
   return path;
-}
-
-// Frames until the condition holds; false after a minute.
-template <class Condition>
-bool frames_until(Driver& d, Condition condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    d.frame();
-  }
-  return true;
 }
 
 std::vector<mesh::Point> deformed_positions(Driver& d) {
@@ -84,7 +73,7 @@ TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") 
     const auto edits = test::edit_count(d.document().history);
     d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), levels)}};
     bool bound = false, wrong = false;
-    REQUIRE(frames_until(d, [&] {
+    REQUIRE(d.until([&] {
       const auto& loading = d.workspace().loading;
       bound = loading.running && loading.what.rfind("Binding 50,000 vertices to ", 0) == 0;
       wrong |= loading.running && d.document().cage.get() != cage;
@@ -95,7 +84,7 @@ TEST_CASE("a_cage_is_bound_aside_with_its_size_and_a_cancel_leaves_everything") 
       CHECK(d.workspace().loading.what.find(" MB") != std::string::npos);
       d.press_key(scene::Key::escape);
     }
-    REQUIRE(frames_until(d, [&] { return !d.viewer().loading(); }));
+    REQUIRE(d.until([&] { return !d.viewer().loading(); }));
     if (d.document().cage.get() != cage) {
       d.open_dragon();
       continue;  // it was there before the key was
@@ -114,7 +103,7 @@ TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
   open_dragon_with_pose(d);
   const auto* cage = d.document().cage.get();
   d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 1)}};
-  REQUIRE(frames_until(d, [&] {
+  REQUIRE(d.until([&] {
     // Never a document without what deforms it.
     REQUIRE(d.viewer().deformer());
     return d.document().cage.get() != cage;
@@ -135,7 +124,7 @@ TEST_CASE("what_was_opened_is_bound_once_for_the_method_that_was_chosen_before")
     bool bound_again = false;
     d.workspace().requests.open = request;
     d.frame();
-    REQUIRE(frames_until(d, [&] {
+    REQUIRE(d.until([&] {
       bound_again |= d.workspace().binding.running;
       return d.workspace().opened != opened;
     }));
@@ -165,7 +154,7 @@ TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_st
   const auto before = deformed_positions(d);
   d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 8)}};
   d.frame();
-  REQUIRE(frames_until(d, [&] { return !d.viewer().loading(); }));
+  REQUIRE(d.until([&] { return !d.viewer().loading(); }));
   CHECK(d.document().cage.get() == cage);
   CHECK(deformed_positions(d) == before);
   CHECK(test::edit_count(d.document().history) == 1);

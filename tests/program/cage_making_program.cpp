@@ -361,8 +361,7 @@ TEST_CASE("buttons of the mode change the cage under a selection") {
 TEST_CASE("what_an_undo_leads_away_from_stays_away_while_a_better_one_is_made") {
   Maker d;
   d.click("make_cage");
-  for (int i = 0; i < 2000 && !d.document().has_cage(); ++i) d.frame();  // the preview
-  REQUIRE(d.document().has_cage());
+  REQUIRE(d.until([&] { return d.document().has_cage(); }));  // the preview
   d.press_key('Z', true);
   CHECK_FALSE(d.document().has_cage());
   d.finish();

@@ -13,12 +13,12 @@
 #include "app/offscreen_viewer.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
-#include "scene/workspace/commands.h"
 #include "scene/files/export.h"
 #include "scene/hand/picking.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/commands.h"
 #include "support/data.h"
 #include "ui/imgui_bridge.h"
-#include "scene/hand/projector.h"
 
 namespace viete::test {
 
@@ -59,6 +59,18 @@ public:
   /// Every event gets frames of its own.
   void frame(int count = 1) {
     for (int i = 0; i < count; ++i) viewer().frame(1.0f / 60);
+  }
+  /// Frames go on until something that is worked out beside them has come: a matter of seconds, not of how
+  /// many frames a machine draws in them.
+  template <class Condition>
+  [[nodiscard]] bool until(Condition has_come) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
+    while (!has_come()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      frame();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
   }
   void send(platform::InputEvent event, int frames = 1) {
     viewer().input().push(std::move(event));
@@ -172,15 +184,7 @@ inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {
   const scene::Revision before = document().revisions.pose;
   workspace().requests.open = scene::OpenRequest{what, std::move(files)};
   frame();
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
-  while (viewer().loading()) {
-    REQUIRE(std::chrono::steady_clock::now() < end);
-    if (viewer().wants_frame()) {
-      frame();
-    } else {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
+  REQUIRE(until([&] { return !viewer().loading(); }));
   return document().revisions.pose != before;
 }
 

@@ -40,15 +40,6 @@ struct LargeModel : Driver {
     const auto& all = workspace().messages.all();
     return all.empty() ? "" : all.back().text;
   }
-  template <class Done>
-  void frames_until(const Done& done) {
-    REQUIRE(wait_until(
-        [&] {
-          frame();
-          return done();
-        },
-        120));
-  }
 };
 
 }  // namespace
@@ -63,13 +54,13 @@ TEST_CASE("an_export_is_written_aside_with_the_pose_it_was_asked_for") {
   CHECK(d.workspace().exporting.what == "Exporting out.ply");
   drag_some_vertex(d, {-40, 25});  // the view stays live
   double furthest = 0;
-  d.frames_until([&] {
+  REQUIRE(d.until([&] {
     const auto& exporting = d.workspace().exporting;
     CHECK((d.last_message().find(saved) == std::string::npos || fs::exists(file)));
     if (exporting.running) CHECK(exporting.done >= furthest);
     furthest = std::max(furthest, exporting.done);
     return !d.viewer().exporting();
-  });
+  }));
   CHECK(d.last_message() == saved + " to " + file.string());
   CHECK(mesh::read(file).surface.positions == expected);
   CHECK(d.exact_positions() != expected);
@@ -83,18 +74,18 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   const auto before = folder.entries();
   d.workspace().requests.stop_export = true;  // in the frame that begins it: no machine is faster
   d.ask_for(file);
-  d.frames_until([&] { return !d.viewer().exporting(); });
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message() == "Stopped exporting out.obj; no file was changed.");
   CHECK(test::file_bytes(file) == "old");
   CHECK(folder.entries() == before);
 
   d.ask_for(file);
   CHECK_FALSE_MESSAGE(test::run_command(d.workspace(), "stop_work"), "Esc is not for what runs beside work");
-  d.frames_until(
-      [&] { return d.viewer().recorder().find("stop_export").has_value() || !d.viewer().exporting(); });
+  REQUIRE(d.until(
+      [&] { return d.viewer().recorder().find("stop_export").has_value() || !d.viewer().exporting(); }));
   const auto button = d.viewer().recorder().find("stop_export");
   if (button) d.click(glm::vec2(0.5f * (button->x0 + button->x1), 0.5f * (button->y0 + button->y1)));
-  d.frames_until([&] { return !d.viewer().exporting(); });
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   const bool was_faster = d.last_message().find(saved) != std::string::npos;
   CHECK((test::file_bytes(file) == "old") == !was_faster);
 }
@@ -123,14 +114,14 @@ TEST_CASE("an_animation_is_exported_aside_and_stopped_without_a_trace") {
   const fs::path file = folder / "out.pc2";
   const auto before = folder.entries();
   d.workspace().requests.save_animation = file;
-  d.frames_until([&] { return d.workspace().exporting.running; });
+  REQUIRE(d.until([&] { return d.workspace().exporting.running; }));
   CHECK(d.workspace().exporting.what == "Exporting out.pc2");
   d.workspace().requests.stop_export = true;
-  d.frames_until([&] { return !d.viewer().exporting(); });
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message() == "Stopped exporting out.pc2; no file was changed.");
   CHECK(folder.entries() == before);
   d.workspace().requests.save_animation = file;
-  d.frames_until([&] { return !d.viewer().exporting(); });
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message().starts_with("Saved the animation to " + file.string() + ": 600 frames of "));
   CHECK(mesh::PointCache(file).head().frames == 600);
 }
@@ -148,7 +139,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   d.workspace().requests.save_animation = folder / "f_##.png";
   d.frame();
   CHECK(d.workspace().exporting.what == "Exporting f_##.png");
-  d.frames_until([&] { return !d.viewer().exporting(); });
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK_MESSAGE(d.last_message() == "Saved the animation to " + (folder / "f_##.png").string(),
                 d.last_message());
   const auto first = test::read_png(folder / "f_01.png"), last = test::read_png(folder / "f_03.png");
@@ -175,7 +166,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
     render::write_png(fs::path(pictures) / "picture_export.png", d.picture());
   d.press_key(scene::Key::enter);
   d.frame(2);
-  d.frames_until([&] { return !d.viewer().exporting(); });
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   const auto other = test::read_png(folder / "h_01.png");
   CHECK(other.width == 200);
   CHECK(other.height == 120);
@@ -183,7 +174,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(brightness(other) > brightness(first) + 60);
   test::put_file(folder / "g_02.png", "somebody's");
   d.workspace().requests.save_animation = folder / "g_##.png";
-  d.frames_until([&] { return !d.viewer().exporting(); });
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
   CHECK(test::mentions(d.last_message(), "g_02.png"));
   CHECK(test::file_bytes(folder / "g_02.png") == "somebody's");
@@ -199,10 +190,10 @@ TEST_CASE("a_window_that_is_to_close_waits_for_its_export_and_stays_if_that_fail
     d.ask_for(file);
     CHECK_FALSE(d.viewer().closed());
     if (!fails) CHECK(d.workspace().exporting.what == "Exporting out.ply, then closing");
-    d.frames_until([&] {
+    REQUIRE(d.until([&] {
       CHECK((!d.viewer().closed() || fs::exists(file)));
       return !d.viewer().exporting();
-    });
+    }));
     d.frame(2);
     CHECK(d.viewer().closed() == !fails);
     if (!fails) continue;

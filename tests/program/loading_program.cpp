@@ -13,14 +13,10 @@ namespace {
 // one.
 bool sees_loading_bar(Driver& d) {
   bool seen = false;
-  const bool ended = wait_until(
-      [&] {
-        d.frame();
-        seen = d.viewer().recorder().find("stop_work").has_value();
-        return seen || !d.viewer().loading();
-      },
-      60);
-  REQUIRE(ended);
+  REQUIRE(d.until([&] {
+    seen = d.viewer().recorder().find("stop_work").has_value();
+    return seen || !d.viewer().loading();
+  }));
   return seen;
 }
 
@@ -48,12 +44,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     CHECK(d.document().model.surface.get() == surface);
     d.viewer().input().push(platform::InputEvent::key(ui::key_code(scene::Key::escape), true));
     d.viewer().input().push(platform::InputEvent::key(ui::key_code(scene::Key::escape), false));
-    REQUIRE(wait_until(
-        [&] {
-          d.frame();
-          return !d.viewer().loading();
-        },
-        60));
+    REQUIRE(d.until([&] { return !d.viewer().loading(); }));
     if (d.document().model.surface.get() == surface) break;
   }
   CHECK(test::edit_count(d.document().history) == 1);

@@ -466,7 +466,7 @@ TEST_CASE("the_methods_are_measured_aside_and_shown") {
   options.probe = true;
   Driver d(options);
   d.open_dragon();
-  for (int i = 0; i < 2000 && d.workspace().methods.matrices == 0; ++i) d.frame();
+  REQUIRE(d.until([&] { return d.workspace().methods.matrices > 0; }));
   const auto& stats = d.workspace().methods;
   REQUIRE(stats.matrices == 2048);
   for (const auto& sample : stats.samples) CHECK(sample.ns_per_matrix > 0);
@@ -489,7 +489,6 @@ TEST_CASE("the_measured_error_is_of_the_frame_that_is_shown_whatever_it_blends")
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);
-    for (int i = 0; i < 2000 && d.workspace().fused_error != error; ++i) d.frame();
-    CHECK(d.workspace().fused_error == error);
+    CHECK(d.until([&] { return d.workspace().fused_error == error; }));
   }
 }

@@ -13,6 +13,8 @@
 
 namespace viete::scene {
 
+using mesh::operator+;
+
 namespace {
 
 struct SizeRange {

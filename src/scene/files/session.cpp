@@ -12,6 +12,7 @@
 #include "mesh/content_key.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_cursor.h"
+#include "scene/document/brush.h"
 #include "scene/document/cage_editing.h"
 #include "scene/document/elements.h"
 #include "scene/document/range.h"
