@@ -13,6 +13,7 @@ namespace {
 // one.
 bool sees_loading_bar(Driver& d) {
   bool seen = false;
+  d.frame();  // takes the request
   REQUIRE(d.until([&] {
     seen = d.viewer().recorder().find("stop_work").has_value();
     return seen || !d.viewer().loading();
