@@ -86,7 +86,8 @@ class HelpFormatter : public CLI::FormatterBase {
 public:
   std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
     const OptionList words = app->get_options([](const CLI::Option* o) { return o->get_positional(); });
-    const OptionList options = app->get_options([](const CLI::Option* o) { return o->nonpositional(); });
+    const OptionList options = app->get_options(
+        [](const CLI::Option* o) { return o->nonpositional() && !o->get_group().empty(); });  // or hidden
     std::string out = wrapped(app->get_description(), 0, 0) + "\n\n" + usage_of(*app);
     out += list("Files", words);
     const auto commands = app->get_subcommands([](const CLI::App*) { return true; });

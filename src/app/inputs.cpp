@@ -40,15 +40,21 @@ void add_amount_option(CLI::App& app, const std::string& name, const std::string
 
 void add_scheme_options(CLI::App& app, Inputs& inputs) {
   deform::PartialChoice& choice = inputs.settings.choice;
-  add_choice_options(app, choice, inputs.use != Use::binding);
-  auto* option = app.add_option_function<std::string>(
+  auto* way = add_way_option(app, inputs.settings.way);
+  // The word for two of the ways until version 0.3.
+  auto* coordinates = app.add_option_function<std::string>(
       "--coordinates",
-      [&choice](const std::string& word) { choice = choices(*deform::scheme_of_shorthand(word)); },
-      "Short for elements, weights and blend: face (affine maps blended in log space, as published) or "
-      "mvc (mean value coordinates)");
-  one_of(option, {"face", "mvc"});
-  for (const char* other : {"--elements", "--weights", "--blend"}) {
-    if (auto* given = app.get_option_no_throw(other)) option->excludes(given);
+      [&choice](const std::string& word) {
+        const deform::Scheme scheme = scheme_of(*deform::way_of_old_word(word));
+        choice = {scheme.weighting.elements, scheme.weighting.weights, scheme.blend};
+      },
+      "");
+  one_of(coordinates, {"face", "mvc"})->group("");
+  add_choice_options(app, choice, inputs.use != Use::binding);
+  for (const char* other : {"--elements", "--weights", "--blend", "--coordinates"}) {
+    auto* given = app.get_option_no_throw(other);
+    if (given) way->excludes(given);
+    if (given && given != coordinates) coordinates->excludes(given);
   }
   add_weighting_options(app, inputs.settings.weighting);
   if (inputs.use == Use::binding) return;

@@ -30,8 +30,8 @@ struct Inputs {
   std::vector<std::filesystem::path> files() const { return {model, cage, pose}; }
 };
 
-/// MODEL, CAGE, --pose, --method, --elements, --weights, --blend, --reach or their shorthand --coordinates,
-/// --turn and --stretch, --stitched and --iterations: those that the use has. The target must outlive
+/// MODEL, CAGE, --pose, --method, --way or --elements, --weights and --blend, what weights are set by, --turn
+/// and --stretch, --stitched and what holds a stitched mesh: those that the use has. The target must outlive
 /// parsing.
 void add_input_options(CLI::App& app, Inputs& inputs);
 

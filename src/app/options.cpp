@@ -7,9 +7,9 @@
 
 #include "app/words.h"
 #include "base/quantity.h"
-#include "deform/scheme.h"
-#include "scene/workspace/frame_stats.h"
+#include "deform/ways.h"
 #include "scene/document/range.h"
+#include "scene/workspace/frame_stats.h"
 
 namespace viete::app {
 
@@ -94,8 +94,8 @@ namespace {
 
 // Takes a name of the table.
 template <class Entry, class Choice>
-void add_choice(CLI::App& app, const std::string& name, std::span<const Entry> table,
-                std::optional<Choice>& choice, std::string text) {
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::span<const Entry> table,
+                        std::optional<Choice>& choice, std::string text) {
   std::vector<std::string> words;
   for (const Entry& e : table) {
     text += (words.empty() ? ": " : ", ") + std::string(e.name) + " (" + std::string(e.sentence) + ")";
@@ -103,10 +103,15 @@ void add_choice(CLI::App& app, const std::string& name, std::span<const Entry> t
   }
   auto* option = app.add_option_function<std::string>(
       name, [&choice, table](const std::string& word) { choice = deform::find_by_name(table, word); }, text);
-  one_of(option, words);
+  return one_of(option, words);
 }
 
 }  // namespace
+
+CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way) {
+  return add_choice(app, "--way", deform::all_ways(), way, "How the cage moves the mesh")
+      ->default_str("smooth");
+}
 
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice, bool with_blend) {
   add_choice(app, "--elements", deform::all_elements(), choice.elements, "Which maps the cage carries");

@@ -40,6 +40,8 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
 /// --stitched, and --iterations NUMBER, --pins and --hold PERCENT of it.
 void add_stitching_options(CLI::App& app, scene::AskedSettings& asked);
 
+CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way);
+
 /// --elements, --weights and, if wanted, --blend, by the names of the tables.
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice, bool with_blend);
 

@@ -8,7 +8,7 @@
 
 #include "bench/rest_model.h"
 #include "deform/cage.h"
-#include "deform/scheme.h"
+#include "deform/ways.h"
 
 namespace viete::bench {
 

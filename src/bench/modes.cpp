@@ -14,15 +14,15 @@
 #include "base/quantity.h"
 #include "base/worker_pool.h"
 #include "bench/following.h"
+#include "bench/mode_comparison.h"
 #include "bench/models.h"
 #include "bench/modes_table.h"
 #include "bench/rounds.h"
 #include "bench/table.h"
 #include "bench/torn.h"
+#include "deform/bind.h"
 #include "deform/deformer.h"
 #include "deform/pose_io.h"
-#include "deform/bind.h"
-#include "bench/mode_comparison.h"
 
 namespace viete::bench {
 
@@ -172,15 +172,27 @@ private:
   std::vector<std::string> warnings_;
 };
 
-// Those of the same weights one after the other, so that these are made once.
-std::vector<Mode> modes_by_weights(const ModeSettings& settings) {
-  std::vector<Mode> modes;
-  for (deform::Scheme scheme : deform::all_schemes()) {
-    if (shorthand(scheme) != "mvc" && !fits(settings.choice, scheme)) continue;
+// What is to be measured: ways that have names come first.
+std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
+  std::vector<deform::Scheme> all, schemes;
+  for (const auto& way : deform::all_ways()) all.push_back(way.scheme);
+  const auto& others = settings.choice.any() ? deform::valid_schemes() : deform::offered_schemes();
+  all.insert(all.end(), others.begin(), others.end());
+  for (deform::Scheme scheme : all) {
+    if (way_of(scheme) != deform::Way::mean_value && !fits(settings.choice, scheme)) continue;
     scheme.weighting = with(scheme.weighting, settings.weighting);
-    scheme.iterations = settings.iterations;
-    scheme.holding = settings.holding;
+    if (settings.iterations > 0) scheme.iterations = settings.iterations;
     if (conflict(scheme)) scheme.iterations = 0;
+    if (scheme.stitched()) scheme.holding = settings.holding;
+    if (std::ranges::find(schemes, scheme) == schemes.end()) schemes.push_back(scheme);
+  }
+  return schemes;
+}
+
+// Those of the same weights one after the other, so that these are made once.
+std::vector<Mode> modes_by_weights(const std::vector<deform::Scheme>& schemes) {
+  std::vector<Mode> modes;
+  for (const deform::Scheme& scheme : schemes) {
     const auto alike = std::find_if(modes.rbegin(), modes.rend(),
                                     [&](const Mode& m) { return m.scheme.weighting == scheme.weighting; });
     Mode mode;
@@ -190,14 +202,18 @@ std::vector<Mode> modes_by_weights(const ModeSettings& settings) {
   return modes;
 }
 
+// As in measured_schemes().
+void sort(std::vector<Mode>& modes, const std::vector<deform::Scheme>& schemes) {
+  std::ranges::sort(modes, {}, [&](const Mode& mode) { return std::ranges::find(schemes, mode.scheme); });
+}
+
 double ratio(double value, double of) {
   return of > next_to_none ? value / of : nothing;
 }
 
 void compare_with_mean_values(std::vector<Mode>& modes) {
-  const auto mean_values = deform::scheme_of_shorthand("mvc");
   const auto reference = std::ranges::find_if(
-      modes, [&](const Mode& m) { return m.problem.empty() && m.scheme == mean_values; });
+      modes, [](const Mode& m) { return m.problem.empty() && way_of(m.scheme) == deform::Way::mean_value; });
   if (reference == modes.end()) return;
   const std::vector<ShapeQuality> theirs = reference->qualities;
   for (Mode& mode : modes) {
@@ -233,12 +249,14 @@ std::string name_of_pose(const std::filesystem::path& file) {
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings) {
   ModeRuns runs(model, std::move(cage), poses, settings.method);
-  std::vector<Mode> modes = modes_by_weights(settings);
+  const std::vector<deform::Scheme> schemes = measured_schemes(settings);
+  std::vector<Mode> modes = modes_by_weights(schemes);
   for (Mode& mode : modes) attempt(mode, [&](Mode& m) { runs.measure_shapes(m); });
   runs.forget_shapes();
   for (Mode& mode : modes) attempt(mode, [&](Mode& m) { runs.add_frame(m); });
   runs.time_frames(settings.rounds);
   compare_with_mean_values(modes);
+  sort(modes, schemes);
   return {std::move(modes), runs.model().encloses(), runs.model().without_area(), runs.rest_gap(),
           runs.warnings()};
 }

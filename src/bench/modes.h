@@ -12,15 +12,14 @@
 #include "bench/mode_comparison.h"
 #include "bench/rest_model.h"
 #include "deform/cage.h"
-#include "deform/scheme.h"
+#include "deform/ways.h"
 #include "sym3/exp.h"
 
 namespace viete::bench {
 
 struct ModeSettings {
   std::size_t rounds = 11;
-  deform::PartialChoice
-      choice{};  ///< only ways of blending that have all of this, and mean value coordinates
+  deform::PartialChoice choice{};  ///< if any: all ways of blending that have it, and mean value coordinates
   deform::AskedWeighting weighting{};
   sym3::Method method = sym3::Method::fast;
   int iterations = 0;  ///< of stitching, where a way of blending can be stitched
@@ -34,9 +33,10 @@ struct ModesOptions {
   std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
 };
 
-/// deform::all_schemes(), as far as they are chosen, measured in double, link by link, stitched ones as they
-/// run; frames as the program would run them, one after the other, in interleaved rounds, of the first pose.
-/// poses must not be empty. Throws base::Error.
+/// The ways that have names and the other schemes that are offered, or all valid ones that have what is
+/// chosen, measured in double, link by link, stitched ones as they run; frames as the program would run them,
+/// one after the other, in interleaved rounds, of the first pose. poses must not be empty. Throws
+/// base::Error.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings);
 

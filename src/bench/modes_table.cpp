@@ -28,9 +28,15 @@ void print_deviation(double value) {
   print_cell(value, "%.1e");
 }
 
+// "smooth: face, biharmonic, srl".
+std::string name_of(const Mode& mode) {
+  const auto way = deform::way_of(mode.scheme);
+  return (way ? std::string(deform::entry(*way).name) + ": " : "") + deform::text(mode.scheme);
+}
+
 int name_width(std::span<const Mode> modes) {
   std::size_t longest = 0;
-  for (const Mode& mode : modes) longest = std::max(longest, deform::text(mode.scheme).size());
+  for (const Mode& mode : modes) longest = std::max(longest, name_of(mode).size());
   return static_cast<int>(longest) + 2;
 }
 
@@ -43,7 +49,7 @@ void print_rows(const std::string& title, std::initializer_list<const char*> col
   for (const char* name : columns) std::printf("%*s", column, name);
   for (const Mode& mode : modes) {
     if (!mode.problem.empty()) continue;
-    std::printf("\n  %-*s", width - 2, deform::text(mode.scheme).c_str());
+    std::printf("\n  %-*s", width - 2, name_of(mode).c_str());
     row(mode);
   }
   std::printf("\n");
@@ -60,9 +66,9 @@ void print_modes(std::span<const Mode> modes) {
 }
 
 void print_pose(std::span<const Mode> modes, const std::string& name, std::size_t p) {
-  print_rows(name, {"volume", "energy", "x mvc", "shear", "worst", "bending", "x mvc", "gap", "torn", "x mvc"},
-             modes,
-             [p](const Mode& mode) {
+  print_rows(name,
+             {"volume", "energy", "x mvc", "shear", "worst", "bending", "x mvc", "gap", "torn", "x mvc"},
+             modes, [p](const Mode& mode) {
                const ShapeQuality& q = mode.qualities[p];
                print_cell(q.volume, "%.4f");
                print_cell(q.distortion.energy, "%.3g");
@@ -90,7 +96,8 @@ std::vector<double> sorted_values(const Mode& mode, const Value& value) {
 void print_all_poses(std::span<const Mode> modes, std::size_t poses) {
   const auto middle = [](const std::vector<double>& sorted) { return sorted[sorted.size() / 2]; };
   print_rows("all " + std::to_string(poses) + " poses",
-             {"volume", "to", "energy", "worst", "bending", "worst", "gap", "torn", "x mvc"}, modes, [&](const Mode& mode) {
+             {"volume", "to", "energy", "worst", "bending", "worst", "gap", "torn", "x mvc"}, modes,
+             [&](const Mode& mode) {
                const auto volumes = sorted_values(mode, [](const auto& q) { return q.volume; });
                const auto energies = sorted_values(mode, [](const auto& q) { return q.energy_ratio; });
                const auto bendings = sorted_values(mode, [](const auto& q) { return q.bending_ratio; });
@@ -115,7 +122,7 @@ void print_notes(const ModeComparison& compared, std::span<const NamedPose> pose
                 compared.without_area);
   for (const auto& warning : compared.warnings) std::printf("note: %s\n", warning.c_str());
   for (const Mode& mode : compared.modes) {
-    const std::string name = deform::text(mode.scheme);
+    const std::string name = name_of(mode);
     if (!mode.problem.empty()) std::printf("note: no %s: %s\n", name.c_str(), mode.problem.c_str());
     for (std::size_t p = 0; p < mode.qualities.size(); ++p) {
       if (const auto collapsed = mode.qualities[p].distortion.collapsed)
@@ -146,6 +153,7 @@ nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
                          {"elements", deform::entry(scheme.weighting.elements).name},
                          {"weights", deform::entry(scheme.weighting.weights).name},
                          {"blend", deform::entry(scheme.blend).name}};
+  if (const auto way = deform::way_of(scheme)) json["way"] = deform::entry(*way).name;
   if (!mode.problem.empty()) {
     json["problem"] = mode.problem;
     return json;

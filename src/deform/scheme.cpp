@@ -5,8 +5,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "base/error.h"
-
 namespace viete::deform {
 
 namespace {
@@ -128,17 +126,6 @@ constexpr std::array blend_table = {
     BlendEntry{{"linear", "Linear (LBS)", "the maps themselves are averaged"}, Blend::linear, false, false},
 };
 
-struct Shorthand {
-  std::string_view word;
-  Elements elements;
-  Weights weights;
-  Blend blend;
-};
-constexpr std::array shorthand_table = {
-    Shorthand{"face", Elements::face, Weights::inverse, Blend::srl},
-    Shorthand{"mvc", Elements::point, Weights::mean_value, Blend::linear},
-};
-
 template <class Table, class Value>
 const auto& find(const Table& table, Value value) {
   return *std::find_if(table.begin(), table.end(), [&](const auto& e) { return e.value == value; });
@@ -190,37 +177,6 @@ std::vector<Scheme> every_scheme() {
     }
   }
   return all;
-}
-
-std::vector<Scheme> sensible_schemes() {
-  std::vector<Scheme> all;
-  for (const Shorthand& s : shorthand_table) all.push_back({{s.elements, s.weights}, s.blend});
-  for (const Scheme& s : every_scheme()) {
-    if (shorthand(s).empty() && !conflict(s)) all.push_back(s);
-  }
-  return all;
-}
-
-int in_common(const Scheme& a, const Scheme& b) {
-  return (a.weighting.elements == b.weighting.elements) + (a.weighting.weights == b.weighting.weights) +
-         (a.blend == b.blend);
-}
-
-// How well a scheme serves who prefers the other one. `point` alone stays what it was before maps were fitted
-// to points.
-int likeness(const Scheme& s, const Scheme& preferred) {
-  const bool unasked = entry(s.blend).of_points && !entry(preferred.blend).of_points;
-  return in_common(s, preferred) - (unasked ? 3 : 0);
-}
-
-// Why no scheme has all that is chosen: the rule that is broken whatever the rest is.
-std::string_view reason(const PartialChoice& choice) {
-  for (const Rule& rule : rules) {
-    const bool always = std::ranges::all_of(
-        every_scheme(), [&](const Scheme& s) { return !fits(choice, s) || breaks(rule, s); });
-    if (always) return rule.reason;
-  }
-  return "each choice contradicts another one";
 }
 
 }  // namespace
@@ -300,10 +256,6 @@ bool Scheme::changed_in_03() const {
   return stitched() || fits_patches || weighting.changed_in_03();
 }
 
-Scheme default_scheme(bool has_triangles) {
-  return {{Elements::face, has_triangles ? Weights::biharmonic : Weights::inverse}, Blend::srl};
-}
-
 std::optional<std::string_view> conflict(const Scheme& scheme) {
   for (const Rule& rule : rules) {
     if (breaks(rule, scheme)) return rule.reason;
@@ -313,54 +265,28 @@ std::optional<std::string_view> conflict(const Scheme& scheme) {
   return std::nullopt;
 }
 
-const std::vector<Scheme>& all_schemes() {
-  static const std::vector<Scheme> all = sensible_schemes();
-  return all;
-}
-
-std::string_view shorthand(const Scheme& s) {
-  for (const Shorthand& entry : shorthand_table) {
-    if (in_common(s, {{entry.elements, entry.weights}, entry.blend}) == 3) return entry.word;
-  }
-  return {};
-}
-
-std::optional<Scheme> scheme_of_shorthand(std::string_view word) {
-  for (const Shorthand& s : shorthand_table) {
-    if (s.word == word) return Scheme{{s.elements, s.weights}, s.blend};
-  }
-  return std::nullopt;
-}
-
 bool fits(const PartialChoice& choice, const Scheme& s) {
   return choice.elements.value_or(s.weighting.elements) == s.weighting.elements &&
          choice.weights.value_or(s.weighting.weights) == s.weighting.weights &&
          choice.blend.value_or(s.blend) == s.blend;
 }
 
-PartialChoice choices(const Scheme& s) {
-  return {s.weighting.elements, s.weighting.weights, s.blend};
+std::string_view reason_against(const PartialChoice& choice) {
+  const std::vector<Scheme> all = every_scheme();
+  for (const Rule& rule : rules) {
+    if (std::ranges::all_of(all, [&](const Scheme& s) { return !fits(choice, s) || breaks(rule, s); }))
+      return rule.reason;
+  }
+  return "each choice contradicts another one";
 }
 
-Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
-  const Scheme* best = nullptr;
-  for (const Scheme& s : all_schemes()) {
-    if (fits(choice, s) && (!best || likeness(s, preferred) > likeness(*best, preferred))) best = &s;
-  }
-  if (!best) {
-    throw base::Error("",
-                      "these elements, weights and blend do not go together: " + std::string(reason(choice)),
-                      "leave one of them out, and it is chosen to fit");
-  }
-  Scheme scheme = *best;
-  scheme.weighting = preferred.weighting;
-  scheme.weighting.elements = best->weighting.elements;
-  scheme.weighting.weights = best->weighting.weights;
-  scheme.amounts = preferred.amounts;
-  scheme.iterations = preferred.iterations;
-  scheme.holding = preferred.holding;
-  if (conflict(scheme)) scheme.iterations = 0;
-  return scheme;
+const std::vector<Scheme>& valid_schemes() {
+  static const std::vector<Scheme> valid = [] {
+    std::vector<Scheme> all = every_scheme();
+    std::erase_if(all, [](const Scheme& s) { return conflict(s).has_value(); });
+    return all;
+  }();
+  return valid;
 }
 
 std::string text(const Scheme& s) {

@@ -1,6 +1,6 @@
 // How a cage moves a model, as three choices that combine: elements, weights, blend. What there is of each
 // stands in one table, from which command line, sessions, panels and tests take names and sentences; what
-// does not go together is said by conflict().
+// does not go together is said by conflict(). Six of the combinations have names: see ways.h.
 #pragma once
 
 #include <limits>
@@ -179,7 +179,7 @@ struct Holding {
 };
 inline constexpr double largest_pin_radius = 1;
 
-/// The default of members is the published way; that of the program is default_scheme().
+/// The default of members is the published way; that of the program is default_scheme(), see ways.h.
 struct Scheme {
   Weighting weighting;
   Blend blend = Blend::srl;
@@ -200,11 +200,6 @@ struct Scheme {
   }
 };
 
-/// What a model is moved by where nobody chose: of all ways of blending the one whose energy is the lowest
-/// over the poses of many models without being high in any (README.md has the table). Weights that do not
-/// need a surface where there is none.
-Scheme default_scheme(bool has_triangles = true);
-
 /// What is the least work where a cage has no elements: see no_cage().
 inline Scheme no_motion() {
   return {.weighting = {}, .blend = Blend::linear};
@@ -213,37 +208,23 @@ inline Scheme no_motion() {
 /// Why these do not go together, as a sentence; nothing if they do.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
-/// All that go together, those with a shorthand first; reach as in a default Weighting, not stitched.
-const std::vector<Scheme>& all_schemes();
-
-/// The word of --coordinates that stands for elements, weights and blend of a scheme; empty: none does.
-std::string_view shorthand(const Scheme& scheme);
-/// The scheme of the word; nothing if it is none.
-std::optional<Scheme> scheme_of_shorthand(std::string_view word);
-
 /// Choices that are made, and those that are left open.
 struct PartialChoice {
   std::optional<Elements> elements{};
   std::optional<Weights> weights{};
   std::optional<Blend> blend{};
+
+  bool any() const { return elements || weights || blend; }
 };
-PartialChoice choices(const Scheme& scheme);
-inline PartialChoice only(Elements elements) {
-  return {.elements = elements};
-}
-inline PartialChoice only(Weights weights) {
-  return {.weights = weights};
-}
-inline PartialChoice only(Blend blend) {
-  return {.blend = blend};
-}
+/// The rule that all combinations with these choices break, as a sentence.
+std::string_view reason_against(const PartialChoice& choice);
 /// True if the scheme has all that is chosen.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
-/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, the numbers of its
-/// weights, its amounts, and its stitching where that goes with the rest. Maps are fitted to points (see
-/// BlendEntry) only where that is asked for or preferred.
-/// Throws base::Error if there is none, saying why.
-Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
+
+/// All elements, weights and blends that go together, in the order of the tables; numbers as in a default
+/// Weighting, not stitched.
+const std::vector<Scheme>& valid_schemes();
+
 /// "face, inverse, srl": as the command line names them.
 std::string text(const Scheme& scheme);
 

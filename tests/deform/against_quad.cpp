@@ -2,11 +2,12 @@
 // them.
 #include <doctest/doctest.h>
 
+#include "deform/bind.h"
 #include "deform/bound.h"
 #include "deform/independent.h"
-#include "deform/moments.h"
-#include "deform/bind.h"
 #include "deform/moment_rows.h"
+#include "deform/moments.h"
+#include "deform/ways.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -201,7 +202,7 @@ TEST_CASE("frames_of_every_scheme_agree_with_an_evaluation_in_quad_precision") {
   Random random(2029);
   const auto cage = tube(5, 6, 0.6, 2), model = tube(5, 5, 0.3, 2.2);
   const Pose pose{mapped(cage.positions, Waves(random, 2)), {}};
-  for (Scheme scheme : all_schemes()) {
+  for (Scheme scheme : valid_schemes()) {
     CAPTURE(text(scheme));
     scheme.weighting.radius = 0.3;
     const Errors e = errors({scheme.weighting, scheme.blend, 0}, cage, model, pose);

@@ -3,9 +3,10 @@
 
 #include <memory>
 
+#include "deform/bind.h"
 #include "deform/deformer.h"
 #include "deform/shapes.h"
-#include "deform/bind.h"
+#include "deform/ways.h"
 
 namespace viete::test {
 
@@ -19,9 +20,9 @@ inline Weighting faces_reaching(double reach) {
 inline Weighting cut_off(double radius, int exponent = 2) {
   return {Elements::face, Weights::cut_off, whole_cage, radius, exponent};
 }
-/// All schemes, every vertex following the cage: of cut-off weights those that reach everywhere.
+/// All that are offered, every vertex following the cage: of cut-off weights those that reach everywhere.
 inline std::vector<Scheme> whole_schemes() {
-  auto schemes = all_schemes();
+  auto schemes = offered_schemes();
   for (Scheme& s : schemes) s.weighting.radius = largest_radius;
   return schemes;
 }

@@ -27,7 +27,7 @@ std::vector<double> values(const CageState& state) {
 // Whatever the weights are.
 std::vector<std::pair<Elements, Blend>> schemes() {
   std::vector<std::pair<Elements, Blend>> all;
-  for (const Scheme& s : all_schemes()) {
+  for (const Scheme& s : valid_schemes()) {
     const std::pair one{s.weighting.elements, s.blend};
     if (std::ranges::find(all, one) == all.end()) all.push_back(one);
   }

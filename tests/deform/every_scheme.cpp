@@ -1,10 +1,11 @@
 // What every way of blending must do, whatever it is.
 #include <doctest/doctest.h>
 
+#include "deform/bind.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
 #include "deform/map_rows.h"
-#include "deform/bind.h"
+#include "deform/ways.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -204,7 +205,7 @@ TEST_CASE("model_cage_and_pose_that_are_turned_together_give_the_turned_result")
   const auto map = similarity({1, -2, 3}, 37 * degree, 1, {0.5, 2, -1});
   const auto small = shaken(model(), 0.02), cage = shaken(cage_of_a_part(), 0.05);
   const auto pose = shaken(cage, 0.15).positions;
-  auto schemes = all_schemes();
+  auto schemes = offered_schemes();
   for (const Elements e : {Elements::face, Elements::vertex_patch}) {
     schemes.push_back(complete(only(e), default_scheme()));
     schemes.back().iterations = 1, schemes.back().holding = {0.2, 0.1};

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/scheme.h"
+#include "deform/ways.h"
 #include "mesh/surface.h"
 
 namespace viete::test {

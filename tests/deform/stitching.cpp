@@ -3,10 +3,11 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
+#include "deform/bind.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
-#include "deform/bind.h"
 #include "deform/laplacian.h"
+#include "deform/ways.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -19,7 +20,7 @@ Scheme stitched(Elements elements = Elements::face, Blend blend = Blend::srl, in
 
 std::vector<Scheme> all_stitched(int iterations = 1) {
   std::vector<Scheme> all;
-  for (Scheme scheme : all_schemes()) {
+  for (Scheme scheme : offered_schemes()) {
     scheme.iterations = iterations;
     if (!conflict(scheme)) all.push_back(scheme);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -118,8 +119,20 @@ public:
       if ((lab ? shown.lab : shown.tools) > 0) continue;
       scene::find_command(column)->run(workspace());
       frame(3);
-      if (viewer().recorder().find(widget)) return;
+      if (unfold_custom(widget)) return;
     }
+  }
+  /// Unfolds what ways of blending are made of, where the widget is part of that. True if it is there then.
+  bool unfold_custom(const std::string& widget) {
+    static const std::set<std::string> parts = {
+        "elements",         "weights",          "blend",           "reach",      "exponent", "toggle_clamp",
+        "toggle_normalise", "toggle_as_before", "toggle_stitched", "iterations", "pins",     "hold"};
+    const auto& recorder = viewer().recorder();
+    if (parts.contains(widget) && !recorder.find(widget) && recorder.find("section/Custom")) {
+      workspace().remembered.layout.sections["Custom"] = true;
+      frame(3);
+    }
+    return recorder.find(widget).has_value();
   }
   /// Scrolls its column until the widget is visible, as a person would, and clicks its middle.
   void click(const std::string& widget) { click(place_of(widget)); }
@@ -130,7 +143,7 @@ public:
     click(item);
   }
   glm::vec2 place_of(const std::string& widget) {
-    if (!viewer().recorder().find(widget)) unfold_columns(widget);
+    if (!unfold_custom(widget)) unfold_columns(widget);
     for (int i = 0; i < 60; ++i) {
       const auto rect = viewer().recorder().find(widget);
       REQUIRE_MESSAGE(rect, "no widget named ", widget);

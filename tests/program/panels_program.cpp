@@ -5,11 +5,11 @@
 
 #include "program/open_cage.h"
 #include "render/image.h"
-#include "scene/files/open.h"
-#include "scene/document/time_edit.h"
-#include "support/folder.h"
 #include "scene/document/pose_edit.h"
+#include "scene/document/time_edit.h"
+#include "scene/files/open.h"
 #include "scene/workspace/saving.h"
+#include "support/folder.h"
 
 using namespace viete;
 using test::Driver;
@@ -183,8 +183,8 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window") {
   w.leftovers = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
   w.discarded = {{{"/b.viete", name, 0}, "/b.discarded"}};
   w.tell_discarded = true;
-  w.question =
-      scene::ask_before_closing(scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
+  w.question = scene::ask_before_closing(scene::name_of_work(w),
+                                         "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
   d.frame(5);
   std::size_t seen = 0;
   for (const auto& [widget, rect] : d.viewer().recorder().all()) {
@@ -247,6 +247,7 @@ TEST_CASE("each_entry_of_a_chooser_shows_its_picture_beside_the_list") {
       d.workspace().view.dark = dark;
       d.open_dragon();
       const std::string look = std::string(dark ? "dark" : "light") + (scale == 1 ? "_1x" : "_2x");
+      visit_chooser(d, "way", scene::all_ways(), look);
       visit_chooser(d, "elements", scene::all_elements(), look);
       visit_chooser(d, "weights", scene::all_weights(), look);
       visit_chooser(d, "blend", scene::all_blends(), look);

@@ -392,6 +392,9 @@ void show_choice(Driver& d, const char* chooser, const char* entry) {
 void show_elements(Driver& d) {
   show_choice(d, "elements", "elements_patch");
 }
+void show_ways(Driver& d) {
+  show_choice(d, "way", "way_arap");
+}
 void show_weights(Driver& d) {
   show_choice(d, "weights", "weights_cutoff");
 }
@@ -451,6 +454,7 @@ const Picture texts[] = {
     {"error_map", {860, 480}, show_error_map, of_errors},
     {"keys", {1400, 800}, show_keys, of_text},
     {"browser", {960, 520}, show_browser, of_text},
+    {"choice_way", {640, 480}, show_ways},
     {"choice_elements", {640, 480}, show_elements},
     {"choice_blend", {640, 560}, show_blend},
     {"cage_offer", {860, 520}, show_cage_offer},

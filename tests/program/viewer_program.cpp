@@ -308,6 +308,34 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
   CHECK(test::difference(pictures[0], pictures[2], 8) < 0.002);
 }
 
+TEST_CASE("a_way_is_one_choice_and_what_it_is_made_of_is_folded_away") {
+  Driver d;
+  d.open_dragon();
+  const auto& scheme = d.document().scheme;
+  CHECK(deform::way_of(scheme) == deform::Way::paper);  // of these tests
+  CHECK_FALSE(d.viewer().recorder().find("elements"));
+  for (const auto& way : deform::all_ways()) {
+    CAPTURE(way.name);
+    d.choose("way", scene::choice_command_name(way.value));
+    d.settle();
+    CHECK(scheme == way.scheme);
+    CHECK(d.viewer().deformer()->scheme() == scheme);
+    CHECK(d.viewer().recorder().find("radius").has_value() == (way.value == deform::Way::local));
+    CHECK_FALSE(d.viewer().recorder().find("elements"));
+  }
+  CHECK(test::edit_count(d.document().history) == deform::all_ways().size());
+  d.click("section/Custom");
+  d.frame(2);
+  d.choose("elements", "elements_edge");
+  d.settle();
+  CHECK_FALSE(deform::way_of(scheme));
+  CHECK(scheme.weighting.weights == deform::Weights::cut_off);  // as of Local
+  d.choose("blend", "blend_log3");  // two choices away from all ways: the one of before gives way
+  d.settle();
+  CHECK(scheme.blend == deform::Blend::log3);
+  CHECK(scheme.weighting.elements == deform::Elements::face);
+}
+
 TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {
   Driver d;
   d.open_dragon();
@@ -482,7 +510,7 @@ TEST_CASE("the_measured_error_is_of_the_frame_that_is_shown_whatever_it_blends")
   mesh::write(folder / "cage.obj", test::SmallModel::scaled(test::SmallModel::grid_ball(2), 1.4));
   Driver d(options);
   REQUIRE(d.open({folder / "ball.ply", folder / "cage.obj"}));
-  for (const deform::Scheme& scheme : deform::all_schemes()) {
+  for (const deform::Scheme& scheme : deform::offered_schemes()) {
     if (scheme.weighting.weights != deform::Weights::inverse) continue;  // half a second each
     CAPTURE(text(scheme));
     scene::set_scheme(d.document(), scheme);

@@ -136,8 +136,8 @@ TEST_CASE("esc_closes_what_has_dropped_down_and_changes_nothing") {
       true;  // below the probes, so that these are scrolled into view
   d.run("add_probe");
   for (const char* chooser :
-       {"elements", "weights", "blend", "pivot", "axes", "mirror", "soft_curve", "soft_distance", "probe_mix",
-        "probe_turn", "time/repeat", "time/easing", "menu/File", "menu/View"}) {
+       {"way", "elements", "weights", "blend", "pivot", "axes", "mirror", "soft_curve", "soft_distance",
+        "probe_mix", "probe_turn", "time/repeat", "time/easing", "menu/File", "menu/View"}) {
     const bool in_bar = std::string_view(chooser).starts_with("menu/");  // above what is scrolled
     const auto rect = d.viewer().recorder().find(chooser);
     const glm::vec2 place = in_bar ? glm::vec2(rect.value().x0 + 4, rect->y0 + 4) : d.place_of(chooser);
@@ -250,7 +250,8 @@ TEST_CASE("the_lab_is_one_line_until_it_is_opened") {
   d.open_dragon("pose_alert");
   d.workspace().remembered.layout.sections.erase("Lab");
   d.frame(3);
-  CHECK(d.viewer().recorder().find("elements"));
+  CHECK(d.viewer().recorder().find("way"));
+  CHECK_FALSE(d.viewer().recorder().find("elements"));
   for (const char* widget : {"method_fast", "section/Timings", "section/Accuracy", "section/Benchmark"})
     CHECK_FALSE(d.viewer().recorder().find(widget));
   keep_picture(d, "lab_closed");

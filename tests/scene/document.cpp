@@ -136,10 +136,10 @@ TEST_CASE("loading_keeps_method_coordinates_and_reach") {
   const Files files;
   Workspace w;
   w.document.method = sym3::Method::diag;
-  w.document.scheme = *deform::scheme_of_shorthand("mvc");
+  w.document.scheme = deform::scheme_of(deform::Way::mean_value);
   w.document.scheme.weighting.reach = 3;
   REQUIRE(test::load_model(w, files.model, files.cage));
   CHECK(w.document.method == sym3::Method::diag);
-  CHECK(w.document.scheme == *deform::scheme_of_shorthand("mvc"));
+  CHECK(w.document.scheme == deform::scheme_of(deform::Way::mean_value));
   CHECK(w.document.scheme.weighting.reach == 3);
 }

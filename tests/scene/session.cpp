@@ -36,7 +36,7 @@ Workspace worked(const test::CubeFiles& files) {
   w.document.pose.turns = {{0.1, 6.3, -1e-9}};
   w.document.selection.apply(std::vector<std::uint32_t>{2, 5}, SelectMode::replace);
   w.document.method = sym3::Method::sd;
-  w.document.scheme = *deform::scheme_of_shorthand("mvc");
+  w.document.scheme = deform::scheme_of(deform::Way::mean_value);
   w.document.scheme.weighting.reach = 2.7;
   w.document.scheme.amounts = {0.29, 1.75};
   w.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f});
@@ -294,7 +294,7 @@ TEST_CASE("more_turns_than_the_cage_has_parts_are_refused") {
 
 TEST_CASE("elements_weights_and_blend_are_kept_and_older_programs_read_what_they_know") {
   const test::CubeFiles files;
-  for (deform::Scheme scheme : deform::all_schemes()) {
+  for (deform::Scheme scheme : deform::valid_schemes()) {
     CAPTURE(text(scheme));
     scheme.weighting.reach = 3;
     Workspace w;
@@ -305,8 +305,8 @@ TEST_CASE("elements_weights_and_blend_are_kept_and_older_programs_read_what_they
     CHECK(json["elements"] == std::string(deform::entry(scheme.weighting.elements).name));
     CHECK(json["weights"] == std::string(deform::entry(scheme.weighting.weights).name));
     CHECK(json["blend"] == std::string(deform::entry(scheme.blend).name));
-    CHECK(json["version"] == (shorthand(scheme).empty() ? 2 : 1));
-    CHECK(json.value("coordinates", "") == std::string(shorthand(scheme)));
+    CHECK(json["version"] == (old_word(scheme).empty() ? 2 : 1));
+    CHECK(json.value("coordinates", "") == std::string(old_word(scheme)));
     CHECK_FALSE(json.contains("stitched"));
     Workspace back;
     REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));

@@ -22,7 +22,7 @@ _viete_value() {
     --elements) words='face polygon patch edge vertex vertex-face vertex-patch point' ;;
     --weights) words='inverse integrated cutoff harmonic biharmonic mean-value' ;;
     --blend) words='srl sse slrl sql log3 log4 mls-affine mls-similarity mls-rigid linear' ;;
-    --coordinates) words='face mvc' ;;
+    --way) words='smooth paper mean-value rigid arap local' ;;
     --reach) words='all 1.5 2 3 5' ;;
     --radius) words='5 10 25 50' ;;
     --exponent) words='1 2 3 4' ;;
@@ -45,19 +45,19 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --scale --frames'
+      options+=' --pose --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --shading --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --shading --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --digits --force --pose --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
+    deform) options+=' --output --digits --force --pose --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
-      options+=' --output --force --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --elements --weights --blend --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
+      options+=' --output --force --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
         --size --scale --binding --look --shading --panels --light --wireframe --error-map --no-cage --no-grid'
       ;;
-    bind) options+=' --output --force --elements --weights --coordinates --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
+    bind) options+=' --output --force --way --elements --weights --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
     cage) options+=' --output --force --kind --triangles --margin --gap --symmetry --quads --cells --own-axes' ;;
     info) options+=' --cage' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;

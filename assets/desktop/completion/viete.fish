@@ -50,7 +50,7 @@ $c -n '__viete_in view render deform bind animate; or __viete_bench modes' -l we
 $c -n '__viete_in view render deform animate; or __viete_bench modes' -l blend -x -a 'srl sse slrl sql log3 log4 mls-affine mls-similarity mls-rigid linear' -d 'What of the maps is summed'
 $c -n '__viete_in view render deform animate' -l turn -x -a '0 50 100 200' -d 'How much of rotations acts, percent'
 $c -n '__viete_in view render deform animate' -l stretch -x -a '0 50 100 200' -d 'How much of stretches acts, percent'
-$c -n '__viete_in view render deform bind animate' -l coordinates -x -a 'face mvc' -d 'How the cage moves the mesh'
+$c -n '__viete_in view render deform bind animate' -l way -x -a 'smooth paper mean-value rigid arap local' -d 'How the cage moves the mesh'
 $c -n '__viete_in view render deform bind animate; or __viete_bench frame modes' -l reach -x -a 'all 1.5 2 3 5' -d 'How far a triangle moves the mesh'
 $c -n '__viete_in view render deform bind animate; or __viete_bench modes' -l radius -x -a '5 10 25 50' -d 'Where cut-off weights end, percent'
 $c -n '__viete_in view render deform bind animate; or __viete_bench modes' -l exponent -x -a '1 2 3 4' -d 'Of distances in weights'

@@ -12,7 +12,7 @@ local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_s
 local -a weighting=('--elements=[which maps the cage carries]:elements:(face polygon patch edge vertex vertex-face vertex-patch point)'
   '--weights=[how much of each map a vertex takes]:weights:(inverse integrated cutoff harmonic biharmonic mean-value)')
 local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql log3 log4 mls-affine mls-similarity mls-rigid linear)')
-local -a coordinates=('--coordinates=[how the cage moves the mesh]:coordinates:(face mvc)')
+local -a way=('--way=[how the cage moves the mesh]:way:(smooth paper mean-value rigid arap local)')
 local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 5)')
 local -a limits=('--radius=[where cut-off weights end, percent]:percent:(5 10 25 50)' '--exponent=[of distances]:exponent:(1 2 3 4)'
   '--clamp[weights are not below 0]' '--no-clamp[weights may be below 0]' '--normalise[weights always sum to 1]')
@@ -40,17 +40,17 @@ local command=$words[2]
 [[ $command == bench ]] && command="bench $words[3]"
 case $command in
   render)
-    specs+=($files $output $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $picture)
+    specs+=($files $output $pose $method $weighting $blend $way $reach $limits $amounts $stitched $picture)
     ;;
-  deform) specs+=($files $output $digits $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched) ;;
+  deform) specs+=($files $output $digits $pose $method $weighting $blend $way $reach $limits $amounts $stitched) ;;
   animate)
-    specs+=($files $output $method $weighting $blend $coordinates $reach $limits $amounts $stitched $picture $digits
+    specs+=($files $output $method $weighting $blend $way $reach $limits $amounts $stitched $picture $digits
       '--keys=[keys of other files]:file:_files' '--frames=[first-last]:frames:' '--step=[every so many frames]:frames:'
       '--rate=[frames a second]:rate:' '--tolerance=[of morph targets]:tolerance:'
       '--no-normals[morph targets of positions alone]' '--largest=[megabytes of morph targets]:megabytes:'
       '--straight[straight lines from key to key]' '--turntable[pictures go once round the model]')
     ;;
-  bind) specs+=($files $output $weighting $coordinates $reach $limits $tolerance) ;;
+  bind) specs+=($files $output $weighting $way $reach $limits $tolerance) ;;
   cage) specs+=("1:mesh:$mesh" $output '--kind=[what cage]:kind:(automatic box hull)'
       '--triangles=[size of the cage]:triangles:(60 200 600)' '--margin=[distance to the mesh, percent]:percent:(0.15 0.5 2)'
       '--gap=[which gaps are closed, percent]:percent:(0.15 0.5 2)' '--symmetry=[about which plane]:symmetry:(auto none x y z)'
@@ -70,7 +70,7 @@ case $command in
   'bench time') specs+=("1:session:_files -g '*.(#i)viete(-.)'" $json $rounds) ;;
   'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files cage modes stitched time)') ;;
   *) # view, which may be left out
-    specs+=($files $pose $method $weighting $blend $coordinates $reach $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
+    specs+=($files $pose $method $weighting $blend $way $reach $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
     ;;
 esac

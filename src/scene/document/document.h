@@ -12,9 +12,10 @@
 #include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/probe.h"
-#include "deform/scheme.h"
+#include "deform/ways.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
+#include "scene/document/document_state.h"
 #include "scene/document/files_in_use.h"
 #include "scene/document/history.h"
 #include "scene/document/opened_surface.h"
@@ -22,12 +23,11 @@
 #include "scene/document/selection.h"
 #include "scene/document/space.h"
 #include "sym3/exp.h"
-#include "scene/document/document_state.h"
 
 namespace viete::scene {
 
-using deform::all_blends, deform::all_elements, deform::all_weights, deform::complete, deform::entry,
-    deform::only;
+using deform::all_blends, deform::all_elements, deform::all_ways, deform::all_weights, deform::chosen,
+    deform::complete, deform::entry, deform::only, deform::way_of;
 using deform::all_falloffs, deform::all_probe_mixes, deform::linear_part;
 using deform::Amounts, deform::Blend, deform::Holding, deform::largest_amount, deform::largest_pin_radius,
     deform::most_exponent, deform::most_iterations, deform::Scheme, deform::text_of_percent,

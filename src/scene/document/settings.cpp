@@ -20,11 +20,12 @@ std::optional<deform::Weights> weights_with(const deform::AskedWeighting& asked)
 }  // namespace
 
 void put_settings(Document& document, const AskedSettings& asked, bool chosen) {
-  deform::Scheme scheme = document.scheme;
+  deform::Scheme scheme = asked.way ? deform::scheme_of(*asked.way, document.scheme) : document.scheme;
   deform::PartialChoice choice = asked.choice;
-  if (!chosen && !choice.weights && deform::unused_setting(scheme.weighting.weights, asked.weighting))
+  if (!chosen && !asked.way && !choice.weights &&
+      deform::unused_setting(scheme.weighting.weights, asked.weighting))
     choice.weights = weights_with(asked.weighting);
-  if (choice.elements || choice.weights || choice.blend) scheme = deform::complete(choice, scheme);
+  if (choice.any()) scheme = deform::complete(choice, scheme);
   scheme.weighting = deform::with(scheme.weighting, asked.weighting);
   if (const auto unused = deform::unused_setting(scheme.weighting.weights, asked.weighting))
     throw base::Error(std::string(unused->option), std::string(unused->reason), std::string(unused->advice));

@@ -10,6 +10,7 @@ namespace viete::scene {
 /// What is left open stays as the document has it, where that goes together with what is asked for.
 struct AskedSettings {
   std::optional<sym3::Method> method{};
+  std::optional<deform::Way> way{};  ///< all of it; what is asked for besides is changed in it
   deform::PartialChoice choice{};
   deform::AskedWeighting weighting{};
   std::optional<double> turn{}, stretch{};  ///< of deform::Amounts
@@ -17,8 +18,7 @@ struct AskedSettings {
   std::optional<double> pins{}, hold{};     ///< of deform::Holding
 
   bool any() const {
-    return method || weighting.any() || turn || stretch || iterations || pins || hold || choice.elements ||
-           choice.weights || choice.blend;
+    return method || way || choice.any() || weighting.any() || turn || stretch || iterations || pins || hold;
   }
 };
 

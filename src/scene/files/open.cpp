@@ -329,7 +329,7 @@ Opened open_files(const OpenRequest& request, const Document& current, base::Pro
   put_settings(document, request.settings, opened.has_settings);
   const bool surfaceless = document.model.surface->triangles.empty() && !opened.has_settings;
   if (surfaceless && deform::entry(document.scheme.weighting.weights).on_surface &&
-      !request.settings.choice.weights)
+      !request.settings.choice.weights && !request.settings.way)
     put_scheme(document,
                deform::complete(only(deform::default_scheme(false).weighting.weights), document.scheme));
   opened.has_settings |= request.settings.any();

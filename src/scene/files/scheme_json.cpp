@@ -70,7 +70,7 @@ deform::Weighting usual(const deform::Weighting& w) {
 
 bool is_plain(const deform::Scheme& scheme) {
   const deform::Weighting& weighting = scheme.weighting;
-  return !deform::shorthand(scheme).empty() && scheme.amounts.whole() && !scheme.stitched() &&
+  return !deform::old_word(scheme).empty() && scheme.amounts.whole() && !scheme.stitched() &&
          scheme.holding == deform::Holding{} && weighting.same_numbers(usual(weighting));
 }
 
@@ -81,8 +81,8 @@ ordered_json scheme_json(const deform::Scheme& scheme) {
   json["elements"] = deform::entry(scheme.weighting.elements).name;
   json["weights"] = deform::entry(scheme.weighting.weights).name;
   json["blend"] = deform::entry(scheme.blend).name;
-  const std::string_view shorthand = deform::shorthand(scheme);
-  if (!shorthand.empty()) json["coordinates"] = shorthand;
+  const std::string_view old_word = deform::old_word(scheme);
+  if (!old_word.empty()) json["coordinates"] = old_word;
   if (weighting.reach < deform::whole_cage) json["reach"] = weighting.reach;
   if (weighting.radius != usually.radius) json["radius"] = percent(weighting.radius);
   if (weighting.exponent != usually.exponent) json["exponent"] = weighting.exponent;
@@ -145,9 +145,9 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
     take_part(
         json, "coordinates", scheme,
         [](const auto& v) {
-          const auto found = deform::scheme_of_shorthand(v.text());
+          const auto found = deform::way_of_old_word(v.text());
           if (!found) v.fail(mesh::in_quotes(v.text()) + " is not known");
-          return *found;
+          return deform::scheme_of(*found);
         },
         "face instead, of face and mvc", warnings);
   }

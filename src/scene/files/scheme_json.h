@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "deform/scheme.h"
+#include "deform/ways.h"
 #include "scene/files/json_file.h"
 
 namespace viete::scene {

@@ -230,7 +230,9 @@ ChoicePicture choice_picture(deform::Weights weights) {
   return picture;
 }
 
-ChoicePicture choice_picture(deform::Blend blend) {
+namespace {
+
+ChoicePicture bar_picture(const deform::Scheme& scheme) {
   const Example e = twisted_bar();
   // Some blends rise above the cage.
   std::vector<Point> room = e.pose.positions;
@@ -238,9 +240,18 @@ ChoicePicture choice_picture(deform::Blend blend) {
   const PictureView view({-20, 18}, {room, choice_picture_size, 8});
   ChoicePicture picture{{}, "A bar between two grips: one is twisted against the other, and larger."};
   add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::behind));
-  add(picture, lit_model(view, e.model, deformed(e, scheme_with(blend))));
+  add(picture, lit_model(view, e.model, deformed(e, scheme)));
   add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::cage));
   return picture;
+}
+
+}  // namespace
+
+ChoicePicture choice_picture(deform::Way way) {
+  return bar_picture(deform::entry(way).scheme);
+}
+ChoicePicture choice_picture(deform::Blend blend) {
+  return bar_picture(scheme_with(blend));
 }
 
 }  // namespace viete::scene

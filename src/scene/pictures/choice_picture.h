@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "deform/scheme.h"
+#include "deform/ways.h"
 #include "scene/pictures/picture_view.h"
 
 namespace viete::scene {
@@ -26,11 +26,13 @@ struct ChoicePicture {
 /// What else there is to choose is as default_scheme() has it, where that goes together. The same bits each
 /// time. Takes some milliseconds.
 ///
+/// Ways: what becomes of a bar between two ends that are turned against each other, and of which one grows.
+ChoicePicture choice_picture(deform::Way way);
 /// Elements: what each map of a bent cage makes of the same square, and which faces one of them is made of.
 ChoicePicture choice_picture(deform::Elements elements);
 /// How much each place of a fork follows the end of one prong.
 ChoicePicture choice_picture(deform::Weights weights);
-/// What becomes of a bar between two ends that are turned against each other, and of which one grows.
+/// The same bar as of ways.
 ChoicePicture choice_picture(deform::Blend blend);
 
 /// Each is made when it is first asked for, and kept.
@@ -53,8 +55,8 @@ private:
     }
   }
 
-  std::tuple<std::map<deform::Elements, ChoicePicture>, std::map<deform::Weights, ChoicePicture>,
-             std::map<deform::Blend, ChoicePicture>>
+  std::tuple<std::map<deform::Way, ChoicePicture>, std::map<deform::Elements, ChoicePicture>,
+             std::map<deform::Weights, ChoicePicture>, std::map<deform::Blend, ChoicePicture>>
       kept_;
 };
 

@@ -19,12 +19,12 @@
 #include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/workspace/animation_file_commands.h"
+#include "scene/workspace/check_view.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/file_commands.h"
 #include "scene/workspace/hand_commands.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/time_commands.h"
-#include "scene/workspace/check_view.h"
 
 namespace viete::scene {
 
@@ -95,6 +95,9 @@ std::string command_name(const char* choice, const deform::ChoiceEntry& entry) {
   return name;
 }
 
+std::string_view headline(deform::Way) {
+  return "Way: ";
+}
 std::string_view headline(deform::Elements) {
   return "Elements: ";
 }
@@ -105,14 +108,13 @@ std::string_view headline(deform::Blend) {
   return "Blend: ";
 }
 
-// Of a way to blend this part is chosen; the rest stays as far as it goes together with it.
 template <auto Value>
 Command choice_command() {
   static const std::string name = choice_command_name(Value);
   const auto& entry = deform::entry(Value);
   static const std::string label = std::string(headline(Value)) + std::string(entry.label);
   return {name, {label, entry.label}, entry.sentence, "Blend", {}, {}, hand_is_free, [](Workspace& w) {
-            set_scheme(w.document, deform::complete(deform::only(Value), w.document.scheme));
+            set_scheme(w.document, deform::chosen(Value, w.document.scheme));
           }};
 }
 
@@ -330,6 +332,7 @@ void use_tool(Workspace& w) {
 
 std::vector<Command> most_commands() {
   using M = sym3::Method;
+  using deform::Way;
   using E = deform::Elements;
   using W = deform::Weights;
   using B = deform::Blend;
@@ -501,6 +504,8 @@ std::vector<Command> most_commands() {
       method_command<M::diag>("method_diag", '1'), method_command<M::sd>("method_sd", '2'),
       method_command<M::improved_sd>("method_improved_sd", '3'), method_command<M::fast>("method_fast", '4'),
 
+      choice_command<Way::smooth>(), choice_command<Way::paper>(), choice_command<Way::mean_value>(),
+      choice_command<Way::rigid>(), choice_command<Way::arap>(), choice_command<Way::local>(),
       choice_command<E::face>(), choice_command<E::polygon>(), choice_command<E::patch>(), choice_command<E::edge>(), choice_command<E::vertex>(),
       choice_command<E::vertex_face>(), choice_command<E::vertex_patch>(), choice_command<E::point>(),
       choice_command<W::inverse>(), choice_command<W::integrated>(), choice_command<W::cut_off>(), choice_command<W::harmonic>(), choice_command<W::biharmonic>(),
@@ -617,6 +622,9 @@ std::span<const Command> commands() {
   return table();
 }
 
+std::string choice_command_name(deform::Way way) {
+  return command_name("way_", deform::entry(way));
+}
 std::string choice_command_name(deform::Elements elements) {
   return command_name("elements_", deform::entry(elements));
 }

@@ -10,7 +10,8 @@
 
 namespace viete::scene {
 
-/// "elements_face", "weights_mean_value": of the command that chooses it.
+/// "way_paper", "elements_face", "weights_mean_value": of the command that chooses it.
+std::string choice_command_name(deform::Way way);
 std::string choice_command_name(deform::Elements elements);
 std::string choice_command_name(deform::Weights weights);
 std::string choice_command_name(deform::Blend blend);

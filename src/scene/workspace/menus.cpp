@@ -150,13 +150,25 @@ std::span<const Menu> menus() {
 }
 
 std::string_view submenu_of(const Command& command) {
-  constexpr std::pair<std::string_view, std::string_view> prefixes[] = {
-      {"view_", "Look from"},    {"shading_", "Shading"}, {"unit_", "Unit of the file"},
-      {"pivot_", "Pivot"},       {"axes_", "Axes"},       {"mirror_none", "Mirror"},
-      {"mirror_x", "Mirror"},    {"mirror_y", "Mirror"},  {"mirror_z", "Mirror"},
-      {"mirror_fit", "Mirror"},  {"soft_", "Falloff"},    {"keys_", "Keys of"},
-      {"elements_", "Elements"}, {"weights_", "Weights"}, {"blend_", "Blend"},
-      {"side_", "Side"},         {"easing_", "Easing"},   {"repeat_", "After the last frame"}};
+  constexpr std::pair<std::string_view, std::string_view> prefixes[] = {{"view_", "Look from"},
+                                                                        {"shading_", "Shading"},
+                                                                        {"unit_", "Unit of the file"},
+                                                                        {"pivot_", "Pivot"},
+                                                                        {"axes_", "Axes"},
+                                                                        {"mirror_none", "Mirror"},
+                                                                        {"mirror_x", "Mirror"},
+                                                                        {"mirror_y", "Mirror"},
+                                                                        {"mirror_z", "Mirror"},
+                                                                        {"mirror_fit", "Mirror"},
+                                                                        {"soft_", "Falloff"},
+                                                                        {"keys_", "Keys of"},
+                                                                        {"way_", "Way"},
+                                                                        {"elements_", "Elements"},
+                                                                        {"weights_", "Weights"},
+                                                                        {"blend_", "Blend"},
+                                                                        {"side_", "Side"},
+                                                                        {"easing_", "Easing"},
+                                                                        {"repeat_", "After the last frame"}};
   for (const auto& [prefix, title] : prefixes) {
     if (command.name.starts_with(prefix)) return title;
   }

@@ -131,14 +131,15 @@ private:
 
 /// What is safe in files of the user's: edits that led away from it are unsaved.
 struct Saved {
-  std::filesystem::path session;  ///< where Save writes; empty until there is one
+  std::filesystem::path session{};  ///< where Save writes; empty until there is one
   std::optional<std::uint64_t>
-      content;        ///< checksum of that file as it was read or written here; nothing: not known
-  DocumentState state;   ///< that was opened or saved last; the pose is the real one, empty for recovered work
-  unsigned long edits = 0;                   ///< that had been recorded then
-  std::string first_edit;                    ///< since then, of recovered work
-  bool nowhere = false;                      ///< recovered work, which is in no file of the user's
-  unsigned long revision = 0;                ///< grows with each change
+      content{};  ///< checksum of that file as it was read or written here; nothing: not known
+  DocumentState
+      state{};  ///< that was opened or saved last; the pose is the real one, empty for recovered work
+  unsigned long edits = 0;     ///< that had been recorded then
+  std::string first_edit{};    ///< since then, of recovered work
+  bool nowhere = false;        ///< recovered work, which is in no file of the user's
+  unsigned long revision = 0;  ///< grows with each change
 };
 
 /// What runs, for the status bar and the help.

@@ -1,0 +1,73 @@
+// The ways of blending that have names, the other combinations that are offered beside them, and how choices
+// that someone made become one scheme.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "deform/scheme.h"
+
+namespace viete::deform {
+
+enum class Way { smooth, paper, mean_value, rigid, arap, local };
+
+struct WayEntry : ChoiceEntry {
+  Way value;
+  Scheme scheme;
+};
+
+std::span<const WayEntry> all_ways();
+const WayEntry& entry(Way way);
+
+/// The scheme of a way, with how much turns and stretches act as in `now`.
+Scheme scheme_of(Way way, const Scheme& now = {});
+/// The way that a scheme is, however much turns and stretches act, wherever weights end that have a radius,
+/// and however often and firmly a stitched model is solved for. Nothing if it is none.
+std::optional<Way> way_of(const Scheme& scheme);
+
+/// The word that sessions have had since version 0.1 for the way of the paper ("face") and for mean value
+/// coordinates ("mvc"), and command lines as --coordinates; empty: none stands for the elements, weights and
+/// blend of this scheme.
+std::string_view old_word(const Scheme& scheme);
+std::optional<Way> way_of_old_word(std::string_view word);
+
+/// What a model is moved by where nobody chose: Way::smooth, the one whose energy is the lowest over the
+/// poses of many models without being high in any (the manual has the table). Weights that do not need a
+/// surface where there is none.
+Scheme default_scheme(bool has_triangles = true);
+
+/// Those of the valid schemes that people are offered: named ways, without their stitching; what differs from
+/// one of them in one choice; and those that are published as a whole or best of their kind. What is asked
+/// for by three words runs as well, if it is valid, and so does what older sessions have.
+const std::vector<Scheme>& offered_schemes();
+
+inline PartialChoice only(Elements elements) {
+  return {.elements = elements};
+}
+inline PartialChoice only(Weights weights) {
+  return {.weights = weights};
+}
+inline PartialChoice only(Blend blend) {
+  return {.blend = blend};
+}
+
+/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, the numbers of its
+/// weights, its amounts, and its stitching where that goes with the rest. Maps are fitted to points (see
+/// BlendEntry) only where that is asked for or preferred.
+/// Throws base::Error if there is none among these, saying why.
+Scheme complete(const PartialChoice& choice, const Scheme& preferred = {},
+                const std::vector<Scheme>& among = valid_schemes());
+
+/// What someone gets who picks this in place of what is in force: a way, or one of the three choices, with
+/// as much of the rest as what is offered allows.
+inline Scheme chosen(Way way, const Scheme& now) {
+  return scheme_of(way, now);
+}
+template <class Choice>
+Scheme chosen(Choice choice, const Scheme& now) {
+  return complete(only(choice), now, offered_schemes());
+}
+
+}  // namespace viete::deform
