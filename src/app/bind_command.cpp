@@ -10,6 +10,7 @@
 #include "base/clock.h"
 #include "base/quantity.h"
 #include "base/worker_pool.h"
+#include "deform/binding.h"
 #include "deform/binding_file.h"
 
 namespace viete::app {
@@ -46,6 +47,8 @@ int bind_files(const BindOptions& options) {
   const auto tiles = deform::bind_tiles(*document.model.surface, *document.cage, document.scheme.weighting,
                                         pool, options.tolerance);
   print(tiles, 1e-3 * watch.lap_ms());
+  print_notes(deform::weight_warnings(*document.cage, tiles.weighting.weights, tiles.failed,
+                                      document.model.surface->positions.size()));
   deform::write_binding(options.output, tiles, *document.model.surface, *document.cage);
   return exit_ok;
 }

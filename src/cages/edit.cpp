@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -339,6 +341,72 @@ Edited subdivide(const Surface& surface) {
   return cage.finish({});
 }
 
+namespace {
+
+// A polygon that a plane has cut off, and that has come apart: chains of corners from the plane to the plane.
+std::vector<Polygon> chains_of(const Polygon& p, const std::function<bool(std::uint32_t)>& above) {
+  std::vector<Polygon> chains;
+  const std::size_t n = p.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (above(p[i]) || !above(p[(i + 1) % n])) continue;
+    Polygon chain = {p[i]};
+    for (std::size_t k = (i + 1) % n; above(chain.emplace_back(p[k])); k = (k + 1) % n) {
+    }
+    chains.push_back(std::move(chain));
+  }
+  return chains;
+}
+
+// The pieces of such a polygon. Along the line in which it meets the plane one goes in and out in turn: what
+// the first and the second place bound is within, and so is what the third and the fourth do.
+std::vector<Polygon> pieces_of(const Polygon& p, const std::function<bool(std::uint32_t)>& above,
+                               const Polygons& cage) {
+  const std::vector<Polygon> chains = chains_of(p, above);
+  if (chains.size() < 2) return {p};
+  struct Place {
+    std::size_t chain;
+    bool is_end;
+    double along;
+  };
+  const Point origin = cage.at(chains.front().front());
+  Vec3 line{};
+  for (const Polygon& chain : chains) {
+    for (const auto v : {chain.front(), chain.back()}) {
+      if (const Vec3 to = cage.at(v) - origin; mesh::norm(to) > mesh::norm(line)) line = to;
+    }
+  }
+  std::vector<Place> places;
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    places.push_back({c, false, mesh::dot(line, cage.at(chains[c].front()) - origin)});
+    places.push_back({c, true, mesh::dot(line, cage.at(chains[c].back()) - origin)});
+  }
+  std::ranges::stable_sort(places, {}, &Place::along);
+  std::vector<std::size_t> next(chains.size());  // the chain that goes on where one ends
+  for (std::size_t k = 0; k < places.size(); k += 2) {
+    const bool tied = k + 2 < places.size() && places[k + 1].along == places[k + 2].along;
+    if (tied && places[k].is_end == places[k + 1].is_end) std::swap(places[k + 1], places[k + 2]);
+    if (places[k].is_end == places[k + 1].is_end) return {p};  // bent so far that it has no line
+    const auto [begin, end] =
+        places[k].is_end ? std::pair(places[k + 1], places[k]) : std::pair(places[k], places[k + 1]);
+    next[end.chain] = begin.chain;
+  }
+  std::vector<Polygon> pieces;
+  std::vector<char> used(chains.size());
+  for (std::size_t first = 0; first < chains.size(); ++first) {
+    Polygon piece;
+    for (std::size_t c = first; !std::exchange(used[c], 1); c = next[c]) {
+      for (const auto v : chains[c]) {
+        if (piece.empty() || piece.back() != v) piece.push_back(v);
+      }
+    }
+    if (piece.size() > 1 && piece.front() == piece.back()) piece.pop_back();
+    if (!piece.empty()) pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+}  // namespace
+
 Edited mirrored(const Surface& surface, const Plane& plane) {
   Polygons cage(surface);
   const double near = 1e-3 * mesh::used_bounds(surface).diagonal();  // what is nearer lies in the plane
@@ -349,6 +417,11 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   }
   const auto above = [&](std::uint32_t v) { return height(v) > 0.5 * near; };
   const auto below = [&](std::uint32_t v) { return height(v) < -0.5 * near; };
+  // In steps of so many corners, past those in the plane.
+  const auto comes_out_above = [&](const Polygon& p, std::size_t i, std::size_t step) {
+    while (!above(p[i]) && !below(p[i])) i = (i + step) % p.size();
+    return above(p[i]);
+  };
   std::map<mesh::Edge, std::uint32_t> cuts;
   const auto cut = [&](std::uint32_t a, std::uint32_t b) {
     const auto [place, is_new] = cuts.try_emplace(edge_of(a, b), 0);
@@ -365,10 +438,10 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
     Polygon kept;
     for (std::size_t i = 0; i < p.size(); ++i) {
       const std::uint32_t a = p[i], b = p[(i + 1) % p.size()];
-      if (!below(a)) kept.push_back(a);
+      if (!below(a) && (comes_out_above(p, i, 1) || comes_out_above(p, i, p.size() - 1))) kept.push_back(a);
       if ((above(a) && below(b)) || (below(a) && above(b))) kept.push_back(cut(a, b));
     }
-    half.push_back(std::move(kept));
+    std::ranges::move(pieces_of(kept, above, cage), std::back_inserter(half));
   }
   std::map<std::uint32_t, std::uint32_t> images;
   const auto image = [&](std::uint32_t v) {

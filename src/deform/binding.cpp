@@ -18,6 +18,18 @@ base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t 
           "use a coarser cage or a coarser model", ""};
 }
 
+namespace {
+
+// Triangles of the cage that mesh::one_sided() turned or left out.
+std::size_t seen_otherwise(const Cage& cage) {
+  const auto& [triangles, of, closed] = cage.sides;
+  std::size_t alike = 0;
+  for (std::size_t i = 0; i < of.size(); ++i) alike += triangles[i] == cage.surface.triangles[of[i]];
+  return cage.element_count() - alike;
+}
+
+}  // namespace
+
 std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std::size_t failed,
                                          std::size_t vertices) {
   std::vector<std::string> warnings;
@@ -26,6 +38,11 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
     warnings.push_back(
         "mean value coordinates need a closed cage; with this one the model does not follow rotations and "
         "stretches exactly");
+  }
+  if (const std::size_t other = seen_otherwise(cage); other > 0) {
+    warnings.push_back("mean value coordinates turn, or leave out, " + std::to_string(other) + " of " +
+                       std::to_string(cage.element_count()) +
+                       " cage triangles, so that all show one side outwards");
   }
   if (failed > 0) {
     warnings.push_back(std::to_string(failed) + " of " + std::to_string(vertices) +

@@ -125,15 +125,6 @@ void refuse_fins(const DualGraph& graph) {
                     "remove the faces that stick out");
 }
 
-// Those that one_sided() turned or left out.
-std::size_t seen_otherwise(const Cage& cage) {
-  const auto& [triangles, of, closed] = cage.sides;
-  if (triangles.empty()) return 0;
-  std::size_t alike = 0;
-  for (std::size_t i = 0; i < of.size(); ++i) alike += triangles[i] == cage.surface.triangles[of[i]];
-  return cage.element_count() - alike;
-}
-
 void connect(Cage& cage) {
   DualGraph graph = dual_graph(cage.surface, cage.degenerate);
   refuse_squashed(cage, graph);
@@ -151,11 +142,6 @@ void connect(Cage& cage) {
   warn(graph.open, "of one triangle only: the cage is open");
   warn(graph.nonmanifold, "of four or more triangles: parts of the cage touch there");
   warn(graph.misoriented, "between triangles of opposite orientation");
-  if (const std::size_t other = seen_otherwise(cage); other > 0) {
-    cage.warnings.push_back("mean value coordinates turn, or leave out, " + std::to_string(other) + " of " +
-                            std::to_string(cage.element_count()) +
-                            " cage triangles, so that all show one side outwards");
-  }
 }
 
 }  // namespace

@@ -174,6 +174,8 @@ TEST_CASE("a_cage_whose_faces_disagree_follows_as_one_whose_faces_agree") {
   for (const auto& triangles : {some, twice}) {
     Bound b(model, viete::mesh::from_triangles(sound.positions, triangles), mean_values, 2, Blend::linear);
     CHECK(b.error(motion) < 1e-12);
+    REQUIRE(b.binding->warnings.size() == 1);
+    CHECK(b.binding->warnings[0].starts_with("mean value coordinates turn, or leave out, "));
     auto posed = sound.positions;
     posed[3] = posed[3] + Vec3{0.4, 0.2, 0.1};
     CHECK(largest_distance(b.deform({posed, {}}), reference.deform({posed, {}})) < 1e-12);
