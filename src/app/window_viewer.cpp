@@ -14,7 +14,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "platform/window.h"
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 #include "scene/workspace/saving.h"
 
 namespace viete::app {

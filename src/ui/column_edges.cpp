@@ -1,6 +1,6 @@
 // The inner edges of the columns: dragged to make them wider or narrower, with a tab each that folds a column
 // away and brings it back.
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 #include "scene/workspace/layout.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
@@ -47,13 +47,15 @@ void edge(const Context& ui, const Side& side) {
   scene::Workspace& w = ui.workspace;
   const scene::Viewport& v = w.viewport;
   const float x = edge_x(v, side);
-  begin_strip(std::string("edge/") + side.name, side, {x, v.origin.y}, {edge_thickness, scene::column_height(v.window.y)});
+  begin_strip(std::string("edge/") + side.name, side, {x, v.origin.y},
+              {edge_thickness, scene::column_height(v.window.y)});
   record(ui, std::string("edge/") + side.name);
   const bool held = ImGui::IsItemActive();
   if (held || ImGui::IsItemHovered()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    ImGui::GetWindowDrawList()->AddRectFilled({x, v.origin.y}, {x + side.inward * 2, v.origin.y + scene::column_height(v.window.y)},
-                                              faded(ui.colors.accent, held ? 0.9f : 0.5f));
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {x, v.origin.y}, {x + side.inward * 2, v.origin.y + scene::column_height(v.window.y)},
+        faded(ui.colors.accent, held ? 0.9f : 0.5f));
   }
   if (held) {
     const float mouse = ImGui::GetIO().MousePos.x;

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 #include "ui/mouse_words.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 
 namespace viete::ui {
 

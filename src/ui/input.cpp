@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 #include "ui/imgui_bridge.h"
 #include "ui/widgets.h"
 

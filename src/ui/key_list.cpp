@@ -89,7 +89,7 @@ void key_heading(const Context& ui, std::string_view title) {
 
 // What answers something that comes and goes, by a button alone.
 bool is_mere_answer(const Context& ui, const scene::Command& command) {
-  return scene::is_passing(command) && both_keys(ui.workspace.remembered.keymap.of(command)).empty();
+  return command.passing && both_keys(ui.workspace.remembered.keymap.of(command)).empty();
 }
 
 // Under the headings of the menus, or what fits what was typed, best first.

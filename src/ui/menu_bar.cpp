@@ -8,7 +8,7 @@ namespace viete::ui {
 namespace {
 
 bool is_shown(const Context& ui, const scene::Command& command) {
-  return !scene::is_passing(command) || command.enabled(ui.workspace);
+  return !command.passing || command.enabled(ui.workspace);
 }
 
 // Commands of one choice, which follow one another, in a menu of their own.
@@ -17,7 +17,7 @@ void items(const Context& ui, const scene::Menu& menu) {
   bool open = false;
   for (const scene::Command* command : menu.items) {
     if (!is_shown(ui, *command)) continue;
-    const std::string_view title = scene::submenu_of(*command);
+    const std::string_view title = command->submenu;
     if (title != submenu) {
       if (open) ImGui::EndMenu();
       open = !title.empty() && ImGui::BeginMenu(std::string(title).c_str());
@@ -27,7 +27,7 @@ void items(const Context& ui, const scene::Menu& menu) {
     if (submenu.empty() && command->group != group) ImGui::Separator();
     group = command->group;
     if ((submenu.empty() || open) &&
-        menu_item(ui, *command, submenu.empty() ? std::string_view(command->label) : command->label.brief))
+        menu_item(ui, *command, submenu.empty() ? std::string_view(command->label) : command->brief))
       command->run(ui.workspace);
   }
   if (open) ImGui::EndMenu();
@@ -55,7 +55,7 @@ constexpr Offer offers[] = {{"undo", false},           {"redo", false},
 
 bool menu_item(const Context& ui, const scene::Command& command, std::string_view called) {
   const bool enabled = command.enabled(ui.workspace);
-  const bool on = scene::is_on(ui.workspace, command).value_or(false);
+  const bool on = command.on(ui.workspace);
   const std::string label = std::string(called) + "##" + std::string(command.name);
   const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
   const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);

@@ -1,6 +1,6 @@
 #include "ui/mouse_words.h"
 
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 
 namespace viete::ui {
 

@@ -3,9 +3,9 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "scene/workspace/commands.h"
-#include "scene/workspace/file_commands.h"
 #include "scene/files/recovery.h"
+#include "scene/workspace/command.h"
+#include "scene/workspace/file_commands.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -33,7 +33,7 @@ float buttons_width(std::initializer_list<std::string_view> commands, float gaps
   const ImGuiStyle& style = ImGui::GetStyle();
   float width = gaps;
   for (const auto name : commands) {
-    const std::string_view label = scene::find_command(name)->label.brief;
+    const std::string_view label = scene::find_command(name)->brief;
     width += ImGui::CalcTextSize(label.data(), label.data() + label.size()).x + 2 * style.FramePadding.x;
   }
   return width;

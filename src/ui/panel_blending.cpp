@@ -7,7 +7,8 @@
 
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
-#include "scene/workspace/commands.h"
+#include "scene/workspace/blend_commands.h"
+#include "scene/workspace/command.h"
 #include "ui/choice_picture.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -44,7 +45,7 @@ void choice(const Context& ui, const Entry& choice, bool chosen) {
   scene::Workspace& w = ui.workspace;
   const scene::Command& command = *scene::find_command(scene::choice_command_name(choice.value));
   if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
-  if (ImGui::Selectable(command.label.brief.data(), chosen)) command.run(w);
+  if (ImGui::Selectable(command.brief.data(), chosen)) command.run(w);
   if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
   const scene::Scheme next = scene::chosen(choice.value, w.document.scheme);

@@ -1,8 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "scene/workspace/commands.h"
 #include "scene/document/edit.h"
+#include "scene/workspace/command.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -85,8 +86,8 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
 
   const bool measured = running_sample(w) != nullptr;
   const Marks marks = measured ? marks_of(w.methods, index) : Marks{};
-  card_text(ui, at, width, command.label.brief.data(), measured ? &w.methods.samples[index] : nullptr, used,
-            marks, active);
+  card_text(ui, at, width, command.brief.data(), measured ? &w.methods.samples[index] : nullptr, used, marks,
+            active);
   hint(std::string(command.hint) + "  (" + scene::text(w.remembered.keymap.of(command).first) + ")");
 }
 
@@ -163,7 +164,10 @@ bool lab_line(const Context& ui) {
   std::string text = method_label(w.document.method);
   if (!w.document.scheme.exponential()) text = "takes no exponential";
   if (const scene::MethodSample* sample = running_sample(w)) {
-    text += ", " + nanoseconds(sample->ns_per_matrix) + ", exact to " + error(sample->worst_error);
+    text += ", " + nanoseconds(sample->ns_per_matrix);
+    // What is drawn is no more exact than its frame, which is in float where no links run.
+    if (scene::shows_links(w) || w.fused_error > 0)
+      text += ", exact to " + error(std::max(sample->worst_error, w.fused_error));
   } else if (w.document.scheme.exponential() && !scene::differs_from_rest(w.document)) {
     text += ", at rest";
   }

@@ -4,15 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "scene/document/time_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/menus.h"
+#include "scene/workspace/playing.h"
 #include "scene/workspace/time_commands.h"
-#include "scene/document/time_edit.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
-#include "scene/workspace/playing.h"
 
 namespace viete::ui {
 
@@ -80,7 +80,7 @@ void export_icon(const TimePen& pen, bool) {
 void icon_button(const Context& ui, const char* name, void (*draw)(const TimePen&, bool)) {
   const scene::Command& command = *scene::find_command(name);
   const bool enabled = command.enabled(ui.workspace);
-  const bool on = scene::is_on(ui.workspace, command).value_or(false);
+  const bool on = command.on(ui.workspace);
   ImGui::BeginDisabled(!enabled);
   if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
   if (ImGui::Button((std::string("##") + name).c_str(), {28, bar_height})) command.run(ui.workspace);
@@ -128,7 +128,8 @@ struct ToolPiece {
   std::function<void()> in_menu = draw;
 };
 
-ToolPiece button_piece(const Context& ui, const char* name, void (*icon)(const TimePen&, bool), float gap = 4) {
+ToolPiece button_piece(const Context& ui, const char* name, void (*icon)(const TimePen&, bool),
+                       float gap = 4) {
   return {28, gap, [&ui, name, icon] { icon_button(ui, name, icon); },
           [&ui, &command = *scene::find_command(name)] {
             if (menu_item(ui, command, command.label)) command.run(ui.workspace);
@@ -184,11 +185,11 @@ void transport(const Context& ui, float right) {
   ImGui::SameLine();
   icon_button(ui, "last_frame", last_icon);
   const ToolPiece pieces[] = {{112, 12, [&] { frame_shown(ui); }},
-                          button_piece(ui, "set_key", key_icon, 12),
-                          button_piece(ui, "set_camera_key", camera_icon),
-                          button_piece(ui, "toggle_auto_key", auto_icon),
-                          button_piece(ui, "toggle_paths", paths_icon),
-                          button_piece(ui, "save_animation", export_icon, 12)};
+                              button_piece(ui, "set_key", key_icon, 12),
+                              button_piece(ui, "set_camera_key", camera_icon),
+                              button_piece(ui, "toggle_auto_key", auto_icon),
+                              button_piece(ui, "toggle_paths", paths_icon),
+                              button_piece(ui, "save_animation", export_icon, 12)};
   row_of_pieces(ui, "time/more", pieces, right);
 }
 
@@ -265,8 +266,8 @@ void range(const Context& ui, float right, bool graph) {
     play.last = *last, play.first = std::min(play.first, *last - 1);
   scene::set_play(document, play);
   std::vector<ToolPiece> pieces = {{76, 8, [&] { rate_field(ui); }},
-                               {92, 8, [&] { repeat_choice(ui); }},
-                               {156, 8, [&] { way_choice(ui); }}};
+                                   {92, 8, [&] { repeat_choice(ui); }},
+                                   {156, 8, [&] { way_choice(ui); }}};
   if (!graph) pieces.push_back({1e6f, 8, [&] { graph_in_menu(ui); }});
   row_of_pieces(ui, "time/more_of_range", pieces, right);
 }

@@ -4,13 +4,13 @@
 #include <string>
 
 #include "scene/workspace/menus.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/time_gestures.h"
 #include "scene/workspace/time_view.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
-#include "scene/workspace/playing.h"
-#include "scene/workspace/time_gestures.h"
 
 namespace viete::ui {
 
@@ -150,7 +150,7 @@ void key_menu(const Context& ui) {
     const scene::Command& command = *scene::find_command(name);
     const bool deletes = std::string_view(name) == "delete_keys";
     if (deletes) ImGui::Separator();
-    if (ImGui::MenuItem(command.label.brief.data(), "", false, deletes || command.enabled(ui.workspace)))
+    if (ImGui::MenuItem(command.brief.data(), "", false, deletes || command.enabled(ui.workspace)))
       command.run(ui.workspace);
     record(ui, std::string("key_menu/") + name);
     hint(std::string(command.hint));

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <span>
 
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 #include "scene/workspace/menus.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
@@ -140,7 +140,9 @@ float top_of(std::size_t index) {
 
 // How many there is room for, if need be with a button for the others.
 std::size_t fitting_tools(float height) {
-  const auto fits = [&](std::size_t slots) { return top_of(slots - 1) + tool_size + 2 * strip_top <= height; };
+  const auto fits = [&](std::size_t slots) {
+    return top_of(slots - 1) + tool_size + 2 * strip_top <= height;
+  };
   std::size_t count = std::size(strip);
   if (fits(count)) return count;
   while (--count > 0 && !fits(count + 1)) continue;
@@ -148,7 +150,7 @@ std::size_t fitting_tools(float height) {
 }
 
 bool is_on(const Context& ui, const StripTool& entry) {
-  return scene::is_on(ui.workspace, *scene::find_command(entry.command)).value_or(false);
+  return scene::find_command(entry.command)->on(ui.workspace);
 }
 
 // Returns whether it was clicked.
@@ -176,9 +178,9 @@ void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
   const std::string key = scene::text(ui.workspace.remembered.keymap.of(command).first);
   const float size = key.size() > 1 ? 9.0f : 11.0f;
   const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 100, 0, key.c_str());
-  ImGui::GetWindowDrawList()->AddText(
-      ImGui::GetFont(), size, {at.x + tool_size - room.x - 4, at.y + tool_size - room.y - 2},
-      faded(ui.colors.faint, enabled ? 1 : 0.45f), key.c_str());
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size,
+                                      {at.x + tool_size - room.x - 4, at.y + tool_size - room.y - 2},
+                                      faded(ui.colors.faint, enabled ? 1 : 0.45f), key.c_str());
   hint(std::string(command.label) + ".  " + hint_of(ui, command));
 }
 

@@ -1,10 +1,10 @@
-#include "scene/workspace/commands.h"
 #include "scene/hand/picking.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/command.h"
 #include "ui/mouse_words.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
-#include "scene/hand/projector.h"
 
 namespace viete::ui {
 

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <cstring>
 
-#include "scene/workspace/commands.h"
 #include "scene/document/edit.h"
 #include "scene/hand/number_entry.h"
+#include "scene/workspace/command.h"
 #include "ui/imgui_bridge.h"
 
 namespace viete::ui {
@@ -126,7 +126,7 @@ void command_button(const Context& ui, std::string_view name, float width) {
   const scene::Command& command = require(name);
   const bool enabled = command.enabled(ui.workspace);
   ImGui::BeginDisabled(!enabled);
-  const std::string label = std::string(command.label.brief) + "##" + std::string(name);
+  const std::string label = std::string(command.brief) + "##" + std::string(name);
   if (ImGui::Button(label.c_str(), {width, 0})) command.run(ui.workspace);
   record(ui, std::string(name), enabled);
   ImGui::EndDisabled();
@@ -157,7 +157,7 @@ void command_choice(const Context& ui, std::initializer_list<std::string_view> c
 
 void command_toggle(const Context& ui, std::string_view name, bool value) {
   const scene::Command& command = require(name);
-  const std::string label = std::string(command.label.brief) + "##" + std::string(name);
+  const std::string label = std::string(command.brief) + "##" + std::string(name);
   if (ImGui::Checkbox(label.c_str(), &value)) command.run(ui.workspace);
   record(ui, std::string(name));
   hint(hint_of(ui, command));

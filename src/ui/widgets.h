@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 #include "ui/context.h"
 
 namespace viete::ui {

@@ -17,7 +17,7 @@
 #include "scene/files/export.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/projector.h"
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 #include "support/data.h"
 #include "ui/imgui_bridge.h"
 

@@ -79,7 +79,7 @@ TEST_CASE("f11_asks_for_the_whole_screen_and_back_but_where_hands_mean_something
     choose_preset(d, preset);
     d.press_key(scene::Key::f11);
     CHECK(d.workspace().full_screen);
-    CHECK(scene::is_on(d.workspace(), *scene::find_command("toggle_full_screen")) == true);
+    CHECK(scene::find_command("toggle_full_screen")->on(d.workspace()));
     d.press_key(scene::Key::f11);
     CHECK_FALSE(d.workspace().full_screen);
   }

@@ -1,4 +1,4 @@
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 
 #include <doctest/doctest.h>
 
@@ -7,9 +7,9 @@
 
 #include "scene/cube.h"
 #include "scene/document/edit.h"
+#include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
-#include "scene/workspace/saving.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -2,12 +2,12 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/workspace/commands.h"
 #include "scene/files.h"
 #include "scene/files/output.h"
+#include "scene/workspace/command.h"
+#include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/open.h"
-#include "scene/workspace/saving.h"
 
 using namespace viete;
 using namespace viete::scene;

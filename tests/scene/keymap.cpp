@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 
 using namespace viete;
 using namespace viete::scene;

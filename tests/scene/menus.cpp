@@ -25,9 +25,9 @@ TEST_CASE("every_command_is_understood_by_its_label_alone") {
     const std::string_view label = command.label;
     CHECK_MESSAGE(labels.insert(label).second, label);
     CHECK_MESSAGE((label.find(' ') != label.npos || plain.contains(label)), label);
-    CHECK_FALSE(command.label.brief.empty());
-    if (submenu_of(command).empty()) continue;
-    CHECK_MESSAGE(label.size() > command.label.brief.size(), label);  // its headline, too
+    CHECK_FALSE(command.brief.empty());
+    if (command.submenu.empty()) continue;
+    CHECK_MESSAGE(label.size() > command.brief.size(), label);  // its headline, too
   }
 }
 
@@ -36,7 +36,7 @@ TEST_CASE("commands_of_one_choice_follow_one_another_in_their_menu") {
     std::set<std::string_view> ended;
     std::string_view now;
     for (const Command* command : menu.items) {
-      const auto submenu = submenu_of(*command);
+      const auto submenu = command->submenu;
       if (submenu == now) continue;
       if (!now.empty()) ended.insert(now);
       now = submenu;
@@ -59,13 +59,13 @@ TEST_CASE("nothing_typed_finds_all_but_what_answers_something_that_is_not_there"
   const Workspace w;
   const auto all = find_commands(w, "");
   CHECK(all.size() > 80);
-  for (const Command* command : all) CHECK_FALSE(is_passing(*command));
+  for (const Command* command : all) CHECK_FALSE(command->passing);
 }
 
 TEST_CASE("a_switch_says_whether_it_is_on") {
   Workspace w;
-  CHECK(is_on(w, *find_command("toggle_grid")) == true);
+  CHECK(find_command("toggle_grid")->on(w));
   w.view.grid = false;
-  CHECK(is_on(w, *find_command("toggle_grid")) == false);
-  CHECK_FALSE(is_on(w, *find_command("undo")).has_value());
+  CHECK_FALSE(find_command("toggle_grid")->on(w));
+  CHECK_FALSE(bool(find_command("undo")->is_on));
 }

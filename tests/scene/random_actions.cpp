@@ -4,19 +4,19 @@
 #include <random>
 #include <string>
 
-#include "scene/workspace/command_conditions.h"
-#include "scene/workspace/commands.h"
 #include "scene/cube.h"
 #include "scene/document/edit.h"
-#include "scene/workspace/pointer.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
 #include "scene/document/selection_sets.h"
 #include "scene/document/time_edit.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/command.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/pointer.h"
 #include "support/commands.h"
 #include "support/edits.h"
-#include "scene/hand/projector.h"
-#include "scene/workspace/playing.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -144,8 +144,9 @@ private:
     test::run_command(w, shapes[below(3)]);
     drag(left_button, once_in(2) ? near_vertex() : anywhere(), anywhere());
     if (once_in(2)) test::run_command(w, "stop_selecting");
-    static const char* const ways[] = {"select_more",   "select_less", "select_loop",     "select_similar",
-                                       "hide_selected", "show_hidden", "side_x_positive", "invert_selection", "select_ring"};
+    static const char* const ways[] = {"select_more",     "select_less",      "select_loop",
+                                       "select_similar",  "hide_selected",    "show_hidden",
+                                       "side_x_positive", "invert_selection", "select_ring"};
     test::run_command(w, ways[below(9)]);
   }
   void use_sets() {
@@ -186,7 +187,8 @@ private:
       case 7: return void(clear_mix(d, w.playback.vectors));
       case 8: return void(average_mix(d, w.playback.vectors));
       default:
-        for (int i = below(4); i >= 0; --i) set_weight(d, w.playback.vectors, pose, percent(-50, 150), once_in(2));
+        for (int i = below(4); i >= 0; --i)
+          set_weight(d, w.playback.vectors, pose, percent(-50, 150), once_in(2));
     }
   }
   void use_keys() {

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/workspace/commands.h"
+#include "scene/workspace/command.h"
 
 namespace viete::test {
 

@@ -1,9 +1,11 @@
 // A command: what a user can do by name. The table of all is made in commands.cpp.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "scene/workspace/shortcut.h"
 
@@ -20,23 +22,46 @@ struct Condition {
 
 /// What a command is called: words that are understood by themselves, and fewer where a headline says the
 /// rest.
-struct Label : std::string_view {
-  constexpr Label(const char* words) : Label(std::string_view(words)) {}
-  constexpr Label(std::string_view words) : Label(words, words) {}
-  constexpr Label(std::string_view words, std::string_view under_headline)
-      : std::string_view(words), brief(under_headline) {}
+struct Label {
+  Label(const char* words) : words(words), brief(words) {}
+  Label(std::string words, std::string under_headline)
+      : words(std::move(words)), brief(std::move(under_headline)) {}
 
-  std::string_view brief;  ///< "Front", under "Look from"
+  std::string words, brief;
 };
 
 struct Command {
-  std::string_view name;  ///< stable, for scripts and tests: "undo"
-  Label label;
-  std::string_view hint;   ///< one sentence: what it does
-  std::string_view group;  ///< heading in the help
-  Shortcut shortcut, alternative;
+  std::string name;   ///< stable, for scripts and tests: "undo"
+  std::string label;  ///< "Look from the front"
+  std::string brief;  ///< "Front", under "Look from"
+  std::string hint;   ///< one sentence: what it does
   Condition enabled;
-  void (*run)(Workspace&);
+  std::function<void(Workspace&)> run;
+  std::string_view group{};  ///< heading in the help
+  Shortcut shortcut{}, alternative{};
+  std::string_view submenu{};                 ///< where commands of one choice share one
+  bool (*is_on)(const Workspace&) = nullptr;  ///< of one that switches something
+  bool passing = false;  ///< it answers something that comes and goes (Cancel, Later): shown while it can run
+
+  bool on(const Workspace& workspace) const { return is_on && is_on(workspace); }
+
+  // What a row of a table says besides.
+  Command& or_by(Shortcut other) {
+    alternative = other;
+    return *this;
+  }
+  Command& under(std::string_view menu) {
+    submenu = menu;
+    return *this;
+  }
+  Command& shown_as(bool (*of)(const Workspace&)) {
+    is_on = of;
+    return *this;
+  }
+  Command& while_it_can() {
+    passing = true;
+    return *this;
+  }
 };
 
 /// In the order of the help.

@@ -1,4 +1,4 @@
-// When commands can run, and what is said where they cannot.
+// When commands can run, and what is said where they cannot; and switches of the view.
 #pragma once
 
 #include "scene/document/cage_editing.h"
@@ -145,5 +145,14 @@ inline constexpr Condition has_posed_selection{
              !w.time_view.hovered;
     },
     "Nothing that is selected has moved."};
+
+template <bool ViewOptions::*Option>
+void toggle(Workspace& w) {
+  w.view.*Option = !(w.view.*Option);
+}
+template <bool ViewOptions::*Option>
+bool shown(const Workspace& w) {
+  return w.view.*Option;
+}
 
 }  // namespace viete::scene

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "scene/files/output.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/command_tables.h"
 #include "scene/workspace/saving.h"
 
 namespace viete::scene {
@@ -123,6 +125,100 @@ void hide_discarded(Workspace& w) {
 
 void put_off_leftover(Workspace& w) {
   w.leftovers.erase(w.leftovers.begin() + (&offered_leftover(w) - w.leftovers.data()));
+}
+
+void add_file_commands(CommandTable& table) {
+  table.heading("File");
+  table.add("open_model", {"Open a model or session", "Open"}, "Open a mesh to deform, or a session.",
+            {key('O'), true}, always, browse_for_model);
+  table.add("open_cage", "Open cage", "Open a cage around the model.", {key('O'), true, true}, has_model,
+            browse_for_cage);
+  table
+      .add("open_cage_beside", {"Open the cage beside the model", "Open it"},
+           "Open the file beside the model that looks like its cage.", has_cage_beside,
+           [](Workspace& w) {
+             w.requests.open = OpenRequest{OpenRequest::What::cage, {w.document.cage_beside}};
+           })
+      .while_it_can();
+  table.add("open_pose", "Open pose", "Open a posed version of this cage.", {key('P'), true}, has_cage,
+            browse_for_pose);
+  table.add("save_session", {"Save session", "Save"},
+            "Save model, cage, pose, settings and camera as a session.", {key('S'), true}, has_model, save);
+  table.add("save_session_as", {"Save session as", "Save as"}, "Save the session under another name.",
+            {key('S'), true, true}, has_model, browse_to_save_session);
+  table.add("save_pose", "Save pose", "Write the posed cage to a mesh file.", {key('P'), true, true},
+            has_cage, browse_to_save_pose);
+  table.add("save_cage", "Save cage", "Write the cage at rest to a mesh file.", has_cage,
+            browse_to_save_cage);
+  table.add("save_model", {"Export the deformed mesh", "Export"}, "Write the deformed mesh to a file.",
+            {key('E'), true}, is_movable, browse_to_save_model);
+  table
+      .add("stop_work", {"Cancel what is at work", "Cancel"},
+           "Stop reading, making a cage or binding; everything stays as it is.", {Key::escape}, is_working,
+           [](Workspace& w) { w.requests.stop_work = true; })
+      .while_it_can();
+  table
+      .add("stop_export", {"Cancel the export", "Cancel"},
+           "Stop writing the deformed mesh or its animation; every file is whole or as it was.", is_exporting,
+           [](Workspace& w) { w.requests.stop_export = true; })
+      .while_it_can();
+  table
+      .add("restore_leftover", {"Restore unsaved edits", "Restore these edits"}, "Bring unsaved edits back.",
+           {key('B'), true}, has_leftover, restore_leftover)
+      .while_it_can();
+  table
+      .add("put_off_leftover", {"Keep unsaved edits for later", "Keep them for later"},
+           "Keep unsaved edits for the next start.", has_leftover, put_off_leftover)
+      .while_it_can();
+  table
+      .add("discard_leftover", {"Discard unsaved edits", "Discard these edits"},
+           "Drop unsaved edits; until the program ends they can be brought back.", has_leftover,
+           discard_leftover)
+      .while_it_can();
+  table
+      .add("undo_discard", {"Bring discarded edits back", "Bring them back"},
+           "Take back that unsaved edits were discarded.", {key('B'), true, true}, has_discarded,
+           undo_discard_leftover)
+      .while_it_can();
+  table
+      .add("hide_discarded", {"Hide what is said of discarded edits", "OK"},
+           "Hide this line; until the program ends Ctrl+Shift+B brings the edits back.", has_discarded,
+           hide_discarded)
+      .while_it_can();
+  table.add("screenshot", {"Save a screenshot", "Screenshot"}, "Save a picture of the window.", {Key::f12},
+            always, [](Workspace& w) { w.requests.screenshot = true; });
+  table.add("quit", "Quit", "Close the program.", {key('Q'), true}, always,
+            [](Workspace& w) { w.requests.quit = true; });
+}
+
+namespace {
+
+constexpr Condition can_import{
+    [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !in_hand(w); },
+    "Open a cage first, and pose it rather than edit it (Tab)."};
+constexpr Condition can_export_animation{[](const Workspace& w) {
+                                           return is_movable(w) && !w.document.timeline.keys.empty() &&
+                                                  !is_editing_cage(w.document);
+                                         },
+                                         "There are no keys: pose the cage and set one (I)."};
+
+}  // namespace
+
+void add_animation_file_commands(CommandTable& table) {
+  table.heading("Poses");
+  table.add("import_poses", "Import poses",
+            "Add posed cages to the list of poses: a file, one with morph targets, or all of a folder.",
+            can_import, browse_for_poses);
+  table.heading("Time");
+  table.add(
+      "import_animation", "Import animation",
+      "Take keys from numbered posed cages, a point cache of the cage (PC2, MDD), or its animated morph "
+      "targets (glTF).",
+      can_import, browse_for_animation);
+  table.add(
+      "save_animation", "Export animation",
+      "Write the frames that play: a point cache (PC2, MDD), glTF with morph targets, or numbered models.",
+      can_export_animation, browse_to_save_animation);
 }
 
 }  // namespace viete::scene

@@ -1,30 +1,29 @@
 #include "scene/workspace/hand_commands.h"
 
+#include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/hand/pose_alike.h"
 #include "scene/workspace/command_conditions.h"
-#include "scene/document/selection_sets.h"
+#include "scene/workspace/command_tables.h"
 
 namespace viete::scene {
 
 namespace {
 
-constexpr const char* hand_group = "Hand";
-
 // Where each kind of choice lives.
-Pivot& choice(Handling& h, Pivot) {
+Pivot& place(Handling& h, Pivot) {
   return h.pivot;
 }
-Axes& choice(Handling& h, Axes) {
+Axes& place(Handling& h, Axes) {
   return h.axes;
 }
-MirrorPlane& choice(Handling& h, MirrorPlane) {
+MirrorPlane& place(Handling& h, MirrorPlane) {
   return h.mirror;
 }
-SoftCurve& choice(Handling& h, SoftCurve) {
+SoftCurve& place(Handling& h, SoftCurve) {
   return h.soft.curve;
 }
-SoftDistance& choice(Handling& h, SoftDistance) {
+SoftDistance& place(Handling& h, SoftDistance) {
   return h.soft.distance;
 }
 
@@ -40,42 +39,25 @@ void choose(Workspace& w, MirrorPlane plane) {
 
 template <class Choice>
 void choose(Workspace& w, Choice value) {
-  choice(w.handling, value) = value;
+  place(w.handling, value) = value;
 }
 
-const char* headline(Pivot) {
-  return "Pivot: ";
-}
-const char* headline(Axes) {
-  return "Axes: ";
-}
-const char* headline(MirrorPlane) {
-  return "Mirror: ";
-}
-const char* headline(SoftCurve) {
-  return "Falloff: ";
-}
-const char* headline(SoftDistance) {
-  return "Falloff: ";
-}
-
-// Said to people in the order of its kind.
-template <auto Value>
-Command hand_choice() {
-  static const std::string name = choice_command_name(Value);
-  const HandChoice& entry = entry_of(Value);
-  static const std::string label = headline(Value) + std::string(entry.label);
-  return {name,         {label, entry.label},
-          entry.hint,   hand_group,
-          {},           {},
-          hand_is_free, [](Workspace& w) { choose(w, Value); }};
+// A command for each entry of this kind of choice.
+template <class Choice>
+void add_choices(CommandTable& table, std::string_view headline) {
+  int number = 0;
+  for (const HandChoice& entry : choices(Choice{})) {
+    const auto value = static_cast<Choice>(number++);
+    table.choice(choice_command_name(value), headline, entry.label, entry.hint, hand_is_free,
+                 [value](Workspace& w) { choose(w, value); });
+  }
 }
 
 template <auto First>
 void choose_next(Workspace& w) {
   using Choice = decltype(First);
   const std::size_t count = choices(First).size();
-  const auto now = static_cast<std::size_t>(choice(w.handling, First));
+  const auto now = static_cast<std::size_t>(place(w.handling, First));
   choose(w, static_cast<Choice>((now + 1) % count));
 }
 
@@ -106,14 +88,18 @@ void pose_like_copied(Workspace& w) {
   if (!why.empty()) w.messages.info(why);
 }
 
-template <KeyPreset Preset>
-Command key_preset_command(std::string_view name) {
-  const KeyPresetEntry& entry = all_key_presets()[static_cast<std::size_t>(Preset)];
-  static const std::string label = "Keys of " + std::string(entry.label);
-  return {name,         {label, entry.label},
-          entry.hint,   "Keys",
-          {},           {},
-          hand_is_free, [](Workspace& w) { w.remembered.keymap.set_preset(Preset); }};
+void add_key_presets(CommandTable& table) {
+  int number = 0;
+  for (const KeyPresetEntry& entry : all_key_presets()) {
+    const std::string label(entry.label);
+    table
+        .add("keys_" + std::string(entry.word), {"Keys of " + label, label}, std::string(entry.hint),
+             hand_is_free,
+             [preset = static_cast<KeyPreset>(number++)](Workspace& w) {
+               w.remembered.keymap.set_preset(preset);
+             })
+        .under("Keys of");
+  }
 }
 
 constexpr Condition can_grab{
@@ -164,198 +150,74 @@ std::string choice_command_name(SoftDistance distance) {
   return hand_name("soft_", entry_of(distance));
 }
 
-std::vector<Command> hand_commands() {
-  return {
-      {"grab",
-       {"Grab the selection", "Grab"},
-       "The selection follows the cursor until a click; Esc takes it back.",
-       hand_group,
-       {},
-       {},
-       can_grab,
-       grab<Tool::move>},
-      {"grab_rotate",
-       {"Turn the selection", "Turn"},
-       "The selection turns with the cursor until a click; Esc takes it back.",
-       hand_group,
-       {},
-       {},
-       can_grab,
-       grab<Tool::rotate>},
-      {"grab_scale",
-       {"Resize the selection", "Resize"},
-       "The selection grows with the cursor until a click; Esc takes it back.",
-       hand_group,
-       {},
-       {},
-       can_grab,
-       grab<Tool::scale>},
-      {"bend",
-       {"Bend the selection", "Bend"},
-       "Bend the selection between its ends: from the pivot, or the joint, to the active element or the far "
-       "end.",
-       hand_group,
-       {},
-       {},
-       can_shape,
-       shape<Shape::bend>},
-      {"twist",
-       {"Twist the selection", "Twist"},
-       "Twist the selection between its ends, by any number of turns.",
-       hand_group,
-       {},
-       {},
-       can_shape,
-       shape<Shape::twist>},
-      {"taper",
-       {"Taper the selection", "Taper"},
-       "Make the selection thinner or thicker towards its far end.",
-       hand_group,
-       {},
-       {},
-       can_shape,
-       shape<Shape::taper>},
-      {"push",
-       {"Push the selection", "Push"},
-       "Push the selection out along its normals, or pull it in.",
-       hand_group,
-       {},
-       {},
-       can_shape,
-       shape<Shape::push>},
-      {"smooth",
-       {"Smooth the selection", "Smooth"},
-       "Bring the selection nearer to the mean of its neighbours.",
-       hand_group,
-       {},
-       {},
-       can_shape,
-       shape<Shape::smooth>},
-      {"relax",
-       {"Relax the selection", "Relax"},
-       "Bring the selection nearer to rest.",
-       hand_group,
-       {},
-       {},
-       can_shape,
-       shape<Shape::relax>},
-      {"flatten",
-       {"Flatten the selection", "Flatten"},
-       "Bring the selection nearer to the plane that fits it.",
-       hand_group,
-       {},
-       {},
-       can_shape,
-       shape<Shape::flatten>},
-      {"copy_pose",
-       "Copy pose",
-       "Remember where the selected vertices are.",
-       "Hand",
-       {key('C'), true},
-       {},
-       can_shape,
-       copy_pose},
-      {"paste_pose",
-       "Paste pose",
-       "Put the vertices whose pose was copied there again; with a mirror also those of the other side.",
-       "Hand",
-       {key('V'), true},
-       {},
-       has_copied,
-       [](Workspace& w) { paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w)); }},
-      {"pose_alike",
-       {"Pose like the copied part", "Pose alike"},
-       "The selected part takes the pose of the part that was copied, relative to where each hangs: a hand "
-       "as the "
-       "other hand.",
-       "Hand",
-       {key('V'), true, true},
-       {},
-       can_pose_alike,
-       pose_like_copied},
-      {"place_pivot",
-       "Place pivot",
-       "The next click says what the selection turns about: a vertex, an edge or the model's surface.",
-       hand_group,
-       {key('J')},
-       {},
-       has_model,
-       begin_placing_pivot},
-      {"next_pivot",
-       "Next pivot",
-       "Turn and scale about the median, the active element, and so on.",
-       hand_group,
-       {key('.')},
-       {},
-       hand_is_free,
-       choose_next<Pivot::median>},
-      hand_choice<Pivot::median>(),
-      hand_choice<Pivot::active>(),
-      hand_choice<Pivot::individual>(),
-      hand_choice<Pivot::joint>(),
-      hand_choice<Pivot::point>(),
-      {"next_axes",
-       "Next axes",
-       "Move along the axes of the world, the view, the selection, and so on.",
-       hand_group,
-       {key(',')},
-       {},
-       hand_is_free,
-       choose_next<Axes::world>},
-      hand_choice<Axes::world>(),
-      hand_choice<Axes::view>(),
-      hand_choice<Axes::selection>(),
-      hand_choice<Axes::active>(),
-      hand_choice<Axes::mirror>(),
-      {"next_mirror",
-       "Next mirror",
-       "Move both sides of the cage across X, Y, Z or the plane that fits, or one side alone.",
-       hand_group,
-       {key('M'), false, true},
-       {},
-       hand_is_free,
-       choose_next<MirrorPlane::none>},
-      hand_choice<MirrorPlane::none>(),
-      hand_choice<MirrorPlane::x>(),
-      hand_choice<MirrorPlane::y>(),
-      hand_choice<MirrorPlane::z>(),
-      hand_choice<MirrorPlane::fit>(),
-      {"mirror_copy",
-       {"Copy pose to the other side", "Copy across"},
-       "The other side takes the pose of what is selected, as in the mirror.",
-       hand_group,
-       {},
-       {},
-       has_mirrored_selection,
-       [](Workspace& w) { copy_to_other_side(w.document, *mirror_of(w)); }},
-      {"mirror_swap",
-       {"Swap poses of both sides", "Swap sides"},
-       "Both sides of the selection, or of the whole cage, change their poses.",
-       hand_group,
-       {},
-       {},
-       has_mirror,
-       [](Workspace& w) { swap_sides(w.document, *mirror_of(w)); }},
-      {"toggle_soft",
-       {"Soft selection", "Soft"},
-       "What is near the selection goes along, the less the farther; during a drag the wheel changes the "
-       "radius.",
-       hand_group,
-       {key('S')},
-       {},
-       hand_is_free,
-       [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; }},
-      hand_choice<SoftCurve::smooth>(),
-      hand_choice<SoftCurve::sharp>(),
-      hand_choice<SoftCurve::linear>(),
-      hand_choice<SoftCurve::constant>(),
-      hand_choice<SoftDistance::edges>(),
-      hand_choice<SoftDistance::space>(),
-      key_preset_command<KeyPreset::viete>("keys_viete"),
-      key_preset_command<KeyPreset::blender>("keys_blender"),
-      key_preset_command<KeyPreset::maya>("keys_maya"),
-      key_preset_command<KeyPreset::viewer>("keys_viewer"),
-  };
+void add_hand_commands(CommandTable& table) {
+  table.heading("Hand");
+  table.add("grab", {"Grab the selection", "Grab"},
+            "The selection follows the cursor until a click; Esc takes it back.", can_grab, grab<Tool::move>);
+  table.add("grab_rotate", {"Turn the selection", "Turn"},
+            "The selection turns with the cursor until a click; Esc takes it back.", can_grab,
+            grab<Tool::rotate>);
+  table.add("grab_scale", {"Resize the selection", "Resize"},
+            "The selection grows with the cursor until a click; Esc takes it back.", can_grab,
+            grab<Tool::scale>);
+  table.add(
+      "bend", {"Bend the selection", "Bend"},
+      "Bend the selection between its ends: from the pivot, or the joint, to the active element or the far "
+      "end.",
+      can_shape, shape<Shape::bend>);
+  table.add("twist", {"Twist the selection", "Twist"},
+            "Twist the selection between its ends, by any number of turns.", can_shape, shape<Shape::twist>);
+  table.add("taper", {"Taper the selection", "Taper"},
+            "Make the selection thinner or thicker towards its far end.", can_shape, shape<Shape::taper>);
+  table.add("push", {"Push the selection", "Push"},
+            "Push the selection out along its normals, or pull it in.", can_shape, shape<Shape::push>);
+  table.add("smooth", {"Smooth the selection", "Smooth"},
+            "Bring the selection nearer to the mean of its neighbours.", can_shape, shape<Shape::smooth>);
+  table.add("relax", {"Relax the selection", "Relax"}, "Bring the selection nearer to rest.", can_shape,
+            shape<Shape::relax>);
+  table.add("flatten", {"Flatten the selection", "Flatten"},
+            "Bring the selection nearer to the plane that fits it.", can_shape, shape<Shape::flatten>);
+  table.add("copy_pose", "Copy pose", "Remember where the selected vertices are.", {key('C'), true},
+            can_shape, copy_pose);
+  table.add("paste_pose", "Paste pose",
+            "Put the vertices whose pose was copied there again; with a mirror also those of the other side.",
+            {key('V'), true}, has_copied, [](Workspace& w) {
+              paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w));
+            });
+  table.add(
+      "pose_alike", {"Pose like the copied part", "Pose alike"},
+      "The selected part takes the pose of the part that was copied, relative to where each hangs: a hand "
+      "as the "
+      "other hand.",
+      {key('V'), true, true}, can_pose_alike, pose_like_copied);
+  table.add("place_pivot", "Place pivot",
+            "The next click says what the selection turns about: a vertex, an edge or the model's surface.",
+            {key('J')}, has_model, begin_placing_pivot);
+  table.add("next_pivot", "Next pivot", "Turn and scale about the median, the active element, and so on.",
+            {key('.')}, hand_is_free, choose_next<Pivot::median>);
+  add_choices<Pivot>(table, "Pivot");
+  table.add("next_axes", "Next axes", "Move along the axes of the world, the view, the selection, and so on.",
+            {key(',')}, hand_is_free, choose_next<Axes::world>);
+  add_choices<Axes>(table, "Axes");
+  table.add("next_mirror", "Next mirror",
+            "Move both sides of the cage across X, Y, Z or the plane that fits, or one side alone.",
+            {key('M'), false, true}, hand_is_free, choose_next<MirrorPlane::none>);
+  add_choices<MirrorPlane>(table, "Mirror");
+  table.add("mirror_copy", {"Copy pose to the other side", "Copy across"},
+            "The other side takes the pose of what is selected, as in the mirror.", has_mirrored_selection,
+            [](Workspace& w) { copy_to_other_side(w.document, *mirror_of(w)); });
+  table.add("mirror_swap", {"Swap poses of both sides", "Swap sides"},
+            "Both sides of the selection, or of the whole cage, change their poses.", has_mirror,
+            [](Workspace& w) { swap_sides(w.document, *mirror_of(w)); });
+  table.add(
+      "toggle_soft", {"Soft selection", "Soft"},
+      "What is near the selection goes along, the less the farther; during a drag the wheel changes the "
+      "radius.",
+      {key('S')}, hand_is_free, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
+  add_choices<SoftCurve>(table, "Falloff");
+  add_choices<SoftDistance>(table, "Falloff");
+  table.heading("Keys");
+  add_key_presets(table);
 }
 
 }  // namespace viete::scene

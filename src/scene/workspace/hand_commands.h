@@ -1,14 +1,12 @@
 // Commands that say how the hand moves: pivot, axes, mirror, soft selection.
 #pragma once
 
-#include <vector>
+#include <string>
+
 #include "scene/document/handling.h"
-#include "scene/workspace/command.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::scene {
-
-/// In the order of the help.
-std::vector<Command> hand_commands();
 
 /// "pivot_median", "axes_view", "mirror_x", "soft_smooth", "soft_edges": of the command that chooses it.
 std::string choice_command_name(Pivot);

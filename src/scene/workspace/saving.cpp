@@ -130,8 +130,8 @@ std::string window_title(const Workspace& w) {
 bool has_unsaved_edits(const Workspace& w) {
   const bool by_time = is_by_time(w);
   if (w.saved.nowhere || w.document.cage != w.saved.state.cage || !same_probes(w, by_time) ||
-      w.document.groups.sets != w.saved.state.groups.sets || w.document.library != w.saved.state.library || !same_timeline(w) ||
-      !same_mask(w.document.mask, w.saved.state.mask))
+      w.document.groups.sets != w.saved.state.groups.sets || w.document.library != w.saved.state.library ||
+      !same_timeline(w) || !same_mask(w.document.mask, w.saved.state.mask))
     return true;
   return w.document.is_movable() && (w.document.scheme != w.saved.state.scheme ||
                                      (!by_time && !same_pose(real_pose(w.document), w.saved.state.pose)));

@@ -8,8 +8,8 @@
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
 #include "scene/workspace/playback.h"
-#include "scene/workspace/saving.h"
 #include "scene/workspace/playing.h"
+#include "scene/workspace/saving.h"
 
 namespace viete::scene {
 
@@ -136,8 +136,9 @@ void take(Workspace& w, Opened&& opened) {
     mark_edits_saved(w, opened.session->first_edit);
   } else {
     mark_saved(w);
-    if (opened.session) w.saved.state.scheme = opened.session->scheme;       // another one was asked for: unsaved
-    if (!opened.session) w.saved.state.mask = nullptr, w.saved.state.probes = {};  // made for another cage: in no file
+    if (opened.session) w.saved.state.scheme = opened.session->scheme;  // another one was asked for: unsaved
+    if (!opened.session)
+      w.saved.state.mask = nullptr, w.saved.state.probes = {};  // made for another cage: in no file
     w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
                                              : RecentFile{w.saved.session, {}});
   }

@@ -6,6 +6,7 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
 #include "scene/workspace/command_conditions.h"
+#include "scene/workspace/command_tables.h"
 #include "scene/workspace/file_commands.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_gestures.h"
@@ -13,8 +14,6 @@
 namespace viete::scene {
 
 namespace {
-
-constexpr const char *poses_group = "Poses", *time_group = "Time";
 
 constexpr Condition can_pose{
     [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !in_hand(w); },
@@ -182,30 +181,22 @@ void fit_range(Workspace& w) {
   w.time_view.seen = fitting(w.document.timeline);
 }
 
-template <Repeat Choice>
-Command repeat_command() {
-  static const std::string name = choice_command_name(Choice);
-  const EasingChoice& entry = all_repeats()[static_cast<std::size_t>(Choice)];
-  static const std::string label = "After the last frame: " + std::string(entry.label);
-  return {name,       {label, entry.label},
-          entry.hint, time_group,
-          {},         {},
-          has_model,  [](Workspace& w) {
-            change_play(w, [](Play& play) { play.repeat = Choice; }); }};
+void add_repeats(CommandTable& table) {
+  int number = 0;
+  for (const EasingChoice& entry : all_repeats()) {
+    const auto repeat = static_cast<Repeat>(number++);
+    table.choice(choice_command_name(repeat), "After the last frame", entry.label, entry.hint, has_model,
+                 [repeat](Workspace& w) { change_play(w, [&](Play& play) { play.repeat = repeat; }); });
+  }
 }
 
-template <Easing Choice>
-Command easing_command() {
-  static const std::string name = choice_command_name(Choice);
-  const EasingChoice& entry = all_easings()[static_cast<std::size_t>(Choice)];
-  static const std::string label = "Easing: " + std::string(entry.label);
-  return {name, {label, entry.label}, entry.hint, time_group, {}, {}, has_pose_keys, [](Workspace& w) {
-            set_easing(w.document, eased_keys(w), Choice);
-          }};
-}
-
-constexpr Shortcut plain_key(char c) {
-  return {key(c)};
+void add_easings(CommandTable& table) {
+  int number = 0;
+  for (const EasingChoice& entry : all_easings()) {
+    const auto easing = static_cast<Easing>(number++);
+    table.choice(choice_command_name(easing), "Easing", entry.label, entry.hint, has_pose_keys,
+                 [easing](Workspace& w) { set_easing(w.document, eased_keys(w), easing); });
+  }
 }
 
 }  // namespace
@@ -224,50 +215,85 @@ std::string choice_command_name(Easing easing) {
   return "easing_" + std::string(all_easings()[static_cast<std::size_t>(easing)].word);
 }
 
-std::vector<Command> time_commands() {
-  // clang-format off
-  return {
-      {"keep_pose", {"Keep this pose", "Keep pose"}, "Keep what is there now as a pose with a name.", poses_group, {}, {}, can_pose, keep},
-      {"apply_pose", {"Apply the chosen pose", "Apply"}, "Put cage and probes into the chosen pose.", poses_group, {}, {}, has_chosen_pose,
-       [](Workspace& w) { apply_pose(w, *w.chosen_pose); }},
-      {"update_pose", {"Update the chosen pose", "Update"}, "The chosen pose becomes what is there now.", poses_group, {}, {}, has_chosen_pose,
-       [](Workspace& w) { update_pose(w.document, *w.chosen_pose); }},
-      {"duplicate_pose", {"Duplicate the chosen pose", "Duplicate"}, "Another pose like the chosen one.", poses_group, {}, {}, has_chosen_pose, duplicate},
-      {"remove_pose", {"Delete the chosen pose", "Delete"}, "Take the chosen pose out of the list; undo brings it back.", poses_group, {}, {}, has_chosen_pose, remove},
-      {"pose_up", {"Move the chosen pose up", "Move up"}, "Move the chosen pose up in the list.", poses_group, {}, {}, is_not_first_pose, move_up},
-      {"pose_down", {"Move the chosen pose down", "Move down"}, "Move the chosen pose down in the list.", poses_group, {}, {}, is_not_last_pose, move_down},
-      {"export_pose", {"Export the chosen pose", "Export pose"}, "Write the cage in the chosen pose to a mesh file.", poses_group, {}, {}, can_export_pose, browse_to_save_named_pose},
-      {"clear_mix", "Clear mix", "All sliders back to 0 %: what was made by hand stays.", poses_group, {}, {}, has_mix,
-       [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); }},
-      {"average_mix", {"Average the mix", "Average"}, "Divide all sliders by their sum: the mean of the poses that are mixed, in log space.", poses_group, {}, {}, can_average,
-       [](Workspace& w) { change_mix(w, [&] { return average_mix(w.document, w.playback.vectors); }); }},
-      {"toggle_mix_selected", {"Mix only into what is selected", "Only what is selected"}, "The slider of a pose moves only what is selected when it leaves 0 %; else, or where nothing is selected, all of the cage.", poses_group, {}, {}, has_cage,
-       [](Workspace& w) { w.handling.mix_selected = !w.handling.mix_selected; }},
-
-      {"play", "Play", "Play what is keyed, or stop.", time_group, {Key::space}, {}, has_time, play_or_stop},
-      {"set_key", "Set a key", "Keep what is there now as the key of this frame.", time_group, plain_key('I'), {}, can_pose, key_pose},
-      {"set_camera_key", {"Set a camera key", "Camera key"}, "Keep where one looks from as a key of this frame.", time_group, {key('I'), false, true}, {}, can_key_camera, key_camera},
-      {"turntable", {"Turn the camera round", "Turntable"}, "The camera goes once round the model over what plays; its other keys give way.", time_group, {}, {}, can_key_camera, key_turntable},
-      {"delete_keys", {"Delete selected keys", "Delete keys"}, "Delete the selected keys; by its key while the pointer is over the timeline.", time_group, {Key::delete_key}, {}, deletes_keys,
-       delete_keys},
-      {"previous_frame", "Previous frame", "One frame back.", time_group, {Key::left}, {}, has_time, step<-1>},
-      {"next_frame", "Next frame", "One frame on.", time_group, {Key::right}, {}, has_time, step<1>},
-      {"previous_key", "Previous key", "Back to the last key before this frame.", time_group, {Key::down}, {}, has_time, to_key<false>},
-      {"next_key", "Next key", "On to the next key.", time_group, {Key::up}, {}, has_time, to_key<true>},
-      {"first_frame", "First frame", "To where playing begins.", time_group, {Key::left, false, true}, {}, has_time, to_end<&Timeline::first>},
-      {"last_frame", "Last frame", "To where playing ends.", time_group, {Key::right, false, true}, {}, has_time, to_end<&Timeline::last>},
-      {"fit_range", {"Play from first to last key", "Range of keys"}, "Play from the first key to the last one.", time_group, {}, {}, has_time, fit_range},
-      easing_command<Easing::smooth>(), easing_command<Easing::linear>(), easing_command<Easing::hold>(),
-      easing_command<Easing::bezier>(),
-      repeat_command<Repeat::once>(), repeat_command<Repeat::loop>(), repeat_command<Repeat::ping_pong>(),
-      {"toggle_auto_key", {"Set keys automatically", "Auto key"}, "Whatever the hand changes becomes a key of this frame, once there is a key.", time_group, {}, {}, always, toggle_play<&Playback::auto_key>},
-      {"toggle_straight", {"Straight lines between keys", "Straight lines"}, "Vertices of the cage go straight from key to key, as in other programs; else the logs of its maps are blended.", time_group, {}, {}, has_model,
-       [](Workspace& w) { change_play(w, [](Play& play) { play.straight = !play.straight; }); }},
-      {"toggle_paths", {"Show paths of vertices", "Paths"}, "Draw the ways of the selected vertices, by logs and in straight lines.", time_group, {}, {}, always, toggle_play<&Playback::paths>},
-      {"toggle_timeline", {"Show the timeline", "Timeline"}, "Show or hide the timeline.", time_group, {key('T'), false, true}, {}, always,
-       [](Workspace& w) { w.remembered.layout.timeline = !w.remembered.layout.timeline; }},
-  };
-  // clang-format on
+void add_time_commands(CommandTable& table) {
+  table.heading("Poses");
+  table.add("keep_pose", {"Keep this pose", "Keep pose"}, "Keep what is there now as a pose with a name.",
+            can_pose, keep);
+  table.add("apply_pose", {"Apply the chosen pose", "Apply"}, "Put cage and probes into the chosen pose.",
+            has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
+  table.add("update_pose", {"Update the chosen pose", "Update"}, "The chosen pose becomes what is there now.",
+            has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.chosen_pose); });
+  table.add("duplicate_pose", {"Duplicate the chosen pose", "Duplicate"}, "Another pose like the chosen one.",
+            has_chosen_pose, duplicate);
+  table.add("remove_pose", {"Delete the chosen pose", "Delete"},
+            "Take the chosen pose out of the list; undo brings it back.", has_chosen_pose, remove);
+  table.add("pose_up", {"Move the chosen pose up", "Move up"}, "Move the chosen pose up in the list.",
+            is_not_first_pose, move_up);
+  table.add("pose_down", {"Move the chosen pose down", "Move down"}, "Move the chosen pose down in the list.",
+            is_not_last_pose, move_down);
+  table.add("export_pose", {"Export the chosen pose", "Export pose"},
+            "Write the cage in the chosen pose to a mesh file.", can_export_pose, browse_to_save_named_pose);
+  table.add("clear_mix", "Clear mix", "All sliders back to 0 %: what was made by hand stays.", has_mix,
+            [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
+  table.add("average_mix", {"Average the mix", "Average"},
+            "Divide all sliders by their sum: the mean of the poses that are mixed, in log space.",
+            can_average,
+            [](Workspace& w) { change_mix(w, [&] { return average_mix(w.document, w.playback.vectors); }); });
+  table
+      .add("toggle_mix_selected", {"Mix only into what is selected", "Only what is selected"},
+           "The slider of a pose moves only what is selected when it leaves 0 %; else, or where nothing is "
+           "selected, all of the cage.",
+           has_cage, [](Workspace& w) { w.handling.mix_selected = !w.handling.mix_selected; })
+      .shown_as([](const Workspace& w) { return w.handling.mix_selected; });
+  table.heading("Time");
+  table.add("play", "Play", "Play what is keyed, or stop.", {Key::space}, has_time, play_or_stop)
+      .shown_as([](const Workspace& w) { return w.playback.playing; });
+  table.add("set_key", "Set a key", "Keep what is there now as the key of this frame.", {key('I')}, can_pose,
+            key_pose);
+  table.add("set_camera_key", {"Set a camera key", "Camera key"},
+            "Keep where one looks from as a key of this frame.", {key('I'), false, true}, can_key_camera,
+            key_camera);
+  table.add("turntable", {"Turn the camera round", "Turntable"},
+            "The camera goes once round the model over what plays; its other keys give way.", can_key_camera,
+            key_turntable);
+  table.add("delete_keys", {"Delete selected keys", "Delete keys"},
+            "Delete the selected keys; by its key while the pointer is over the timeline.", {Key::delete_key},
+            deletes_keys, delete_keys);
+  table.add("previous_frame", "Previous frame", "One frame back.", {Key::left}, has_time, step<-1>);
+  table.add("next_frame", "Next frame", "One frame on.", {Key::right}, has_time, step<1>);
+  table.add("previous_key", "Previous key", "Back to the last key before this frame.", {Key::down}, has_time,
+            to_key<false>);
+  table.add("next_key", "Next key", "On to the next key.", {Key::up}, has_time, to_key<true>);
+  table.add("first_frame", "First frame", "To where playing begins.", {Key::left, false, true}, has_time,
+            to_end<&Timeline::first>);
+  table.add("last_frame", "Last frame", "To where playing ends.", {Key::right, false, true}, has_time,
+            to_end<&Timeline::last>);
+  table.add("fit_range", {"Play from first to last key", "Range of keys"},
+            "Play from the first key to the last one.", has_time, fit_range);
+  add_easings(table);
+  add_repeats(table);
+  table
+      .add("toggle_auto_key", {"Set keys automatically", "Auto key"},
+           "Whatever the hand changes becomes a key of this frame, once there is a key.", always,
+           toggle_play<&Playback::auto_key>)
+      .shown_as([](const Workspace& w) { return w.playback.auto_key; });
+  table
+      .add("toggle_straight", {"Straight lines between keys", "Straight lines"},
+           "Vertices of the cage go straight from key to key, as in other programs; else the logs of its "
+           "maps are blended.",
+           has_model,
+           [](Workspace& w) { change_play(w, [](Play& play) { play.straight = !play.straight; }); })
+      .shown_as([](const Workspace& w) { return w.document.timeline.straight; });
+  table
+      .add("toggle_paths", {"Show paths of vertices", "Paths"},
+           "Draw the ways of the selected vertices, by logs and in straight lines.", always,
+           toggle_play<&Playback::paths>)
+      .shown_as([](const Workspace& w) { return w.playback.paths; });
+  table
+      .add("toggle_timeline", {"Show the timeline", "Timeline"}, "Show or hide the timeline.",
+           {key('T'), false, true}, always,
+           [](Workspace& w) { w.remembered.layout.timeline = !w.remembered.layout.timeline; })
+      .shown_as([](const Workspace& w) { return w.remembered.layout.timeline; });
 }
 
 }  // namespace viete::scene

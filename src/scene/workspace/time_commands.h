@@ -2,14 +2,12 @@
 #pragma once
 
 #include <functional>
-#include <vector>
+#include <string>
+
 #include "scene/document/timeline.h"
-#include "scene/workspace/command.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::scene {
-
-/// In the order of the help.
-std::vector<Command> time_commands();
 
 /// Stops playing, mixes, and says so where that would have led too far.
 void change_mix(Workspace& workspace, const std::function<bool()>& change);

@@ -1,16 +1,13 @@
-// Everything a user can do by name: one list for keys, buttons, menus, help and tests.
+// Commands that choose how maps are blended, and how the exponential is computed.
 #pragma once
 
-#include <span>
 #include <string>
-#include <string_view>
 
-#include "scene/workspace/command.h"
-#include "scene/workspace/workspace.h"
+#include "deform/ways.h"
 
 namespace viete::scene {
 
-/// "way_paper", "elements_face", "weights_mean_value": of the command that chooses it.
+/// "way_paper", "elements_face", "weights_mean_value", "blend_srl": of the command that chooses it.
 std::string choice_command_name(deform::Way way);
 std::string choice_command_name(deform::Elements elements);
 std::string choice_command_name(deform::Weights weights);

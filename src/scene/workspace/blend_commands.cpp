@@ -1,0 +1,106 @@
+#include "scene/workspace/blend_commands.h"
+
+#include <algorithm>
+
+#include "scene/document/edit.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/command_tables.h"
+
+namespace viete::scene {
+
+namespace {
+
+template <bool deform::Weighting::*Setting>
+void toggle_weighting(Workspace& w) {
+  Scheme scheme = w.document.scheme;
+  scheme.weighting.*Setting = !(scheme.weighting.*Setting);
+  set_scheme(w.document, scheme);
+}
+
+std::string command_name(const char* choice, const deform::ChoiceEntry& entry) {
+  std::string name = choice + std::string(entry.name);
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+// A way, or one of the choices that ways are made of.
+template <class Entry>
+void add_choices(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
+  for (const Entry& entry : entries)
+    table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, hand_is_free,
+                 [value = entry.value](Workspace& w) {
+                   set_scheme(w.document, deform::chosen(value, w.document.scheme));
+                 });
+}
+
+void add_methods(CommandTable& table) {
+  char digit = '1';
+  for (const auto& entry : sym3::methods())
+    table.add(std::string("method_") + entry.name, {std::string("Method: ") + entry.label, entry.label},
+              entry.sentence, {key(digit++), false, true}, uses_method,
+              [method = entry.method](Workspace& w) { set_method(w.document, method); });
+}
+
+}  // namespace
+
+void add_blend_commands(CommandTable& table) {
+  table.heading("Method");
+  add_methods(table);
+  table.heading("Blend");
+  add_choices(table, deform::all_ways(), "Way");
+  add_choices(table, deform::all_elements(), "Elements");
+  add_choices(table, deform::all_weights(), "Weights");
+  add_choices(table, deform::all_blends(), "Blend");
+  table
+      .add("toggle_stitched", {"Stitch the model (ARAP)", "Stitched (ARAP)"},
+           "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are "
+           "solved for. Details keep their shape; a frame takes longer.",
+           with_free_hand<has_maps>,
+           [](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); })
+      .shown_as([](const Workspace& w) { return w.document.scheme.stitched(); });
+  table.add("toggle_clamp", "No negative weights",
+            "Weights below 0 become 0, and what they took from the others with them.",
+            with_free_hand<has_clamp>, toggle_weighting<&deform::Weighting::clamp>);
+  table.add("toggle_normalise", "Weights sum to 1",
+            "Every vertex that an element reaches at all follows in full: the motion ends with a jump. Else "
+            "it fades out.",
+            with_free_hand<has_normalise>, toggle_weighting<&deform::Weighting::normalise>);
+  table.add("toggle_as_before", "As before 0.3",
+            "As in sessions before version 0.3: weights spread along the surface alone, so that parts of a "
+            "model come apart, and radii are parts of a box along the axes.",
+            with_free_hand<changed_in_03>, toggle_weighting<&deform::Weighting::as_before>);
+  table.add("reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", {key('K')},
+            with_free_hand<has_reach>, [](Workspace& w) { step_reach(w.document, -1); });
+  table.add("reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.",
+            {key('K'), false, true}, with_free_hand<has_reach>,
+            [](Workspace& w) { step_reach(w.document, 1); });
+  table.heading("Method");
+  table
+      .add("toggle_same_path", "Compare on the same path",
+           "Run Fast link by link in double, too, as the other methods run, so that times compare like with "
+           "like; else its frame is fused, in float.",
+           uses_method, toggle<&ViewOptions::same_path>)
+      .shown_as(shown<&ViewOptions::same_path>);
+  table.add("run_benchmark", {"Measure every method", "Measure"},
+            "Measure every method on random matrices, beside the view.", is_not_measuring,
+            [](Workspace& w) { w.requests.run_benchmark = true; });
+  table
+      .add("stop_benchmark", {"Stop measuring", "Cancel"}, "Stop measuring; what was measured before stays.",
+           is_measuring, [](Workspace& w) { w.requests.stop_benchmark = true; })
+      .while_it_can();
+}
+
+std::string choice_command_name(deform::Way way) {
+  return command_name("way_", deform::entry(way));
+}
+std::string choice_command_name(deform::Elements elements) {
+  return command_name("elements_", deform::entry(elements));
+}
+std::string choice_command_name(deform::Weights weights) {
+  return command_name("weights_", deform::entry(weights));
+}
+std::string choice_command_name(deform::Blend blend) {
+  return command_name("blend_", deform::entry(blend));
+}
+
+}  // namespace viete::scene

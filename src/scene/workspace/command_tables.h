@@ -1,0 +1,56 @@
+// The commands, a table a topic: each is in the unit that has its name. A new command is one row.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/workspace/command.h"
+
+namespace viete::scene {
+
+/// Rows in the order of the help.
+class CommandTable {
+public:
+  /// Of the rows that come next.
+  void heading(std::string_view group) { group_ = group; }
+
+  /// What else a row carries is said behind it: valid until the next one.
+  Command& add(std::string name, Label label, std::string hint, const Condition& enabled,
+               std::function<void(Workspace&)> run) {
+    return add(std::move(name), std::move(label), std::move(hint), Shortcut{}, enabled, std::move(run));
+  }
+  Command& add(std::string name, Label label, std::string hint, Shortcut shortcut, const Condition& enabled,
+               std::function<void(Workspace&)> run) {
+    return rows_.emplace_back(Command{std::move(name), std::move(label.words), std::move(label.brief),
+                                      std::move(hint), enabled, std::move(run), group_, shortcut});
+  }
+  /// One of several that exclude each other: in a menu of their own, and elsewhere behind its title.
+  void choice(std::string name, std::string_view submenu, std::string_view label, std::string_view hint,
+              const Condition& enabled, std::function<void(Workspace&)> run) {
+    const std::string brief(label);
+    add(std::move(name), {std::string(submenu) + ": " + brief, brief}, std::string(hint), enabled,
+        std::move(run))
+        .under(submenu);
+  }
+
+  const std::vector<Command>& rows() const { return rows_; }
+
+private:
+  std::string_view group_;
+  std::vector<Command> rows_;
+};
+
+void add_file_commands(CommandTable& table);
+void add_select_commands(CommandTable& table);  ///< and those of undo
+void add_cage_commands(CommandTable& table);
+void add_tool_commands(CommandTable& table);  ///< and those of probes
+void add_blend_commands(CommandTable& table);
+void add_camera_commands(CommandTable& table);  ///< and those of marks
+void add_view_commands(CommandTable& table);    ///< what is shown, and how
+void add_help_commands(CommandTable& table);
+void add_hand_commands(CommandTable& table);
+void add_time_commands(CommandTable& table);            ///< of poses with names and of time
+void add_animation_file_commands(CommandTable& table);  ///< files of both
+
+}  // namespace viete::scene

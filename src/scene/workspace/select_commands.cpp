@@ -1,0 +1,221 @@
+#include "scene/workspace/command_tables.h"
+
+#include <array>
+#include <utility>
+
+#include "scene/document/edge_rings.h"
+#include "scene/document/edit.h"
+#include "scene/document/elements.h"
+#include "scene/document/selecting.h"
+#include "scene/document/selection_sets.h"
+#include "scene/hand/mirror_edit.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/pointer.h"
+
+namespace viete::scene {
+
+namespace {
+
+// What is under the cursor may be of another kind then.
+void step_back(Workspace& w) {
+  undo(w.document);
+  w.interaction.hovered.reset();
+}
+
+void step_forth(Workspace& w) {
+  redo(w.document);
+  w.interaction.hovered.reset();
+}
+
+std::size_t selectable(const Workspace& w) {
+  return element_count(w.document, w.document.selection.kind());
+}
+
+void select_everything(Workspace& w) {
+  Selection all(w.document.selection.kind());
+  all.select_all(selectable(w));
+  set_selection(w.document, std::move(all));
+}
+
+void select_nothing(Workspace& w) {
+  set_selection(w.document, Selection(w.document.selection.kind()));
+}
+
+void invert_selection(Workspace& w) {
+  Selection inverted = w.document.selection;
+  inverted.invert(selectable(w));
+  set_selection(w.document, std::move(inverted));
+}
+
+// What is selected and under the cursor.
+Selection selection_at_hand(const Workspace& w) {
+  Selection selection = w.document.selection;
+  if (w.interaction.hovered && *w.interaction.hovered < selectable(w))
+    selection.apply(std::array{*w.interaction.hovered}, SelectMode::add);
+  return selection;
+}
+
+void select_linked(Workspace& w) {
+  set_selection(w.document, linked(*w.document.cage, selection_at_hand(w)));
+}
+
+template <Selection (*Change)(const deform::Cage&, const Selection&)>
+void change_selection(Workspace& w) {
+  set_selection(w.document, Change(*w.document.cage, w.document.selection));
+}
+
+template <Selection (*Change)(const deform::Cage&, std::span<const mesh::Point>, const Selection&)>
+void select_like(Workspace& w) {
+  set_selection(w.document, Change(*w.document.cage, w.document.pose.positions, w.document.selection));
+}
+
+void select_loop(Workspace& w) {
+  Selection loop = looped(*w.document.cage, w.document.selection);
+  if (loop == w.document.selection)
+    w.messages.info("No loop goes on from there: select an edge, or two neighbouring vertices or faces.");
+  set_selection(w.document, std::move(loop));
+}
+
+void select_ring(Workspace& w) {
+  Selection ring = ringed(*w.document.cage, w.document.selection);
+  if (ring == w.document.selection)
+    w.messages.info(
+        "No ring goes on from there: select an edge, or two neighbouring vertices, of a quad or of two "
+        "triangles that make one.");
+  set_selection(w.document, std::move(ring));
+}
+
+// What lies at rest on one side of the model's middle.
+void add_side_command(CommandTable& table, int axis, bool positive) {
+  const char letter = static_cast<char>('x' + axis);
+  const std::string side{static_cast<char>('X' + axis), ' ', positive ? '+' : '-'},
+      word = positive ? "positive" : "negative";
+  const auto select = [=](Workspace& w) {
+    const double middle = w.document.model.bounds.center()[static_cast<std::size_t>(axis)];
+    set_selection(w.document, on_side(*w.document.cage, w.document.selection.kind(), axis, positive, middle));
+  };
+  table
+      .add(std::string("side_") + letter + '_' + word, {"Select side " + side, side},
+           "Select what of the cage is at rest on the " + word + " side of the model's middle along " +
+               side.front() + '.',
+           with_free_hand<selects_of_cage>, select)
+      .under("Side");
+}
+
+template <void (*Change)(Document&)>
+void change_groups(Workspace& w) {
+  Change(w.document);
+  w.interaction.hovered.reset();
+}
+
+template <SelectShape Shape>
+void arm_shape(Workspace& w) {
+  arm(w, Shape);
+  w.interaction.handle.reset();
+  w.interaction.hovered.reset();
+}
+
+template <SelectShape Shape>
+bool armed(const Workspace& w) {
+  return w.interaction.armed == Shape;
+}
+
+template <ElementKind Kind>
+void select_by(Workspace& w) {
+  select_kind(w.document, Kind);
+  w.interaction.hovered.reset();
+}
+
+}  // namespace
+
+void add_select_commands(CommandTable& table) {
+  table.heading("Edit");
+  table.add("undo", "Undo", "Take the last edit back.", {key('Z'), true}, can_undo, step_back);
+  table
+      .add("redo", "Redo", "Repeat the edit that was taken back.", {key('Z'), true, true}, can_redo,
+           step_forth)
+      .or_by({key('Y'), true});
+  table.add("reset_pose", "Reset pose", "Put the whole cage and all probes back to rest.", {key('R'), true},
+            is_posed, [](Workspace& w) { reset_pose(w.document); });
+  table.add("reset_selected", "Reset selected", "Put what is selected back to rest.", {Key::delete_key},
+            has_posed_selection, [](Workspace& w) { reset_selected(w.document, mirror_of(w)); });
+  table.heading("Select");
+  table.add("select_vertices", {"Select vertices", "Vertices"}, "Select vertices of the cage.", {key('1')},
+            hand_is_free, select_by<ElementKind::vertex>);
+  table.add("select_edges", {"Select edges", "Edges"}, "Select edges of the cage.", {key('2')}, hand_is_free,
+            select_by<ElementKind::edge>);
+  table.add("select_faces", {"Select faces", "Faces"}, "Select faces of the cage.", {key('3')}, hand_is_free,
+            select_by<ElementKind::face>);
+  table.add("select_probes", {"Select probes", "Probes"}, "Select probes.", {key('4')}, hand_is_free,
+            select_by<ElementKind::probe>);
+  table
+      .add("select_all", {"Select all", "All"}, "Select the whole cage, or all probes.", {key('A')},
+           with_free_hand<has_elements>, select_everything)
+      .or_by({key('A'), true});
+  table.add("select_none", {"Select nothing", "None"}, "Select nothing.", {key('A'), false, true},
+            with_free_hand<has_selection>, select_nothing);
+  table.add("invert_selection", {"Invert selection", "Invert"}, "Select what is not selected.",
+            {key('I'), true}, with_free_hand<has_elements>, invert_selection);
+  table
+      .add("select_linked", {"Select linked", "Linked"},
+           "Select what is connected with it or with what is under the cursor.", {key('L')},
+           with_free_hand<has_selection_or_hover>, select_linked)
+      .or_by({key('L'), true});
+  table
+      .add("select_box", {"Select with a box", "Box"},
+           "Draw a box from anywhere, also from on a vertex; Shift adds, Ctrl removes.", {key('B')},
+           can_draw_selection, arm_shape<SelectShape::box>)
+      .shown_as(armed<SelectShape::box>);
+  table
+      .add("select_lasso", {"Select with a lasso", "Lasso"},
+           "Draw a line around what to select; Shift adds, Ctrl removes.", {key('B'), false, true},
+           can_draw_selection, arm_shape<SelectShape::lasso>)
+      .shown_as(armed<SelectShape::lasso>);
+  table
+      .add("select_brush", {"Select with a brush", "Brush"},
+           "Select with a circle that the wheel sizes; Ctrl removes, Esc puts it away.",
+           {key('C'), false, true}, can_draw_selection, arm_shape<SelectShape::brush>)
+      .shown_as(armed<SelectShape::brush>);
+  table
+      .add("stop_selecting", {"Stop selecting with a shape", "Done"}, "Put box, lasso or brush away.",
+           {Key::escape}, is_armed, disarm)
+      .or_by({Key::enter})
+      .while_it_can();
+  table.add("select_more", {"Grow selection", "Grow"}, "Select what is next to it, too.", {Key::up, true},
+            with_free_hand<has_selection_of_cage>, change_selection<grown>);
+  table.add("select_less", {"Shrink selection", "Shrink"}, "Leave out what is next to what is not selected.",
+            {Key::down, true}, with_free_hand<has_selection_of_cage>, change_selection<shrunk>);
+  table.add("select_loop", {"Select loop", "Loop"},
+            "Select the loop of an edge, or of two neighbouring vertices or faces.", {key('L'), false, true},
+            with_free_hand<has_selection_of_cage>, select_loop);
+  table.add("select_ring", {"Select ring", "Ring"},
+            "Select edges that lie opposite, across quads and pairs of triangles that make one.",
+            {key('R'), false, true}, with_free_hand<has_selection_of_cage>, select_ring);
+  table.add("select_similar", {"Select similar", "Similar"},
+            "Select vertices with as many edges, edges as long, faces as large.", {key('S'), false, true},
+            with_free_hand<has_selection_of_cage>, select_like<similar>);
+  table.add("select_facing", {"Select what faces alike", "Facing"},
+            "Select faces that look the same way, or edges that are parallel, within 15 degrees.",
+            with_free_hand<has_selection_of_cage>, select_like<facing>);
+  for (const int axis : {0, 1, 2}) {
+    for (const bool positive : {false, true}) add_side_command(table, axis, positive);
+  }
+  table.add("hide_selected", {"Hide selected", "Hide"},
+            "Hide what is selected: it is not touched until all is shown again.", {key('H'), false, true},
+            with_free_hand<has_selection_of_cage>, change_groups<hide_selected>);
+  table.add("hide_others", {"Hide all but selected", "Only these"},
+            "Hide everything of the cage but what is selected.", {key('H'), true, true},
+            with_free_hand<has_selection_of_cage>, change_groups<hide_others>);
+  table.add("show_hidden", {"Show all that is hidden", "Show all"}, "Show everything of the cage again.",
+            {key('H'), true}, with_free_hand<has_hidden>, change_groups<show_all>);
+  table.add("save_set", {"Keep selection as a set", "Keep as set"},
+            "Keep what is selected as a set, to be selected again by its name.",
+            with_free_hand<has_selection_of_cage>, change_groups<save_set>);
+  table
+      .add("toggle_select_visible", {"Select visible only", "Visible only"},
+           "The mouse selects only what neither model nor cage hide.", {key('Z')}, always,
+           toggle<&ViewOptions::select_visible>)
+      .shown_as(shown<&ViewOptions::select_visible>);
+}
+
+}  // namespace viete::scene
