@@ -21,6 +21,7 @@
 #include "bench/stitched.h"
 #include "bench/sym3.h"
 #include "bench/time.h"
+#include "mesh/formats/format.h"
 #include "sym3/kernel.h"
 
 namespace viete::app {
@@ -111,8 +112,7 @@ int run_accuracy(const BenchOptions& options) {
 
 template <class Options>
 CLI::Option* add_model_and_cage(CLI::App& command, Options& options, const char* usual_cage) {
-  add_file_option(command, "MODEL", options.model, "Mesh (OBJ, PLY, OFF, STL, glTF)")
-      ->default_str("the bundled dragon");
+  add_file_option(command, "MODEL", options.model, mesh::a_mesh())->default_str("the bundled dragon");
   return add_file_option(command, "CAGE", options.cage, "Cage around it, at rest")->default_str(usual_cage);
 }
 
@@ -160,7 +160,7 @@ void add_files_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand("files", "Reading and writing a model, beside OpenMesh's reader");
   auto options = std::make_shared<bench::FilesOptions>();
   auto files = std::make_shared<BenchFiles>();
-  add_file_option(*command, "MODEL", options->model, "Mesh (OBJ, PLY, OFF, STL, glTF)")
+  add_file_option(*command, "MODEL", options->model, mesh::a_mesh())
       ->default_str("an OBJ of a million triangles");
   add_rounds_option(*command, options->rounds, "5");
   add_bench_files(*command, *files);
@@ -179,8 +179,7 @@ void add_cage_bench(CLI::App& bench, Action& action) {
       bench.add_subcommand("cage", "Cages made around a model, beside an offset that is decimated");
   auto options = std::make_shared<bench::CageOptions>();
   auto files = std::make_shared<BenchFiles>();
-  add_file_option(*command, "MODEL", options->model, "Mesh (OBJ, PLY, OFF, STL, glTF)")
-      ->default_str("the bundled dragon");
+  add_file_option(*command, "MODEL", options->model, mesh::a_mesh())->default_str("the bundled dragon");
   add_bench_files(*command, *files);
   command->callback([options, files, &action] {
     action = [options, files] {

@@ -17,6 +17,7 @@
 #include "cages/closeness.h"
 #include "cages/make.h"
 #include "cages/soundness.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 
@@ -106,7 +107,7 @@ void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const 
   throw base::Error(
       file.string(),
       "glTF's numbers have 7 digits, of which too few are left here to place the cage's vertices",
-      "write it as .obj, .ply or .off");
+      "write it as " + mesh::format_extensions(mesh::keeps_order));
 }
 
 // Options of other kinds of cages.
@@ -142,12 +143,11 @@ int make_cage(const CageOptions& options) {
   }
   work.reset();  // its line gives way to what is said
   const double seconds = 1e-3 * watch.lap_ms();
-  const std::string format = mesh::extension_of(options.output);
-  const bool is_gltf = format == "glb" || format == "gltf";
-  if (is_gltf) check_rounded(options.output, made.surface, model.surface, pool);
+  const mesh::Format& format = mesh::surface_format(options.output);
+  if (format.holds_morphs) check_rounded(options.output, made.surface, model.surface, pool);
   print_notes(made.notes);
   mesh::write(options.output, made.surface, {"cage of " + options.model.filename().string()});
-  print(made, model.surface, !is_gltf && format != "stl", pool, seconds);
+  print(made, model.surface, format.keeps_order, pool, seconds);
   return exit_ok;
 }
 
@@ -157,7 +157,7 @@ void add_cage_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("cage", "Make a cage around a mesh and write it");
   auto o = std::make_shared<CageOptions>();
   cages::Wish& wish = o->wish;
-  command->add_option("MODEL", o->model, "Mesh (OBJ, PLY, OFF, STL, glTF)")->required();
+  command->add_option("MODEL", o->model, mesh::a_mesh())->required();
   add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
       ->required();
   add_force_option(*command, o->force);

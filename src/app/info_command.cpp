@@ -10,6 +10,7 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "base/quantity.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/read.h"
 #include "mesh/topology.h"
 #include "scene/document/checks.h"
@@ -101,8 +102,9 @@ void add_info_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("info", "Say what surface files hold, and what is odd about them");
   auto files = std::make_shared<std::vector<fs::path>>();
   auto cage = std::make_shared<fs::path>();
-  command->add_option("FILE", *files,
-                      "OBJ, PLY, OFF, STL or glTF files (default: the bundled model in its cage)");
+  command->add_option(
+      "FILE", *files,
+      mesh::format_names(mesh::holds_surface) + " files (default: the bundled model in its cage)");
   add_file_option(*command, "--cage", *cage, "Check this cage around them too");
   command->callback([files, cage, &action] {
     action = [files, cage] {

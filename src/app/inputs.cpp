@@ -7,6 +7,7 @@
 #include "app/words.h"
 #include "base/error.h"
 #include "base/printable.h"
+#include "mesh/formats/format.h"
 
 namespace viete::app {
 
@@ -15,9 +16,9 @@ namespace fs = std::filesystem;
 namespace {
 
 void add_files(CLI::App& app, Inputs& inputs) {
-  auto* model = add_file_option(
-      app, "MODEL", inputs.model,
-      "Mesh (OBJ, PLY, OFF, STL, glTF), or a session (.viete), which names its own cage and pose");
+  auto* model =
+      add_file_option(app, "MODEL", inputs.model,
+                      mesh::a_mesh() + ", or a session (.viete), which names its own cage and pose");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
   add_file_option(app, "CAGE", inputs.cage, "Cage around it, at rest");
   if (inputs.use == Use::binding || inputs.use == Use::animation) return;

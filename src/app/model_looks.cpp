@@ -60,7 +60,6 @@ private:
   // The file gives its corners the normal of the face, where that of all faces around is another.
   bool stands_across_an_edge(const Triangle& t) const {
     if (given_.corner_normal.empty()) return false;
-    using mesh::operator-;
     const auto& p = surface_.positions;
     const mesh::Vec3 face =
         mesh::cross(p[t.vertices[1]] - p[t.vertices[0]], p[t.vertices[2]] - p[t.vertices[0]]);

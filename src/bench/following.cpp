@@ -13,7 +13,7 @@ namespace viete::bench {
 
 namespace {
 
-using mesh::norm, mesh::Point, mesh::operator+, mesh::operator-, mesh::operator*;
+using mesh::norm, mesh::Point;
 
 Point moved_by(const WholePose& pose, const Point& middle, double diagonal, const Point& p) {
   const auto& m = pose.linear;

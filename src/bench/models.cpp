@@ -12,7 +12,7 @@ namespace viete::bench {
 
 namespace {
 
-using mesh::cross, mesh::dot, mesh::Point, mesh::operator-;
+using mesh::cross, mesh::dot, mesh::Point;
 
 // A spiral of points from pole to pole (Fibonacci lattice).
 std::vector<Point> directions(std::size_t count) {

@@ -16,7 +16,6 @@ namespace viete::bench {
 namespace {
 
 using mesh::cross, mesh::dot, mesh::norm, mesh::Point, mesh::squared_norm;
-using mesh::operator-, mesh::operator*;
 
 bool has_area(std::span<const Point> p, const mesh::Triangle& t) {
   return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]);

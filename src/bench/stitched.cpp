@@ -12,20 +12,19 @@
 #include "bench/bars.h"
 #include "bench/models.h"
 #include "bench/rounds.h"
+#include "deform/bind.h"
 #include "deform/blend.h"
 #include "deform/deformer.h"
+#include "deform/laplacian.h"
 #include "deform/pose_io.h"
 #include "deform/stitching.h"
 #include "mesh/normals.h"
-#include "deform/bind.h"
-#include "deform/laplacian.h"
 
 namespace viete::bench {
 
 namespace {
 
 using deform::Vec3;
-using mesh::operator+, mesh::operator-, mesh::operator*;
 
 Vec3 times(const sym3::Mat3<double>& m, const Vec3& x) {
   return {m[0] * x[0] + m[1] * x[1] + m[2] * x[2], m[3] * x[0] + m[4] * x[1] + m[5] * x[2],
@@ -62,7 +61,7 @@ public:
     for (const auto& [a, b, c] : stitching.triangles)
       centers.positions.push_back((1.0 / 3) * (model.positions[a] + model.positions[b] + model.positions[c]));
     binding_ = deform::bind(centers, *cage, {}, pool);
-    sums_.resize(centers.positions.size());
+    sums_.resize(centers.positions.size() * deform::log_shape.columns);
   }
 
   void deform(const deform::Pose& pose) {
@@ -100,7 +99,8 @@ private:
 
   void load(std::size_t t) {
     const auto& [a, b, c] = stitching_.triangles[t];
-    const auto m = linear(sums_.stretch[t], sums_.rotation[t]);
+    const double* s = sums_.data() + t * deform::log_shape.columns;
+    const auto m = linear({s[0], s[1], s[2], s[3], s[4], s[5]}, {s[6], s[7], s[8]});
     const Vec3 first = times(m, stitching_.gradients[t][0]), second = times(m, stitching_.gradients[t][1]);
     add(a, first), add(b, second), add(c, Vec3{0, 0, 0} - (first + second));
   }
@@ -120,7 +120,7 @@ private:
   const deform::Stitching& stitching_;
   deform::Binding binding_;  // of the triangles' centres
   deform::CageState state_;
-  deform::BlendedLogs sums_;
+  std::vector<double> sums_;
   std::vector<mesh::Point> positions_, normals_;
   mesh::Adjacency around_;
   Eigen::MatrixXd right_, solution_;

@@ -18,11 +18,11 @@
 #include "bench/models.h"
 #include "bench/rest_model.h"
 #include "bench/table.h"
+#include "deform/bind.h"
 #include "deform/deformer.h"
 #include "deform/tiled_binding.h"
 #include "scene/document/animation.h"
 #include "scene/files/open.h"
-#include "deform/bind.h"
 
 namespace viete::bench {
 
@@ -218,7 +218,7 @@ Bar::Bar()
 
 Timeline Bar::turned() const {
   deform::Pose pose = deform::rest_pose(*cage);
-  for (auto& [x, y, z] : pose.positions) y = -y, z = -z;
+  for (mesh::Point& p : pose.positions) p = {p[0], -p[1], -p[2]};
   pose.turns = {{std::numbers::pi, 0, 0}};
   return between(*cage, std::move(pose));
 }

@@ -11,7 +11,7 @@ namespace viete::bench {
 
 namespace {
 
-using mesh::norm, mesh::operator-;
+using mesh::norm;
 
 constexpr double nearby = 0.01, touching = 0.001;  // of the diagonal
 constexpr std::size_t most_starts = 20000;

@@ -15,7 +15,6 @@
 namespace viete::cages {
 
 using mesh::Point, mesh::Vec3;
-using mesh::operator+, mesh::operator-, mesh::operator*;
 
 /// Nodes of a regular grid. With `mirrored`, the nodes i = 0 lie in the plane x = 0 and stand for both sides.
 struct Grid {
@@ -61,7 +60,7 @@ public:
   bool is_clear(const mesh::Corners& t, double margin) const;
 
 private:
-  using Place = std::array<float, 3>;  // in steps from the grid's origin
+  using Place = mesh::Vec3f;  // in steps from the grid's origin
   Place in_steps(const Point& p) const;
   float at(const Place& p) const;
   bool is_clear(const Place& a, const Place& b, const Place& c, float radius, float margin) const;

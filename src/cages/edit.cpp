@@ -16,7 +16,6 @@ namespace viete::cages {
 namespace {
 
 using mesh::Point, mesh::Surface, mesh::Vec3;
-using mesh::operator+, mesh::operator-, mesh::operator*;
 using Polygon = std::vector<std::uint32_t>;
 
 mesh::Edge edge_of(std::uint32_t a, std::uint32_t b) {

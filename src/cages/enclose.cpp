@@ -13,7 +13,6 @@ namespace viete::cages {
 namespace {
 
 using mesh::Point, mesh::Surface, mesh::Vec3;
-using mesh::operator+, mesh::operator-, mesh::operator*;
 
 double signed_volume(const Surface& cage) {
   const Point middle = mesh::used_bounds(cage).center();

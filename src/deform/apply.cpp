@@ -1,6 +1,10 @@
 #include "deform/apply.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 #include "deform/linear_map.h"
 #include "deform/map_rows.h"
@@ -22,17 +26,6 @@ Vec3 staying(const Binding& binding, double share, std::size_t i) {
 
 }  // namespace
 
-void share_sums(const Binding& binding, const Shares& shares, std::size_t begin, std::size_t end,
-                BlendedLogs& sums) {
-  for (std::size_t i = begin; i < (shares.empty() ? begin : end); ++i) {
-    const double s = shares[i];
-    auto& x = sums.stretch[i];
-    x = {s * x.xx, s * x.xy, s * x.xz, s * x.yy, s * x.yz, s * x.zz};
-    sums.rotation[i] = s * sums.rotation[i];
-    sums.center[i] = s * sums.center[i] + staying(binding, s, i);
-  }
-}
-
 void share_sums(const Binding& binding, const Shares& shares, RowForm form, std::size_t begin,
                 std::size_t end, std::span<double> sums) {
   const std::size_t columns = shape(form).columns, center = shape(form).center;
@@ -41,15 +34,6 @@ void share_sums(const Binding& binding, const Shares& shares, RowForm form, std:
     for (double& sum : of) sum *= shares[i];
     const Vec3 rest = staying(binding, shares[i], i);
     for (std::size_t c = center; c < columns; ++c) of[c] += rest[c - center];
-  }
-}
-
-void apply(const Binding& binding, const Shares& shares, const BlendedLogs& sums,
-           std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
-           std::size_t end, std::span<mesh::Point> positions) {
-  for (std::size_t i = begin; i < end; ++i) {
-    const Vec3 stretched = times(stretches[i], offset_of(binding, shares, i));
-    positions[i] = origin + (times(sym3::exp_rotation(sums.rotation[i]), stretched) + sums.center[i]);
   }
 }
 
@@ -106,9 +90,10 @@ Vec3 moved_by_affine_log(Sums s, const Vec3& x, const Vec3& o) {
   return center + (o + phi_times(l, times(l, o) + u));
 }
 
-// Relative to the pose's origin; stretched of screws: exp(X) o.
+// Relative to the pose's origin; stretched_offset: exp(X) o, of forms that have X.
 Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o, const Vec3& stretched_offset) {
   switch (form) {
+    case RowForm::logs: return times(sym3::exp_rotation(three(s, 6)), stretched_offset) + three(s, 9);
     case RowForm::maps: return x + (times(nine(s), x) + three(s, 9));
     case RowForm::positions: return three(s, 0) + o;
     case RowForm::stretches: return times(sym3::exp_rotation(three(s, 6)), stretched(s, o)) + three(s, 9);
@@ -116,12 +101,11 @@ Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o, const Vec3& stret
     case RowForm::matrix_logs: return times(matrix_exp(nine(s)), o) + three(s, 9);
     case RowForm::screws: return moved_by_screw(s, x, o, stretched_offset);
     case RowForm::affine_logs: return moved_by_affine_log(s, x, o);
-    case RowForm::logs:
     case RowForm::affine_moments:
     case RowForm::similar_moments:
     case RowForm::rigid_moments: break;
   }
-  assert(false);  // logs go the way of exp, moments that of place_by_moments()
+  assert(false);  // these go the way of place_by_moments()
   return x;
 }
 
@@ -131,15 +115,17 @@ void apply(const Binding& binding, const Shares& shares, RowForm form, Sums sums
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions) {
   const std::size_t columns = shape(form).columns;
+  const bool stretches_offsets = has_stretch_logs(form);
   for (std::size_t i = begin; i < end; ++i) {
     const Vec3 x = binding.rest[i] - binding.rest_origin, o = offset_of(binding, shares, i);
-    const Vec3 stretched_offset = form == RowForm::screws ? times(stretches[i], o) : o;
+    const Vec3 stretched_offset = stretches_offsets ? times(stretches[i], o) : o;
     positions[i] = origin + moved(form, sums.subspan(i * columns, columns), x, o, stretched_offset);
   }
 }
 
 void exponentiate(RowForm form, Sums sums, sym3::Method method, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs, std::span<sym3::Sym3<double>> stretches) {
+  if (!has_stretch_logs(form)) return;
   const std::size_t columns = shape(form).columns;
   for (std::size_t i = begin; i < end; ++i) {
     const double* x = sums.data() + i * columns;
@@ -148,24 +134,38 @@ void exponentiate(RowForm form, Sums sums, sym3::Method method, std::size_t begi
   sym3::exp<double>(logs.subspan(begin, end - begin), stretches.subspan(begin, end - begin), method);
 }
 
-void place_sums(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
-                sym3::Method method, std::span<mesh::Point> positions) {
+namespace {
+
+using Stretch = sym3::Sym3<double>;
+
+double squared_frobenius(const Stretch& m) {
+  return m.xx * m.xx + m.yy * m.yy + m.zz * m.zz + 2 * (m.xy * m.xy + m.xz * m.xz + m.yz * m.yz);
+}
+
+double relative_difference(const Stretch& a, const Stretch& b) {
+  const Stretch d{a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
+  const double difference = std::sqrt(squared_frobenius(d) / squared_frobenius(b));
+  return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+}
+
+double worst_difference(std::span<const Stretch> computed, std::span<const Stretch> logs) {
+  std::vector<Stretch> exact(logs.size());
+  sym3::exp<double>(logs, exact);
+  double worst = 0;
+  for (std::size_t i = 0; i < logs.size(); ++i)
+    worst = std::max(worst, relative_difference(computed[i], exact[i]));
+  return worst;
+}
+
+}  // namespace
+
+double place_sums(const Binding& binding, RowForm form, Sums sums, const Vec3& origin, sym3::Method method,
+                  std::span<mesh::Point> positions, bool error) {
   const std::size_t n = positions.size();
-  BlendedLogs logs;
-  logs.resize(n);
-  std::vector<sym3::Sym3<double>> stretches(n);
-  if (form != RowForm::logs) {
-    if (has_stretch_logs(form)) exponentiate(form, sums, method, 0, n, logs.stretch, stretches);
-    return apply(binding, binding.shares, form, sums, stretches, origin, 0, n, positions);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const Sums s = sums.subspan(i * log_shape.columns, log_shape.columns);
-    logs.stretch[i] = {s[0], s[1], s[2], s[3], s[4], s[5]};
-    logs.rotation[i] = three(s, 6);
-    logs.center[i] = three(s, 9);
-  }
-  sym3::exp<double>(logs.stretch, stretches, method);
-  apply(binding, binding.shares, logs, stretches, origin, 0, n, positions);
+  std::vector<Stretch> logs(has_stretch_logs(form) ? n : 0), stretches(logs.size());
+  exponentiate(form, sums, method, 0, n, logs, stretches);
+  apply(binding, binding.shares, form, sums, stretches, origin, 0, n, positions);
+  return error && method != sym3::Method::fast ? worst_difference(stretches, logs) : 0;
 }
 
 }  // namespace viete::deform

@@ -10,28 +10,23 @@ namespace viete::deform {
 
 /// What shares make of the sums of vertices [begin, end): they count so many times, and centres are
 /// completed. Nothing where shares are empty.
-void share_sums(const Binding& binding, const Shares& shares, std::size_t begin, std::size_t end,
-                BlendedLogs& sums);
 void share_sums(const Binding& binding, const Shares& shares, RowForm form, std::size_t begin,
                 std::size_t end, std::span<double> sums);
 
-/// Vertices [begin, end) of positions, sums being shared already. For logs x' = origin + (exp(Y) exp(X) o +
-/// c'), stretches being exp(X), link 4: sym3::exp of sums.stretch. The forms and their letters: RowForm.
-void apply(const Binding& binding, const Shares& shares, const BlendedLogs& sums,
-           std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
-           std::size_t end, std::span<mesh::Point> positions);
-/// Of any other form, sums being [vertex][column]; stretches of screws alone.
+/// Link 4, of forms with logs of stretches: their exponentials for vertices [begin, end).
+void exponentiate(RowForm form, std::span<const double> sums, sym3::Method method, std::size_t begin,
+                  std::size_t end, std::span<sym3::Sym3<double>> logs,
+                  std::span<sym3::Sym3<double>> stretches);
+
+/// Vertices [begin, end) of positions, sums being shared already and of any form but moments. For logs
+/// x' = origin + (exp(Y) exp(X) o + c'), stretches being exp(X). The forms and their letters: RowForm.
 void apply(const Binding& binding, const Shares& shares, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);
 
-/// Link 4 of screws: the exponentials of the first six columns of vertices [begin, end).
-void exponentiate(RowForm form, std::span<const double> sums, sym3::Method method, std::size_t begin,
-                  std::size_t end, std::span<sym3::Sym3<double>> logs,
-                  std::span<sym3::Sym3<double>> stretches);
-/// Links 4 and 5 of any form, of sums that are shared already: all vertices of the binding, whose rest,
-/// rest_origin, offsets and shares count.
-void place_sums(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
-                sym3::Method method, std::span<mesh::Point> positions);
+/// Links 4 and 5, of sums that are shared already: all vertices of the binding, whose rest, rest_origin,
+/// offsets and shares count. Returns what place_vertices() does, if `error` is asked for.
+double place_sums(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
+                  sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
 }  // namespace viete::deform

@@ -13,11 +13,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
-static const BindKernel bind = {inverse_distance, inverse_distance_rows,
-                                cut_off,          cut_off_rows,
-                                integrated,       integrated_rows,
-                                mean_value,       to_rows,
-                                take_out,         solve};
+static constexpr BindKernel bind = {.inverse_distance = inverse_distance,
+                                    .inverse_distance_rows = inverse_distance_rows,
+                                    .cut_off = cut_off,
+                                    .cut_off_rows = cut_off_rows,
+                                    .integrated = integrated,
+                                    .integrated_rows = integrated_rows,
+                                    .mean_value = mean_value,
+                                    .to_rows = to_rows,
+                                    .take_out = take_out,
+                                    .solve = solve};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -41,19 +41,6 @@ void for_rows(const Binding& binding, const double* table, std::size_t begin, st
   }
 }
 
-}  // namespace
-
-void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end, BlendedLogs& sums) {
-  constexpr std::size_t n = log_shape.columns;
-  for_rows<2, n>(binding, rows.values.data(), begin, end, [&](std::size_t i, const double(&s)[n]) {
-    sums.stretch[i] = {s[0], s[1], s[2], s[3], s[4], s[5]};
-    sums.rotation[i] = {s[6], s[7], s[8]};
-    sums.center[i] = {s[9], s[10], s[11]};
-  });
-}
-
-namespace {
-
 template <std::size_t Columns>
 void blend_columns(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
                    std::span<double> sums) {

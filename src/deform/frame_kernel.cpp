@@ -15,13 +15,30 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
-static const FrameKernel frame = {
-    {tile_kernel<ByLogs>(), tile_kernel<ByMaps>(), tile_kernel<ByPositions>(), tile_kernel<ByStretches>(),
-     tile_kernel<ByQuaternions>(), tile_kernel<ByMatrixLogs>(), tile_kernel<ByScrews>(),
-     tile_kernel<ByAffineLogs>(), moment_kernel<AffineFit>(), moment_kernel<SimilarFit>(),
-     moment_kernel<RigidFit>()},
-    ring_vertices,
-    ring_high_valence};
+static constexpr TileKernel kernel_of(RowForm form) {
+  switch (form) {
+    case RowForm::logs: return tile_kernel<ByLogs>();
+    case RowForm::maps: return tile_kernel<ByMaps>();
+    case RowForm::positions: return tile_kernel<ByPositions>();
+    case RowForm::stretches: return tile_kernel<ByStretches>();
+    case RowForm::quaternions: return tile_kernel<ByQuaternions>();
+    case RowForm::matrix_logs: return tile_kernel<ByMatrixLogs>();
+    case RowForm::screws: return tile_kernel<ByScrews>();
+    case RowForm::affine_logs: return tile_kernel<ByAffineLogs>();
+    case RowForm::affine_moments: return moment_kernel<AffineFit>();
+    case RowForm::similar_moments: return moment_kernel<SimilarFit>();
+    case RowForm::rigid_moments: return moment_kernel<RigidFit>();
+  }
+  return {};
+}
+
+static constexpr FrameKernel make_frame() {
+  FrameKernel made{{}, ring_vertices, ring_high_valence};
+  for (std::size_t form = 0; form < row_forms; ++form) made.forms[form] = kernel_of(RowForm(form));
+  return made;
+}
+static constexpr FrameKernel frame = make_frame();
+static_assert(row_forms == std::size_t(RowForm::rigid_moments) + 1 && frame.forms[row_forms - 1].blend);
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

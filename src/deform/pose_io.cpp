@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
@@ -92,9 +93,12 @@ void check_count(std::size_t found, std::size_t expected, const std::string& fil
 // Its reader joins loose triangles, so that vertices stand in the order in which the faces name them first:
 // the cage's only where the faces come out the same.
 void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::string& file) {
-  if (!read.format.starts_with("STL") || mesh::same_faces(read.surface, cage.surface)) return;
-  throw base::Error(file, "STL keeps no order of the vertices, so that those of the cage are not found again",
-                    "export the pose as OBJ, PLY or OFF");
+  const mesh::Format* format = mesh::format_of_description(read.format);
+  if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;
+  throw base::Error(file,
+                    std::string(format->name) +
+                        " keeps no order of the vertices, so that those of the cage are not found again",
+                    "export the pose as " + mesh::format_names(mesh::keeps_order));
 }
 
 std::string turn_line(std::size_t part, const Vec3& v) {

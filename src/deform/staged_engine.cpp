@@ -23,12 +23,8 @@ StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form,
       normals_(binding_->vertices),
       vertices_(binding_->vertices) {
   const std::size_t n = binding_->vertices;
-  if (form == RowForm::logs) {
-    logs_.resize(n), stretches_.resize(n);
-  } else if (!has_moments(form)) {
-    sums_.resize(n * shape(form).columns);
-    if (has_stretch_logs(form)) logs_.stretch.resize(n), stretches_.resize(n);
-  }
+  if (!has_moments(form)) sums_.resize(n * shape(form).columns);
+  if (has_stretch_logs(form)) logs_.resize(n), stretches_.resize(n);
 }
 
 template <class Body>
@@ -39,11 +35,7 @@ void StagedEngine::for_vertices(const Body& body) {
 void StagedEngine::run(const CageState& state, sym3::Method method) {
   const Rows rows = state.rows();
   times_ = {};
-  if (has_moments(rows.form)) {
-    fit(rows);
-  } else {
-    rows.form == RowForm::logs ? blend_logs(rows, method) : blend_others(rows, method);
-  }
+  has_moments(rows.form) ? fit(rows) : blend_rows(rows, method);
   if (layer_) move_by_probes(method);
   finish(rows.origin);
 }
@@ -54,35 +46,16 @@ void StagedEngine::move_by_probes(sym3::Method method) {
   times_[Link::probes] = watch.lap_ms();
 }
 
-void StagedEngine::blend_logs(const Rows& rows, sym3::Method method) {
+void StagedEngine::blend_rows(const Rows& rows, sym3::Method method) {
   base::Stopwatch watch;
   for_vertices([&](std::size_t begin, std::size_t end) {
-    blend(*binding_, rows, begin, end, logs_);
-    share_sums(*binding_, shares_, begin, end, logs_);
-  });
-  times_[Link::blend] = watch.lap_ms();
-  for_vertices([&](std::size_t begin, std::size_t end) {
-    const std::size_t count = end - begin;
-    sym3::exp<double>(std::span(logs_.stretch).subspan(begin, count),
-                      std::span(stretches_).subspan(begin, count), method);
-  });
-  times_[Link::exp] = watch.lap_ms();
-  for_vertices([&](std::size_t begin, std::size_t end) {
-    apply(*binding_, shares_, logs_, stretches_, rows.origin, begin, end, positions_);
-  });
-  times_[Link::apply] = watch.lap_ms();
-}
-
-void StagedEngine::blend_others(const Rows& rows, sym3::Method method) {
-  base::Stopwatch watch;
-  for_vertices([&](std::size_t begin, std::size_t end) {
-    blend(*binding_, rows, begin, end, std::span(sums_));
+    blend(*binding_, rows, begin, end, sums_);
     share_sums(*binding_, shares_, rows.form, begin, end, sums_);
   });
   times_[Link::blend] = watch.lap_ms();
   if (has_stretch_logs(rows.form)) {
     for_vertices([&](std::size_t begin, std::size_t end) {
-      exponentiate(rows.form, sums_, method, begin, end, logs_.stretch, stretches_);
+      exponentiate(rows.form, sums_, method, begin, end, logs_, stretches_);
     });
     times_[Link::exp] = watch.lap_ms();
   }

@@ -23,13 +23,12 @@ public:
   std::span<const mesh::Point> positions() const { return positions_; }
   std::span<const mesh::Point> normals() const { return normals_; }
   /// Of which the last frame took exponentials; empty if it took none.
-  std::span<const sym3::Sym3<double>> matrices() const { return logs_.stretch; }
+  std::span<const sym3::Sym3<double>> matrices() const { return logs_; }
 
 private:
   template <class Body>
   void for_vertices(const Body& body);
-  void blend_logs(const Rows& rows, sym3::Method method);
-  void blend_others(const Rows& rows, sym3::Method method);
+  void blend_rows(const Rows& rows, sym3::Method method);
   void fit(const Rows& rows);
   void move_by_probes(sym3::Method method);
   void finish(const Vec3& origin);
@@ -37,9 +36,8 @@ private:
   std::shared_ptr<const Binding> binding_;
   base::WorkerPool& pool_;
   Shares shares_;
-  BlendedLogs logs_;
-  std::vector<double> sums_;  // of other forms, but moments
-  std::vector<sym3::Sym3<double>> stretches_;
+  std::vector<double> sums_;                          // [vertex][column], of forms without moments
+  std::vector<sym3::Sym3<double>> logs_, stretches_;  // of forms that have them
   std::vector<mesh::Point> positions_, normals_;
   std::vector<FrameVertex> vertices_;
 };

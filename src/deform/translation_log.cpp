@@ -12,7 +12,6 @@ namespace viete::deform {
 namespace {
 
 using mesh::cross, mesh::dot, mesh::norm, mesh::squared_norm, mesh::Vec3;
-using mesh::operator+, mesh::operator*;
 using Matrix = Eigen::Matrix3d;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 

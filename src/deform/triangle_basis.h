@@ -9,7 +9,6 @@ namespace viete::deform {
 
 using mesh::cross, mesh::dot, mesh::largest_abs, mesh::norm, mesh::relative_to, mesh::squared_norm;
 using mesh::Vec3;
-using mesh::operator+, mesh::operator-, mesh::operator*;
 
 /// Two edges u and v of a triangle from one of its corners, and n = N / sqrt|N|, N = u x v; 0 without area.
 struct TriangleBasis {

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/aligned.h"
+#include "deform/bind_kernel.h"
 #include "deform/cage_state.h"
 #include "deform/cut_off.h"
 #include "deform/distance_triangle.h"
@@ -14,7 +15,6 @@
 #include "deform/mean_value.h"
 #include "mesh/half_edges.h"
 #include "mesh/triangle.h"
-#include "deform/bind_kernel.h"
 
 namespace viete::deform {
 
@@ -24,8 +24,8 @@ namespace {
 template <class Arrays>
 auto numbers(const Arrays& arrays) {
   using Array = typename Arrays::value_type;
-  static_assert(sizeof(Array) == std::tuple_size_v<Array> * sizeof(typename Array::value_type));
-  return reinterpret_cast<const typename Array::value_type(*)[std::tuple_size_v<Array>]>(arrays.data());
+  using Number = typename Array::value_type;
+  return reinterpret_cast<const Number(*)[sizeof(Array) / sizeof(Number)]>(arrays.data());
 }
 
 // Whether the point touches one of these elements.

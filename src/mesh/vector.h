@@ -1,71 +1,11 @@
-// Vectors of three numbers, and the algebra that meshes and cages need.
+// Places and directions, by their names here.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <type_traits>
-#include <vector>
+#include "base/vector.h"
 
 namespace viete::mesh {
 
-using Vec3 = std::array<double, 3>;
-
-using Vec3f = std::array<float, 3>;
-
-// In the numbers of the arguments; where these are only braces, in double.
-template <class T = double>
-std::array<T, 3> operator+(const std::array<T, 3>& a, const std::array<T, 3>& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-template <class T = double>
-std::array<T, 3> operator-(const std::array<T, 3>& a, const std::array<T, 3>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-template <class T = double>
-std::array<T, 3> operator*(std::type_identity_t<T> s, const std::array<T, 3>& a) {
-  return {s * a[0], s * a[1], s * a[2]};
-}
-template <class T = double>
-T dot(const std::array<T, 3>& a, const std::array<T, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/// cross(a, b) == -cross(b, a) to the last bit.
-template <class T = double>
-std::array<T, 3> cross(const std::array<T, 3>& a, const std::array<T, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <class T = double>
-T squared_norm(const std::array<T, 3>& a) {
-  return dot(a, a);
-}
-
-/// For lengths whose squares are within the range of T: 1e-150 to 1e150 in double, 1e-18 to 1e18 in float.
-template <class T = double>
-T norm(const std::array<T, 3>& a) {
-  return std::sqrt(squared_norm(a));
-}
-
-/// For any length; several times as slow.
-inline double stable_norm(const Vec3& a) {
-  return std::hypot(a[0], a[1], a[2]);
-}
-
-inline double largest_abs(const Vec3& a) {
-  return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-}
-
-/// Of the angle between them; -1 where one has no length.
-inline double cosine(const Vec3& a, const Vec3& b) {
-  const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
-  return lengths > 0 ? dot(a, b) / lengths : -1;
-}
-
-inline std::vector<Vec3> relative_to(const Vec3& origin, std::vector<Vec3> points) {
-  for (Vec3& p : points) p = p - origin;
-  return points;
-}
+using base::cosine, base::cross, base::dot, base::largest_abs, base::norm, base::relative_to,
+    base::squared_norm, base::stable_norm, base::Vec3, base::Vec3f;
 
 }  // namespace viete::mesh

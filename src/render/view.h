@@ -11,8 +11,8 @@
 //   lines.draw(view, line_style);                  // hidden parts faint, visible parts full
 //   discs.draw(view, disc_style);
 //   framebuffer.resolve();                         // samples -> pixels; the resolved picture is now bound
-//   whole.begin_with(framebuffer, size);           // another one, so that the view is kept while panels change
-//   imgui_renderer.draw(*ImGui::GetDrawData());    // panels, after the resolve
+//   whole.begin_with(framebuffer, size);           // another one, so that the view is kept while panels
+//   change imgui_renderer.draw(*ImGui::GetDrawData());    // panels, after the resolve
 //   whole.blit_to_window(window_size);             // or: Image image = whole.read();
 //
 // Every draw() sets the GL state that it needs and leaves blending, depth test and scissor off and depth
@@ -24,10 +24,12 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "base/vector.h"
+
 namespace viete::render {
 
-/// One point or direction in the caller's world, as readers and the deformer hold it.
-using Point = std::array<double, 3>;
+/// One point or direction in the caller's world.
+using Point = base::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Double precision up to the last step: vertices are kept relative to one of them, so that a model far from

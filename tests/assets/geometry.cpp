@@ -8,7 +8,6 @@ namespace viete::test {
 namespace {
 
 using mesh::cross, mesh::dot, mesh::norm, mesh::Point;
-using mesh::operator+, mesh::operator-, mesh::operator*;
 using mesh::Surface;
 using mesh::Triangle;
 

@@ -11,7 +11,6 @@
 using namespace viete;
 using namespace viete::bench;
 using test::box;
-using mesh::operator+, mesh::operator-, mesh::operator*;
 
 namespace {
 

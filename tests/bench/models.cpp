@@ -7,12 +7,12 @@
 
 #include "bench/plain_weights.h"
 #include "bench/reference_frame.h"
+#include "deform/bind.h"
 #include "deform/deformer.h"
 #include "mesh/shapes.h"
 #include "mesh/summary.h"
 #include "mesh/triangle.h"
 #include "mesh/winding_number.h"
-#include "deform/bind.h"
 
 using namespace viete;
 
@@ -65,7 +65,6 @@ TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
 }
 
 TEST_CASE("reference_frame_is_the_staged_frame_by_other_means") {
-  using mesh::operator-;
   const auto model = test::sphere(2);
   const auto cage = std::make_shared<const deform::Cage>(deform::make_cage(bench::star_cage(model, 50)));
   base::WorkerPool pool(1);

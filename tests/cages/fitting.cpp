@@ -13,7 +13,6 @@
 
 using namespace viete;
 using namespace viete::test;
-using mesh::operator+, mesh::operator-, mesh::operator*;
 
 namespace {
 

@@ -8,7 +8,6 @@
 
 using namespace viete;
 using namespace viete::test;
-using mesh::operator-, mesh::operator*;
 
 namespace {
 

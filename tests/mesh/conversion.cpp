@@ -133,7 +133,7 @@ TEST_CASE("what_gltf_does_not_hold_is_said") {
   CHECK(mesh::read(folder / "a.glb").attributes->groups.at(0).object == "only");
   CHECK(notes_of(square + "o one\nf 1 2 3 4\no two\nf 4 3 2 1\n") ==
         std::vector<std::string>{"2 faces of more than three corners became triangles",
-                                 "GLB has no groups: 2 left out"});
+                                 "glTF has no groups: 2 left out"});
   CHECK(mesh::read(folder / "a.glb").surface.positions.size() == 4);  // what belongs together stays so
   CHECK(notes_of(square + "v 0 0 1\nv 1 0 1\nv 1 1 1\no one\nf 1 2 3\no two\nf 5 6 7\no one\nf 1 3 4\n")
             .empty());

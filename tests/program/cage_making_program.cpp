@@ -11,7 +11,6 @@
 #include "support/folder.h"
 
 using namespace viete;
-using mesh::operator-;
 using test::Driver;
 
 namespace {

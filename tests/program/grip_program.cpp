@@ -3,16 +3,15 @@
 #include <cstdlib>
 
 #include "program/driver.h"
+#include "scene/hand/shape_handle.h"
+#include "scene/hand/shaping.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
-#include "scene/hand/shape_handle.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
-#include "scene/hand/shaping.h"
 
 using namespace viete;
-using mesh::operator-;
 using test::Driver;
 
 namespace {

@@ -18,7 +18,6 @@
 #include "support/pictures.h"
 
 using namespace viete;
-using mesh::operator-;
 using test::Driver;
 
 namespace {

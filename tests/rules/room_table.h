@@ -25,7 +25,7 @@ inline const std::map<std::string, Room>& rooms() {
       {"sym3", {{}, {"eigen", "highway"}, {}}},
       {"python", {{"sym3"}, {"pybind11"}, {}}},
       {"mesh", {{"base"}, {}, {"openmesh"}}},
-      {"mesh/formats", {{"base", "mesh"}, {"json"}, {"tinygltf"}}},
+      {"mesh/formats", {{"base", "mesh"}, {"json"}, {}}},
       {"cages", {{"base", "mesh"}, {"openmesh"}, {"eigen"}}},
       {"deform/sparse", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
       {"deform", {{"base", "sym3", "mesh", "mesh/formats", "deform/sparse"}, {}, {"eigen", "highway"}}},

@@ -6,10 +6,10 @@
 #include <random>
 
 #include "base/worker_pool.h"
-#include "deform/deformer.h"
-#include "scene/posed_cube.h"
-#include "scene/document/pose_edit.h"
 #include "deform/bind.h"
+#include "deform/deformer.h"
+#include "scene/document/pose_edit.h"
+#include "scene/posed_cube.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -166,7 +166,6 @@ TEST_CASE("a_straight_timeline_goes_straight_and_keeps_its_keys") {
   for (const double share : {0.1, 0.5, 0.8}) {
     std::vector<mesh::Point> expected;
     for (std::size_t v = 0; v < from.size(); ++v) {
-      using mesh::operator+, mesh::operator*;
       expected.push_back((1 - share) * from[v] + share * to[v]);
     }
     CHECK(distance(a.at(1 + 10 * share).cage.positions, expected) < 1e-15);

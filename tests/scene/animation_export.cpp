@@ -19,7 +19,6 @@
 
 using namespace viete;
 using namespace viete::scene;
-using mesh::operator-, mesh::operator+, mesh::operator*;
 namespace fs = std::filesystem;
 
 namespace {

@@ -5,19 +5,17 @@
 #include "deform/affine_map.h"
 #include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/workspace/saving.h"
 #include "scene/files/session.h"
+#include "scene/workspace/saving.h"
+#include "scene/workspace/taking.h"
 #include "scene/workspace/workspace.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/open.h"
 #include "support/text.h"
-#include "scene/workspace/taking.h"
 
 using namespace viete;
 using namespace viete::scene;
-
-using mesh::operator-;
 
 namespace {
 

@@ -10,15 +10,14 @@
 #include "scene/cube.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/workspace/saving.h"
+#include "scene/document/pose_edit.h"
 #include "scene/files/session.h"
+#include "scene/workspace/saving.h"
 #include "support/edits.h"
 #include "support/folder.h"
-#include "scene/document/pose_edit.h"
 
 using namespace viete;
 using namespace viete::scene;
-using mesh::operator+, mesh::operator-;
 
 namespace {
 

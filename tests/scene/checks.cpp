@@ -10,7 +10,6 @@
 
 using namespace viete;
 using namespace viete::scene;
-using mesh::operator*;
 
 namespace {
 

@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "support/folder.h"
 #include "scene/workspace/saving.h"
+#include "support/folder.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -148,7 +148,7 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   FileBrowser browser;
   show(browser, FileBrowser::Purpose::save_animation, folder.path(), "dragon");
   CHECK(chosen_file(browser).filename() == "dragon.pc2");
-  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, STL, PNG, MP4 or WEBM");
+  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL, PNG, MP4 or WEBM");
   CHECK(problem_of_name(browser) == "");
   set_format(browser, "obj");
   CHECK(chosen_file(browser).filename() == "dragon_####.obj");

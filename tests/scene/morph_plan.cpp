@@ -11,7 +11,6 @@
 using namespace viete;
 using namespace viete::scene;
 using mesh::Point;
-using mesh::operator-, mesh::operator+, mesh::operator*;
 
 namespace {
 

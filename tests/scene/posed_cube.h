@@ -52,7 +52,6 @@ inline void add_two_poses(scene::Document& document) {
 
 /// The largest distance between vertices, in cage diagonals.
 inline double distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
-  using mesh::operator-;
   double largest = a.size() == b.size() ? 0 : 1e300;
   for (std::size_t v = 0; v < a.size() && v < b.size(); ++v)
     largest = std::max(largest, mesh::norm(a[v] - b[v]));

@@ -5,26 +5,24 @@
 #include "deform/affine_map.h"
 #include "scene/document/brush.h"
 #include "scene/document/edit.h"
+#include "scene/document/range.h"
 #include "scene/files.h"
+#include "scene/files/session.h"
+#include "scene/hand/anchor.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/picking.h"
+#include "scene/hand/placing.h"
+#include "scene/hand/projector.h"
 #include "scene/workspace/pointer.h"
-#include "scene/document/range.h"
 #include "scene/workspace/saving.h"
-#include "scene/files/session.h"
+#include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/open.h"
 #include "support/text.h"
-#include "scene/hand/anchor.h"
-#include "scene/hand/placing.h"
-#include "scene/hand/projector.h"
-#include "scene/workspace/taking.h"
 
 using namespace viete;
 using namespace viete::scene;
-
-using mesh::operator-, mesh::operator+;
 
 namespace {
 

@@ -4,15 +4,14 @@
 
 #include <cmath>
 
-#include "scene/document/camera.h"
 #include "scene/cube.h"
+#include "scene/document/camera.h"
 #include "scene/document/edit.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
 
 using namespace viete;
 using namespace viete::scene;
-using mesh::operator-;
 
 namespace {
 

@@ -7,11 +7,11 @@
 #include "deform/cage_state.h"
 #include "scene/cube.h"
 #include "scene/document/edit.h"
-#include "scene/hand/grip.h"
 #include "scene/document/pose_library.h"
-#include "support/edits.h"
 #include "scene/hand/anchor.h"
+#include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
+#include "support/edits.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -121,7 +121,6 @@ TEST_CASE("turning_on_and_back_again_forgets_the_turns") {
 }
 
 TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken_back") {
-  using mesh::operator-, mesh::operator*;
   const std::vector<std::vector<double>> ways{{360},      {90, 270}, {120, 120, 120}, {180, 180},
                                               {200, 160}, {-360},    {1080},          {400, -40}};
   for (const glm::dvec3& axis :
@@ -161,7 +160,6 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
 }
 
 TEST_CASE("a_posed_cage_that_has_turned_keeps_its_turn_while_it_is_posed_on") {
-  using mesh::operator-;
   Document document = selected_cube();
   transform_selection(document, Tool::rotate, plain_grip(document), turn(360, {0, 0, 1}));
   for (int i = 0; i < 40; ++i) {

@@ -13,24 +13,6 @@ namespace viete::mesh {
 
 namespace {
 
-// What a surface may have, and which formats hold it.
-struct Kind {
-  const char* plural;
-  std::size_t count;
-  bool in_obj, in_ply, in_off, in_gltf = true;
-};
-
-bool is_gltf(std::string_view extension) {
-  return extension == "glb" || extension == "gltf";
-}
-
-bool held(std::string_view extension, const Kind& kind) {
-  if (is_gltf(extension)) return kind.in_gltf;
-  if (extension == "obj") return kind.in_obj;
-  if (extension == "ply") return kind.in_ply;
-  return extension == "off" && kind.in_off;
-}
-
 // Of parts that groups belong to.
 bool share_vertices(const Surface& surface, const Attributes& attributes,
                     const std::vector<std::uint32_t>& part_of_group) {
@@ -52,12 +34,6 @@ bool are_objects(const Surface& surface, const Attributes& attributes) {
   std::set<std::pair<std::string, std::string>> names;
   for (const Group& g : attributes.groups) names.emplace(g.object, g.name);
   return names.size() <= std::max<std::size_t>(1, objects_of(surface, attributes).names.size());
-}
-
-std::string upper(std::string_view word) {
-  std::string text(word);
-  for (char& c : text) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 32 : c);
-  return text;
 }
 
 }  // namespace
@@ -127,8 +103,8 @@ Objects objects_of(const Surface& surface, const Attributes& attributes) {
   return {{""}, std::vector<std::uint32_t>(attributes.groups.size(), 0)};
 }
 
-std::vector<std::string> triangles_notes(std::string_view extension, const Surface& surface) {
-  if ((!is_gltf(extension) && extension != "stl") || surface.triangles.empty()) return {};
+std::vector<std::string> triangles_notes(const Format& format, const Surface& surface) {
+  if (format.held.polygons || surface.triangles.empty()) return {};
   const auto& starts = surface.polygon_starts;
   std::size_t larger = 0;
   for (std::size_t p = 0; p + 1 < starts.size(); ++p) larger += starts[p + 1] - starts[p] > 3;
@@ -173,37 +149,42 @@ std::optional<std::vector<std::uint32_t>> one_a_vertex(const Surface& surface,
   return of_vertex;
 }
 
-std::vector<std::string> left_out(std::string_view extension, const Surface& surface, const Attributes& a,
+std::vector<std::string> left_out(const Format& format, const Surface& surface, const Attributes& a,
                                   const Attributes& deformed) {
-  const bool normals_fit = one_a_vertex(surface, deformed.corner_normal).has_value();
+  struct Kind {
+    const char* has_no;
+    std::size_t count;
+    bool held;
+  };
+  const Held& held = format.held;
+  const bool normals_fit = held.corner_normals || one_a_vertex(surface, deformed.corner_normal);
   const std::size_t textures = used_images(a).size();
   const Kind kinds[] = {
-      {"texture coordinates", a.texture_points.size(), true, true, false},
-      {"normals", a.normals.size(), true, normals_fit, false},
-      {"colours", a.colors.size(), true, true, true},
-      {"colours of faces", deformed.polygon_colors.size(), false, true, true},
-      {"groups", a.groups.size(), true, false, false, are_objects(surface, a)},
-      {"materials", a.materials.size(), true, false, false},
-      {"textures", textures, true, true, false},
-      {"images but those of base colours", a.images.size() - textures, false, false, false, false}};
+      {" has no texture coordinates: ", a.texture_points.size(), held.texture_points},
+      {held.normals ? " holds one a vertex of normals: " : " has no normals: ", a.normals.size(),
+       held.normals && normals_fit},
+      {" has no colours: ", a.colors.size(), held.colors},
+      {" has no colours of faces: ", deformed.polygon_colors.size(), held.polygon_colors},
+      {" has no groups: ", a.groups.size(), held.groups || (held.objects && are_objects(surface, a))},
+      {" has no materials: ", a.materials.size(), held.materials},
+      {" has no textures: ", textures, held.textures},
+      {" has no images but those of base colours: ", a.images.size() - textures, false}};
   std::vector<std::string> notes;
   for (const Kind& kind : kinds) {
-    if (kind.count == 0 || held(extension, kind)) continue;
-    const bool several = extension == "ply" && &kind == &kinds[1];
-    notes.push_back(upper(extension) + (several ? " holds one a vertex of " : " has no ") + kind.plural +
-                    ": " + base::with_thousands(kind.count) + " left out");
+    if (kind.count == 0 || kind.held) continue;
+    notes.push_back(std::string(format.name) + kind.has_no + base::with_thousands(kind.count) + " left out");
   }
   return notes;
 }
 
-std::vector<std::string> left_out(std::string_view extension, const Original& original) {
+std::vector<std::string> left_out(const Format& format, const Original& original) {
   constexpr std::size_t most = 12;
   const std::vector<std::string> beyond = original.beyond_attributes();
   if (beyond.empty()) return {};
   std::string list;
   for (std::size_t i = 0; i < std::min(beyond.size(), most); ++i) list += (i == 0 ? "" : ", ") + beyond[i];
-  return {upper(extension) + " does not get what else was in the file: " + TextWriter::one_line(list) +
-          (beyond.size() > most ? " ..." : "")};
+  return {std::string(format.name) + " does not get what else was in the file: " +
+          TextWriter::one_line(list) + (beyond.size() > most ? " ..." : "")};
 }
 
 std::string material_library(const Attributes& attributes) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh/formats/attributes.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/original.h"
 #include "mesh/formats/text_writer.h"
 #include "mesh/surface.h"
@@ -27,11 +28,11 @@ std::optional<std::vector<std::uint32_t>> one_a_vertex(const Surface& surface,
 
 /// What a format cannot hold of the attributes that were given, see deformed_attributes(), one line each:
 /// "STL has no texture coordinates: 1,234 left out".
-std::vector<std::string> left_out(std::string_view extension, const Surface& surface, const Attributes& given,
+std::vector<std::string> left_out(const Format& format, const Surface& surface, const Attributes& given,
                                   const Attributes& deformed);
 
 /// The same of what the file held besides, as one line.
-std::vector<std::string> left_out(std::string_view extension, const Original& original);
+std::vector<std::string> left_out(const Format& format, const Original& original);
 
 std::string short_number(float value);
 /// From 0 to 255.
@@ -59,7 +60,7 @@ Objects objects_of(const Surface& surface, const Attributes& attributes);
 
 /// Where a format holds triangles alone, what became of all else, one line each: "2 faces of more than three
 /// corners became triangles", "3 points of no face are left out".
-std::vector<std::string> triangles_notes(std::string_view extension, const Surface& surface);
+std::vector<std::string> triangles_notes(const Format& format, const Surface& surface);
 
 /// Of the images that materials use for their base colour.
 std::set<std::uint32_t> used_images(const Attributes& attributes);

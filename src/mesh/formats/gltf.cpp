@@ -1,7 +1,5 @@
 #include "mesh/formats/gltf.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -21,8 +19,6 @@
 namespace viete::mesh {
 
 namespace {
-
-using tinygltf::Primitive;
 
 constexpr std::size_t instanced_vertices = std::size_t{1} << 22;
 
@@ -51,21 +47,20 @@ struct TextureTransform {
   }
 };
 
-TextureTransform transform_of(const tinygltf::TextureInfo& texture) {
+TextureTransform transform_of(const GltfJson& texture) {
   TextureTransform transform;
-  transform.set = texture.texCoord;
-  const auto found = texture.extensions.find("KHR_texture_transform");
-  if (found == texture.extensions.end() || !found->second.IsObject()) return transform;
+  transform.set = std::max(0, index_of(texture, "texCoord"));
+  const GltfJson& given = member_of(member_of(texture, "extensions"), "KHR_texture_transform");
   const auto take = [&](const char* key, Vec2& pair) {
-    if (!found->second.Has(key)) return;
-    const tinygltf::Value& value = found->second.Get(key);
-    for (std::size_t k = 0; k < 2 && value.IsArray() && value.ArrayLen() == 2; ++k)
-      pair[k] = value.Get(static_cast<int>(k)).GetNumberAsDouble();
+    const GltfJson& value = list_of(given, key);
+    for (std::size_t k = 0; k < 2 && value.size() == 2 && value[k].is_number(); ++k)
+      pair[k] = value[k].get<double>();
   };
   take("offset", transform.offset);
   take("scale", transform.scale);
-  if (found->second.Has("rotation")) transform.rotation = found->second.Get("rotation").GetNumberAsDouble();
-  if (found->second.Has("texCoord")) transform.set = found->second.Get("texCoord").GetNumberAsInt();
+  const GltfJson& rotation = member_of(given, "rotation");
+  if (rotation.is_number()) transform.rotation = rotation.get<double>();
+  if (const int set = index_of(given, "texCoord"); set >= 0) transform.set = set;
   return transform;
 }
 
@@ -74,9 +69,7 @@ public:
   GltfReader(const Source& source, GltfFile file)
       : source_(source),
         file_(std::move(file)),
-        parsed_(parse_gltf(file_)),
-        model_(*parsed_),
-        accessors_(file_, model_),
+        accessors_(file_),
         builder_(source),
         attributes_(std::make_shared<Attributes>()) {}
 
@@ -84,7 +77,7 @@ public:
     for (const std::string& warning : file_.warnings) builder_.warn(warning);
     take_materials();
     for (const GltfBuffer& buffer : file_.buffers) budget_ += buffer.bytes.size();
-    map_.placements = placements_of(file_, model_);
+    map_.placements = placements_of(file_);
     for (std::size_t i = 0; i < map_.placements.size(); ++i) {
       source_.report(static_cast<double>(i) / static_cast<double>(map_.placements.size()));
       place_mesh(i);
@@ -102,12 +95,15 @@ private:
 
   void take_materials() {
     for (const GltfImage& image : file_.images) attributes_->images.push_back(image.file);
-    for (const tinygltf::Material& m : model_.materials) {
+    for (const GltfJson& m : list_of(file_.document, "materials")) {
+      const GltfJson& colored = member_of(m, "pbrMetallicRoughness");
+      std::vector<double> color;
+      for (const GltfJson& value : list_of(colored, "baseColorFactor"))
+        color.push_back(value.is_number() ? value.get<double>() : 0.0);
       Material material;
-      material.name = m.name;
-      const auto& color = m.pbrMetallicRoughness.baseColorFactor;
+      material.name = text_of(m, "name");
       material.base_color = color.size() >= 3 ? srgb_of_linear(color) : Color{1, 1, 1, 1};
-      take_texture(m.pbrMetallicRoughness.baseColorTexture, material);
+      take_texture(index_of(member_of(colored, "baseColorTexture"), "index"), material);
       attributes_->materials.push_back(material);
     }
     name_images();
@@ -126,73 +122,60 @@ private:
   }
 
   // The image, or that of an extension where there is no other.
-  static int source_of(const tinygltf::Texture& texture) {
-    if (texture.source >= 0) return texture.source;
+  static int source_of(const GltfJson& texture) {
+    int source = index_of(texture, "source");
     for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
-      const auto found = texture.extensions.find(extension);
-      if (found == texture.extensions.end() || !found->second.IsObject() || !found->second.Has("source"))
-        continue;
-      return found->second.Get("source").GetNumberAsInt();
+      if (source < 0) source = index_of(member_of(member_of(texture, "extensions"), extension), "source");
     }
-    return -1;
+    return source;
   }
 
-  void take_texture(const tinygltf::TextureInfo& info, Material& material) const {
-    if (info.index < 0 || static_cast<std::size_t>(info.index) >= model_.textures.size()) return;
-    const tinygltf::Texture& texture = model_.textures[static_cast<std::size_t>(info.index)];
+  void take_texture(int index, Material& material) const {
+    const GltfJson& texture = element_of(file_.document, "textures", index);
     const int source = source_of(texture);
     if (source < 0 || static_cast<std::size_t>(source) >= file_.images.size()) return;
     material.base_color_image = static_cast<std::uint32_t>(source);
-    if (texture.sampler >= 0 && static_cast<std::size_t>(texture.sampler) < model_.samplers.size())
-      material.repeats = model_.samplers[static_cast<std::size_t>(texture.sampler)].wrapS !=
-                         TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+    const GltfJson& sampler = element_of(file_.document, "samplers", index_of(texture, "sampler"));
+    material.repeats = index_of(sampler, "wrapS") != gltf_clamp_to_edge;
   }
 
   // All primitives of a mesh, and then what of their vertices lies at the same place.
   void place_mesh(std::size_t placement) {
     const GltfPlacement& p = map_.placements[placement];
-    const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(p.mesh)];
+    const GltfJson& mesh = element_of(file_.document, "meshes", p.mesh);
     pieces_.clear();
     const std::size_t first = points_.size(), first_corner = map_.corner_vertex.size();
-    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
-      const Primitive& primitive = mesh.primitives[i];
-      const auto found = primitive.attributes.find("POSITION");
-      if (found == primitive.attributes.end()) continue;  // nothing to be seen, as the format says
+    for (const GltfJson& primitive : list_of(mesh, "primitives")) {
+      if (accessor_of(primitive, "POSITION") < 0) continue;  // nothing to be seen, as the format says
       add_group(p, mesh, primitive);
       add_polygons(primitive, piece_of(placement, primitive), p.map.determinant() < 0);
-      morphs_ |= !primitive.targets.empty();
+      morphs_ |= !list_of(primitive, "targets").empty();
     }
     weld(first, first_corner);
   }
 
-  void add_group(const GltfPlacement& p, const tinygltf::Mesh& mesh, const Primitive& primitive) {
-    const std::string& node = model_.nodes[static_cast<std::size_t>(p.node)].name;
+  void add_group(const GltfPlacement& p, const GltfJson& mesh, const GltfJson& primitive) {
+    const std::string node = text_of(element_of(file_.document, "nodes", p.node), "name");
     Group group;
     group.first_polygon = polygons_;
-    group.object = node.empty() ? mesh.name : node;
-    if (primitive.material >= 0 && static_cast<std::size_t>(primitive.material) < model_.materials.size())
-      group.material = static_cast<std::uint32_t>(primitive.material);
-    group.smooth = primitive.attributes.count("NORMAL") > 0;
+    group.object = node.empty() ? text_of(mesh, "name") : node;
+    const int material = index_of(primitive, "material");
+    if (!element_of(file_.document, "materials", material).is_null())
+      group.material = static_cast<std::uint32_t>(material);
+    group.smooth = accessor_of(primitive, "NORMAL") >= 0;
     auto& groups = attributes_->groups;
     if (!groups.empty() && groups.back().first_polygon == polygons_) groups.pop_back();  // it has no polygons
     groups.push_back(group);
   }
 
-  static int accessor_of(const Primitive& primitive, const std::string& attribute) {
-    const auto found = primitive.attributes.find(attribute);
-    return found == primitive.attributes.end() ? -1 : found->second;
-  }
-
-  TextureTransform texture_of(const Primitive& primitive) const {
-    if (primitive.material < 0 || static_cast<std::size_t>(primitive.material) >= model_.materials.size())
-      return {};
-    const auto& material = model_.materials[static_cast<std::size_t>(primitive.material)];
-    return transform_of(material.pbrMetallicRoughness.baseColorTexture);
+  TextureTransform texture_of(const GltfJson& primitive) const {
+    const GltfJson& material = element_of(file_.document, "materials", index_of(primitive, "material"));
+    return transform_of(member_of(member_of(material, "pbrMetallicRoughness"), "baseColorTexture"));
   }
 
   // The material, if it moves the texture: another one has texture points of its own.
-  int mover_of(const Primitive& primitive, const TextureTransform& transform) const {
-    return transform == TextureTransform{.set = transform.set} ? -1 : primitive.material;
+  static int mover_of(const GltfJson& primitive, const TextureTransform& transform) {
+    return transform == TextureTransform{.set = transform.set} ? -1 : index_of(primitive, "material");
   }
 
   struct Piece {
@@ -200,9 +183,9 @@ private:
     bool has_texture = false, has_normals = false;
   };
 
-  Piece piece_of(std::size_t placement, const Primitive& primitive) {
+  Piece piece_of(std::size_t placement, const GltfJson& primitive) {
     const TextureTransform transform = texture_of(primitive);
-    const int texture = accessor_of(primitive, "TEXCOORD_" + std::to_string(std::max(0, transform.set)));
+    const int texture = accessor_of(primitive, ("TEXCOORD_" + std::to_string(transform.set)).c_str());
     const int normals = accessor_of(primitive, "NORMAL"), colors = accessor_of(primitive, "COLOR_0");
     const int positions = accessor_of(primitive, "POSITION"), tangents = accessor_of(primitive, "TANGENT");
     const PieceKey key{positions, normals, tangents, texture, mover_of(primitive, transform)};
@@ -283,13 +266,14 @@ private:
     has_colors_ = true;
   }
 
-  void add_polygons(const Primitive& primitive, const Piece& piece, bool mirrored) {
-    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-    const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP, fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
-    if (mode != TINYGLTF_MODE_TRIANGLES && !strip && !fan) return void(++unseen_primitives_);
+  void add_polygons(const GltfJson& primitive, const Piece& piece, bool mirrored) {
+    const std::uint64_t mode = count_of(primitive, "mode").value_or(gltf_triangles);
+    const bool strip = mode == gltf_strip, fan = mode == gltf_fan;
+    if (mode != gltf_triangles && !strip && !fan) return void(++unseen_primitives_);
+    const int indices = index_of(primitive, "indices");
     std::vector<std::uint32_t> list;
-    if (primitive.indices >= 0) list = accessors_.indices(primitive.indices, piece.count);
-    const std::size_t n = primitive.indices >= 0 ? list.size() : piece.count;
+    if (indices >= 0) list = accessors_.indices(indices, piece.count);
+    const std::size_t n = indices >= 0 ? list.size() : piece.count;
     const auto vertex = [&](std::size_t i) { return list.empty() ? static_cast<std::uint32_t>(i) : list[i]; };
     spend(n);
     if (!strip && !fan) {
@@ -353,8 +337,6 @@ private:
 
   const Source& source_;
   GltfFile file_;
-  std::shared_ptr<const tinygltf::Model> parsed_;
-  const tinygltf::Model& model_;
   GltfAccessors accessors_;
   SurfaceBuilder builder_;
   std::shared_ptr<Attributes> attributes_;

@@ -3,22 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "mesh/formats/gltf_file.h"
 #include "mesh/vector.h"
 
-namespace tinygltf {
-class Model;
-struct Accessor;
-}  // namespace tinygltf
-
 namespace viete::mesh {
-
-/// What the JSON of the surface says. Throws base::Error if that is not sound glTF.
-std::shared_ptr<const tinygltf::Model> parse_gltf(const GltfFile& file);
 
 /// Where the elements of an accessor lie. All of them are within the buffer.
 struct GltfPlace {
@@ -26,10 +17,10 @@ struct GltfPlace {
   bool has_bytes = false;  ///< false: they are zeros, where no sparse value stands
 };
 
-/// Borrows file and model.
+/// Borrows the file.
 class GltfAccessors {
 public:
-  GltfAccessors(const GltfFile& file, const tinygltf::Model& model) : file_(file), model_(model) {}
+  explicit GltfAccessors(const GltfFile& file) : file_(file) {}
 
   /// The number of its elements. Throws base::Error naming the accessor if it does not fit its buffer.
   std::size_t count(int accessor) const { return place(accessor).count; }
@@ -47,19 +38,32 @@ public:
   /// Unsigned integers. Throws base::Error, also for one that is not below `limit`.
   std::vector<std::uint32_t> indices(int accessor, std::size_t limit) const;
 
+  /// Floats, so many of each element, that no sparse values replace.
+  bool holds_floats(int accessor, std::size_t components) const;
+
   [[noreturn]] void fail(const std::string& what, int index, const std::string& problem) const;
 
 private:
-  const tinygltf::Accessor& at(int accessor) const;
-  GltfPlace of_view(int accessor, int view, std::size_t offset, std::size_t count, std::size_t size) const;
-  void put_sparse(int index, const tinygltf::Accessor& accessor, std::size_t components,
+  // What the JSON says of one.
+  struct Accessor {
+    int component = 0;
+    std::size_t components = 0, count = 0;
+    bool normalized = false;
+    const GltfJson& json;
+    const GltfJson& sparse;
+
+    std::size_t size() const;
+  };
+
+  Accessor at(int accessor) const;
+  GltfPlace of_view(int accessor, const GltfJson& data, std::size_t count, std::size_t size) const;
+  void put_sparse(int index, const Accessor& accessor, std::size_t components,
                   std::vector<double>& numbers) const;
   const unsigned char* bytes(const GltfPlace& place) const {
     return reinterpret_cast<const unsigned char*>(file_.buffers[place.buffer].bytes.data()) + place.offset;
   }
 
   const GltfFile& file_;
-  const tinygltf::Model& model_;
 };
 
 }  // namespace viete::mesh

@@ -17,14 +17,10 @@ bool any_primitive(const GltfJson& document, const Is& is) {
   return false;
 }
 
-bool has_attribute(const GltfJson& primitive, const char* name) {
-  return !member_of(member_of(primitive, "attributes"), name).is_null();
-}
-
 }  // namespace
 
 std::vector<std::string> beyond_attributes(const GltfFile& file) {
-  const GltfJson document = GltfJson::parse(file.json);
+  const GltfJson& document = file.document;
   std::vector<std::string> found;
   for (const char* key : {"animations", "skins", "cameras"}) {
     if (!list_of(document, key).empty()) found.emplace_back(key);
@@ -33,8 +29,8 @@ std::vector<std::string> beyond_attributes(const GltfFile& file) {
     if (any_primitive(document, is)) found.emplace_back(what);
   };
   add("morph targets", [](const GltfJson& p) { return !list_of(p, "targets").empty(); });
-  add("tangents", [](const GltfJson& p) { return has_attribute(p, "TANGENT"); });
-  add("second texture coordinates", [](const GltfJson& p) { return has_attribute(p, "TEXCOORD_1"); });
+  add("tangents", [](const GltfJson& p) { return accessor_of(p, "TANGENT") >= 0; });
+  add("second texture coordinates", [](const GltfJson& p) { return accessor_of(p, "TEXCOORD_1") >= 0; });
   add("points and lines", [](const GltfJson& p) {
     const auto mode = count_of(p, "mode");
     return mode && *mode < 4;

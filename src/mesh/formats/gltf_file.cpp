@@ -11,7 +11,6 @@
 
 #include "base/error.h"
 #include "mesh/formats/foreign_content.h"
-#include "mesh/formats/gltf_json.h"
 #include "mesh/formats/gltf_shape.h"
 
 namespace viete::mesh {
@@ -163,9 +162,10 @@ std::optional<fs::path> path_within(const Source& source, std::string_view uri) 
 class GltfTaker {
 public:
   GltfTaker(const Source& source, const Chunks& chunks, bool binary)
-      : source_(source), chunks_(chunks), document_(parsed(source, chunks.json)) {
+      : source_(source), chunks_(chunks), document_(file_.document) {
     file_.name = source.name;
     file_.binary = binary;
+    document_ = parsed(source, chunks.json);
   }
 
   GltfFile take() {
@@ -177,9 +177,7 @@ public:
     for (const GltfBuffer& buffer : file_.buffers) left_for_images_ += buffer.bytes.size();
     for (std::size_t i = 0; i < list_of(document_, "images").size(); ++i) take_image(i);
     tell_what_is_not_played();
-    file_.json = document_.dump();
     file_.other_chunks = std::move(chunks_.others);
-    file_.loadable = loadable();
     return std::move(file_);
   }
 
@@ -309,24 +307,10 @@ private:
 
   void warn(const std::string& text) { file_.warnings.push_back(source_.name + ": " + text); }
 
-  // Who checks the JSON needs no bytes: one stands for those of each buffer.
-  std::string loadable() const {
-    static const std::set<std::string> wanted = {"asset",     "scene",    "scenes",      "nodes",
-                                                 "meshes",    "buffers",  "bufferViews", "accessors",
-                                                 "materials", "textures", "samplers"};
-    GltfJson reduced = GltfJson::object();
-    for (const auto& [key, value] : document_.items()) {
-      if (wanted.count(key)) reduced[key] = value;
-    }
-    for (std::size_t i = 0; i < file_.buffers.size(); ++i)
-      reduced["buffers"][i] = {{"byteLength", 1}, {"uri", "data:application/octet-stream;base64,AA=="}};
-    return reduced.dump();
-  }
-
   const Source& source_;
   Chunks chunks_;
-  GltfJson document_;
   GltfFile file_;
+  GltfJson& document_;
   static constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;
   std::set<fs::path> beside_;
   std::size_t repeated_ = 0;

@@ -1,4 +1,4 @@
-// A glTF file taken apart: the text of its JSON and the bytes that this leads to.
+// A glTF file taken apart: its JSON and the bytes that this leads to.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/formats/attributes.h"
+#include "mesh/formats/gltf_json.h"
 #include "mesh/formats/source.h"
 
 namespace viete::mesh {
@@ -28,10 +29,9 @@ struct GltfImage {
 struct GltfFile {
   std::string name;  ///< how messages call it
   bool binary = false;
-  std::string json;  ///< without the bytes of buffers that lie in it
+  GltfJson document;  ///< checked, see check_gltf(); without the bytes of buffers that lie in it
   std::vector<GltfBuffer> buffers;
   std::vector<GltfImage> images;
-  std::string loadable;               ///< the JSON of the surface alone, its buffers one byte each
   std::vector<std::string> warnings;  ///< one line each
   std::string other_chunks;           ///< of a GLB: those of kinds that are not known here, with their heads
 };

@@ -11,8 +11,6 @@ namespace viete::mesh {
 
 namespace {
 
-constexpr int gltf_short = 5123, gltf_int = 5125, gltf_float = 5126;  // unsigned ones
-
 // Zeros for as many more targets as there are now.
 void widen_list(GltfJson& of, std::size_t count) {
   GltfJson& weights = of["weights"];
@@ -95,7 +93,8 @@ GltfJson GltfMorphs::sparse(std::span<const std::uint32_t> where, std::span<cons
   const std::size_t indices =
       add_view(is_short ? static_cast<const void*>(shorts.data()) : where.data(), index_size * where.size());
   return {{"count", where.size()},
-          {"indices", {{"bufferView", indices}, {"componentType", is_short ? gltf_short : gltf_int}}},
+          {"indices",
+           {{"bufferView", indices}, {"componentType", is_short ? gltf_unsigned_short : gltf_unsigned_int}}},
           {"values", {{"bufferView", add_view(some.data(), some.size_bytes())}}}};
 }
 

@@ -1,7 +1,5 @@
 #include "mesh/formats/gltf_morphs.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -68,9 +66,8 @@ public:
   GltfMorphClip(std::shared_ptr<const GltfFile> file, std::shared_ptr<const GltfMap> map)
       : file_(std::move(file)),
         map_(std::move(map)),
-        model_(parse_gltf(*file_)),
-        accessors_(*file_, *model_),
-        document_(GltfJson::parse(file_->json)),
+        accessors_(*file_),
+        document_(file_->document),
         counts_(map_->placements.size(), 0),
         resting_(map_->placements.size()),
         tracks_(map_->placements.size()) {
@@ -269,9 +266,8 @@ private:
 
   std::shared_ptr<const GltfFile> file_;
   std::shared_ptr<const GltfMap> map_;
-  std::shared_ptr<const tinygltf::Model> model_;
   GltfAccessors accessors_;
-  GltfJson document_;
+  const GltfJson& document_;
   std::vector<std::size_t> counts_;                 // targets of each placement
   std::vector<Numbers> resting_;                    // their weights where nothing plays
   std::vector<std::optional<WeightTrack>> tracks_;  // and where the animation does

@@ -22,14 +22,14 @@ namespace fs = std::filesystem;
 class GltfOriginal final : public Original {
 public:
   GltfOriginal(const Source& source, GltfFile file, GltfMap map)
-      : owner_(source.owner),
+      : Original("glTF"),
+        owner_(source.owner),
         bytes_(source.owner ? source.bytes : std::string_view()),
         shared_file_(std::make_shared<const GltfFile>(std::move(file))),
         shared_map_(std::make_shared<const GltfMap>(std::move(map))),
         file_(*shared_file_),
         map_(*shared_map_) {}
 
-  bool writes(std::string_view extension) const override { return extension == "gltf" || extension == "glb"; }
   std::vector<std::string> beyond_attributes() const override { return mesh::beyond_attributes(file_); }
 
   std::vector<fs::path> files_beside() const override {

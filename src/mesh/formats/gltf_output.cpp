@@ -1,7 +1,5 @@
 #include "mesh/formats/gltf_output.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +7,6 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -24,8 +21,6 @@
 namespace viete::mesh {
 
 namespace {
-
-using OutputJson = nlohmann::ordered_json;
 
 double linear_of_srgb(double x) {
   return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
@@ -72,7 +67,7 @@ public:
     document["buffers"] = {{{"byteLength", bytes.size()}}};
   }
 
-  OutputJson document;
+  GltfJson document;
   std::string bytes;
 
   // After all else.
@@ -155,9 +150,9 @@ private:
     }
   }
 
-  void keep_as_written(std::size_t object, const OutputJson& primitive, const Run& run) {
+  void keep_as_written(std::size_t object, const GltfJson& primitive, const Run& run) {
     Made made{{object, {document["meshes"][object]["primitives"].size()}, {}, {}, {}}, run.vertices, false};
-    const OutputJson& attributes = primitive["attributes"];
+    const GltfJson& attributes = primitive["attributes"];
     made.as_written.positions = floats_of(attributes["POSITION"]);
     made.has_normals = attributes.contains("NORMAL");
     if (made.has_normals) made.as_written.normals = floats_of(attributes["NORMAL"]);
@@ -165,7 +160,7 @@ private:
   }
 
   std::vector<float> floats_of(std::size_t accessor) const {
-    const OutputJson& view =
+    const GltfJson& view =
         document["bufferViews"][document["accessors"][accessor]["bufferView"].get<std::size_t>()];
     std::vector<float> values(view["byteLength"].get<std::size_t>() / sizeof(float));
     std::memcpy(values.data(), bytes.data() + view["byteOffset"].get<std::size_t>(),
@@ -176,7 +171,7 @@ private:
   void add_node(std::size_t number, const std::string& name) {
     document["scenes"][0]["nodes"].push_back(number);
     document["nodes"].push_back({{"mesh", number}});
-    document["meshes"].push_back({{"primitives", OutputJson::array()}});
+    document["meshes"].push_back({{"primitives", GltfJson::array()}});
     if (!name.empty()) document["nodes"].back()["name"] = document["meshes"].back()["name"] = name;
   }
 
@@ -197,7 +192,7 @@ private:
     }
     for (const auto& [key, run] : runs) {
       const auto& [object, material, smooth] = key;
-      OutputJson primitive = primitive_of(run, material, smooth);
+      GltfJson primitive = primitive_of(run, material, smooth);
       if (animated_) keep_as_written(object, primitive, run);
       document["meshes"][object]["primitives"].push_back(std::move(primitive));
     }
@@ -217,9 +212,9 @@ private:
     run.indices.push_back(at->second);
   }
 
-  OutputJson primitive_of(const Run& run, std::uint32_t material, bool smooth) {
-    OutputJson primitive = {{"attributes", OutputJson::object()}};
-    OutputJson& attributes = primitive["attributes"];
+  GltfJson primitive_of(const Run& run, std::uint32_t material, bool smooth) {
+    GltfJson primitive = {{"attributes", GltfJson::object()}};
+    GltfJson& attributes = primitive["attributes"];
     const auto has = [&](std::uint32_t OutputVertex::*part) {
       return std::any_of(run.vertices.begin(), run.vertices.end(),
                          [&](const auto& v) { return v.*part != none; });
@@ -250,11 +245,10 @@ private:
       });
     }
     if (run.indices.empty()) {
-      primitive["mode"] = TINYGLTF_MODE_POINTS;
+      primitive["mode"] = gltf_points;
     } else {
       primitive["indices"] =
-          add_accessor(run.indices.data(), run.indices.size(), 1, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                       TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+          add_accessor(run.indices.data(), run.indices.size(), 1, gltf_unsigned_int, gltf_element_buffer);
     }
     if (material < given_.materials.size()) primitive["material"] = material;
     return primitive;
@@ -270,13 +264,13 @@ private:
   std::size_t add_vectors(const Run& run, std::size_t components, const Fill& fill) {
     std::vector<float> values(run.vertices.size() * components);
     for (std::size_t i = 0; i < run.vertices.size(); ++i) fill(run.vertices[i], &values[i * components]);
-    const std::size_t accessor = add_accessor(values.data(), run.vertices.size(), components,
-                                              TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
+    const std::size_t accessor =
+        add_accessor(values.data(), run.vertices.size(), components, gltf_float, gltf_array_buffer);
     if (accessor == 0 || components == 3) add_bounds(document["accessors"][accessor], values, components);
     return accessor;
   }
 
-  static void add_bounds(OutputJson& accessor, const std::vector<float>& values, std::size_t components) {
+  static void add_bounds(GltfJson& accessor, const std::vector<float>& values, std::size_t components) {
     std::vector<float> low(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(components)),
         high = low;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -308,9 +302,9 @@ private:
   void add_materials() {
     std::map<std::uint32_t, std::size_t> textures;
     for (const Material& m : given_.materials) {
-      OutputJson json;
+      GltfJson json;
       if (!m.name.empty()) json["name"] = m.name;
-      OutputJson& look = json["pbrMetallicRoughness"];
+      GltfJson& look = json["pbrMetallicRoughness"];
       look = {
           {"baseColorFactor", linear_of_srgb(m.base_color)}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}};
       if (m.base_color_image < given_.images.size()) {
@@ -354,8 +348,8 @@ private:
 };
 
 // Names of other files may hold bytes that are not UTF-8.
-std::string json_text(const OutputJson& document, int indent = -1) {
-  return document.dump(indent, ' ', false, OutputJson::error_handler_t::replace);
+std::string json_text(const GltfJson& document, int indent = -1) {
+  return document.dump(indent, ' ', false, GltfJson::error_handler_t::replace);
 }
 
 void put_word(std::uint64_t word, TextWriter& out) {

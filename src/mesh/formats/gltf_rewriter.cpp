@@ -1,7 +1,5 @@
 #include "mesh/formats/gltf_rewriter.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -30,13 +28,7 @@ class GltfRewriter {
 public:
   GltfRewriter(const GltfFile& file, const GltfMap& map, const Surface& rest,
                std::span<const Point> positions, const MorphMotion* motion, base::Progress* progress)
-      : file_(file),
-        map_(map),
-        rest_(rest),
-        posed_(positions),
-        model_(parse_gltf(file)),
-        accessors_(file, *model_),
-        document_(Json::parse(file.json)) {
+      : file_(file), map_(map), rest_(rest), posed_(positions), accessors_(file), document_(file.document) {
     for (const GltfBuffer& buffer : file.buffers) buffers_.push_back(buffer.bytes);
     if (motion) find_morphing(*motion);
     for (const GltfPiece& piece : map.pieces) {
@@ -74,7 +66,7 @@ private:
 
   void rewrite() {
     part_instances();
-    sharing_.emplace(document_, *model_, accessors_);
+    sharing_.emplace(document_, accessors_);
     list_primitives();
     carry_vectors();
     for (const GltfPiece* piece : moved_) {
@@ -99,7 +91,7 @@ private:
   // Each node that has moved a mesh of several gets its own.
   void part_instances() {
     std::map<int, std::size_t> users;
-    for (const tinygltf::Node& node : model_->nodes) ++users[node.mesh];
+    for (const Json& node : list_of(document_, "nodes")) ++users[index_of(node, "mesh")];
     std::size_t parted = 0, last = map_.placements.size();
     for (const GltfPiece* piece : moved_) {
       if (std::exchange(last, piece->placement) == piece->placement) continue;
@@ -310,15 +302,12 @@ private:
   using Vertices = std::array<int, 4>;  // a mesh, and accessors of positions, normals and tangents
 
   void list_primitives() {
-    const auto accessor = [](const tinygltf::Primitive& p, const char* attribute) {
-      const auto found = p.attributes.find(attribute);
-      return found == p.attributes.end() ? -1 : found->second;
-    };
-    for (std::size_t mesh = 0; mesh < model_->meshes.size(); ++mesh) {
-      const auto& primitives = model_->meshes[mesh].primitives;
+    const Json& meshes = list_of(file_.document, "meshes");
+    for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
+      const Json& primitives = list_of(meshes[mesh], "primitives");
       for (std::size_t i = 0; i < primitives.size(); ++i)
-        primitives_[{static_cast<int>(mesh), accessor(primitives[i], "POSITION"),
-                     accessor(primitives[i], "NORMAL"), accessor(primitives[i], "TANGENT")}]
+        primitives_[{static_cast<int>(mesh), accessor_of(primitives[i], "POSITION"),
+                     accessor_of(primitives[i], "NORMAL"), accessor_of(primitives[i], "TANGENT")}]
             .push_back(i);
     }
   }
@@ -347,12 +336,12 @@ private:
     Json view = {{"buffer", place.buffer},
                  {"byteOffset", bytes.size()},
                  {"byteLength", values.size() * sizeof(float)},
-                 {"target", TINYGLTF_TARGET_ARRAY_BUFFER}};
+                 {"target", gltf_array_buffer}};
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
     Json accessor = document_["accessors"][old];
     for (const char* key : {"sparse", "byteOffset", "normalized"}) accessor.erase(key);
     accessor["bufferView"] = views.size();
-    accessor["componentType"] = TINYGLTF_COMPONENT_TYPE_FLOAT;
+    accessor["componentType"] = gltf_float;
     accessor["type"] = components == 4 ? "VEC4" : "VEC3";
     views.push_back(std::move(view));
     document_["accessors"].push_back(std::move(accessor));
@@ -376,7 +365,6 @@ private:
   const GltfMap& map_;
   const Surface& rest_;
   std::span<const Point> posed_;
-  std::shared_ptr<const tinygltf::Model> model_;
   GltfAccessors accessors_;
   Json document_;
   std::vector<std::string> buffers_;

@@ -1,7 +1,5 @@
 #include "mesh/formats/gltf_scene.h"
 
-#include <tiny_gltf.h>
-
 #include <cmath>
 #include <string>
 
@@ -35,84 +33,95 @@ AffineMap from_rotation(const Numbers& q) {
   return map;
 }
 
-AffineMap map_of_node(const GltfFile& file, int index, const tinygltf::Node& node) {
-  const auto has = [&](const Numbers& numbers, std::size_t count) {
-    if (numbers.empty()) return false;
-    if (numbers.size() != count) refuse_node(file, index, "its place has not as many numbers as it should");
-    return true;
+AffineMap map_of_node(const GltfFile& file, int index, const GltfJson& node) {
+  const auto numbers = [&](const char* key, std::size_t count) {
+    Numbers numbers;
+    for (const GltfJson& number : list_of(node, key)) numbers.push_back(number.get<double>());
+    if (!numbers.empty() && numbers.size() != count)
+      refuse_node(file, index, "its place has not as many numbers as it should");
+    return numbers;
   };
-  if (has(node.matrix, 16)) return from_matrix(node.matrix);
-  AffineMap map = has(node.rotation, 4) ? from_rotation(node.rotation) : AffineMap{};
-  if (has(node.scale, 3)) {
-    for (std::size_t k = 0; k < 3; ++k) map.columns[k] = node.scale[k] * map.columns[k];
-  }
-  if (has(node.translation, 3)) map.offset = {node.translation[0], node.translation[1], node.translation[2]};
+  if (const Numbers matrix = numbers("matrix", 16); !matrix.empty()) return from_matrix(matrix);
+  const Numbers rotation = numbers("rotation", 4), scale = numbers("scale", 3),
+                translation = numbers("translation", 3);
+  AffineMap map = rotation.empty() ? AffineMap{} : from_rotation(rotation);
+  for (std::size_t k = 0; k < scale.size(); ++k) map.columns[k] = scale[k] * map.columns[k];
+  if (!translation.empty()) map.offset = {translation[0], translation[1], translation[2]};
   return map;
 }
 
 class NodeWalk {
 public:
-  NodeWalk(const GltfFile& file, const tinygltf::Model& model) : file_(file), model_(model) {}
+  explicit NodeWalk(const GltfFile& file) : file_(file), nodes_(list_of(file.document, "nodes")) {}
 
   std::vector<GltfPlacement> walk() {
-    seen_.assign(model_.nodes.size(), 0);
-    const std::vector<int> roots = this->roots();
-    for (std::size_t i = roots.size(); i-- > 0;) open_.push_back({roots[i], {}});
+    seen_.assign(nodes_.size(), 0);
+    open_children(roots(), {});
     while (!open_.empty()) visit();
     return std::move(placements_);
   }
 
 private:
   struct Open {
-    int node;
+    std::size_t node;
     AffineMap parent;
   };
 
-  std::vector<int> roots() const {
-    if (!model_.scenes.empty()) {
-      const int scene = model_.defaultScene < 0 ? 0 : model_.defaultScene;
-      if (static_cast<std::size_t>(scene) >= model_.scenes.size())
+  static std::vector<std::size_t> listed(const GltfJson& of, const char* key) {
+    std::vector<std::size_t> all;
+    for (const GltfJson& index : list_of(of, key)) all.push_back(index.get<std::size_t>());
+    return all;
+  }
+
+  std::vector<std::size_t> roots() const {
+    const GltfJson& scenes = list_of(file_.document, "scenes");
+    if (!scenes.empty()) {
+      const std::size_t scene = count_of(file_.document, "scene").value_or(0);
+      if (scene >= scenes.size())
         throw base::Error(file_.name, "scene " + std::to_string(scene) + " is not there",
                           "export the model again");
-      return model_.scenes[static_cast<std::size_t>(scene)].nodes;
+      return listed(scenes[scene], "nodes");
     }
-    std::vector<char> is_child(model_.nodes.size(), 0);
-    for (const auto& node : model_.nodes) {
-      for (const int child : node.children) {
-        if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
-          is_child[static_cast<std::size_t>(child)] = 1;
+    std::vector<char> is_child(nodes_.size(), 0);
+    for (const GltfJson& node : nodes_) {
+      for (const std::size_t child : listed(node, "children")) {
+        if (child < is_child.size()) is_child[child] = 1;
       }
     }
-    std::vector<int> roots;
+    std::vector<std::size_t> roots;
     for (std::size_t i = 0; i < is_child.size(); ++i) {
-      if (!is_child[i]) roots.push_back(static_cast<int>(i));
+      if (!is_child[i]) roots.push_back(i);
     }
     return roots;
   }
 
-  void visit() {
-    const Open open = open_.back();
-    open_.pop_back();
-    const auto index = static_cast<std::size_t>(open.node);
-    if (open.node < 0 || index >= model_.nodes.size())
-      refuse_node(file_, open.node, "is not there, the file has " + std::to_string(model_.nodes.size()));
-    if (seen_[index]) refuse_node(file_, open.node, "is placed twice: nodes must form trees");
-    seen_[index] = 1;
-    const tinygltf::Node& node = model_.nodes[index];
-    const AffineMap map = open.parent * map_of_node(file_, open.node, node);
-    if (node.mesh >= 0) place(open.node, node, map);
-    for (std::size_t i = node.children.size(); i-- > 0;) open_.push_back({node.children[i], map});
+  void open_children(const std::vector<std::size_t>& nodes, const AffineMap& parent) {
+    for (std::size_t i = nodes.size(); i-- > 0;) open_.push_back({nodes[i], parent});
   }
 
-  void place(int index, const tinygltf::Node& node, const AffineMap& map) {
-    if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
-      refuse_node(file_, index, "refers to mesh " + std::to_string(node.mesh) + ", which is not there");
+  void visit() {
+    const auto [index, parent] = open_.back();
+    open_.pop_back();
+    const int number = static_cast<int>(index);
+    if (index >= nodes_.size())
+      refuse_node(file_, number, "is not there, the file has " + std::to_string(nodes_.size()));
+    if (seen_[index]) refuse_node(file_, number, "is placed twice: nodes must form trees");
+    seen_[index] = 1;
+    const GltfJson& node = nodes_[index];
+    const AffineMap map = parent * map_of_node(file_, number, node);
+    if (const int mesh = index_of(node, "mesh"); mesh >= 0) place(number, mesh, node, map);
+    open_children(listed(node, "children"), map);
+  }
+
+  void place(int index, int mesh, const GltfJson& node, const AffineMap& map) {
+    if (element_of(file_.document, "meshes", mesh).is_null())
+      refuse_node(file_, index, "refers to mesh " + std::to_string(mesh) + ", which is not there");
     // The place of a mesh that hangs on bones is that of the bones: at rest as it was modelled.
-    placements_.push_back({index, node.mesh, node.skin >= 0 ? AffineMap{} : map});
+    placements_.push_back({index, mesh, index_of(node, "skin") >= 0 ? AffineMap{} : map});
   }
 
   const GltfFile& file_;
-  const tinygltf::Model& model_;
+  const GltfJson& nodes_;
   std::vector<char> seen_;
   std::vector<Open> open_;
   std::vector<GltfPlacement> placements_;
@@ -146,8 +155,8 @@ AffineMap operator*(const AffineMap& a, const AffineMap& b) {
   return product;
 }
 
-std::vector<GltfPlacement> placements_of(const GltfFile& file, const tinygltf::Model& model) {
-  return NodeWalk(file, model).walk();
+std::vector<GltfPlacement> placements_of(const GltfFile& file) {
+  return NodeWalk(file).walk();
 }
 
 }  // namespace viete::mesh

@@ -11,10 +11,6 @@
 #include "mesh/formats/gltf_file.h"
 #include "mesh/surface.h"
 
-namespace tinygltf {
-class Model;
-}
-
 namespace viete::mesh {
 
 /// x' = M x + offset, M by columns.
@@ -43,7 +39,7 @@ struct GltfPlacement {
 
 /// Those of the default scene, or of the first one, or of all nodes; each before its children. Throws
 /// base::Error where nodes form anything but trees, or are not there.
-std::vector<GltfPlacement> placements_of(const GltfFile& file, const tinygltf::Model& model);
+std::vector<GltfPlacement> placements_of(const GltfFile& file);
 
 /// Vertices that primitives of one placement share: consecutive vertices of the file, as counted here.
 struct GltfPiece {

@@ -1,7 +1,5 @@
 #include "mesh/formats/gltf_sharing.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <string>
 
@@ -9,9 +7,7 @@
 
 namespace viete::mesh {
 
-GltfSharing::GltfSharing(const GltfJson& document, const tinygltf::Model& model,
-                         const GltfAccessors& accessors)
-    : model_(model), accessors_(accessors) {
+GltfSharing::GltfSharing(const GltfJson& document, const GltfAccessors& accessors) : accessors_(accessors) {
   count_uses(document);
   list_bytes(document);
 }
@@ -42,11 +38,12 @@ void GltfSharing::count_uses(const GltfJson& document) {
 
 // Which bytes somebody reads, by where they begin.
 void GltfSharing::list_bytes(const GltfJson& document) {
-  for (std::size_t i = 0; i < model_.accessors.size(); ++i) {
+  for (std::size_t i = 0; i < uses_.size(); ++i) {
     const auto place = uses_[i] > 0 ? place_if_sound(static_cast<int>(i)) : std::nullopt;
     if (place) bytes_.push_back(bytes_of(*place, i));
   }
-  for (const GltfJson& image : list_of(document, "images")) list_image(image);
+  for (const GltfJson& image : list_of(document, "images"))
+    list_image(element_of(document, "bufferViews", index_of(image, "bufferView")));
   std::sort(bytes_.begin(), bytes_.end());
   for (std::size_t i = 0; i < bytes_.size(); ++i) {
     const bool follows = i > 0 && bytes_[i - 1].buffer == bytes_[i].buffer;
@@ -54,12 +51,11 @@ void GltfSharing::list_bytes(const GltfJson& document) {
   }
 }
 
-void GltfSharing::list_image(const GltfJson& image) {
-  const auto view = count_of(image, "bufferView");
-  if (!view || *view >= model_.bufferViews.size()) return;
-  const tinygltf::BufferView& v = model_.bufferViews[*view];
-  bytes_.push_back(
-      {static_cast<std::size_t>(v.buffer), v.byteOffset, v.byteOffset + v.byteLength, 0, std::string::npos});
+void GltfSharing::list_image(const GltfJson& view) {
+  const auto buffer = count_of(view, "buffer");
+  if (!buffer) return;
+  const std::size_t begin = count_of(view, "byteOffset").value_or(0);
+  bytes_.push_back({*buffer, begin, begin + count_of(view, "byteLength").value_or(0), 0, std::string::npos});
 }
 
 GltfSharing::Bytes GltfSharing::bytes_of(const GltfPlace& p, std::size_t accessor) {
@@ -76,11 +72,8 @@ bool GltfSharing::interleaved(const GltfPlace& a, const Bytes& other) const {
 
 bool GltfSharing::is_alone(int accessor, std::size_t components) {
   const auto index = static_cast<std::size_t>(accessor);
-  const tinygltf::Accessor& a = model_.accessors[index];
   const GltfPlace place = accessors_.place(accessor);
-  if (!place.has_bytes || a.sparse.isSparse || a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT ||
-      place.size != components * sizeof(float))
-    return false;
+  if (!place.has_bytes || !accessors_.holds_floats(accessor, components)) return false;
   const Bytes mine = bytes_of(place, index);
   auto at = std::lower_bound(bytes_.begin(), bytes_.end(), Bytes{mine.buffer, mine.end, 0, 0, 0});
   while (at != bytes_.begin() && (--at)->buffer == mine.buffer && at->furthest > mine.begin) {

@@ -12,10 +12,10 @@
 
 namespace viete::mesh {
 
-/// Of the document as it is when this is made. Borrows model and accessors.
+/// Of the document as it is when this is made; its accessors and views are those of the file. Borrows these.
 class GltfSharing {
 public:
-  GltfSharing(const GltfJson& document, const tinygltf::Model& model, const GltfAccessors& accessors);
+  GltfSharing(const GltfJson& document, const GltfAccessors& accessors);
 
   /// How often the accessor is named, wherever that is.
   std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
@@ -36,12 +36,11 @@ private:
 
   void count_uses(const GltfJson& document);
   void list_bytes(const GltfJson& document);
-  void list_image(const GltfJson& image);
+  void list_image(const GltfJson& view);
   static Bytes bytes_of(const GltfPlace& p, std::size_t accessor);
   bool interleaved(const GltfPlace& a, const Bytes& other) const;
   std::optional<GltfPlace> place_if_sound(int accessor) const;
 
-  const tinygltf::Model& model_;
   const GltfAccessors& accessors_;
   std::vector<std::size_t> uses_;
   std::vector<Bytes> bytes_;

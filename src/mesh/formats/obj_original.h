@@ -23,13 +23,13 @@ public:
   ObjOriginal(std::string_view bytes, std::shared_ptr<const void> owner,
               std::shared_ptr<const Attributes> attributes, std::vector<std::uint32_t> normal_blocks,
               std::filesystem::path folder)
-      : bytes_(bytes),
+      : Original("OBJ"),
+        bytes_(bytes),
         owner_(std::move(owner)),
         attributes_(std::move(attributes)),
         normal_blocks_(std::move(normal_blocks)),
         folder_(std::move(folder)) {}
 
-  bool writes(std::string_view extension) const override { return extension == "obj"; }
   std::vector<std::string> beyond_attributes() const override;
   Companions companions() const override;
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,

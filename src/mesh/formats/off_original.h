@@ -18,9 +18,8 @@ public:
   /// vertex is looked for.
   OffOriginal(std::string_view bytes, std::shared_ptr<const void> owner, std::size_t body,
               const OffForm& form)
-      : bytes_(bytes), owner_(std::move(owner)), body_(body), form_(form) {}
+      : Original("OFF"), bytes_(bytes), owner_(std::move(owner)), body_(body), form_(form) {}
 
-  bool writes(std::string_view extension) const override { return extension == "off"; }
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                  TextWriter& out) const override;
 

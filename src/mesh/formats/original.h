@@ -27,10 +27,12 @@ class FilesBeside;
 /// Immutable; one for each format. Thread-safe.
 class Original {
 public:
+  /// The name of its format in the table.
+  explicit Original(std::string_view format) : format_(format) {}
   virtual ~Original() = default;
 
-  /// True for the extension (lower case, without the dot) of a file that it can write itself as.
-  virtual bool writes(std::string_view extension) const = 0;
+  /// True for the name of a file that it can write itself as.
+  bool writes(const std::filesystem::path& file) const;
 
   /// What it holds that a surface and its attributes do not, so that another format does not get it:
   /// "animations", "12 lines".
@@ -61,6 +63,9 @@ public:
 
   /// How its meshes morph; null where they do not. Throws base::Error where that is not sound.
   virtual std::shared_ptr<const MorphClip> morphs() const { return nullptr; }
+
+private:
+  std::string_view format_;
 };
 
 }  // namespace viete::mesh

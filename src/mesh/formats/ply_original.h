@@ -21,14 +21,14 @@ public:
   /// element begins. companions: the images that its comments name.
   PlyOriginal(std::string name, std::string_view bytes, std::shared_ptr<const void> owner, PlyHeader header,
               std::size_t body, Companions companions)
-      : name_(std::move(name)),
+      : Original("PLY"),
+        name_(std::move(name)),
         bytes_(bytes),
         owner_(std::move(owner)),
         header_(std::move(header)),
         body_(body),
         companions_(std::move(companions)) {}
 
-  bool writes(std::string_view extension) const override { return extension == "ply"; }
   std::vector<std::string> beyond_attributes() const override;
   Companions companions() const override { return companions_; }
   /// Throws base::Error too where a position does not fit into the type that the file has for it.

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <new>
+#include <ranges>
 
 #include "base/error.h"
 #include "mesh/formats/foreign_content.h"
-#include "mesh/formats/gltf.h"
-#include "mesh/formats/gltf_file.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/obj.h"
-#include "mesh/formats/off.h"
-#include "mesh/formats/ply.h"
-#include "mesh/formats/stl.h"
 
 namespace viete::mesh {
 
@@ -23,30 +20,25 @@ bool looks_binary(std::string_view bytes) {
                      [](unsigned char c) { return c < 32 && (c < 8 || c > 13) && c != 26 && c != 27; });
 }
 
-[[noreturn]] void refuse_unknown(const Source& source) {
-  throw base::Error(source.name, "the content is not OBJ, PLY, OFF, STL or glTF",
-                    "export the model in one of these formats");
-}
-
 ReadResult by_extension(const Source& source) {
   refuse_foreign(source.name, source.bytes);
-  if (source.extension == "glb" || source.extension == "gltf") return read_gltf(source);
-  if (source.extension == "stl") return read_stl(source);
-  if (looks_binary(source.bytes)) refuse_unknown(source);
-  if (source.extension == "ply" && !looks_like_obj(source)) return read_ply(source);
-  if (source.extension == "off" && !looks_like_obj(source)) return read_off(source);
-  if (source.extension == "obj" || looks_like_obj(source)) return read_obj(source);
-  refuse_unknown(source);
+  const Format* named = format_by_extension(source.extension);
+  if (named && named->may_be_binary) return named->read(source);
+  const bool binary = looks_binary(source.bytes);
+  if (!binary && looks_like_obj(source)) return read_obj(source);
+  if (!binary && named && named->read) return named->read(source);
+  throw base::Error(source.name, "the content is not " + format_names(holds_surface),
+                    "export the model in one of these formats");
 }
 
 }  // namespace
 
 ReadResult read(const Source& source) {
   try {
-    if (looks_like_ply(source)) return read_ply(source);
-    if (looks_like_gltf(source)) return read_gltf(source);
-    if (looks_like_stl(source)) return read_stl(source);
-    if (looks_like_off(source)) return read_off(source);
+    // From the last one: what a binary file begins with may read as any word.
+    for (const Format& format : std::views::reverse(all_formats())) {
+      if (format.recognised && format.recognised(source)) return format.read(source);
+    }
     return by_extension(source);
   } catch (const std::bad_alloc&) {
     throw base::Error(source.name, "the model does not fit into memory", "reduce it or use a larger machine");

@@ -17,9 +17,8 @@ class StlOriginal final : public Original {
 public:
   /// The bytes, which read_stl() has read without an error, live as long as the owner.
   StlOriginal(std::string name, std::string_view bytes, std::shared_ptr<const void> owner, bool binary)
-      : name_(std::move(name)), bytes_(bytes), owner_(std::move(owner)), binary_(binary) {}
+      : Original("STL"), name_(std::move(name)), bytes_(bytes), owner_(std::move(owner)), binary_(binary) {}
 
-  bool writes(std::string_view extension) const override { return extension == "stl"; }
   /// Throws base::Error too where a position does not fit into the float of a binary file.
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                  TextWriter& out) const override;

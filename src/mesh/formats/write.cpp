@@ -6,32 +6,15 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "mesh/formats/conversion.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/gltf_output.h"
 #include "mesh/formats/image_files.h"
 #include "mesh/formats/obj.h"
-#include "mesh/formats/off.h"
-#include "mesh/formats/ply.h"
-#include "mesh/formats/source.h"
-#include "mesh/formats/stl.h"
 #include "mesh/formats/written_positions.h"
 
 namespace viete::mesh {
 
 namespace {
-
-using Format = void (*)(const Content&, TextWriter&);
-
-Format format_for(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  if (extension == "obj") return write_obj;
-  if (extension == "ply") return write_ply;
-  if (extension == "off") return write_off;
-  if (extension == "stl") return write_stl;
-  if (extension == "glb") return write_glb;
-  if (extension == "gltf") return write_gltf;
-  const std::string found = extension.empty() ? "no extension" : "unknown extension ." + extension;
-  throw base::Error(path.string(), found, "use .obj, .ply, .off, .stl, .glb or .gltf");
-}
 
 template <class Fill>
 void write_as(const std::filesystem::path& path, Digits digits, base::Progress* progress, const Fill& fill) {
@@ -44,6 +27,23 @@ void write_as(const std::filesystem::path& path, Digits digits, base::Progress* 
 
 void append(std::vector<std::string>& notes, std::vector<std::string> more) {
   std::ranges::move(more, std::back_inserter(notes));
+}
+
+// What the format can hold of the attributes as they are now; what it cannot is told.
+Attributes converted(const Format& format, const Content& content, const Original* original,
+                     std::vector<std::string>& notes) {
+  if (original) notes = left_out(format, *original);
+  append(notes, triangles_notes(format, content.surface));
+  if (!content.attributes) return {};
+  Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
+  if (format.held.materials && !format.held.polygon_colors) colors_to_materials(now);
+  if (format.write == write_obj) {
+    fill_in_materials(now);
+    name_materials(now);
+  }
+  append(notes, left_out(format, content.surface, *content.attributes, now));
+  if (format.images == Format::Images::within) append(notes, take_images_within(now));
+  return now;
 }
 
 }  // namespace
@@ -67,40 +67,28 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
     beside.keep();
     if (leads_to) *leads_to = beside.all();
   };
-  if (original && original->writes(extension_of(path))) {
+  if (original && original->writes(path)) {
     std::vector<std::string> notes = copy_companions(original->companions(), beside);
     append(notes, original->write_file(path, content.surface, content.positions, digits, progress, &beside));
     keep();
     return notes;
   }
-  const Format format = format_for(path);
-  if (format == write_stl && content.surface.triangles.empty())
-    throw base::Error(path.string(), "STL holds triangles alone, and there are none",
-                      "write .obj, .ply, .off or .glb");
+  const Format& format = surface_format(path);
+  if (!format.held.points && content.surface.triangles.empty())
+    throw base::Error(path.string(), std::string(format.name) + " holds triangles alone, and there are none",
+                      "write " + format_extensions([](const Format& f) { return f.held.points; }));
   std::vector<std::string> notes;
-  if (original) notes = left_out(extension_of(path), *original);
-  append(notes, triangles_notes(extension_of(path), content.surface));
-  if (!content.attributes) {
-    write_as(path, digits, progress, [&](TextWriter& out) { format(content, out); });
-    return notes;
-  }
-  Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
-  if (format == write_obj) {
-    colors_to_materials(now);
-    fill_in_materials(now);
-    name_materials(now);
-  }
-  append(notes, left_out(extension_of(path), content.surface, *content.attributes, now));
-  if (format == write_glb || format == write_gltf) append(notes, take_images_within(now));
+  Attributes now = converted(format, content, original, notes);
   std::string library;
-  if (format == write_obj || format == write_ply) append(notes, put_images_beside(beside, now));
-  if (format == write_obj && !now.materials.empty()) {
+  if (format.images == Format::Images::beside) append(notes, put_images_beside(beside, now));
+  if (format.write == write_obj && !now.materials.empty()) {
     library = beside.put(path.stem().string() + ".mtl", material_library(now));
     notes.push_back("the materials are in " + (path.parent_path() / library).string());
   }
-  const Content converted{content.surface, content.positions, content.comments, &now};
+  const Content what{content.surface, content.positions, content.comments,
+                     content.attributes ? &now : nullptr};
   write_as(path, digits, progress, [&](TextWriter& out) {
-    library.empty() ? format(converted, out) : write_obj_with_library(converted, library, out);
+    library.empty() ? format.write(what, out) : write_obj_with_library(what, library, out);
   });
   keep();
   return notes;
@@ -115,46 +103,33 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
                                         const Original* original, const MorphMotion& motion,
                                         base::Progress* progress) {
-  const Format format = format_for(path);
-  if (format != write_glb && format != write_gltf)
-    throw base::Error(path.string(), "this format has no morph targets", "write .glb or .gltf");
+  const Format& format = surface_format(path);
+  if (!format.holds_morphs)
+    throw base::Error(path.string(), "this format has no morph targets",
+                      "write " + format_extensions(holds_morphs));
   check_motion(motion, content.surface.positions.size());
   check_written(path.string(), content.positions);
-  const std::string extension = extension_of(path);
-  if (original && original->writes(extension)) {
+  std::vector<std::string> notes;
+  if (original && original->writes(path)) {
     FilesBeside beside(path);
-    std::vector<std::string> notes = copy_companions(original->companions(), beside);
+    notes = copy_companions(original->companions(), beside);
     append(notes, original->write_animated(path, content.surface, content.positions, motion, progress));
     beside.keep();
     return notes;
   }
-  std::vector<std::string> notes;
-  if (original) notes = left_out(extension, *original);
-  append(notes, triangles_notes(extension, content.surface));
-  Attributes now;
-  if (content.attributes) {
-    now = deformed_attributes(content.surface, content.positions, *content.attributes);
-    append(notes, left_out(extension, content.surface, *content.attributes, now));
-    append(notes, take_images_within(now));
-  }
-  const Content converted{content.surface, content.positions, content.comments, &now};
+  const Attributes now = converted(format, content, original, notes);
+  const Content what{content.surface, content.positions, content.comments, &now};
   write_as(path, {}, nullptr, [&](TextWriter& out) {
-    write_gltf_animated(converted, motion, format == write_glb, out, progress);
+    write_gltf_animated(what, motion, format.write == write_glb, out, progress);
   });
   return notes;
 }
 
-void check_format(const std::filesystem::path& path) {
-  format_for(path);
-}
-
 void check_keeps_vertices(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  const bool stl = extension == "stl";
-  if (!stl && extension != "glb" && extension != "gltf") return;
-  throw base::Error(path.string(),
-                    std::string(stl ? "STL" : "glTF") + " does not keep the order of the vertices",
-                    "save it as .obj, .ply or .off");
+  const Format* format = find_format(path);
+  if (!format || !format->write || format->keeps_order) return;
+  throw base::Error(path.string(), std::string(format->name) + " does not keep the order of the vertices",
+                    "save it as " + format_extensions(keeps_order));
 }
 
 }  // namespace viete::mesh

@@ -48,9 +48,6 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
                                         const Original* original, const MorphAnimation& animation,
                                         base::Progress* progress = nullptr);
 
-/// Throws what write() throws for this name's extension.
-void check_format(const std::filesystem::path& path);
-
 /// Throws base::Error where this name's format would read back other vertices, or in another order, than were
 /// written: STL and glTF.
 void check_keeps_vertices(const std::filesystem::path& path);

@@ -8,8 +8,6 @@ namespace viete::scene {
 
 namespace {
 
-using mesh::operator+, mesh::operator*;
-
 void add_share(deform::ProbePose& sum, const deform::ProbePose& pose, double factor) {
   sum.turn = sum.turn + factor * pose.turn;
   sum.move = sum.move + factor * pose.move;
@@ -65,7 +63,6 @@ bool in_range(const WholePose& pose, double farthest) {
 // Turns that were missing are filled in at the first frame, by half a turn at most; another branch of the
 // same rotation is a whole turn away.
 bool same_pose(const deform::Pose& a, const deform::Pose& b) {
-  using mesh::operator-;
   if (a.positions != b.positions) return false;
   const auto turn = [](const deform::Pose& pose, std::size_t part) {
     return part < pose.turns.size() ? pose.turns[part] : deform::Vec3{0, 0, 0};

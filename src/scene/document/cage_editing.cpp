@@ -20,8 +20,6 @@ namespace viete::scene {
 
 namespace {
 
-using mesh::operator+, mesh::operator-, mesh::operator*;
-
 constexpr double snug_margin = 0.2 * fit_margin;
 
 std::string edited_name(const OpenedSurface& cage) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "mesh/formats/format.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/record.h"
 #include "scene/document/selection_sets.h"
@@ -63,8 +64,9 @@ void cancel_making(Document& document, CageMaking& making) {
 fs::path cage_beside(const fs::path& model) {
   const std::string stem = model.stem().string();
   for (const std::string& name : {stem + "_cage", stem + ".cage", stem + "-cage", std::string("cage")}) {
-    for (const char* extension : {".obj", ".ply", ".off"}) {
-      const fs::path file = model.parent_path() / (name + extension);
+    for (const mesh::Format& format : mesh::all_formats()) {
+      if (!format.keeps_order) continue;
+      const fs::path file = model.parent_path() / (name + "." + std::string(format.extension));
       std::error_code ignored;
       if (file != model && fs::is_regular_file(file, ignored)) return file;
     }

@@ -13,8 +13,6 @@
 
 namespace viete::scene {
 
-using mesh::operator+;
-
 namespace {
 
 struct SizeRange {

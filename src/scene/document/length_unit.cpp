@@ -1,4 +1,5 @@
 #include "scene/document/length_unit.h"
+#include "mesh/formats/format.h"
 
 #include <algorithm>
 #include <array>
@@ -97,7 +98,8 @@ std::optional<LengthUnit> length_unit_of_symbol(std::string_view symbol) {
 }
 
 LengthUnit guessed_unit(std::string_view format, const std::vector<std::string>& comments) {
-  if (format.starts_with("glTF")) return LengthUnit::metre;
+  const mesh::Format* found = mesh::format_of_description(format);
+  if (found && found->in_metres) return LengthUnit::metre;
   for (const std::string& comment : comments) {
     const LengthUnit unit = named_unit(comment);
     if (unit != LengthUnit::unknown) return unit;

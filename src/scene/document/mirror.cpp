@@ -9,8 +9,6 @@
 
 namespace viete::scene {
 
-using mesh::operator+, mesh::operator-, mesh::operator*;
-
 namespace {
 
 constexpr double near_share = 0.02;  // of the diagonal: so exact are cages that people make by hand

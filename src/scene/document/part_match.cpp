@@ -44,7 +44,7 @@ public:
   std::optional<mesh::Point> hinge() const {
     if (beyond_ == 0) return std::nullopt;
     const glm::dvec3 middle = sum_beyond_ / static_cast<double>(beyond_);
-    return mesh::Point{middle.x, middle.y, middle.z};
+    return point_of(middle);
   }
   /// Faces at a vertex.
   std::uint32_t degree(std::uint32_t v) const { return degrees_[v]; }

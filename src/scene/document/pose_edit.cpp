@@ -16,7 +16,6 @@ constexpr const char* no_room_for_poses = "there are as many poses as a document
 // What of a pose acts on some vertices of the cage: of a triangle as many thirds as it has corners there.
 deform::PoseVector limited_to(const deform::Cage& cage, const deform::PoseVector& vector,
                               const std::vector<std::uint32_t>& part) {
-  using mesh::operator*;
   deform::PoseVector limited = vector;
   if (part.empty()) return limited;
   std::vector<double> share(cage.surface.positions.size());

@@ -8,7 +8,6 @@ namespace {
 
 // Of each part of the cage, signed: positive when its faces look outward. In units of the cage's size.
 std::vector<double> volumes(const deform::Cage& cage, const std::vector<mesh::Point>& positions) {
-  using mesh::operator-, mesh::operator*;
   std::vector<double> all(cage.roots.size(), 0);
   for (std::size_t e = 0; e < cage.element_count(); ++e) {
     if (cage.parts[e] >= all.size()) continue;

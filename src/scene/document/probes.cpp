@@ -14,8 +14,6 @@
 
 namespace viete::scene {
 
-using mesh::operator+, mesh::operator-, mesh::operator*;
-
 namespace {
 
 constexpr double usual_radius = 0.2;  // of the model's diagonal

@@ -13,7 +13,6 @@ namespace viete::scene {
 
 namespace {
 
-using mesh::operator+, mesh::operator-, mesh::operator*;
 using mesh::Vec3;
 using Numbers = std::vector<std::uint32_t>;
 using Flags = std::vector<std::uint8_t>;

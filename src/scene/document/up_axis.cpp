@@ -4,13 +4,13 @@
 #include <array>
 #include <vector>
 
+#include "mesh/formats/format.h"
 #include "mesh/vector.h"
 
 namespace viete::scene {
 
 namespace {
 
-using mesh::operator+, mesh::operator-, mesh::operator*;
 using Point2 = std::array<double, 2>;
 
 double turn(const Point2& a, const Point2& b, const Point2& c) {
@@ -72,8 +72,9 @@ double standing(const mesh::Surface& surface, const mesh::Bounds& box, const mes
 
 UpAxis guessed_up(const OpenedSurface& model) {
   constexpr double matters = 0.05;
-  if (model.format.starts_with("STL")) return UpAxis::z;
-  if (model.format.starts_with("glTF") || model.surface->triangles.empty()) return UpAxis::y;
+  const mesh::Format* format = mesh::format_of_description(model.format);
+  if (format && format->up) return format->up == 'z' ? UpAxis::z : UpAxis::y;
+  if (model.surface->triangles.empty()) return UpAxis::y;
   const mesh::Point middle = centroid(*model.surface);
   const double y = standing(*model.surface, model.bounds, middle, 1),
                z = standing(*model.surface, model.bounds, middle, 2);

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "base/worker_pool.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
@@ -32,10 +33,6 @@ namespace {
 
 bool is_numbered(const AnimationExport& what) {
   return base::NumberedName::is_pattern(what.model.file);
-}
-
-bool has_morphs(const std::string& extension) {
-  return extension == "glb" || extension == "gltf";
 }
 
 // Where float frames are judged.
@@ -267,8 +264,7 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
       *what.model.model, what.model.model->positions, {}, what.model.attributes.get()};
   model.notes().add(mesh::write_animated(what.model.file, content, what.model.original.get(),
                                          model.motion(plan), progress));
-  const std::string extension = mesh::extension_of(what.model.file);
-  const bool original = what.model.original && what.model.original->writes(extension);
+  const bool original = what.model.original && what.model.original->writes(what.model.file);
   const std::string units = original ? "" : gltf_note(what.model.unit, what.model.up);
   if (!units.empty()) model.notes().add({units});
   AnimationReport report;
@@ -329,12 +325,8 @@ AnimationExport animation_export_of(const Document& document, const fs::path& fi
 }
 
 bool is_animation_format(const std::string& extension) {
-  return extension == "pc2" || extension == "mdd" || has_morphs(extension);
-}
-
-bool is_frame_format(const std::string& extension) {
-  constexpr std::array formats{"obj", "ply", "off", "stl", "glb", "gltf"};
-  return std::ranges::find(formats, extension) != formats.end();
+  const mesh::Format* format = mesh::format_by_extension(extension);
+  return format && (format->is_sequence || format->holds_morphs);
 }
 
 bool is_video_format(const std::string& extension) {
@@ -345,9 +337,11 @@ bool is_video_format(const std::string& extension) {
 void check_animation_export(const AnimationExport& what) {
   const fs::path& file = what.model.file;
   const std::string extension = mesh::extension_of(file);
-  if (!is_animation_format(extension) && !is_frame_format(extension))
+  if (!mesh::format_by_extension(extension))
     throw base::Error(file.string(), extension.empty() ? "no extension" : "unknown extension ." + extension,
-                      "use .pc2, .mdd, .glb or .gltf, or numbered models such as frame_####.obj");
+                      "use " + mesh::format_extensions(mesh::is_sequence, ", ") + ", " +
+                          mesh::format_extensions(mesh::holds_morphs) +
+                          ", or numbered models such as frame_####.obj");
   if (!is_numbered(what) && !is_animation_format(extension))
     throw base::Error(file.string(), "a file of this format holds one frame",
                       "write numbered files, " + (file.stem() += "_####." + extension).string());

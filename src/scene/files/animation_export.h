@@ -50,9 +50,8 @@ struct AnimationReport {
   std::size_t targets = 0;           ///< morph targets
 };
 
-/// The extensions of one file for all frames, and of one a frame: "pc2", "glb" ...; "obj" ...
+/// The extensions of one file for all frames: "pc2", "glb" ...
 bool is_animation_format(const std::string& extension);
-bool is_frame_format(const std::string& extension);
 /// "mp4", "webm", "mkv" and "gif": pictures of all frames, which are drawn, see app/animation_pictures.h.
 bool is_video_format(const std::string& extension);
 

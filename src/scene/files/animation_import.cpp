@@ -12,6 +12,7 @@
 #include "base/numbered_files.h"
 #include "base/quantity.h"
 #include "deform/pose_io.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/source.h"
@@ -24,13 +25,6 @@ namespace viete::scene {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::array<std::string_view, 6> posed_formats{"obj", "ply", "off", "stl", "glb", "gltf"};
-
-bool is_gltf(const fs::path& file) {
-  const std::string extension = mesh::extension_of(file);
-  return extension == "glb" || extension == "gltf";
-}
 
 SharedPose shared(deform::Pose pose) {
   return std::make_shared<const WholePose>(WholePose{std::move(pose), {}});
@@ -121,7 +115,7 @@ void add_targets(const fs::path& file, const CageClip& found, ImportedPoses& all
 
 void add_poses_of(const fs::path& file, const deform::Cage& cage, ImportedPoses& all) {
   all.files.push_back(file);
-  if (is_gltf(file)) {
+  if (mesh::is_a(mesh::holds_morphs, file)) {
     const CageClip found = clip_of(file, cage, all.warnings);
     if (found.clip) return add_targets(file, found, all);
   }
@@ -156,10 +150,9 @@ std::vector<fs::path> models_in(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code code;
   for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
-    const bool model =
-        std::ranges::find(posed_formats, mesh::extension_of(at->path())) != posed_formats.end();
     std::error_code ignored;
-    if (model && at->is_regular_file(ignored)) files.push_back(at->path());
+    if (mesh::is_a(mesh::holds_surface, at->path()) && at->is_regular_file(ignored))
+      files.push_back(at->path());
   }
   if (code) throw base::Error(folder.string(), "cannot be read: " + code.message(), "check the folder");
   std::ranges::sort(files, before_by_numbers, [](const fs::path& p) { return p.filename().string(); });
@@ -319,7 +312,7 @@ ImportedKeys read_keys(const fs::path& file, const deform::Cage& cage, const Imp
   if (mesh::point_cache_format(file)) return keys_of_cache(file, cage, times, progress);
   const auto sequence = base::NumberedName::of_file(file);
   const bool alone = !sequence || sequence->find().size() < 2;
-  if (is_gltf(file) && alone) return keys_of_gltf(file, cage, times, progress);
+  if (mesh::is_a(mesh::holds_morphs, file) && alone) return keys_of_gltf(file, cage, times, progress);
   if (!sequence)
     throw base::Error(file.string(), "its name has no number, so that nothing says which frame it is",
                       "choose a numbered posed cage (pose_0001.obj), a point cache or a glTF file");

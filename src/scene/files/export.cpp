@@ -11,6 +11,7 @@
 #include "deform/exact.h"
 #include "mesh/content_key.h"
 #include "mesh/formats/conversion.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
 #include "scene/document/cage_editing.h"
@@ -69,13 +70,13 @@ void keep_at_rest(const mesh::Surface& model, const deform::Cage& cage, std::vec
 }
 
 bool writes_original(const Export& what) {
-  return what.original && what.original->writes(mesh::extension_of(what.file));
+  return what.original && what.original->writes(what.file);
 }
 
 }  // namespace
 
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
-  if (!writes_original(what)) mesh::check_format(what.file);
+  if (!writes_original(what)) mesh::surface_format(what.file);
   base::check_replaceable(what.file);
   base::WorkerPool pool;
   if (progress) progress->section(0, 0.5);
@@ -97,8 +98,7 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
       mesh::write(what.file, content, what.original.get(), what.digits, progress, leads_to);
   std::ranges::move(deformed.warnings, std::back_inserter(notes));
   for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
-  const std::string extension = mesh::extension_of(what.file);
-  const bool new_gltf = !writes_original(what) && (extension == "glb" || extension == "gltf");
+  const bool new_gltf = !writes_original(what) && mesh::surface_format(what.file).in_metres;
   for (const std::string& note :
        {method_note(what.method, deformed.exp_error), new_gltf ? gltf_note(what.unit, what.up) : ""}) {
     if (!note.empty()) notes.push_back(note);

@@ -265,10 +265,10 @@ std::filesystem::path JsonReader::path() const {
 }
 
 // Without the cost of naming each element: these lists are long.
-std::optional<std::array<double, 3>> JsonReader::point(std::size_t index, double limit) const {
+std::optional<mesh::Vec3> JsonReader::point(std::size_t index, double limit) const {
   const json& values = value_[index];
   if (!values.is_array() || values.size() != 3) return std::nullopt;
-  std::array<double, 3> point;
+  mesh::Vec3 point;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!values[i].is_number()) return std::nullopt;
     point[i] = values[i].get<double>();

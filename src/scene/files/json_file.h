@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "mesh/formats/text_cursor.h"
+#include "mesh/vector.h"
 
 namespace viete::scene {
 
@@ -62,7 +63,7 @@ public:
     return all;
   }
   /// Of an array of points: its item `index`; nothing if that is no [x, y, z] with |x|, |y|, |z| <= limit.
-  std::optional<std::array<double, 3>> point(std::size_t index, double limit) const;
+  std::optional<mesh::Vec3> point(std::size_t index, double limit) const;
 
   [[noreturn]] void fail(const std::string& problem,
                          const std::string& advice = "correct it in the file") const;

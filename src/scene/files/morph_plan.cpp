@@ -18,7 +18,6 @@ namespace viete::scene {
 namespace {
 
 using mesh::Point;
-using mesh::operator-, mesh::operator+, mesh::operator*;
 
 // Of the tolerance: what straight lines between moments, and what targets that are left out, may take. The
 // rest is for floats, and for the engine.

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/numbered_files.h"
 #include "deform/binding_file.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
 #include "scene/document/document.h"
@@ -64,7 +65,7 @@ const char* name_of_content(Content content) {
 
 void check_output(const fs::path& file, Content content, const FilesInUse& files, Force force) {
   if (file.empty()) return;
-  if (content == Content::surface) mesh::check_format(file);
+  if (content == Content::surface) mesh::surface_format(file);
   const std::string* used = force == Force::given ? nullptr : files.find(file);
   if (used) refuse_in_use(file, *used, file, force);
   base::remove_leftovers_beside(file);

@@ -56,7 +56,7 @@ std::array<double, 6> six(const sym3::Sym3<double>& s) {
 }
 
 mesh::Vec3 vector_of(const JsonReader& json, double limit) {
-  const auto vector = json.numbers<3>();
+  const mesh::Vec3 vector = json.numbers<3>();
   if (!(mesh::norm(vector) <= limit)) json.fail("a number is too large");
   return vector;
 }

@@ -7,12 +7,10 @@
 #include "mesh/union_find.h"
 #include "scene/document/elements.h"
 #include "scene/document/selection_sets.h"
-#include "scene/hand/cursor_projection.h"
 #include "scene/document/vectors.h"
+#include "scene/hand/cursor_projection.h"
 
 namespace viete::scene {
-
-using mesh::operator+, mesh::operator-, mesh::operator*;
 
 namespace {
 
@@ -130,8 +128,8 @@ glm::dvec3 normal_at(const Document& document, std::span<const std::uint32_t> ve
     if (!has_all) continue;
     const mesh::Point& from = document.pose.positions[*begin];
     for (auto c = begin + 1; c + 1 < end; ++c) {
-      sum +=
-          vector_of(mesh::cross(document.pose.positions[*c] - from, document.pose.positions[*(c + 1)] - from));
+      sum += vector_of(
+          mesh::cross(document.pose.positions[*c] - from, document.pose.positions[*(c + 1)] - from));
     }
   }
   return sum;

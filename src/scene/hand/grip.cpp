@@ -5,8 +5,6 @@
 
 namespace viete::scene {
 
-using mesh::operator+, mesh::operator-, mesh::operator*;
-
 namespace {
 
 using Side = Gripped::Side;

@@ -8,8 +8,6 @@
 
 namespace viete::scene {
 
-using mesh::operator+, mesh::operator*;
-
 namespace {
 
 // What is hidden stays where it is.

@@ -14,8 +14,6 @@
 
 namespace viete::scene {
 
-using mesh::operator+, mesh::operator-, mesh::operator*;
-
 namespace {
 
 constexpr double turn_rounding = 1e-6;  // relative
@@ -53,7 +51,6 @@ struct Motion {
   // Each whole turn adds the same as the first: following one of them is enough.
   void follow_whole(double from, int count) {
     if (count == 0) return;
-    using mesh::operator+, mesh::operator-, mesh::operator*;
     auto& turns = document.pose.turns;
     turns.resize(document.cage->roots.size(), {0, 0, 0});
     const auto start = turns;
@@ -63,8 +60,6 @@ struct Motion {
     }
   }
 };
-
-using mesh::operator-, mesh::operator*;
 
 // Of each part of the cage the axis that it is turned about, in one piece; 0 of others.
 std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip, const glm::dvec3& axis) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/document/vectors.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/gizmo.h"
 
@@ -23,19 +24,20 @@ public:
         space_(space),
         camera_(camera),
         viewport_(viewport),
-        end_(seen(file(shaping.to))) {}
+        end_(seen(point_of(shaping.to))) {}
 
-  bool in_front() const { return end_.in_front() && seen(file(shaping_.from)).in_front(); }
+  bool in_front() const { return end_.in_front() && seen(point_of(shaping_.from)).in_front(); }
   const CursorProjection& end() const { return end_; }
   glm::dvec3 axis() const { return glm::normalize(shaping_.to - shaping_.from); }
-  glm::dvec2 bent_end(double amount) const { return at(shaped(shaping_, amount, file(shaping_.to))); }
+  glm::dvec2 bent_end(double amount) const { return at(shaped(shaping_, amount, point_of(shaping_.to))); }
 
   std::vector<glm::vec2> way(double amount) const {
     constexpr int steps = 32;
     std::vector<glm::vec2> points;
     for (int i = 0; i <= steps; ++i) {
       const glm::dvec3 p = glm::mix(shaping_.from, shaping_.to, double(i) / steps);
-      points.emplace_back(at(shaping_.shape == Shape::bend ? shaped(shaping_, amount, file(p)) : file(p)));
+      points.emplace_back(
+          at(shaping_.shape == Shape::bend ? shaped(shaping_, amount, point_of(p)) : point_of(p)));
     }
     return points;
   }
@@ -46,7 +48,7 @@ public:
                  radius = gizmo_radius * end_.per_pixel() / space_.scale;
     const glm::dvec3 a = axis(), side = glm::cross(shaping_.hinge, a);
     const glm::dvec3 arm = std::cos(angle) * side + std::sin(angle) * glm::cross(a, side);
-    return glm::vec2(at(file(shaping_.to + radius * arm)));
+    return glm::vec2(at(point_of(shaping_.to + radius * arm)));
   }
   std::vector<glm::vec2> ring(double degrees) const {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(degrees) / 4)));
@@ -66,7 +68,6 @@ public:
   }
 
 private:
-  static mesh::Point file(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
   CursorProjection seen(const mesh::Point& p) const {
     return {glm::dvec3(space_.to_view(p)), camera_, viewport_};
   }

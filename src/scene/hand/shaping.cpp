@@ -6,12 +6,10 @@
 
 #include "scene/document/camera.h"
 #include "scene/document/elements.h"
-#include "scene/hand/cursor_projection.h"
 #include "scene/document/vectors.h"
+#include "scene/hand/cursor_projection.h"
 
 namespace viete::scene {
-
-using mesh::operator+, mesh::operator-, mesh::operator*;
 
 namespace {
 

@@ -8,8 +8,6 @@
 
 namespace viete::scene {
 
-using mesh::operator-;
-
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();

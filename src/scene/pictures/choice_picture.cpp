@@ -19,7 +19,6 @@ namespace viete::scene {
 namespace {
 
 using mesh::Point, mesh::Vec3;
-using mesh::operator+, mesh::operator-, mesh::operator*;
 
 constexpr double degree = std::numbers::pi / 180;
 

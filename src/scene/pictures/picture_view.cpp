@@ -10,7 +10,6 @@ namespace viete::scene {
 namespace {
 
 using mesh::Point, mesh::Vec3;
-using mesh::operator-;
 
 using Corners = std::span<const std::uint32_t>;
 

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/numbered_files.h"
+#include "mesh/formats/format.h"
 #include "mesh/formats/source.h"
 #include "scene/files/animation_export.h"
 #include "scene/files/output.h"
@@ -58,23 +59,31 @@ std::vector<Entry> list(const fs::path& folder, const FileBrowser& browser) {
 
 }  // namespace
 
-std::span<const std::string_view> FileBrowser::formats() const {
-  static constexpr std::array<std::string_view, 6> all = {"obj", "ply", "off", "stl", "glb", "gltf"};
-  static constexpr std::array<std::string_view, 7> animated = {"pc2", "mdd", "glb", "gltf",
-                                                               "obj", "ply", "off"};
-  static constexpr std::array<std::string_view, 10> exported = {"pc2", "mdd", "glb", "gltf", "obj",
-                                                                "ply", "stl", "png", "mp4",  "webm"};
-  if (purpose == Purpose::save_session) return {};
-  if (purpose == Purpose::animation) return animated;
-  if (purpose == Purpose::save_animation) return exported;
+std::vector<std::string_view> FileBrowser::formats() const {
+  std::vector<std::string_view> names;
+  const auto add = [&](bool (*is)(const mesh::Format&)) {
+    for (const mesh::Format& f : mesh::all_formats())
+      if (is(f)) names.push_back(f.extension);
+  };
+  if (purpose == Purpose::save_session) return names;
   const bool pose = purpose == Purpose::pose || purpose == Purpose::save_pose ||
                     purpose == Purpose::save_named_pose || purpose == Purpose::save_cage;
-  return std::span(all).first(pose ? 3 : all.size());
+  if (pose) {
+    add(mesh::keeps_order);
+  } else if (purpose == Purpose::animation || purpose == Purpose::save_animation) {
+    add(mesh::is_sequence);
+    add(mesh::holds_morphs);
+    add(purpose == Purpose::animation ? mesh::keeps_order : mesh::holds_one_frame);
+    if (purpose == Purpose::save_animation) names.insert(names.end(), {"png", "mp4", "webm"});
+  } else {
+    add(mesh::holds_surface);
+  }
+  return names;
 }
 
 bool FileBrowser::makes_morphs() const {
   const std::string format = format_of(*this);
-  return purpose == Purpose::save_animation && (format == "glb" || format == "gltf") &&
+  return purpose == Purpose::save_animation && mesh::is_a(mesh::holds_morphs, path) &&
          !base::NumberedName::is_pattern(path);
 }
 

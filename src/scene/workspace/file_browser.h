@@ -70,9 +70,9 @@ struct FileBrowser {
   std::string morph_size;  ///< how many targets these take, and how much; empty: it is being found
 
   bool saves() const { return purpose >= Purpose::save_session; }
-  /// Of surfaces that fit the purpose: "obj", "ply", "off", "stl", "glb", "gltf"; of a pose without the last
-  /// three, which keep no order of the vertices; of animations "pc2", "mdd" and "glb" too.
-  std::span<const std::string_view> formats() const;
+  /// Those of mesh::all_formats() that fit the purpose, by extension: of a pose what keeps the order of the
+  /// vertices; of animations sequences too, and pictures and films to save.
+  std::vector<std::string_view> formats() const;
   /// Whether the file of the text field is an animation of morph targets.
   bool makes_morphs() const;
   /// Whether it is pictures or a film.

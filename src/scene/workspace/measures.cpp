@@ -2,8 +2,6 @@
 
 namespace viete::scene {
 
-using mesh::operator+, mesh::operator-, mesh::operator*;
-
 Measures measure(const Document& document, const PosedModel& posed) {
   const mesh::Surface& model = *document.model.surface;
   const mesh::Point center = document.model.bounds.center();

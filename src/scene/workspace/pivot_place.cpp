@@ -6,8 +6,6 @@
 
 namespace viete::scene {
 
-using mesh::operator+, mesh::operator-, mesh::operator*;
-
 namespace {
 
 constexpr float near_vertex = 8, near_edge = 6;  // logical pixels

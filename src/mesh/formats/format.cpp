@@ -1,0 +1,151 @@
+#include "mesh/formats/format.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "mesh/formats/gltf.h"
+#include "mesh/formats/gltf_file.h"
+#include "mesh/formats/gltf_output.h"
+#include "mesh/formats/obj.h"
+#include "mesh/formats/off.h"
+#include "mesh/formats/ply.h"
+#include "mesh/formats/stl.h"
+
+namespace viete::mesh {
+
+namespace {
+
+constexpr Format gltf_as(std::string_view extension, void (*write)(const Content&, TextWriter&)) {
+  return {.extension = extension,
+          .name = "glTF",
+          .read = read_gltf,
+          .recognised = looks_like_gltf,
+          .write = write,
+          .may_be_binary = true,
+          .holds_morphs = true,
+          .up = 'y',
+          .in_metres = true,
+          .images = Format::Images::within,
+          .held = {.points = true,
+                   .texture_points = true,
+                   .colors = true,
+                   .polygon_colors = true,
+                   .normals = true,
+                   .corner_normals = true,
+                   .objects = true,
+                   .materials = true,
+                   .textures = true}};
+}
+
+constexpr Format formats[] = {
+    {.extension = "obj",
+     .name = "OBJ",
+     .read = read_obj,
+     .write = write_obj,
+     .keeps_order = true,
+     .images = Format::Images::beside,
+     .held = {.polygons = true,
+              .points = true,
+              .texture_points = true,
+              .colors = true,
+              .normals = true,
+              .corner_normals = true,
+              .objects = true,
+              .groups = true,
+              .materials = true,
+              .textures = true}},
+    {.extension = "ply",
+     .name = "PLY",
+     .read = read_ply,
+     .recognised = looks_like_ply,
+     .write = write_ply,
+     .keeps_order = true,
+     .images = Format::Images::beside,
+     .held = {.polygons = true,
+              .points = true,
+              .texture_points = true,
+              .colors = true,
+              .polygon_colors = true,
+              .normals = true,
+              .textures = true}},
+    {.extension = "off",
+     .name = "OFF",
+     .read = read_off,
+     .recognised = looks_like_off,
+     .write = write_off,
+     .keeps_order = true,
+     .held = {.polygons = true, .points = true, .colors = true, .polygon_colors = true}},
+    {.extension = "stl",
+     .name = "STL",
+     .read = read_stl,
+     .recognised = looks_like_stl,
+     .write = write_stl,
+     .may_be_binary = true,
+     .up = 'z'},
+    gltf_as("glb", write_glb),
+    gltf_as("gltf", write_gltf),
+    {.extension = "pc2", .name = "PC2", .is_sequence = true},
+    {.extension = "mdd", .name = "MDD", .is_sequence = true},
+};
+
+// "a, b or c", each once.
+std::string listing(bool (*is)(const Format&), std::string_view before, std::string_view Format::*word,
+                    std::string_view last) {
+  std::vector<std::string> words;
+  for (const Format& f : formats) {
+    const std::string text = std::string(before) + std::string(f.*word);
+    if (is(f) && std::ranges::find(words, text) == words.end()) words.push_back(text);
+  }
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < words.size() ? ", " : std::string(last)) + words[i];
+  return list;
+}
+
+}  // namespace
+
+std::span<const Format> all_formats() {
+  return formats;
+}
+
+const Format* format_by_extension(std::string_view extension) {
+  const auto found = std::ranges::find(formats, extension, &Format::extension);
+  return found == std::end(formats) ? nullptr : found;
+}
+
+const Format* find_format(const std::filesystem::path& file) {
+  return format_by_extension(std::string_view(extension_of(file)));
+}
+
+const Format& surface_format(const std::filesystem::path& file) {
+  const Format* found = find_format(file);
+  if (found && found->write) return *found;
+  const std::string extension = extension_of(file);
+  throw base::Error(file.string(), extension.empty() ? "no extension" : "unknown extension ." + extension,
+                    "use " + format_extensions(holds_surface));
+}
+
+const Format* format_of_description(std::string_view description) {
+  const auto found = std::ranges::find_if(
+      formats, [&](const Format& f) { return holds_surface(f) && description.starts_with(f.name); });
+  return found == std::end(formats) ? nullptr : found;
+}
+
+std::string format_names(bool (*is)(const Format&), std::string_view last) {
+  return listing(is, "", &Format::name, last);
+}
+
+std::string format_extensions(bool (*is)(const Format&), std::string_view last) {
+  return listing(is, ".", &Format::extension, last);
+}
+
+std::string a_mesh() {
+  return "Mesh (" + format_names(holds_surface, ", ") + ")";
+}
+
+bool is_a(bool (*is)(const Format&), const std::filesystem::path& file) {
+  const Format* found = find_format(file);
+  return found && is(*found);
+}
+
+}  // namespace viete::mesh
