@@ -194,11 +194,11 @@ private:
 };
 
 inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {
-  const scene::Revision before = document().revisions.pose;
+  const scene::Revision before = document().revisions().pose;
   workspace().requests.open = scene::OpenRequest{what, std::move(files)};
   frame();
   REQUIRE(until([&] { return !viewer().loading(); }));
-  return document().revisions.pose != before;
+  return document().revisions().pose != before;
 }
 
 inline void Driver::open_dragon(const std::string& pose) {

@@ -81,7 +81,7 @@ TEST_CASE("coordinates_and_reach_are_edits_that_a_session_keeps_and_a_pose_does_
   REQUIRE(test::load_model(w, files.model, files.cage));
   w.document.scheme = {};
   mark_saved(w);
-  set_method(w.document, sym3::Method::diag);
+  w.document.put_method(sym3::Method::diag);
   CHECK_FALSE(has_unsaved_edits(w));
   set_reach(w.document, 3);
   CHECK(has_unsaved_edits(w));

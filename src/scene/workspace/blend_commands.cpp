@@ -38,7 +38,7 @@ void add_methods(CommandTable& table) {
   for (const auto& entry : sym3::methods())
     table.add(std::string("method_") + entry.name, {std::string("Method: ") + entry.label, entry.label},
               entry.sentence, {key(digit++), false, true}, uses_method,
-              [method = entry.method](Workspace& w) { set_method(w.document, method); });
+              [method = entry.method](Workspace& w) { w.document.put_method(method); });
 }
 
 }  // namespace
