@@ -413,7 +413,7 @@ void show_making(Driver& d) {
   d.workspace().making.wish.cells = {3, 2, 2};
   d.click("make_cage");
   d.frame();
-  d.viewer().finish_making();
+  d.finish_making();
   d.frame(3);
   d.move({1, 1});
   put_numbers(d);

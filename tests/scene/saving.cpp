@@ -13,6 +13,7 @@
 #include "scene/posed_cube.h"
 #include "scene/workspace/taking.h"
 #include "support/commands.h"
+#include "support/grips.h"
 #include "support/open.h"
 #include "support/text.h"
 
@@ -66,7 +67,7 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   Transform turn;
   turn.degrees = 360;
   w.document.selection.select_all(w.document.pose.positions.size());
-  transform_selection(w.document, Tool::rotate, plain_grip(w.document), turn);
+  transform_selection(w.document, Tool::rotate, test::plain_grip(w.document), turn);
   CHECK(w.document.pose.positions == w.saved.state.pose.positions);
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_pose(w, files / "p.obj"));
