@@ -31,9 +31,7 @@ void hand_list(const Context& ui, const char* name, Choice now, float width) {
 
 void hand_row(const Context& ui, const char* text) {
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted(text);
-  ImGui::PopStyleColor();
+  text_in(ui.colors.faint, text);
   ImGui::SameLine(hand_label + ImGui::GetStyle().WindowPadding.x);
 }
 

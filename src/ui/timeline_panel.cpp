@@ -98,9 +98,7 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
                                float width, const char* what) {
   if (*label) {
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-    ImGui::TextUnformatted(label);
-    ImGui::PopStyleColor();
+    text_in(ui.colors.faint, label);
     ImGui::SameLine(0, 4);
   }
   ImGui::SetNextItemWidth(width);
@@ -240,9 +238,7 @@ void rate_field(const Context& ui) {
   hint("Frames a second, 1 to 240");
   ImGui::SameLine(0, 4);
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted("fps");
-  ImGui::PopStyleColor();
+  text_in(ui.colors.faint, "fps");
   if (!rate || !std::isfinite(*rate)) return;
   play.rate = *rate;
   scene::set_play(document, play);

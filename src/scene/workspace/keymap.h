@@ -28,6 +28,8 @@ std::span<const KeyPresetEntry> all_key_presets();
 struct Shortcuts {
   Shortcut first, second;
 };
+/// "Ctrl+A, A".
+std::string text(const Shortcuts& keys);
 
 /// A key runs one command, but for some in the mode that edits the cage, see shares_keys(). What a preset or
 /// a change gives to a command is taken from others.
