@@ -81,7 +81,7 @@ void table(const Context& ui, const char* name, const Rows& rows) {
 
 std::string preset_label(const Context& ui) {
   const scene::Keymap& keymap = ui.workspace.remembered.keymap;
-  const std::string label(scene::all_key_presets()[static_cast<std::size_t>(keymap.preset())].label);
+  const std::string label(scene::entry_of(keymap.preset()).label);
   return label + (keymap.changes().empty() ? "" : ", changed");
 }
 

@@ -156,7 +156,7 @@ float key_question(const Context& ui, float bottom) {
   const Window window(
       "Which keys", {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}}, card_flags);
   ImGui::TextUnformatted("Whose keys do your hands know?");
-  const auto presets = scene::all_key_presets();
+  const auto presets = scene::choices(scene::KeyPreset{});
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button(presets[i].label.data(), {72, 0})) {

@@ -7,7 +7,7 @@
 
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
-#include "scene/workspace/blend_commands.h"
+#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command.h"
 #include "ui/choice_picture.h"
 #include "ui/panels.h"

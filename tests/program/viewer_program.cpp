@@ -8,7 +8,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/hand/projector.h"
-#include "scene/workspace/blend_commands.h"
+#include "scene/workspace/choice_commands.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/pictures.h"

@@ -125,8 +125,8 @@ PresetChanges changes_of_preset(KeyPreset preset) {
 
 }  // namespace
 
-std::span<const KeyPresetEntry> all_key_presets() {
-  static constexpr KeyPresetEntry all[] = {
+std::span<const Choice> choices(KeyPreset) {
+  static constexpr Choice all[] = {
       {"viete", "Viete", "Q W E R choose tools, single letters switch what is seen."},
       {"blender", "Blender",
        "G R S move, turn and scale at once; B C A H select and hide; Tab edits the cage; T and N fold the "
