@@ -49,9 +49,10 @@ bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& mode
          bench_.has_result() || error_map_.has_result() || error_map_is_due(workspace, model);
 }
 
-// What was measured of another path says nothing of this one. How far cage parts turn is no matter of the path.
+// What was measured of another path says nothing of this one. How far cage parts turn is no matter of the
+// path.
 void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) {
-  const scene::Revisions& now = workspace.document.revisions;
+  const scene::Revisions& now = workspace.document.revisions();
   const deform::Deformer* deformer = model.deformer();
   const auto engine = deformer ? deformer->ran() : std::nullopt;
   Path path{now.surfaces, now.cage, deformer ? deformer->scheme() : deform::Scheme()};
@@ -141,12 +142,12 @@ void Analysis::follow_error_map(scene::Workspace& workspace, const LiveModel& mo
   if (!error_map_is_due(workspace, model)) return;
   mapped_ = model.frames();
   const deform::Rows rows = model.deformer()->state().rows();
-  error_map_.start([bound = model.bound(), mask = model.deformer()->mask(), form = rows.form, origin = rows.origin,
-                    values = std::vector(rows.values.begin(), rows.values.end()),
+  error_map_.start([bound = model.bound(), mask = model.deformer()->mask(), form = rows.form,
+                    origin = rows.origin, values = std::vector(rows.values.begin(), rows.values.end()),
                     method = workspace.document.method](base::Progress& progress) {
     const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
-    const auto matrices =
-        deform::sample_stretches(weigher, *bound.binding, mask, {form, values, origin}, bound.binding->vertices, &progress);
+    const auto matrices = deform::sample_stretches(weigher, *bound.binding, mask, {form, values, origin},
+                                                   bound.binding->vertices, &progress);
     return error_map(matrices, method, &progress);
   });
 }

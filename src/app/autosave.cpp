@@ -5,8 +5,8 @@
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"
-#include "scene/workspace/saving.h"
 #include "scene/files/session.h"
+#include "scene/workspace/saving.h"
 
 namespace viete::app {
 
@@ -39,7 +39,7 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
   const Moment now{workspace.opened,
                    document.history.revision(),
                    workspace.saved.revision,
-                   document.revisions.method,
+                   document.revisions().method,
                    workspace.view,
                    document.model.unit,
                    no_drag ? scene::has_unsaved_edits(workspace) : seen_.unsaved};

@@ -117,12 +117,4 @@ void CageMaker::stop(scene::Workspace& w) {
   w.messages.info("Stopped making the cage; it is as it was.");
 }
 
-void CageMaker::finish(scene::Workspace& w) {
-  while (w.making.open) {
-    follow(w, true);
-    if (!job_.running() && is_wished(w) && !wants_full_) return;
-    if (job_.running()) job_.wait();
-  }
-}
-
 }  // namespace viete::app

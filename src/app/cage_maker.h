@@ -21,8 +21,6 @@ public:
   void follow(scene::Workspace& workspace, bool no_drag);
   /// Gives up what is being made, and says so: the cage stays as it is until there is another wish.
   void stop(scene::Workspace& workspace);
-  /// Waits until the cage is the one that is wished for.
-  void finish(scene::Workspace& workspace);
 
   bool running() const { return job_.running(); }
   /// True if follow() would do something now.

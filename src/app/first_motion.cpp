@@ -52,8 +52,7 @@ void FirstMotion::place(scene::Workspace& workspace, double share) const {
     for (std::size_t k = 0; k < 3; ++k)
       pose.positions[v][k] = rest[v][k] + share * (goal_->positions[v][k] - rest[v][k]);
   }
-  document.pose = std::move(pose);
-  ++document.revisions.pose;
+  document.changed_pose() = std::move(pose);
   scene::mark_pose_saved(workspace);
 }
 

@@ -2,16 +2,16 @@
 
 #include <utility>
 
+#include "deform/bind.h"
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_notes.h"
-#include "deform/bind.h"
 
 namespace viete::app {
 
 LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   const scene::Document& document = workspace.document;
-  const scene::Revisions& now = document.revisions;
+  const scene::Revisions& now = document.revisions();
   const bool new_surfaces = std::exchange(surfaces_, now.surfaces) != now.surfaces;
   const bool new_cage = std::exchange(cage_revision_, now.cage) != now.cage;
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
@@ -132,15 +132,15 @@ void LiveModel::make_deformer(const deform::Scheme& scheme) {
 void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity) {
   binder_.cancel();
   scene::Document& document = workspace.document;
-  if (!deformer_) given_up_ = document.revisions.pose;  // the next change of a probe begins anew
+  if (!deformer_) given_up_ = document.revisions().pose;  // the next change of a probe begins anew
   if (deformer_ && document.has_cage()) {
     deform::Scheme served = deformer_->scheme();
     if (!bound_.stitches(served)) served.iterations = 0;
     scene::give_up_scheme(document, served);
-    weights_ = document.revisions.weights;  // they are those that are bound
+    weights_ = document.revisions().weights;  // they are those that are bound
     if (!deformer_->engine(document.method)) {
       workspace.view.same_path = false;
-      scene::set_method(document, sym3::Method::fast);
+      document.put_method(sym3::Method::fast);
     }
   }
   workspace.messages.say(severity, why, of_cage);
@@ -152,12 +152,12 @@ void LiveModel::finish_binding(scene::Workspace& workspace) {
 }
 
 bool LiveModel::deforms(const scene::Document& document) const {
-  return deformer_ && derived_ != Derived{document.revisions.pose, document.revisions.method};
+  return deformer_ && derived_ != Derived{document.revisions().pose, document.revisions().method};
 }
 
 bool LiveModel::is_due(const scene::Document& document) const {
-  return surfaces_ != document.revisions.surfaces || cage_revision_ != document.revisions.cage ||
-         weights_ != document.revisions.weights || deforms(document) ||
+  return surfaces_ != document.revisions().surfaces || cage_revision_ != document.revisions().cage ||
+         weights_ != document.revisions().weights || deforms(document) ||
          (deformer_ && deformer_->mask() != document.mask);
 }
 
@@ -173,7 +173,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   }
   // While the hand changes the cage itself, the model stays as it is at rest.
   const bool editing = drag && document.kept_pose && !drag->vertices().empty();
-  if (editing) derived_ = {document.revisions.pose, document.revisions.method};
+  if (editing) derived_ = {document.revisions().pose, document.revisions().method};
   const bool deformed = !editing && deforms(document);
   if (deformed) {
     deformer_->set_probes(document.probes);
@@ -182,7 +182,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
     take_carried(document);
     if (document.has_cage()) scene::take_report(workspace, deformer_->state().report());
     times.links = deformer_->times();
-    derived_ = {document.revisions.pose, document.revisions.method};
+    derived_ = {document.revisions().pose, document.revisions().method};
     ++frames_;
     prepared_ = std::exchange(unprepared_, false);
     if (prepared_) derived_.reset();

@@ -31,9 +31,7 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
   view.wireframe |= options.wireframe;
   view.error_map |= options.error_map;
   view.grid &= !options.no_grid;
-  const auto all = scene::all_shadings();
-  const auto asked = std::ranges::find(all, options.shading, &scene::ShadingChoice::word);
-  if (asked != all.end()) view.shading = static_cast<scene::Shading>(asked - all.begin());
+  view.shading = scene::value_of_word<scene::Shading>(options.shading).value_or(view.shading);
   return view;
 }
 

@@ -10,13 +10,13 @@
 #include "base/clock.h"
 #include "render/palette.h"
 #include "scene/document/cage_editing.h"
+#include "scene/workspace/check_view.h"
+#include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 #include "sym3/kernel.h"
 #include "ui/input.h"
 #include "ui/panels.h"
 #include "ui/style.h"
-#include "scene/workspace/check_view.h"
-#include "scene/workspace/playing.h"
 
 namespace viete::app {
 
@@ -85,7 +85,8 @@ void Viewer::frame(float seconds) {
   follow_document();
   settle_messages();
   deform(times);
-  const bool cage_moved = workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions.pose;
+  const bool cage_moved =
+      workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
   upload(times);
   panels(times);
   const bool seen_anew = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
@@ -140,7 +141,7 @@ void Viewer::settle_notices() {
 // What was said since the last frame is of what is there now.
 void Viewer::settle_messages() {
   auto& messages = workspace_.messages;
-  const auto& now = workspace_.document.revisions;
+  const auto& now = workspace_.document.revisions();
   if (now.surfaces != said_of_.surfaces) {
     messages.forget(scene::Scope::model, said_);
   } else if (now.cage != said_of_.cage) {
@@ -163,7 +164,7 @@ bool Viewer::wants_frame() const {
 
 bool Viewer::changing() const {
   const scene::Document& document = workspace_.document;
-  const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions.pose;
+  const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions().pose;
   return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
          workspace_.playback.playing || model_.is_due(document);
 }
@@ -253,14 +254,14 @@ void Viewer::upload(scene::FrameTimes& times) {
   const scene::Document& document = workspace_.document;
   if (!document.model.surface) return;
   base::Stopwatch watch;
-  const bool cage_moved = cage_drawn_ != document.revisions.pose;
+  const bool cage_moved = cage_drawn_ != document.revisions().pose;
   const bool at_rest = !workspace_.view.deformed, switched = std::exchange(at_rest_, at_rest) != at_rest;
   renderer_.set_findings(
       workspace_, [&](std::size_t v) { return vertex(v); }, deformed_ || cage_moved || switched);
   if (document.has_cage()) {
     if (cage_moved) renderer_.set_cage(workspace_);
     renderer_.set_hand(workspace_);
-    cage_drawn_ = document.revisions.pose;
+    cage_drawn_ = document.revisions().pose;
   }
   if (switched && at_rest) renderer_.set_rest(document, files_.shading());
   if (!at_rest && (deformed_ || switched) && model_.deformer() && model_.deformer()->ran())
@@ -274,8 +275,8 @@ void Viewer::panels(scene::FrameTimes& times) {
   base::Stopwatch watch;
   recorder_.begin_frame();
   // Who has hidden the panels wants no notices in a picture either.
-  const bool attended =
-      std::exchange(workspace_.attended, workspace_.attended && (workspace_.view.panels || !take_screenshot_));
+  const bool attended = std::exchange(workspace_.attended,
+                                      workspace_.attended && (workspace_.view.panels || !take_screenshot_));
   ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.dark), &recorder_, error_colors_});
   workspace_.attended = attended;
   ImGui::Render();
@@ -290,14 +291,14 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (!moves_) return Fineness::plain;
   const bool goes_on = last_frame_ - last_motion_ < still_seconds;
   return options_.may_be_coarse && goes_on && scene::draws_coarsely(workspace_) ? Fineness::coarse
-                                                                               : Fineness::plain;
+                                                                                : Fineness::plain;
 }
 
 void Viewer::draw(scene::FrameTimes& times) {
   base::Stopwatch watch;
   const ViewDrawing wanted = drawing();
-  has_drawn_ = view_.draw(renderer_, wanted, fineness(wanted)) ||
-               !imgui_renderer_.has_drawn(*ImGui::GetDrawData());
+  has_drawn_ =
+      view_.draw(renderer_, wanted, fineness(wanted)) || !imgui_renderer_.has_drawn(*ImGui::GetDrawData());
   if (has_drawn_) draw_whole();
   if (moves_) last_motion_ = base::wall_seconds();
   times.draw = watch.lap_ms();

@@ -84,8 +84,6 @@ public:
   void finish_loading() { files_.finish_loading(workspace_); }
   /// Waits for the deformed models that are being written.
   void finish_exports() { files_.finish_exports(workspace_); }
-  /// Waits until the cage that is being made is the one that is wished for.
-  void finish_making() { cages_.finish(workspace_); }
   /// Waits until the model is bound, without drawing: the next frame deforms it.
   void finish_binding();
   /// True while model and cage are being checked aside.

@@ -7,8 +7,8 @@
 
 #include "render/palette.h"
 #include "scene/document/elements.h"
-#include "scene/workspace/pointer.h"
 #include "scene/document/selection_sets.h"
+#include "scene/workspace/pointer.h"
 
 namespace viete::app {
 
@@ -42,10 +42,6 @@ render::Paint paint_of(scene::Shading shading, bool file_says_something) {
     default: return render::Paint::plain;
   }
 }
-
-}  // namespace
-
-namespace {
 
 // How much of the motion each vertex of the cage makes; nothing where nothing goes along softly.
 std::vector<float> soft_shares(const scene::Workspace& w) {

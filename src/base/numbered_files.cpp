@@ -125,18 +125,4 @@ std::string NumberedName::pattern() const {
   return (folder_ / (before_ + std::string(static_cast<std::size_t>(digits_), '#') + after_)).string();
 }
 
-std::string missing_numbers(std::span<const NumberedFile> files) {
-  constexpr std::size_t most_told = 8;
-  std::string text;
-  std::size_t gaps = 0;
-  for (std::size_t i = 1; i < files.size(); ++i) {
-    const std::int64_t first = files[i - 1].number + 1, last = files[i].number - 1;
-    if (first > last || ++gaps > most_told) continue;
-    text += (text.empty() ? "" : ", ") + std::to_string(first) +
-            (first == last ? "" : " to " + std::to_string(last));
-  }
-  if (gaps > most_told) text += " and " + counted(gaps - most_told, "more gap");
-  return text;
-}
-
 }  // namespace viete::base

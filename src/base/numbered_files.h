@@ -51,8 +51,4 @@ private:
   int digits_ = 1;
 };
 
-/// Of numbers that ascend, which between the first and the last are not there: "3, 5 to 7", at most eight of
-/// these and how many more; empty where all are.
-std::string missing_numbers(std::span<const NumberedFile> files);
-
 }  // namespace viete::base

@@ -62,15 +62,4 @@ SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
   return sparse_matrix(positions.size(), entries);
 }
 
-std::vector<double> lumped_mass(std::span<const mesh::Point> positions,
-                                std::span<const mesh::Triangle> triangles) {
-  std::vector<double> mass(positions.size(), 0.0);
-  for (const mesh::Triangle& t : triangles) {
-    const mesh::Point& a = positions[t[0]];
-    const double third = norm(cross(positions[t[1]] - a, positions[t[2]] - a)) / 6;
-    for (const auto v : t) mass[v] += third;
-  }
-  return mass;
-}
-
 }  // namespace viete::deform

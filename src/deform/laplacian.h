@@ -32,9 +32,4 @@ Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Poi
 SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
                               std::span<const mesh::Triangle> triangles);
 
-/// A third of the area of the triangles around each vertex, in squares of the positions' unit; 0 where there
-/// is none. Lengths from 1e-75 to 1e75.
-std::vector<double> lumped_mass(std::span<const mesh::Point> positions,
-                                std::span<const mesh::Triangle> triangles);
-
 }  // namespace viete::deform

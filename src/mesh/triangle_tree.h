@@ -32,11 +32,6 @@ public:
   /// bound that lets it be found; of triangles that are equally near, any.
   Nearest nearest(const Point& p, double below = std::numeric_limits<double>::infinity()) const;
 
-  /// Calls visit(triangle, corners) for every triangle whose box meets this one, until it returns true.
-  /// Returns whether one did.
-  template <class Visit>
-  bool any_in(const Bounds& box, Visit&& visit) const;
-
   /// A triangle of the tree cuts this one, or is nearer to it than `distance`. This one has a plane. Cuts are
   /// found exactly.
   bool is_near(const Corners& t, double distance = 0) const;
@@ -95,13 +90,6 @@ bool TriangleTree::find(Enter&& enter, Visit&& visit) const {
     }
   }
   return false;
-}
-
-template <class Visit>
-bool TriangleTree::any_in(const Bounds& box, Visit&& visit) const {
-  return find(
-      [&](std::uint32_t i) { return meet(nodes_[i].box, box) ? Step::into : Step::past; },
-      [&](std::uint32_t t) { return meet(bounds(corners_[t]), box) && visit(order_[t], corners_[t]); });
 }
 
 }  // namespace viete::mesh

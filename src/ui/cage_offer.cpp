@@ -24,19 +24,13 @@ const scene::Finding* outside(const scene::Workspace& w) {
   return at ? &w.checks.findings[*at] : nullptr;
 }
 
-void line(const std::string& text, ImU32 color) {
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopStyleColor();
-}
-
 // Returns how wide it is.
 float words(const Context& ui, const std::string& title, const std::string& what) {
   ImGui::PushFont(ui.fonts.strong);
   const float wide = ImGui::CalcTextSize(title.c_str()).x;
-  line(title, ui.colors.text);
+  text_in(ui.colors.text, title);
   ImGui::PopFont();
-  line(what, ui.colors.faint);
+  text_in(ui.colors.faint, what);
   const float width = std::max({320.0f, wide, ImGui::CalcTextSize(what.c_str()).x});
   ImGui::Dummy({width, 2});
   return width;
@@ -47,7 +41,7 @@ void ways_to_a_cage(const Context& ui) {
   const float width =
       words(ui, "This model has no cage yet", "A cage is the coarse mesh around it that you drag.");
   if (!w.document.cage_beside.empty()) {
-    line(w.document.cage_beside.filename().string() + " lies beside it.", ui.colors.text);
+    text_in(ui.colors.text, w.document.cage_beside.filename().string() + " lies beside it.");
     command_button(ui, "open_cage_beside", width);
   }
   command_button(ui, "make_cage", width);
@@ -71,23 +65,14 @@ bool offers_next_step(const scene::Workspace& w) {
 float cage_offer(const Context& ui, float bottom) {
   const scene::Workspace& w = ui.workspace;
   if (!offers_next_step(w)) return bottom;
-  const auto& v = w.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, bottom - 28}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16, 14});
-  ImGui::Begin("Cage offer", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav);
+  const Window window(
+      "Cage offer", {.at = middle_at(ui, bottom - 28), .pivot = {0.5f, 1}, .padding = {16, 14}}, card_flags);
   if (const scene::Finding* finding = outside(w)) {
     ways_around_it(ui, *finding);
   } else {
     ways_to_a_cage(ui);
   }
-  const float top = ImGui::GetWindowPos().y;
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-  return top + 28;
+  return ImGui::GetWindowPos().y + 28;
 }
 
 }  // namespace viete::ui

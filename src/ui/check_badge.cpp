@@ -40,18 +40,11 @@ float check_badge(const Context& ui, float bottom) {
   scene::Workspace& w = ui.workspace;
   if (!shows_badge(w)) return bottom;
   const scene::CheckBadge badge = *w.checks.badge;
-  const auto& v = w.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, bottom}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 5});
-  ImGui::Begin("Check badge", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav);
+  const Window window("Check badge",
+                      {.at = middle_at(ui, bottom), .pivot = {0.5f, 1}, .rounding = 6, .padding = {10, 5}},
+                      card_flags);
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.warn);
-  ImGui::TextUnformatted(badge.title.c_str());
-  ImGui::PopStyleColor();
+  text_in(ui.colors.warn, badge.title);
   record(ui, "badge");
   ImGui::SameLine();
   const std::string_view helps = scene::remedy(badge);
@@ -66,10 +59,7 @@ float check_badge(const Context& ui, float bottom) {
   ImGui::PopStyleColor();
   record(ui, "badge/close");
   hint("Put it away; the section Checks still has it.");
-  const float top = ImGui::GetWindowPos().y;
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-  return top - 8;
+  return ImGui::GetWindowPos().y - 8;
 }
 
 }  // namespace viete::ui

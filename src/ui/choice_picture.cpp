@@ -47,9 +47,7 @@ void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const 
   ImGui::TextUnformatted(sentence.c_str());
   ImGui::Spacing();
   draw_picture(ui, picture);
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted(picture.caption.data(), picture.caption.data() + picture.caption.size());
-  ImGui::PopStyleColor();
+  text_in(ui.colors.faint, std::string(picture.caption));
   if (!more.empty()) {
     ImGui::Spacing();
     ImGui::TextUnformatted(more.c_str());

@@ -1,6 +1,5 @@
 // Every command by name, found by a few letters of it: arrow keys and Enter, or a click.
 #include <algorithm>
-#include <cstring>
 
 #include "scene/workspace/menus.h"
 #include "ui/imgui_bridge.h"
@@ -13,18 +12,6 @@ namespace viete::ui {
 namespace {
 
 constexpr float palette_width = 520, palette_row = 24, palette_rows = 12;
-
-void search_field(const Context& ui) {
-  scene::Palette& palette = ui.workspace.palette;
-  char text[256] = "";
-  palette.typed.copy(text, sizeof text - 1);
-  if (std::exchange(palette.appearing, false)) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##typed", "Find a command", text, sizeof text);
-  record(ui, "palette_text");
-  if (palette.typed != text) palette.highlighted = 0;
-  palette.typed = text;
-}
 
 // True if it was clicked.
 bool row(const Context& ui, const scene::Command& command, std::size_t index, bool follow) {
@@ -79,14 +66,16 @@ void command_palette(const Context& ui) {
   scene::Palette& palette = w.palette;
   if (!palette.open) return;
   const scene::Viewport& v = w.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 48}, ImGuiCond_Always, {0.5f, 0});
-  ImGui::SetNextWindowSize({std::min(palette_width, v.window.x - 32), 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::Begin("Palette", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  const Window window("Palette",
+                      {.at = middle_at(ui, v.origin.y + 48),
+                       .pivot = {0.5f, 0},
+                       .size = {std::min(palette_width, v.window.x - 32), 0},
+                       .border = 1},
+                      fixed_flags);
   const bool appeared = palette.appearing;
-  search_field(ui);
+  const std::string before = palette.typed;
+  search_field(ui, "palette_text", palette.typed, palette.appearing);
+  if (palette.typed != before) palette.highlighted = 0;
   const auto found = scene::find_commands(w, palette.typed);
   const int steps =
       (key_pressed(scene::Key::down, true) ? 1 : 0) - (key_pressed(scene::Key::up, true) ? 1 : 0);
@@ -105,8 +94,6 @@ void command_palette(const Context& ui) {
   note(ui, "Right click on a command gives it another key;  Help, Change keys lists every one");
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
-  ImGui::End();
-  ImGui::PopStyleVar(2);
   if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))
     chosen = found[palette.highlighted];
   if ((key_pressed(scene::Key::escape) || beside) && !appeared) palette.open = false;
@@ -120,18 +107,11 @@ void key_prompt(const Context& ui) {
   const scene::Command* const command = scene::find_command(w.interaction.setting_key);
   if (!command || w.key_list.open) return;  // the list says it itself
   const scene::Viewport& v = w.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 0.4f * v.size.y}, ImGuiCond_Always,
-                          {0.5f, 0.5f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::Begin("New key", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize);
+  const Window window("New key", {.at = middle_at(ui, v.origin.y + 0.4f * v.size.y)}, sized_flags);
   const std::string now = scene::text(w.remembered.keymap.of(*command).first);
   ImGui::TextUnformatted(("Press the new key of \"" + std::string(command->label) + '"').c_str());
   note(ui, (now.empty() ? "It has none now" : "It is " + now + " now") +
                std::string(";  Delete takes it away, Esc leaves it"));
-  ImGui::End();
-  ImGui::PopStyleVar();
 }
 
 }  // namespace viete::ui

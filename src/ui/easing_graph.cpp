@@ -4,14 +4,14 @@
 #include <cmath>
 #include <string>
 
-#include "scene/workspace/command_conditions.h"
-#include "scene/workspace/time_commands.h"
 #include "scene/document/time_edit.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/time_gestures.h"
+#include "ui/choice_list.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
-#include "scene/workspace/playing.h"
-#include "scene/workspace/time_gestures.h"
 
 namespace viete::ui {
 
@@ -38,24 +38,10 @@ struct Graph {
 };
 
 void easing_choice(const Context& ui, const scene::PoseKey* key, float width) {
-  const auto all = scene::all_easings();
-  ImGui::SetNextItemWidth(width);
   ImGui::BeginDisabled(!key);
-  const char* now = key ? all[static_cast<std::size_t>(key->easing)].label.data() : "Easing";
-  const bool open = ImGui::BeginCombo("##time/easing", now);
-  record(ui, "time/easing", key != nullptr);
-  if (!open) {
-    hint("How the selected keys, or the one before this frame, come to the next one");
-  } else {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto name = scene::choice_command_name(static_cast<Easing>(i));
-      if (ImGui::Selectable(all[i].label.data(), key && static_cast<std::size_t>(key->easing) == i))
-        scene::find_command(name)->run(ui.workspace);
-      record(ui, "time/" + name);
-      hint(std::string(all[i].hint));
-    }
-    ImGui::EndCombo();
-  }
+  choice_list(
+      ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, width,
+      {"time/", "Easing", "How the selected keys, or the one before this frame, come to the next one"});
   ImGui::EndDisabled();
 }
 

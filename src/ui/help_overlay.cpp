@@ -18,18 +18,13 @@ struct Row {
 };
 using Rows = std::vector<Row>;
 
-std::string keys_of(const scene::Shortcuts& keys) {
-  const std::string first = scene::text(keys.first), second = scene::text(keys.second);
-  return first + (first.empty() || second.empty() ? "" : ", ") + second;
-}
-
 // Every key, under the headings of its groups, which the table of commands has one after the other: those of
 // files, edits and selections, or the others.
 void add_commands(const scene::Keymap& keymap, Rows& rows, bool of_hands) {
   std::string_view group;
   for (const auto& command : scene::commands()) {
     const bool is_of_hands = command.group == "File" || command.group == "Edit" || command.group == "Select";
-    const std::string keys = keys_of(keymap.of(command));
+    const std::string keys = scene::text(keymap.of(command));
     if (is_of_hands != of_hands || keys.empty()) continue;
     if (std::exchange(group, command.group) != command.group)
       rows.push_back({std::string(command.group), ""});
@@ -72,9 +67,7 @@ void draw_row(const Context& ui, const Row& row) {
   ImGui::TextUnformatted(row.left.c_str());
   if (heading) ImGui::PopFont();
   ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted(row.right.c_str());
-  ImGui::PopStyleColor();
+  text_in(ui.colors.faint, row.right);
 }
 
 void table(const Context& ui, const char* name, const Rows& rows) {
@@ -88,7 +81,7 @@ void table(const Context& ui, const char* name, const Rows& rows) {
 
 std::string preset_label(const Context& ui) {
   const scene::Keymap& keymap = ui.workspace.remembered.keymap;
-  const std::string label(scene::all_key_presets()[static_cast<std::size_t>(keymap.preset())].label);
+  const std::string label(scene::entry_of(keymap.preset()).label);
   return label + (keymap.changes().empty() ? "" : ", changed");
 }
 
@@ -103,21 +96,18 @@ void help_overlay(const Context& ui) {
   const float both = width_of(hands) + gap + width_of(settings) + 4 * ImGui::GetStyle().WindowPadding.x;
   const scene::Viewport& v = ui.workspace.viewport;
   const float middle = v.size.x > both ? v.origin.x + 0.5f * v.size.x : 0.5f * display.x;
-  ImGui::SetNextWindowPos({middle, 0.5f * (display.y + scene::PanelLayout::menu_height - status_height)},
-                          ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints(
       {420, 0}, {display.x - 40, display.y - scene::PanelLayout::menu_height - status_height - 16});
   bool open = true;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::Begin(
-      "Keys and mouse", &open,
-      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+  const Window window(
+      "Keys and mouse",
+      {.at = {middle, 0.5f * (display.y + scene::PanelLayout::menu_height - status_height)}},
+      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize,
+      &open);
   note(ui, "Keys of " + preset_label(ui) + ".  Help, Change keys gives any command another one.");
   table(ui, "hands", hands);
   if (both < display.x - 40) ImGui::SameLine(0, gap);
   table(ui, "settings", settings);
-  ImGui::End();
-  ImGui::PopStyleVar();
   if (!open) ui.workspace.view.help = false;
 }
 

@@ -25,36 +25,19 @@ constexpr int key_code(scene::Key key) {
     case Key::left: return 263;
     case Key::right: return 262;
     case Key::tab: return 258;
-    case Key::f1: return 290;
-    case Key::f2: return 291;
-    case Key::f3: return 292;
-    case Key::f4: return 293;
-    case Key::f5: return 294;
-    case Key::f6: return 295;
-    case Key::f7: return 296;
-    case Key::f8: return 297;
-    case Key::f9: return 298;
-    case Key::f10: return 299;
-    case Key::f11: return 300;
-    case Key::f12: return 301;
     case Key::insert: return 260;
     case Key::space: return 32;
     case Key::pad_point: return 330;
     case Key::pad_minus: return 333;
     case Key::pad_plus: return 334;
-    case Key::pad0: return 320;
-    case Key::pad1: return 321;
-    case Key::pad2: return 322;
-    case Key::pad3: return 323;
-    case Key::pad4: return 324;
-    case Key::pad5: return 325;
-    case Key::pad6: return 326;
-    case Key::pad7: return 327;
-    case Key::pad8: return 328;
-    case Key::pad9: return 329;
     case Key::pad_enter: return 335;
+    default: break;
   }
-  return static_cast<int>(key);
+  const auto among = [key](Key first, Key last, int code) {
+    return key >= first && key <= last ? code + static_cast<int>(key) - static_cast<int>(first) : 0;
+  };
+  const int function_key = among(Key::f1, Key::f12, 290), digit = among(Key::pad0, Key::pad9, 320);
+  return function_key ? function_key : digit ? digit : static_cast<int>(key);
 }
 
 /// ImGui's key for a platform key code; 0 if the program does not use it. Old versions take the code itself.

@@ -14,22 +14,6 @@ namespace {
 
 constexpr float list_width = 620, keys_width = 150, back_width = 64;
 
-std::string both_keys(const scene::Shortcuts& keys) {
-  const std::string first = scene::text(keys.first), second = scene::text(keys.second);
-  return first + (first.empty() || second.empty() ? "" : ", ") + second;
-}
-
-void search_key(const Context& ui) {
-  scene::KeyList& list = ui.workspace.key_list;
-  char text[256] = "";
-  list.typed.copy(text, sizeof text - 1);
-  if (std::exchange(list.appearing, false)) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##typed", "Find a command", text, sizeof text);
-  record(ui, "keys_text");
-  list.typed = text;
-}
-
 // Without the changes of one's own.
 scene::Keymap plain_preset(const scene::Keymap& keymap) {
   scene::Keymap plain;
@@ -47,7 +31,7 @@ std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, co
 
 void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
   scene::Workspace& w = ui.workspace;
-  const std::string name(command.name), keys = both_keys(w.remembered.keymap.of(command));
+  const std::string name(command.name), keys = scene::text(w.remembered.keymap.of(command));
   const bool waits = w.interaction.setting_key == name;
   if (waits) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   const std::string label = (waits ? "Press a key" : keys.empty() ? "-" : keys) + "##" + name;
@@ -63,7 +47,7 @@ void give_back(const Context& ui, const scene::Keymap& plain, const scene::Comma
   scene::Keymap& keymap = ui.workspace.remembered.keymap;
   if (!keymap.changes().contains(command.name)) return;
   ImGui::SameLine();
-  const std::string preset = both_keys(plain.of(command));
+  const std::string preset = scene::text(plain.of(command));
   if (ImGui::Button(("Reset##" + std::string(command.name)).c_str(), {back_width, 0}))
     keymap.take_back(command.name);
   record(ui, "key/" + std::string(command.name) + "/reset");
@@ -89,7 +73,7 @@ void key_heading(const Context& ui, std::string_view title) {
 
 // What answers something that comes and goes, by a button alone.
 bool is_mere_answer(const Context& ui, const scene::Command& command) {
-  return command.passing && both_keys(ui.workspace.remembered.keymap.of(command)).empty();
+  return command.passing && scene::text(ui.workspace.remembered.keymap.of(command)).empty();
 }
 
 // Under the headings of the menus, or what fits what was typed, best first.
@@ -141,16 +125,14 @@ void key_list(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   if (!w.key_list.open) return;
   const scene::Viewport& v = w.viewport;
-  ImGui::SetNextWindowPos({0.5f * v.window.x, v.origin.y + 0.5f * v.size.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(list_width, v.window.x - 32), std::min(620.0f, v.size.y - 110)});
   bool open = true;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::Begin("All keys", &open,
-               ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize |
-                   ImGuiWindowFlags_NoMove);
+  const Window window("All keys",
+                      {.at = {0.5f * v.window.x, v.origin.y + 0.5f * v.size.y},
+                       .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.size.y - 110)}},
+                      dialog_flags, &open);
   command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
                  static_cast<std::size_t>(w.remembered.keymap.preset()));
-  search_key(ui);
+  search_field(ui, "keys_text", w.key_list.typed, w.key_list.appearing);
   ImGui::BeginChild("rows", {0, -(ImGui::GetFrameHeight() + 8)});
   key_rows(ui);
   ImGui::EndChild();
@@ -158,8 +140,6 @@ void key_list(const Context& ui) {
   ImGui::SameLine();
   if (ImGui::Button("Close")) open = false;
   record(ui, "close_keys");
-  ImGui::End();
-  ImGui::PopStyleVar();
   const bool waits = !w.interaction.setting_key.empty();
   // The Esc that leaves a key as it is closes nothing.
   if (key_pressed(scene::Key::escape) && !waits && !w.key_list.waiting) open = false;
@@ -173,16 +153,10 @@ float key_question(const Context& ui, float bottom) {
   if (!w.ask_keys || !w.view.panels || w.view.help || w.loading.running || w.browser.open || w.question ||
       offers_next_step(w))
     return bottom;
-  const scene::Viewport& v = w.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, bottom - 56}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16, 12});
-  ImGui::Begin("Which keys", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav);
+  const Window window(
+      "Which keys", {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}}, card_flags);
   ImGui::TextUnformatted("Whose keys do your hands know?");
-  const auto presets = scene::all_key_presets();
+  const auto presets = scene::choices(scene::KeyPreset{});
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button(presets[i].label.data(), {72, 0})) {
@@ -196,10 +170,7 @@ float key_question(const Context& ui, float bottom) {
   if (ImGui::Button("x")) w.ask_keys = false;
   record(ui, "ask_keys/close");
   hint("Those of Viete.");
-  const float top = ImGui::GetWindowPos().y;
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-  return top + 28;
+  return ImGui::GetWindowPos().y + 28;
 }
 
 }  // namespace viete::ui

@@ -38,15 +38,9 @@ void message_log(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   if (!w.show_messages) return;
   const scene::Viewport& v = w.viewport;
-  const ImVec2 size{std::min(560.0f, v.window.x - 32), std::min(360.0f, v.size.y - 32)};
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 0.5f * v.size.y}, ImGuiCond_Always,
-                          {0.5f, 0.5f});
-  ImGui::SetNextWindowSize(size);
   bool open = true;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::Begin("Messages", &open,
-               ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize |
-                   ImGuiWindowFlags_NoMove);
+  const ImVec2 size{std::min(560.0f, v.window.x - 32), std::min(360.0f, v.size.y - 32)};
+  const Window window("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
   const auto& all = w.messages.all();
   ImGui::BeginChild("list", {0, -(ImGui::GetFrameHeight() + 8)});
   if (all.empty()) note(ui, "Nothing was said.");
@@ -61,8 +55,6 @@ void message_log(const Context& ui) {
   ImGui::SameLine();
   if (ImGui::Button("Close") || key_pressed(scene::Key::escape)) open = false;
   record(ui, "close_messages");
-  ImGui::End();
-  ImGui::PopStyleVar();
   w.show_messages = open;
 }
 

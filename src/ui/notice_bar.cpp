@@ -150,18 +150,9 @@ void discarded_line(const Context& ui) {
 
 // As the last thing that is seen.
 void farewell(const Context& ui) {
-  const auto& v = ui.workspace.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 0.5f * v.size.y}, ImGuiCond_Always,
-                          {0.5f, 0.5f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24, 16});
-  ImGui::Begin("Farewell", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize);
+  const Window window("Farewell", {.at = middle_of_view(ui), .padding = {24, 16}}, sized_flags);
   ImGui::TextUnformatted("Unsaved edits are kept; the next start offers to bring them back.");
   record(ui, "farewell");
-  ImGui::End();
-  ImGui::PopStyleVar(2);
 }
 
 }  // namespace
@@ -177,17 +168,10 @@ void notice_bar(const Context& ui) {
   if (w.farewell) return farewell(ui);
   const bool discarded = w.tell_discarded && !w.discarded.empty();
   if ((w.leftovers.empty() && !discarded) || !w.attended || w.interaction.drag || w.interaction.box) return;
-  const auto& v = w.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 12}, ImGuiCond_Always, {0.5f, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::Begin("Notice", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav);
+  const Window window("Notice", {.at = middle_at(ui, w.viewport.origin.y + 12), .pivot = {0.5f, 0}},
+                      card_flags);
   if (!w.leftovers.empty()) leftover_offer(ui);
   if (discarded) discarded_line(ui);
-  ImGui::End();
-  ImGui::PopStyleVar();
 }
 
 }  // namespace viete::ui

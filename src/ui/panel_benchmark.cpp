@@ -10,16 +10,6 @@ namespace {
 
 constexpr float name_width = 92, value_width = 116, row_height = 10;
 
-void progress(const Context& ui, double done) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(at, {at.x + width, at.y + 6}, ui.colors.card_active, 3);
-  draw.AddRectFilled(at, {at.x + width * static_cast<float>(std::clamp(done, 0.02, 1.0)), at.y + 6},
-                     ui.colors.accent, 3);
-  ImGui::Dummy({width, 8});
-}
-
 // name, bar, time, and how many times faster than the first: one line.
 void bar(const Context& ui, const scene::BenchmarkBar& bar, double longest, double first) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -52,7 +42,7 @@ void panel_benchmark(const Context& ui) {
          "Every method on the paper's random matrices, against a copy of the same bytes. Takes some seconds, "
          "aside.");
   }
-  if (bench.running) progress(ui, bench.done);
+  if (bench.running) progress_bar(ui, ImGui::GetContentRegionAvail().x, bench.done);
   command_row(ui, {bench.running ? "stop_benchmark" : "run_benchmark"});
 }
 

@@ -7,7 +7,7 @@
 
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
-#include "scene/workspace/blend_commands.h"
+#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command.h"
 #include "ui/choice_picture.h"
 #include "ui/panels.h"
@@ -56,9 +56,7 @@ void choice(const Context& ui, const Entry& choice, bool chosen) {
 template <class Entry, class Value>
 void chooser(const Context& ui, const char* name, const char* label, std::span<const Entry> table,
              std::optional<Value> chosen) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
-  ImGui::SameLine(label_width);
+  row_label(label, label_width);
   ImGui::SetNextItemWidth(-1);
   const std::string id = std::string("##") + name;
   const char* shown = chosen ? entry(*chosen).label.data() : custom;
@@ -74,9 +72,7 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
 bool stops(const Context& ui, const char* name, const char* label, int& stop, int last, bool used,
            const std::string& value, const std::string& hint_text) {
   ImGui::BeginDisabled(!used);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
-  ImGui::SameLine(label_width);
+  row_label(label, label_width);
   constexpr float value_width = 84;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(-value_width);
@@ -85,11 +81,8 @@ bool stops(const Context& ui, const char* name, const char* label, int& stop, in
   record(ui, name, used);
   ImGui::EndDisabled();
   hint(hint_text);
-  ImGui::SameLine();
-  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(value.c_str()).x, ImGui::GetCursorScreenPos().y});
-  ImGui::AlignTextToFramePadding();
   ImGui::BeginDisabled(!used);
-  ImGui::TextUnformatted(value.c_str());
+  value_beside(right, value);
   ImGui::EndDisabled();
   return moved;
 }
@@ -147,9 +140,7 @@ void weight_limits(const Context& ui) {
   const char* name = sums ? "toggle_normalise" : "toggle_clamp";
   const scene::Condition& condition = scene::find_command(name)->enabled;
   const bool possible = condition(ui.workspace);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Limits");
-  ImGui::SameLine(label_width);
+  row_label("Limits", label_width);
   ImGui::BeginDisabled(!possible);
   command_toggle(ui, name, sums ? weighting.used_normalise() : weighting.used_clamp());
   record(ui, name, possible);
@@ -217,9 +208,7 @@ void stitching(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   const scene::Condition& condition = scene::find_command("toggle_stitched")->enabled;
   const bool possible = condition(ui.workspace), stitched = document.scheme.stitched();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Shape");
-  ImGui::SameLine(label_width);
+  row_label("Shape", label_width);
   ImGui::BeginDisabled(!possible);
   command_toggle(ui, "toggle_stitched", stitched);
   ImGui::EndDisabled();

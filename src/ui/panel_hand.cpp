@@ -1,5 +1,5 @@
 // About what, along what and with what else the selection moves.
-#include "scene/workspace/hand_commands.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -10,30 +10,9 @@ namespace {
 
 constexpr float hand_label = 56;
 
-// A list of commands that choose; what it stands on is marked.
-template <class Choice>
-void hand_list(const Context& ui, const char* name, Choice now, float width) {
-  ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), scene::entry_of(now).label.data());
-  record(ui, name);
-  if (!open) return hint(std::string(scene::entry_of(now).hint));
-  const auto all = scene::choices(now);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const scene::Command& command = *scene::find_command(scene::choice_command_name(static_cast<Choice>(i)));
-    if (ImGui::Selectable(all[i].label.data(), static_cast<Choice>(i) == now) &&
-        command.enabled(ui.workspace))
-      command.run(ui.workspace);
-    record(ui, std::string(command.name));
-    hint(std::string(all[i].hint));
-  }
-  ImGui::EndCombo();
-}
-
 void hand_row(const Context& ui, const char* text) {
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted(text);
-  ImGui::PopStyleColor();
+  text_in(ui.colors.faint, text);
   ImGui::SameLine(hand_label + ImGui::GetStyle().WindowPadding.x);
 }
 
@@ -45,9 +24,9 @@ void pivot_row(const Context& ui) {
   const scene::Handling& handling = ui.workspace.handling;
   hand_row(ui, "Pivot");
   const float width = half_of_rest();
-  hand_list(ui, "pivot", handling.pivot, width);
+  choice_list(ui, "pivot", std::optional(handling.pivot), width);
   ImGui::SameLine();
-  hand_list(ui, "axes", handling.axes, width);
+  choice_list(ui, "axes", std::optional(handling.axes), width);
 }
 
 std::string pairs_text(const scene::KnownMirror& known) {
@@ -60,7 +39,7 @@ void mirror_row(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   hand_row(ui, "Mirror");
   const float width = half_of_rest();
-  hand_list(ui, "mirror", w.handling.mirror, width);
+  choice_list(ui, "mirror", std::optional(w.handling.mirror), width);
   w.interaction.show_partners = ImGui::IsItemHovered() && w.mirror.mirror.has_value();
   ImGui::SameLine();
   const float right = ImGui::GetCursorScreenPos().x + width;
@@ -98,9 +77,9 @@ void soft_rows(const Context& ui) {
   soft_radius(ui, -1);
   ImGui::SetCursorPosX(column);
   const float width = half_of_rest();
-  hand_list(ui, "soft_curve", soft.curve, width);
+  choice_list(ui, "soft_curve", std::optional(soft.curve), width);
   ImGui::SameLine();
-  hand_list(ui, "soft_distance", soft.distance, width);
+  choice_list(ui, "soft_distance", std::optional(soft.distance), width);
   ImGui::EndDisabled();
 }
 

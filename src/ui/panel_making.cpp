@@ -13,26 +13,17 @@ namespace {
 
 constexpr float making_label = 84, making_value = 52;
 
-void making_row(const char* text) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(text);
-  ImGui::SameLine(making_label);
-}
-
 // A slider with its value at the right of it; true while it is moved.
 bool slider(const Context& ui, const char* text, const std::string& name, float& value, float least,
             float most, ImGuiSliderFlags flags, const std::string& shown, const char* sentence) {
-  making_row(text);
+  row_label(text, making_label);
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(-making_value);
   const bool moved = ImGui::SliderFloat(("##" + name).c_str(), &value, least, most, "",
                                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | flags);
   record(ui, name);
   hint(sentence);
-  ImGui::SameLine();
-  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(shown.c_str()).x, ImGui::GetCursorScreenPos().y});
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(shown.c_str());
+  value_beside(right, shown);
   return moved;
 }
 
@@ -83,7 +74,7 @@ void cells(const Context& ui, scene::CageWish& wish) {
 template <class Entries, class Value>
 void choice(const Context& ui, const char* text, const std::string& name, const Entries& entries,
             Value& value) {
-  making_row(text);
+  row_label(text, making_label);
   ImGui::SetNextItemWidth(-1);
   const bool open = ImGui::BeginCombo(("##" + name).c_str(), scene::entry(value).name.data());
   record(ui, name);

@@ -50,11 +50,7 @@ bool radius_slider(const Context& ui, const std::string& name, double& radius, b
   hint(
       "How far it reaches at rest, in percent of the model's diagonal. The circle in the view is the largest "
       "of the three.");
-  ImGui::SameLine();
-  const std::string value = std::to_string(std::lround(percent)) + " %";
-  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(value.c_str()).x, ImGui::GetCursorScreenPos().y});
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(value.c_str());
+  value_beside(right, std::to_string(std::lround(percent)) + " %");
   ImGui::EndDisabled();
   if (moved) radius = unit * static_cast<double>(std::round(percent));
   return moved;
@@ -63,9 +59,7 @@ bool radius_slider(const Context& ui, const std::string& name, double& radius, b
 void influence(const Context& ui, const char* label, const char* name, scene::Part part) {
   scene::Document& document = ui.workspace.document;
   scene::Influence shown = document.probes.all[document.selection.indices().front()].*part;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
-  ImGui::SameLine(probe_label);
+  row_label(label, probe_label);
   const std::string prefix = std::string("probe_") + name;
   constexpr float falloff_width = 92;
   ImGui::SetNextItemWidth(falloff_width);
@@ -79,9 +73,7 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
 
 void mix(const Context& ui) {
   scene::Document& document = ui.workspace.document;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Together");
-  ImGui::SameLine(probe_label);
+  row_label("Together", probe_label);
   ImGui::SetNextItemWidth(-1);
   const auto chosen = choose(ui, "probe_mix", scene::all_probe_mixes(), scene::entry(document.probes.mix));
   if (chosen) scene::set_mix(document, *chosen);

@@ -3,20 +3,14 @@
 #include <optional>
 #include <string>
 
-#include "scene/workspace/command_conditions.h"
 #include "scene/document/selection_sets.h"
+#include "scene/workspace/command_conditions.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
 
 namespace {
-
-scene::SelectMode mode_of_keys() {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.KeyShift) return scene::SelectMode::add;
-  return io.KeyCtrl ? scene::SelectMode::remove : scene::SelectMode::replace;
-}
 
 // One row a set. What is done to the list is done after it was drawn.
 void sets(const Context& ui) {
@@ -30,7 +24,8 @@ void sets(const Context& ui) {
   ImGui::BeginDisabled(scene::in_hand(ui.workspace));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string id = "set/" + std::to_string(i);
-    if (const auto typed = name_field(ui, id, all[i].name, width, "The name of the set; type another one")) renamed = i, name = *typed;
+    if (const auto typed = name_field(ui, id, all[i].name, width, "The name of the set; type another one"))
+      renamed = i, name = *typed;
     ImGui::SameLine(0, gap);
     if (ImGui::Button(("Select##" + id).c_str(), {button, 0})) selected = i;
     record(ui, id + "/select");
@@ -42,7 +37,7 @@ void sets(const Context& ui) {
   }
   ImGui::EndDisabled();
   if (renamed) scene::rename_set(document, *renamed, name);
-  if (selected) scene::select_set(document, *selected, mode_of_keys());
+  if (selected) scene::select_set(document, *selected, select_mode());
   if (removed) scene::remove_set(document, *removed);
   if (selected || removed) ui.workspace.interaction.hovered.reset();
 }

@@ -20,7 +20,7 @@ bool menu_item(const Context& ui, const scene::Command& command, std::string_vie
 void context_menu(const Context& ui);  ///< where the right button was clicked
 void tool_strip(const Context& ui);    ///< in the view
 void command_palette(const Context& ui);
-void key_list(const Context& ui);      ///< every command with its keys, to change them
+void key_list(const Context& ui);  ///< every command with its keys, to change them
 /// Once, at the first start: which program's keys; at the bottom of the view, as other offers are.
 float key_question(const Context& ui, float bottom);
 void key_prompt(const Context& ui);    ///< which command gets the key that is pressed next
@@ -49,8 +49,8 @@ void panel_benchmark(const Context& ui);
 void status_bar(const Context& ui);
 void help_overlay(const Context& ui);
 void file_panel(const Context& ui);
-void question_panel(const Context& ui);        ///< what must be answered first, see scene/workspace/question.h
-void message_log(const Context& ui);           ///< all that was said
+void question_panel(const Context& ui);  ///< what must be answered first, see scene/workspace/question.h
+void message_log(const Context& ui);     ///< all that was said
 void toasts(const Context& ui, float bottom);  ///< what was said just now, above `bottom`
 /// At the bottom of the view; returns where they begin, or `bottom` while they are not shown.
 float cage_offer(const Context& ui, float bottom);  ///< the next step: a cage, or what is outside of it
@@ -66,9 +66,10 @@ void hand_overlay(const Context& ui);      ///< partners, radius and pivot in th
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
-void mark_overlay(const Context& ui);    ///< marks on the model, and the length between two
+void mark_overlay(const Context& ui);                 ///< marks on the model, and the length between two
 float error_legend(const Context& ui, float bottom);  ///< of the colours on the mesh
-void select_overlay(const Context& ui);  ///< box, lasso and brush, being drawn or about to be
+scene::SelectMode select_mode();                      ///< as Shift and Ctrl are held
+void select_overlay(const Context& ui);               ///< box, lasso and brush, being drawn or about to be
 std::string select_hint(const scene::Workspace& workspace);  ///< what the mouse does with them; empty: none
 void view_overlay(const Context& ui);                        ///< box selection, first-start hints
 

@@ -66,11 +66,7 @@ void question_words(const Context& ui) {
   ImGui::PopFont();
   ImGui::Spacing();
   ImGui::TextUnformatted(question.text.c_str());
-  if (!question.why.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-    ImGui::TextUnformatted(question.why.c_str());
-    ImGui::PopStyleColor();
-  }
+  if (!question.why.empty()) text_in(ui.colors.faint, question.why);
   ImGui::PopTextWrapPos();
   ImGui::Dummy({question_width, 8});
 }

@@ -19,11 +19,6 @@ void sign(OverlayPainter& painter, const glm::vec2& at, SelectMode mode, ImU32 c
   if (mode == SelectMode::add) painter.line(middle - up, middle + up, color, 1.5f);
 }
 
-SelectMode mode_now() {
-  const ImGuiIO& io = ImGui::GetIO();
-  return io.KeyShift ? SelectMode::add : io.KeyCtrl ? SelectMode::remove : SelectMode::replace;
-}
-
 // A tint, and a line that shows over a cage of the tint's colour.
 void box_between(const Context& ui, OverlayPainter& painter, const scene::Interaction::Box& box) {
   const glm::vec2 a = box.corner, b = box.opposite;
@@ -75,6 +70,11 @@ void circle(const Context& ui, OverlayPainter& painter, const scene::Interaction
 
 }  // namespace
 
+SelectMode select_mode() {
+  const ImGuiIO& io = ImGui::GetIO();
+  return io.KeyShift ? SelectMode::add : io.KeyCtrl ? SelectMode::remove : SelectMode::replace;
+}
+
 void select_overlay(const Context& ui) {
   const auto& hand = ui.workspace.interaction;
   OverlayPainter painter(ui);
@@ -93,7 +93,7 @@ void select_overlay(const Context& ui) {
     case SelectShape::lasso: lasso_sign(ui, painter, at); break;
     case SelectShape::brush: circle(ui, painter, hand, at); break;
   }
-  sign(painter, at, hand.brushing.value_or(mode_now()), ui.colors.text);
+  sign(painter, at, hand.brushing.value_or(select_mode()), ui.colors.text);
 }
 
 std::string select_hint(const scene::Workspace& w) {

@@ -111,9 +111,7 @@ void status_bar(const Context& ui) {
   const float numbers_start = display.x - 36 - ImGui::CalcTextSize(numbers.c_str()).x;
   ImGui::PopFont();
   text_right(ui, display.x - 12, numbers, ui.colors.faint);
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted(fitting(mouse_text(ui.workspace), numbers_start - ImGui::GetCursorPosX()).c_str());
-  ImGui::PopStyleColor();
+  text_in(ui.colors.faint, fitting(mouse_text(ui.workspace), numbers_start - ImGui::GetCursorPosX()));
   const float y = display.y - status_height;
   ImGui::GetWindowDrawList()->AddLine({0, y}, {display.x, y}, ui.colors.line);
   ImGui::End();

@@ -8,7 +8,7 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
-#include "scene/workspace/time_commands.h"
+#include "ui/choice_list.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
@@ -98,9 +98,7 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
                                float width, const char* what) {
   if (*label) {
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-    ImGui::TextUnformatted(label);
-    ImGui::PopStyleColor();
+    text_in(ui.colors.faint, label);
     ImGui::SameLine(0, 4);
   }
   ImGui::SetNextItemWidth(width);
@@ -193,22 +191,6 @@ void transport(const Context& ui, float right) {
   row_of_pieces(ui, "time/more", pieces, right);
 }
 
-void repeat_choice(const Context& ui) {
-  const auto repeats = scene::all_repeats();
-  const auto now = static_cast<std::size_t>(ui.workspace.document.timeline.repeat);
-  ImGui::SetNextItemWidth(92);
-  const bool open = ImGui::BeginCombo("##time/repeat", repeats[now].label.data());
-  record(ui, "time/repeat");
-  if (!open) return hint(std::string(repeats[now].hint));
-  for (std::size_t i = 0; i < repeats.size(); ++i) {
-    const auto name = scene::choice_command_name(static_cast<scene::Repeat>(i));
-    if (ImGui::Selectable(repeats[i].label.data(), i == now)) scene::find_command(name)->run(ui.workspace);
-    record(ui, "time/" + name);
-    hint(std::string(repeats[i].hint));
-  }
-  ImGui::EndCombo();
-}
-
 // The two ways, side by side.
 void way_choice(const Context& ui) {
   const bool straight = ui.workspace.document.timeline.straight;
@@ -240,9 +222,7 @@ void rate_field(const Context& ui) {
   hint("Frames a second, 1 to 240");
   ImGui::SameLine(0, 4);
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted("fps");
-  ImGui::PopStyleColor();
+  text_in(ui.colors.faint, "fps");
   if (!rate || !std::isfinite(*rate)) return;
   play.rate = *rate;
   scene::set_play(document, play);
@@ -266,7 +246,11 @@ void range(const Context& ui, float right, bool graph) {
     play.last = *last, play.first = std::min(play.first, *last - 1);
   scene::set_play(document, play);
   std::vector<ToolPiece> pieces = {{76, 8, [&] { rate_field(ui); }},
-                                   {92, 8, [&] { repeat_choice(ui); }},
+                                   {92, 8,
+                                    [&] {
+                                      choice_list(ui, "time/repeat", std::optional(document.timeline.repeat),
+                                                  92, {.prefix = "time/"});
+                                    }},
                                    {156, 8, [&] { way_choice(ui); }}};
   if (!graph) pieces.push_back({1e6f, 8, [&] { graph_in_menu(ui); }});
   row_of_pieces(ui, "time/more_of_range", pieces, right);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "scene/document/edit.h"
 #include "scene/hand/number_entry.h"
@@ -44,6 +45,69 @@ std::string typed_so_far(const Context& ui, const std::string& name, const std::
 }
 
 }  // namespace
+
+Window::Window(const char* name, const Place& place, ImGuiWindowFlags flags, bool* open) {
+  ImGui::SetNextWindowPos(place.at, ImGuiCond_Always, place.pivot);
+  if (place.size.x > 0) ImGui::SetNextWindowSize(place.size);
+  const ImVec2 padding = place.padding.x < 0 ? ImGui::GetStyle().WindowPadding : place.padding;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, place.rounding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, place.border);
+  ImGui::Begin(name, open, flags);
+}
+
+Window::~Window() {
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
+ImVec2 middle_at(const Context& ui, float y) {
+  const scene::Viewport& v = ui.workspace.viewport;
+  return {v.origin.x + 0.5f * v.size.x, y};
+}
+
+ImVec2 middle_of_view(const Context& ui) {
+  const scene::Viewport& v = ui.workspace.viewport;
+  return middle_at(ui, v.origin.y + 0.5f * v.size.y);
+}
+
+void text_in(ImU32 color, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void row_label(const char* text, float distance) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine(distance);
+}
+
+void value_beside(float right, const std::string& value) {
+  ImGui::SameLine();
+  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(value.c_str()).x, ImGui::GetCursorScreenPos().y});
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(value.c_str());
+}
+
+void progress_bar(const Context& ui, float width, double done) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float full = width * static_cast<float>(std::clamp(done, 0.02, 1.0));
+  draw.AddRectFilled(at, {at.x + width, at.y + 6}, ui.colors.card_active, 3);
+  draw.AddRectFilled(at, {at.x + full, at.y + 6}, ui.colors.accent, 3);
+  ImGui::Dummy({width, 8});
+}
+
+void search_field(const Context& ui, const char* name, std::string& typed, bool& appearing) {
+  char text[256] = "";
+  typed.copy(text, sizeof text - 1);
+  if (std::exchange(appearing, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##typed", "Find a command", text, sizeof text);
+  record(ui, name);
+  typed = text;
+}
 
 std::string hint_of(const Context& ui, const scene::Command& command) {
   const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
@@ -190,9 +254,7 @@ void text_right(const Context& ui, float x, const std::string& text, ImU32 color
 void value_row(const Context& ui, const char* label, const std::string& value, ImU32 color) {
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   text_right(ui, right, value, color ? color : ui.colors.text);
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.faint);
-  ImGui::TextUnformatted(label);
-  ImGui::PopStyleColor();
+  text_in(ui.colors.faint, label);
 }
 
 // Neither InputDouble, which leaves commas out, nor EnterReturnsTrue, which newer versions know for texts
@@ -274,11 +336,9 @@ void open_recent(scene::Workspace& w, std::size_t index) {
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {
-  ImGui::PushStyleColor(ImGuiCol_Text, color ? color : ui.colors.faint);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
+  text_in(color ? color : ui.colors.faint, text);
   ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
 }
 
 void note_within(const Context& ui, int lines, const std::string& text, ImU32 color) {

@@ -11,6 +11,48 @@
 
 namespace viete::ui {
 
+/// As large as what it holds, at its place, and nothing that is typed goes to it.
+inline constexpr ImGuiWindowFlags fixed_flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+inline constexpr ImGuiWindowFlags sized_flags = fixed_flags | ImGuiWindowFlags_AlwaysAutoResize;
+inline constexpr ImGuiWindowFlags card_flags =
+    sized_flags | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+/// With a title, and a cross that closes it.
+inline constexpr ImGuiWindowFlags dialog_flags = ImGuiWindowFlags_NoCollapse |
+                                                 ImGuiWindowFlags_NoSavedSettings |
+                                                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
+
+/// A window over the view, to the end of the scope.
+class Window {
+public:
+  struct Place {
+    ImVec2 at;
+    ImVec2 pivot{0.5f, 0.5f};  ///< what of it is there: {0, 0} is its corner
+    ImVec2 size{0, 0};         ///< 0: as its flags say
+    float rounding = 8;
+    ImVec2 padding{-1, -1};  ///< -1: as in other windows
+    float border = 0;
+  };
+  Window(const char* name, const Place& place, ImGuiWindowFlags flags, bool* open = nullptr);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+};
+
+/// In the middle of the view's width, so far down in the window; and in its middle.
+ImVec2 middle_at(const Context& ui, float y);
+ImVec2 middle_of_view(const Context& ui);
+
+/// Text in a colour, to the end of its line.
+void text_in(ImU32 color, const std::string& text);
+/// A word before what begins at this distance from the left.
+void row_label(const char* text, float distance);
+/// What a slider stands at: beside it, right edge at `right`.
+void value_beside(float right, const std::string& value);
+void progress_bar(const Context& ui, float width, double done);
+/// A field for a few letters of a command's name, which has the keyboard at first.
+void search_field(const Context& ui, const char* name, std::string& typed, bool& appearing);
+
 /// Notes the last item's place under `name` when a recorder watches.
 void record(const Context& ui, const std::string& name, bool enabled = true);
 

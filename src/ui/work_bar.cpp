@@ -19,15 +19,6 @@ std::string words_of(std::optional<double> left) {
   return std::to_string(std::lround(step * std::ceil(*left / step))) + " s left";
 }
 
-void bar(const Context& ui, float width, double done) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float full = width * static_cast<float>(std::clamp(done, 0.02, 1.0));
-  draw.AddRectFilled(at, {at.x + width, at.y + 6}, ui.colors.card_active, 3);
-  draw.AddRectFilled(at, {at.x + full, at.y + 6}, ui.colors.accent, 3);
-  ImGui::Dummy({width, 8});
-}
-
 // What is done, how far, and a way to stop it.
 void row(const Context& ui, const scene::WorkState& work, scene::TimeLeft& time_left, const char* stop) {
   constexpr float widest = 420, time_width = 96;
@@ -36,7 +27,7 @@ void row(const Context& ui, const scene::WorkState& work, scene::TimeLeft& time_
   text_right(ui, right, words_of(time_left.of(work)), ui.colors.faint);
   ImGui::TextUnformatted(shortened(work.what, width - time_width).c_str());
   hint(work.what);
-  bar(ui, width, work.done);
+  progress_bar(ui, width, work.done);
   command_button(ui, stop);
 }
 
@@ -52,20 +43,11 @@ float work_bar(const Context& ui, float bottom) {
                                  : w.making_cage.running ? w.making_cage
                                                          : w.binding;
   if (!shows(work) && !shows(w.exporting)) return bottom;
-  const auto& v = ui.workspace.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, bottom - 16}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::Begin("Work", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav);
+  const Window window("Work", {.at = middle_at(ui, bottom - 16), .pivot = {0.5f, 1}}, card_flags);
   if (shows(w.exporting)) row(ui, w.exporting, w.export_left, "stop_export");
   if (shows(w.exporting) && shows(work)) ImGui::Spacing();
   if (shows(work)) row(ui, work, w.time_left, "stop_work");
-  const float top = ImGui::GetWindowPos().y;
-  ImGui::End();
-  ImGui::PopStyleVar();
-  return top + 28;
+  return ImGui::GetWindowPos().y + 28;
 }
 
 }  // namespace viete::ui

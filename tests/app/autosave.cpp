@@ -7,13 +7,13 @@
 #include <thread>
 
 #include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
 #include "scene/files.h"
 #include "scene/files/open.h"
-#include "scene/workspace/saving.h"
 #include "scene/files/session.h"
-#include "support/open.h"
-#include "scene/document/pose_edit.h"
+#include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"
+#include "support/open.h"
 
 using namespace viete;
 
@@ -68,7 +68,7 @@ TEST_CASE("settings_made_after_the_last_edit_are_kept_too") {
   Kept k;
   k.edit(0.25);
   REQUIRE(k.autosave.keep_now(k.workspace));
-  scene::set_method(k.workspace.document, sym3::Method::sd);
+  k.workspace.document.put_method(sym3::Method::sd);
   k.workspace.view.wireframe = true;
   k.workspace.document.model.unit = scene::LengthUnit::inch;
   REQUIRE(k.autosave.keep_now(k.workspace));

@@ -7,12 +7,12 @@
 #include "app/bundled_loop.h"
 #include "deform/pose_io.h"
 #include "scene/document/edit.h"
-#include "scene/files/open.h"
-#include "scene/workspace/saving.h"
-#include "support/data.h"
 #include "scene/document/record.h"
+#include "scene/files/open.h"
 #include "scene/workspace/playing.h"
+#include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"
+#include "support/data.h"
 
 using namespace viete;
 
@@ -42,10 +42,10 @@ TEST_CASE("the_first_motion_leads_from_rest_into_the_pose_and_is_no_edit") {
   s.motion.step(s.w, true, 0.1);
   CHECK(s.motion.moving());
   CHECK_FALSE(scene::differs_from_rest(s.w.document));
-  const auto before = s.w.document.revisions.pose;
+  const auto before = s.w.document.revisions().pose;
   s.motion.step(s.w, true, 0.3);
   CHECK(scene::differs_from_rest(s.w.document));
-  CHECK(s.w.document.revisions.pose > before);
+  CHECK(s.w.document.revisions().pose > before);
   CHECK_FALSE(s.at_goal());
   CHECK_FALSE(scene::has_unsaved_edits(s.w));
   s.motion.step(s.w, true, 0.31);

@@ -153,18 +153,6 @@ TEST_CASE("a_triangle_that_is_one_point_adds_nothing") {
   CHECK(half_cotangents({0, 0, 0}, tiny, {0, 0, 0}) == Vec3{0, 0, 0});
 }
 
-TEST_CASE("lumped_mass_shares_the_area_among_the_vertices_of_triangles") {
-  mesh::Surface box = test::box({1, 2, 3});
-  box.positions.push_back({0, 0, 0});
-  const auto mass = lumped_mass(box.positions, box.triangles);
-  double sum = 0;
-  for (const double m : mass) sum += m;
-  CHECK(sum == doctest::Approx(88).epsilon(1e-14));
-  CHECK(mass.back() == 0);
-  const std::vector<mesh::Point> corner = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-  CHECK(lumped_mass(corner, std::vector<mesh::Triangle>{{0, 1, 2}}) == std::vector<double>{2, 2, 2});
-}
-
 TEST_CASE("grounded_unknowns_are_what_their_right_hand_sides_say") {
   const std::vector<MatrixEntry> entries = {{0, 0, 4}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1},
                                             {1, 1, 2}, {2, 1, 7}, {1, 2, 7}, {2, 2, 9}};

@@ -105,27 +105,6 @@ TEST_CASE("the_tree_finds_what_is_near_a_triangle_as_looking_at_all_does") {
   CHECK(far > 50);
 }
 
-TEST_CASE("any_in_visits_every_box_that_meets_one_until_it_is_told_to_stop") {
-  TreeCase random(3);
-  const Surface s = random.mixed(500);
-  const TriangleTree tree(s.positions, s.triangles);
-  for (int i = 0; i < 100; ++i) {
-    const Bounds box = bounds(random.triangle(0.5));
-    std::vector<std::uint32_t> visited, expected;
-    CHECK_FALSE(tree.any_in(box, [&](std::uint32_t t, const Corners& c) {
-      CHECK(c == at(s, t));
-      visited.push_back(t);
-      return false;
-    }));
-    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-      if (meet(bounds(at(s, t)), box)) expected.push_back(t);
-    }
-    std::ranges::sort(visited);
-    CHECK(visited == expected);
-    CHECK(tree.any_in(box, [](auto, const auto&) { return true; }) == !expected.empty());
-  }
-}
-
 TEST_CASE("the_tree_winds_as_all_triangles_together_do") {
   TreeCase random(4);
   for (const Surface& s : {test::sphere(4), test::torus(60, 30, true), random.mixed(400)}) {

@@ -116,7 +116,7 @@ TEST_CASE("what_was_opened_is_bound_once_for_the_method_that_was_chosen_before")
   const test::TemporaryFolder folder;
   const fs::path balls[] = {ball_cage(folder.path(), 1), ball_cage(folder.path(), 2)};
   Driver d(small_window());
-  scene::set_method(d.document(), sym3::Method::diag);
+  d.document().put_method(sym3::Method::diag);
   for (const auto& request :
        {scene::OpenRequest{What::model, {balls[1], dragon_cage}}, scene::OpenRequest{What::cage, {balls[0]}},
         scene::OpenRequest{What::model, {folder / "a.viete"}}}) {
@@ -135,7 +135,7 @@ TEST_CASE("what_was_opened_is_bound_once_for_the_method_that_was_chosen_before")
     REQUIRE(d.viewer().deformer());
     CHECK(d.viewer().deformer()->engine(sym3::Method::diag) == deform::EngineKind::staged);
     REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
-    scene::set_method(d.document(), request.what == What::cage ? sym3::Method::fast : sym3::Method::diag);
+    d.document().put_method(request.what == What::cage ? sym3::Method::fast : sym3::Method::diag);
   }
 }
 

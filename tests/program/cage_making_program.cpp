@@ -23,7 +23,7 @@ struct Maker : Driver {
   // Until the cage is as it is wished for, and bound.
   void finish() {
     frame();
-    viewer().finish_making();
+    finish_making();
     frame(2);
     viewer().finish_binding();
     frame(3);
@@ -146,7 +146,7 @@ TEST_CASE("what is done while a preview is seen is made with all care before it 
   const auto preview = d.document().cage;
   d.click("finish_cage");
   CHECK_FALSE(d.viewer().recorder().find("finish_cage"));
-  d.viewer().finish_making();
+  d.finish_making();
   d.frame(2);
   CHECK_FALSE(d.workspace().making.open);
   CHECK(d.document().cage != preview);
@@ -167,7 +167,7 @@ TEST_CASE("a preview that is stopped or posed on its way to all care is kept, an
   SUBCASE("posed") {
     d.pull_vertex();
   }
-  d.viewer().finish_making();
+  d.finish_making();
   d.frame(2);
   CHECK_FALSE(d.workspace().making.open);
   CHECK(d.document().cage == preview);
@@ -184,7 +184,7 @@ TEST_CASE("what is to be said of a cage that comes after its panel was closed is
   d.workspace().making.wish.triangles = 12;
   while (!d.document().has_cage()) d.frame();
   d.click("finish_cage");
-  d.viewer().finish_making();
+  d.finish_making();
   d.frame(2);
   CHECK_FALSE(d.workspace().making.open);
   CHECK(d.workspace().messages.all().back().text.find("The cage made here: no cage of 12 triangles ") == 0);
@@ -197,7 +197,7 @@ TEST_CASE("a pose is kept beside a cage that is made anew: undo brings both back
   const auto pose = plain.document().pose.positions;
   plain.click("make_cage");
   plain.frame();
-  plain.viewer().finish_making();
+  plain.finish_making();
   plain.frame(3);
   CHECK(plain.document().cage != cage);
   CHECK(plain.document().cage_file.path.empty());
@@ -243,7 +243,7 @@ TEST_CASE("a model that no cage goes around says so, and the window stays as it 
   Maker d(folder / "point.obj");
   d.click("make_cage");
   d.frame();
-  d.viewer().finish_making();
+  d.finish_making();
   d.frame(3);
   CHECK_FALSE(d.document().has_cage());
   CHECK(d.workspace().messages.all().back().text.find("single point") != std::string::npos);

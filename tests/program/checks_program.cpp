@@ -93,9 +93,8 @@ TEST_CASE("the_highlight_follows_the_cage_when_it_is_dragged") {
   const auto shot = [&] {
     return d.picture().pixel(static_cast<int>(d.vertex(edge[0]).x), static_cast<int>(d.vertex(edge[0]).y));
   };
-  auto& pose = d.document().pose.positions;
+  auto& pose = d.document().changed_pose().positions;
   for (auto& p : pose) p[1] += 0.02 * d.document().space.diagonal();
-  ++d.document().revisions.pose;
   d.frame(3);
   CHECK(shot()[0] > 150);
   CHECK(shot()[1] < 150);

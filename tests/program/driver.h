@@ -73,6 +73,15 @@ public:
     }
     return true;
   }
+  /// Until the cage is as it is wished for. A preview rests before it is made with all care.
+  void finish_making() {
+    do {
+      frame();
+      REQUIRE(until([&] { return !workspace().making_cage.running; }));
+      std::this_thread::sleep_for(std::chrono::milliseconds(400));
+      frame();
+    } while (workspace().making_cage.running);
+  }
   void send(platform::InputEvent event, int frames = 1) {
     viewer().input().push(std::move(event));
     frame(frames);
@@ -194,11 +203,11 @@ private:
 };
 
 inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {
-  const scene::Revision before = document().revisions.pose;
+  const scene::Revision before = document().revisions().pose;
   workspace().requests.open = scene::OpenRequest{what, std::move(files)};
   frame();
   REQUIRE(until([&] { return !viewer().loading(); }));
-  return document().revisions.pose != before;
+  return document().revisions().pose != before;
 }
 
 inline void Driver::open_dragon(const std::string& pose) {

@@ -210,8 +210,7 @@ TEST_CASE("an_export_says_what_its_method_has_lost") {
   REQUIRE(d.open({folder / "ball.ply", folder / "cage.obj"}));
   d.document().method = sym3::Method::sd;
   d.settle();
-  for (auto& p : d.document().pose.positions) p = {2 * p[0], (2 - 1e-5) * p[1], (2 + 1e-5) * p[2]};
-  ++d.document().revisions.pose;
+  for (auto& p : d.document().changed_pose().positions) p = {2 * p[0], (2 - 1e-5) * p[1], (2 + 1e-5) * p[2]};
   d.workspace().requests.save_model = folder / "out.ply";
   d.frame();
   d.viewer().finish_exports();

@@ -12,6 +12,7 @@
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
+#include "support/grips.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -103,7 +104,7 @@ TEST_CASE("a_ring_rotates_the_selection_about_its_centre_and_ctrl_snaps") {
   d.select_whole_cage();
   const auto rest = d.mesh();
   const auto [from, to] = d.on_ring(1, 12);  // of 96 points: 45 degrees
-  const glm::dvec3 center = scene::selection_center(d.document());
+  const glm::dvec3 center = test::selection_center(d.document());
   d.press_and_move(from, to);
   const double degrees = d.workspace().interaction.drag->transform().degrees;
   CHECK(std::abs(degrees) == doctest::Approx(45).epsilon(0.15));
@@ -119,7 +120,7 @@ TEST_CASE("the_whole_cage_turned_by_hand_twice_round_stays_rigid_and_its_turns_a
   Interaction d;
   d.select_whole_cage();
   const auto rest = d.mesh();
-  const glm::dvec3 center = scene::selection_center(d.document());
+  const glm::dvec3 center = test::selection_center(d.document());
   d.press_key(scene::Key::pad7);  // from above the ring about Y is a circle
   d.settle();
   const glm::vec2 middle = d.gizmo().center;
@@ -150,7 +151,7 @@ TEST_CASE("a_typed_angle_is_exact_and_enter_keeps_it") {
   Interaction d;
   d.select_whole_cage();
   const auto rest = d.mesh();
-  const glm::dvec3 center = scene::selection_center(d.document());
+  const glm::dvec3 center = test::selection_center(d.document());
   const auto [from, to] = d.on_ring(1, 6);
   d.press_and_move(from, to);
   d.type("450");
@@ -345,7 +346,7 @@ TEST_CASE("numbers_are_typed_in_the_cage_panel") {
   d.click("select_all");
   d.click("strip/tool_rotate");
   const auto before = d.mesh();
-  const glm::dvec3 center = scene::selection_center(d.document());
+  const glm::dvec3 center = test::selection_center(d.document());
   enter("transform_y", "90");
   CHECK(farthest_apart(d.mesh(), turned(before, center, 90)) < 1e-12);
   d.click("undo");
@@ -570,7 +571,7 @@ TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one_that_has_none") 
     REQUIRE(scene::mirror_of(d.workspace())->unpaired() > 0);
     d.click("make_symmetric_cage");
     d.frame();
-    d.viewer().finish_making();
+    d.finish_making();
     d.frame(2);
     CHECK(scene::mirror_of(d.workspace())->unpaired() == 0);
     CHECK_FALSE(scene::find_command("make_symmetric_cage")->enabled(d.workspace()));

@@ -12,7 +12,7 @@ using test::Driver;
 namespace {
 
 void choose_preset(Driver& d, scene::KeyPreset preset) {
-  const auto& entry = scene::all_key_presets()[static_cast<std::size_t>(preset)];
+  const auto& entry = scene::entry_of(preset);
   scene::find_command("keys_" + std::string(entry.word))->run(d.workspace());
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("in_every_preset_the_home_key_does_what_the_home_button_does") {
   d.settle();
   const auto home = d.workspace().camera.pose();
   for (const auto preset : presets) {
-    CAPTURE(scene::all_key_presets()[static_cast<std::size_t>(preset)].word);
+    CAPTURE(scene::entry_of(preset).word);
     choose_preset(d, preset);
     wander();
     REQUIRE(d.workspace().camera.pose().yaw != home.yaw);
@@ -180,9 +180,7 @@ TEST_CASE("what_is_said_of_the_mouse_is_what_it_does_in_the_preset_in_force") {
     choose_preset(d, preset);
     scene::find_command("help")->run(d.workspace());
     d.frame(3);
-    keep_picture(
-        d, ("help_" + std::string(scene::all_key_presets()[static_cast<std::size_t>(preset)].word) + ".png")
-               .c_str());
+    keep_picture(d, ("help_" + std::string(scene::entry_of(preset).word) + ".png").c_str());
     d.press_key(scene::Key::escape);
     CHECK_FALSE(d.workspace().view.help);
   }

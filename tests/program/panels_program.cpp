@@ -8,7 +8,7 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
 #include "scene/files/open.h"
-#include "scene/workspace/blend_commands.h"
+#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
 

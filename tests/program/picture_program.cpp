@@ -288,8 +288,7 @@ void turn_a_probe(Driver& d) {
   d.settle();
   scene::Document& document = d.document();
   REQUIRE(scene::add_probe(document, {}, {0.75, 1.35, 0}));
-  document.probes.all[0].pose = {{0.3, 0, 0.8}, {}, {0.1, 0.1, 0}};
-  ++document.revisions.pose;
+  document.changed_probes().all[0].pose = {{0.3, 0, 0.8}, {}, {0.1, 0.1, 0}};
   CHECK(test::run_command(d.workspace(), "tool_select"));
   d.settle();
 }
@@ -414,7 +413,7 @@ void show_making(Driver& d) {
   d.workspace().making.wish.cells = {3, 2, 2};
   d.click("make_cage");
   d.frame();
-  d.viewer().finish_making();
+  d.finish_making();
   d.frame(3);
   d.move({1, 1});
   put_numbers(d);

@@ -183,8 +183,7 @@ TEST_CASE("a_model_without_a_cage_is_saved_written_and_opened_again_with_its_pro
 TEST_CASE("a_cage_that_is_opened_leaves_the_probes_and_they_are_placed_on_what_others_have_moved") {
   ProbeHand d(false);
   d.place_probe();
-  d.document().probes.all[0].pose.move = {0.1, 0.25, 0};
-  ++d.document().revisions.pose;
+  d.document().changed_probes().all[0].pose.move = {0.1, 0.25, 0};
   d.settle();
   const auto probes = d.document().probes;
   // Where the head is drawn now.

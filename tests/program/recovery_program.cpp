@@ -3,13 +3,14 @@
 
 #include "program/kept_work.h"
 #include "scene/document/edit.h"
-#include "scene/workspace/saving.h"
 #include "scene/document/time_edit.h"
-#include "scene/hand/transform.h"
-#include "support/edits.h"
-#include "support/pictures.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
+#include "scene/hand/transform.h"
+#include "scene/workspace/saving.h"
+#include "support/edits.h"
+#include "support/grips.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using namespace test;
@@ -85,7 +86,7 @@ TEST_CASE("a_whole_turn_and_another_reach_are_kept_without_a_moved_vertex") {
   d.press_key(scene::key('A'));
   scene::Transform turn;
   turn.degrees = 360;
-  scene::transform_selection(d.document(), scene::Tool::rotate, scene::plain_grip(d.document()), turn);
+  scene::transform_selection(d.document(), scene::Tool::rotate, test::plain_grip(d.document()), turn);
   REQUIRE(settled(1));
   const auto kept = scene::read_session(kept_files(state).front());
   CHECK(kept.pose->positions == d.document().cage->surface.positions);

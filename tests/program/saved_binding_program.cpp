@@ -29,8 +29,7 @@ app::ViewerOptions keeping_in(const fs::path& folder, double worth_keeping = 0) 
 
 // The frame of a pose, to the last bit.
 std::vector<deform::FrameVertex> frame_of(Driver& d) {
-  d.document().pose.positions[3][1] += 0.1;
-  ++d.document().revisions.pose;
+  d.document().changed_pose().positions[3][1] += 0.1;
   d.settle();
   const auto vertices = d.viewer().deformer()->vertices();
   return {vertices.begin(), vertices.end()};

@@ -129,8 +129,7 @@ TEST_CASE("a_cage_whose_faces_disagree_turns_its_model_in_the_window_and_from_a_
   Driver d;
   REQUIRE(d.open({folder / "ball.obj", folder / "cube.obj"}));
   d.choose("way", "way_mean_value");
-  d.document().pose.positions = turned(d.document().pose.positions);
-  ++d.document().revisions.pose;
+  d.document().changed_pose().positions = turned(d.document().pose.positions);
   d.settle();
   bool said = false;
   for (const auto& m : d.workspace().messages.all())

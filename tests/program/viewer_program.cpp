@@ -8,7 +8,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/hand/projector.h"
-#include "scene/workspace/blend_commands.h"
+#include "scene/workspace/choice_commands.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/pictures.h"
@@ -415,8 +415,7 @@ TEST_CASE("cut_off_weights_have_a_radius_a_falloff_and_limits_and_others_what_th
 TEST_CASE("turn_and_stretch_slide_and_the_model_follows_and_points_have_neither") {
   Driver d;
   d.open_dragon();
-  d.document().pose.positions[20][1] += 0.3 * diagonal(d);
-  ++d.document().revisions.pose;
+  d.document().changed_pose().positions[20][1] += 0.3 * diagonal(d);
   d.settle();
   const auto whole = positions(d);
   const auto low_end = [&](const char* slider) {

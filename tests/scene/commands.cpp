@@ -60,28 +60,28 @@ TEST_CASE("reset_pose_can_be_undone") {
 
 TEST_CASE("methods_switch_without_touching_history_pose_or_weights") {
   Workspace w = test::cube_workspace();
-  const Revisions before = w.document.revisions;
+  const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "method_sd"));
   CHECK(w.document.method == sym3::Method::sd);
-  CHECK(w.document.revisions.method > before.method);
-  CHECK(w.document.revisions.pose == before.pose);
-  CHECK(w.document.revisions.weights == before.weights);
+  CHECK(w.document.revisions().method > before.method);
+  CHECK(w.document.revisions().pose == before.pose);
+  CHECK(w.document.revisions().weights == before.weights);
   CHECK_FALSE(w.document.history.can_undo());
 }
 
 TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
   Workspace w = test::cube_workspace();
   w.document.scheme = {};
-  const Revisions before = w.document.revisions;
+  const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "blend_linear"));
   CHECK(w.document.scheme.blend == deform::Blend::linear);
-  CHECK(w.document.revisions.weights == before.weights);  // other sums of the same weights
-  CHECK(w.document.revisions.method > before.method);
+  CHECK(w.document.revisions().weights == before.weights);  // other sums of the same weights
+  CHECK(w.document.revisions().method > before.method);
   CHECK_FALSE(test::run_command(w, "method_sd"));
   CHECK(test::run_command(w, "weights_mean_value"));
   CHECK(w.document.scheme.weighting.weights == deform::Weights::mean_value);
-  CHECK(w.document.revisions.weights > before.weights);
-  CHECK(w.document.revisions.surfaces == before.surfaces);
+  CHECK(w.document.revisions().weights > before.weights);
+  CHECK(w.document.revisions().surfaces == before.surfaces);
   CHECK(test::edit_count(w.document.history) == 2);
   CHECK(test::run_command(w, "weights_mean_value"));
   CHECK(test::edit_count(w.document.history) == 2);
@@ -138,11 +138,11 @@ TEST_CASE("reaches_are_stepped_through_as_one_edit_where_weights_have_one") {
 
 TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a_row_are_one") {
   Workspace w = test::cube_workspace();
-  const Revisions before = w.document.revisions;
+  const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "toggle_stitched"));
   CHECK(w.document.scheme.iterations == 1);
-  CHECK(w.document.revisions.method > before.method);
-  CHECK(w.document.revisions.weights == before.weights);  // the same sums of the same weights
+  CHECK(w.document.revisions().method > before.method);
+  CHECK(w.document.revisions().weights == before.weights);  // the same sums of the same weights
   for (const int iterations : {3, 4, 7}) set_iterations(w.document, iterations);
   CHECK(w.document.scheme.iterations == 7);
   CHECK(test::edit_count(w.document.history) == 1);

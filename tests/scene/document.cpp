@@ -101,7 +101,7 @@ TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
   const auto* surface = w.document.model.surface.get();
   w.document.pose.positions[0][0] += 1;
   const auto pose = w.document.pose.positions;
-  const auto topology = w.document.revisions.surfaces;
+  const auto topology = w.document.revisions().surfaces;
   CHECK_FALSE(test::load_model(w, files.broken, {}));
   CHECK_FALSE(test::load_model(w, files.model, files.broken));
   CHECK_FALSE(test::load_cage(w, files.broken));
@@ -109,7 +109,7 @@ TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
   CHECK_FALSE(test::load_pose(w, files.broken));
   CHECK(w.document.model.surface.get() == surface);
   CHECK(w.document.pose.positions == pose);
-  CHECK(w.document.revisions.surfaces == topology);
+  CHECK(w.document.revisions().surfaces == topology);
   CHECK(w.messages.all().back().severity == Severity::error);
   CHECK(w.messages.all().front().text.find("broken.obj") != std::string::npos);
 }

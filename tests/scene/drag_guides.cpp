@@ -4,6 +4,7 @@
 
 #include "scene/cube.h"
 #include "scene/hand/grip.h"
+#include "support/grips.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -14,7 +15,7 @@ namespace {
 DragGuides guides(Tool tool, Constraint constraint, const char* typed) {
   Workspace w = test::cube_workspace();
   w.document.selection.select_all(8);
-  TransformDrag drag(w.document, plain_grip(w.document), tool, constraint, 1, {700, 390}, w.camera);
+  TransformDrag drag(w.document, test::plain_grip(w.document), tool, constraint, 1, {700, 390}, w.camera);
   for (; *typed; ++typed) drag.type(*typed);
   drag.update(w.document, {{710, 390}}, w.camera, w.viewport);
   return drag_guides(drag, w.document.space, w.camera, w.viewport);

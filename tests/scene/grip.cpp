@@ -7,6 +7,7 @@
 #include "scene/cube.h"
 #include "scene/document/edit.h"
 #include "scene/hand/placing.h"
+#include "support/grips.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -148,7 +149,7 @@ TEST_CASE("axes_are_of_length_1_and_right_handed_whatever_is_asked_for") {
 TEST_CASE("typed_axes_are_those_that_were_chosen") {
   Document document = arm();
   select(document, 36, 40);
-  Grip grip = plain_grip(document);
+  Grip grip = test::plain_grip(document);
   grip.anchor.axes = glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
   Transform t;
   t.axes = grip.anchor.axes;

@@ -8,15 +8,15 @@
 
 #include "base/error.h"
 #include "scene/document/edit.h"
-#include "scene/files.h"
 #include "scene/document/pose_edit.h"
-#include "scene/workspace/saving.h"
 #include "scene/document/selection_sets.h"
+#include "scene/files.h"
+#include "scene/workspace/saving.h"
+#include "scene/workspace/taking.h"
 #include "support/data.h"
 #include "support/edits.h"
 #include "support/open.h"
 #include "support/text.h"
-#include "scene/workspace/taking.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -239,7 +239,7 @@ TEST_CASE(
   const test::CubeFiles files;
   Workspace w;
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
-  set_method(w.document, sym3::Method::sd);
+  w.document.put_method(sym3::Method::sd);
   set_reach(w.document, 3);
   REQUIRE(save_session(w, files / "a.viete"));
 
@@ -293,7 +293,7 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
   const test::CubeFiles files;
   Workspace w;
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
-  set_method(w.document, sym3::Method::sd);
+  w.document.put_method(sym3::Method::sd);
   set_reach(w.document, 3);
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
   CHECK(w.document.method == sym3::Method::sd);

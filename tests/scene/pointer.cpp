@@ -5,8 +5,8 @@
 #include "scene/cube.h"
 #include "scene/document/edit.h"
 #include "scene/hand/picking.h"
-#include "support/edits.h"
 #include "scene/hand/projector.h"
+#include "support/edits.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -306,8 +306,9 @@ TEST_CASE("another_document_in_the_middle_of_a_gesture_ends_it") {
   m.move(m.vertex(7));
   m.press();
   m.move(m.vertex(7) + glm::vec2(30, 10));
-  m.w.document = test::cube_document();
-  m.w.document.revisions.surfaces = 1;
+  Document other = test::cube_document();
+  other.take_place_of(m.w.document);
+  m.w.document = std::move(other);
   m.w.interaction = {};
   m.move({400, 400});
   m.release();

@@ -18,6 +18,7 @@
 #include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/edits.h"
+#include "support/grips.h"
 #include "support/open.h"
 #include "support/text.h"
 
@@ -88,15 +89,16 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   p.add({1, 0, 0});
   p.add({-1, 0, 0});
   p.select({0, 1});
-  CHECK(selection_center(p.document()) == glm::dvec3(0, 0, 0));
-  REQUIRE(transform_selection(p.document(), Tool::rotate, plain_grip(p.document()), quarter({0, 0, 0})));
+  CHECK(test::selection_center(p.document()) == glm::dvec3(0, 0, 0));
+  REQUIRE(
+      transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), quarter({0, 0, 0})));
   CHECK(deform::norm(probe_center(p.document(), 0) - mesh::Point{0, 1, 0}) < 1e-15);
   CHECK(deform::norm(p.probe().pose.turn - mesh::Point{0, 0, std::acos(-1.0) / 2}) < 1e-15);
   CHECK(p.probe().place == mesh::Point{1, 0, 0});
   Transform t;
   t.shift = {0.5, 0, 0};
   t.factors = {2, 1, 1};
-  REQUIRE(transform_selection(p.document(), Tool::move, plain_grip(p.document()), t));
+  REQUIRE(transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), t));
   const auto m = linear_part(p.probe().pose);
   CHECK(m[1] == doctest::Approx(-2).epsilon(1e-12));  // a quarter turn, then twice as wide
   CHECK(m[3] == doctest::Approx(1).epsilon(1e-12));
@@ -110,8 +112,9 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   CHECK(p.document().pose.positions == p.document().cage->surface.positions);
   // Carried by the cage, it turns where it is then.
   p.document().carried = {{1, 5, 0}, {-1, 5, 0}};
-  CHECK(selection_center(p.document()) == glm::dvec3(0, 5, 0));
-  REQUIRE(transform_selection(p.document(), Tool::rotate, plain_grip(p.document()), quarter({0, 5, 0})));
+  CHECK(test::selection_center(p.document()) == glm::dvec3(0, 5, 0));
+  REQUIRE(
+      transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), quarter({0, 5, 0})));
   CHECK(deform::norm(p.probe().pose.move - mesh::Point{-1, 1, 0}) < 1e-14);
 }
 
@@ -120,16 +123,16 @@ TEST_CASE("whole_turns_of_a_probe_count_and_what_leaves_its_range_moves_nothing"
   p.add({0, 0, 0});
   Transform t = quarter({0, 0, 0});
   t.degrees = 540;
-  REQUIRE(transform_selection(p.document(), Tool::rotate, plain_grip(p.document()), t));
+  REQUIRE(transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), t));
   CHECK(p.probe().pose.turn[2] == doctest::Approx(3 * std::acos(-1.0)).epsilon(1e-13));
   const Probe before = p.probe();
   Transform far;
   far.shift = {1e30, 0, 0};
-  CHECK_FALSE(transform_selection(p.document(), Tool::move, plain_grip(p.document()), far));
+  CHECK_FALSE(transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), far));
   CHECK(p.probe() == before);
   Transform grow;
   grow.factors = {1e12, 1, 1};
-  CHECK(transform_selection(p.document(), Tool::scale, plain_grip(p.document()), grow));  // bounded
+  CHECK(transform_selection(p.document(), Tool::scale, test::plain_grip(p.document()), grow));  // bounded
   CHECK(is_probe_stretch(p.probe().pose.stretch));
 }
 
@@ -144,7 +147,7 @@ TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
   const Probe locked = p.probe();
   Transform t;
   t.shift = {1, 0, 0};
-  transform_selection(p.document(), Tool::move, plain_grip(p.document()), t);
+  transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), t);
   CHECK(p.probe() == locked);
   CHECK(p.probe(1).pose.move == mesh::Point{1, 0, 0});
   CHECK(test::run_command(p.w, "replace_probe"));

@@ -6,14 +6,15 @@
 #include "base/process.h"
 #include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/hand/grip.h"
-#include "scene/workspace/saving.h"
 #include "scene/files/session.h"
+#include "scene/hand/grip.h"
+#include "scene/hand/placing.h"
 #include "scene/hand/transform.h"
+#include "scene/workspace/saving.h"
+#include "scene/workspace/taking.h"
+#include "support/grips.h"
 #include "support/open.h"
 #include "support/zombie.h"
-#include "scene/hand/placing.h"
-#include "scene/workspace/taking.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -122,7 +123,7 @@ TEST_CASE("kept_work_tells_the_first_edit_since_it_was_saved_and_a_saved_session
   const auto move = [&] {
     Transform by;
     by.shift = {0.1, 0, 0};
-    transform_selection(w.document, Tool::move, plain_grip(w.document), by);
+    transform_selection(w.document, Tool::move, test::plain_grip(w.document), by);
   };
   move();
   set_reach(w.document, 3);

@@ -13,6 +13,7 @@
 #include "scene/posed_cube.h"
 #include "scene/workspace/taking.h"
 #include "support/commands.h"
+#include "support/grips.h"
 #include "support/open.h"
 #include "support/text.h"
 
@@ -66,7 +67,7 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   Transform turn;
   turn.degrees = 360;
   w.document.selection.select_all(w.document.pose.positions.size());
-  transform_selection(w.document, Tool::rotate, plain_grip(w.document), turn);
+  transform_selection(w.document, Tool::rotate, test::plain_grip(w.document), turn);
   CHECK(w.document.pose.positions == w.saved.state.pose.positions);
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_pose(w, files / "p.obj"));
@@ -81,7 +82,7 @@ TEST_CASE("coordinates_and_reach_are_edits_that_a_session_keeps_and_a_pose_does_
   REQUIRE(test::load_model(w, files.model, files.cage));
   w.document.scheme = {};
   mark_saved(w);
-  set_method(w.document, sym3::Method::diag);
+  w.document.put_method(sym3::Method::diag);
   CHECK_FALSE(has_unsaved_edits(w));
   set_reach(w.document, 3);
   CHECK(has_unsaved_edits(w));

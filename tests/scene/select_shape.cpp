@@ -11,11 +11,11 @@
 #include "scene/cube.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/workspace/pointer.h"
-#include "scene/hand/sight.h"
-#include "support/commands.h"
 #include "scene/hand/projector.h"
+#include "scene/hand/sight.h"
+#include "scene/workspace/pointer.h"
 #include "scene/workspace/sight_keeper.h"
+#include "support/commands.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -253,11 +253,10 @@ TEST_CASE("visible_only_leaves_out_what_the_cage_and_the_model_hide") {
 
 TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   Hand hand(test::cube_workspace());
-  auto& cage = hand.w.document.pose.positions;
+  auto& cage = hand.w.document.changed_pose().positions;
   for (auto& p : cage) {
     for (double& x : p) x *= 0.2;  // within the model
   }
-  ++hand.w.document.revisions.pose;
   hand.w.view.select_visible = true;
   hand.drag({205, 5}, {995, 775});
   CHECK(hand.selected() == 0);

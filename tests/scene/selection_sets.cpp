@@ -3,20 +3,21 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/document/cage_editing.h"
 #include "scene/cube.h"
+#include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
+#include "scene/files/session.h"
+#include "scene/hand/grip.h"
 #include "scene/hand/picking.h"
+#include "scene/hand/placing.h"
+#include "scene/hand/projector.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
-#include "scene/files/session.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
-#include "scene/hand/grip.h"
-#include "scene/hand/placing.h"
-#include "scene/hand/projector.h"
+#include "support/grips.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -121,7 +122,7 @@ TEST_CASE("what_is_hidden_is_not_selected_picked_or_moved_until_all_is_shown") {
   CHECK(w.document.selection.size() == 12);
   Transform t;
   t.shift = {1, 0, 0};
-  CHECK(transform_selection(w.document, Tool::move, plain_grip(w.document), t));
+  CHECK(transform_selection(w.document, Tool::move, test::plain_grip(w.document), t));
   CHECK(w.document.pose.positions[7] == w.document.cage->surface.positions[7]);
   CHECK(w.document.pose.positions[5] != w.document.cage->surface.positions[5]);
   CHECK(test::run_command(w, "show_hidden"));

@@ -17,6 +17,7 @@
 #include "scene/hand/placing.h"
 #include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"
+#include "support/grips.h"
 #include "support/open.h"
 #include "support/text.h"
 
@@ -260,7 +261,7 @@ TEST_CASE("whatever_is_typed_or_looked_at_can_be_saved_and_opened_again") {
     t.factors = {1, amount, 1};
     t.degrees = amount;
     for (const Tool tool : {Tool::move, Tool::scale, Tool::rotate})
-      transform_selection(w.document, tool, plain_grip(w.document), t);
+      transform_selection(w.document, tool, test::plain_grip(w.document), t);
     frame_selection(w, false);
     w.camera.pan({1e30f, -1e30f}, w.viewport);
     REQUIRE(save_session(w, files / "a.viete"));

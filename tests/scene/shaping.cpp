@@ -9,6 +9,7 @@
 #include "scene/document/edit.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
+#include "support/grips.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -30,7 +31,7 @@ void check_point(const mesh::Point& p, const mesh::Point& q) {
 // What the hand does with all of the cube's vertices.
 void shape_cube(Document& document, Shape shape, double amount) {
   document.selection.select_all(8);
-  Grip grip = plain_grip(document);
+  Grip grip = test::plain_grip(document);
   grip.shaping = shaping_of(document, shape, grip, true, Camera());
   REQUIRE(grip.shaping.shape == shape);
   Transform t;
@@ -113,7 +114,7 @@ TEST_CASE("twisting_a_whole_cube_by_two_turns_is_undone_to_the_bit") {
 TEST_CASE("one_vertex_has_no_two_ends") {
   Document document = test::cube_document();
   document.selection.select_all(1);
-  const Grip grip = plain_grip(document);
+  const Grip grip = test::plain_grip(document);
   CHECK(shaping_of(document, Shape::bend, grip, true, Camera()).shape == Shape::none);
   CHECK(shaping_of(document, Shape::push, grip, true, Camera()).shape == Shape::push);
 }

@@ -12,6 +12,7 @@
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
 #include "support/edits.h"
+#include "support/grips.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -87,13 +88,13 @@ TEST_CASE("the_centre_is_the_mean_of_the_selected_vertices") {
   Document document = test::cube_document();
   const std::uint32_t two[] = {0, 1};
   document.selection.apply(two, SelectMode::replace);
-  CHECK(selection_center(document) == glm::dvec3(0, -1.5, -1.5));
+  CHECK(test::selection_center(document) == glm::dvec3(0, -1.5, -1.5));
 }
 
 TEST_CASE("the_whole_cage_turned_at_once_has_made_all_its_turns") {
   for (const double degrees : {90.0, 200.0, 400.0, -1000.0}) {
     Document document = selected_cube();
-    transform_selection(document, Tool::rotate, plain_grip(document), turn(degrees));
+    transform_selection(document, Tool::rotate, test::plain_grip(document), turn(degrees));
     REQUIRE(document.pose.turns.size() == 1);
     CHECK(document.pose.turns[0][1] == doctest::Approx(degrees * degree).epsilon(1e-12));
     CHECK(document.pose.turns[0][0] == doctest::Approx(0).epsilon(1e-12));
@@ -104,7 +105,7 @@ TEST_CASE("the_whole_cage_turned_at_once_has_made_all_its_turns") {
 
 TEST_CASE("a_whole_turn_leaves_the_cage_at_rest_but_is_an_edit_that_can_be_undone") {
   Document document = selected_cube();
-  transform_selection(document, Tool::rotate, plain_grip(document), turn(360));
+  transform_selection(document, Tool::rotate, test::plain_grip(document), turn(360));
   CHECK(document.pose.positions == document.cage->surface.positions);
   CHECK(document.pose.turns[0][1] == doctest::Approx(360 * degree));
   CHECK(differs_from_rest(document));
@@ -115,8 +116,8 @@ TEST_CASE("a_whole_turn_leaves_the_cage_at_rest_but_is_an_edit_that_can_be_undon
 
 TEST_CASE("turning_on_and_back_again_forgets_the_turns") {
   Document document = selected_cube();
-  transform_selection(document, Tool::rotate, plain_grip(document), turn(500));
-  transform_selection(document, Tool::rotate, plain_grip(document), turn(-500));
+  transform_selection(document, Tool::rotate, test::plain_grip(document), turn(500));
+  transform_selection(document, Tool::rotate, test::plain_grip(document), turn(-500));
   CHECK(std::abs(document.pose.turns[0][1]) < 1e-12);
 }
 
@@ -140,7 +141,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
       const mesh::Vec3 before = shown();
       double degrees = 0;
       for (const double step : way) {
-        transform_selection(document, Tool::rotate, plain_grip(document), turn(step, axis));
+        transform_selection(document, Tool::rotate, test::plain_grip(document), turn(step, axis));
         shown();
         degrees += step;
       }
@@ -148,7 +149,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
       const mesh::Vec3 expected = (degrees * degree + mesh::dot(before, along)) * along;
       CHECK(mesh::norm(turned - expected) < 1e-6);
       CHECK_FALSE(same_pose(document.pose, {posed, {before}}));
-      transform_selection(document, Tool::rotate, plain_grip(document), turn(-degrees, axis));
+      transform_selection(document, Tool::rotate, test::plain_grip(document), turn(-degrees, axis));
       CHECK(mesh::norm(shown() - before) < 1e-6);
       for (std::size_t i = 0; i <= way.size(); ++i) undo(document);
       CHECK(mesh::norm(shown() - before) < 1e-12);
@@ -161,7 +162,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
 
 TEST_CASE("a_posed_cage_that_has_turned_keeps_its_turn_while_it_is_posed_on") {
   Document document = selected_cube();
-  transform_selection(document, Tool::rotate, plain_grip(document), turn(360, {0, 0, 1}));
+  transform_selection(document, Tool::rotate, test::plain_grip(document), turn(360, {0, 0, 1}));
   for (int i = 0; i < 40; ++i) {
     document.pose.positions[6][0] += 0.02;
     document.pose.positions[1][2] -= 0.02;
@@ -175,7 +176,7 @@ TEST_CASE("a_posed_cage_that_has_turned_keeps_its_turn_while_it_is_posed_on") {
 
 TEST_CASE("an_edit_that_moves_nothing_is_not_recorded") {
   Document document = selected_cube();
-  transform_selection(document, Tool::move, plain_grip(document), {});
+  transform_selection(document, Tool::move, test::plain_grip(document), {});
   CHECK_FALSE(document.history.can_undo());
 }
 
@@ -189,16 +190,16 @@ TEST_CASE("grid_snapping_suits_the_model_whatever_its_size") {
 
 TEST_CASE("absurd_amounts_neither_hang_nor_leave_the_range_of_numbers") {
   Document document = selected_cube();
-  transform_selection(document, Tool::rotate, plain_grip(document), turn(1e15));
+  transform_selection(document, Tool::rotate, test::plain_grip(document), turn(1e15));
   CHECK(document.pose.turns[0][1] == doctest::Approx(most_degrees * degree));
   undo(document);
   Transform grow;
   grow.factors = {1e5, 1e5, 1e5};
-  CHECK(transform_selection(document, Tool::scale, plain_grip(document), grow));
+  CHECK(transform_selection(document, Tool::scale, test::plain_grip(document), grow));
   const auto large = document.pose.positions;
   for (const double factor : {1e5, 1e300, 1e308}) {
     grow.factors = {factor, 1, factor};
-    CHECK_FALSE(transform_selection(document, Tool::scale, plain_grip(document), grow));
+    CHECK_FALSE(transform_selection(document, Tool::scale, test::plain_grip(document), grow));
     CHECK(document.pose.positions == large);
   }
   CHECK(test::edit_count(document.history) == 1);
@@ -214,13 +215,13 @@ TEST_CASE("an_edit_stays_within_what_can_be_drawn_whatever_the_size_and_place_of
     const auto before = document.pose.positions;
     Transform far;
     far.shift = {1e7 * size, 0, 0};
-    CHECK_FALSE(transform_selection(document, Tool::move, plain_grip(document), far));
+    CHECK_FALSE(transform_selection(document, Tool::move, test::plain_grip(document), far));
     CHECK(document.pose.positions == before);
     far.shift = {1e5 * size, 0, 0};
-    CHECK(transform_selection(document, Tool::move, plain_grip(document), far));
+    CHECK(transform_selection(document, Tool::move, test::plain_grip(document), far));
     CHECK(document.pose.positions != before);
     far.shift = {-1e5 * size, 0, 0};
-    CHECK(transform_selection(document, Tool::move, plain_grip(document), far));
+    CHECK(transform_selection(document, Tool::move, test::plain_grip(document), far));
   }
 }
 
@@ -230,26 +231,26 @@ TEST_CASE("an_edit_of_a_huge_model_leaves_a_pose_that_can_be_opened_again") {
   document.space = {{0, 0, 0}, 2 / (3e31 * std::sqrt(3.0))};
   Transform far;
   far.shift = {5e31, 0, 0};
-  CHECK(transform_selection(document, Tool::move, plain_grip(document), far));
-  CHECK_FALSE(transform_selection(document, Tool::move, plain_grip(document), far));
+  CHECK(transform_selection(document, Tool::move, test::plain_grip(document), far));
+  CHECK_FALSE(transform_selection(document, Tool::move, test::plain_grip(document), far));
   Transform grow;
   grow.factors = {1, 4, 1};
-  CHECK_FALSE(transform_selection(document, Tool::scale, plain_grip(document), grow));
+  CHECK_FALSE(transform_selection(document, Tool::scale, test::plain_grip(document), grow));
 }
 
 TEST_CASE("turns_add_up_to_what_a_session_can_hold_and_no_further") {
   Document document = selected_cube();
   int times = 0;
   while (times < 1000 &&
-         transform_selection(document, Tool::rotate, plain_grip(document), turn(most_degrees)))
+         transform_selection(document, Tool::rotate, test::plain_grip(document), turn(most_degrees)))
     ++times;
   CHECK(times > 100);  // of about 6283 radians each
   CHECK(times < 1000);
   const auto turns = document.pose.turns;
   CHECK(std::hypot(turns[0][0], turns[0][1], turns[0][2]) <= deform::largest_turn);
-  CHECK_FALSE(transform_selection(document, Tool::rotate, plain_grip(document), turn(most_degrees)));
+  CHECK_FALSE(transform_selection(document, Tool::rotate, test::plain_grip(document), turn(most_degrees)));
   CHECK(document.pose.turns == turns);
-  CHECK(transform_selection(document, Tool::rotate, plain_grip(document), turn(-most_degrees)));
+  CHECK(transform_selection(document, Tool::rotate, test::plain_grip(document), turn(-most_degrees)));
 }
 
 TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
@@ -257,10 +258,10 @@ TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
   for (const double degrees : {170.0, 500.0, 1500.0}) {
     Document at_once = test::cube_document(), slowly = test::cube_document();
     at_once.selection.apply(upper, SelectMode::replace);
-    transform_selection(at_once, Tool::rotate, plain_grip(at_once), turn(degrees));
+    transform_selection(at_once, Tool::rotate, test::plain_grip(at_once), turn(degrees));
     slowly.selection.apply(upper, SelectMode::replace);
     const DocumentState before = state_of(slowly);
-    const Grip grip = plain_grip(slowly);
+    const Grip grip = test::plain_grip(slowly);
     for (double seen = 0; seen < degrees; seen += 10) {
       place(slowly, before, grip, turn(seen + 10), seen - 30);  // a jump of 40: followed
     }

@@ -6,10 +6,11 @@
 
 #include "scene/cube.h"
 #include "scene/document/edit.h"
-#include "scene/hand/picking.h"
-#include "support/edits.h"
 #include "scene/hand/anchor.h"
 #include "scene/hand/grip.h"
+#include "scene/hand/picking.h"
+#include "support/edits.h"
+#include "support/grips.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -29,11 +30,11 @@ struct Drag {
     const std::uint32_t two[] = {6, 7};
     w.document.selection.apply(two, SelectMode::replace);
     input.cursor = center() + from_center;
-    drag.emplace(w.document, plain_grip(w.document), tool, constraint, w.camera.depth(view_center()),
+    drag.emplace(w.document, test::plain_grip(w.document), tool, constraint, w.camera.depth(view_center()),
                  input.cursor, w.camera);
   }
   glm::vec3 view_center() const {
-    const glm::dvec3 c = selection_center(w.document);
+    const glm::dvec3 c = test::selection_center(w.document);
     return w.document.space.to_view({c.x, c.y, c.z});
   }
   glm::vec2 center() const {
@@ -79,7 +80,7 @@ TEST_CASE("updates_do_not_accumulate") {
 TEST_CASE("cancelling_brings_positions_turns_and_selection_back") {
   Drag d(Tool::move, {}, {0, 0});
   d.w.document.pose.turns = {{1, 2, 3}};
-  d.drag.emplace(d.w.document, plain_grip(d.w.document), Tool::rotate, Constraint{}, 1, d.input.cursor,
+  d.drag.emplace(d.w.document, test::plain_grip(d.w.document), Tool::rotate, Constraint{}, 1, d.input.cursor,
                  d.w.camera);
   const auto before = d.w.document.pose;
   d.type("77");
@@ -229,7 +230,7 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
   Drag d(Tool::rotate, {}, {100, 0});
   d.drag->cancel(d.w.document);
   d.w.document.selection.select_all(8);
-  d.drag.emplace(d.w.document, plain_grip(d.w.document), Tool::rotate, Constraint{Kind::axis, 1}, 1,
+  d.drag.emplace(d.w.document, test::plain_grip(d.w.document), Tool::rotate, Constraint{Kind::axis, 1}, 1,
                  d.input.cursor, d.w.camera);
   d.type("4");
   d.type("0");
@@ -249,8 +250,8 @@ TEST_CASE("a_whole_turn_of_a_posed_cage_is_counted_when_the_drag_ends") {
   const auto before = document.pose.turns;
   document.selection.select_all(8);
   for (const char* degrees : {"90", "270"}) {
-    d.drag.emplace(document, plain_grip(document), Tool::rotate, Constraint{Kind::axis, 2}, 1, d.input.cursor,
-                   d.w.camera);
+    d.drag.emplace(document, test::plain_grip(document), Tool::rotate, Constraint{Kind::axis, 2}, 1,
+                   d.input.cursor, d.w.camera);
     d.type(degrees);
     d.drag->commit(document);
   }

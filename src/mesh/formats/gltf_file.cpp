@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/percent_coding.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/gltf_shape.h"
 
@@ -141,7 +142,7 @@ std::string embedded(const Source& source, const std::string& place, std::string
 
 // A file that the model names by the way to it; nothing for other addresses.
 std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) {
-  const fs::path relative = decoded_uri(uri);
+  const fs::path relative = base::percent_decoded(uri);
   const std::string text = relative.string();
   const bool is_no_way = relative.empty() || relative.is_absolute() || text.find('\0') != std::string::npos ||
                          text.find("://") != std::string::npos;
@@ -153,7 +154,7 @@ std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) 
 // because a model says so. Images, which are only decoded, often lie beside that folder.
 std::optional<fs::path> path_within(const Source& source, std::string_view uri) {
   const auto path = path_of_uri(source, uri);
-  const fs::path relative = decoded_uri(uri);
+  const fs::path relative = base::percent_decoded(uri);
   const bool leads_out =
       std::any_of(relative.begin(), relative.end(), [](const fs::path& p) { return p == ".."; });
   return leads_out ? std::nullopt : path;
@@ -351,35 +352,12 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-std::string decoded_uri(std::string_view uri) {
-  const auto digit = [](char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    c = static_cast<char>(c | 32);
-    return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-  };
-  std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool escaped =
-        uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
-    text.push_back(escaped ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i]);
-    if (escaped) i += 2;
-  }
-  return text;
-}
-
 std::string encoded_uri(std::string_view path) {
-  constexpr std::string_view plain = "-._~/!$&'()*+,;=@", hexadecimal = "0123456789ABCDEF";
-  std::string text;
-  for (const char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool letter = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    if (letter || plain.find(c) != std::string_view::npos) {
-      text.push_back(c);
-    } else {
-      text.append({'%', hexadecimal[byte >> 4], hexadecimal[byte & 15]});
-    }
-  }
-  return text;
+  return base::percent_encoded(path, [](char c) {
+    constexpr std::string_view plain = "-._~/!$&'()*+,;=@";
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           plain.find(c) != std::string_view::npos;
+  });
 }
 
 }  // namespace viete::mesh

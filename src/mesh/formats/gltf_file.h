@@ -46,8 +46,7 @@ bool looks_like_gltf(const Source& source);
 /// Base64 as RFC 4648 has it.
 std::string base64(std::string_view bytes);
 
-/// "a%20b" is "a b"; and the other way about for a path of files beside.
-std::string decoded_uri(std::string_view uri);
+/// "a b" is "a%20b", as paths of files beside are written.
 std::string encoded_uri(std::string_view path);
 
 }  // namespace viete::mesh

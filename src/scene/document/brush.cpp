@@ -6,6 +6,8 @@
 #include <memory>
 #include <utility>
 
+#include "scene/document/record.h"
+
 namespace viete::scene {
 
 namespace {
@@ -120,7 +122,7 @@ bool same_mask(const deform::Mask& a, const deform::Mask& b) {
 void set_mask(Document& document, deform::Mask mask, const char* label) {
   if (mask) mask = mask_of(*mask);
   if (same_mask(mask, document.mask)) return;
-  document.history.record(label, state_of(document));
+  record_edit(document, label);
   document.mask = std::move(mask);
 }
 

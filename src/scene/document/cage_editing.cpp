@@ -77,7 +77,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
                 const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
   deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, follow);
-  document.history.record(label, state_of(document));
+  record_edit(document, label);
   carry_poses(document,
               [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, follow); });
   const bool editing = is_editing_cage(document);
@@ -85,7 +85,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   const ElementKind kind = document.selection.kind();
   OpenedSurface file = made_surface(std::move(edited.surface), edited_name(document.cage_file));
   if (editing) document.kept_pose = real;
-  replace_cage(document, std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
+  document.replace_cage(std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
   document.groups = std::move(groups);
   if (kind == ElementKind::probe) return;
   Selection made(ElementKind::vertex);
@@ -120,16 +120,14 @@ void require(bool any, const char* what, const char* advice) {
 }  // namespace
 
 void begin_cage_editing(Document& document) {
-  document.history.record("edit the cage", state_of(document));
-  document.kept_pose = std::exchange(document.pose, deform::rest_pose(*document.cage));
+  record_edit(document, "edit the cage");
+  document.kept_pose = std::exchange(document.changed_pose(), deform::rest_pose(*document.cage));
   if (document.selection.kind() == ElementKind::probe) document.selection = Selection(ElementKind::vertex);
-  ++document.revisions.pose;
 }
 
 void end_cage_editing(Document& document) {
-  document.history.record("pose the cage", state_of(document));
-  document.pose = *std::exchange(document.kept_pose, std::nullopt);
-  ++document.revisions.pose;
+  record_edit(document, "pose the cage");
+  document.changed_pose() = *std::exchange(document.kept_pose, std::nullopt);
 }
 
 bool settle_cage_edit(Document& document) {
@@ -143,8 +141,8 @@ bool settle_cage_edit(Document& document) {
     carry_poses(document,
                 [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, {}); });
     document.kept_pose = std::move(real);
-    replace_cage(document, made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
-                 deform::rest_pose(*cage));
+    document.replace_cage(made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
+                          deform::rest_pose(*cage));
     document.selection = selection;
     document.groups = groups;
     document.history.go_on();

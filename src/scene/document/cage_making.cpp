@@ -11,40 +11,19 @@ namespace viete::scene {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr const char* make_cage_label = "make a cage";
-
-}  // namespace
-
-void replace_cage(Document& document, OpenedSurface surface, std::shared_ptr<const deform::Cage> cage,
-                  deform::Pose pose) {
-  document.cage_file = std::move(surface);
-  document.cage = std::move(cage);
-  document.pose = std::move(pose);
-  if (document.selection.kind() != ElementKind::probe) document.selection.clear();
-  document.groups = {};
-  document.carried.clear();
-  ++document.revisions.cage;
-  ++document.revisions.pose;
-}
+constexpr EditStep make_cage{EditKind::cage};
 
 bool shows_made(const Document& document, const CageMaking& making) {
   return making.made && document.cage == making.made;
 }
 
 bool goes_on(const Document& document, const CageMaking& making) {
-  return shows_made(document, making) && document.history.undo_label() == make_cage_label &&
-         !document.history.can_redo();
+  return shows_made(document, making) && document.history.last_step() == make_cage;
 }
 
 void take_made(Document& document, CageMaking& making, OpenedSurface surface,
                std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
-  if (goes_on(document, making)) {
-    document.history.go_on();
-  } else {
-    document.history.record(make_cage_label, state_of(document));
-  }
+  record_step(document, "make a cage", make_cage, shows_made(document, making));
   deform::Pose pose = deform::rest_pose(*cage);
   making.made = cage;
   making.notes = std::move(notes);
@@ -53,7 +32,7 @@ void take_made(Document& document, CageMaking& making, OpenedSurface surface,
   if (const std::string lost = drop_poses(document); !lost.empty())
     making.notes.push_back("Poses of the cage before are gone: " + lost + "; undo brings them back");
   document.kept_pose.reset();
-  replace_cage(document, std::move(surface), std::move(cage), std::move(pose));
+  document.replace_cage(std::move(surface), std::move(cage), std::move(pose));
 }
 
 void cancel_making(Document& document, CageMaking& making) {

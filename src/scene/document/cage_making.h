@@ -40,10 +40,6 @@ void take_made(Document& document, CageMaking& making, OpenedSurface surface,
 /// Takes everything back until the cage is the one from before it was opened.
 void cancel_making(Document& document, CageMaking& making);
 
-/// Another cage around the same model, with its pose. What was selected of the old one is not.
-void replace_cage(Document& document, OpenedSurface surface, std::shared_ptr<const deform::Cage> cage,
-                  deform::Pose pose);
-
 /// A file beside the model's that looks like its cage: cage.obj, MODEL_cage.obj and the like; empty if there
 /// is none, or if it is the model.
 std::filesystem::path cage_beside(const std::filesystem::path& model);

@@ -120,6 +120,42 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
   return document;
 }
 
+void Document::take_place_of(const Document& other) {
+  const Revisions& before = other.revisions_;
+  revisions_ = {before.surfaces + 1, before.cage + 1, before.weights + 1, before.pose + 1, before.method + 1};
+}
+
+void Document::replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed) {
+  cage_file = std::move(file);
+  cage = std::move(by);
+  changed_pose() = std::move(posed);
+  if (selection.kind() != ElementKind::probe) selection.clear();
+  groups = {};
+  carried.clear();
+  ++revisions_.cage;
+}
+
+void Document::put_scheme(const deform::Scheme& other) {
+  const deform::Scheme old = std::exchange(scheme, other);
+  if (old.weighting != scheme.weighting) ++revisions_.weights;
+  if (old.blend != scheme.blend || old.weighting.elements != scheme.weighting.elements ||
+      old.amounts != scheme.amounts || old.iterations != scheme.iterations || old.holding != scheme.holding)
+    ++revisions_.method;
+}
+
+void Document::put_method(sym3::Method other) {
+  if (std::exchange(method, other) != other) ++revisions_.method;
+}
+
+void Document::restore(DocumentState&& state) {
+  if (cage != state.cage) ++revisions_.cage;
+  const deform::Scheme restored = std::exchange(state.scheme, scheme);
+  static_cast<DocumentState&>(*this) = std::move(state);
+  ++revisions_.pose;
+  carried.clear();
+  put_scheme(restored);
+}
+
 DocumentState state_of(const Document& document) {
   return document;
 }

@@ -39,6 +39,7 @@ using mesh::Summary;
 /// from.
 using Revision = unsigned long;
 
+/// Of a document, which alone counts them.
 struct Revisions {
   Revision surfaces = 0;  ///< another document: model or cage were opened
   Revision cage = 0;      ///< another cage around the same model, by an edit
@@ -59,11 +60,28 @@ struct Document : DocumentState {
   History history;
   sym3::Method method = sym3::Method::fast;
   Space space;
-  Revisions revisions;
 
   bool has_cage() const { return cage != nullptr; }
   /// Something moves the model, or may.
   bool is_movable() const { return has_cage() || !probes.empty(); }
+
+  const Revisions& revisions() const { return revisions_; }
+  /// It is open now in place of the other one: all is another.
+  void take_place_of(const Document& other);
+
+  /// To be changed: what follows the pose is then made anew.
+  deform::Pose& changed_pose() { return ++revisions_.pose, pose; }
+  deform::Probes& changed_probes() { return ++revisions_.pose, probes; }
+  /// Another cage around the same model, with its pose. What was selected of the old one is not.
+  void replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed);
+  /// Settings, by no edit: pose and history are untouched.
+  void put_scheme(const deform::Scheme& other);
+  void put_method(sym3::Method other);
+  /// All that edits change, as it was.
+  void restore(DocumentState&& state);
+
+private:
+  Revisions revisions_;
 };
 
 /// Reads a surface and says what is in it. progress may be null. Throws base::Error and base::Cancelled.

@@ -14,17 +14,21 @@ namespace viete::scene {
 
 namespace {
 
-constexpr const char* change_blending = "change blending";
-constexpr const char* change_reach = "change reach";
-constexpr const char* change_radius = "change radius";
-constexpr const char* change_exponent = "change exponent";
-constexpr const char* change_amounts = "change how much turns and stretches";
-constexpr const char* change_holding = "change what holds the model";
-constexpr const char* change_iterations = "change stitching";
+// Those that ask for another binding, or for one that may not be had.
+enum class Setting : std::size_t { blending, reach, radius, exponent, iterations, holding };
 
-void slide_scheme(Document& document, const deform::Scheme& scheme, const char* label) {
-  record_step(document, label);
-  put_scheme(document, scheme);
+EditStep binding_step(Setting setting) {
+  return {EditKind::binding, static_cast<std::size_t>(setting)};
+}
+
+// A setting of the scheme, as it is slid.
+template <class Change>
+void slide(Document& document, const char* label, EditStep step, const Change& change) {
+  deform::Scheme scheme = document.scheme;
+  change(scheme);
+  if (scheme == document.scheme) return;
+  record_step(document, label, step);
+  document.put_scheme(scheme);
 }
 
 }  // namespace
@@ -40,23 +44,20 @@ bool differs_from_rest(const Document& document) {
 }
 
 void reset_pose(Document& document) {
-  document.history.record("reset pose", state_of(document));
+  record_edit(document, "reset pose");
   end_mix(document);
-  if (document.has_cage()) document.pose = deform::rest_pose(*document.cage);
-  for (deform::Probe& probe : document.probes.all) {
+  if (document.has_cage()) document.changed_pose() = deform::rest_pose(*document.cage);
+  for (deform::Probe& probe : document.changed_probes().all) {
     if (!probe.locked) probe.pose = {};
   }
-  ++document.revisions.pose;
 }
 
 void reset_selected(Document& document, const Mirror* mirror) {
   if (document.selection.kind() == ElementKind::probe) return rest_probes(document);
-  document.history.record("reset selected", state_of(document));
+  record_edit(document, "reset selected");
   const auto vertices = with_partners(selected_vertices(*document.cage, document.selection), mirror);
-  for (const auto v : without_hidden(document, vertices)) {
-    document.pose.positions[v] = document.cage->surface.positions[v];
-  }
-  ++document.revisions.pose;
+  auto& positions = document.changed_pose().positions;
+  for (const auto v : without_hidden(document, vertices)) positions[v] = document.cage->surface.positions[v];
 }
 
 void select_kind(Document& document, ElementKind kind) {
@@ -65,52 +66,40 @@ void select_kind(Document& document, ElementKind kind) {
                                                          : Selection(kind));
 }
 
-void set_method(Document& document, sym3::Method method) {
-  if (document.method == method) return;
-  document.method = method;
-  ++document.revisions.method;
-}
-
 void set_scheme(Document& document, const deform::Scheme& scheme) {
   if (document.scheme == scheme) return;
-  document.history.record(change_blending, state_of(document));
-  put_scheme(document, scheme);
+  record_edit(document, "change blending", binding_step(Setting::blending));
+  document.put_scheme(scheme);
 }
 
 void set_reach(Document& document, double reach) {
-  deform::Scheme scheme = document.scheme;
-  scheme.weighting.reach = reach;
-  if (document.scheme.weighting.reach != reach) slide_scheme(document, scheme, change_reach);
+  slide(document, "change reach", binding_step(Setting::reach),
+        [reach](deform::Scheme& scheme) { scheme.weighting.reach = reach; });
 }
 
 void set_radius(Document& document, double radius) {
-  deform::Scheme scheme = document.scheme;
-  scheme.weighting.radius = radius;
-  if (document.scheme.weighting.radius != radius) slide_scheme(document, scheme, change_radius);
+  slide(document, "change radius", binding_step(Setting::radius),
+        [radius](deform::Scheme& scheme) { scheme.weighting.radius = radius; });
 }
 
 void set_exponent(Document& document, int exponent) {
-  deform::Scheme scheme = document.scheme;
-  scheme.weighting.exponent = exponent;
-  if (document.scheme.weighting.exponent != exponent) slide_scheme(document, scheme, change_exponent);
+  slide(document, "change exponent", binding_step(Setting::exponent),
+        [exponent](deform::Scheme& scheme) { scheme.weighting.exponent = exponent; });
 }
 
 void set_amounts(Document& document, const deform::Amounts& amounts) {
-  deform::Scheme scheme = document.scheme;
-  scheme.amounts = amounts;
-  if (document.scheme.amounts != amounts) slide_scheme(document, scheme, change_amounts);
+  slide(document, "change how much turns and stretches", {EditKind::amounts},
+        [&](deform::Scheme& scheme) { scheme.amounts = amounts; });
 }
 
 void set_iterations(Document& document, int iterations) {
-  deform::Scheme scheme = document.scheme;
-  scheme.iterations = iterations;
-  if (document.scheme.iterations != iterations) slide_scheme(document, scheme, change_iterations);
+  slide(document, "change stitching", binding_step(Setting::iterations),
+        [iterations](deform::Scheme& scheme) { scheme.iterations = iterations; });
 }
 
 void set_holding(Document& document, const deform::Holding& holding) {
-  deform::Scheme scheme = document.scheme;
-  scheme.holding = holding;
-  if (document.scheme.holding != holding) slide_scheme(document, scheme, change_holding);
+  slide(document, "change what holds the model", binding_step(Setting::holding),
+        [&](deform::Scheme& scheme) { scheme.holding = holding; });
 }
 
 void step_reach(Document& document, int step) {
@@ -123,17 +112,13 @@ void step_reach(Document& document, int step) {
 
 void give_up_scheme(Document& document, const deform::Scheme& instead) {
   History& history = document.history;
-  const auto label = history.undo_label();
-  static constexpr std::array asks_for_a_binding = {change_reach,    change_radius,     change_exponent,
-                                                    change_blending, change_iterations, change_holding};
-  const bool chosen_last =
-      std::ranges::any_of(asks_for_a_binding, [&](const char* asking) { return label == asking; });
-  if (chosen_last && !history.can_redo()) {
+  const auto last = history.last_step();
+  if (last && last->kind == EditKind::binding) {
     history.drop_last();
   } else {
     history.go_on();  // what is kept of the edits is to be kept anew
   }
-  put_scheme(document, instead);
+  document.put_scheme(instead);
 }
 
 std::span<const double> usual_reaches() {

@@ -21,9 +21,6 @@ void reset_selected(Document& document, const Mirror* mirror = nullptr);
 /// all holds. An edit like any of the selection.
 void select_kind(Document& document, ElementKind kind);
 
-/// A setting: the pose is untouched, the history too.
-void set_method(Document& document, sym3::Method method);
-
 /// How the cage moves the model. Undoable; reaches that are chosen one after the other are one edit, amounts
 /// too.
 void set_scheme(Document& document, const deform::Scheme& scheme);

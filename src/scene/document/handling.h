@@ -4,10 +4,9 @@
 
 #include <array>
 #include <optional>
-#include <span>
-#include <string_view>
 
 #include "mesh/surface.h"
+#include "scene/document/choice.h"
 
 namespace viete::scene {
 
@@ -26,22 +25,11 @@ enum class SoftCurve { smooth, sharp, linear, constant };
 /// How far away something is.
 enum class SoftDistance { edges, space };
 
-/// By number.
-struct HandChoice {
-  std::string_view word;   ///< in sessions
-  std::string_view label;  ///< in lists
-  std::string_view hint;   ///< one sentence
-};
-std::span<const HandChoice> choices(Pivot);
-std::span<const HandChoice> choices(Axes);
-std::span<const HandChoice> choices(MirrorPlane);
-std::span<const HandChoice> choices(SoftCurve);
-std::span<const HandChoice> choices(SoftDistance);
-
-template <class Choice>
-const HandChoice& entry_of(Choice choice) {
-  return choices(choice)[static_cast<std::size_t>(choice)];
-}
+std::span<const Choice> choices(Pivot);
+std::span<const Choice> choices(Axes);
+std::span<const Choice> choices(MirrorPlane);
+std::span<const Choice> choices(SoftCurve);
+std::span<const Choice> choices(SoftDistance);
 
 struct SoftSelection {
   static constexpr double least_radius = 0.005, largest_radius = 2;

@@ -11,13 +11,13 @@ constexpr std::size_t memory_limit = 256u << 20;
 
 }  // namespace
 
-void History::record(std::string label, DocumentState before) {
+void History::record(std::string label, DocumentState before, EditStep step) {
   ++revision_;
-  push(std::move(label), std::move(before), false);
+  push(std::move(label), std::move(before), step);
 }
 
 void History::record_selection(DocumentState before) {
-  push("select", std::move(before), true);
+  push("select", std::move(before), {EditKind::selection});
 }
 
 // Snapshots are whole: without one between them, the edits beside it are taken back as before.
@@ -26,7 +26,7 @@ void History::drop_oldest() {
   undo_.erase(selection == undo_.end() ? undo_.begin() : selection);
 }
 
-void History::push(std::string label, DocumentState before, bool of_selection) {
+void History::push(std::string label, DocumentState before, EditStep step) {
   constexpr std::size_t bytes_of_cage_vertex = 1000;  // about what surface, bases and neighbourhood take
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
   // Poses and keys go along to another cage: then each state has its own.
@@ -40,7 +40,7 @@ void History::push(std::string label, DocumentState before, bool of_selection) {
   given_up_ = std::exchange(redo_, {});
   ++recorded_;
   if (undo_.size() >= limit) drop_oldest();
-  undo_.push_back({std::move(label), std::move(before), of_selection, recorded_});
+  undo_.push_back({std::move(label), std::move(before), step, recorded_});
 }
 
 void History::file_replaced(const std::filesystem::path& file,
@@ -54,8 +54,12 @@ void History::file_replaced(const std::filesystem::path& file,
   }
 }
 
+std::optional<EditStep> History::last_step() const {
+  return can_undo() && !can_redo() ? std::optional(undo_.back().step) : std::nullopt;
+}
+
 std::string History::first_edit_since(unsigned long recorded) const {
-  const auto counts = [](const Entry& entry) { return !entry.of_selection; };
+  const auto counts = [](const Entry& entry) { return !entry.of_selection(); };
   for (const Entry& entry : undo_)
     if (counts(entry) && entry.number > recorded) return entry.label;
   const auto undone = std::ranges::find_if(redo_, counts);
@@ -75,7 +79,7 @@ DocumentState History::undo(DocumentState now) {
   ++revision_;
   Entry entry = std::move(undo_.back());
   undo_.pop_back();
-  redo_.push_back({entry.label, std::move(now), entry.of_selection, entry.number});
+  redo_.push_back({entry.label, std::move(now), entry.step, entry.number});
   return std::move(entry.state);
 }
 
@@ -83,7 +87,7 @@ DocumentState History::redo(DocumentState now) {
   ++revision_;
   Entry entry = std::move(redo_.back());
   redo_.pop_back();
-  undo_.push_back({entry.label, std::move(now), entry.of_selection, entry.number});
+  undo_.push_back({entry.label, std::move(now), entry.step, entry.number});
   return std::move(entry.state);
 }
 

@@ -9,13 +9,24 @@
 
 namespace viete::scene {
 
+/// What an edit is, as far as that decides what becomes of the next one: labels are for people alone.
+enum class EditKind { other, selection, binding, amounts, mix, keys, curve, play, probe_radius, cage };
+
+/// Edits of the same step that follow one another can be one edit.
+struct EditStep {
+  EditKind kind = EditKind::other;
+  std::size_t of = 0;  ///< which one of the kind: a setting, a pose, a frame
+
+  friend bool operator==(const EditStep&, const EditStep&) = default;
+};
+
 /// One entry per finished edit. Snapshots are whole: a cage is small, and a snapshot cannot drift. Beyond
 /// 256 MB the oldest entries are dropped, those of the selection alone first: no number of clicks takes an
 /// edit out of reach.
 class History {
 public:
   /// An edit named `label` has just led away from `before`.
-  void record(std::string label, DocumentState before);
+  void record(std::string label, DocumentState before, EditStep step = {});
 
   /// Likewise one that has changed the selection alone, which is no work that could be lost: the revision
   /// stays.
@@ -41,7 +52,9 @@ public:
   bool can_redo() const { return !redo_.empty(); }
   /// What the next undo would take back; empty if nothing.
   std::string undo_label() const { return can_undo() ? undo_.back().label : ""; }
-  /// What it would lead back to; null if nothing.
+  /// The last edit, which another one may go on with; nothing where there is none, or some were taken back.
+  std::optional<EditStep> last_step() const;
+  /// What the next undo would lead back to; null if nothing.
   const DocumentState* before_last() const { return can_undo() ? &undo_.back().state : nullptr; }
   /// Grows with each edit that is finished, taken back or repeated; changes of the selection apart.
   unsigned long revision() const { return revision_; }
@@ -52,14 +65,16 @@ public:
   DocumentState redo(DocumentState now);
 
 private:
-  void push(std::string label, DocumentState before, bool of_selection);
+  void push(std::string label, DocumentState before, EditStep step);
   void drop_oldest();
 
   struct Entry {
     std::string label;
     DocumentState state;
-    bool of_selection;     // alone
+    EditStep step;
     unsigned long number;  // of those that were recorded
+
+    bool of_selection() const { return step.kind == EditKind::selection; }  // alone
   };
   std::vector<Entry> undo_, redo_;
   std::vector<Entry> given_up_;  // what could be repeated before the last edit

@@ -165,12 +165,11 @@ SharedPose shared_pose(const Document& document) {
 void put_whole_pose(Document& document, const WholePose& pose) {
   if (document.has_cage()) {
     document.kept_pose.reset();
-    document.pose = pose.cage;
+    document.changed_pose() = pose.cage;
   }
-  auto& probes = document.probes.all;
+  auto& probes = document.changed_probes().all;
   for (std::size_t i = 0; i < probes.size(); ++i)
     if (!probes[i].locked) probes[i].pose = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
-  ++document.revisions.pose;
 }
 
 void end_mix(Document& document) {
@@ -277,7 +276,9 @@ bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, dou
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
   if (named.weight == weight) return true;
-  const auto record = [&, label = "mix in " + named.name] { record_step(document, label); };
+  const auto record = [&, label = "mix in " + named.name] {
+    record_step(document, label, {EditKind::mix, pose});
+  };
   return remix(document, vectors, record, [&](PoseLibrary& library) {
     NamedPose& changed = library.poses[pose];
     if (changed.weight == 0 && selected_alone) changed.part = selected_part(document);
@@ -345,11 +346,10 @@ void forget_probe(Document& document, std::size_t probe) {
 }
 
 void set_pose(Document& document, deform::Pose pose) {
-  document.history.record("open pose", state_of(document));
+  record_edit(document, "open pose");
   end_mix(document);
   document.kept_pose.reset();  // it is a pose, not another cage
-  document.pose = std::move(pose);
-  ++document.revisions.pose;
+  document.changed_pose() = std::move(pose);
 }
 
 }  // namespace viete::scene

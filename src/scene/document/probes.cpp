@@ -11,6 +11,7 @@
 #include "mesh/point_tree.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/range.h"
+#include "scene/document/record.h"
 
 namespace viete::scene {
 
@@ -30,17 +31,22 @@ std::string label(const char* verb, const Document& document) {
 
 // Begins an edit that changes them.
 deform::Probes& edit(Document& document, const std::string& name) {
-  document.history.record(name, state_of(document));
-  ++document.revisions.pose;
-  return document.probes;
+  record_edit(document, name);
+  return document.changed_probes();
+}
+
+// Of those that are selected.
+template <class Change>
+void change_free(Document& document, const Change& change) {
+  auto& all = document.changed_probes().all;
+  for (const auto i : document.selection.indices())
+    if (!all[i].locked) change(all[i]);
 }
 
 template <class Change>
 void change_selected(Document& document, const std::string& name, const Change& change) {
-  deform::Probes& probes = edit(document, name);
-  for (const auto i : document.selection.indices()) {
-    if (!probes.all[i].locked) change(probes.all[i], i);
-  }
+  record_edit(document, name);
+  change_free(document, change);
 }
 
 void select(Document& document, std::size_t first, std::size_t end) {
@@ -95,11 +101,11 @@ bool has_free_probes(const Document& document) {
 }
 
 void rest_probes(Document& document) {
-  change_selected(document, label("reset", document), [](deform::Probe& p, auto) { p.pose = {}; });
+  change_selected(document, label("reset", document), [](deform::Probe& p) { p.pose = {}; });
 }
 
 void replace_probes(Document& document) {
-  change_selected(document, label("place", document), [](deform::Probe& p, auto) {
+  change_selected(document, label("place", document), [](deform::Probe& p) {
     p.place = p.place + p.pose.move;
     p.pose = {};
   });
@@ -152,24 +158,16 @@ std::string part_label(Part part) {
 }  // namespace
 
 void set_falloff(Document& document, Part part, deform::Falloff falloff) {
-  change_selected(document, part_label(part), [&](deform::Probe& p, auto) { (p.*part).falloff = falloff; });
+  change_selected(document, part_label(part), [&](deform::Probe& p) { (p.*part).falloff = falloff; });
 }
 
 void set_radius(Document& document, Part part, double radius) {
   const std::string name = part_label(part) + ", by radius";
-  History& history = document.history;
-  const bool goes_on = history.undo_label() == name && !history.can_redo() &&
-                       history.before_last()->selection == document.selection;
-  if (goes_on) {
-    history.go_on();
-  } else {
-    history.record(name, state_of(document));
-  }
-  for (const auto i : document.selection.indices()) {
-    deform::Probe& probe = document.probes.all[i];
-    if (!probe.locked) (probe.*part).radius = radius;
-  }
-  ++document.revisions.pose;
+  const DocumentState* before = document.history.before_last();
+  const std::size_t number = part == &deform::Probe::turn ? 0 : part == &deform::Probe::stretch ? 1 : 2;
+  record_step(document, name, {EditKind::probe_radius, number},
+              before && before->selection == document.selection);
+  change_free(document, [&](deform::Probe& probe) { (probe.*part).radius = radius; });
 }
 
 void set_mix(Document& document, deform::ProbeMix mix) {

@@ -4,29 +4,13 @@
 
 namespace viete::scene {
 
-namespace {
-
-void restore(Document& document, DocumentState&& state) {
-  if (document.cage != state.cage) ++document.revisions.cage;
-  const deform::Scheme scheme = std::exchange(state.scheme, document.scheme);
-  static_cast<DocumentState&>(document) = std::move(state);
-  ++document.revisions.pose;
-  document.carried.clear();
-  put_scheme(document, scheme);
+void record_edit(Document& document, const std::string& label, EditStep step) {
+  document.history.record(label, state_of(document), step);
 }
 
-}  // namespace
-
-void record_edit(Document& document, const std::string& label) {
-  document.history.record(label, state_of(document));
-}
-
-void record_step(Document& document, const std::string& label) {
-  if (document.history.undo_label() == label && !document.history.can_redo()) {
-    document.history.go_on();
-  } else {
-    record_edit(document, label);
-  }
+void record_step(Document& document, const std::string& label, EditStep step, bool goes_on) {
+  if (!goes_on || document.history.last_step() != step) return record_edit(document, label, step);
+  document.history.go_on();
 }
 
 EditMark mark_of(const Document& document) {
@@ -37,15 +21,7 @@ void take_back(Document& document, EditMark&& mark) {
   if (document.history.revision() == mark.revision) return;
   while (document.history.recorded() > mark.recorded && document.history.can_undo())
     (void)document.history.drop_last();
-  restore(document, std::move(mark.state));
-}
-
-void put_scheme(Document& document, const deform::Scheme& scheme) {
-  const deform::Scheme old = std::exchange(document.scheme, scheme);
-  if (old.weighting != scheme.weighting) ++document.revisions.weights;
-  if (old.blend != scheme.blend || old.weighting.elements != scheme.weighting.elements ||
-      old.amounts != scheme.amounts || old.iterations != scheme.iterations || old.holding != scheme.holding)
-    ++document.revisions.method;
+  document.restore(std::move(mark.state));
 }
 
 bool moved_since(const Document& document, const DocumentState& before) {
@@ -53,11 +29,11 @@ bool moved_since(const Document& document, const DocumentState& before) {
 }
 
 void undo(Document& document) {
-  restore(document, document.history.undo(state_of(document)));
+  document.restore(document.history.undo(state_of(document)));
 }
 
 void redo(Document& document) {
-  restore(document, document.history.redo(state_of(document)));
+  document.restore(document.history.redo(state_of(document)));
 }
 
 void record_selection(Document& document, const Selection& before) {

@@ -8,10 +8,10 @@
 namespace viete::scene {
 
 /// An edit begins: what is there now is what undo leads back to.
-void record_edit(Document& document, const std::string& label);
-/// The same for one that is made in small steps, as by a slider: steps with the same label that follow one
-/// another are one edit.
-void record_step(Document& document, const std::string& label);
+void record_edit(Document& document, const std::string& label, EditStep step = {});
+/// The same for one that is made in small steps, as by a slider: the same ones that follow one another are
+/// one edit, as long as that `goes_on`.
+void record_step(Document& document, const std::string& label, EditStep step, bool goes_on = true);
 
 /// A document as it is before something that may be called off.
 struct EditMark {
@@ -21,9 +21,6 @@ struct EditMark {
 EditMark mark_of(const Document& document);
 /// As it was then, to the last bit: what was recorded since never was.
 void take_back(Document& document, EditMark&& mark);
-
-/// Of a document that was just opened: no edit.
-void put_scheme(Document& document, const deform::Scheme& scheme);
 
 /// True if a vertex or a probe is not where it was.
 bool moved_since(const Document& document, const DocumentState& before);

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks) {
 // What is hidden is not selected, in the same edit.
 void put_hidden(Document& document, std::vector<std::uint32_t> hidden, const char* label) {
   if (hidden == document.groups.hidden) return;
-  document.history.record(label, state_of(document));
+  record_edit(document, label);
   document.groups.hidden = std::move(hidden);
   document.selection = without_hidden(document, std::move(document.selection));
 }
@@ -92,7 +92,7 @@ void show_all(Document& document) {
 }
 
 void save_set(Document& document) {
-  document.history.record("save a set", state_of(document));
+  record_edit(document, "save a set");
   document.groups.sets.push_back({free_name(document), document.selection.kind(),
                                   selected_vertices(*document.cage, document.selection)});
 }
@@ -111,12 +111,12 @@ void select_set(Document& document, std::size_t set, SelectMode mode) {
 
 void rename_set(Document& document, std::size_t set, const std::string& name) {
   if (name.empty() || has_name(document, name)) return;
-  document.history.record("rename a set", state_of(document));
+  record_edit(document, "rename a set");
   document.groups.sets[set].name = name;
 }
 
 void remove_set(Document& document, std::size_t set) {
-  document.history.record("delete a set", state_of(document));
+  record_edit(document, "delete a set");
   document.groups.sets.erase(document.groups.sets.begin() + static_cast<std::ptrdiff_t>(set));
 }
 

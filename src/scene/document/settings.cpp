@@ -44,8 +44,8 @@ void put_settings(Document& document, const AskedSettings& asked, bool chosen) {
                       "leave it out, or add --stitched");
   if (const auto reason = deform::conflict(scheme))
     throw base::Error("--stitched", std::string(*reason), "leave it out, or choose other elements");
-  if (asked.method) document.method = *asked.method;
-  put_scheme(document, scheme);
+  if (asked.method) document.put_method(*asked.method);
+  document.put_scheme(scheme);
 }
 
 }  // namespace viete::scene

@@ -12,8 +12,6 @@ namespace viete::scene {
 namespace {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
-constexpr const char* move_label = "move keys";
-constexpr const char* play_label = "change what plays";
 
 void check_frame(int frame) {
   if (frame < Timeline::least_frame || frame > Timeline::largest_frame)
@@ -136,12 +134,7 @@ void move_keys(Document& document, const Timeline& before, std::span<const int> 
                std::span<const int> to) {
   for (const int frame : to) check_frame(frame);
   const DocumentState* last = document.history.before_last();
-  const bool goes_on = document.history.undo_label() == move_label && last->timeline == before;
-  if (goes_on && !document.history.can_redo()) {
-    document.history.go_on();
-  } else {
-    record_edit(document, move_label);
-  }
+  record_step(document, "move keys", {EditKind::keys}, last && last->timeline == before);
   Timeline timeline = before;
   move_in(timeline.keys, frames, to);
   move_in(timeline.cameras, frames, to);
@@ -159,7 +152,8 @@ void set_easing(Document& document, std::span<const int> frames, Easing easing) 
 
 void set_handles(Document& document, int frame, const Handles& handles) {
   if (!key_at(document.timeline, frame)) return;
-  record_step(document, "shape the curve of frame " + std::to_string(frame));
+  record_step(document, "shape the curve of frame " + std::to_string(frame),
+              {EditKind::curve, static_cast<std::size_t>(frame)});
   PoseKey& key = key_for(document.timeline.keys, frame);
   key.easing = Easing::bezier;
   key.handles = {brought_into(handles[0], 0, 1), brought_into(handles[1], -4, 5),
@@ -172,7 +166,7 @@ bool are_handles(const Handles& h) {
 }
 
 void put_timeline(Document& document, Timeline timeline, const std::string& label) {
-  document.history.record(label, state_of(document));
+  record_edit(document, label);
   document.timeline = std::move(timeline);
 }
 
@@ -182,7 +176,7 @@ Play play_of(const Timeline& t) {
 
 void set_play(Document& document, const Play& play) {
   if (play == play_of(document.timeline)) return;
-  record_step(document, play_label);
+  record_step(document, "change what plays", {EditKind::play});
   Timeline& t = document.timeline;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);

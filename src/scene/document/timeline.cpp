@@ -8,16 +8,6 @@ namespace viete::scene {
 
 namespace {
 
-constexpr EasingChoice easing_choices[] = {
-    {"smooth", "Smooth", "Flows through the keys, and comes to rest at the first and the last one."},
-    {"linear", "Linear", "At an even speed from this key to the next one."},
-    {"hold", "Hold", "Stays at this key until the next one."},
-    {"bezier", "Curve", "By a curve with two handles, which the graph shows."}};
-
-constexpr EasingChoice repeat_choices[] = {{"once", "Once", "Stops at the last frame."},
-                                           {"loop", "Loop", "After the last frame comes the first one."},
-                                           {"ping_pong", "To and fro", "At either end it turns round."}};
-
 // Keys of either kind, as far as time goes.
 struct Track {
   std::size_t count;
@@ -143,14 +133,6 @@ double cubic(double a, double b, double t) {
 }
 
 }  // namespace
-
-std::span<const EasingChoice> all_easings() {
-  return easing_choices;
-}
-
-std::span<const EasingChoice> all_repeats() {
-  return repeat_choices;
-}
 
 const PoseKey* key_at(const Timeline& timeline, int frame) {
   const auto found = std::ranges::lower_bound(timeline.keys, frame, {}, &PoseKey::frame);

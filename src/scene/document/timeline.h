@@ -5,12 +5,12 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "deform/cage.h"
 #include "deform/probe.h"
 #include "scene/document/camera.h"
+#include "scene/document/choice.h"
 
 namespace viete::scene {
 
@@ -28,17 +28,11 @@ using SharedPose = std::shared_ptr<const WholePose>;
 
 /// How a key comes to the next one.
 enum class Easing { smooth, linear, hold, bezier };
-/// By number.
-struct EasingChoice {
-  std::string_view word;   ///< in sessions
-  std::string_view label;  ///< on buttons
-  std::string_view hint;   ///< one sentence
-};
-std::span<const EasingChoice> all_easings();
+std::span<const Choice> choices(Easing);
 
-/// What happens after the last frame. By number.
+/// What happens after the last frame.
 enum class Repeat { once, loop, ping_pong };
-std::span<const EasingChoice> all_repeats();
+std::span<const Choice> choices(Repeat);
 
 /// Of a cubic curve from (0, 0) to (1, 1), time to share of the way: x1, y1, x2, y2; x in [0, 1].
 using Handles = std::array<double, 4>;

@@ -1,21 +1,14 @@
 // What of a document the view shows, and how.
 #pragma once
 
-#include <span>
-#include <string_view>
+#include "scene/document/choice.h"
 
 namespace viete::scene {
 
 /// What the model is coloured by.
 enum class Shading { clay, porcelain, jade, file, checker, normals, zebra };
 
-/// By number.
-struct ShadingChoice {
-  std::string_view word;   ///< in sessions and on the command line
-  std::string_view label;  ///< on buttons
-  std::string_view hint;   ///< one sentence
-};
-std::span<const ShadingChoice> all_shadings();
+std::span<const Choice> choices(Shading);
 
 struct ViewOptions {
   bool dark = true;

@@ -1,44 +1,30 @@
 #include "scene/files/handling_json.h"
 
-#include <algorithm>
-
 #include "scene/document/range.h"
 
 namespace viete::scene {
 
 namespace {
 
-template <class Choice>
-void put_word(nlohmann::ordered_json& json, const char* key, Choice value, Choice usual) {
+template <class Value>
+void put_word(nlohmann::ordered_json& json, const char* key, Value value, Value usual) {
   if (value != usual) json[key] = entry_of(value).word;
 }
 
-template <class Choice>
-void take_word(const JsonReader& json, const char* key, Choice& value, std::vector<std::string>& warnings) {
-  const auto parse = [&](const std::string& word) -> std::optional<Choice> {
-    const auto all = choices(value);
-    const auto found = std::ranges::find(all, word, &HandChoice::word);
-    if (found == all.end()) return std::nullopt;
-    return static_cast<Choice>(found - all.begin());
-  };
+template <class Value>
+void take_word(const JsonReader& json, const char* key, Value& value, std::vector<std::string>& warnings) {
   const std::string instead = "\"" + std::string(entry_of(value).word) + "\" instead";
-  take_part(
-      json, key, value, [&](const JsonReader& v) { return word_of(v, parse); }, instead.c_str(), warnings);
+  take_part(json, key, value, choice_of<Value>, instead.c_str(), warnings);
 }
 
 double soft_radius_of(const JsonReader& json) {
-  const double percent = json.number();
-  if (!(percent >= 100 * SoftSelection::least_radius && percent <= 100 * SoftSelection::largest_radius))
-    json.fail("this radius is out of range");
-  return percent / 100;
+  using Soft = SoftSelection;
+  return json.number(100 * Soft::least_radius, 100 * Soft::largest_radius, "this radius is out of range") /
+         100;
 }
 
 std::optional<mesh::Point> point_of(const JsonReader& json) {
-  const auto point = json.numbers<3>();
-  for (const double x : point) {
-    if (!(std::abs(x) <= largest_coordinate)) json.fail("this is too far away");
-  }
-  return point;
+  return json.place(largest_coordinate);
 }
 
 }  // namespace
@@ -66,8 +52,7 @@ Handling handling_of(const JsonReader& json, std::vector<std::string>& warnings)
   take_word(json, "axes", handling.axes, warnings);
   take_word(json, "mirror", handling.mirror, warnings);
   const auto take_switch = [&](const char* key, bool& on) {
-    take_part(
-        json, key, on, [](const JsonReader& v) { return v.boolean(); }, "off instead", warnings);
+    take_part(json, key, on, &JsonReader::boolean, "off instead", warnings);
   };
   take_switch("soft", handling.soft.on);
   take_part(json, "radius", handling.soft.radius, soft_radius_of, "35 instead", warnings);

@@ -1,11 +1,11 @@
 #include "scene/files/json_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
+#include "base/percent_coding.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/source.h"
 
@@ -135,37 +135,8 @@ bool is_utf8(const std::string& text) {
   }
 }
 
-// As in file URIs (RFC 3986): what is not plain ASCII by two hexadecimal digits, the percent sign too.
-std::string percent_encoded(const std::string& bytes) {
-  constexpr char digits[] = "0123456789ABCDEF";
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte > ' ' && byte < 0x7f && c != '%') {
-      text += c;
-    } else {
-      text += {'%', digits[byte >> 4], digits[byte & 15]};
-    }
-  }
-  return text;
-}
-
-// Nothing where two digits are missing.
-std::optional<std::string> percent_decoded(const std::string& text) {
-  std::string bytes;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      bytes += text[i];
-      continue;
-    }
-    if (i + 2 >= text.size()) return std::nullopt;
-    unsigned byte = 0;
-    const char* const end = text.data() + i + 3;
-    if (std::from_chars(text.data() + i + 1, end, byte, 16).ptr != end) return std::nullopt;
-    bytes += static_cast<char>(byte);
-    i += 2;
-  }
-  return bytes;
+bool stands_as_it_is(char c) {
+  return c > ' ' && c < 0x7f && c != '%';
 }
 
 constexpr const char* encoded_key = "percent_encoded";
@@ -187,7 +158,7 @@ std::string readable(const ordered_json& value, const std::filesystem::path& fil
 ordered_json path_json(const std::filesystem::path& path) {
   const std::string name = path.generic_string();
   if (is_utf8(name)) return name;
-  return {{encoded_key, percent_encoded(name)}};
+  return {{encoded_key, base::percent_encoded(name, stands_as_it_is)}};
 }
 
 json read_json(const std::filesystem::path& path) {
@@ -238,6 +209,25 @@ double JsonReader::number() const {
   return value_.get<double>();
 }
 
+double JsonReader::number(double least, double most, const char* problem) const {
+  const double value = number();
+  if (!(value >= least && value <= most)) fail(problem);
+  return value;
+}
+
+std::array<double, 3> JsonReader::place(double farthest) const {
+  const auto place = numbers<3>();
+  for (const double x : place)
+    if (!(std::abs(x) <= farthest)) fail("this is too far away");
+  return place;
+}
+
+std::vector<std::uint32_t> JsonReader::indices() const {
+  std::vector<std::uint32_t> all(size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = item(i).index();
+  return all;
+}
+
 std::uint32_t JsonReader::index() const {
   const bool fits =
       value_.is_number_unsigned() && value_.get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max();
@@ -259,9 +249,10 @@ std::filesystem::path JsonReader::path() const {
   if (value_.is_string()) return text();
   const auto encoded = value_.is_object() ? find(encoded_key) : std::nullopt;
   if (!encoded) expected("the name of a file");
-  const auto name = percent_decoded(encoded->text());
-  if (!name) encoded->fail("two hexadecimal digits belong behind each %");
-  return *name;
+  bool whole = true;
+  const std::string name = base::percent_decoded(encoded->text(), &whole);
+  if (!whole) encoded->fail("two hexadecimal digits belong behind each %");
+  return name;
 }
 
 // Without the cost of naming each element: these lists are long.

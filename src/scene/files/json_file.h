@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "base/error.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/vector.h"
+#include "scene/document/choice.h"
 
 namespace viete::scene {
 
@@ -51,6 +53,8 @@ public:
 
   bool boolean() const;
   double number() const;  ///< finite
+  double number(double least, double most,
+                const char* problem = "this number is out of range") const;  ///< one of these
   std::uint32_t index() const;
   std::string text() const;            ///< at most longest_text bytes
   std::filesystem::path path() const;  ///< as path_json() writes it
@@ -62,6 +66,9 @@ public:
     for (std::size_t i = 0; i < N; ++i) all[i] = item(i).number();
     return all;
   }
+  /// [x, y, z], each of them at most so far from 0.
+  std::array<double, 3> place(double farthest) const;
+  std::vector<std::uint32_t> indices() const;
   /// Of an array of points: its item `index`; nothing if that is no [x, y, z] with |x|, |y|, |z| <= limit.
   std::optional<mesh::Vec3> point(std::size_t index, double limit) const;
 
@@ -81,7 +88,7 @@ template <class Part, class Read>
 void take_part(const JsonReader& json, const char* key, Part& part, Read read, const char* instead,
                std::vector<std::string>& warnings) {
   try {
-    if (const auto value = json.find(key)) part = read(*value);
+    if (const auto value = json.find(key)) part = std::invoke(read, *value);
   } catch (const base::Error& error) {
     warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
   }
@@ -93,6 +100,26 @@ auto word_of(const JsonReader& json, Parse parse) {
   const auto value = parse(json.text());
   if (!value) json.fail(mesh::in_quotes(json.text()) + " is not known");
   return *value;
+}
+
+/// Of an enumeration with choices.
+template <class Value>
+Value choice_of(const JsonReader& json) {
+  return word_of(json, value_of_word<Value>);
+}
+
+/// Of a list: each is read, and what is damaged is left out, with a warning.
+template <class Read>
+void take_items(const JsonReader& json, std::size_t most, const char* instead,
+                std::vector<std::string>& warnings, Read read) {
+  if (json.size() > most) json.fail("there are more than " + std::to_string(most));
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    try {
+      read(json.item(i));
+    } catch (const base::Error& error) {
+      warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
+    }
+  }
 }
 
 }  // namespace viete::scene

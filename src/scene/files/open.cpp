@@ -330,8 +330,8 @@ Opened open_files(const OpenRequest& request, const Document& current, base::Pro
   const bool surfaceless = document.model.surface->triangles.empty() && !opened.has_settings;
   if (surfaceless && deform::entry(document.scheme.weighting.weights).on_surface &&
       !request.settings.choice.weights && !request.settings.way)
-    put_scheme(document,
-               deform::complete(only(deform::default_scheme(false).weighting.weights), document.scheme));
+    document.put_scheme(
+        deform::complete(only(deform::default_scheme(false).weighting.weights), document.scheme));
   opened.has_settings |= request.settings.any();
   return opened;
 }

@@ -55,9 +55,9 @@ std::array<double, 6> six(const sym3::Sym3<double>& s) {
   return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
 }
 
-mesh::Vec3 vector_of(const JsonReader& json, double limit) {
+mesh::Vec3 short_vector(const JsonReader& json, double longest) {
   const mesh::Vec3 vector = json.numbers<3>();
-  if (!(mesh::norm(vector) <= limit)) json.fail("a number is too large");
+  if (!(mesh::norm(vector) <= longest)) json.fail("a number is too large");
   return vector;
 }
 
@@ -68,43 +68,12 @@ sym3::Sym3<double> probe_stretch_of(const JsonReader& json) {
   return stretch;
 }
 
-double within(const JsonReader& json, double least, double most) {
-  const double number = json.number();
-  if (!(number >= least && number <= most)) json.fail("this number is out of range");
-  return number;
+double frame_number(const JsonReader& json) {
+  return json.number(Timeline::least_frame, Timeline::largest_frame);
 }
 
 int frame_of(const JsonReader& json) {
-  return static_cast<int>(std::lround(within(json, Timeline::least_frame, Timeline::largest_frame)));
-}
-
-template <class Choice>
-Choice choice_of(const JsonReader& json, std::span<const EasingChoice> all) {
-  return word_of(json, [&](const std::string& word) -> std::optional<Choice> {
-    const auto found = std::ranges::find(all, word, &EasingChoice::word);
-    if (found == all.end()) return std::nullopt;
-    return static_cast<Choice>(found - all.begin());
-  });
-}
-
-// What is damaged is left out, with a warning.
-template <class Read>
-void take_items(const JsonReader& json, std::size_t most, const char* instead,
-                std::vector<std::string>& warnings, Read read) {
-  if (json.size() > most) json.fail("there are more than " + std::to_string(most));
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    try {
-      read(json.item(i));
-    } catch (const base::Error& error) {
-      warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
-    }
-  }
-}
-
-std::vector<std::uint32_t> indices_of(const JsonReader& json) {
-  std::vector<std::uint32_t> indices;
-  for (std::size_t i = 0; i < json.size(); ++i) indices.push_back(json.item(i).index());
-  return indices;
+  return static_cast<int>(std::lround(frame_number(json)));
 }
 
 // As it was typed, where that gives the same weight back.
@@ -117,24 +86,23 @@ NamedPose named_pose_of(const JsonReader& json, std::vector<std::string>& warnin
   NamedPose named{json.at("name").text(), whole_pose_of(json, warnings)};
   if (named.name.size() > PoseLibrary::longest_name) json.at("name").fail("this name is too long");
   const auto weight_of = [](const JsonReader& v) {
-    return within(v, 100 * PoseLibrary::least_weight, 100 * PoseLibrary::largest_weight) / 100;
+    return v.number(100 * PoseLibrary::least_weight, 100 * PoseLibrary::largest_weight) / 100;
   };
   take_part(json, "weight", named.weight, weight_of, "it counts as made by hand", warnings);
   const std::size_t told = warnings.size();
-  take_part(json, "part", named.part, indices_of, "it counts as made by hand", warnings);
+  take_part(json, "part", named.part, &JsonReader::indices, "it counts as made by hand", warnings);
   if (warnings.size() > told) named.weight = 0;
   return named;
 }
 
 PoseKey key_of(const JsonReader& json, std::vector<std::string>& warnings) {
   PoseKey key{frame_of(json.at("frame")), whole_pose_of(json, warnings)};
-  const auto easing_of = [](const JsonReader& v) { return choice_of<Easing>(v, all_easings()); };
   const auto handles_of = [](const JsonReader& v) {
     const Handles handles = v.numbers<4>();
     if (!are_handles(handles)) v.fail("x is 0 to 1, y is -4 to 5");
     return handles;
   };
-  take_part(json, "easing", key.easing, easing_of, "smooth instead", warnings);
+  take_part(json, "easing", key.easing, choice_of<Easing>, "smooth instead", warnings);
   take_part(json, "handles", key.handles, handles_of, "the usual curve instead", warnings);
   return key;
 }
@@ -206,9 +174,9 @@ void put_probe_pose(ordered_json& json, const deform::ProbePose& pose) {
 
 deform::ProbePose probe_pose_of(const JsonReader& json) {
   deform::ProbePose pose;
-  if (const auto v = json.find("turned")) pose.turn = vector_of(*v, largest_turn);
+  if (const auto v = json.find("turned")) pose.turn = short_vector(*v, largest_turn);
   if (const auto v = json.find("stretched")) pose.stretch = probe_stretch_of(*v);
-  if (const auto v = json.find("moved")) pose.move = vector_of(*v, most_drawn);
+  if (const auto v = json.find("moved")) pose.move = short_vector(*v, most_drawn);
   return pose;
 }
 
@@ -252,12 +220,11 @@ ordered_json timeline_json(const Timeline& timeline, double frame) {
                        {"last", timeline.last},
                        {"rate", timeline.rate},
                        {"frame", frame},
-                       {"repeat", all_repeats()[static_cast<std::size_t>(timeline.repeat)].word}};
+                       {"repeat", entry_of(timeline.repeat).word}};
   if (timeline.straight) json["straight"] = true;
   json["keys"] = ordered_json::array();
   for (const PoseKey& key : timeline.keys) {
-    ordered_json one = {{"frame", key.frame},
-                        {"easing", all_easings()[static_cast<std::size_t>(key.easing)].word}};
+    ordered_json one = {{"frame", key.frame}, {"easing", entry_of(key.easing).word}};
     if (key.easing == Easing::bezier) one["handles"] = key.handles;
     one.update(whole_pose_json(*key.pose));
     json["keys"].push_back(std::move(one));
@@ -296,25 +263,21 @@ Timeline timeline_of(const JsonReader& json, double& frame, std::vector<std::str
   take("last", t.last, frame_of, "60 instead");
   t.first = std::min(t.first, Timeline::largest_frame - 1);
   t.last = std::max(t.last, t.first + 1);
-  take(
-      "rate", t.rate, [](const auto& v) { return within(v, Timeline::least_rate, Timeline::largest_rate); },
-      "24 frames a second instead");
-  take(
-      "repeat", t.repeat, [](const auto& v) { return choice_of<Repeat>(v, all_repeats()); }, "loop instead");
-  take(
-      "straight", t.straight, [](const auto& v) { return v.boolean(); }, "in log space instead");
-  take(
-      "keys", t.keys, [&](const auto& v) { return keys_of(v, warnings); }, "there are none instead");
-  take(
-      "unkeyed", t.unkeyed, [&](const auto& v) { return keys_of(v, warnings); }, "there are none instead");
-  take(
-      "cameras", t.cameras, [&](const auto& v) { return cameras_of(v, warnings); }, "there are none instead");
+  const auto rate_of = [](const JsonReader& v) {
+    return v.number(Timeline::least_rate, Timeline::largest_rate);
+  };
+  const auto read_keys = [&](const JsonReader& v) { return keys_of(v, warnings); };
+  const auto read_cameras = [&](const JsonReader& v) { return cameras_of(v, warnings); };
+  take("rate", t.rate, rate_of, "24 frames a second instead");
+  take("repeat", t.repeat, choice_of<Repeat>, "loop instead");
+  take("straight", t.straight, &JsonReader::boolean, "in log space instead");
+  take("keys", t.keys, read_keys, "there are none instead");
+  take("unkeyed", t.unkeyed, read_keys, "there are none instead");
+  take("cameras", t.cameras, read_cameras, "there are none instead");
   put_in_order(t.keys);
   put_in_order(t.cameras);
   frame = t.first;
-  take(
-      "frame", frame, [](const auto& v) { return within(v, Timeline::least_frame, Timeline::largest_frame); },
-      "at the first frame instead");
+  take("frame", frame, frame_number, "at the first frame instead");
   return t;
 }
 

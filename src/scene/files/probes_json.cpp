@@ -1,8 +1,5 @@
 #include "scene/files/probes_json.h"
 
-#include <array>
-#include <cmath>
-
 #include "scene/document/probes.h"
 #include "scene/document/range.h"
 #include "scene/files/pose_json.h"
@@ -32,14 +29,6 @@ ordered_json probe_json(const deform::Probe& probe) {
   return json;
 }
 
-mesh::Point point_of(const JsonReader& json, double limit) {
-  const auto point = json.numbers<3>();
-  for (const double x : point) {
-    if (!(std::abs(x) <= limit)) json.fail("a number is too large");
-  }
-  return point;
-}
-
 deform::Influence influence_of(const JsonReader& json) {
   const auto falloff = [](auto name) { return deform::find_by_name(deform::all_falloffs(), name); };
   const double radius = json.at("radius").number();
@@ -49,7 +38,7 @@ deform::Influence influence_of(const JsonReader& json) {
 
 deform::Probe probe_of(const JsonReader& json) {
   deform::Probe probe;
-  probe.place = point_of(json.at("place"), most_drawn);
+  probe.place = json.at("place").place(most_drawn);
   for (const auto& [key, part] : part_keys) probe.*part = influence_of(json.at(key));
   if (const auto v = json.find("locked")) probe.locked = v->boolean();
   probe.pose = probe_pose_of(json);
@@ -70,15 +59,8 @@ deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warni
     return word_of(v, [](auto name) { return deform::find_by_name(deform::all_probe_mixes(), name); });
   };
   take_part(json, "mix", probes.mix, mix_of, "added instead, of added, partial, whole and softmax", warnings);
-  const JsonReader all = json.at("all");
-  if (all.size() > most_probes) all.fail("there are more than " + std::to_string(most_probes) + " probes");
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    try {
-      probes.all.push_back(probe_of(all.item(i)));
-    } catch (const base::Error& error) {
-      warnings.emplace_back(base::Error(error.place(), error.problem(), "this probe is left out").what());
-    }
-  }
+  take_items(json.at("all"), most_probes, "this probe is left out", warnings,
+             [&](const JsonReader& item) { probes.all.push_back(probe_of(item)); });
   return probes;
 }
 

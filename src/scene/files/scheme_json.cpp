@@ -113,12 +113,9 @@ std::string names(std::span<const Entry> table) {
 deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warnings) {
   const auto take_choice = [&](const char* key, auto& choice, auto table) {
     const std::string instead = "what fits the others instead, of " + names(table);
-    take_part(
-        json, key, choice,
-        [&](const auto& v) {
-          return word_of(v, [&](auto name) { return deform::find_by_name(table, name); });
-        },
-        instead.c_str(), warnings);
+    const auto find = [&](auto name) { return deform::find_by_name(table, name); };
+    const auto read = [&](const auto& v) { return word_of(v, find); };
+    take_part(json, key, choice, read, instead.c_str(), warnings);
   };
   deform::PartialChoice choice;
   take_choice("elements", choice.elements, deform::all_elements());
@@ -154,7 +151,7 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
   deform::Scheme result = scheme.value_or(deform::Scheme{});
   deform::Weighting& weighting = result.weighting;
   take_part(json, "reach", weighting.reach, reach_of, "the whole cage instead", warnings);
-  const auto flag_of = [](const auto& v) { return v.boolean(); };
+  constexpr auto flag_of = &JsonReader::boolean;
   take_part(json, "radius", weighting.radius, radius_of, "25 percent instead", warnings);
   take_part(json, "exponent", weighting.exponent, exponent_of, "2 instead", warnings);
   take_part(json, "clamp", weighting.clamp, flag_of, "clamped instead", warnings);

@@ -12,11 +12,11 @@
 #include "mesh/content_key.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_cursor.h"
+#include "mesh/triangulation.h"
 #include "scene/document/brush.h"
 #include "scene/document/cage_editing.h"
 #include "scene/document/elements.h"
 #include "scene/document/range.h"
-#include "scene/files/cage_json.h"
 #include "scene/files/camera_json.h"
 #include "scene/files/handling_json.h"
 #include "scene/files/json_file.h"
@@ -84,29 +84,19 @@ std::uint64_t from_hexadecimal(const JsonReader& json) {
 ordered_json view_json(const ViewOptions& view) {
   ordered_json json;
   for (const auto& flag : view_flags) json[flag.key] = view.*flag.option;
-  if (view.shading != Shading::file)
-    json["shading"] = all_shadings()[static_cast<std::size_t>(view.shading)].word;
+  if (view.shading != Shading::file) json["shading"] = entry_of(view.shading).word;
   return json;
-}
-
-std::optional<Shading> shading_of_word(std::string_view word) {
-  const auto all = all_shadings();
-  const auto found = std::ranges::find(all, word, &ShadingChoice::word);
-  if (found == all.end()) return std::nullopt;
-  return static_cast<Shading>(found - all.begin());
 }
 
 ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) {
   ViewOptions view;
   (void)json.find("");  // what is no object is said once
   for (const auto& flag : view_flags) {
-    take_part(
-        json, flag.key, view.*flag.option, [](const JsonReader& v) { return v.boolean(); },
-        "it stays as it is in a new window", warnings);
+    take_part(json, flag.key, view.*flag.option, &JsonReader::boolean, "it stays as it is in a new window",
+              warnings);
   }
-  take_part(
-      json, "shading", view.shading, [](const JsonReader& v) { return word_of(v, shading_of_word); },
-      "the model is shown as its file says", warnings);
+  take_part(json, "shading", view.shading, choice_of<Shading>, "the model is shown as its file says",
+            warnings);
   return view;
 }
 
@@ -114,8 +104,7 @@ ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) 
 constexpr bool keys_are_common = std::endian::native == std::endian::little;
 
 std::vector<std::uint32_t> selection_of(const JsonReader& json) {
-  std::vector<std::uint32_t> indices(json.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = json.item(i).index();
+  std::vector<std::uint32_t> indices = json.indices();
   std::sort(indices.begin(), indices.end());
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   return indices;
@@ -170,10 +159,6 @@ void check_version(const JsonReader& json, const fs::path& file) {
       version > newest_version ? "open it with a newer program" : "save the session again");
 }
 
-}  // namespace
-
-namespace {
-
 ordered_json mask_json(const std::vector<MaskRun>& mask) {
   ordered_json runs = ordered_json::array();
   for (const auto& [share, vertices] : mask) {
@@ -182,10 +167,6 @@ ordered_json mask_json(const std::vector<MaskRun>& mask) {
   }
   return runs;
 }
-
-}  // namespace
-
-namespace {
 
 ordered_json sets_json(const std::vector<NamedSet>& sets) {
   ordered_json all = ordered_json::array();
@@ -196,9 +177,40 @@ ordered_json sets_json(const std::vector<NamedSet>& sets) {
   return all;
 }
 
-}  // namespace
+// A cage that is in no file of its own.
+ordered_json cage_json(const OpenedSurface& cage) {
+  const mesh::Surface& surface = *cage.surface;
+  ordered_json polygons = ordered_json::array();
+  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
+    polygons.push_back(std::vector<std::uint32_t>(surface.corners.begin() + surface.polygon_starts[p],
+                                                  surface.corners.begin() + surface.polygon_starts[p + 1]));
+  }
+  return {{"name", cage.made}, {"positions", surface.positions}, {"polygons", std::move(polygons)}};
+}
 
-namespace {
+OpenedSurface made_cage_of(const JsonReader& json) {
+  mesh::Surface surface;
+  const JsonReader positions = json.at("positions"), polygons = json.at("polygons");
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const auto point = positions.point(v, largest_coordinate);
+    if (!point) positions.item(v).fail("this is no [x, y, z] of a vertex");
+    surface.positions.push_back(*point);
+  }
+  surface.polygon_starts.push_back(0);
+  for (std::size_t p = 0; p < polygons.size(); ++p) {
+    const JsonReader polygon = polygons.item(p);
+    if (polygon.size() < 3) polygon.fail("a polygon has three corners or more");
+    for (std::size_t c = 0; c < polygon.size(); ++c) {
+      surface.corners.push_back(polygon.item(c).index());
+      if (surface.corners.back() >= surface.positions.size())
+        polygon.item(c).fail("the cage has " + std::to_string(surface.positions.size()) + " vertices");
+    }
+    surface.polygon_starts.push_back(static_cast<std::uint32_t>(surface.corners.size()));
+  }
+  mesh::triangulate(surface);
+  const auto name = json.find("name");
+  return made_surface(std::move(surface), name ? name->text() : "made here");
+}
 
 // The oldest whose programs read all of it.
 std::uint32_t version_of(const Session& session) {
@@ -249,56 +261,48 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   const auto take = [&](const char* key, auto& part, auto read, const char* instead) {
     take_part(json, key, part, read, instead, s.warnings);
   };
-  take(
-      "session", s.origin, [&](const auto& v) { return resolved(folder / v.path()); },
-      "saving will ask for a name");
-  const char* unknown = "whether it has changed is not known";
+  const char *unknown = "whether it has changed is not known", *none = "there are none instead",
+             *new_window = "as in a new window instead";
+  const auto read_path = [&](const JsonReader& v) { return resolved(folder / v.path()); };
+  const auto read_method = [](const JsonReader& v) { return word_of(v, sym3::method_from_name); };
+  const auto read_poses = [&](const JsonReader& v) { return library_of(v, s.warnings); };
+  const auto read_pose = [&](const JsonReader& v) { return whole_pose_of(v, s.warnings); };
+  const auto read_time = [&](const JsonReader& v) { return timeline_of(v, s.frame, s.warnings); };
+  const auto read_camera = [](const JsonReader& v) { return camera_of(v); };
+  const auto read_view = [&](const JsonReader& v) { return view_of(v, s.warnings); };
+  const auto read_hand = [&](const JsonReader& v) { return handling_of(v, s.warnings); };
+  const auto read_unit = [](const JsonReader& v) { return word_of(v, length_unit_of_symbol); };
+  take("session", s.origin, read_path, "saving will ask for a name");
   take("session_content", s.origin_content, from_hexadecimal, unknown);
-  take(
-      "first_edit", s.first_edit, [](const auto& v) { return v.text(); }, "it is not known");
+  take("first_edit", s.first_edit, &JsonReader::text, "it is not known");
   if (keys_are_common) take("model_content", s.model_content, from_hexadecimal, unknown);
   if (keys_are_common) take("cage_content", s.cage_content, from_hexadecimal, unknown);
-  take(
-      "method", s.method, [](const auto& v) { return word_of(v, sym3::method_from_name); },
-      "fast instead, of diag, sd, improved_sd and fast");
+  take("method", s.method, read_method, "fast instead, of diag, sd, improved_sd and fast");
   s.scheme = scheme_of(json, s.warnings);
   take("mask", s.mask, mask_of, "every vertex follows the cage instead");
   bool all_probes = false;
-  const auto take_probes = [&](const auto& v) {
+  const auto read_probes = [&](const JsonReader& v) {
     auto probes = probes_of(v, s.warnings);
     all_probes = probes.all.size() == v.at("all").size();
     return probes;
   };
-  take("probes", s.probes, take_probes, "there are none instead");
-  take("sets", s.groups.sets, sets_of, "there are none instead");
+  take("probes", s.probes, read_probes, none);
+  take("sets", s.groups.sets, sets_of, none);
   take("hidden", s.groups.hidden, selection_of, "all of the cage is shown instead");
-  take(
-      "poses", s.library, [&](const auto& v) { return library_of(v, s.warnings); }, "there are none instead");
-  take(
-      "unmixed", s.library.unmixed, [&](const auto& v) { return whole_pose_of(v, s.warnings); },
-      "it is found anew from what is mixed");
-  take(
-      "time", s.timeline, [&](const auto& v) { return timeline_of(v, s.frame, s.warnings); },
-      "there are no keys instead");
-  take(
-      "camera", s.camera, [](const auto& v) { return camera_of(v); }, "the whole model is shown instead");
-  take(
-      "view", s.view, [&](const auto& v) { return view_of(v, s.warnings); }, "as in a new window instead");
-  take(
-      "hand", s.handling, [&](const auto& v) { return handling_of(v, s.warnings); },
-      "as in a new window instead");
-  take(
-      "unit", s.unit, [](const auto& v) { return std::optional(word_of(v, length_unit_of_symbol)); },
-      "as the model's file says instead");
+  take("poses", s.library, read_poses, none);
+  take("unmixed", s.library.unmixed, read_pose, "it is found anew from what is mixed");
+  take("time", s.timeline, read_time, "there are no keys instead");
+  take("camera", s.camera, read_camera, "the whole model is shown instead");
+  take("view", s.view, read_view, new_window);
+  take("hand", s.handling, read_hand, new_window);
+  take("unit", s.unit, read_unit, "as the model's file says instead");
   take("window", s.window, window_of, "the usual size instead");
   std::optional<ElementKind> kind = ElementKind::vertex;
-  take(
-      "selecting", kind,
-      [&](const auto& v) {
-        kind.reset();  // of an unknown kind nothing is selected
-        return word_of(v, kind_from_name);
-      },
-      "nothing is selected");
+  const auto read_kind = [&](const JsonReader& v) {
+    kind.reset();  // of an unknown kind nothing is selected
+    return word_of(v, kind_from_name);
+  };
+  take("selecting", kind, read_kind, "nothing is selected");
   if (!kind) return;
   s.selecting = *kind;
   if (*kind == ElementKind::probe && !all_probes) return;  // others have their numbers now

@@ -181,8 +181,11 @@ glm::dmat3 axes_of(const Document& document, const Handling& handling, const Mir
 }
 
 glm::dvec3 middle_of(const Document& document, const Vertices& vertices) {
-  return selects_probes(document) ? selection_center(document)
-                                  : vector_of(mean_of(document.pose.positions, vertices));
+  if (!selects_probes(document)) return vector_of(mean_of(document.pose.positions, vertices));
+  glm::dvec3 sum(0);
+  const auto count = static_cast<double>(document.selection.size());
+  for (const auto i : document.selection.indices()) sum += vector_of(probe_center(document, i)) / count;
+  return sum;
 }
 
 void put_pivots(const Document& document, const Handling& handling, const Vertices& vertices,
@@ -261,26 +264,6 @@ Anchor anchor_of(const Document& document, const Handling& handling, const Mirro
   anchor.axes = axes_of(document, handling, mirror, vertices, camera);
   put_pivots(document, handling, vertices, anchor);
   return anchor;
-}
-
-Anchor plain_anchor(const Document& document) {
-  Anchor anchor;
-  anchor.center = selection_center(document);
-  anchor.pivots = {anchor.center};
-  return anchor;
-}
-
-glm::dvec3 selection_center(const Document& document) {
-  std::vector<mesh::Point> points;
-  if (document.selection.kind() == ElementKind::probe) {
-    for (const auto i : document.selection.indices()) points.push_back(probe_center(document, i));
-  } else {
-    for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
-  }
-  glm::dvec3 sum(0);
-  const auto n = static_cast<double>(points.size());
-  for (const auto& p : points) sum += glm::dvec3(p[0], p[1], p[2]) / n;
-  return sum;
 }
 
 }  // namespace viete::scene

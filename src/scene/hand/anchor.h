@@ -37,10 +37,4 @@ std::optional<glm::dvec3> joint_of(const Document& document, const std::vector<s
 /// Columns: their longest extents, the third one across both; nothing of less than two places.
 std::optional<glm::dmat3> axes_of_points(std::vector<mesh::Point> points);
 
-/// About the median, along the file's axes.
-Anchor plain_anchor(const Document& document);
-
-/// The mean of the selected vertices or probes, in the file's units. Requires a selection.
-glm::dvec3 selection_center(const Document& document);
-
 }  // namespace viete::scene

@@ -77,12 +77,6 @@ Grip grip_of(const Document& document, const Handling& handling, const Mirror* m
   return grip;
 }
 
-Grip plain_grip(const Document& document) {
-  Grip grip{plain_anchor(document), {}, {}};
-  grip.vertices = gripped(document, {}, nullptr, grip.anchor);
-  return grip;
-}
-
 std::vector<std::uint32_t> vertices_of(const Grip& grip) {
   std::vector<std::uint32_t> vertices;
   for (const Gripped& g : grip.vertices) vertices.push_back(g.vertex);

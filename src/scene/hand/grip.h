@@ -35,9 +35,6 @@ Grip grip_of(const Document& document, const Handling& handling, const Mirror* m
 /// The same anchor with other shares, from the pose as it is.
 std::vector<Gripped> gripped(const Document& document, const SoftSelection& soft, const Mirror* mirror,
                              const Anchor& anchor);
-/// The selection alone, as by plain_anchor().
-Grip plain_grip(const Document& document);
-
 std::vector<std::uint32_t> vertices_of(const Grip& grip);
 
 /// The vertices of `from` transformed about their pivots; whatever maps to itself keeps its bits.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "scene/document/record.h"
 #include "scene/document/selection_sets.h"
 #include "scene/hand/anchor.h"
 
@@ -18,9 +19,8 @@ void put_visible(Document& document, std::span<const std::uint8_t> hidden, std::
 
 // Begins an edit of the pose; returns the positions as they were.
 std::vector<mesh::Point> begin_edit(Document& document, const char* label) {
-  document.history.record(label, state_of(document));
-  ++document.revisions.pose;
-  return document.pose.positions;
+  record_edit(document, label);
+  return document.changed_pose().positions;
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Motion {
 
   void show(double degrees) {
     transform.degrees = degrees;
-    apply(transform, grip, before.positions, document.pose.positions);
+    apply(transform, grip, before.positions, document.changed_pose().positions);
   }
 
   // Turns in small steps; the pose's turns go along.
@@ -143,9 +143,8 @@ bool place(Document& document, const DocumentState& snapshot, const Grip& grip, 
     motion.follow(degrees_seen + 360.0 * whole, transform.degrees);
   }
   motion.show(transform.degrees);
-  ++document.revisions.pose;
   if (is_in_range(document, grip)) return true;
-  document.pose = before;
+  document.changed_pose() = before;
   return false;
 }
 
@@ -156,7 +155,7 @@ void keep_whole_turns(Document& document, const DocumentState& before, const Gri
   if (std::ranges::all_of(axes, [](const mesh::Vec3& axis) { return axis == mesh::Vec3{}; })) return;
   const auto from = least_turns(document, before.pose.positions);
   const auto to = least_turns(document, document.pose.positions);
-  auto& turns = document.pose.turns;
+  auto& turns = document.changed_pose().turns;
   turns.resize(axes.size(), {0, 0, 0});
   for (std::size_t part = 0; part < axes.size(); ++part) {
     const mesh::Vec3& axis = axes[part];
@@ -170,7 +169,6 @@ void keep_whole_turns(Document& document, const DocumentState& before, const Gri
     const mesh::Vec3 turned = count == 0 ? to[part] : deform::with_whole_turns(axis, count, to[part]);
     if (mesh::norm(turned - turns[part]) > turn_rounding * (1 + mesh::norm(turned))) turns[part] = turned;
   }
-  ++document.revisions.pose;
 }
 
 bool transform_selection(Document& document, Tool tool, const Grip& grip, const Transform& transform) {
@@ -191,15 +189,15 @@ std::string edit_label(Tool tool, const Selection& selection) {
 
 bool place_probes(Document& document, const DocumentState& before, const Transform& transform) {
   bool fits = true;
+  deform::Probes& probes = document.changed_probes();
   for (const auto i : before.selection.indices()) {
-    deform::Probe& probe = document.probes.all[i];
+    deform::Probe& probe = probes.all[i];
     if (probe.locked) continue;
     const mesh::Point carried = i < document.carried.size() ? document.carried[i] : probe.place;
     probe.pose = moved(before.probes.all[i].pose, carried, transform);
     fits &= in_range(document, i);
   }
-  ++document.revisions.pose;
-  if (!fits) document.probes = before.probes;
+  if (!fits) probes = before.probes;
   return fits;
 }
 

@@ -284,10 +284,9 @@ std::string TransformDrag::label() const {
 }
 
 void TransformDrag::cancel(Document& document) const {
-  document.pose = before_.pose;
-  document.probes = before_.probes;
+  document.changed_pose() = before_.pose;
+  document.changed_probes() = before_.probes;
   document.selection = before_.selection;
-  ++document.revisions.pose;
 }
 
 // Shares of smoothing, relaxing and flattening.

@@ -1,8 +1,5 @@
-#include "scene/workspace/blend_commands.h"
-
-#include <algorithm>
-
 #include "scene/document/edit.h"
+#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 
@@ -17,15 +14,9 @@ void toggle_weighting(Workspace& w) {
   set_scheme(w.document, scheme);
 }
 
-std::string command_name(const char* choice, const deform::ChoiceEntry& entry) {
-  std::string name = choice + std::string(entry.name);
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
 // A way, or one of the choices that ways are made of.
 template <class Entry>
-void add_choices(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
+void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
   for (const Entry& entry : entries)
     table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, hand_is_free,
                  [value = entry.value](Workspace& w) {
@@ -38,7 +29,7 @@ void add_methods(CommandTable& table) {
   for (const auto& entry : sym3::methods())
     table.add(std::string("method_") + entry.name, {std::string("Method: ") + entry.label, entry.label},
               entry.sentence, {key(digit++), false, true}, uses_method,
-              [method = entry.method](Workspace& w) { set_method(w.document, method); });
+              [method = entry.method](Workspace& w) { w.document.put_method(method); });
 }
 
 }  // namespace
@@ -47,10 +38,10 @@ void add_blend_commands(CommandTable& table) {
   table.heading("Method");
   add_methods(table);
   table.heading("Blend");
-  add_choices(table, deform::all_ways(), "Way");
-  add_choices(table, deform::all_elements(), "Elements");
-  add_choices(table, deform::all_weights(), "Weights");
-  add_choices(table, deform::all_blends(), "Blend");
+  add_table(table, deform::all_ways(), "Way");
+  add_table(table, deform::all_elements(), "Elements");
+  add_table(table, deform::all_weights(), "Weights");
+  add_table(table, deform::all_blends(), "Blend");
   table
       .add("toggle_stitched", {"Stitch the model (ARAP)", "Stitched (ARAP)"},
            "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are "
@@ -88,19 +79,6 @@ void add_blend_commands(CommandTable& table) {
       .add("stop_benchmark", {"Stop measuring", "Cancel"}, "Stop measuring; what was measured before stays.",
            is_measuring, [](Workspace& w) { w.requests.stop_benchmark = true; })
       .while_it_can();
-}
-
-std::string choice_command_name(deform::Way way) {
-  return command_name("way_", deform::entry(way));
-}
-std::string choice_command_name(deform::Elements elements) {
-  return command_name("elements_", deform::entry(elements));
-}
-std::string choice_command_name(deform::Weights weights) {
-  return command_name("weights_", deform::entry(weights));
-}
-std::string choice_command_name(deform::Blend blend) {
-  return command_name("blend_", deform::entry(blend));
 }
 
 }  // namespace viete::scene

@@ -1,8 +1,7 @@
-#include "scene/workspace/hand_commands.h"
-
 #include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/hand/pose_alike.h"
+#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 
@@ -37,28 +36,19 @@ void choose(Workspace& w, MirrorPlane plane) {
   w.mirror = std::move(wanted);
 }
 
-template <class Choice>
-void choose(Workspace& w, Choice value) {
+template <class Value>
+void choose(Workspace& w, Value value) {
   place(w.handling, value) = value;
 }
 
-// A command for each entry of this kind of choice.
-template <class Choice>
-void add_choices(CommandTable& table, std::string_view headline) {
-  int number = 0;
-  for (const HandChoice& entry : choices(Choice{})) {
-    const auto value = static_cast<Choice>(number++);
-    table.choice(choice_command_name(value), headline, entry.label, entry.hint, hand_is_free,
-                 [value](Workspace& w) { choose(w, value); });
-  }
+template <class Value>
+void add_hand_choices(CommandTable& table, std::string_view headline) {
+  add_choices<Value>(table, headline, hand_is_free, [](Workspace& w, Value value) { choose(w, value); });
 }
 
-template <auto First>
+template <class Value>
 void choose_next(Workspace& w) {
-  using Choice = decltype(First);
-  const std::size_t count = choices(First).size();
-  const auto now = static_cast<std::size_t>(place(w.handling, First));
-  choose(w, static_cast<Choice>((now + 1) % count));
+  choose(w, next_choice(place(w.handling, Value{})));
 }
 
 template <Tool Use>
@@ -90,14 +80,12 @@ void pose_like_copied(Workspace& w) {
 
 void add_key_presets(CommandTable& table) {
   int number = 0;
-  for (const KeyPresetEntry& entry : all_key_presets()) {
+  for (const Choice& entry : choices(KeyPreset{})) {
+    const auto preset = static_cast<KeyPreset>(number++);
     const std::string label(entry.label);
     table
-        .add("keys_" + std::string(entry.word), {"Keys of " + label, label}, std::string(entry.hint),
-             hand_is_free,
-             [preset = static_cast<KeyPreset>(number++)](Workspace& w) {
-               w.remembered.keymap.set_preset(preset);
-             })
+        .add(choice_command_name(preset), {"Keys of " + label, label}, std::string(entry.hint), hand_is_free,
+             [preset](Workspace& w) { w.remembered.keymap.set_preset(preset); })
         .under("Keys of");
   }
 }
@@ -128,27 +116,7 @@ constexpr Condition has_mirrored_selection{
     },
     "Choose a mirror, and select something of the cage on the side to be copied."};
 
-std::string hand_name(const char* kind, const HandChoice& entry) {
-  return kind + std::string(entry.word);
-}
-
 }  // namespace
-
-std::string choice_command_name(Pivot pivot) {
-  return hand_name("pivot_", entry_of(pivot));
-}
-std::string choice_command_name(Axes axes) {
-  return hand_name("axes_", entry_of(axes));
-}
-std::string choice_command_name(MirrorPlane plane) {
-  return hand_name("mirror_", entry_of(plane));
-}
-std::string choice_command_name(SoftCurve curve) {
-  return hand_name("soft_", entry_of(curve));
-}
-std::string choice_command_name(SoftDistance distance) {
-  return hand_name("soft_", entry_of(distance));
-}
 
 void add_hand_commands(CommandTable& table) {
   table.heading("Hand");
@@ -194,15 +162,15 @@ void add_hand_commands(CommandTable& table) {
             "The next click says what the selection turns about: a vertex, an edge or the model's surface.",
             {key('J')}, has_model, begin_placing_pivot);
   table.add("next_pivot", "Next pivot", "Turn and scale about the median, the active element, and so on.",
-            {key('.')}, hand_is_free, choose_next<Pivot::median>);
-  add_choices<Pivot>(table, "Pivot");
+            {key('.')}, hand_is_free, choose_next<Pivot>);
+  add_hand_choices<Pivot>(table, "Pivot");
   table.add("next_axes", "Next axes", "Move along the axes of the world, the view, the selection, and so on.",
-            {key(',')}, hand_is_free, choose_next<Axes::world>);
-  add_choices<Axes>(table, "Axes");
+            {key(',')}, hand_is_free, choose_next<Axes>);
+  add_hand_choices<Axes>(table, "Axes");
   table.add("next_mirror", "Next mirror",
             "Move both sides of the cage across X, Y, Z or the plane that fits, or one side alone.",
-            {key('M'), false, true}, hand_is_free, choose_next<MirrorPlane::none>);
-  add_choices<MirrorPlane>(table, "Mirror");
+            {key('M'), false, true}, hand_is_free, choose_next<MirrorPlane>);
+  add_hand_choices<MirrorPlane>(table, "Mirror");
   table.add("mirror_copy", {"Copy pose to the other side", "Copy across"},
             "The other side takes the pose of what is selected, as in the mirror.", has_mirrored_selection,
             [](Workspace& w) { copy_to_other_side(w.document, *mirror_of(w)); });
@@ -214,8 +182,8 @@ void add_hand_commands(CommandTable& table) {
       "What is near the selection goes along, the less the farther; during a drag the wheel changes the "
       "radius.",
       {key('S')}, hand_is_free, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
-  add_choices<SoftCurve>(table, "Falloff");
-  add_choices<SoftDistance>(table, "Falloff");
+  add_hand_choices<SoftCurve>(table, "Falloff");
+  add_hand_choices<SoftDistance>(table, "Falloff");
   table.heading("Keys");
   add_key_presets(table);
 }

@@ -27,10 +27,6 @@ constexpr Shortcut alt(char c) {
   return {key(c), false, false, true};
 }
 
-constexpr PresetKeys no_key(std::string_view command) {
-  return {command, {}, {}};
-}
-
 // Where hands from Blender expect something else. What they mean and is not to be had here has no key: none
 // of them resets a pose where a loop was to be cut.
 constexpr auto blender_keys = std::to_array<PresetKeys>({
@@ -65,29 +61,13 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"toggle_panels", {Key::space, true}, {}},
     {"redo", {key('Z'), true, true}, {}},
     {"delete_keys", plain('X'), {Key::delete_key}},
-    no_key("place_pivot"),
-    no_key("reset_pose"),
-    no_key("restore_leftover"),
-    no_key("open_pose"),
-    no_key("save_model"),
-    no_key("tool_move"),
-    no_key("select_lasso"),
-    no_key("select_loop"),
-    no_key("select_ring"),
-    no_key("method_diag"),
-    no_key("method_sd"),
-    no_key("method_improved_sd"),
-    no_key("method_fast"),
-    no_key("reach_shorter"),
-    no_key("reach_longer"),
-    no_key("add_probe"),
-    no_key("mirror_probe"),
-    no_key("mark_point"),
-    no_key("clear_marks"),
-    no_key("toggle_z_up"),
-    no_key("toggle_error_map"),
-    no_key("toggle_full_screen"),
 });
+constexpr std::string_view blender_without[] = {
+    "place_pivot",      "reset_pose",         "restore_leftover", "open_pose",     "save_model",
+    "tool_move",        "select_lasso",       "select_loop",      "select_ring",   "method_diag",
+    "method_sd",        "method_improved_sd", "method_fast",      "reach_shorter", "reach_longer",
+    "add_probe",        "mirror_probe",       "mark_point",       "clear_marks",   "toggle_z_up",
+    "toggle_error_map", "toggle_full_screen"};
 
 // And from Maya, whose function keys choose what is selected.
 constexpr auto maya_keys = std::to_array<PresetKeys>({
@@ -121,33 +101,22 @@ constexpr auto maya_keys = std::to_array<PresetKeys>({
     {"next_key", plain('.'), {Key::up}},
     {"previous_frame", alt(','), {Key::left}},
     {"next_frame", alt('.'), {Key::right}},
-    no_key("reset_pose"),
-    no_key("restore_leftover"),
-    no_key("screenshot"),
-    no_key("select_linked"),
-    no_key("select_ring"),
-    no_key("select_similar"),
-    no_key("reach_shorter"),
-    no_key("reach_longer"),
-    no_key("add_probe"),
-    no_key("mirror_probe"),
-    no_key("mark_point"),
-    no_key("clear_marks"),
-    no_key("toggle_model"),
-    no_key("toggle_deformed"),
-    no_key("toggle_cage"),
-    no_key("toggle_grid"),
-    no_key("toggle_axes"),
-    no_key("toggle_ghost"),
-    no_key("toggle_theme"),
-    no_key("toggle_z_up"),
-    no_key("toggle_error_map"),
 });
+constexpr std::string_view maya_without[] = {
+    "reset_pose",    "restore_leftover", "screenshot",      "select_linked", "select_ring", "select_similar",
+    "reach_shorter", "reach_longer",     "add_probe",       "mirror_probe",  "mark_point",  "clear_marks",
+    "toggle_model",  "toggle_deformed",  "toggle_cage",     "toggle_grid",   "toggle_axes", "toggle_ghost",
+    "toggle_theme",  "toggle_z_up",      "toggle_error_map"};
 
-std::span<const PresetKeys> keys_of_preset(KeyPreset preset) {
+struct PresetChanges {
+  std::span<const PresetKeys> keys{};
+  std::span<const std::string_view> without{};  // commands that have no key
+};
+
+PresetChanges changes_of_preset(KeyPreset preset) {
   switch (preset) {
-    case KeyPreset::blender: return blender_keys;
-    case KeyPreset::maya: return maya_keys;
+    case KeyPreset::blender: return {blender_keys, blender_without};
+    case KeyPreset::maya: return {maya_keys, maya_without};
     case KeyPreset::viete:
     case KeyPreset::viewer: break;
   }
@@ -156,8 +125,8 @@ std::span<const PresetKeys> keys_of_preset(KeyPreset preset) {
 
 }  // namespace
 
-std::span<const KeyPresetEntry> all_key_presets() {
-  static constexpr KeyPresetEntry all[] = {
+std::span<const Choice> choices(KeyPreset) {
+  static constexpr Choice all[] = {
       {"viete", "Viete", "Q W E R choose tools, single letters switch what is seen."},
       {"blender", "Blender",
        "G R S move, turn and scale at once; B C A H select and hide; Tab edits the cage; T and N fold the "
@@ -167,6 +136,11 @@ std::span<const KeyPresetEntry> all_key_presets() {
        "camera."},
       {"viewer", "Viewer", "As Viete, and the left button turns the view where it is pressed on nothing."}};
   return all;
+}
+
+std::string text(const Shortcuts& keys) {
+  const std::string first = text(keys.first), second = text(keys.second);
+  return first + (first.empty() || second.empty() ? "" : ", ") + second;
 }
 
 bool shares_keys(std::string_view command, std::string_view other) {
@@ -245,8 +219,12 @@ void Keymap::give(const Command& command, const Shortcuts& shortcuts) {
 void Keymap::resolve() {
   keys_.clear();
   for (const Command& command : commands()) keys_[command.name] = {command.shortcut, command.alternative};
-  for (const auto& [name, first, second] : keys_of_preset(preset_)) {
+  const PresetChanges preset = changes_of_preset(preset_);
+  for (const auto& [name, first, second] : preset.keys) {
     if (const Command* command = find_command(name)) give(*command, {first, second});
+  }
+  for (const auto name : preset.without) {
+    if (const Command* command = find_command(name)) give(*command, {});
   }
   for (const auto& [name, shortcut] : changes_) {
     if (const Command* command = find_command(name)) give(*command, {shortcut, {}});

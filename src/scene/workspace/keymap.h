@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/document/choice.h"
 #include "scene/workspace/shortcut.h"
 
 namespace viete::scene {
@@ -16,18 +17,13 @@ namespace viete::scene {
 struct Command;
 
 enum class KeyPreset { viete, blender, maya, viewer };
-
-/// By number.
-struct KeyPresetEntry {
-  std::string_view word;   ///< in files
-  std::string_view label;  ///< in lists
-  std::string_view hint;   ///< one sentence
-};
-std::span<const KeyPresetEntry> all_key_presets();
+std::span<const Choice> choices(KeyPreset);
 
 struct Shortcuts {
   Shortcut first, second;
 };
+/// "Ctrl+A, A".
+std::string text(const Shortcuts& keys);
 
 /// A key runs one command, but for some in the mode that edits the cage, see shares_keys(). What a preset or
 /// a change gives to a command is taken from others.

@@ -26,8 +26,8 @@ mesh::Point place_of(const Document& document, const PosedModel& posed, const Su
 
 const Measures& measure(const Document& document, const PosedModel& posed, KnownMeasures& known) {
   const bool is_posed = !posed.vertices.empty();
-  if (known.of != document.revisions || known.posed != is_posed || known.frame != posed.frame)
-    known = {document.revisions, is_posed, posed.frame, measure(document, posed)};
+  if (known.of != document.revisions() || known.posed != is_posed || known.frame != posed.frame)
+    known = {document.revisions(), is_posed, posed.frame, measure(document, posed)};
   return known.now;
 }
 

@@ -147,11 +147,8 @@ void apply_pose(Workspace& w, std::size_t pose) {
 }
 
 void go_to_key(Workspace& w, bool forward) {
-  std::vector<int> frames;
-  for (const PoseKey& key : w.document.timeline.keys) frames.push_back(key.frame);
-  for (const CameraKey& key : w.document.timeline.cameras) frames.push_back(key.frame);
+  const std::vector<int> frames = key_frames(w.document.timeline);
   if (frames.empty()) return;
-  std::ranges::sort(frames);
   const double now = w.document.frame;
   if (forward) {
     const auto next = std::ranges::upper_bound(frames, now);

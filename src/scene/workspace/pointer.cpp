@@ -83,7 +83,7 @@ std::optional<AxisWidget> axis_widget_of(const Workspace& w) {
 void Pointer::frame(Workspace& workspace, const PointerInput& input) {
   workspace.mirror.follow(workspace.document.cage, workspace.handling.mirror);
   // Another document, or another cage: what was begun on the old one is void.
-  const Revisions& now = workspace.document.revisions;
+  const Revisions& now = workspace.document.revisions();
   if (surfaces_ != now.surfaces || cage_ != now.cage) {
     surfaces_ = now.surfaces;
     cage_ = now.cage;

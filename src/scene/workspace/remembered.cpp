@@ -70,11 +70,8 @@ std::optional<glm::ivec2> size_of(const JsonReader& json) {
 // What no program of this version knows is passed over: a newer one may know it.
 Keymap keymap_of(const JsonReader& json) {
   Keymap keymap;
-  const auto presets = all_key_presets();
-  if (const auto preset = json.find("preset")) {
-    const auto found = std::ranges::find(presets, preset->text(), &KeyPresetEntry::word);
-    if (found != presets.end()) keymap.set_preset(static_cast<KeyPreset>(found - presets.begin()));
-  }
+  if (const auto preset = json.find("preset"))
+    keymap.set_preset(value_of_word<KeyPreset>(preset->text()).value_or(keymap.preset()));
   if (const auto changed = json.find("changed")) {
     for (const std::string& command : changed->keys()) {
       if (const auto key = shortcut_of(changed->at(command).text())) keymap.change(command, *key);
@@ -84,7 +81,7 @@ Keymap keymap_of(const JsonReader& json) {
 }
 
 ordered_json to_json(const Keymap& keymap) {
-  ordered_json json = {{"preset", all_key_presets()[static_cast<std::size_t>(keymap.preset())].word}};
+  ordered_json json = {{"preset", entry_of(keymap.preset()).word}};
   for (const auto& [command, key] : keymap.changes()) json["changed"][command] = text(key);
   return json;
 }

@@ -40,10 +40,6 @@ bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::
   }
 }
 
-}  // namespace
-
-namespace {
-
 // What is there is as the keys have it at this frame: playing is no work that could be lost.
 bool is_by_time(const Workspace& w) {
   return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);

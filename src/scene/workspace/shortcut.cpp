@@ -2,54 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace viete::scene {
 
 namespace {
 
-constexpr auto key_names = std::to_array<std::pair<Key, std::string_view>>({{Key::escape, "Esc"},
-                                                                            {Key::home, "Home"},
-                                                                            {Key::end, "End"},
-                                                                            {Key::page_up, "Page Up"},
-                                                                            {Key::page_down, "Page Down"},
-                                                                            {Key::delete_key, "Delete"},
-                                                                            {Key::insert, "Insert"},
-                                                                            {Key::enter, "Enter"},
-                                                                            {Key::backspace, "Backspace"},
-                                                                            {Key::space, "Space"},
-                                                                            {Key::up, "Up"},
-                                                                            {Key::down, "Down"},
-                                                                            {Key::left, "Left"},
-                                                                            {Key::right, "Right"},
-                                                                            {Key::tab, "Tab"},
-                                                                            {Key::f1, "F1"},
-                                                                            {Key::f2, "F2"},
-                                                                            {Key::f3, "F3"},
-                                                                            {Key::f4, "F4"},
-                                                                            {Key::f5, "F5"},
-                                                                            {Key::f6, "F6"},
-                                                                            {Key::f7, "F7"},
-                                                                            {Key::f8, "F8"},
-                                                                            {Key::f9, "F9"},
-                                                                            {Key::f10, "F10"},
-                                                                            {Key::f11, "F11"},
-                                                                            {Key::f12, "F12"},
-                                                                            {Key::pad0, "Num 0"},
-                                                                            {Key::pad1, "Num 1"},
-                                                                            {Key::pad2, "Num 2"},
-                                                                            {Key::pad3, "Num 3"},
-                                                                            {Key::pad4, "Num 4"},
-                                                                            {Key::pad5, "Num 5"},
-                                                                            {Key::pad6, "Num 6"},
-                                                                            {Key::pad7, "Num 7"},
-                                                                            {Key::pad8, "Num 8"},
-                                                                            {Key::pad9, "Num 9"},
-                                                                            {Key::pad_point, "Num ."},
-                                                                            {Key::pad_plus, "Num +"},
-                                                                            {Key::pad_minus, "Num -"},
-                                                                            {Key::pad_enter, "Num Enter"}});
+// From Key::escape on.
+constexpr std::array key_names = {"Esc",   "Home",      "End",   "Page Up", "Page Down", "Delete",   "Insert",
+                                  "Enter", "Backspace", "Space", "Up",      "Down",      "Left",     "Right",
+                                  "Tab",   "F1",        "F2",    "F3",      "F4",        "F5",       "F6",
+                                  "F7",    "F8",        "F9",    "F10",     "F11",       "F12",      "Num 0",
+                                  "Num 1", "Num 2",     "Num 3", "Num 4",   "Num 5",     "Num 6",    "Num 7",
+                                  "Num 8", "Num 9",     "Num .", "Num +",   "Num -",     "Num Enter"};
+constexpr int first_named = static_cast<int>(Key::escape);
+static_assert(first_named + static_cast<int>(key_names.size()) == static_cast<int>(Key::pad_enter) + 1);
 
 bool is_printed(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -65,15 +32,14 @@ bool same_word(std::string_view a, std::string_view b) {
 }
 
 std::string key_name(Key key) {
-  const auto found = std::ranges::find(key_names, key, &std::pair<Key, std::string_view>::first);
-  if (found != key_names.end()) return std::string(found->second);
+  const int code = static_cast<int>(key);
+  if (code >= first_named) return key_names[static_cast<std::size_t>(code - first_named)];
   return std::string(1, static_cast<char>(key));
 }
 
 std::optional<Key> key_of(std::string_view name) {
-  for (const auto& [key, word] : key_names) {
-    if (same_word(name, word)) return key;
-  }
+  for (std::size_t i = 0; i < key_names.size(); ++i)
+    if (same_word(name, key_names[i])) return static_cast<Key>(first_named + static_cast<int>(i));
   if (name.size() != 1 || !is_printed(upper(name[0]))) return std::nullopt;
   return key(upper(name[0]));
 }
@@ -83,7 +49,8 @@ std::optional<Key> key_of(std::string_view name) {
 std::span<const Key> all_keys() {
   static const std::vector<Key> all = [] {
     std::vector<Key> keys;
-    for (const auto& [key, name] : key_names) keys.push_back(key);
+    for (std::size_t i = 0; i < key_names.size(); ++i)
+      keys.push_back(static_cast<Key>(first_named + static_cast<int>(i)));
     for (int c = 0; c < 128; ++c) {
       if (is_printed(static_cast<char>(c))) keys.push_back(static_cast<Key>(c));
     }

@@ -42,13 +42,9 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
     document.method = old.method;
     document.scheme = old.scheme;
   }
-  document.revisions = {old.revisions.surfaces + 1, old.revisions.cage + 1, old.revisions.weights + 1,
-                        old.revisions.pose + 1, old.revisions.method + 1};
+  document.take_place_of(old);
   w.document = std::move(document);
   w.interaction = {};
-  Playback stopped;
-  stopped.auto_key = w.playback.auto_key, stopped.paths = w.playback.paths;
-  w.playback = std::move(stopped);
   w.making = {.wish = w.making.wish};
   w.playback = {.auto_key = w.playback.auto_key, .paths = w.playback.paths};
   w.chosen_pose.reset();

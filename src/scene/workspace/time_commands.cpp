@@ -5,8 +5,8 @@
 #include "base/error.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
+#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
-#include "scene/workspace/command_tables.h"
 #include "scene/workspace/file_commands.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_gestures.h"
@@ -181,22 +181,12 @@ void fit_range(Workspace& w) {
   w.time_view.seen = fitting(w.document.timeline);
 }
 
-void add_repeats(CommandTable& table) {
-  int number = 0;
-  for (const EasingChoice& entry : all_repeats()) {
-    const auto repeat = static_cast<Repeat>(number++);
-    table.choice(choice_command_name(repeat), "After the last frame", entry.label, entry.hint, has_model,
-                 [repeat](Workspace& w) { change_play(w, [&](Play& play) { play.repeat = repeat; }); });
-  }
+void choose_easing(Workspace& w, Easing easing) {
+  set_easing(w.document, eased_keys(w), easing);
 }
 
-void add_easings(CommandTable& table) {
-  int number = 0;
-  for (const EasingChoice& entry : all_easings()) {
-    const auto easing = static_cast<Easing>(number++);
-    table.choice(choice_command_name(easing), "Easing", entry.label, entry.hint, has_pose_keys,
-                 [easing](Workspace& w) { set_easing(w.document, eased_keys(w), easing); });
-  }
+void choose_repeat(Workspace& w, Repeat repeat) {
+  change_play(w, [&](Play& play) { play.repeat = repeat; });
 }
 
 }  // namespace
@@ -205,14 +195,6 @@ void change_mix(Workspace& w, const std::function<bool()>& change) {
   stop_playing(w);
   if (change()) return w.messages.succeeded("mix");
   w.messages.error("the mix would leave what can be drawn; nothing was changed", {"mix"});
-}
-
-std::string choice_command_name(Repeat repeat) {
-  return "repeat_" + std::string(all_repeats()[static_cast<std::size_t>(repeat)].word);
-}
-
-std::string choice_command_name(Easing easing) {
-  return "easing_" + std::string(all_easings()[static_cast<std::size_t>(easing)].word);
 }
 
 void add_time_commands(CommandTable& table) {
@@ -270,8 +252,8 @@ void add_time_commands(CommandTable& table) {
             to_end<&Timeline::last>);
   table.add("fit_range", {"Play from first to last key", "Range of keys"},
             "Play from the first key to the last one.", has_time, fit_range);
-  add_easings(table);
-  add_repeats(table);
+  add_choices<Easing>(table, "Easing", has_pose_keys, choose_easing);
+  add_choices<Repeat>(table, "After the last frame", has_model, choose_repeat);
   table
       .add("toggle_auto_key", {"Set keys automatically", "Auto key"},
            "Whatever the hand changes becomes a key of this frame, once there is a key.", always,

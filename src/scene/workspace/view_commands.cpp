@@ -1,8 +1,7 @@
-#include "scene/workspace/command_tables.h"
-
 #include <utility>
 
 #include "scene/document/elements.h"
+#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/pointer.h"
 
@@ -31,16 +30,8 @@ void add_units(CommandTable& table) {
         [unit = length_unit_of_symbol(entry.symbol)](Workspace& w) { w.document.model.unit = *unit; });
 }
 
-void add_shadings(CommandTable& table) {
-  int number = 0;
-  for (const ShadingChoice& entry : all_shadings())
-    table.choice("shading_" + std::string(entry.word), "Shading", entry.label, entry.hint, always,
-                 [shading = static_cast<Shading>(number++)](Workspace& w) { w.view.shading = shading; });
-}
-
-void show_next_shading(Workspace& w) {
-  w.view.shading =
-      static_cast<Shading>((static_cast<std::size_t>(w.view.shading) + 1) % all_shadings().size());
+void choose_shading(Workspace& w, Shading shading) {
+  w.view.shading = shading;
 }
 
 template <StandardView View>
@@ -118,11 +109,11 @@ void add_view_commands(CommandTable& table) {
       .add("toggle_wireframe", {"Show the wireframe", "Wireframe"}, "Show the edges of the mesh.",
            {key('W'), false, true}, always, toggle<&ViewOptions::wireframe>)
       .shown_as(shown<&ViewOptions::wireframe>);
-  add_shadings(table);
+  add_choices<Shading>(table, "Shading", always, choose_shading);
   table.add("next_shading", "Next shading",
             "Show the mesh as clay, porcelain or jade, as it is, with a checker, by normals, with stripes, "
             "and so on.",
-            {key('V')}, always, show_next_shading);
+            {key('V')}, always, [](Workspace& w) { w.view.shading = next_choice(w.view.shading); });
   table
       .add("toggle_model", {"Show the model", "Model"}, "Show the mesh.", {key('M')}, always,
            toggle<&ViewOptions::model>)

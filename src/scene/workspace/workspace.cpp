@@ -42,10 +42,6 @@ std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::
   return points;
 }
 
-}  // namespace
-
-namespace {
-
 // The corners of boxes around the selected ones, as wide as their largest radius.
 std::vector<mesh::Point> around_probes(const Document& document) {
   std::vector<mesh::Point> points;

@@ -1,0 +1,35 @@
+// A list of the commands that choose a value.
+#pragma once
+
+#include "scene/workspace/choice_commands.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+struct ChoiceListWords {
+  const char* prefix = "";  ///< of the names of its lines, for tests
+  const char* none = "";    ///< stands in it where there is no value,
+  const char* about = "";   ///< and what it is for, instead of what the value does
+};
+
+/// Closed it shows the value, open all of them; what it stands at is marked.
+template <class Value>
+void choice_list(const Context& ui, const std::string& name, std::optional<Value> now, float width,
+                 const ChoiceListWords& words = {}) {
+  ImGui::SetNextItemWidth(width);
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), now ? entry_of(*now).label.data() : words.none);
+  record(ui, name, now.has_value());
+  if (!open) return hint(*words.about || !now ? words.about : std::string(entry_of(*now).hint));
+  const std::span<const scene::Choice> all = choices(Value{});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto value = static_cast<Value>(i);
+    const scene::Command& command = *scene::find_command(scene::choice_command_name(value));
+    if (ImGui::Selectable(all[i].label.data(), value == now) && command.enabled(ui.workspace))
+      command.run(ui.workspace);
+    record(ui, words.prefix + command.name);
+    hint(std::string(all[i].hint));
+  }
+  ImGui::EndCombo();
+}
+
+}  // namespace viete::ui
