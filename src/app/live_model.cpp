@@ -202,7 +202,7 @@ void LiveModel::take_carried(scene::Document& document) const {
 mesh::Point LiveModel::vertex(const scene::Document& document, std::size_t index) const {
   if (!deformer_ || !deformer_->ran()) return document.model.surface->positions[index];
   const auto& p = deformer_->vertices()[index].position;
-  return mesh::operator+(deformer_->origin(), mesh::Point{p[0], p[1], p[2]});
+  return deformer_->origin() + mesh::Point{p[0], p[1], p[2]};
 }
 
 }  // namespace viete::app

@@ -20,8 +20,8 @@
 #include "bench/reference_frame.h"
 #include "bench/rounds.h"
 #include "bench/table.h"
-#include "deform/deformer.h"
 #include "deform/bind.h"
+#include "deform/deformer.h"
 
 namespace viete::bench {
 
@@ -91,7 +91,7 @@ deform::LinkTimes link_medians(const Case& c) {
 double distance(std::span<const mesh::Point> expected, std::span<const mesh::Point> positions) {
   double largest = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    largest = std::max(largest, mesh::norm(mesh::operator-(positions[i], expected[i])));
+    largest = std::max(largest, mesh::norm(positions[i] - expected[i]));
   }
   return largest;
 }
@@ -230,8 +230,7 @@ private:
         std::vector<mesh::Point> positions;
         const deform::Vec3 origin = frame->state.rows().origin;
         for (const auto& v : frame->engine.vertices())
-          positions.push_back(mesh::operator+
-                              (origin, deform::Vec3{v.position[0], v.position[1], v.position[2]}));
+          positions.push_back(origin + mesh::Point{v.position[0], v.position[1], v.position[2]});
         return distance(expected_, positions) / cage_->diagonal;
       };
     }

@@ -76,8 +76,8 @@ TEST_CASE("the_bundled_model_has_a_loop_that_plays_from_where_the_first_motion_e
     scene::follow_time(s.w, 0.1);
     CHECK(s.w.playback.playing);
     CHECK_FALSE(scene::has_unsaved_edits(s.w));
-    farthest = std::max(farthest, deform::norm(mesh::operator-(s.w.document.pose.positions.back(),
-                                                               s.w.document.cage->surface.positions.back())));
+    farthest = std::max(farthest, deform::norm(s.w.document.pose.positions.back() -
+                                               s.w.document.cage->surface.positions.back()));
   }
   CHECK(farthest > 0.2);
   CHECK_FALSE(s.w.document.history.can_undo());

@@ -25,6 +25,9 @@ Vector plus(const Vector& a, const Vector& b, Quad times = 1) {
 Vector minus(const Vector& a, const Vector& b) {
   return plus(a, b, -1);
 }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 Quad inner(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -136,8 +136,8 @@ TEST_CASE("thin_triangles_add_a_bounded_energy_that_is_never_negative") {
       CHECK(largest(k) <= 1 / thin_triangle);
       CHECK(largest(k) > 0.1);
       for (int i = 0; i < 20; ++i) {
-        const auto [x, y, z] = random.vector(1);
-        const Eigen::Vector3d f(x, y, z);
+        const Vec3 v = random.vector(1);
+        const Eigen::Vector3d f(v[0], v[1], v[2]);
         CHECK(f.dot(k * f) >= -1e-15 * largest(k));
       }
     }

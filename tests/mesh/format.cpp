@@ -58,6 +58,11 @@ TEST_CASE("lists_of_formats_name_each_once") {
                        doctest::Contains("use .obj, .ply, .off, .stl, .glb or .gltf"), base::Error);
 }
 
+TEST_CASE("advice_to_export_a_file_of_another_kind_names_all_formats") {
+  const std::string advice = "export it as " + format_names(holds_surface) + " from";
+  CHECK_THROWS_WITH_AS(test::read_text("DRACO", "drc"), doctest::Contains(advice.c_str()), base::Error);
+}
+
 TEST_CASE("shells_desktops_and_the_manual_know_every_format") {
   for (const Format& format : all_formats()) {
     CAPTURE(format.extension);

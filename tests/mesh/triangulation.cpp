@@ -85,16 +85,18 @@ Ring with_more_corners(const Ring& ring) {
 // Turned by matrices of integers, so that what is flat stays flat and what is straight stays straight.
 Ring onto_a_slope(const Ring& ring) {
   Ring turned;
-  for (const auto& [x, y, z] : ring)
-    turned.push_back({2 * x - y + 5, 2 * x + 2 * y - z, x + 3 * y + 2 * z - 7});
+  for (const Point& p : ring)
+    turned.push_back({2 * p[0] - p[1] + 5, 2 * p[0] + 2 * p[1] - p[2], p[0] + 3 * p[1] + 2 * p[2] - 7});
   return turned;
 }
 
 Ring turned_by_rounded_numbers(const Ring& ring) {
   const double c = std::cos(0.7), s = std::sin(0.7);
   Ring turned;
-  for (const auto& [x, y, z] : ring)
-    turned.push_back({c * x - s * y, 0.8 * (s * x + c * y), 0.6 * (s * x + c * y) + z});
+  for (const Point& p : ring) {
+    const double up = s * p[0] + c * p[1];
+    turned.push_back({c * p[0] - s * p[1], 0.8 * up, 0.6 * up + p[2]});
+  }
   return turned;
 }
 

@@ -184,7 +184,7 @@ public:
     REQUIRE(exact.size() == shown.size());
     double largest = 0;
     for (std::size_t i = 0; i < exact.size(); ++i)
-      largest = std::max(largest, mesh::norm(mesh::operator-(exact[i], shown[i])));
+      largest = std::max(largest, mesh::norm(exact[i] - shown[i]));
     return largest / document().model.bounds.diagonal();
   }
 

@@ -57,7 +57,7 @@ struct Timed : Driver {
   std::uint32_t farthest_from_rest() {
     const auto& rest = document().cage->surface.positions;
     std::uint32_t farthest = 0;
-    const auto way = [&](std::uint32_t v) { return mesh::norm(mesh::operator-(pose()[v], rest[v])); };
+    const auto way = [&](std::uint32_t v) { return mesh::norm(pose()[v] - rest[v]); };
     for (std::uint32_t v = 0; v < rest.size(); ++v)
       if (way(v) > way(farthest)) farthest = v;
     return farthest;
@@ -82,7 +82,7 @@ constexpr float ruler = 0.05f, keys = 0.5f;
 double distance_of(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
   double largest = 0;
   for (std::size_t v = 0; v < a.size(); ++v)
-    largest = std::max(largest, mesh::norm(mesh::operator-(a[v], b[v])));
+    largest = std::max(largest, mesh::norm(a[v] - b[v]));
   return largest;
 }
 

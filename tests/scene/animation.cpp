@@ -62,7 +62,7 @@ TEST_CASE("540_degrees_from_key_to_key_are_three_half_turns") {
 TEST_CASE("a_sheared_cage_with_a_whole_turn_from_key_to_key_goes_round") {
   Keyed k;
   deform::Pose sheared = turned_cube(0), turned;
-  for (auto& [x, y, z] : sheared.positions) x += 0.5 * y, y += 0.25 * z;
+  for (auto& p : sheared.positions) p[0] += 0.5 * p[1], p[1] += 0.25 * p[2];
   turned = sheared;
   turned.turns[0] = {0, 0, 2 * std::numbers::pi};
   const Animation a = k.animation(two_keys(sheared, turned));
@@ -70,11 +70,7 @@ TEST_CASE("a_sheared_cage_with_a_whole_turn_from_key_to_key_goes_round") {
     auto expected = sheared.positions;
     const double c = std::cos(degrees / 180 * std::numbers::pi),
                  s = std::sin(degrees / 180 * std::numbers::pi);
-    for (auto& [x, y, z] : expected) {
-      const double old = x;
-      x = c * old - s * y;
-      y = s * old + c * y;
-    }
+    for (auto& p : expected) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
     CHECK(distance(a.at(1 + degrees / 36).cage.positions, expected) < 1e-12);
   }
 }

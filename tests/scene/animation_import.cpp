@@ -66,7 +66,7 @@ double farthest(const deform::Pose& a, const deform::Pose& b) {
   REQUIRE(a.positions.size() == b.positions.size());
   double worst = 0;
   for (std::size_t v = 0; v < a.positions.size(); ++v)
-    worst = std::max(worst, mesh::norm(mesh::operator-(a.positions[v], b.positions[v])));
+    worst = std::max(worst, mesh::norm(a.positions[v] - b.positions[v]));
   return worst;
 }
 

@@ -105,7 +105,7 @@ TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
 TEST_CASE("points_of_a_list_are_read_one_by_one") {
   const json whole = {{"p", {{1, 2, 3}, {1, 2}, {1, "x", 3}, 7, {1, 2, -1e9}, {1, nullptr, 2}}}};
   const JsonReader list = JsonReader(whole, "f").at("p");
-  CHECK(list.point(0, 3) == std::array<double, 3>{1, 2, 3});
+  CHECK(list.point(0, 3) == mesh::Vec3{1, 2, 3});
   CHECK_FALSE(list.point(0, 2.9));
   CHECK(list.point(4, 1e9));
   for (const std::size_t i : {1, 2, 3, 5}) CHECK_FALSE(list.point(i, 1e9));

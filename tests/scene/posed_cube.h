@@ -14,11 +14,7 @@ namespace viete::test {
 inline deform::Pose turned_cube(double degrees) {
   deform::Pose pose{cube(1.5).positions, {{0, 0, degrees / 180 * std::numbers::pi}}};
   const double c = std::cos(pose.turns[0][2]), s = std::sin(pose.turns[0][2]);
-  for (auto& [x, y, z] : pose.positions) {
-    const double old = x;
-    x = c * old - s * y;
-    y = s * old + c * y;
-  }
+  for (auto& p : pose.positions) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
   return pose;
 }
 

@@ -129,7 +129,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
     for (const auto& way : ways) {
       CAPTURE(way.front());
       Document document = selected_cube();
-      for (auto& [x, y, z] : document.pose.positions) x += 0.4 * y - 0.3 * z, y += 0.5 * z;
+      for (auto& p : document.pose.positions) p[0] += 0.4 * p[1] - 0.3 * p[2], p[1] += 0.5 * p[2];
       document.pose.positions[3][2] += 0.7;
       const auto posed = document.pose.positions;
       const auto shown = [&] {  // as the frame does

@@ -246,7 +246,7 @@ TEST_CASE("a_whole_turn_of_a_posed_cage_is_counted_when_the_drag_ends") {
   Drag d(Tool::rotate, {}, {100, 0});
   d.drag->cancel(d.w.document);
   Document& document = d.w.document;
-  for (auto& [x, y, z] : document.pose.positions) x += 0.5 * y, z += 0.25 * x;
+  for (auto& p : document.pose.positions) p[0] += 0.5 * p[1], p[2] += 0.25 * p[0];
   const auto before = document.pose.turns;
   document.selection.select_all(8);
   for (const char* degrees : {"90", "270"}) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "mesh/formats/format.h"
 
 namespace viete::mesh {
 
@@ -15,8 +14,8 @@ struct Signature {
   std::string_view begins, what, advice;
 };
 
-// The advice export_it is put together where it is given: it names all formats.
-constexpr auto unpack = "unpack it first"sv, utf8 = "save it as UTF-8 or ASCII"sv, export_it = ""sv,
+constexpr auto unpack = "unpack it first"sv, utf8 = "save it as UTF-8 or ASCII"sv,
+               export_it = "export it as OBJ, PLY, OFF, STL or glTF from a program that opens it"sv,
                download = "download the file itself, not the page that shows it"sv;
 
 // Capitals and small letters are the same.
@@ -110,10 +109,7 @@ bool is_utf16_without_mark(std::string_view bytes) {
 }
 
 [[noreturn]] void refuse_as(const std::string& name, const Signature& is) {
-  throw base::Error(name, "this is " + std::string(is.what),
-                    is.advice == export_it
-                        ? "export it as " + format_names(holds_surface) + " from a program that opens it"
-                        : std::string(is.advice));
+  throw base::Error(name, "this is " + std::string(is.what), std::string(is.advice));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::S
   std::vector<std::uint32_t> order;
   for (const mesh::Point& p : cage.surface.positions) {
     const std::uint32_t v = tree.nearest(p);
-    if (taken[v] || mesh::norm(mesh::operator-(found.positions[v], p)) > near)
+    if (taken[v] || mesh::norm(found.positions[v] - p) > near)
       throw base::Error(file,
                         "at rest it is not the cage: no vertex of its own is at that of vertex " +
                             std::to_string(order.size()),
