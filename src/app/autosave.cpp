@@ -38,7 +38,7 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
   const scene::Document& document = workspace.document;
   const Moment now{workspace.opened,
                    document.history.revision(),
-                   workspace.saved.revision,
+                   workspace.saved.revision(),
                    document.revisions().method,
                    workspace.view,
                    document.model.unit,

@@ -21,7 +21,6 @@
 #include "bench/stitched.h"
 #include "bench/sym3.h"
 #include "bench/time.h"
-#include "mesh/formats/format.h"
 #include "sym3/kernel.h"
 
 namespace viete::app {
@@ -35,7 +34,7 @@ struct BenchOptions {
 };
 
 constexpr std::size_t paper_count = 10'000'000;
-constexpr std::int64_t most_matrices = 1'000'000'000;
+constexpr std::int64_t most_matrices = 1'000'000'000, most_vertices = 10'000'000;
 
 // Before the system stops the program for it. A matrix comes in and goes out, as nine doubles at most.
 void require_memory_for(std::size_t count) {
@@ -48,40 +47,6 @@ int report(const Bench& bench, const BenchOptions& options) {
   print(bench);
   bench::write_json(options.files.json, to_json(bench));
   if (!options.files.plot.empty()) base::replace_file(options.files.plot, bench::draw_plot(plot_of(bench)));
-  return exit_ok;
-}
-
-// Of the bundled model where no other is named.
-template <class Options>
-int run_on_model(Options& options, const BenchFiles& files, void (*run)(const Options&)) {
-  files.check({options.model, options.cage});
-  if (options.model.empty()) options.model = bundled_model().model;
-  options.json = files.json;
-  run(options);
-  return exit_ok;
-}
-
-int run_modes(bench::ModesOptions& options, const BenchFiles& files) {
-  FilesInUse inputs{options.model, options.cage};
-  for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
-  files.check(inputs);
-  if (options.model.empty()) {
-    const BundledModel bundled = bundled_model();
-    options.model = bundled.model, options.cage = bundled.cage, options.poses = bundled.poses;
-  }
-  options.json = files.json;
-  bench::bench_modes(options);
-  return exit_ok;
-}
-
-int run_stitched(bench::StitchedOptions& options, const BenchFiles& files) {
-  files.check({options.model, options.cage, options.pose});
-  if (options.model.empty()) {
-    const BundledModel bundled = bundled_model();
-    options.model = bundled.model, options.cage = bundled.cage, options.pose = bundled.poses.front();
-  }
-  options.json = files.json;
-  bench::bench_stitched(options);
   return exit_ok;
 }
 
@@ -110,173 +75,198 @@ int run_accuracy(const BenchOptions& options) {
   return exit_ok;
 }
 
+void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual) {
+  whole_in_range(app.add_option("--rounds", rounds, "Repetitions"), 1, 1000)->default_str(usual);
+}
+
+void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false) {
+  add_file_option(app, "--json", files.json, "Also write the numbers to this file");
+  if (has_plot) add_file_option(app, "--plot", files.plot, "Also draw them: an SVG file");
+  add_force_option(app, files.force);
+}
+
+// A benchmark of a model: what it is asked and what it writes.
+template <class Options>
+struct ModelBench {
+  Options options{};
+  BenchFiles files{};
+};
+
+// The last options, and what runs: `prepare` checks the files and takes the bundled model where none is
+// named; `check` completes what was asked, or refuses it.
+template <class Options, class Prepare>
+void finish(
+    CLI::App& command, Action& action, const std::shared_ptr<ModelBench<Options>>& bench,
+    void (*run)(const Options&), Prepare prepare, const std::function<void()>& check = [] {}) {
+  add_bench_files(command, bench->files);
+  command.callback([=, &action] {
+    check();
+    action = [=] {
+      prepare(bench->options, bench->files);
+      bench->options.json = bench->files.json;
+      run(bench->options);
+      return exit_ok;
+    };
+  });
+}
+
+CLI::Option* add_model(CLI::App& command, std::filesystem::path& model) {
+  return add_file_option(command, "MODEL", model, mesh::a_mesh())
+      ->default_str("the bundled dragon");
+}
+
 template <class Options>
 CLI::Option* add_model_and_cage(CLI::App& command, Options& options, const char* usual_cage) {
-  add_file_option(command, "MODEL", options.model, mesh::a_mesh())->default_str("the bundled dragon");
+  add_model(command, options.model);
   return add_file_option(command, "CAGE", options.cage, "Cage around it, at rest")->default_str(usual_cage);
 }
 
-void add_frame_bench(CLI::App& bench, Action& action) {
-  auto* command = bench.add_subcommand("frame", "A frame of a model: by path, cage and stage");
-  auto options = std::make_shared<bench::FrameOptions>();
-  auto files = std::make_shared<BenchFiles>();
-  auto* cage = add_model_and_cage(*command, *options, "some that are made, see --faces");
-  auto* counts = command->add_option("--count", options->counts,
-                                     "Vertices, several with commas; 200000 and 800000 subdivide");
+template <class Options>
+void prepare_model(Options& options, const BenchFiles& files) {
+  files.check({options.model, options.cage});
+  if (options.model.empty()) options.model = bundled_model().model;
+}
+
+void add_frame_bench(CLI::App& command, Action& action) {
+  auto bench = std::make_shared<ModelBench<bench::FrameOptions>>();
+  auto& options = bench->options;
+  auto* cage = add_model_and_cage(command, options, "some that are made, see --faces");
+  auto* counts = command.add_option("--count", options.counts,
+                                    "Vertices, several with commas; 200000 and 800000 subdivide");
   whole_in_range(counts, 1, most_vertices)->delimiter(',')->allow_extra_args(false)->default_str("all");
-  auto* faces = command->add_option("--faces", options->faces, "Cage triangles, several with commas");
+  auto* faces = command.add_option("--faces", options.faces, "Cage triangles, several with commas");
   whole_in_range(faces, 8, 10'000)
       ->delimiter(',')
       ->allow_extra_args(false)
       ->default_str("50,100,300,600")
       ->excludes(cage);
-  add_rounds_option(*command, options->rounds, "11");
-  auto* tolerance = command->add_option("--tolerance", options->tolerance, "Of compressed weights");
+  add_rounds_option(command, options.rounds, "11");
+  auto* tolerance = command.add_option("--tolerance", options.tolerance, "Of compressed weights");
   in_range(tolerance, 0, 0.1)->default_str("3e-5");
-  add_reach_option(*command, [options](double reach) { options->reach = reach; });
-  add_bench_files(*command, *files);
-  command->callback([options, files, &action] {
-    action = [options, files] { return run_on_model(*options, *files, bench::bench_frame); };
-  });
+  add_reach_option(command, [&options](double reach) { options.reach = reach; });
+  finish(command, action, bench, bench::bench_frame, prepare_model<bench::FrameOptions>);
 }
 
-void add_bind_bench(CLI::App& bench, Action& action) {
-  auto* command = bench.add_subcommand("bind", "Binding a model: time against plain loops, and memory");
-  auto options = std::make_shared<bench::BindOptions>();
-  auto files = std::make_shared<BenchFiles>();
-  auto* cage = add_model_and_cage(*command, *options, "one that is made, see --faces");
-  auto* count = command->add_option("--count", options->count, "Vertices at least, by subdivision");
+void add_bind_bench(CLI::App& command, Action& action) {
+  auto bench = std::make_shared<ModelBench<bench::BindOptions>>();
+  auto& options = bench->options;
+  auto* cage = add_model_and_cage(command, options, "one that is made, see --faces");
+  auto* count = command.add_option("--count", options.count, "Vertices at least, by subdivision");
   whole_in_range(count, 1, most_vertices)->default_str("all");
-  auto* faces = command->add_option("--faces", options->faces, "Cage triangles");
+  auto* faces = command.add_option("--faces", options.faces, "Cage triangles");
   whole_in_range(faces, 8, 10'000)->default_str("300")->excludes(cage);
-  add_rounds_option(*command, options->rounds, "5");
-  add_bench_files(*command, *files);
-  command->callback([options, files, &action] {
-    action = [options, files] { return run_on_model(*options, *files, bench::bench_bind); };
+  add_rounds_option(command, options.rounds, "5");
+  finish(command, action, bench, bench::bench_bind, prepare_model<bench::BindOptions>);
+}
+
+void add_files_bench(CLI::App& command, Action& action) {
+  auto bench = std::make_shared<ModelBench<bench::FilesOptions>>();
+  add_model(command, bench->options.model)->default_str("an OBJ of a million triangles");
+  add_rounds_option(command, bench->options.rounds, "5");
+  finish(command, action, bench, bench::bench_files,
+         [](const auto& options, const BenchFiles& files) { files.check({options.model}); });
+}
+
+void add_cage_bench(CLI::App& command, Action& action) {
+  auto bench = std::make_shared<ModelBench<bench::CageOptions>>();
+  add_model(command, bench->options.model);
+  finish(command, action, bench, bench::bench_cage, [](auto& options, const BenchFiles& files) {
+    files.check({options.model});
+    if (options.model.empty()) options.model = bundled_model().model;
   });
 }
 
-void add_files_bench(CLI::App& bench, Action& action) {
-  auto* command = bench.add_subcommand("files", "Reading and writing a model, beside OpenMesh's reader");
-  auto options = std::make_shared<bench::FilesOptions>();
-  auto files = std::make_shared<BenchFiles>();
-  add_file_option(*command, "MODEL", options->model, mesh::a_mesh())
-      ->default_str("an OBJ of a million triangles");
-  add_rounds_option(*command, options->rounds, "5");
-  add_bench_files(*command, *files);
-  command->callback([options, files, &action] {
-    action = [options, files] {
-      files->check({options->model});
-      options->json = files->json;
-      bench::bench_files(*options);
-      return exit_ok;
-    };
-  });
+void prepare_modes(bench::ModesOptions& options, const BenchFiles& files) {
+  FilesInUse inputs{options.model, options.cage};
+  for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
+  files.check(inputs);
+  if (!options.model.empty()) return;
+  const BundledModel bundled = bundled_model();
+  options.model = bundled.model, options.cage = bundled.cage, options.poses = bundled.poses;
 }
 
-void add_cage_bench(CLI::App& bench, Action& action) {
-  auto* command =
-      bench.add_subcommand("cage", "Cages made around a model, beside an offset that is decimated");
-  auto options = std::make_shared<bench::CageOptions>();
-  auto files = std::make_shared<BenchFiles>();
-  add_file_option(*command, "MODEL", options->model, mesh::a_mesh())->default_str("the bundled dragon");
-  add_bench_files(*command, *files);
-  command->callback([options, files, &action] {
-    action = [options, files] {
-      files->check({options->model});
-      if (options->model.empty()) options->model = bundled_model().model;
-      options->json = files->json;
-      bench::bench_cage(*options);
-      return exit_ok;
-    };
-  });
+void require_pose(const std::filesystem::path& model, const std::filesystem::path& cage, bool is_posed) {
+  if (!model.empty() && !is_posed) throw CLI::RequiredError(cage.empty() ? "CAGE" : "POSE");
 }
 
-void add_modes_bench(CLI::App& bench, Action& action) {
-  auto* command = bench.add_subcommand(
-      "modes", "Every way of blending, side by side: what it reproduces, how it distorts, what it costs");
-  auto options = std::make_shared<bench::ModesOptions>();
-  auto files = std::make_shared<BenchFiles>();
-  add_model_and_cage(*command, *options, "that of the dragon");
-  command->add_option("POSE", options->poses, "Posed cages, same vertices in the same order")
+void add_modes_bench(CLI::App& command, Action& action) {
+  auto bench = std::make_shared<ModelBench<bench::ModesOptions>>();
+  auto& options = bench->options;
+  auto& settings = options.settings;
+  add_model_and_cage(command, options, "that of the dragon");
+  command.add_option("POSE", options.poses, "Posed cages, same vertices in the same order")
       ->default_str("those of the dragon");
-  add_method_option(*command, [options](sym3::Method method) { options->settings.method = method; });
-  add_choice_options(*command, options->settings.choice, true);
-  add_weighting_options(*command, options->settings.weighting);
+  add_method_option(command, [&settings](sym3::Method method) { settings.method = method; });
+  add_choice_options(command, settings.choice, true);
+  add_weighting_options(command, settings.weighting);
   auto asked = std::make_shared<scene::AskedSettings>();
-  add_stitching_options(*command, *asked);
-  add_rounds_option(*command, options->settings.rounds, "11");
-  add_bench_files(*command, *files);
-  command->callback([options, files, asked, &action] {
-    options->settings.iterations = asked->iterations.value_or(0);
+  add_stitching_options(command, *asked);
+  add_rounds_option(command, settings.rounds, "11");
+  const auto check = [&options, asked] {
+    options.settings.iterations = asked->iterations.value_or(0);
     if ((asked->pins || asked->hold) && !asked->iterations)
       throw CLI::ValidationError(asked->pins ? "--pins" : "--hold",
                                  "only stitched models are held: add --stitched");
-    options->settings.holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
-    if (!options->model.empty() && options->poses.empty())
-      throw CLI::RequiredError(options->cage.empty() ? "CAGE" : "POSE");
-    action = [options, files] { return run_modes(*options, *files); };
-  });
+    options.settings.holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
+    require_pose(options.model, options.cage, !options.poses.empty());
+  };
+  finish(command, action, bench, bench::bench_modes, prepare_modes, check);
 }
 
-void add_stitched_bench(CLI::App& bench, Action& action) {
-  auto* command = bench.add_subcommand("stitched", "A frame of a stitched model, against a plain one");
-  auto options = std::make_shared<bench::StitchedOptions>();
-  auto files = std::make_shared<BenchFiles>();
-  add_model_and_cage(*command, *options, "that of the dragon");
-  add_file_option(*command, "POSE", options->pose, "Posed cage, same vertices in the same order")
+void add_stitched_bench(CLI::App& command, Action& action) {
+  auto bench = std::make_shared<ModelBench<bench::StitchedOptions>>();
+  auto& options = bench->options;
+  add_model_and_cage(command, options, "that of the dragon");
+  add_file_option(command, "POSE", options.pose, "Posed cage, same vertices in the same order")
       ->default_str("one of the dragon");
-  add_rounds_option(*command, options->rounds, "11");
-  add_bench_files(*command, *files);
-  command->callback([options, files, &action] {
-    if (!options->model.empty() && options->pose.empty())
-      throw CLI::RequiredError(options->cage.empty() ? "CAGE" : "POSE");
-    action = [options, files] { return run_stitched(*options, *files); };
+  add_rounds_option(command, options.rounds, "11");
+  const auto prepare = [](auto& o, const BenchFiles& files) {
+    files.check({o.model, o.cage, o.pose});
+    if (!o.model.empty()) return;
+    const BundledModel bundled = bundled_model();
+    o.model = bundled.model, o.cage = bundled.cage, o.pose = bundled.poses.front();
+  };
+  finish(command, action, bench, bench::bench_stitched, prepare,
+         [&options] { require_pose(options.model, options.cage, !options.pose.empty()); });
+}
+
+void add_time_bench(CLI::App& command, Action& action) {
+  auto bench = std::make_shared<ModelBench<bench::TimeOptions>>();
+  add_file_option(command, "SESSION", bench->options.session, "Session with a cage and keys")
+      ->default_str("the bundled dragon's loop");
+  add_rounds_option(command, bench->options.rounds, "11");
+  finish(command, action, bench, bench::bench_time, [](auto& options, const BenchFiles& files) {
+    files.check({options.session});
+    if (options.session.empty()) options.session = bundled_model().loop;
   });
 }
 
-void add_time_bench(CLI::App& bench, Action& action) {
-  auto* command = bench.add_subcommand(
-      "time", "Between keys, in log space and straight: volumes, and what a frame costs");
-  auto options = std::make_shared<bench::TimeOptions>();
-  auto files = std::make_shared<BenchFiles>();
-  add_file_option(*command, "SESSION", options->session, "Session with a cage and keys")
-      ->default_str("the bundled dragon's loop");
-  add_rounds_option(*command, options->rounds, "11");
-  add_bench_files(*command, *files);
-  command->callback([options, files, &action] {
-    action = [options, files] {
-      files->check({options->session});
-      if (options->session.empty()) options->session = bundled_model().loop;
-      options->json = files->json;
-      bench::bench_time(*options);
-      return exit_ok;
-    };
-  });
-}
+struct MatrixBench {
+  const char* name;
+  const char* text;
+  const char* count;
+  std::size_t usual_count;
+  std::int64_t most;
+  bool has_plot, has_float;
+  int (*run)(const BenchOptions&);
+};
+
+constexpr MatrixBench matrix_benches[] = {
+    {"exp", "Time of exp by method, layout and size", "Matrices", paper_count, most_matrices, true, true,
+     run_exp},
+    {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices", paper_count,
+     most_matrices, true, false, run_eigen},
+    {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row", 4096,
+     1'000'000, false, true, run_accuracy},
+    {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory", paper_count,
+     most_matrices, false, false, run_sym3}};
 
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("bench", "Measure speed and accuracy on this machine");
   command->require_subcommand(1);
-  const struct {
-    const char* name;
-    const char* text;
-    const char* count;
-    std::size_t usual_count;
-    std::int64_t most;
-    bool has_plot, has_float;
-    int (*run)(const BenchOptions&);
-  } benches[] = {{"exp", "Time of exp by method, layout and size", "Matrices", paper_count, most_matrices,
-                  true, true, run_exp},
-                 {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices",
-                  paper_count, most_matrices, true, false, run_eigen},
-                 {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row",
-                  4096, 1'000'000, false, true, run_accuracy},
-                 {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory",
-                  paper_count, most_matrices, false, false, run_sym3}};
-  for (const auto& bench : benches) {
+  for (const MatrixBench& bench : matrix_benches) {
     auto* sub = command->add_subcommand(bench.name, bench.text);
     auto options = std::make_shared<BenchOptions>();
     options->count = bench.usual_count;
@@ -292,13 +282,20 @@ void add_bench_command(CLI::App& app, Action& action) {
       };
     });
   }
-  add_frame_bench(*command, action);
-  add_bind_bench(*command, action);
-  add_files_bench(*command, action);
-  add_cage_bench(*command, action);
-  add_modes_bench(*command, action);
-  add_stitched_bench(*command, action);
-  add_time_bench(*command, action);
+  const struct {
+    const char* name;
+    const char* text;
+    void (*add)(CLI::App&, Action&);
+  } model_benches[] = {
+      {"frame", "A frame of a model: by path, cage and stage", add_frame_bench},
+      {"bind", "Binding a model: time against plain loops, and memory", add_bind_bench},
+      {"files", "Reading and writing a model, beside OpenMesh's reader", add_files_bench},
+      {"cage", "Cages made around a model, beside an offset that is decimated", add_cage_bench},
+      {"modes", "Every way of blending, side by side: what it reproduces, how it distorts, what it costs",
+       add_modes_bench},
+      {"stitched", "A frame of a stitched model, against a plain one", add_stitched_bench},
+      {"time", "Between keys, in log space and straight: volumes, and what a frame costs", add_time_bench}};
+  for (const auto& bench : model_benches) bench.add(*command->add_subcommand(bench.name, bench.text), action);
 }
 
 }  // namespace viete::app

@@ -31,38 +31,6 @@ struct CageOptions {
   bool force = false;
 };
 
-template <class Entries>
-std::vector<std::string> words_of(const Entries& entries) {
-  std::vector<std::string> words;
-  for (const auto& entry : entries) words.emplace_back(entry.name);
-  return words;
-}
-
-// "Kind of cage: automatic (follows ...), box (...)".
-template <class Entries>
-std::string sentence_of(std::string text, const Entries& entries) {
-  const char* mark = ": ";
-  for (const auto& entry : entries) {
-    text += mark + std::string(entry.name) + " (" + std::string(entry.text) + ")";
-    mark = ", ";
-  }
-  return text;
-}
-
-template <class Entries, class Value>
-void add_choice(CLI::App& app, const std::string& name, const std::string& text, const Entries& entries,
-                Value& value) {
-  auto* option = app.add_option_function<std::string>(
-      name,
-      [&value, entries](const std::string& word) {
-        for (const auto& entry : entries) {
-          if (entry.name == word) value = entry.value;
-        }
-      },
-      sentence_of(text, entries));
-  one_of(option, words_of(entries))->default_str(std::string(entries.front().name));
-}
-
 // "2x3x2".
 std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cells) {
   std::array<std::size_t, 3> read{};
@@ -161,7 +129,8 @@ void add_cage_command(CLI::App& app, Action& action) {
   add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
       ->required();
   add_force_option(*command, o->force);
-  add_choice(*command, "--kind", "What cage", cages::all_kinds(), wish.kind);
+  add_choice(*command, "--kind", "What cage", cages::all_kinds(), wish.kind)
+      ->default_str(std::string(cages::all_kinds().front().name));
   auto* triangles = command->add_option("--triangles", wish.triangles, "Size of the cage");
   whole_in_range(triangles, cages::least_triangles, cages::most_triangles)->default_str("200");
   const auto add_percent = [&](const std::string& name, const std::string& text, double& share, double low,
@@ -178,7 +147,8 @@ void add_cage_command(CLI::App& app, Action& action) {
               wish.gap, 0, cages::most_gap)
       ->default_str("0.5");
   add_choice(*command, "--symmetry", "About which plane the cage is symmetric", cages::all_symmetries(),
-             wish.symmetry);
+             wish.symmetry)
+      ->default_str(std::string(cages::all_symmetries().front().name));
   command->add_flag("--quads", wish.quads, "Pair triangles to quads where two make a good one");
   command
       ->add_option_function<std::string>(

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <tuple>
+#include <utility>
 
-#include "base/median.h"
+#include "app/method_probe.h"
 #include "sym3/reference.h"
 
 namespace viete::app {
@@ -13,32 +14,16 @@ namespace {
 
 constexpr std::size_t portion = 1024;
 
-scene::ErrorMapStats stats_of(std::vector<double> errors, sym3::Method method) {
-  scene::ErrorMapStats stats;
-  stats.method = method;
-  stats.vertices = errors.size();
-  if (errors.empty()) return stats;
-  const bool has_nan = std::any_of(errors.begin(), errors.end(), [](double e) { return std::isnan(e); });
-  if (has_nan) {
-    stats.worst = stats.median = std::numeric_limits<double>::quiet_NaN();
-    return stats;
-  }
-  stats.worst = *std::max_element(errors.begin(), errors.end());
-  stats.median = base::median(std::move(errors));
-  return stats;
-}
-
 // The decades up to the worst of all methods, on some of the matrices: the same ones whichever method runs.
 void fit_range(std::span<const sym3::Sym3<double>> matrices, scene::ErrorMapStats& stats) {
   constexpr std::size_t most = 4096;
   constexpr double floor = 1e-17, fewest_decades = 2;
-  const std::size_t count = std::min(matrices.size(), most);
-  std::vector<sym3::Sym3<double>> sample(count), computed(count);
-  for (std::size_t i = 0; i < count; ++i) sample[i] = matrices[i * matrices.size() / count];
+  const std::vector<sym3::Sym3<double>> sample = spread_sample(matrices, most);
+  std::vector<sym3::Sym3<double>> computed(sample.size());
   double worst = floor;
   for (const sym3::Method method : scene::compared_methods) {
     sym3::exp<double>(sample, computed, method);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < sample.size(); ++i) {
       const double error = sym3::relative_error(computed[i], sample[i]);
       worst = std::isnan(error) ? 1 : std::max(worst, error);
     }
@@ -66,7 +51,8 @@ ErrorMap error_map(std::span<const sym3::Sym3<double>> matrices, sym3::Method me
           std::isnan(error) ? 0.0F : static_cast<float>(std::log10(std::max(error, 1e-20)));
     }
   }
-  map.stats = stats_of(std::move(errors), method);
+  map.stats = {.vertices = errors.size(), .method = method};
+  std::tie(map.stats.worst, map.stats.median) = worst_and_median(std::move(errors));
   fit_range(matrices, map.stats);
   return map;
 }

@@ -54,10 +54,10 @@ void FindingMarks::collect(const scene::Workspace& w) {
 }
 
 bool FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_vertex, bool moved) {
-  const bool same = revision_ == w.checks.revision && dark_ == w.view.dark;
+  const bool same = revision_ == w.checks.revision() && dark_ == w.view.dark;
   if (same && (!moved || used_.empty())) return false;
   if (!same) collect(w);
-  revision_ = w.checks.revision;
+  revision_ = w.checks.revision();
   dark_ = w.view.dark;
   if (used_.empty()) {
     vertices_.set_positions({});

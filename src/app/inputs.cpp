@@ -25,17 +25,10 @@ void add_files(CLI::App& app, Inputs& inputs) {
   add_file_option(app, "--pose", inputs.pose, "Posed version of the cage, same vertices in the same order");
 }
 
-// Percent.
 void add_amount_option(CLI::App& app, const std::string& name, const std::string& what,
                        std::optional<double>& amount) {
-  app.add_option_function<double>(
-         name,
-         [&amount, name](double percent) {
-           amount = deform::amount_from_percent(percent);
-           if (!amount) throw CLI::ValidationError(name, "needs a number from 0 to 200");
-         },
-         "How much of the cage's " + what + " acts, in percent, 0 to 200: 0 leaves it out")
-      ->option_text("PERCENT")
+  add_percent_option(app, name, amount, deform::amount_from_percent, 200,
+                     "How much of the cage's " + what + " acts, in percent, 0 to 200: 0 leaves it out")
       ->default_str("100");
 }
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "scene/document/binding_plan.h"
 #include "deform/bind.h"
+#include "scene/document/binding_plan.h"
 
 namespace viete::app {
 

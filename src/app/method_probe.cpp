@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
-#include <vector>
+#include <tuple>
 
 #include "base/clock.h"
 #include "base/median.h"
@@ -22,25 +21,29 @@ using Matrix = sym3::Sym3<double>;
 
 scene::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
   std::vector<double> errors(matrices.size());
-  bool has_nan = false;
-  for (std::size_t i = 0; i < matrices.size(); ++i) {
+  for (std::size_t i = 0; i < matrices.size(); ++i)
     errors[i] = sym3::relative_error(computed[i], matrices[i]);
-    has_nan |= std::isnan(errors[i]);
-  }
   scene::MethodSample sample;
-  sample.worst_error = has_nan ? std::nan("") : *std::max_element(errors.begin(), errors.end());
-  sample.median_error = has_nan ? std::nan("") : base::median(std::move(errors));
-  return sample;
-}
-
-std::vector<Matrix> spread_sample(std::span<const Matrix> matrices) {
-  const std::size_t count = std::min(matrices.size(), probe_limit);
-  std::vector<Matrix> sample(count);
-  for (std::size_t i = 0; i < count; ++i) sample[i] = matrices[i * matrices.size() / count];
+  std::tie(sample.worst_error, sample.median_error) = worst_and_median(std::move(errors));
   return sample;
 }
 
 }  // namespace
+
+std::pair<double, double> worst_and_median(std::vector<double> errors) {
+  if (errors.empty()) return {0, 0};
+  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); }))
+    return {std::nan(""), std::nan("")};
+  const double worst = std::ranges::max(errors);
+  return {worst, base::median(std::move(errors))};
+}
+
+std::vector<Matrix> spread_sample(std::span<const Matrix> matrices, std::size_t most) {
+  const std::size_t count = std::min(matrices.size(), most);
+  std::vector<Matrix> sample(count);
+  for (std::size_t i = 0; i < count; ++i) sample[i] = matrices[i * matrices.size() / count];
+  return sample;
+}
 
 scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
   scene::MethodStats stats;
@@ -67,7 +70,8 @@ bool MethodProbe::ready() const {
 }
 
 void MethodProbe::offer(std::span<const Matrix> matrices) {
-  job_.start([sample = spread_sample(matrices)](base::Progress&) { return measure_methods(sample); });
+  job_.start(
+      [sample = spread_sample(matrices, probe_limit)](base::Progress&) { return measure_methods(sample); });
 }
 
 std::optional<scene::MethodStats> MethodProbe::poll() {

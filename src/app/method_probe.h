@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "base/background.h"
 #include "scene/workspace/frame_stats.h"
@@ -10,6 +12,12 @@
 namespace viete::app {
 
 inline constexpr std::size_t probe_limit = 2048;
+
+/// NaN where an error is; 0 of none.
+std::pair<double, double> worst_and_median(std::vector<double> errors);
+
+/// At most so many of the matrices, evenly spread.
+std::vector<sym3::Sym3<double>> spread_sample(std::span<const sym3::Sym3<double>> matrices, std::size_t most);
 
 /// Times and errors of all compared methods on these matrices: medians of interleaved runs in processor time,
 /// errors against the reference of 106 bits.

@@ -71,16 +71,6 @@ void add_force_option(CLI::App& app, bool& force) {
                "Also replace a file that is read, or one that holds something else than what is written");
 }
 
-void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual) {
-  whole_in_range(app.add_option("--rounds", rounds, "Repetitions"), 1, 1000)->default_str(usual);
-}
-
-void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot) {
-  add_file_option(app, "--json", files.json, "Also write the numbers to this file");
-  if (has_plot) add_file_option(app, "--plot", files.plot, "Also draw them: an SVG file");
-  add_force_option(app, files.force);
-}
-
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take) {
   std::vector<std::string> words;
   for (const sym3::Method m : scene::compared_methods) words.emplace_back(sym3::name(m));
@@ -90,34 +80,16 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
   one_of(option, words)->default_str("fast");
 }
 
-namespace {
-
-// Takes a name of the table.
-template <class Entry, class Choice>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, std::span<const Entry> table,
-                        std::optional<Choice>& choice, std::string text) {
-  std::vector<std::string> words;
-  for (const Entry& e : table) {
-    text += (words.empty() ? ": " : ", ") + std::string(e.name) + " (" + std::string(e.sentence) + ")";
-    words.emplace_back(e.name);
-  }
-  auto* option = app.add_option_function<std::string>(
-      name, [&choice, table](const std::string& word) { choice = deform::find_by_name(table, word); }, text);
-  return one_of(option, words);
-}
-
-}  // namespace
-
 CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way) {
-  return add_choice(app, "--way", deform::all_ways(), way, "How the cage moves the mesh")
+  return add_choice(app, "--way", "How the cage moves the mesh", deform::all_ways(), way)
       ->default_str("smooth");
 }
 
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice, bool with_blend) {
-  add_choice(app, "--elements", deform::all_elements(), choice.elements, "Which maps the cage carries");
-  add_choice(app, "--weights", deform::all_weights(), choice.weights, "How much of each a vertex takes");
+  add_choice(app, "--elements", "Which maps the cage carries", deform::all_elements(), choice.elements);
+  add_choice(app, "--weights", "How much of each a vertex takes", deform::all_weights(), choice.weights);
   if (with_blend)
-    add_choice(app, "--blend", deform::all_blends(), choice.blend, "What of the maps is summed");
+    add_choice(app, "--blend", "What of the maps is summed", deform::all_blends(), choice.blend);
 }
 
 CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take) {
@@ -161,21 +133,14 @@ void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked) {
       "Of cut-off weights: they always sum to 1, also where few elements reach; what none reaches stays");
 }
 
-namespace {
-
-void add_share_option(CLI::App& app, const char* name, std::optional<double>& share, const char* what) {
-  app.add_option_function<double>(
-         name,
-         [&share, name](double percent) {
-           share = deform::share_from_percent(percent);
-           if (!share) throw CLI::ValidationError(name, "needs a number from 0 to 100");
-         },
-         what)
-      ->option_text("PERCENT")
-      ->default_str("0");
+CLI::Option* add_percent_option(CLI::App& app, const std::string& name, std::optional<double>& value,
+                                std::optional<double> (*read)(double), int most, const std::string& text) {
+  const auto take = [=, &value](double percent) {
+    value = read(percent);
+    if (!value) throw CLI::ValidationError(name, "needs a number from 0 to " + std::to_string(most));
+  };
+  return app.add_option_function<double>(name, take, text)->option_text("PERCENT");
 }
-
-}  // namespace
 
 // The second option counts, where it is given.
 void add_stitching_options(CLI::App& app, scene::AskedSettings& asked) {
@@ -187,13 +152,15 @@ void add_stitching_options(CLI::App& app, scene::AskedSettings& asked) {
       "--iterations", [&iterations](int n) { iterations = n; },
       "Of --stitched: how often they are solved for, rotations being fitted anew in between");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
-  add_share_option(
-      app, "--pins", asked.pins,
+  add_percent_option(
+      app, "--pins", asked.pins, deform::share_from_percent, 100,
       "Of a stitched mesh: vertices so near to an element of the cage follow it, the nearer the more, in "
-      "percent of the cage's size");
-  add_share_option(
-      app, "--hold", asked.hold,
-      "Of a stitched mesh: how firmly every vertex is held where it would be if it was not stitched");
+      "percent of the cage's size")
+      ->default_str("0");
+  add_percent_option(
+      app, "--hold", asked.hold, deform::share_from_percent, 100,
+      "Of a stitched mesh: how firmly every vertex is held where it would be if it was not stitched")
+      ->default_str("0");
 }
 
 void add_binding_option(CLI::App& app, std::filesystem::path& file) {

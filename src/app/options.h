@@ -2,10 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,15 +28,26 @@ CLI::Option* in_range(CLI::Option* option, double low, double high);
 CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t high);
 /// Takes one of these words.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
+/// Takes a name of the table, whose sentences are in the help.
+template <class Entry, class Target>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string text,
+                        std::span<const Entry> table, Target& target) {
+  std::vector<std::string> words;
+  for (const Entry& e : table) {
+    text += (words.empty() ? ": " : ", ") + std::string(e.name) + " (" + std::string(e.sentence) + ")";
+    words.emplace_back(e.name);
+  }
+  const auto take = [&target, table](const std::string& word) {
+    target = std::ranges::find(table, word, &Entry::name)->value;
+  };
+  return one_of(app.add_option_function<std::string>(name, take, text), words);
+}
+
+/// Takes what `read` makes of a number from 0 to `most`.
+CLI::Option* add_percent_option(CLI::App& app, const std::string& name, std::optional<double>& value,
+                                std::optional<double> (*read)(double), int most, const std::string& text);
 /// --force, of a command that writes files, see check_output().
 void add_force_option(CLI::App& app, bool& force);
-
-/// --rounds, 1 to 1,000.
-void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual);
-/// Vertices of a benchmark's model, which is subdivided until it has so many.
-constexpr std::int64_t most_vertices = 10'000'000;
-/// --json, --force and, if asked for, --plot.
-void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 
 /// --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);

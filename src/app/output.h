@@ -22,7 +22,12 @@ struct BenchFiles {
   bool force = false;
 
   /// As check_output(); neither may be the other, nor one of `inputs`.
-  void check(const FilesInUse& inputs = {}) const;
+  void check(const FilesInUse& inputs = {}) const {
+    check_output(json, Content::json, inputs, force);
+    FilesInUse all = inputs;
+    all.add(json, "the numbers");
+    check_output(plot, Content::svg, all, force);
+  }
 };
 
 }  // namespace viete::app

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "app/bundled_loop.h"
 #include "app/file_desk.h"
 #include "app/first_motion.h"
 #include "app/state_folder.h"

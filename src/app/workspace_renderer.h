@@ -8,7 +8,7 @@
 
 #include "app/cage_marks.h"
 #include "app/finding_marks.h"
-#include "app/model_shading.h"
+#include "app/model_looks.h"
 #include "deform/frame_vertex.h"
 #include "render/backdrop.h"
 #include "render/disc_layer.h"

@@ -44,11 +44,11 @@ struct Wish {
 
 struct KindEntry {
   Kind value;
-  std::string_view name, text;
+  std::string_view name, sentence;
 };
 struct SymmetryEntry {
   Symmetry value;
-  std::string_view name, text;
+  std::string_view name, sentence;
 };
 std::span<const KindEntry> all_kinds();
 std::span<const SymmetryEntry> all_symmetries();

@@ -32,4 +32,31 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
   ImGui::EndCombo();
 }
 
+/// The same of a table of what is no command: what is chosen, where something is.
+template <class Entry, class Value = decltype(Entry::value)>
+std::optional<Value> entry_list(const Context& ui, const std::string& name, std::span<const Entry> table,
+                                Value now) {
+  const auto label = [](const Entry& e) {
+    if constexpr (requires { e.label; })
+      return e.label.data();
+    else
+      return e.name.data();
+  };
+  std::optional<Value> chosen;
+  const Entry& shown = entry(now);
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), label(shown));
+  record(ui, name);
+  if (!open) {
+    hint(std::string(shown.sentence));
+    return chosen;
+  }
+  for (const Entry& e : table) {
+    if (ImGui::Selectable(label(e), e.value == now)) chosen = e.value;
+    record(ui, name + '_' + std::string(e.name));
+    hint(std::string(e.sentence));
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
 }  // namespace viete::ui

@@ -108,11 +108,6 @@ private:
     painter_.line(points, c, 1.25f, false, 0.3f);
   }
 
-  static std::array<glm::vec2, 4> square(const glm::vec2& center, float half) {
-    return {center + glm::vec2(-half, -half), center + glm::vec2(half, -half), center + glm::vec2(half, half),
-            center + glm::vec2(-half, half)};
-  }
-
   static std::array<glm::vec2, 4> diamond(const glm::vec2& center, float half) {
     return {center + glm::vec2(0, -half), center + glm::vec2(half, 0), center + glm::vec2(0, half),
             center + glm::vec2(-half, 0)};

@@ -1,12 +1,12 @@
 // Marks on the model, and the length between two of them.
 #include <vector>
 
-#include "scene/workspace/measures.h"
 #include "scene/hand/picking.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/measures.h"
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
-#include "scene/hand/projector.h"
 
 namespace viete::ui {
 

@@ -2,6 +2,7 @@
 // background.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "ui/context.h"
@@ -13,6 +14,11 @@ ImU32 faded(ImU32 color, float opacity);
 
 inline ImVec2 vec(const glm::vec2& p) {
   return {p.x, p.y};
+}
+
+inline std::array<glm::vec2, 4> square(const glm::vec2& center, float half) {
+  return {center + glm::vec2(-half, -half), center + glm::vec2(half, -half), center + glm::vec2(half, half),
+          center + glm::vec2(-half, half)};
 }
 
 /// Draws into ImGui's background list, with edges as sharp as the screen's pixels at any scale.

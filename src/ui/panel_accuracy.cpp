@@ -54,7 +54,7 @@ void panel_accuracy(const Context& ui) {
               : measured ? "Of exp by " + method_label(w.document.method) + ", on " +
                                count(w.methods.matrices) + " matrices of this frame"
                          : " ");
-  command_toggle(ui, "toggle_error_map", w.view.error_map);
+  command_toggle(ui, "toggle_error_map");
 }
 
 }  // namespace viete::ui

@@ -104,18 +104,23 @@ void reach_slider(const Context& ui) {
   if (moved) scene::set_reach(document, reaches[static_cast<std::size_t>(stop)]);
 }
 
-constexpr std::array shown_radii = {0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};
+// A slider of these shares: the one that it was moved to.
+std::optional<double> share_slider(const Context& ui, const char* name, const char* label, double share,
+                                   std::span<const double> all, const char* hint_text) {
+  const auto above = std::ranges::lower_bound(all, share);
+  int stop = static_cast<int>(std::min(above, all.end() - 1) - all.begin());
+  const bool moved = stops(ui, name, label, stop, static_cast<int>(all.size()) - 1, true,
+                           scene::text_of_percent(share), hint_text);
+  return moved ? std::optional(all[static_cast<std::size_t>(stop)]) : std::nullopt;
+}
 
 void radius_slider(const Context& ui) {
+  constexpr std::array radii = {0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};
   scene::Document& document = ui.workspace.document;
-  const double radius = document.scheme.weighting.radius;
-  const auto above = std::ranges::lower_bound(shown_radii, radius);
-  int stop = static_cast<int>(std::min(above, shown_radii.end() - 1) - shown_radii.begin());
-  const bool moved = stops(ui, "radius", "Radius", stop, static_cast<int>(shown_radii.size()) - 1, true,
-                           scene::text_of_percent(radius),
-                           "Where weights end, in percent of the cage's size. What no element of the cage "
-                           "reaches stays at rest.");
-  if (moved) scene::set_radius(document, shown_radii[static_cast<std::size_t>(stop)]);
+  const auto radius = share_slider(ui, "radius", "Radius", document.scheme.weighting.radius, radii,
+                                   "Where weights end, in percent of the cage's size. What no element of the "
+                                   "cage reaches stays at rest.");
+  if (radius) scene::set_radius(document, *radius);
 }
 
 // With what else weights can be set by.
@@ -185,22 +190,14 @@ void holding(const Context& ui) {
   constexpr std::array weights = {0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
   scene::Document& document = ui.workspace.document;
   scene::Holding shown = document.scheme.holding;
-  const auto choose = [&](const char* name, const char* label, double& value, std::span<const double> all,
-                          const char* hint_text) {
-    const auto above = std::ranges::lower_bound(all, value);
-    int stop = static_cast<int>(std::min(above, all.end() - 1) - all.begin());
-    const bool moved = stops(ui, name, label, stop, static_cast<int>(all.size()) - 1, true,
-                             scene::text_of_percent(value), hint_text);
-    if (moved) value = all[static_cast<std::size_t>(stop)];
-    return moved;
-  };
-  const bool pins =
-      choose("pins", "Pins", shown.radius, radii,
-             "Vertices so near to an element of the cage follow it, the nearer the more, in percent "
-             "of the cage's size. 0 %: only the triangle that is nearest to each.");
-  const bool held =
-      choose("hold", "Hold", shown.weight, weights,
-             "How firmly every vertex is held where it would be if the model was not stitched.");
+  const auto pins =
+      share_slider(ui, "pins", "Pins", shown.radius, radii,
+                   "Vertices so near to an element of the cage follow it, the nearer the more, in percent "
+                   "of the cage's size. 0 %: only the triangle that is nearest to each.");
+  const auto held =
+      share_slider(ui, "hold", "Hold", shown.weight, weights,
+                   "How firmly every vertex is held where it would be if the model was not stitched.");
+  shown = {pins.value_or(shown.radius), held.value_or(shown.weight)};
   if (pins || held) scene::set_holding(document, shown);
 }
 

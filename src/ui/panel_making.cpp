@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/document/cage_making.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -71,20 +72,12 @@ void cells(const Context& ui, scene::CageWish& wish) {
   record(ui, "cage_own_axes");
 }
 
-template <class Entries, class Value>
-void choice(const Context& ui, const char* text, const std::string& name, const Entries& entries,
+template <class Entry, class Value>
+void choice(const Context& ui, const char* text, const std::string& name, std::span<const Entry> table,
             Value& value) {
   row_label(text, making_label);
   ImGui::SetNextItemWidth(-1);
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), scene::entry(value).name.data());
-  record(ui, name);
-  if (!open) return;
-  for (const auto& entry : entries) {
-    if (ImGui::Selectable(entry.name.data(), entry.value == value)) value = entry.value;
-    record(ui, name + '_' + std::string(entry.name));
-    hint(std::string(entry.text));
-  }
-  ImGui::EndCombo();
+  value = entry_list(ui, name, table, value).value_or(value);
 }
 
 }  // namespace

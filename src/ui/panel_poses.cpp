@@ -131,7 +131,7 @@ void mix_reach(const Context& ui) {
   if (!w.document.has_cage()) return;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   const float line = ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y;
-  command_toggle(ui, "toggle_mix_selected", w.handling.mix_selected);
+  command_toggle(ui, "toggle_mix_selected");
   const std::size_t selected = scene::selected_part(w.document).size();
   text_right(ui, right, selected == 0 ? "nothing is" : count(selected) + " vertices",
              w.handling.mix_selected && selected > 0 ? ui.colors.accent : ui.colors.faint, line);

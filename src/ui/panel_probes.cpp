@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/document/probes.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -12,25 +13,6 @@ namespace viete::ui {
 namespace {
 
 constexpr float probe_label = 76;
-
-template <class Entry>
-std::optional<decltype(Entry::value)> choose(const Context& ui, const std::string& name,
-                                             std::span<const Entry> table, const Entry& chosen) {
-  std::optional<decltype(Entry::value)> choice;
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), chosen.label.data());
-  record(ui, name);
-  if (!open) {
-    hint(std::string(chosen.sentence));
-    return choice;
-  }
-  for (const Entry& e : table) {
-    if (ImGui::Selectable(e.label.data(), e.value == chosen.value)) choice = e.value;
-    record(ui, name + '_' + std::string(e.name));
-    hint(std::string(e.sentence));
-  }
-  ImGui::EndCombo();
-  return choice;
-}
 
 // Percent of the model's diagonal, on a scale where small ones have room too; the value stands beside it.
 bool radius_slider(const Context& ui, const std::string& name, double& radius, bool used) {
@@ -63,7 +45,7 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
   const std::string prefix = std::string("probe_") + name;
   constexpr float falloff_width = 92;
   ImGui::SetNextItemWidth(falloff_width);
-  const auto falloff = choose(ui, prefix, scene::all_falloffs(), scene::entry(shown.falloff));
+  const auto falloff = entry_list(ui, prefix, scene::all_falloffs(), shown.falloff);
   ImGui::SameLine();
   const bool moved =
       radius_slider(ui, prefix + "_radius", shown.radius, shown.falloff != scene::Falloff::none);
@@ -75,7 +57,7 @@ void mix(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   row_label("Together", probe_label);
   ImGui::SetNextItemWidth(-1);
-  const auto chosen = choose(ui, "probe_mix", scene::all_probe_mixes(), scene::entry(document.probes.mix));
+  const auto chosen = entry_list(ui, "probe_mix", scene::all_probe_mixes(), document.probes.mix);
   if (chosen) scene::set_mix(document, *chosen);
 }
 

@@ -50,7 +50,7 @@ void panel_select(const Context& ui) {
   command_row(ui, {"select_all", "select_none", "invert_selection"});
   command_row(ui, {"select_more", "select_less", "save_set"});
   const float half = ImGui::GetCursorPosX() + 0.5f * ImGui::GetContentRegionAvail().x;
-  command_toggle(ui, "toggle_select_visible", ui.workspace.view.select_visible);
+  command_toggle(ui, "toggle_select_visible");
   if (!ui.workspace.document.groups.hidden.empty()) {
     ImGui::SameLine(half);
     command_button(ui, "show_hidden", -1);

@@ -1,12 +1,12 @@
 // The ways of the selected vertices of the cage through all keys: in log space, and in a straight line.
 #include <vector>
 
-#include "scene/workspace/motion_path.h"
 #include "scene/hand/picking.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/motion_path.h"
+#include "scene/workspace/playing.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
-#include "scene/hand/projector.h"
-#include "scene/workspace/playing.h"
 
 namespace viete::ui {
 

@@ -1,8 +1,8 @@
 // Probes in the view: frames with three axes, and how far the selected ones reach.
 #include <algorithm>
 
-#include "scene/hand/cursor_projection.h"
 #include "scene/document/probes.h"
+#include "scene/hand/cursor_projection.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 
@@ -47,9 +47,7 @@ void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Show
   axes(ui, painter, at, center, probe.pose, opacity);
   const ImU32 color = shown.selected ? ui.colors.highlight : ui.colors.neutral;
   if (shown.locked) {
-    const std::array corners = {middle + glm::vec2(-dot, -dot), middle + glm::vec2(dot, -dot),
-                                middle + glm::vec2(dot, dot), middle + glm::vec2(-dot, dot)};
-    painter.polygon(corners, color, opacity);
+    painter.polygon(square(middle, dot), color, opacity);
   } else {
     painter.disc(middle, dot, color, opacity);
   }

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "scene/document/elements.h"
+#include "scene/hand/placing.h"
 #include "scene/workspace/pointer.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
-#include "scene/hand/placing.h"
 
 namespace viete::ui {
 

@@ -219,10 +219,11 @@ void command_choice(const Context& ui, std::initializer_list<std::string_view> c
   }
 }
 
-void command_toggle(const Context& ui, std::string_view name, bool value) {
+void command_toggle(const Context& ui, std::string_view name, std::optional<bool> value) {
   const scene::Command& command = require(name);
+  bool on = value.value_or(command.on(ui.workspace));
   const std::string label = std::string(command.brief) + "##" + std::string(name);
-  if (ImGui::Checkbox(label.c_str(), &value)) command.run(ui.workspace);
+  if (ImGui::Checkbox(label.c_str(), &on)) command.run(ui.workspace);
   record(ui, std::string(name));
   hint(hint_of(ui, command));
 }

@@ -67,8 +67,8 @@ void command_button(const Context& ui, std::string_view command, float width = 0
 void command_row(const Context& ui, std::initializer_list<std::string_view> commands);
 /// The same for commands of which one is in force: that one is marked.
 void command_choice(const Context& ui, std::initializer_list<std::string_view> commands, std::size_t chosen);
-/// A checkbox that runs a toggling command.
-void command_toggle(const Context& ui, std::string_view command, bool value);
+/// A checkbox that runs a toggling command; without a value: of one that says itself whether it is on.
+void command_toggle(const Context& ui, std::string_view command, std::optional<bool> value = {});
 
 /// What a command does, its key, and why it cannot run now.
 std::string hint_of(const Context& ui, const scene::Command& command);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/bundled_loop.h"
 #include "deform/pose_io.h"
 #include "scene/document/edit.h"
 #include "scene/document/record.h"

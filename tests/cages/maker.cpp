@@ -81,10 +81,10 @@ TEST_CASE("a_single_point_or_nothing_gets_no_cage_but_a_clear_word") {
 TEST_CASE("all_choices_have_names_and_sentences") {
   for (const auto& entry : cages::all_kinds()) {
     CHECK(&cages::entry(entry.value) == &entry);
-    CHECK_FALSE(entry.text.empty());
+    CHECK_FALSE(entry.sentence.empty());
   }
   for (const auto& entry : cages::all_symmetries()) {
     CHECK(&cages::entry(entry.value) == &entry);
-    CHECK_FALSE(entry.text.empty());
+    CHECK_FALSE(entry.sentence.empty());
   }
 }

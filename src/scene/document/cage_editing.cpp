@@ -88,8 +88,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   document.replace_cage(std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
   document.groups = std::move(groups);
   if (kind == ElementKind::probe) return;
-  Selection made(ElementKind::vertex);
-  made.apply(edited.selection, SelectMode::replace);
+  const Selection made(ElementKind::vertex, edited.selection);
   document.selection = without_hidden(document, converted(*document.cage, made, kind));
 }
 

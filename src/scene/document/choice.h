@@ -15,7 +15,10 @@ struct Choice {
   std::string_view hint;   ///< one sentence
 };
 
-/// Of an enumeration that has choices(Value).
+/// Of an enumeration: each that is chosen from has its own beside it.
+template <class Value>
+std::span<const Choice> choices(Value) = delete;
+
 template <class Value>
 const Choice& entry_of(Value value) {
   return choices(value)[static_cast<std::size_t>(value)];

@@ -66,8 +66,7 @@ Selection ringed(const deform::Cage& cage, const Selection& selection) {
   for (std::uint32_t e = 0; e < cage.edges.size(); ++e) {
     if (wanted[rings.of(e)]) found.push_back(e);
   }
-  Selection edges(ElementKind::edge);
-  edges.apply(found, SelectMode::replace);
+  const Selection edges(ElementKind::edge, found);
   Selection all = selection;
   all.apply(kind == ElementKind::edge ? edges.indices() : selected_vertices(cage, edges), SelectMode::add);
   return all;

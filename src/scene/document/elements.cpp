@@ -24,9 +24,7 @@ Selection within(const deform::Cage& cage, ElementKind kind, const Marks& marks)
     if (std::all_of(vertices.begin(), vertices.end(), [&](auto v) { return marks[v] != 0; }))
       inside.push_back(i);
   }
-  Selection selection(kind);
-  selection.apply(inside, SelectMode::replace);
-  return selection;
+  return Selection(kind, inside);
 }
 
 }  // namespace

@@ -75,19 +75,11 @@ DocumentState History::drop_last() {
   return before;
 }
 
-DocumentState History::undo(DocumentState now) {
+DocumentState History::step(std::vector<Entry>& from, std::vector<Entry>& to, DocumentState now) {
   ++revision_;
-  Entry entry = std::move(undo_.back());
-  undo_.pop_back();
-  redo_.push_back({entry.label, std::move(now), entry.step, entry.number});
-  return std::move(entry.state);
-}
-
-DocumentState History::redo(DocumentState now) {
-  ++revision_;
-  Entry entry = std::move(redo_.back());
-  redo_.pop_back();
-  undo_.push_back({entry.label, std::move(now), entry.step, entry.number});
+  Entry entry = std::move(from.back());
+  from.pop_back();
+  to.push_back({entry.label, std::move(now), entry.step, entry.number});
   return std::move(entry.state);
 }
 

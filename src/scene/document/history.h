@@ -60,9 +60,9 @@ public:
   unsigned long revision() const { return revision_; }
 
   /// Gives the state before the last edit and keeps `now` for redo. Requires can_undo().
-  DocumentState undo(DocumentState now);
+  DocumentState undo(DocumentState now) { return step(undo_, redo_, std::move(now)); }
   /// The reverse. Requires can_redo().
-  DocumentState redo(DocumentState now);
+  DocumentState redo(DocumentState now) { return step(redo_, undo_, std::move(now)); }
 
 private:
   void push(std::string label, DocumentState before, EditStep step);
@@ -76,6 +76,9 @@ private:
 
     bool of_selection() const { return step.kind == EditKind::selection; }  // alone
   };
+  /// The last one of `from` is given, and `now` is kept in the other.
+  DocumentState step(std::vector<Entry>& from, std::vector<Entry>& to, DocumentState now);
+
   std::vector<Entry> undo_, redo_;
   std::vector<Entry> given_up_;  // what could be repeated before the last edit
   unsigned long revision_ = 0, recorded_ = 0;

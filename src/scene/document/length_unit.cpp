@@ -16,32 +16,17 @@ constexpr LengthUnitEntry units[] = {{"none", "units that are not known", 1},
                                      {"in", "inches", 0.0254},
                                      {"ft", "feet", 0.3048}};
 
-struct Spelling {
-  std::string_view word;
+struct Spellings {
+  std::string_view words;  // with a blank before and after each
   LengthUnit unit;
 };
 
-constexpr Spelling spellings[] = {{"mm", LengthUnit::millimetre},
-                                  {"millimeter", LengthUnit::millimetre},
-                                  {"millimeters", LengthUnit::millimetre},
-                                  {"millimetre", LengthUnit::millimetre},
-                                  {"millimetres", LengthUnit::millimetre},
-                                  {"cm", LengthUnit::centimetre},
-                                  {"centimeter", LengthUnit::centimetre},
-                                  {"centimeters", LengthUnit::centimetre},
-                                  {"centimetre", LengthUnit::centimetre},
-                                  {"centimetres", LengthUnit::centimetre},
-                                  {"m", LengthUnit::metre},
-                                  {"meter", LengthUnit::metre},
-                                  {"meters", LengthUnit::metre},
-                                  {"metre", LengthUnit::metre},
-                                  {"metres", LengthUnit::metre},
-                                  {"in", LengthUnit::inch},
-                                  {"inch", LengthUnit::inch},
-                                  {"inches", LengthUnit::inch},
-                                  {"ft", LengthUnit::foot},
-                                  {"foot", LengthUnit::foot},
-                                  {"feet", LengthUnit::foot}};
+constexpr Spellings spellings[] = {
+    {" mm millimeter millimeters millimetre millimetres ", LengthUnit::millimetre},
+    {" cm centimeter centimeters centimetre centimetres ", LengthUnit::centimetre},
+    {" m meter meters metre metres ", LengthUnit::metre},
+    {" in inch inches ", LengthUnit::inch},
+    {" ft foot feet ", LengthUnit::foot}};
 
 // In lower case; a point within a number belongs to it.
 std::vector<std::string> words_of(std::string_view text) {
@@ -66,7 +51,8 @@ bool is_filler(const std::string& word) {
 }
 
 LengthUnit unit_of_word(const std::string& word) {
-  const auto found = std::ranges::find(spellings, word, &Spelling::word);
+  const auto found = std::ranges::find_if(
+      spellings, [&](const Spellings& s) { return s.words.find(' ' + word + ' ') != s.words.npos; });
   return found == std::end(spellings) ? LengthUnit::unknown : found->unit;
 }
 

@@ -52,8 +52,7 @@ void change_selected(Document& document, const std::string& name, const Change& 
 void select(Document& document, std::size_t first, std::size_t end) {
   std::vector<std::uint32_t> added;
   for (std::size_t i = first; i < end; ++i) added.push_back(static_cast<std::uint32_t>(i));
-  document.selection = Selection(ElementKind::probe);
-  document.selection.apply(added, SelectMode::replace);
+  document.selection = Selection(ElementKind::probe, added);
 }
 
 // What is drawn there, at rest: as far from the nearest vertex.

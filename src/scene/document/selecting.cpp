@@ -26,9 +26,7 @@ Selection those_of(const deform::Cage& cage, ElementKind kind, const Holds& hold
   for (std::uint32_t i = 0; i < element_count(cage, kind); ++i) {
     if (holds(i)) found.push_back(i);
   }
-  Selection selection(kind);
-  selection.apply(found, SelectMode::replace);
-  return selection;
+  return Selection(kind, found);
 }
 
 template <class Holds>

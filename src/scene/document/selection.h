@@ -18,7 +18,10 @@ enum class ElementKind { vertex, edge, face, probe };
 class Selection {
 public:
   Selection() = default;
-  explicit Selection(ElementKind kind) : kind_(kind) {}
+  /// picked must be ascending.
+  explicit Selection(ElementKind kind, std::span<const std::uint32_t> picked = {}) : kind_(kind) {
+    apply(picked, SelectMode::replace);
+  }
 
   ElementKind kind() const { return kind_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }

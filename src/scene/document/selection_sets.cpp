@@ -74,15 +74,13 @@ std::vector<std::uint32_t> without_hidden(const Document& document, std::vector<
 }
 
 void hide_selected(Document& document) {
-  Selection hidden;
-  hidden.apply(document.groups.hidden, SelectMode::replace);
+  Selection hidden(ElementKind::vertex, document.groups.hidden);
   hidden.apply(selected_vertices(*document.cage, document.selection), SelectMode::add);
   put_hidden(document, hidden.indices(), "hide");
 }
 
 void hide_others(Document& document) {
-  Selection hidden;
-  hidden.apply(selected_vertices(*document.cage, document.selection), SelectMode::replace);
+  Selection hidden(ElementKind::vertex, selected_vertices(*document.cage, document.selection));
   hidden.invert(document.cage->surface.positions.size());
   put_hidden(document, hidden.indices(), "hide others");
 }
@@ -99,8 +97,7 @@ void save_set(Document& document) {
 
 void select_set(Document& document, std::size_t set, SelectMode mode) {
   const NamedSet& named = document.groups.sets[set];
-  Selection vertices;
-  vertices.apply(named.vertices, SelectMode::replace);
+  const Selection vertices(ElementKind::vertex, named.vertices);
   const Selection elements = converted(*document.cage, vertices, named.kind);
   Selection now = mode == SelectMode::replace || document.selection.kind() == ElementKind::probe
                       ? Selection(named.kind)

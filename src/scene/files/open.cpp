@@ -214,8 +214,7 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   if (!has_pose) pose_by_keys(document);
   if (document.is_movable()) {
     fit_selection(session, document, file);
-    document.selection = Selection(session.selecting);
-    document.selection.apply(session.selection, SelectMode::replace);
+    document.selection = Selection(session.selecting, session.selection);
     document.groups = fit_groups(session, document, file);
     document.selection = without_hidden(document, document.selection);
   }

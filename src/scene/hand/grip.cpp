@@ -46,11 +46,12 @@ std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const Mirror& mirro
   return all;
 }
 
-mesh::Point moved(const PointMotion& motion, const glm::dvec3& pivot, Side side, const cages::Plane& plane,
-                  const mesh::Point& p) {
-  if (side == Side::own) return motion(p, pivot);
+// Where a point of this side goes by what moves points of its own.
+template <class Motion>
+mesh::Point moved(const Motion& motion, Side side, const cages::Plane& plane, const mesh::Point& p) {
+  if (side == Side::own) return motion(p);
   const mesh::Point from = side == Side::other ? reflected(plane, p) : p;
-  const mesh::Vec3 way = motion(from, pivot) - from;
+  const mesh::Vec3 way = motion(from) - from;
   if (side == Side::other) return p + reflected_direction(plane, way);
   return p + 0.5 * (way + reflected_direction(plane, way));
 }
@@ -90,11 +91,7 @@ mesh::Point shaped_on_its_side(const Grip& grip, std::size_t i, double amount, c
   if (!grip.shaping.ways.empty()) return p + g.share * amount * grip.shaping.ways[i];
   // Of a factor 1 is nothing; of an angle 0.
   const double own = grip.shaping.shape == Shape::taper ? 1 + g.share * (amount - 1) : g.share * amount;
-  if (g.side == Side::own) return shaped(grip.shaping, own, p);
-  const mesh::Point start = g.side == Side::other ? reflected(grip.plane, p) : p;
-  const mesh::Vec3 way = shaped(grip.shaping, own, start) - start;
-  if (g.side == Side::other) return p + reflected_direction(grip.plane, way);
-  return p + 0.5 * (way + reflected_direction(grip.plane, way));
+  return moved([&](const mesh::Point& at) { return shaped(grip.shaping, own, at); }, g.side, grip.plane, p);
 }
 
 }  // namespace
@@ -114,7 +111,8 @@ void apply(const Transform& transform, const Grip& grip, std::span<const mesh::P
   PointMotion motion(transform);
   for (const Gripped& g : grip.vertices) {
     if (g.share != share) motion = PointMotion(share_of(transform, share = g.share));
-    to[g.vertex] = moved(motion, grip.anchor.pivots[g.pivot], g.side, grip.plane, from[g.vertex]);
+    const auto about_pivot = [&](const mesh::Point& at) { return motion(at, grip.anchor.pivots[g.pivot]); };
+    to[g.vertex] = moved(about_pivot, g.side, grip.plane, from[g.vertex]);
   }
 }
 

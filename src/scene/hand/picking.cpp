@@ -167,8 +167,7 @@ std::vector<std::uint32_t> pick_within(const Document& document, const Camera& c
     if (at && inside(glm::vec2(*at))) found.push_back(i);
   }
   if (kind == ElementKind::probe || !document.has_cage()) return found;
-  Selection vertices;
-  vertices.apply(found, SelectMode::replace);
+  const Selection vertices(ElementKind::vertex, found);
   found = without_hidden(document, converted(*document.cage, vertices, kind)).indices();
   if (sight) {
     std::erase_if(found, [&](auto i) {

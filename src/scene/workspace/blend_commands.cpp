@@ -42,13 +42,12 @@ void add_blend_commands(CommandTable& table) {
   add_table(table, deform::all_elements(), "Elements");
   add_table(table, deform::all_weights(), "Weights");
   add_table(table, deform::all_blends(), "Blend");
-  table
-      .add("toggle_stitched", {"Stitch the model (ARAP)", "Stitched (ARAP)"},
-           "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are "
-           "solved for. Details keep their shape; a frame takes longer.",
-           with_free_hand<has_maps>,
-           [](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); })
-      .shown_as([](const Workspace& w) { return w.document.scheme.stitched(); });
+  table.add("toggle_stitched", {"Stitch the model (ARAP)", "Stitched (ARAP)"},
+            "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are "
+            "solved for. Details keep their shape; a frame takes longer.",
+            with_free_hand<has_maps>,
+            {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
+             [](const Workspace& w) { return w.document.scheme.stitched(); }});
   table.add("toggle_clamp", "No negative weights",
             "Weights below 0 become 0, and what they took from the others with them.",
             with_free_hand<has_clamp>, toggle_weighting<&deform::Weighting::clamp>);
@@ -66,19 +65,15 @@ void add_blend_commands(CommandTable& table) {
             {key('K'), false, true}, with_free_hand<has_reach>,
             [](Workspace& w) { step_reach(w.document, 1); });
   table.heading("Method");
-  table
-      .add("toggle_same_path", "Compare on the same path",
-           "Run Fast link by link in double, too, as the other methods run, so that times compare like with "
-           "like; else its frame is fused, in float.",
-           uses_method, toggle<&ViewOptions::same_path>)
-      .shown_as(shown<&ViewOptions::same_path>);
+  table.add("toggle_same_path", "Compare on the same path",
+            "Run Fast link by link in double, too, as the other methods run, so that times compare like with "
+            "like; else its frame is fused, in float.",
+            uses_method, switches(&ViewOptions::same_path));
   table.add("run_benchmark", {"Measure every method", "Measure"},
             "Measure every method on random matrices, beside the view.", is_not_measuring,
             [](Workspace& w) { w.requests.run_benchmark = true; });
-  table
-      .add("stop_benchmark", {"Stop measuring", "Cancel"}, "Stop measuring; what was measured before stays.",
-           is_measuring, [](Workspace& w) { w.requests.stop_benchmark = true; })
-      .while_it_can();
+  table.add("stop_benchmark", {"Stop measuring", "Cancel"}, "Stop measuring; what was measured before stays.",
+            is_measuring, passing([](Workspace& w) { w.requests.stop_benchmark = true; }));
 }
 
 }  // namespace viete::scene

@@ -89,32 +89,25 @@ void add_cage_commands(CommandTable& table) {
             "Make a cage around the model whose vertices all have their image in the mirror; Cancel brings "
             "the old one back.",
             lacks_pairs, make_symmetric_cage);
-  table
-      .add("finish_cage", {"Keep the made cage", "Done"},
-           "Keep this cage; a preview is made with all care first.", is_wishing,
-           [](Workspace& w) { w.making.closing = true; })
-      .while_it_can();
-  table
-      .add("cancel_cage", {"Take the made cage back", "Cancel"}, "Take the cage back that was made here.",
-           is_making,
-           [](Workspace& w) {
-             cancel_making(w.document, w.making);
-             w.interaction.hovered.reset();
-           })
-      .while_it_can();
-  table
-      .add("hide_cage_offer", {"Hide the offer about the cage", "Not now"},
-           "Go on without it; the panels Cage and Checks still offer it.", has_model,
-           [](Workspace& w) {
-             w.offer_cage = false;
-             if (has_outside(w)) put_badge_away(w.checks);
-           })
-      .while_it_can();
-  table
-      .add("edit_cage", "Edit cage",
-           "Change the cage itself, which is shown at rest; the pose is carried along.", {Key::tab},
-           can_edit_cage, change_cage<switch_cage_editing>)
-      .shown_as([](const Workspace& w) { return w.document.kept_pose.has_value(); });
+  table.add("finish_cage", {"Keep the made cage", "Done"},
+            "Keep this cage; a preview is made with all care first.", is_wishing,
+            passing([](Workspace& w) { w.making.closing = true; }));
+  table.add("cancel_cage", {"Take the made cage back", "Cancel"}, "Take the cage back that was made here.",
+            is_making, passing([](Workspace& w) {
+              cancel_making(w.document, w.making);
+              w.interaction.hovered.reset();
+            }));
+  table.add("hide_cage_offer", {"Hide the offer about the cage", "Not now"},
+            "Go on without it; the panels Cage and Checks still offer it.", has_model,
+            passing([](Workspace& w) {
+              w.offer_cage = false;
+              if (has_outside(w)) put_badge_away(w.checks);
+            }));
+  table.add("edit_cage", "Edit cage",
+            "Change the cage itself, which is shown at rest; the pose is carried along.", {Key::tab},
+            can_edit_cage, {change_cage<switch_cage_editing>, [](const Workspace& w) {
+                              return w.document.kept_pose.has_value();
+                            }});
   table.add("split_edges", {"Split edges", "Split"}, "A new vertex in the middle of each selected edge.",
             has_cage_selected, change_cage<split_selected>);
   table.add("cut_faces", {"Cut faces", "Cut"}, "A new vertex in the middle of each selected face.",
@@ -139,12 +132,10 @@ void add_cage_commands(CommandTable& table) {
   table.add("snap_outside", {"Snap cage out of the model", "Snap out"},
             "Bring selected vertices that are within the model, or touch it, out by the shortest way.",
             has_cage_selected, change_cage<snap_and_say>);
-  table
-      .add("show_outside", {"Show what is outside of the cage", "Show them"},
-           "Highlight the vertices of the model that are outside, or hide them again; Checks steps through "
-           "them.",
-           has_outside, [](Workspace& w) { toggle_finding(w, *outside_finding(w.checks)); })
-      .while_it_can();
+  table.add("show_outside", {"Show what is outside of the cage", "Show them"},
+            "Highlight the vertices of the model that are outside, or hide them again; Checks steps through "
+            "them.",
+            has_outside, passing([](Workspace& w) { toggle_finding(w, *outside_finding(w.checks)); }));
   table.add("enclose_model", {"Enclose the model", "Enclose"},
             "Move the cage outward where vertices of the model are outside.", can_edit_cage,
             change_cage<enclose_and_say>);

@@ -34,10 +34,8 @@ void forget_findings(CheckState& checks) {
 
 void take_findings(CheckState& checks, std::vector<Finding> findings) {
   checks.findings = std::move(findings);
-  checks.shown.reset();
-  checks.element.reset();
+  checks.show(std::nullopt);
   checks.fresh = true;
-  ++checks.revision;
   show_badge(checks);
 }
 

@@ -33,10 +33,18 @@ struct CheckState {
   std::vector<Finding> findings;
   std::optional<std::size_t> shown;    ///< a finding, highlighted in the view
   std::optional<std::size_t> element;  ///< one element of it; nothing: all
-  unsigned long revision = 0;          ///< grows with each change of findings or of what is shown
   bool fresh = false;                  ///< the findings have not been on screen yet
   std::optional<CheckBadge> badge;
   std::vector<FoundKind> put_away;  ///< of which no badge is wanted for this model and cage
+
+  void show(std::optional<std::size_t> finding, std::optional<std::size_t> one = {}) {
+    shown = finding, element = one, ++revision_;
+  }
+  /// Grows with each change of findings or of what is shown.
+  unsigned long revision() const { return revision_; }
+
+private:
+  unsigned long revision_ = 0;
 };
 
 /// Nothing is known any more, as when the cage is another one.

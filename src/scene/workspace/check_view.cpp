@@ -29,9 +29,7 @@ void widen(std::vector<glm::vec3>& points) {
 void toggle_finding(Workspace& workspace, std::size_t index) {
   CheckState& checks = workspace.checks;
   const bool hide = checks.shown == index;
-  checks.shown = hide ? std::nullopt : std::optional(index);
-  checks.element.reset();
-  ++checks.revision;
+  checks.show(hide ? std::nullopt : std::optional(index));
   workspace.requests.frame_finding = !hide;
 }
 
@@ -40,8 +38,7 @@ void step_element(Workspace& workspace, int step) {
   if (!checks.shown) return;
   const std::size_t n = checks.findings[*checks.shown].size();
   const std::size_t first = step > 0 ? 0 : n - 1;
-  checks.element = checks.element ? (*checks.element + (step > 0 ? 1 : n - 1)) % n : first;
-  ++checks.revision;
+  checks.show(checks.shown, checks.element ? (*checks.element + (step > 0 ? 1 : n - 1)) % n : first);
   workspace.requests.frame_finding = true;
 }
 

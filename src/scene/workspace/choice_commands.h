@@ -13,51 +13,40 @@
 
 namespace viete::scene {
 
-// What the names of these commands begin with.
-constexpr const char* prefix_of(deform::Way) {
-  return "way_";
-}
-constexpr const char* prefix_of(deform::Elements) {
-  return "elements_";
-}
-constexpr const char* prefix_of(deform::Weights) {
-  return "weights_";
-}
-constexpr const char* prefix_of(deform::Blend) {
-  return "blend_";
-}
-constexpr const char* prefix_of(Pivot) {
-  return "pivot_";
-}
-constexpr const char* prefix_of(Axes) {
-  return "axes_";
-}
-constexpr const char* prefix_of(MirrorPlane) {
-  return "mirror_";
-}
-constexpr const char* prefix_of(SoftCurve) {
-  return "soft_";
-}
-constexpr const char* prefix_of(SoftDistance) {
-  return "soft_";
-}
-constexpr const char* prefix_of(Repeat) {
-  return "repeat_";
-}
-constexpr const char* prefix_of(Easing) {
-  return "easing_";
-}
-constexpr const char* prefix_of(Shading) {
-  return "shading_";
-}
-constexpr const char* prefix_of(KeyPreset) {
-  return "keys_";
-}
+/// What the names of these commands begin with.
+template <class Value>
+inline constexpr const char* choice_prefix = nullptr;
+template <>
+inline constexpr const char* choice_prefix<deform::Way> = "way_";
+template <>
+inline constexpr const char* choice_prefix<deform::Elements> = "elements_";
+template <>
+inline constexpr const char* choice_prefix<deform::Weights> = "weights_";
+template <>
+inline constexpr const char* choice_prefix<deform::Blend> = "blend_";
+template <>
+inline constexpr const char* choice_prefix<Pivot> = "pivot_";
+template <>
+inline constexpr const char* choice_prefix<Axes> = "axes_";
+template <>
+inline constexpr const char* choice_prefix<MirrorPlane> = "mirror_";
+template <>
+inline constexpr const char* choice_prefix<SoftCurve> = "soft_";
+template <>
+inline constexpr const char* choice_prefix<SoftDistance> = "soft_";
+template <>
+inline constexpr const char* choice_prefix<Repeat> = "repeat_";
+template <>
+inline constexpr const char* choice_prefix<Easing> = "easing_";
+template <>
+inline constexpr const char* choice_prefix<Shading> = "shading_";
+template <>
+inline constexpr const char* choice_prefix<KeyPreset> = "keys_";
 
 /// "way_paper", "pivot_median": of the command that chooses it.
 template <class Value>
 std::string choice_command_name(Value value) {
-  std::string name = prefix_of(value);
+  std::string name = choice_prefix<Value>;
   if constexpr (requires { choices(value); }) {
     name += entry_of(value).word;
   } else {

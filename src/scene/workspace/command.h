@@ -1,6 +1,7 @@
 // A command: what a user can do by name. The table of all is made in commands.cpp.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <span>
 #include <string>
@@ -30,18 +31,33 @@ struct Label {
   std::string words, brief;
 };
 
-struct Command {
+/// What a command does.
+struct Effect {
+  template <std::invocable<Workspace&> Run>
+  Effect(Run run) : run(std::move(run)) {}
+  /// Of one that switches something, which says whether that is on.
+  Effect(std::function<void(Workspace&)> run, std::function<bool(const Workspace&)> is_on)
+      : run(std::move(run)), is_on(std::move(is_on)) {}
+
+  std::function<void(Workspace&)> run;
+  std::function<bool(const Workspace&)> is_on{};
+  bool passing = false;  ///< it answers something that comes and goes (Cancel, Later): shown while it can run
+};
+
+inline Effect passing(Effect effect) {
+  effect.passing = true;
+  return effect;
+}
+
+struct Command : Effect {
   std::string name;   ///< stable, for scripts and tests: "undo"
   std::string label;  ///< "Look from the front"
   std::string brief;  ///< "Front", under "Look from"
   std::string hint;   ///< one sentence: what it does
   Condition enabled;
-  std::function<void(Workspace&)> run;
   std::string_view group{};  ///< heading in the help
   Shortcut shortcut{}, alternative{};
-  std::string_view submenu{};                 ///< where commands of one choice share one
-  bool (*is_on)(const Workspace&) = nullptr;  ///< of one that switches something
-  bool passing = false;  ///< it answers something that comes and goes (Cancel, Later): shown while it can run
+  std::string_view submenu{};  ///< where commands of one choice share one
 
   bool on(const Workspace& workspace) const { return is_on && is_on(workspace); }
 
@@ -52,14 +68,6 @@ struct Command {
   }
   Command& under(std::string_view menu) {
     submenu = menu;
-    return *this;
-  }
-  Command& shown_as(bool (*of)(const Workspace&)) {
-    is_on = of;
-    return *this;
-  }
-  Command& while_it_can() {
-    passing = true;
     return *this;
   }
 };

@@ -146,13 +146,11 @@ inline constexpr Condition has_posed_selection{
     },
     "Nothing that is selected has moved."};
 
-template <bool ViewOptions::*Option>
-void toggle(Workspace& w) {
-  w.view.*Option = !(w.view.*Option);
-}
-template <bool ViewOptions::*Option>
-bool shown(const Workspace& w) {
-  return w.view.*Option;
+/// Switches something of the view, or of another part.
+template <class Part = ViewOptions>
+Effect switches(bool Part::*option, Part Workspace::*part = &Workspace::view) {
+  return {[=](Workspace& w) { w.*part.*option = !(w.*part.*option); },
+          [=](const Workspace& w) { return w.*part.*option; }};
 }
 
 }  // namespace viete::scene

@@ -16,21 +16,20 @@ public:
   void heading(std::string_view group) { group_ = group; }
 
   /// What else a row carries is said behind it: valid until the next one.
-  Command& add(std::string name, Label label, std::string hint, const Condition& enabled,
-               std::function<void(Workspace&)> run) {
-    return add(std::move(name), std::move(label), std::move(hint), Shortcut{}, enabled, std::move(run));
+  Command& add(std::string name, Label label, std::string hint, const Condition& enabled, Effect effect) {
+    return add(std::move(name), std::move(label), std::move(hint), Shortcut{}, enabled, std::move(effect));
   }
   Command& add(std::string name, Label label, std::string hint, Shortcut shortcut, const Condition& enabled,
-               std::function<void(Workspace&)> run) {
-    return rows_.emplace_back(Command{std::move(name), std::move(label.words), std::move(label.brief),
-                                      std::move(hint), enabled, std::move(run), group_, shortcut});
+               Effect effect) {
+    return rows_.emplace_back(Command{std::move(effect), std::move(name), std::move(label.words),
+                                      std::move(label.brief), std::move(hint), enabled, group_, shortcut});
   }
   /// One of several that exclude each other: in a menu of their own, and elsewhere behind its title.
   void choice(std::string name, std::string_view submenu, std::string_view label, std::string_view hint,
-              const Condition& enabled, std::function<void(Workspace&)> run) {
+              const Condition& enabled, Effect effect) {
     const std::string brief(label);
     add(std::move(name), {std::string(submenu) + ": " + brief, brief}, std::string(hint), enabled,
-        std::move(run))
+        std::move(effect))
         .under(submenu);
   }
 

@@ -37,6 +37,18 @@ std::string_view own_of(Purpose purpose) {
   }
 }
 
+void browse_for_model(Workspace& w) {
+  // Where a file was chosen last, else beside what is open.
+  const fs::path& last = w.remembered.folder;
+  show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
+}
+
+// Beside the cage.
+template <Purpose For>
+void browse_for(Workspace& w) {
+  browse_beside(w, For, file_of_cage(w.document));
+}
+
 // "cage" becomes "cage_pose.obj", in the folder of the session or else beside the file it comes from.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
   const fs::path& beside = w.saved.session.empty() ? from : w.saved.session;
@@ -44,25 +56,13 @@ void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const s
        files_open(w, own_of(purpose)));
 }
 
-}  // namespace
+void save_animation(Workspace& w) {
+  browse_to_save(w, Purpose::save_animation, w.document.model.path, "_animation.pc2");
+  const glm::ivec2 size = glm::clamp(glm::ivec2(w.viewport.window), least_picture, largest_picture);
+  w.browser.pictures = PictureChoice{w.view.cage, w.view.grid, !w.view.dark, false, size.x, size.y};
+}
 
-void browse_for_model(Workspace& w) {
-  // Where a file was chosen last, else beside what is open.
-  const fs::path& last = w.remembered.folder;
-  show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
-}
-void browse_for_cage(Workspace& w) {
-  browse_beside(w, Purpose::cage, w.document.model.path);
-}
-void browse_for_pose(Workspace& w) {
-  browse_beside(w, Purpose::pose, file_of_cage(w.document));
-}
-void browse_for_poses(Workspace& w) {
-  browse_beside(w, Purpose::poses, file_of_cage(w.document));
-}
-void browse_for_animation(Workspace& w) {
-  browse_beside(w, Purpose::animation, file_of_cage(w.document));
-}
+}  // namespace
 
 void save(Workspace& w) {
   if (w.saved.session.empty()) return browse_to_save_session(w);
@@ -74,32 +74,10 @@ void browse_to_save_session(Workspace& w) {
                  ".viete");
 }
 
-void browse_to_save_pose(Workspace& w) {
-  const bool in_file = !w.document.cage_file.path.empty();
-  browse_to_save(w, Purpose::save_pose, in_file ? w.document.cage_file.path : w.document.model.path,
-                 "_pose.obj");
-}
-
 void browse_to_save_named_pose(Workspace& w) {
   std::string name = w.document.library.poses[*w.chosen_pose].name;
   std::ranges::replace(name, '/', '_');
-  const bool in_file = !w.document.cage_file.path.empty();
-  browse_to_save(w, Purpose::save_named_pose, in_file ? w.document.cage_file.path : w.document.model.path,
-                 "_" + name + ".obj");
-}
-
-void browse_to_save_cage(Workspace& w) {
-  browse_to_save(w, Purpose::save_cage, w.document.model.path, "_cage.obj");
-}
-
-void browse_to_save_model(Workspace& w) {
-  browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
-}
-
-void browse_to_save_animation(Workspace& w) {
-  browse_to_save(w, Purpose::save_animation, w.document.model.path, "_animation.pc2");
-  const glm::ivec2 size = glm::clamp(glm::ivec2(w.viewport.window), least_picture, largest_picture);
-  w.browser.pictures = PictureChoice{w.view.cage, w.view.grid, !w.view.dark, false, size.x, size.y};
+  browse_to_save(w, Purpose::save_named_pose, file_of_cage(w.document), "_" + name + ".obj");
 }
 
 const Leftover& offered_leftover(const Workspace& w) {
@@ -107,84 +85,55 @@ const Leftover& offered_leftover(const Workspace& w) {
   return chosen == w.leftovers.end() ? w.leftovers.front() : *chosen;
 }
 
-void restore_leftover(Workspace& w) {
-  w.requests.open = OpenRequest{OpenRequest::What::recovery, {offered_leftover(w).file}};
-}
-
-void discard_leftover(Workspace& w) {
-  w.requests.discard = offered_leftover(w).file;
-}
-
-void undo_discard_leftover(Workspace& w) {
-  w.requests.undo_discard = true;
-}
-
-void hide_discarded(Workspace& w) {
-  w.tell_discarded = false;
-}
-
-void put_off_leftover(Workspace& w) {
-  w.leftovers.erase(w.leftovers.begin() + (&offered_leftover(w) - w.leftovers.data()));
-}
-
 void add_file_commands(CommandTable& table) {
   table.heading("File");
   table.add("open_model", {"Open a model or session", "Open"}, "Open a mesh to deform, or a session.",
             {key('O'), true}, always, browse_for_model);
   table.add("open_cage", "Open cage", "Open a cage around the model.", {key('O'), true, true}, has_model,
-            browse_for_cage);
-  table
-      .add("open_cage_beside", {"Open the cage beside the model", "Open it"},
-           "Open the file beside the model that looks like its cage.", has_cage_beside,
-           [](Workspace& w) {
-             w.requests.open = OpenRequest{OpenRequest::What::cage, {w.document.cage_beside}};
-           })
-      .while_it_can();
+            [](Workspace& w) { browse_beside(w, Purpose::cage, w.document.model.path); });
+  table.add("open_cage_beside", {"Open the cage beside the model", "Open it"},
+            "Open the file beside the model that looks like its cage.", has_cage_beside,
+            passing([](Workspace& w) {
+              w.requests.open = OpenRequest{OpenRequest::What::cage, {w.document.cage_beside}};
+            }));
   table.add("open_pose", "Open pose", "Open a posed version of this cage.", {key('P'), true}, has_cage,
-            browse_for_pose);
+            browse_for<Purpose::pose>);
   table.add("save_session", {"Save session", "Save"},
             "Save model, cage, pose, settings and camera as a session.", {key('S'), true}, has_model, save);
   table.add("save_session_as", {"Save session as", "Save as"}, "Save the session under another name.",
             {key('S'), true, true}, has_model, browse_to_save_session);
-  table.add("save_pose", "Save pose", "Write the posed cage to a mesh file.", {key('P'), true, true},
-            has_cage, browse_to_save_pose);
+  table.add(
+      "save_pose", "Save pose", "Write the posed cage to a mesh file.", {key('P'), true, true}, has_cage,
+      [](Workspace& w) { browse_to_save(w, Purpose::save_pose, file_of_cage(w.document), "_pose.obj"); });
   table.add("save_cage", "Save cage", "Write the cage at rest to a mesh file.", has_cage,
-            browse_to_save_cage);
+            [](Workspace& w) { browse_to_save(w, Purpose::save_cage, w.document.model.path, "_cage.obj"); });
   table.add("save_model", {"Export the deformed mesh", "Export"}, "Write the deformed mesh to a file.",
-            {key('E'), true}, is_movable, browse_to_save_model);
-  table
-      .add("stop_work", {"Cancel what is at work", "Cancel"},
-           "Stop reading, making a cage or binding; everything stays as it is.", {Key::escape}, is_working,
-           [](Workspace& w) { w.requests.stop_work = true; })
-      .while_it_can();
-  table
-      .add("stop_export", {"Cancel the export", "Cancel"},
-           "Stop writing the deformed mesh or its animation; every file is whole or as it was.", is_exporting,
-           [](Workspace& w) { w.requests.stop_export = true; })
-      .while_it_can();
-  table
-      .add("restore_leftover", {"Restore unsaved edits", "Restore these edits"}, "Bring unsaved edits back.",
-           {key('B'), true}, has_leftover, restore_leftover)
-      .while_it_can();
-  table
-      .add("put_off_leftover", {"Keep unsaved edits for later", "Keep them for later"},
-           "Keep unsaved edits for the next start.", has_leftover, put_off_leftover)
-      .while_it_can();
-  table
-      .add("discard_leftover", {"Discard unsaved edits", "Discard these edits"},
-           "Drop unsaved edits; until the program ends they can be brought back.", has_leftover,
-           discard_leftover)
-      .while_it_can();
-  table
-      .add("undo_discard", {"Bring discarded edits back", "Bring them back"},
-           "Take back that unsaved edits were discarded.", {key('B'), true, true}, has_discarded,
-           undo_discard_leftover)
-      .while_it_can();
-  table
-      .add("hide_discarded", {"Hide what is said of discarded edits", "OK"},
-           "Hide this line; until the program ends Ctrl+Shift+B brings the edits back.", has_discarded,
-           hide_discarded)
-      .while_it_can();
+            {key('E'), true}, is_movable, [](Workspace& w) {
+              browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
+            });
+  table.add("stop_work", {"Cancel what is at work", "Cancel"},
+            "Stop reading, making a cage or binding; everything stays as it is.", {Key::escape}, is_working,
+            passing([](Workspace& w) { w.requests.stop_work = true; }));
+  table.add("stop_export", {"Cancel the export", "Cancel"},
+            "Stop writing the deformed mesh or its animation; every file is whole or as it was.",
+            is_exporting, passing([](Workspace& w) { w.requests.stop_export = true; }));
+  table.add("restore_leftover", {"Restore unsaved edits", "Restore these edits"}, "Bring unsaved edits back.",
+            {key('B'), true}, has_leftover, passing([](Workspace& w) {
+              w.requests.open = OpenRequest{OpenRequest::What::recovery, {offered_leftover(w).file}};
+            }));
+  table.add("put_off_leftover", {"Keep unsaved edits for later", "Keep them for later"},
+            "Keep unsaved edits for the next start.", has_leftover, passing([](Workspace& w) {
+              w.leftovers.erase(w.leftovers.begin() + (&offered_leftover(w) - w.leftovers.data()));
+            }));
+  table.add("discard_leftover", {"Discard unsaved edits", "Discard these edits"},
+            "Drop unsaved edits; until the program ends they can be brought back.", has_leftover,
+            passing([](Workspace& w) { w.requests.discard = offered_leftover(w).file; }));
+  table.add("undo_discard", {"Bring discarded edits back", "Bring them back"},
+            "Take back that unsaved edits were discarded.", {key('B'), true, true}, has_discarded,
+            passing([](Workspace& w) { w.requests.undo_discard = true; }));
+  table.add("hide_discarded", {"Hide what is said of discarded edits", "OK"},
+            "Hide this line; until the program ends Ctrl+Shift+B brings the edits back.", has_discarded,
+            passing([](Workspace& w) { w.tell_discarded = false; }));
   table.add("screenshot", {"Save a screenshot", "Screenshot"}, "Save a picture of the window.", {Key::f12},
             always, [](Workspace& w) { w.requests.screenshot = true; });
   table.add("quit", "Quit", "Close the program.", {key('Q'), true}, always,
@@ -208,17 +157,17 @@ void add_animation_file_commands(CommandTable& table) {
   table.heading("Poses");
   table.add("import_poses", "Import poses",
             "Add posed cages to the list of poses: a file, one with morph targets, or all of a folder.",
-            can_import, browse_for_poses);
+            can_import, browse_for<Purpose::poses>);
   table.heading("Time");
   table.add(
       "import_animation", "Import animation",
       "Take keys from numbered posed cages, a point cache of the cage (PC2, MDD), or its animated morph "
       "targets (glTF).",
-      can_import, browse_for_animation);
+      can_import, browse_for<Purpose::animation>);
   table.add(
       "save_animation", "Export animation",
       "Write the frames that play: a point cache (PC2, MDD), glTF with morph targets, or numbered models.",
-      can_export_animation, browse_to_save_animation);
+      can_export_animation, save_animation);
 }
 
 }  // namespace viete::scene

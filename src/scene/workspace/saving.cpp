@@ -106,8 +106,7 @@ bool save_cage(Workspace& workspace, const fs::path& path) {
     document.cage_file.path = path;
     document.cage_file.made.clear();
     document.cage_file.format = "saved here";
-    workspace.saved.state.cage = document.cage;
-    ++workspace.saved.revision;
+    workspace.saved.put_cage(document.cage);
   });
 }
 
@@ -145,9 +144,7 @@ void mark_saved(Workspace& workspace) {
 
 // In a session alone: the file of a pose has no probes.
 void mark_pose_saved(Workspace& workspace) {
-  workspace.saved.state.pose = real_pose(workspace.document);
-  workspace.saved.nowhere = false;
-  ++workspace.saved.revision;
+  workspace.saved.put_pose(real_pose(workspace.document));
   if (!has_unsaved_edits(workspace)) mark_edits_saved(workspace, "");
 }
 

@@ -161,26 +161,20 @@ void add_select_commands(CommandTable& table) {
            "Select what is connected with it or with what is under the cursor.", {key('L')},
            with_free_hand<has_selection_or_hover>, select_linked)
       .or_by({key('L'), true});
-  table
-      .add("select_box", {"Select with a box", "Box"},
-           "Draw a box from anywhere, also from on a vertex; Shift adds, Ctrl removes.", {key('B')},
-           can_draw_selection, arm_shape<SelectShape::box>)
-      .shown_as(armed<SelectShape::box>);
-  table
-      .add("select_lasso", {"Select with a lasso", "Lasso"},
-           "Draw a line around what to select; Shift adds, Ctrl removes.", {key('B'), false, true},
-           can_draw_selection, arm_shape<SelectShape::lasso>)
-      .shown_as(armed<SelectShape::lasso>);
-  table
-      .add("select_brush", {"Select with a brush", "Brush"},
-           "Select with a circle that the wheel sizes; Ctrl removes, Esc puts it away.",
-           {key('C'), false, true}, can_draw_selection, arm_shape<SelectShape::brush>)
-      .shown_as(armed<SelectShape::brush>);
+  table.add("select_box", {"Select with a box", "Box"},
+            "Draw a box from anywhere, also from on a vertex; Shift adds, Ctrl removes.", {key('B')},
+            can_draw_selection, {arm_shape<SelectShape::box>, armed<SelectShape::box>});
+  table.add("select_lasso", {"Select with a lasso", "Lasso"},
+            "Draw a line around what to select; Shift adds, Ctrl removes.", {key('B'), false, true},
+            can_draw_selection, {arm_shape<SelectShape::lasso>, armed<SelectShape::lasso>});
+  table.add("select_brush", {"Select with a brush", "Brush"},
+            "Select with a circle that the wheel sizes; Ctrl removes, Esc puts it away.",
+            {key('C'), false, true}, can_draw_selection,
+            {arm_shape<SelectShape::brush>, armed<SelectShape::brush>});
   table
       .add("stop_selecting", {"Stop selecting with a shape", "Done"}, "Put box, lasso or brush away.",
-           {Key::escape}, is_armed, disarm)
-      .or_by({Key::enter})
-      .while_it_can();
+           {Key::escape}, is_armed, passing(disarm))
+      .or_by({Key::enter});
   table.add("select_more", {"Grow selection", "Grow"}, "Select what is next to it, too.", {Key::up, true},
             with_free_hand<has_selection_of_cage>, change_selection<grown>);
   table.add("select_less", {"Shrink selection", "Shrink"}, "Leave out what is next to what is not selected.",
@@ -211,11 +205,9 @@ void add_select_commands(CommandTable& table) {
   table.add("save_set", {"Keep selection as a set", "Keep as set"},
             "Keep what is selected as a set, to be selected again by its name.",
             with_free_hand<has_selection_of_cage>, change_groups<save_set>);
-  table
-      .add("toggle_select_visible", {"Select visible only", "Visible only"},
-           "The mouse selects only what neither model nor cage hide.", {key('Z')}, always,
-           toggle<&ViewOptions::select_visible>)
-      .shown_as(shown<&ViewOptions::select_visible>);
+  table.add("toggle_select_visible", {"Select visible only", "Visible only"},
+            "The mouse selects only what neither model nor cage hide.", {key('Z')}, always,
+            switches(&ViewOptions::select_visible));
 }
 
 }  // namespace viete::scene

@@ -118,7 +118,7 @@ void take(Workspace& w, Opened&& opened) {
   const bool same_model = opened.document->model.surface == w.document.model.surface;
   if (same_model && !opened.session) tell_what_is_lost(w, !has_unsaved_edits(w));
   take_document(w, std::move(*opened.document), !opened.has_settings);
-  w.saved = {.revision = w.saved.revision + 1};
+  w.saved.begin_anew();
   w.recovered_from.clear();
   if (opened.session) {
     take_view(w, *opened.session);

@@ -101,39 +101,33 @@ void move_down(Workspace& w) {
 }
 
 // Who sets a first key wants to see it.
-void show_timeline(Workspace& w, bool first) {
-  if (!first) return;
-  w.remembered.layout.timeline = true;
-  w.time_view.seen = fitting(w.document.timeline);
-}
-
-void key_pose(Workspace& w) {
+void set_keys(Workspace& w, const auto& set) {
   try_edit(w, "key", [&] {
     const bool first = w.document.timeline.empty();
     stop_playing(w);
+    set();
+    if (!first) return;
+    w.remembered.layout.timeline = true;
+    w.time_view.seen = fitting(w.document.timeline);
+  });
+}
+
+void key_pose(Workspace& w) {
+  set_keys(w, [&] {
     set_key(w.document, current_frame(w.document));
     w.time_view.selected = {current_frame(w.document)};
-    show_timeline(w, first);
   });
 }
 
 void key_camera(Workspace& w) {
-  try_edit(w, "key", [&] {
-    const bool first = w.document.timeline.empty();
-    stop_playing(w);
+  set_keys(w, [&] {
     set_camera_key(w.document, current_frame(w.document), w.camera.pose());
     w.time_view.selected = {current_frame(w.document)};
-    show_timeline(w, first);
   });
 }
 
 void key_turntable(Workspace& w) {
-  try_edit(w, "key", [&] {
-    const bool first = w.document.timeline.empty();
-    stop_playing(w);
-    set_turntable(w.document, w.camera.pose());
-    show_timeline(w, first);
-  });
+  set_keys(w, [&] { set_turntable(w.document, w.camera.pose()); });
 }
 
 void delete_keys(Workspace& w) {
@@ -161,11 +155,6 @@ template <int Timeline::*Frame>
 void to_end(Workspace& w) {
   stop_playing(w);
   go_to_frame(w, w.document.timeline.*Frame);
-}
-
-template <bool Playback::*Option>
-void toggle_play(Workspace& w) {
-  w.playback.*Option = !(w.playback.*Option);
 }
 
 void change_play(Workspace& w, const auto& change) {
@@ -221,15 +210,13 @@ void add_time_commands(CommandTable& table) {
             "Divide all sliders by their sum: the mean of the poses that are mixed, in log space.",
             can_average,
             [](Workspace& w) { change_mix(w, [&] { return average_mix(w.document, w.playback.vectors); }); });
-  table
-      .add("toggle_mix_selected", {"Mix only into what is selected", "Only what is selected"},
-           "The slider of a pose moves only what is selected when it leaves 0 %; else, or where nothing is "
-           "selected, all of the cage.",
-           has_cage, [](Workspace& w) { w.handling.mix_selected = !w.handling.mix_selected; })
-      .shown_as([](const Workspace& w) { return w.handling.mix_selected; });
+  table.add("toggle_mix_selected", {"Mix only into what is selected", "Only what is selected"},
+            "The slider of a pose moves only what is selected when it leaves 0 %; else, or where nothing is "
+            "selected, all of the cage.",
+            has_cage, switches(&Handling::mix_selected, &Workspace::handling));
   table.heading("Time");
-  table.add("play", "Play", "Play what is keyed, or stop.", {Key::space}, has_time, play_or_stop)
-      .shown_as([](const Workspace& w) { return w.playback.playing; });
+  table.add("play", "Play", "Play what is keyed, or stop.", {Key::space}, has_time,
+            {play_or_stop, [](const Workspace& w) { return w.playback.playing; }});
   table.add("set_key", "Set a key", "Keep what is there now as the key of this frame.", {key('I')}, can_pose,
             key_pose);
   table.add("set_camera_key", {"Set a camera key", "Camera key"},
@@ -254,28 +241,22 @@ void add_time_commands(CommandTable& table) {
             "Play from the first key to the last one.", has_time, fit_range);
   add_choices<Easing>(table, "Easing", has_pose_keys, choose_easing);
   add_choices<Repeat>(table, "After the last frame", has_model, choose_repeat);
-  table
-      .add("toggle_auto_key", {"Set keys automatically", "Auto key"},
-           "Whatever the hand changes becomes a key of this frame, once there is a key.", always,
-           toggle_play<&Playback::auto_key>)
-      .shown_as([](const Workspace& w) { return w.playback.auto_key; });
-  table
-      .add("toggle_straight", {"Straight lines between keys", "Straight lines"},
-           "Vertices of the cage go straight from key to key, as in other programs; else the logs of its "
-           "maps are blended.",
-           has_model,
-           [](Workspace& w) { change_play(w, [](Play& play) { play.straight = !play.straight; }); })
-      .shown_as([](const Workspace& w) { return w.document.timeline.straight; });
-  table
-      .add("toggle_paths", {"Show paths of vertices", "Paths"},
-           "Draw the ways of the selected vertices, by logs and in straight lines.", always,
-           toggle_play<&Playback::paths>)
-      .shown_as([](const Workspace& w) { return w.playback.paths; });
-  table
-      .add("toggle_timeline", {"Show the timeline", "Timeline"}, "Show or hide the timeline.",
-           {key('T'), false, true}, always,
-           [](Workspace& w) { w.remembered.layout.timeline = !w.remembered.layout.timeline; })
-      .shown_as([](const Workspace& w) { return w.remembered.layout.timeline; });
+  table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
+            "Whatever the hand changes becomes a key of this frame, once there is a key.", always,
+            switches(&Playback::auto_key, &Workspace::playback));
+  table.add("toggle_straight", {"Straight lines between keys", "Straight lines"},
+            "Vertices of the cage go straight from key to key, as in other programs; else the logs of its "
+            "maps are blended.",
+            has_model,
+            {[](Workspace& w) { change_play(w, [](Play& play) { play.straight = !play.straight; }); },
+             [](const Workspace& w) { return w.document.timeline.straight; }});
+  table.add("toggle_paths", {"Show paths of vertices", "Paths"},
+            "Draw the ways of the selected vertices, by logs and in straight lines.", always,
+            switches(&Playback::paths, &Workspace::playback));
+  table.add("toggle_timeline", {"Show the timeline", "Timeline"}, "Show or hide the timeline.",
+            {key('T'), false, true}, always,
+            {[](Workspace& w) { w.remembered.layout.timeline = !w.remembered.layout.timeline; },
+             [](const Workspace& w) { return w.remembered.layout.timeline; }});
 }
 
 }  // namespace viete::scene

@@ -49,27 +49,19 @@ void toggle_locked(Workspace& w) {
 
 void add_tool_commands(CommandTable& table) {
   table.heading("Tool");
-  table
-      .add("tool_select", {"Select tool", "Select"}, "No gizmo: drag an element to move the selection.",
-           {key('Q')}, always, use_tool<Tool::select>)
-      .shown_as([](const Workspace& w) { return w.tool == Tool::select; });
-  table
-      .add("tool_move", {"Move tool", "Move"}, "Move the selection by arrows and squares.", {key('W')},
-           always, use_tool<Tool::move>)
-      .shown_as([](const Workspace& w) { return w.tool == Tool::move; });
-  table
-      .add("tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its centre by rings.",
-           {key('E')}, always, use_tool<Tool::rotate>)
-      .shown_as([](const Workspace& w) { return w.tool == Tool::rotate; });
-  table
-      .add("tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its centre.", {key('R')}, always,
-           use_tool<Tool::scale>)
-      .shown_as([](const Workspace& w) { return w.tool == Tool::scale; });
-  table
-      .add("tool_paint", {"Paint tool", "Paint"},
-           "Paint what of the model stays at rest; with Ctrl what follows.", {key('D')}, is_movable,
-           use_tool<Tool::paint>)
-      .shown_as([](const Workspace& w) { return w.tool == Tool::paint; });
+  table.add("tool_select", {"Select tool", "Select"}, "No gizmo: drag an element to move the selection.",
+            {key('Q')}, always,
+            {use_tool<Tool::select>, [](const Workspace& w) { return w.tool == Tool::select; }});
+  table.add("tool_move", {"Move tool", "Move"}, "Move the selection by arrows and squares.", {key('W')},
+            always, {use_tool<Tool::move>, [](const Workspace& w) { return w.tool == Tool::move; }});
+  table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its centre by rings.",
+            {key('E')}, always,
+            {use_tool<Tool::rotate>, [](const Workspace& w) { return w.tool == Tool::rotate; }});
+  table.add("tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its centre.", {key('R')},
+            always, {use_tool<Tool::scale>, [](const Workspace& w) { return w.tool == Tool::scale; }});
+  table.add("tool_paint", {"Paint tool", "Paint"},
+            "Paint what of the model stays at rest; with Ctrl what follows.", {key('D')}, is_movable,
+            {use_tool<Tool::paint>, [](const Workspace& w) { return w.tool == Tool::paint; }});
   table.add("mask_clear", "Clear paint", "All of the model follows the cage again.", with_free_hand<has_mask>,
             [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
   table.add("mask_invert", "Invert paint", "What follows the cage stays, and the reverse.",

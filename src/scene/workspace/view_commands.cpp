@@ -34,10 +34,34 @@ void choose_shading(Workspace& w, Shading shading) {
   w.view.shading = shading;
 }
 
-template <StandardView View>
-void look(Workspace& w) {
-  w.camera.look(View);
-  frame_all(w, true);
+void add_looks(CommandTable& table) {
+  using V = StandardView;
+  const struct {
+    const char *name, *where, *brief;
+    Shortcut shortcut;
+    V view;
+  } sides[] = {{"view_front", "from the front", "Front", {Key::pad1}, V::front},
+               {"view_back", "from the back", "Back", {Key::pad1, true}, V::back},
+               {"view_right", "from the right", "Right", {Key::pad3}, V::right},
+               {"view_left", "from the left", "Left", {Key::pad3, true}, V::left},
+               {"view_top", "from above", "Top", {Key::pad7}, V::top},
+               {"view_bottom", "from below", "Bottom", {Key::pad7, true}, V::bottom}};
+  const auto look = [](V view) {
+    return [view](Workspace& w) {
+      w.camera.look(view);
+      frame_all(w, true);
+    };
+  };
+  for (const auto& side : sides) {
+    const std::string text = std::string("Look ") + side.where;
+    table.add(side.name, {text, side.brief}, text + '.', side.shortcut, always, look(side.view))
+        .under("Look from");
+  }
+  table
+      .add("view_home", {"Look from home", "Home"},
+           "Look from the front, to the right and above, at all of it.", {Key::home}, always, look(V::home))
+      .or_by({Key::pad0})
+      .under("Look from");
 }
 
 void mark_point(Workspace& w) {
@@ -51,50 +75,22 @@ void mark_point(Workspace& w) {
 }  // namespace
 
 void add_camera_commands(CommandTable& table) {
-  using V = StandardView;
   table.heading("View");
   table.add("frame_all", "Frame all", "See the whole model and cage.", {key('F'), false, true}, has_model,
             [](Workspace& w) { frame_all(w, true); });
   table.add("frame_selection", "Frame selection", "See what is selected, or all if nothing is.", {key('F')},
             has_model, [](Workspace& w) { frame_selection(w, true); });
-  table
-      .add("view_front", {"Look from the front", "Front"}, "Look from the front.", {Key::pad1}, always,
-           look<V::front>)
-      .under("Look from");
-  table
-      .add("view_back", {"Look from the back", "Back"}, "Look from the back.", {Key::pad1, true}, always,
-           look<V::back>)
-      .under("Look from");
-  table
-      .add("view_right", {"Look from the right", "Right"}, "Look from the right.", {Key::pad3}, always,
-           look<V::right>)
-      .under("Look from");
-  table
-      .add("view_left", {"Look from the left", "Left"}, "Look from the left.", {Key::pad3, true}, always,
-           look<V::left>)
-      .under("Look from");
-  table.add("view_top", {"Look from above", "Top"}, "Look from above.", {Key::pad7}, always, look<V::top>)
-      .under("Look from");
-  table
-      .add("view_bottom", {"Look from below", "Bottom"}, "Look from below.", {Key::pad7, true}, always,
-           look<V::bottom>)
-      .under("Look from");
-  table
-      .add("view_home", {"Look from home", "Home"},
-           "Look from the front, to the right and above, at all of it.", {Key::home}, always, look<V::home>)
-      .or_by({Key::pad0})
-      .under("Look from");
+  add_looks(table);
   table
       .add("toggle_orthographic", {"Orthographic view", "Orthographic"},
            "Look without perspective: equal lengths look equal.", {Key::pad5}, always,
-           [](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); })
-      .or_by({key('O')})
-      .shown_as([](const Workspace& w) { return w.camera.pose().orthographic; });
-  table
-      .add("toggle_z_up", "Z up",
-           "Which axis of the file points up: Z, or Y. Files are written as they came.", {key('U')}, always,
-           [](Workspace& w) { w.camera.set_up(w.camera.pose().up == UpAxis::z ? UpAxis::y : UpAxis::z); })
-      .shown_as([](const Workspace& w) { return w.camera.pose().up == UpAxis::z; });
+           {[](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); },
+            [](const Workspace& w) { return w.camera.pose().orthographic; }})
+      .or_by({key('O')});
+  table.add("toggle_z_up", "Z up",
+            "Which axis of the file points up: Z, or Y. Files are written as they came.", {key('U')}, always,
+            {[](Workspace& w) { w.camera.set_up(w.camera.pose().up == UpAxis::z ? UpAxis::y : UpAxis::z); },
+             [](const Workspace& w) { return w.camera.pose().up == UpAxis::z; }});
   table.add("mark_point", {"Mark a point", "Mark"},
             "Put a mark on the model under the cursor; between two of them the length is measured.",
             {key('Y')}, has_model, mark_point);
@@ -105,80 +101,55 @@ void add_camera_commands(CommandTable& table) {
 void add_view_commands(CommandTable& table) {
   table.heading("View");
   add_units(table);
-  table
-      .add("toggle_wireframe", {"Show the wireframe", "Wireframe"}, "Show the edges of the mesh.",
-           {key('W'), false, true}, always, toggle<&ViewOptions::wireframe>)
-      .shown_as(shown<&ViewOptions::wireframe>);
+  table.add("toggle_wireframe", {"Show the wireframe", "Wireframe"}, "Show the edges of the mesh.",
+            {key('W'), false, true}, always, switches(&ViewOptions::wireframe));
   add_choices<Shading>(table, "Shading", always, choose_shading);
   table.add("next_shading", "Next shading",
             "Show the mesh as clay, porcelain or jade, as it is, with a checker, by normals, with stripes, "
             "and so on.",
             {key('V')}, always, [](Workspace& w) { w.view.shading = next_choice(w.view.shading); });
-  table
-      .add("toggle_model", {"Show the model", "Model"}, "Show the mesh.", {key('M')}, always,
-           toggle<&ViewOptions::model>)
-      .shown_as(shown<&ViewOptions::model>);
-  table
-      .add("toggle_deformed", {"Show the model deformed", "Deformed"},
-           "Let cage and probes move the mesh, or see it at rest meanwhile.", {key('N')}, always,
-           toggle<&ViewOptions::deformed>)
-      .shown_as(shown<&ViewOptions::deformed>);
-  table
-      .add("toggle_cage", {"Show the cage", "Cage"}, "Show the cage and the probes.", {key('C')}, always,
-           toggle<&ViewOptions::cage>)
-      .shown_as(shown<&ViewOptions::cage>);
-  table
-      .add("toggle_grid", {"Show the grid", "Grid"}, "Show the ground grid.", {key('G')}, always,
-           toggle<&ViewOptions::grid>)
-      .shown_as(shown<&ViewOptions::grid>);
-  table
-      .add("toggle_axes", {"Show the axes", "Axes"}, "Show the axes at the top right.", {key('X')}, always,
-           toggle<&ViewOptions::axes>)
-      .shown_as(shown<&ViewOptions::axes>);
-  table
-      .add("toggle_ghost", {"Show the cage at rest", "Rest ghost"},
-           "Show the cage at rest, faintly, while it is posed.", {key('H')}, always,
-           toggle<&ViewOptions::ghost>)
-      .shown_as(shown<&ViewOptions::ghost>);
-  table
-      .add("toggle_error_map", {"Show errors on the mesh", "Error on the mesh"},
-           "Colour the mesh by the relative error of the exponential at each vertex.",
-           {key('E'), false, true}, uses_method, toggle<&ViewOptions::error_map>)
-      .shown_as(shown<&ViewOptions::error_map>);
-  table
-      .add("toggle_theme", "Dark theme", "Switch between the dark and the light theme.", {key('T')}, always,
-           [](Workspace& w) { w.remembered.dark = w.view.dark = !w.view.dark; })
-      .shown_as(shown<&ViewOptions::dark>);
-  table
-      .add("toggle_coarse_motion", "Coarse in motion",
-           "Draw what moves at half the resolution, and sharp again at rest: faster where a processor draws.",
-           always, [](Workspace& w) { w.remembered.coarse_motion = !draws_coarsely(w); })
-      .shown_as(draws_coarsely);
-  table
-      .add("toggle_panels", {"Show the panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,
-           toggle<&ViewOptions::panels>)
-      .shown_as(shown<&ViewOptions::panels>);
-  table
-      .add("toggle_full_screen", "Full screen", "Let the window fill the screen, or give it its size back.",
-           {Key::f11}, always, [](Workspace& w) { w.full_screen = !w.full_screen; })
-      .shown_as([](const Workspace& w) { return w.full_screen; });
-  table
-      .add("toggle_tools", {"Show the tools column", "Tools column"},
-           "Show or fold away the column of files, cage and tools.", always, toggle_column_of<Column::tools>)
-      .shown_as(column_shown<Column::tools>);
-  table
-      .add("toggle_lab", {"Show the Lab", "Lab"},
-           "Show or fold away the Lab: method, timings, accuracy and benchmark.", always,
-           toggle_column_of<Column::lab>)
-      .shown_as(column_shown<Column::lab>);
+  table.add("toggle_model", {"Show the model", "Model"}, "Show the mesh.", {key('M')}, always,
+            switches(&ViewOptions::model));
+  table.add("toggle_deformed", {"Show the model deformed", "Deformed"},
+            "Let cage and probes move the mesh, or see it at rest meanwhile.", {key('N')}, always,
+            switches(&ViewOptions::deformed));
+  table.add("toggle_cage", {"Show the cage", "Cage"}, "Show the cage and the probes.", {key('C')}, always,
+            switches(&ViewOptions::cage));
+  table.add("toggle_grid", {"Show the grid", "Grid"}, "Show the ground grid.", {key('G')}, always,
+            switches(&ViewOptions::grid));
+  table.add("toggle_axes", {"Show the axes", "Axes"}, "Show the axes at the top right.", {key('X')}, always,
+            switches(&ViewOptions::axes));
+  table.add("toggle_ghost", {"Show the cage at rest", "Rest ghost"},
+            "Show the cage at rest, faintly, while it is posed.", {key('H')}, always,
+            switches(&ViewOptions::ghost));
+  table.add("toggle_error_map", {"Show errors on the mesh", "Error on the mesh"},
+            "Colour the mesh by the relative error of the exponential at each vertex.",
+            {key('E'), false, true}, uses_method, switches(&ViewOptions::error_map));
+  table.add("toggle_theme", "Dark theme", "Switch between the dark and the light theme.", {key('T')}, always,
+            {[](Workspace& w) { w.remembered.dark = w.view.dark = !w.view.dark; },
+             [](const Workspace& w) { return w.view.dark; }});
+  table.add(
+      "toggle_coarse_motion", "Coarse in motion",
+      "Draw what moves at half the resolution, and sharp again at rest: faster where a processor draws.",
+      always, {[](Workspace& w) { w.remembered.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
+  table.add("toggle_panels", {"Show the panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,
+            switches(&ViewOptions::panels));
+  table.add("toggle_full_screen", "Full screen", "Let the window fill the screen, or give it its size back.",
+            {Key::f11}, always,
+            {[](Workspace& w) { w.full_screen = !w.full_screen; },
+             [](const Workspace& w) { return w.full_screen; }});
+  table.add("toggle_tools", {"Show the tools column", "Tools column"},
+            "Show or fold away the column of files, cage and tools.", always,
+            {toggle_column_of<Column::tools>, column_shown<Column::tools>});
+  table.add("toggle_lab", {"Show the Lab", "Lab"},
+            "Show or fold away the Lab: method, timings, accuracy and benchmark.", always,
+            {toggle_column_of<Column::lab>, column_shown<Column::lab>});
 }
 
 void add_help_commands(CommandTable& table) {
   table.heading("Help");
-  table
-      .add("help", {"Show every key", "Keys"}, "Show every key and mouse action.", {Key::f1}, always,
-           toggle<&ViewOptions::help>)
-      .shown_as(shown<&ViewOptions::help>);
+  table.add("help", {"Show every key", "Keys"}, "Show every key and mouse action.", {Key::f1}, always,
+            switches(&ViewOptions::help));
   table
       .add("command_palette", {"Find a command", "Commands"},
            "Find any command by a few letters of its name, and run it.", {key('K'), true}, always,

@@ -136,10 +136,22 @@ struct Saved {
       content{};  ///< checksum of that file as it was read or written here; nothing: not known
   DocumentState
       state{};  ///< that was opened or saved last; the pose is the real one, empty for recovered work
-  unsigned long edits = 0;     ///< that had been recorded then
-  std::string first_edit{};    ///< since then, of recovered work
-  bool nowhere = false;        ///< recovered work, which is in no file of the user's
-  unsigned long revision = 0;  ///< grows with each change
+  unsigned long edits = 0;   ///< that had been recorded then
+  std::string first_edit{};  ///< since then, of recovered work
+  bool nowhere = false;      ///< recovered work, which is in no file of the user's
+
+  void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
+  void put_pose(deform::Pose pose) { state.pose = std::move(pose), nowhere = false, ++revision_; }
+  void begin_anew() { *this = Saved(revision_ + 1); }
+  /// Grows with each change of these.
+  unsigned long revision() const { return revision_; }
+
+  Saved() = default;
+
+private:
+  explicit Saved(unsigned long revision) : revision_(revision) {}
+
+  unsigned long revision_ = 0;
 };
 
 /// What runs, for the status bar and the help.
