@@ -13,6 +13,13 @@ constexpr std::size_t benchmark_count = 1 << 18;  // some seconds, and more than
 constexpr std::size_t probed_matrices = 2048;
 constexpr double probe_seconds = 0.3;  // between two: each takes the frame a millisecond
 
+scene::Benchmark shown_benchmark(const bench::ExpBench& bench) {
+  scene::Benchmark shown;
+  shown.count = bench.count;
+  for (const bench::ExpBar& bar : bench::bars_of(bench)) shown.bars.push_back({bar.name, bar.ns, bar.ours});
+  return shown;
+}
+
 }  // namespace
 
 void Analysis::follow_document(scene::Workspace& workspace) {
@@ -49,7 +56,8 @@ bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& mode
          bench_.has_result() || error_map_.has_result() || error_map_is_due(workspace, model);
 }
 
-// What was measured of another path says nothing of this one. How far cage parts turn is no matter of the path.
+// What was measured of another path says nothing of this one. How far cage parts turn is no matter of the
+// path.
 void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) {
   const scene::Revisions& now = workspace.document.revisions;
   const deform::Deformer* deformer = model.deformer();
@@ -72,7 +80,7 @@ void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) 
 void Analysis::follow_benchmark(scene::Workspace& workspace) {
   scene::Benchmark& shown = workspace.benchmark;
   if (const auto result = bench_.poll()) {
-    if (result->value) shown = bench::shown_benchmark(*result->value);
+    if (result->value) shown = shown_benchmark(*result->value);
     if (!result->problem.empty()) workspace.messages.error("The benchmark failed: " + result->problem);
     shows_news_ = true;
   }
@@ -141,12 +149,12 @@ void Analysis::follow_error_map(scene::Workspace& workspace, const LiveModel& mo
   if (!error_map_is_due(workspace, model)) return;
   mapped_ = model.frames();
   const deform::Rows rows = model.deformer()->state().rows();
-  error_map_.start([bound = model.bound(), mask = model.deformer()->mask(), form = rows.form, origin = rows.origin,
-                    values = std::vector(rows.values.begin(), rows.values.end()),
+  error_map_.start([bound = model.bound(), mask = model.deformer()->mask(), form = rows.form,
+                    origin = rows.origin, values = std::vector(rows.values.begin(), rows.values.end()),
                     method = workspace.document.method](base::Progress& progress) {
     const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
-    const auto matrices =
-        deform::sample_stretches(weigher, *bound.binding, mask, {form, values, origin}, bound.binding->vertices, &progress);
+    const auto matrices = deform::sample_stretches(weigher, *bound.binding, mask, {form, values, origin},
+                                                   bound.binding->vertices, &progress);
     return error_map(matrices, method, &progress);
   });
 }

@@ -71,16 +71,6 @@ void add_force_option(CLI::App& app, bool& force) {
                "Also replace a file that is read, or one that holds something else than what is written");
 }
 
-void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual) {
-  whole_in_range(app.add_option("--rounds", rounds, "Repetitions"), 1, 1000)->default_str(usual);
-}
-
-void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot) {
-  add_file_option(app, "--json", files.json, "Also write the numbers to this file");
-  if (has_plot) add_file_option(app, "--plot", files.plot, "Also draw them: an SVG file");
-  add_force_option(app, files.force);
-}
-
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take) {
   std::vector<std::string> words;
   for (const sym3::Method m : scene::compared_methods) words.emplace_back(sym3::name(m));

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "app/output.h"
 #include "mesh/formats/text_writer.h"
 #include "scene/document/settings.h"
 #include "sym3/exp.h"
@@ -27,13 +26,6 @@ CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t 
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
 /// --force, of a command that writes files, see check_output().
 void add_force_option(CLI::App& app, bool& force);
-
-/// --rounds, 1 to 1,000.
-void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual);
-/// Vertices of a benchmark's model, which is subdivided until it has so many.
-constexpr std::int64_t most_vertices = 10'000'000;
-/// --json, --force and, if asked for, --plot.
-void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 
 /// --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);

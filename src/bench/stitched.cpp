@@ -11,14 +11,15 @@
 #include "base/worker_pool.h"
 #include "bench/bars.h"
 #include "bench/models.h"
-#include "bench/rounds.h"
+#include "bench/table.h"
+#include "bench/timing/rounds.h"
+#include "deform/bind.h"
 #include "deform/blend.h"
 #include "deform/deformer.h"
+#include "deform/laplacian.h"
 #include "deform/pose_io.h"
 #include "deform/stitching.h"
 #include "mesh/normals.h"
-#include "deform/bind.h"
-#include "deform/laplacian.h"
 
 namespace viete::bench {
 

@@ -18,11 +18,11 @@
 #include "bench/models.h"
 #include "bench/rest_model.h"
 #include "bench/table.h"
+#include "deform/bind.h"
 #include "deform/deformer.h"
 #include "deform/tiled_binding.h"
 #include "scene/document/animation.h"
 #include "scene/files/open.h"
-#include "deform/bind.h"
 
 namespace viete::bench {
 

@@ -1,10 +1,11 @@
 // viete bench exp|eigen|frame|bind|files|cage|modes|stitched|time|accuracy|sym3: the paper's figures, and its
 // future work, on this machine.
+#include "bench/command.h"
+
 #include <cstdio>
 #include <memory>
 
 #include "app/assets.h"
-#include "app/command_line.h"
 #include "app/options.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -18,14 +19,18 @@
 #include "bench/files.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
+#include "bench/options.h"
 #include "bench/stitched.h"
 #include "bench/sym3.h"
+#include "bench/table.h"
 #include "bench/time.h"
 #include "sym3/kernel.h"
 
-namespace viete::app {
+namespace viete::bench {
 
 namespace {
+
+using namespace app;
 
 struct BenchOptions {
   std::size_t count = 0;
@@ -45,8 +50,8 @@ void require_memory_for(std::size_t count) {
 template <class Bench>
 int report(const Bench& bench, const BenchOptions& options) {
   print(bench);
-  bench::write_json(options.files.json, to_json(bench));
-  if (!options.files.plot.empty()) base::replace_file(options.files.plot, bench::draw_plot(plot_of(bench)));
+  write_json(options.files.json, to_json(bench));
+  if (!options.files.plot.empty()) base::replace_file(options.files.plot, draw_plot(plot_of(bench)));
   return exit_ok;
 }
 
@@ -60,7 +65,7 @@ int run_on_model(Options& options, const BenchFiles& files, void (*run)(const Op
   return exit_ok;
 }
 
-int run_modes(bench::ModesOptions& options, const BenchFiles& files) {
+int run_modes(ModesOptions& options, const BenchFiles& files) {
   FilesInUse inputs{options.model, options.cage};
   for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
   files.check(inputs);
@@ -69,43 +74,43 @@ int run_modes(bench::ModesOptions& options, const BenchFiles& files) {
     options.model = bundled.model, options.cage = bundled.cage, options.poses = bundled.poses;
   }
   options.json = files.json;
-  bench::bench_modes(options);
+  bench_modes(options);
   return exit_ok;
 }
 
-int run_stitched(bench::StitchedOptions& options, const BenchFiles& files) {
+int run_stitched(StitchedOptions& options, const BenchFiles& files) {
   files.check({options.model, options.cage, options.pose});
   if (options.model.empty()) {
     const BundledModel bundled = bundled_model();
     options.model = bundled.model, options.cage = bundled.cage, options.pose = bundled.poses.front();
   }
   options.json = files.json;
-  bench::bench_stitched(options);
+  bench_stitched(options);
   return exit_ok;
 }
 
 int run_exp(const BenchOptions& options) {
   base::Progress progress;
-  return report(bench::measure_exp(options.count, options.in_float, progress), options);
+  return report(measure_exp(options.count, options.in_float, progress), options);
 }
 
 int run_eigen(const BenchOptions& options) {
   base::Progress progress;
-  return report(bench::measure_eigen(options.count, progress), options);
+  return report(measure_eigen(options.count, progress), options);
 }
 
 int run_sym3(const BenchOptions& options) {
-  bench::bench_sym3(options.count, options.files.json);
+  bench_sym3(options.count, options.files.json);
   return exit_ok;
 }
 
 int run_accuracy(const BenchOptions& options) {
   base::Progress progress;
-  const auto tables = bench::measure_accuracy(options.count, options.in_float, progress);
+  const auto tables = measure_accuracy(options.count, options.in_float, progress);
   std::printf("Largest relative error (Frobenius norm) in u = 2^%d against 106 bits, kernel %s\n\n",
               options.in_float ? -24 : -53, std::string(sym3::kernel_name()).c_str());
   for (const auto& table : tables) print(table, options.in_float);
-  bench::write_json(options.files.json, to_json(tables));
+  write_json(options.files.json, to_json(tables));
   return exit_ok;
 }
 
@@ -118,7 +123,7 @@ CLI::Option* add_model_and_cage(CLI::App& command, Options& options, const char*
 
 void add_frame_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand("frame", "A frame of a model: by path, cage and stage");
-  auto options = std::make_shared<bench::FrameOptions>();
+  auto options = std::make_shared<FrameOptions>();
   auto files = std::make_shared<BenchFiles>();
   auto* cage = add_model_and_cage(*command, *options, "some that are made, see --faces");
   auto* counts = command->add_option("--count", options->counts,
@@ -136,13 +141,13 @@ void add_frame_bench(CLI::App& bench, Action& action) {
   add_reach_option(*command, [options](double reach) { options->reach = reach; });
   add_bench_files(*command, *files);
   command->callback([options, files, &action] {
-    action = [options, files] { return run_on_model(*options, *files, bench::bench_frame); };
+    action = [options, files] { return run_on_model(*options, *files, bench_frame); };
   });
 }
 
 void add_bind_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand("bind", "Binding a model: time against plain loops, and memory");
-  auto options = std::make_shared<bench::BindOptions>();
+  auto options = std::make_shared<BindOptions>();
   auto files = std::make_shared<BenchFiles>();
   auto* cage = add_model_and_cage(*command, *options, "one that is made, see --faces");
   auto* count = command->add_option("--count", options->count, "Vertices at least, by subdivision");
@@ -152,13 +157,13 @@ void add_bind_bench(CLI::App& bench, Action& action) {
   add_rounds_option(*command, options->rounds, "5");
   add_bench_files(*command, *files);
   command->callback([options, files, &action] {
-    action = [options, files] { return run_on_model(*options, *files, bench::bench_bind); };
+    action = [options, files] { return run_on_model(*options, *files, bench_bind); };
   });
 }
 
 void add_files_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand("files", "Reading and writing a model, beside OpenMesh's reader");
-  auto options = std::make_shared<bench::FilesOptions>();
+  auto options = std::make_shared<FilesOptions>();
   auto files = std::make_shared<BenchFiles>();
   add_file_option(*command, "MODEL", options->model, "Mesh (OBJ, PLY, OFF, STL, glTF)")
       ->default_str("an OBJ of a million triangles");
@@ -168,7 +173,7 @@ void add_files_bench(CLI::App& bench, Action& action) {
     action = [options, files] {
       files->check({options->model});
       options->json = files->json;
-      bench::bench_files(*options);
+      bench_files(*options);
       return exit_ok;
     };
   });
@@ -177,7 +182,7 @@ void add_files_bench(CLI::App& bench, Action& action) {
 void add_cage_bench(CLI::App& bench, Action& action) {
   auto* command =
       bench.add_subcommand("cage", "Cages made around a model, beside an offset that is decimated");
-  auto options = std::make_shared<bench::CageOptions>();
+  auto options = std::make_shared<CageOptions>();
   auto files = std::make_shared<BenchFiles>();
   add_file_option(*command, "MODEL", options->model, "Mesh (OBJ, PLY, OFF, STL, glTF)")
       ->default_str("the bundled dragon");
@@ -187,7 +192,7 @@ void add_cage_bench(CLI::App& bench, Action& action) {
       files->check({options->model});
       if (options->model.empty()) options->model = bundled_model().model;
       options->json = files->json;
-      bench::bench_cage(*options);
+      bench_cage(*options);
       return exit_ok;
     };
   });
@@ -196,7 +201,7 @@ void add_cage_bench(CLI::App& bench, Action& action) {
 void add_modes_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand(
       "modes", "Every way of blending, side by side: what it reproduces, how it distorts, what it costs");
-  auto options = std::make_shared<bench::ModesOptions>();
+  auto options = std::make_shared<ModesOptions>();
   auto files = std::make_shared<BenchFiles>();
   add_model_and_cage(*command, *options, "that of the dragon");
   command->add_option("POSE", options->poses, "Posed cages, same vertices in the same order")
@@ -222,7 +227,7 @@ void add_modes_bench(CLI::App& bench, Action& action) {
 
 void add_stitched_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand("stitched", "A frame of a stitched model, against a plain one");
-  auto options = std::make_shared<bench::StitchedOptions>();
+  auto options = std::make_shared<StitchedOptions>();
   auto files = std::make_shared<BenchFiles>();
   add_model_and_cage(*command, *options, "that of the dragon");
   add_file_option(*command, "POSE", options->pose, "Posed cage, same vertices in the same order")
@@ -239,7 +244,7 @@ void add_stitched_bench(CLI::App& bench, Action& action) {
 void add_time_bench(CLI::App& bench, Action& action) {
   auto* command = bench.add_subcommand(
       "time", "Between keys, in log space and straight: volumes, and what a frame costs");
-  auto options = std::make_shared<bench::TimeOptions>();
+  auto options = std::make_shared<TimeOptions>();
   auto files = std::make_shared<BenchFiles>();
   add_file_option(*command, "SESSION", options->session, "Session with a cage and keys")
       ->default_str("the bundled dragon's loop");
@@ -250,7 +255,7 @@ void add_time_bench(CLI::App& bench, Action& action) {
       files->check({options->session});
       if (options->session.empty()) options->session = bundled_model().loop;
       options->json = files->json;
-      bench::bench_time(*options);
+      bench_time(*options);
       return exit_ok;
     };
   });
@@ -302,4 +307,4 @@ void add_bench_command(CLI::App& app, Action& action) {
   add_time_bench(*command, action);
 }
 
-}  // namespace viete::app
+}  // namespace viete::bench
