@@ -9,6 +9,7 @@ usage: third_party/setup.sh [COMMAND] [ARGS...]
   run [ARGS...]         install what is missing, build the program, start it (this is what no command does)
   test [CTEST ARGS...]  install what is missing, build program and tests, run the tests
   build                 install what is missing, build the program: build/viete
+  bench [ARGS...]       the same for the benchmarks: build/viete bench
   package               make packages of the program and the library for any machine: build-package/*.deb
   deps [test|package]   install what is missing for the program (or the tests, or packages too), nothing else
   help                  this text
@@ -182,7 +183,7 @@ build() {
   fi
   lock
   mkdir -p "$folder"
-  if [ ! -e "$folder/build.ninja" ] || [ "$target" != viete ]; then
+  if [ ! -e "$folder/build.ninja" ] || [ "${target#viete}" = "$target" ]; then
     if ! cmake -S "$here" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$folder/configure.log" 2>&1; then
       cat "$folder/configure.log" >&2
       say "configuring failed; the text above is in $folder/configure.log"
@@ -226,7 +227,7 @@ give_back() {
 
 build_program() {
   if [ ! -e "$here/build/viete" ]; then say "building the program: about two and a half minutes on two cores"; fi
-  build viete build -DVIETE_BUILD_TESTS=OFF -DVIETE_BUILD_PYTHON=OFF -DVIETE_KERNELS=native
+  build "$1" build -DVIETE_BUILD_TESTS=OFF -DVIETE_BUILD_PYTHON=OFF -DVIETE_KERNELS=native
 }
 
 build_tests() {
@@ -259,7 +260,7 @@ terminal=0 locked=""
 verb="${1:-run}"
 [ $# -eq 0 ] || shift
 case "$verb" in
-  run | test | build | package | deps) ;;
+  run | bench | test | build | package | deps) ;;
   help | -h | --help) usage; exit 0 ;;
   *) usage >&2; exit 2 ;;
 esac
@@ -274,7 +275,8 @@ case "$verb" in
     esac
     exit 0
     ;;
-  build | run) deps program; build_program ;;
+  build | run) deps program; build_program viete ;;
+  bench) deps program; build_program viete-bench ;;
   test) deps test; build_tests ;;
   package) deps package; build_package ;;
 esac
@@ -282,6 +284,7 @@ clean_up
 trap - EXIT
 case "$verb" in
   run) exec "$here/build/viete" "$@" ;;
+  bench) exec "$here/build/viete" bench "$@" ;;
   test)
     files_in_memory
     exec ctest --test-dir "$here/build" --output-on-failure -j "${JOBS:-$(nproc)}" "$@"

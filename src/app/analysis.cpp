@@ -13,6 +13,13 @@ constexpr std::size_t benchmark_count = 1 << 18;  // some seconds, and more than
 constexpr std::size_t probed_matrices = 2048;
 constexpr double probe_seconds = 0.3;  // between two: each takes the frame a millisecond
 
+scene::Benchmark shown_benchmark(const bench::ExpBench& bench) {
+  scene::Benchmark shown;
+  shown.count = bench.count;
+  for (const bench::ExpBar& bar : bench::bars_of(bench)) shown.bars.push_back({bar.name, bar.ns, bar.ours});
+  return shown;
+}
+
 }  // namespace
 
 void Analysis::follow_document(scene::Workspace& workspace) {
@@ -73,7 +80,7 @@ void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) 
 void Analysis::follow_benchmark(scene::Workspace& workspace) {
   scene::Benchmark& shown = workspace.benchmark;
   if (const auto result = bench_.poll()) {
-    if (result->value) shown = bench::shown_benchmark(*result->value);
+    if (result->value) shown = shown_benchmark(*result->value);
     if (!result->problem.empty()) workspace.messages.error("The benchmark failed: " + result->problem);
     shows_news_ = true;
   }

@@ -9,7 +9,7 @@
 #include "app/live_model.h"
 #include "app/method_probe.h"
 #include "base/background.h"
-#include "bench/exp.h"
+#include "bench/timing/exp.h"
 #include "scene/document/checks.h"
 #include "scene/workspace/workspace.h"
 

@@ -23,6 +23,5 @@ void add_animate_command(CLI::App& app, Action& action);
 void add_cage_command(CLI::App& app, Action& action);
 void add_bind_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
-void add_bench_command(CLI::App& app, Action& action);
 
 }  // namespace viete::app

@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "app/output.h"
 #include "mesh/formats/text_writer.h"
 #include "scene/document/settings.h"
 #include "sym3/exp.h"

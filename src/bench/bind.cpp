@@ -12,12 +12,13 @@
 #include "bench/bars.h"
 #include "bench/models.h"
 #include "bench/plain_weights.h"
-#include "bench/rounds.h"
+#include "bench/table.h"
+#include "bench/timing/rounds.h"
+#include "deform/bind.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "deform/tiled_binding.h"
 #include "deform/weigher.h"
-#include "deform/bind.h"
 
 namespace viete::bench {
 

@@ -12,7 +12,8 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "bench/bars.h"
-#include "bench/rounds.h"
+#include "bench/table.h"
+#include "bench/timing/rounds.h"
 #include "mesh/formats/read.h"
 
 namespace viete::bench {

@@ -1,17 +1,12 @@
 #include "bench/table.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <fstream>
 
 #include "base/atomic_file.h"
 
 namespace viete::bench {
-
-double time_of(const std::vector<BenchResult>& results, const std::string& name) {
-  for (const auto& r : results) {
-    if (r.name == name) return r.ns_per_item;
-  }
-  return 0;
-}
 
 void print_table(const std::string& title, const std::vector<BenchResult>& results,
                  const std::string& reference, const std::string& copy) {
@@ -32,6 +27,14 @@ nlohmann::json to_json(const std::vector<BenchResult>& results) {
 void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
   if (path.empty()) return;
   base::replace_file(path, json.dump(2) + '\n');
+}
+
+std::string processor_name() {
+  std::ifstream lines("/proc/cpuinfo");
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
+  }
+  return "";
 }
 
 }  // namespace viete::bench

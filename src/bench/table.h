@@ -1,4 +1,4 @@
-// What was measured, and how it is printed.
+// How what was measured is printed and written.
 #pragma once
 
 #include <filesystem>
@@ -6,15 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing/rounds.h"
+
 namespace viete::bench {
-
-struct BenchResult {
-  std::string name;
-  double ns_per_item = 0;  ///< median over the rounds, processor time of the calling thread
-};
-
-/// The time of the case of that name; 0 if there is none.
-double time_of(const std::vector<BenchResult>& results, const std::string& name);
 
 /// name, ns per item, and how many times the time of `copy` and how much faster than `reference`.
 void print_table(const std::string& title, const std::vector<BenchResult>& results,
@@ -23,5 +17,8 @@ void print_table(const std::string& title, const std::vector<BenchResult>& resul
 nlohmann::json to_json(const std::vector<BenchResult>& results);
 /// Atomic. Throws base::Error. Does nothing for an empty path.
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);
+
+/// "AMD EPYC 9654", or nothing where the system does not say.
+std::string processor_name();
 
 }  // namespace viete::bench

@@ -51,14 +51,6 @@ TEST_CASE("a_result_takes_the_place_of_its_kind_only") {
   CHECK_NOTHROW(check_output(files / "letter.png", Content::picture, {}, true));
 }
 
-TEST_CASE("numbers_and_plot_of_a_benchmark_are_two_files") {
-  const test::TemporaryFolder files;
-  CHECK_NOTHROW(app::BenchFiles{}.check());
-  test::put_file(files / "a.json", "<svg");
-  const app::BenchFiles same{.json = files / "a.json", .plot = files / "a.json"};
-  CHECK_THROWS_AS(same.check(), base::Error);
-}
-
 TEST_CASE("who_is_refused_is_told_what_the_file_is_and_another_name") {
   const test::TemporaryFolder files;
   test::put_file(files / "a.obj", "v 0 0 0\n");

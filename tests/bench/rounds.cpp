@@ -1,4 +1,4 @@
-#include "bench/rounds.h"
+#include "bench/timing/rounds.h"
 
 #include <doctest/doctest.h>
 
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/bars.h"
+#include "bench/table.h"
 
 using namespace viete;
 

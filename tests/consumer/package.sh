@@ -29,7 +29,7 @@ holds() {
   [ -z "$open" ] || wrong "$deb holds what others may write: $open"
 }
 
-holds "$program" bin/viete share/viete/dragon/dragon.ply share/applications/viete.desktop share/metainfo/viete.metainfo.xml \
+holds "$program" bin/viete bin/viete-bench share/viete/dragon/dragon.ply share/applications/viete.desktop share/metainfo/viete.metainfo.xml \
   share/icons/hicolor/scalable/apps/viete.svg share/mime/packages/viete.xml share/man/man1/viete.1.gz share/doc/viete/copyright \
   share/bash-completion/completions/viete share/zsh/vendor-completions/_viete share/fish/vendor_completions.d/viete.fish
 holds "$library" include/viete/sym3/exp.h 'lib/.*libviete_sym3.a' 'lib/.*viete-config.cmake' 'lib/.*viete.pc' \

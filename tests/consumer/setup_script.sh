@@ -79,6 +79,11 @@ run "$script" run
 expect 'what is configured is not configured again' no called 'cmake -S'
 
 fresh
+run "$script" bench exp --count 7
+expect 'benchmarks are built, with the program' called '--target viete-bench'
+expect 'and run' says '^bench exp --count 7$'
+
+fresh
 ln -s "$script" "$scratch/setup-here"
 run "$scratch/setup-here" build
 expect 'called by a link it builds the checkout' called "cmake -S $scratch/check out "

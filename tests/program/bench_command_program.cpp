@@ -176,6 +176,23 @@ TEST_CASE("benchmarks_are_drawn_as_svg_with_every_method_and_layout") {
   }
 }
 
+TEST_CASE("numbers_and_plot_of_a_benchmark_are_two_files") {
+  const TemporaryFolder scratch;
+  const std::string file = quoted(scratch / "a.svg");
+  const auto same = run("bench exp --count 2000 --json " + file + " --plot " + file);
+  CHECK(same.code == 1);
+  CHECK(mentions(same, "one of those that are read (the numbers)"));
+}
+
+TEST_CASE("a_program_without_its_benchmarks_says_how_to_get_them") {
+  const TemporaryFolder scratch;
+  fs::copy_file(build_dir() / "viete", scratch / "viete");
+  const auto outcome = run_of(scratch.path(), "bench exp");
+  CHECK(outcome.code == 1);
+  CHECK(mentions(outcome, "viete: " + (scratch / "viete-bench").string() + ": No such file"));
+  CHECK(mentions(outcome, "setup.sh bench"));
+}
+
 TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
   const TemporaryFolder scratch;
   for (const char* precision : {"", " --float"}) {

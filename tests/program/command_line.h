@@ -22,9 +22,11 @@ struct Outcome {
   std::string text;  ///< stdout and stderr
 };
 
-inline Outcome run(const std::string& arguments, const std::string& environment = "") {
+/// The program of that folder.
+inline Outcome run_of(const fs::path& folder, const std::string& arguments,
+                      const std::string& environment = "") {
   const std::string command =
-      environment + " '" + build_dir().string() + "/viete' " + arguments + " 2>&1 </dev/null";
+      environment + " '" + folder.string() + "/viete' " + arguments + " 2>&1 </dev/null";
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);
@@ -34,6 +36,10 @@ inline Outcome run(const std::string& arguments, const std::string& environment 
   const int status = pclose(pipe);
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
   return outcome;
+}
+
+inline Outcome run(const std::string& arguments, const std::string& environment = "") {
+  return run_of(build_dir(), arguments, environment);
 }
 
 inline std::string quoted(const fs::path& path) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/ensembles.h"
+#include "bench/timing/ensembles.h"
 
 namespace viete::test {
 

@@ -61,9 +61,14 @@ endfunction()
 option(VIETE_UNITY "Compile the sources of the rooms that allow it in batches" ON)
 set(VIETE_BATCH 24 CACHE STRING "So many sources make a batch")
 
+# For targets where nothing is computed that takes time: compiles in two thirds of the time.
+function(viete_quickly_compiled target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # viete_room(deform [UNITY] [QUICK] SOURCES a.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
 # makes target viete::deform with include prefix "deform/". UNITY: no two of its sources use a name for two things.
-# QUICK: nothing is computed there that takes time, so that it is quickly compiled.
+# QUICK: it is quickly compiled.
 function(viete_room room)
   cmake_parse_arguments(ARG "UNITY;QUICK" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   # What a library uses inside is no business of who finds it installed.
@@ -75,7 +80,7 @@ function(viete_room room)
     set_target_properties(viete_${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${VIETE_BATCH})
   endif()
   if(ARG_QUICK)
-    target_compile_options(viete_${room} PRIVATE $<$<CONFIG:Release>:-O1>)
+    viete_quickly_compiled(viete_${room})
   endif()
   target_include_directories(viete_${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   target_compile_features(viete_${room} PUBLIC cxx_std_20)

@@ -1,12 +1,16 @@
-#include "bench/rounds.h"
-
-#include <algorithm>
-#include <fstream>
+#include "bench/timing/rounds.h"
 
 #include "base/clock.h"
 #include "base/median.h"
 
 namespace viete::bench {
+
+double time_of(const std::vector<BenchResult>& results, const std::string& name) {
+  for (const auto& r : results) {
+    if (r.name == name) return r.ns_per_item;
+  }
+  return 0;
+}
 
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress) {
@@ -25,14 +29,6 @@ std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std
   for (std::size_t c = 0; c < cases.size(); ++c)
     results.push_back({cases[c].name, base::median(std::move(times[c]))});
   return results;
-}
-
-std::string processor_name() {
-  std::ifstream lines("/proc/cpuinfo");
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
-  }
-  return "";
 }
 
 }  // namespace viete::bench

@@ -1,10 +1,11 @@
 // viete bench exp|eigen|frame|bind|files|cage|modes|stitched|time|accuracy|sym3: the paper's figures, and its
 // future work, on this machine.
+#include "bench/command.h"
+
 #include <cstdio>
 #include <memory>
 
 #include "app/assets.h"
-#include "app/command_line.h"
 #include "app/options.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -18,14 +19,19 @@
 #include "bench/files.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
+#include "bench/options.h"
 #include "bench/stitched.h"
 #include "bench/sym3.h"
+#include "bench/table.h"
 #include "bench/time.h"
+#include "mesh/formats/format.h"
 #include "sym3/kernel.h"
 
-namespace viete::app {
+namespace viete::bench {
 
 namespace {
+
+using namespace app;
 
 struct BenchOptions {
   std::size_t count = 0;
@@ -34,7 +40,7 @@ struct BenchOptions {
 };
 
 constexpr std::size_t paper_count = 10'000'000;
-constexpr std::int64_t most_matrices = 1'000'000'000, most_vertices = 10'000'000;
+constexpr std::int64_t most_matrices = 1'000'000'000;
 
 // Before the system stops the program for it. A matrix comes in and goes out, as nine doubles at most.
 void require_memory_for(std::size_t count) {
@@ -45,44 +51,34 @@ void require_memory_for(std::size_t count) {
 template <class Bench>
 int report(const Bench& bench, const BenchOptions& options) {
   print(bench);
-  bench::write_json(options.files.json, to_json(bench));
-  if (!options.files.plot.empty()) base::replace_file(options.files.plot, bench::draw_plot(plot_of(bench)));
+  write_json(options.files.json, to_json(bench));
+  if (!options.files.plot.empty()) base::replace_file(options.files.plot, draw_plot(plot_of(bench)));
   return exit_ok;
 }
 
 int run_exp(const BenchOptions& options) {
   base::Progress progress;
-  return report(bench::measure_exp(options.count, options.in_float, progress), options);
+  return report(measure_exp(options.count, options.in_float, progress), options);
 }
 
 int run_eigen(const BenchOptions& options) {
   base::Progress progress;
-  return report(bench::measure_eigen(options.count, progress), options);
+  return report(measure_eigen(options.count, progress), options);
 }
 
 int run_sym3(const BenchOptions& options) {
-  bench::bench_sym3(options.count, options.files.json);
+  bench_sym3(options.count, options.files.json);
   return exit_ok;
 }
 
 int run_accuracy(const BenchOptions& options) {
   base::Progress progress;
-  const auto tables = bench::measure_accuracy(options.count, options.in_float, progress);
+  const auto tables = measure_accuracy(options.count, options.in_float, progress);
   std::printf("Largest relative error (Frobenius norm) in u = 2^%d against 106 bits, kernel %s\n\n",
               options.in_float ? -24 : -53, std::string(sym3::kernel_name()).c_str());
   for (const auto& table : tables) print(table, options.in_float);
-  bench::write_json(options.files.json, to_json(tables));
+  write_json(options.files.json, to_json(tables));
   return exit_ok;
-}
-
-void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual) {
-  whole_in_range(app.add_option("--rounds", rounds, "Repetitions"), 1, 1000)->default_str(usual);
-}
-
-void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false) {
-  add_file_option(app, "--json", files.json, "Also write the numbers to this file");
-  if (has_plot) add_file_option(app, "--plot", files.plot, "Also draw them: an SVG file");
-  add_force_option(app, files.force);
 }
 
 // A benchmark of a model: what it is asked and what it writes.
@@ -111,8 +107,7 @@ void finish(
 }
 
 CLI::Option* add_model(CLI::App& command, std::filesystem::path& model) {
-  return add_file_option(command, "MODEL", model, mesh::a_mesh())
-      ->default_str("the bundled dragon");
+  return add_file_option(command, "MODEL", model, mesh::a_mesh())->default_str("the bundled dragon");
 }
 
 template <class Options>
@@ -128,7 +123,7 @@ void prepare_model(Options& options, const BenchFiles& files) {
 }
 
 void add_frame_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<bench::FrameOptions>>();
+  auto bench = std::make_shared<ModelBench<FrameOptions>>();
   auto& options = bench->options;
   auto* cage = add_model_and_cage(command, options, "some that are made, see --faces");
   auto* counts = command.add_option("--count", options.counts,
@@ -144,11 +139,11 @@ void add_frame_bench(CLI::App& command, Action& action) {
   auto* tolerance = command.add_option("--tolerance", options.tolerance, "Of compressed weights");
   in_range(tolerance, 0, 0.1)->default_str("3e-5");
   add_reach_option(command, [&options](double reach) { options.reach = reach; });
-  finish(command, action, bench, bench::bench_frame, prepare_model<bench::FrameOptions>);
+  finish(command, action, bench, bench_frame, prepare_model<FrameOptions>);
 }
 
 void add_bind_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<bench::BindOptions>>();
+  auto bench = std::make_shared<ModelBench<BindOptions>>();
   auto& options = bench->options;
   auto* cage = add_model_and_cage(command, options, "one that is made, see --faces");
   auto* count = command.add_option("--count", options.count, "Vertices at least, by subdivision");
@@ -156,27 +151,27 @@ void add_bind_bench(CLI::App& command, Action& action) {
   auto* faces = command.add_option("--faces", options.faces, "Cage triangles");
   whole_in_range(faces, 8, 10'000)->default_str("300")->excludes(cage);
   add_rounds_option(command, options.rounds, "5");
-  finish(command, action, bench, bench::bench_bind, prepare_model<bench::BindOptions>);
+  finish(command, action, bench, bench_bind, prepare_model<BindOptions>);
 }
 
 void add_files_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<bench::FilesOptions>>();
+  auto bench = std::make_shared<ModelBench<FilesOptions>>();
   add_model(command, bench->options.model)->default_str("an OBJ of a million triangles");
   add_rounds_option(command, bench->options.rounds, "5");
-  finish(command, action, bench, bench::bench_files,
+  finish(command, action, bench, bench_files,
          [](const auto& options, const BenchFiles& files) { files.check({options.model}); });
 }
 
 void add_cage_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<bench::CageOptions>>();
+  auto bench = std::make_shared<ModelBench<CageOptions>>();
   add_model(command, bench->options.model);
-  finish(command, action, bench, bench::bench_cage, [](auto& options, const BenchFiles& files) {
+  finish(command, action, bench, bench_cage, [](auto& options, const BenchFiles& files) {
     files.check({options.model});
     if (options.model.empty()) options.model = bundled_model().model;
   });
 }
 
-void prepare_modes(bench::ModesOptions& options, const BenchFiles& files) {
+void prepare_modes(ModesOptions& options, const BenchFiles& files) {
   FilesInUse inputs{options.model, options.cage};
   for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
   files.check(inputs);
@@ -190,7 +185,7 @@ void require_pose(const std::filesystem::path& model, const std::filesystem::pat
 }
 
 void add_modes_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<bench::ModesOptions>>();
+  auto bench = std::make_shared<ModelBench<ModesOptions>>();
   auto& options = bench->options;
   auto& settings = options.settings;
   add_model_and_cage(command, options, "that of the dragon");
@@ -210,11 +205,11 @@ void add_modes_bench(CLI::App& command, Action& action) {
     options.settings.holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
     require_pose(options.model, options.cage, !options.poses.empty());
   };
-  finish(command, action, bench, bench::bench_modes, prepare_modes, check);
+  finish(command, action, bench, bench_modes, prepare_modes, check);
 }
 
 void add_stitched_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<bench::StitchedOptions>>();
+  auto bench = std::make_shared<ModelBench<StitchedOptions>>();
   auto& options = bench->options;
   add_model_and_cage(command, options, "that of the dragon");
   add_file_option(command, "POSE", options.pose, "Posed cage, same vertices in the same order")
@@ -226,16 +221,16 @@ void add_stitched_bench(CLI::App& command, Action& action) {
     const BundledModel bundled = bundled_model();
     o.model = bundled.model, o.cage = bundled.cage, o.pose = bundled.poses.front();
   };
-  finish(command, action, bench, bench::bench_stitched, prepare,
+  finish(command, action, bench, bench_stitched, prepare,
          [&options] { require_pose(options.model, options.cage, !options.pose.empty()); });
 }
 
 void add_time_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<bench::TimeOptions>>();
+  auto bench = std::make_shared<ModelBench<TimeOptions>>();
   add_file_option(command, "SESSION", bench->options.session, "Session with a cage and keys")
       ->default_str("the bundled dragon's loop");
   add_rounds_option(command, bench->options.rounds, "11");
-  finish(command, action, bench, bench::bench_time, [](auto& options, const BenchFiles& files) {
+  finish(command, action, bench, bench_time, [](auto& options, const BenchFiles& files) {
     files.check({options.session});
     if (options.session.empty()) options.session = bundled_model().loop;
   });
@@ -298,4 +293,4 @@ void add_bench_command(CLI::App& app, Action& action) {
   for (const auto& bench : model_benches) bench.add(*command->add_subcommand(bench.name, bench.text), action);
 }
 
-}  // namespace viete::app
+}  // namespace viete::bench

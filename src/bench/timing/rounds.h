@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "bench/table.h"
 
 namespace viete::bench {
 
@@ -18,12 +17,17 @@ struct RoundCase {
   std::function<void(std::size_t round)> run;
 };
 
+struct BenchResult {
+  std::string name;
+  double ns_per_item = 0;  ///< median over the rounds, processor time of the calling thread
+};
+
+/// The time of the case of that name; 0 if there is none.
+double time_of(const std::vector<BenchResult>& results, const std::string& name);
+
 /// Every case once a round, so that a disturbance hits all alike; one round more before, which does not
 /// count. Processor time of the calling thread, medians. Throws base::Cancelled.
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress);
-
-/// "AMD EPYC 9654", or nothing where the system does not say.
-std::string processor_name();
 
 }  // namespace viete::bench

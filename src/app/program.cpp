@@ -1,0 +1,83 @@
+#include "app/program.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "app/build_facts.h"
+#include "app/help.h"
+#include "sym3/kernel.h"
+
+namespace viete::app {
+
+namespace {
+
+constexpr const char* footer =
+    "Exit codes: 0 done; 1 a file could not be read or written, or the work failed (the reason is on "
+    "stderr); 2 wrong command line.";
+
+// A value that is wrong is told before what is missing, in every version of CLI11.
+void values_first([[maybe_unused]] CLI::App& app) {
+#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
+  app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);
+#endif
+}
+
+void note_kernel() {
+  const char* kernel = std::getenv("VIETE_KERNEL");
+  if (kernel && sym3::kernel_name() != kernel) {
+    std::fprintf(stderr, "viete: note: VIETE_KERNEL=%s is no kernel of this machine; running %s\n", kernel,
+                 std::string(sym3::kernel_name()).c_str());
+  }
+}
+
+int run(const Program& program, std::vector<std::string> arguments) {
+  CLI::App app("Viete: deform a mesh by its cage, through the exponential of symmetric 3x3 matrices",
+               "viete");
+  app.set_version_flag("--version",
+                       std::string("viete ") + version() + "\n" + build_type() + ", kernel " +
+                           std::string(sym3::kernel_name()),
+                       "Say version, build, compiler and kernel, and exit");
+  app.footer(footer);
+  app.formatter(help_formatter());
+  app.set_help_flag("-h,--help", "Say this and exit");
+  app.require_subcommand(1);
+  values_first(app);  // before the commands, which take it over
+  Action action;
+  program.add_commands(app, action);
+  try {
+    std::vector<std::string> words = program.words(std::move(arguments), app);
+    note_kernel();
+    std::reverse(words.begin(), words.end());  // CLI11 takes its arguments from the back
+    app.parse(words);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::fputs(usage_error(app, error).c_str(), stderr);
+    return exit_usage;
+  }
+  const int code = action();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+    std::fprintf(stderr, "viete: the output could not be written\n");
+    return exit_failed;
+  }
+  return code;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const Program& program) {
+  try {
+    return run(program, {argv + 1, argv + argc});
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "viete: there is not enough memory; close other programs, or use a smaller model\n");
+    return exit_failed;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "viete: %s\n", error.what());
+    return exit_failed;
+  }
+}
+
+}  // namespace viete::app
