@@ -35,7 +35,7 @@ TEST_CASE("rows_say_what_becomes_of_a_surface") {
     write(file, surface);
     const ReadResult back = read(file);
     CHECK(format_of_description(back.format)->name == format.name);
-    CHECK((back.surface.corners == surface.corners) == format.held.polygons);
+    CHECK((back.surface.corners == surface.corners) == format.holds(held::polygons));
     CHECK((back.surface.positions == surface.positions) == format.keeps_order);
     if (format.recognised) CHECK(format.recognised({"a", "", test::file_bytes(file)}));
     if (format.keeps_order) {

@@ -104,7 +104,7 @@ Objects objects_of(const Surface& surface, const Attributes& attributes) {
 }
 
 std::vector<std::string> triangles_notes(const Format& format, const Surface& surface) {
-  if (format.held.polygons || surface.triangles.empty()) return {};
+  if (format.holds(held::polygons) || surface.triangles.empty()) return {};
   const auto& starts = surface.polygon_starts;
   std::size_t larger = 0;
   for (std::size_t p = 0; p + 1 < starts.size(); ++p) larger += starts[p + 1] - starts[p] > 3;
@@ -156,18 +156,19 @@ std::vector<std::string> left_out(const Format& format, const Surface& surface, 
     std::size_t count;
     bool held;
   };
-  const Held& held = format.held;
-  const bool normals_fit = held.corner_normals || one_a_vertex(surface, deformed.corner_normal);
+  const bool normals_fit =
+      format.holds(held::corner_normals) || one_a_vertex(surface, deformed.corner_normal);
   const std::size_t textures = used_images(a).size();
   const Kind kinds[] = {
-      {" has no texture coordinates: ", a.texture_points.size(), held.texture_points},
-      {held.normals ? " holds one a vertex of normals: " : " has no normals: ", a.normals.size(),
-       held.normals && normals_fit},
-      {" has no colours: ", a.colors.size(), held.colors},
-      {" has no colours of faces: ", deformed.polygon_colors.size(), held.polygon_colors},
-      {" has no groups: ", a.groups.size(), held.groups || (held.objects && are_objects(surface, a))},
-      {" has no materials: ", a.materials.size(), held.materials},
-      {" has no textures: ", textures, held.textures},
+      {" has no texture coordinates: ", a.texture_points.size(), format.holds(held::texture_points)},
+      {format.holds(held::normals) ? " holds one a vertex of normals: " : " has no normals: ",
+       a.normals.size(), format.holds(held::normals) && normals_fit},
+      {" has no colours: ", a.colors.size(), format.holds(held::colors)},
+      {" has no colours of faces: ", deformed.polygon_colors.size(), format.holds(held::polygon_colors)},
+      {" has no groups: ", a.groups.size(),
+       format.holds(held::groups) || (format.holds(held::objects) && are_objects(surface, a))},
+      {" has no materials: ", a.materials.size(), format.holds(held::materials)},
+      {" has no textures: ", textures, format.holds(held::textures)},
       {" has no images but those of base colours: ", a.images.size() - textures, false}};
   std::vector<std::string> notes;
   for (const Kind& kind : kinds) {

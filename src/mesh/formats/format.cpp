@@ -16,6 +16,7 @@ namespace viete::mesh {
 namespace {
 
 constexpr Format gltf_as(std::string_view extension, void (*write)(const Content&, TextWriter&)) {
+  using namespace held;
   return {.extension = extension,
           .name = "glTF",
           .read = read_gltf,
@@ -26,73 +27,15 @@ constexpr Format gltf_as(std::string_view extension, void (*write)(const Content
           .up = 'y',
           .in_metres = true,
           .images = Format::Images::within,
-          .held = {.points = true,
-                   .texture_points = true,
-                   .colors = true,
-                   .polygon_colors = true,
-                   .normals = true,
-                   .corner_normals = true,
-                   .objects = true,
-                   .materials = true,
-                   .textures = true}};
+          .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals | objects |
+                      materials | textures};
 }
-
-constexpr Format formats[] = {
-    {.extension = "obj",
-     .name = "OBJ",
-     .read = read_obj,
-     .write = write_obj,
-     .keeps_order = true,
-     .images = Format::Images::beside,
-     .held = {.polygons = true,
-              .points = true,
-              .texture_points = true,
-              .colors = true,
-              .normals = true,
-              .corner_normals = true,
-              .objects = true,
-              .groups = true,
-              .materials = true,
-              .textures = true}},
-    {.extension = "ply",
-     .name = "PLY",
-     .read = read_ply,
-     .recognised = looks_like_ply,
-     .write = write_ply,
-     .keeps_order = true,
-     .images = Format::Images::beside,
-     .held = {.polygons = true,
-              .points = true,
-              .texture_points = true,
-              .colors = true,
-              .polygon_colors = true,
-              .normals = true,
-              .textures = true}},
-    {.extension = "off",
-     .name = "OFF",
-     .read = read_off,
-     .recognised = looks_like_off,
-     .write = write_off,
-     .keeps_order = true,
-     .held = {.polygons = true, .points = true, .colors = true, .polygon_colors = true}},
-    {.extension = "stl",
-     .name = "STL",
-     .read = read_stl,
-     .recognised = looks_like_stl,
-     .write = write_stl,
-     .may_be_binary = true,
-     .up = 'z'},
-    gltf_as("glb", write_glb),
-    gltf_as("gltf", write_gltf),
-    {.extension = "pc2", .name = "PC2", .is_sequence = true},
-    {.extension = "mdd", .name = "MDD", .is_sequence = true},
-};
 
 // "a, b or c", each once.
 std::string listing(bool (*is)(const Format&), std::string_view before, std::string_view Format::*word,
                     std::string_view last) {
   std::vector<std::string> words;
-  for (const Format& f : formats) {
+  for (const Format& f : all_formats()) {
     const std::string text = std::string(before) + std::string(f.*word);
     if (is(f) && std::ranges::find(words, text) == words.end()) words.push_back(text);
   }
@@ -105,12 +48,49 @@ std::string listing(bool (*is)(const Format&), std::string_view before, std::str
 }  // namespace
 
 std::span<const Format> all_formats() {
+  using namespace held;
+  static constexpr Format formats[] = {
+      {.extension = "obj",
+       .name = "OBJ",
+       .read = read_obj,
+       .write = write_obj,
+       .keeps_order = true,
+       .images = Format::Images::beside,
+       .all_held = polygons | points | texture_points | colors | normals | corner_normals | objects | groups |
+                   materials | textures},
+      {.extension = "ply",
+       .name = "PLY",
+       .read = read_ply,
+       .recognised = looks_like_ply,
+       .write = write_ply,
+       .keeps_order = true,
+       .images = Format::Images::beside,
+       .all_held = polygons | points | texture_points | colors | polygon_colors | normals | textures},
+      {.extension = "off",
+       .name = "OFF",
+       .read = read_off,
+       .recognised = looks_like_off,
+       .write = write_off,
+       .keeps_order = true,
+       .all_held = polygons | points | colors | polygon_colors},
+      {.extension = "stl",
+       .name = "STL",
+       .read = read_stl,
+       .recognised = looks_like_stl,
+       .write = write_stl,
+       .may_be_binary = true,
+       .up = 'z'},
+      gltf_as("glb", write_glb),
+      gltf_as("gltf", write_gltf),
+      {.extension = "pc2", .name = "PC2", .is_sequence = true},
+      {.extension = "mdd", .name = "MDD", .is_sequence = true},
+  };
   return formats;
 }
 
 const Format* format_by_extension(std::string_view extension) {
-  const auto found = std::ranges::find(formats, extension, &Format::extension);
-  return found == std::end(formats) ? nullptr : found;
+  const auto found = std::ranges::find(all_formats(), extension, &Format::extension);
+  return found == all_formats().end() ? nullptr : &*found;
 }
 
 const Format* find_format(const std::filesystem::path& file) {
@@ -126,9 +106,9 @@ const Format& surface_format(const std::filesystem::path& file) {
 }
 
 const Format* format_of_description(std::string_view description) {
-  const auto found = std::ranges::find_if(
-      formats, [&](const Format& f) { return holds_surface(f) && description.starts_with(f.name); });
-  return found == std::end(formats) ? nullptr : found;
+  for (const Format& f : all_formats())
+    if (holds_surface(f) && description.starts_with(f.name)) return &f;
+  return nullptr;
 }
 
 std::string format_names(bool (*is)(const Format&), std::string_view last) {

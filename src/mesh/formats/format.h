@@ -14,16 +14,21 @@
 namespace viete::mesh {
 
 /// What a format takes of a surface beside positions and triangles.
-struct Held {
-  bool polygons = false;
-  bool points = false;  ///< of a surface without faces
-  bool texture_points = false, colors = false, polygon_colors = false;
-  bool normals = false;         ///< one of each vertex at least,
-  bool corner_normals = false;  ///< and several
-  bool objects = false;         ///< and groups within them:
-  bool groups = false;
-  bool materials = false, textures = false;
+namespace held {
+enum What : unsigned {
+  polygons = 1 << 0,
+  points = 1 << 1,  ///< of a surface without faces
+  texture_points = 1 << 2,
+  colors = 1 << 3,
+  polygon_colors = 1 << 4,
+  normals = 1 << 5,         ///< one of each vertex at least,
+  corner_normals = 1 << 6,  ///< and several
+  objects = 1 << 7,         ///< and groups within them:
+  groups = 1 << 8,
+  materials = 1 << 9,
+  textures = 1 << 10
 };
+}  // namespace held
 
 struct Format {
   std::string_view extension;  ///< lower case, without the dot
@@ -40,7 +45,9 @@ struct Format {
   char up = 0;               ///< the axis that files of it agree on: 'y' or 'z'; 0: none
   bool in_metres = false;
   enum class Images { none, within, beside } images = Images::none;
-  Held held{};
+  unsigned all_held = 0;  ///< of held::What
+
+  constexpr bool holds(held::What what) const { return (all_held & what) != 0; }
 };
 
 /// In the order in which people are shown them.

@@ -36,7 +36,7 @@ Attributes converted(const Format& format, const Content& content, const Origina
   append(notes, triangles_notes(format, content.surface));
   if (!content.attributes) return {};
   Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
-  if (format.held.materials && !format.held.polygon_colors) colors_to_materials(now);
+  if (format.holds(held::materials) && !format.holds(held::polygon_colors)) colors_to_materials(now);
   if (format.write == write_obj) {
     fill_in_materials(now);
     name_materials(now);
@@ -74,9 +74,9 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
     return notes;
   }
   const Format& format = surface_format(path);
-  if (!format.held.points && content.surface.triangles.empty())
+  if (!format.holds(held::points) && content.surface.triangles.empty())
     throw base::Error(path.string(), std::string(format.name) + " holds triangles alone, and there are none",
-                      "write " + format_extensions([](const Format& f) { return f.held.points; }));
+                      "write " + format_extensions([](const Format& f) { return f.holds(held::points); }));
   std::vector<std::string> notes;
   Attributes now = converted(format, content, original, notes);
   std::string library;
