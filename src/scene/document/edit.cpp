@@ -21,12 +21,11 @@ EditStep binding_step(Setting setting) {
   return {EditKind::binding, static_cast<std::size_t>(setting)};
 }
 
-// A setting of the scheme, as it is slid.
-template <class Change>
-void slide(Document& document, const char* label, EditStep step, const Change& change) {
+// A setting of the scheme, as it is slid: also one that counts for nothing there.
+template <class Place, class Value>
+void slide(Document& document, const char* label, EditStep step, const Value& value, const Place& place) {
   deform::Scheme scheme = document.scheme;
-  change(scheme);
-  if (scheme == document.scheme) return;
+  if (std::exchange(*place(scheme), value) == value) return;
   record_step(document, label, step);
   document.put_scheme(scheme);
 }
@@ -73,33 +72,33 @@ void set_scheme(Document& document, const deform::Scheme& scheme) {
 }
 
 void set_reach(Document& document, double reach) {
-  slide(document, "change reach", binding_step(Setting::reach),
-        [reach](deform::Scheme& scheme) { scheme.weighting.reach = reach; });
+  slide(document, "change reach", binding_step(Setting::reach), reach,
+        [](deform::Scheme& scheme) { return &scheme.weighting.reach; });
 }
 
 void set_radius(Document& document, double radius) {
-  slide(document, "change radius", binding_step(Setting::radius),
-        [radius](deform::Scheme& scheme) { scheme.weighting.radius = radius; });
+  slide(document, "change radius", binding_step(Setting::radius), radius,
+        [](deform::Scheme& scheme) { return &scheme.weighting.radius; });
 }
 
 void set_exponent(Document& document, int exponent) {
-  slide(document, "change exponent", binding_step(Setting::exponent),
-        [exponent](deform::Scheme& scheme) { scheme.weighting.exponent = exponent; });
+  slide(document, "change exponent", binding_step(Setting::exponent), exponent,
+        [](deform::Scheme& scheme) { return &scheme.weighting.exponent; });
 }
 
 void set_amounts(Document& document, const deform::Amounts& amounts) {
-  slide(document, "change how much turns and stretches", {EditKind::amounts},
-        [&](deform::Scheme& scheme) { scheme.amounts = amounts; });
+  slide(document, "change how much turns and stretches", {EditKind::amounts}, amounts,
+        [](deform::Scheme& scheme) { return &scheme.amounts; });
 }
 
 void set_iterations(Document& document, int iterations) {
-  slide(document, "change stitching", binding_step(Setting::iterations),
-        [iterations](deform::Scheme& scheme) { scheme.iterations = iterations; });
+  slide(document, "change stitching", binding_step(Setting::iterations), iterations,
+        [](deform::Scheme& scheme) { return &scheme.iterations; });
 }
 
 void set_holding(Document& document, const deform::Holding& holding) {
-  slide(document, "change what holds the model", binding_step(Setting::holding),
-        [&](deform::Scheme& scheme) { scheme.holding = holding; });
+  slide(document, "change what holds the model", binding_step(Setting::holding), holding,
+        [](deform::Scheme& scheme) { return &scheme.holding; });
 }
 
 void step_reach(Document& document, int step) {
