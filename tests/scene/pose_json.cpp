@@ -1,5 +1,6 @@
 #include "scene/files/pose_json.h"
 
+#include <nlohmann/json.hpp>
 #include <doctest/doctest.h>
 
 #include <algorithm>

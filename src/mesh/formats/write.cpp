@@ -95,7 +95,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   std::string library;
   if (format == write_obj || format == write_ply) append(notes, put_images_beside(beside, now));
   if (format == write_obj && !now.materials.empty()) {
-    library = beside.put(path.stem().string() + ".mtl", material_library(now));
+    library = beside.put(path.stem().string() + ".mtl", mesh::material_library(now));
     notes.push_back("the materials are in " + (path.parent_path() / library).string());
   }
   const Content converted{content.surface, content.positions, content.comments, &now};

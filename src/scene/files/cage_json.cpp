@@ -1,5 +1,6 @@
 #include "scene/files/cage_json.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "mesh/triangulation.h"

@@ -1,6 +1,7 @@
 #include "scene/files/handling_json.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "scene/document/range.h"
 

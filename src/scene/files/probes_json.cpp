@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "scene/document/probes.h"
 #include "scene/document/range.h"
