@@ -46,7 +46,7 @@ TEST_CASE(
     Workspace empty, w = test::cube_workspace();
     test::run_command(empty, command.name);
     CHECK_FALSE(empty.document.model.surface);
-    CHECK_FALSE(empty.document.history.can_undo());
+    CHECK_FALSE(empty.document.has_cage());
     test::run_command(w, command.name);
     while (test::run_command(w, "undo")) {
     }
