@@ -7,7 +7,7 @@ usage() {
   cat <<'TEXT'
 usage: third_party/setup.sh [COMMAND] [ARGS...]
   run [ARGS...]         install what is missing, build the program, start it (this is what no command does)
-  test [CTEST ARGS...]  install what is missing, build program and tests, run the tests
+  test [CTEST ARGS...]  install what is missing, build program and tests, run the tests (-L long: those for a night)
   build                 install what is missing, build the program: build/viete
   bench [ARGS...]       the same for the benchmarks: build/viete bench
   package               make packages of the program and the library for any machine: build-package/*.deb
@@ -287,6 +287,7 @@ case "$verb" in
   bench) exec "$here/build/viete" bench "$@" ;;
   test)
     files_in_memory
+    [ $# -gt 0 ] || set -- -LE long
     exec ctest --test-dir "$here/build" --output-on-failure -j "${JOBS:-$(nproc)}" "$@"
     ;;
 esac

@@ -1,8 +1,11 @@
 // The subcommands of `viete`: each adds its options to the command line and returns an exit code.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+
+namespace CLI {
+class App;
+}
 
 namespace viete::app {
 

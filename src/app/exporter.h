@@ -9,9 +9,9 @@
 
 #include "app/picture_export.h"
 #include "base/background.h"
+#include "scene/document/files_in_use.h"
 #include "scene/files/animation_export.h"
 #include "scene/files/export.h"
-#include "scene/document/files_in_use.h"
 #include "scene/workspace/messages.h"
 #include "scene/workspace/workspace.h"
 

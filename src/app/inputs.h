@@ -1,13 +1,16 @@
 // What a command opens, and how the model is to be moved: MODEL [CAGE] [--pose POSE], or a SESSION.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "app/output.h"
 #include "scene/files/open.h"
+
+namespace CLI {
+class App;
+}
 
 namespace viete::app {
 

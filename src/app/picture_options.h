@@ -2,12 +2,15 @@
 // so.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "app/offscreen_viewer.h"
 #include "app/saved_bindings.h"
 #include "scene/files/open.h"
+
+namespace CLI {
+class App;
+}
 
 namespace viete::app {
 

@@ -17,6 +17,9 @@ struct Program {
   std::vector<std::string> (*words)(std::vector<std::string> typed, const CLI::App& app);
 };
 
+/// That of `viete`, which becomes another program for `viete bench`.
+Program viete_program();
+
 /// Parses the command line and runs its command. Returns the exit code; what is wrong is on stderr.
 int run_program(int argc, char** argv, const Program& program);
 

@@ -28,8 +28,8 @@ struct ViewerOptions {
   int samples = 0;             ///< multisampling; 0 none
   int still_samples = 0;  ///< of one more picture once the view has rested for a quarter of a second; 0 none
   bool may_be_coarse = false;  ///< what moves is drawn at half the resolution, as the workspace says
-  bool builtin_font = false;  ///< the same text on every machine, for picture tests
-  bool probe = true;          ///< measure the methods aside
+  bool builtin_font = false;   ///< the same text on every machine, for picture tests
+  bool probe = true;           ///< measure the methods aside
   std::filesystem::path
       state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
   std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which draws animations aside
@@ -154,7 +154,7 @@ private:
   double last_change_ = 0, last_frame_ = 0;  ///< seconds of wall time; of the view alone, and of all
   double last_motion_ = 0;                   ///< when the last picture of something that moves was there
   bool refines_ = false, moves_ = false;     ///< in this frame: the view at rest, what is seen in it
-  unsigned settle_frames_ = 3;  ///< ImGui needs a few frames after a change until sizes rest
+  unsigned settle_frames_ = 3;               ///< ImGui needs a few frames after a change until sizes rest
   std::optional<bool> theme_seen_;
   scene::CameraPose camera_seen_;
   bool at_rest_ = false;  // the model that is drawn, whatever moves it

@@ -94,6 +94,9 @@ expect 'the tests are built' called 'VIETE_BUILD_TESTS=ON'
 expect 'with every kernel' called 'VIETE_KERNELS=all'
 expect 'and run side by side, as the caller says' called 'ctest .*-j [0-9]* -L unit'
 
+run "$script" test
+expect 'without what takes a night, where nothing else is asked for' called 'ctest .*-j [0-9]* -LE long'
+
 fresh
 stand_in cmake 'echo "no compiler"; exit 1'
 run "$script" build

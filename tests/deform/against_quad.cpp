@@ -8,6 +8,7 @@
 #include "deform/moment_rows.h"
 #include "deform/moments.h"
 #include "deform/ways.h"
+#include "support/longer.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -149,20 +150,20 @@ void compare_on_small_cages(std::span<const Case> cases, unsigned seed) {
   for (const auto& cage : cages) {
     const double size = mesh::bounds(cage.positions).diagonal();
     const auto points = points_about(cage, random);
-    for (int n = 0; n < 2; ++n)
+    for (int n = 0; n < rounds(1, 2); ++n)
       compare(cases, cage, points, {mapped(cage.positions, Waves(random, size)), {}}, true);
   }
 }
 
 }  // namespace
 
-TEST_CASE("frames_of_random_poses_agree_with_an_evaluation_in_quad_precision") {
+TEST_CASE("frames_of_random_poses_agree_with_an_evaluation_in_quad_precision" * doctest::test_suite(longer)) {
   Random random(2024);
   const mesh::Surface cages[] = {box({1, 2, 3}), tube(6, 8, 0.6, 2), tube(12, 16, 40, 90)};
   for (const auto& cage : cages) {
     const double size = mesh::bounds(cage.positions).diagonal();
     const auto points = points_about(cage, random);
-    for (int n = 0; n < 4; ++n)
+    for (int n = 0; n < rounds(1, 4); ++n)
       compare(cases, cage, points, {mapped(cage.positions, Waves(random, size)), {}}, true);
   }
 }
@@ -183,11 +184,12 @@ TEST_CASE("frames_of_turns_beyond_180_degrees_agree_with_an_evaluation_in_quad_p
   }
 }
 
-TEST_CASE("frames_of_all_elements_agree_with_an_evaluation_in_quad_precision") {
+TEST_CASE("frames_of_all_elements_agree_with_an_evaluation_in_quad_precision" * doctest::test_suite(longer)) {
   compare_on_small_cages(other_elements, 2026);
 }
 
-TEST_CASE("frames_of_partial_weights_agree_with_an_evaluation_in_quad_precision") {
+TEST_CASE("frames_of_partial_weights_agree_with_an_evaluation_in_quad_precision" *
+          doctest::test_suite(longer)) {
   compare_on_small_cages(partial, 2027);
 }
 

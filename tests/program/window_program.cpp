@@ -165,6 +165,7 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     desktop.rest();
     desktop.drag(from, to);
     desktop.rest();
+    const std::string at_work = desktop.screen();
     viewer.terminate();
     if (can_keep) {
       REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
@@ -172,14 +173,16 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
       CHECK(test::file_bytes(log).find("unsaved edits are kept") != std::string::npos);
       continue;
     }
-    CHECK_FALSE(wait_until([&] { return viewer.finished(); }, 2));
+    desktop.rest(at_work);
+    CHECK_FALSE(viewer.finished());
     desktop.xdotool_seen("key Escape");  // it has asked: back to work, each time
+    const std::string again_at_work = desktop.screen();
     viewer.terminate();
-    CHECK_FALSE(wait_until([&] { return viewer.finished(); }, 2));
-    desktop.xdotool("key Escape");
-    desktop.rest();
-    desktop.xdotool("key ctrl+q");
-    CHECK_FALSE(wait_until([&] { return viewer.finished(); }, 2));
+    desktop.rest(again_at_work);
+    CHECK_FALSE(viewer.finished());
+    desktop.xdotool_seen("key Escape");
+    desktop.xdotool_seen("key ctrl+q");
+    CHECK_FALSE(viewer.finished());
     desktop.xdotool("key Left");
     desktop.xdotool("key Return");  // close without saving
     REQUIRE(wait_until([&] { return viewer.finished(); }, 20));

@@ -1,6 +1,7 @@
 #include "scene/files/json_file.h"
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
 #include <string>
 

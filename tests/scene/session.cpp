@@ -1,6 +1,7 @@
 #include "scene/files/session.h"
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

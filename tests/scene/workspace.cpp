@@ -1,6 +1,7 @@
 #include "scene/workspace/workspace.h"
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 

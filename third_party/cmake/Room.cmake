@@ -61,30 +61,56 @@ endfunction()
 option(VIETE_UNITY "Compile the sources of the rooms that allow it in batches" ON)
 set(VIETE_BATCH 24 CACHE STRING "So many sources make a batch")
 
+# Compilers are timed where there are tests, one of which looks at what that comes to.
+set(VIETE_TIMES_COMPILERS OFF)
+if(VIETE_BUILD_TESTS AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT VIETE_SANITIZE)
+  set(VIETE_TIMES_COMPILERS ON)
+  set(VIETE_COMPILE_TIMER sh ${CMAKE_CURRENT_LIST_DIR}/compile_timer.sh)
+endif()
+function(viete_timed target)
+  if(VIETE_TIMES_COMPILERS)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${VIETE_COMPILE_TIMER}")
+  endif()
+endfunction()
+
 # For targets where nothing is computed that takes time: compiles in two thirds of the time.
 function(viete_quickly_compiled target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# viete_room(deform [UNITY] [QUICK] SOURCES a.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
+# Those two ways of compiling, of the sources of a target.
+function(viete_compiled target unity quick)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  if(unity AND VIETE_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${VIETE_BATCH})
+  endif()
+  if(quick)
+    viete_quickly_compiled(${target})
+  endif()
+  viete_timed(${target})
+endfunction()
+
+# viete_room(deform [UNITY] [QUICK] SOURCES a.cpp ... QUICK_SOURCES b.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
 # makes target viete::deform with include prefix "deform/". UNITY: no two of its sources use a name for two things.
-# QUICK: it is quickly compiled.
+# QUICK: it is quickly compiled, or those of its sources are.
 function(viete_room room)
-  cmake_parse_arguments(ARG "UNITY;QUICK" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY;QUICK" "" "SOURCES;QUICK_SOURCES;USES;PRIVATE_USES" ${ARGN})
   # What a library uses inside is no business of who finds it installed.
   list(TRANSFORM ARG_PRIVATE_USES REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")
   add_library(viete_${room} STATIC ${ARG_SOURCES})
   add_library(viete::${room} ALIAS viete_${room})
-  set_target_properties(viete_${room} PROPERTIES EXPORT_NAME ${room} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
-  if(ARG_UNITY AND VIETE_UNITY)
-    set_target_properties(viete_${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${VIETE_BATCH})
-  endif()
-  if(ARG_QUICK)
-    viete_quickly_compiled(viete_${room})
-  endif()
+  set_target_properties(viete_${room} PROPERTIES EXPORT_NAME ${room})
+  viete_compiled(viete_${room} ${ARG_UNITY} ${ARG_QUICK})
   target_include_directories(viete_${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   target_compile_features(viete_${room} PUBLIC cxx_std_20)
   target_link_libraries(viete_${room} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE_USES} $<BUILD_INTERFACE:viete_compile>)
+  if(ARG_QUICK_SOURCES)
+    add_library(viete_${room}_quick OBJECT ${ARG_QUICK_SOURCES})
+    viete_compiled(viete_${room}_quick ${ARG_UNITY} ON)
+    target_include_directories(viete_${room}_quick PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(viete_${room}_quick PRIVATE ${ARG_USES} ${ARG_PRIVATE_USES} viete_compile)
+    target_sources(viete_${room} PRIVATE $<TARGET_OBJECTS:viete_${room}_quick>)
+  endif()
 endfunction()
 
 # viete_public_headers(sym3 exp.h ...): those of the room's headers that others may use, as <viete/sym3/exp.h>, where it is installed and

@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "mesh/formats/gltf.h"
-#include "mesh/formats/gltf_file.h"
 #include "mesh/formats/gltf_output.h"
 #include "mesh/formats/obj.h"
 #include "mesh/formats/off.h"

@@ -351,6 +351,13 @@ private:
 
 }  // namespace
 
+bool looks_like_gltf(const Source& source) {
+  if (source.bytes.starts_with("glTF")) return true;
+  const auto first = source.bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string_view::npos && source.bytes[first] == '{' &&
+         source.bytes.find("\"asset\"") != std::string_view::npos;
+}
+
 ReadResult read_gltf(const Source& source) {
   return GltfReader(source, take_apart(source)).read();
 }

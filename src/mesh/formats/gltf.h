@@ -15,4 +15,7 @@ namespace viete::mesh {
 /// base::Error, base::Cancelled.
 ReadResult read_gltf(const Source& source);
 
+/// True if it is a GLB or JSON with an asset.
+bool looks_like_gltf(const Source& source);
+
 }  // namespace viete::mesh

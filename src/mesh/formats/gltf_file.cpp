@@ -331,13 +331,6 @@ GltfFile take_apart(const Source& source) {
       .take();
 }
 
-bool looks_like_gltf(const Source& source) {
-  if (is_glb(source)) return true;
-  const auto first = source.bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string_view::npos && source.bytes[first] == '{' &&
-         source.bytes.find("\"asset\"") != std::string_view::npos;
-}
-
 std::string base64(std::string_view bytes) {
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);

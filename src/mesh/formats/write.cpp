@@ -82,7 +82,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   std::string library;
   if (format.images == Format::Images::beside) append(notes, put_images_beside(beside, now));
   if (format.write == write_obj && !now.materials.empty()) {
-    library = beside.put(path.stem().string() + ".mtl", material_library(now));
+    library = beside.put(path.stem().string() + ".mtl", mesh::material_library(now));
     notes.push_back("the materials are in " + (path.parent_path() / library).string());
   }
   const Content what{content.surface, content.positions, content.comments,

@@ -1,7 +1,7 @@
 // Where one looks from, as a part of a session.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "scene/document/camera.h"
 #include "scene/files/json_file.h"

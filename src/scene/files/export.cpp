@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
 #include "base/checksum.h"

@@ -1,5 +1,7 @@
 #include "scene/files/handling_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "scene/document/range.h"
 
 namespace viete::scene {

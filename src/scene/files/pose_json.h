@@ -1,7 +1,7 @@
 // Poses, those with names, and keys in time, as parts of a session.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

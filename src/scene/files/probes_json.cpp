@@ -1,5 +1,7 @@
 #include "scene/files/probes_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "scene/document/probes.h"
 #include "scene/document/range.h"
 #include "scene/files/pose_json.h"

@@ -1,7 +1,7 @@
 // Probes as a part of a session.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -19,8 +19,8 @@ namespace viete::scene {
 ///          "moved": [x, y, z]; these three: what it has done, each missing where it is 0}, ...]
 nlohmann::ordered_json probes_json(const deform::Probes& probes);
 
-/// Ranges are those of scene/document/range.h and most_probes. A probe that is damaged is left out, and a warning says
-/// so.
+/// Ranges are those of scene/document/range.h and most_probes. A probe that is damaged is left out, and a
+/// warning says so.
 deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warnings);
 
 }  // namespace viete::scene

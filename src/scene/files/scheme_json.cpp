@@ -1,6 +1,7 @@
 #include "scene/files/scheme_json.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
 // A scheme as keys of a session.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

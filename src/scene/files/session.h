@@ -64,8 +64,8 @@ struct MaskRun {
 /// no others read it; version 3 is what has probes, version 4 what has a cage that is in no file,
 /// version 5 what has poses with names, or keys. Only
 /// format, version and model are required. Unknown keys are ignored, so that newer programs may add some.
-/// Ranges are those of scene/document/range.h. What is damaged beside model, cage and the list of positions costs its
-/// own part: it counts as missing, and a warning says so.
+/// Ranges are those of scene/document/range.h. What is damaged beside model, cage and the list of positions
+/// costs its own part: it counts as missing, and a warning says so.
 struct Session {
   std::filesystem::path model, cage;       ///< absolute; cage may be empty
   std::optional<OpenedSurface> made_cage;  ///< that is in no file

@@ -1,6 +1,7 @@
 #include "scene/workspace/remembered.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
 #include "base/error.h"

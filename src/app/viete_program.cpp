@@ -1,0 +1,81 @@
+#include "app/program.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/assets.h"
+#include "app/command_line.h"
+#include "app/help.h"
+#include "app/words.h"
+#include "base/error.h"
+
+namespace viete::app {
+
+namespace {
+
+bool is_command(const std::string& word, const CLI::App& app) {
+  const auto names = command_names(app);
+  return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+// A word that is neither a command nor looks like a file, nor is one, was meant as a command.
+void check_first_word(const std::string& word, const CLI::App& app) {
+  std::error_code ignored;
+  if (word.find_first_of("./") != word.npos || std::filesystem::exists(word, ignored)) return;
+  const std::string meant = nearest(word, command_names(app));
+  throw CLI::ParseError(word + ": there is neither a command nor a file of this name" +
+                            (meant.empty() ? "" : "; did you mean viete " + meant + "?"),
+                        exit_usage);
+}
+
+// The benchmarks are a program of their own, beside this one, which takes over.
+[[noreturn]] void become_bench(const std::vector<std::string>& arguments) {
+  const std::string program = program_folder() / "viete-bench";
+  std::vector<char*> words = {const_cast<char*>(program.c_str())};
+  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  ::execv(program.c_str(), words.data());
+  throw base::Error(program, std::strerror(errno),
+                    "build the benchmarks and run them with third_party/setup.sh bench");
+}
+
+// `viete`, `viete MODEL CAGE` and `viete --pose P MODEL CAGE` mean `viete view ...`; `viete help render`
+// means `viete render --help`.
+std::vector<std::string> with_command(std::vector<std::string> words, const CLI::App& app) {
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    if (!words.empty() && !is_command(words.front(), app)) check_first_word(words.front(), app);
+    words.emplace_back("--help");
+  }
+  const std::string first = words.empty() ? "" : words.front();
+  if (first == "bench") become_bench({words.begin() + 1, words.end()});
+  if (first == "-h" || first == "--help" || first == "--version" || is_command(first, app)) return words;
+  if (!first.empty() && first[0] != '-') check_first_word(first, app);
+  words.insert(words.begin(), "view");
+  return words;
+}
+
+void add_commands(CLI::App& app, Action& action) {
+  add_view_command(app, action);
+  add_render_command(app, action);
+  add_deform_command(app, action);
+  add_animate_command(app, action);
+  add_cage_command(app, action);
+  add_bind_command(app, action);
+  add_info_command(app, action);
+  app.add_subcommand("bench", bench_text);
+}
+
+}  // namespace
+
+Program viete_program() {
+  return {add_commands, with_command};
+}
+
+}  // namespace viete::app
