@@ -13,8 +13,8 @@ struct StitchedOptions {
 };
 
 /// Prints the table: frames with 1 and 2 iterations, link by link; the plain frame (maps blended at each
-/// triangle's centre in double, improved SD, each column solved for by Eigen's simplicial Cholesky); both
-/// solutions alone; factorisation. Throws base::Error.
+/// triangle's centre in double, improved SD, each column solved for by Eigen's simplicial Cholesky);
+/// factorisation; compare_solvers(). Throws base::Error.
 void bench_stitched(const StitchedOptions& options);
 
 }  // namespace viete::bench

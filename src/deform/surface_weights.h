@@ -16,7 +16,7 @@
 #include "deform/intrinsic_laplacian.h"
 #include "deform/part_coupling.h"
 #include "deform/scheme.h"
-#include "deform/sparse/block_solver.h"
+#include "deform/sparse/sparse_cholesky.h"
 #include "deform/thin_plate.h"
 
 namespace viete::deform {

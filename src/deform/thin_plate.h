@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/intrinsic_laplacian.h"
-#include "deform/sparse/block_solver.h"
+#include "deform/sparse/sparse_cholesky.h"
 
 namespace viete::deform {
 

@@ -3,10 +3,13 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <limits>
 #include <numeric>
+#include <queue>
+#include <span>
 #include <utility>
 
 namespace viete::deform {
@@ -30,21 +33,20 @@ struct Piece {
 };
 
 void order_by_degree(const Piece& piece, std::uint32_t* order) {
-  const auto n = static_cast<int>(piece.size());
-  std::vector<int> starts{0}, rows;
-  rows.reserve(piece.size() + piece.neighbours.items.size());
-  for (int v = 0; v < n; ++v) {
-    rows.push_back(v);
-    for (const auto u : piece.neighbours.of(static_cast<std::size_t>(v))) rows.push_back(static_cast<int>(u));
-    std::sort(rows.begin() + starts.back(), rows.end());
-    starts.push_back(static_cast<int>(rows.size()));
+  const auto n = static_cast<std::uint32_t>(piece.size());
+  std::vector<Eigen::Triplet<double>> lower;
+  lower.reserve(n + piece.neighbours.items.size() / 2);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    lower.emplace_back(v, v, 1);
+    for (const auto u : piece.neighbours.of(v)) {
+      if (u > v) lower.emplace_back(u, v, 1);
+    }
   }
-  const std::vector<double> values(rows.size(), 1.0);
-  using Sparse = Eigen::SparseMatrix<double>;
-  const Eigen::Map<const Sparse> view(n, n, starts.back(), starts.data(), rows.data(), values.data());
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(lower.begin(), lower.end());
   Eigen::AMDOrdering<int>::PermutationType permutation;
-  Eigen::AMDOrdering<int>()(view.selfadjointView<Eigen::Lower>(), permutation);
-  for (int i = 0; i < n; ++i) order[i] = piece.unknowns[static_cast<std::size_t>(permutation.indices()[i])];
+  Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), permutation);
+  for (const int v : permutation.indices()) *order++ = piece.unknowns[static_cast<std::size_t>(v)];
 }
 
 /// Unknowns by their distance from one of them, in edges.
@@ -75,37 +77,28 @@ private:
   std::vector<std::uint32_t> of_, reached_;
 };
 
-/// Those of a label, in the given sequence, which becomes that of their numbers.
-template <class Label>
-Piece extracted(const Piece& piece, std::span<const std::uint32_t> sequence, const std::vector<Label>& labels,
-                Label label) {
-  Piece part;
-  std::vector<std::uint32_t> number(piece.size());
+/// Those of the sequence, which becomes that of their numbers.
+Piece extracted(const Piece& piece, std::span<const std::uint32_t> sequence, std::size_t place) {
+  constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+  Piece part{{}, {{0}, {}}, place};
+  std::vector<std::uint32_t> number(piece.size(), none);
   for (const auto v : sequence) {
-    if (labels[v] != label) continue;
-    number[v] = static_cast<std::uint32_t>(part.unknowns.size());
+    number[v] = static_cast<std::uint32_t>(part.size());
     part.unknowns.push_back(piece.unknowns[v]);
   }
   auto& [starts, items] = part.neighbours;
-  starts.push_back(0);
   for (const auto v : sequence) {
-    if (labels[v] != label) continue;
     for (const auto u : piece.neighbours.of(v)) {
-      if (labels[u] == label) items.push_back(number[u]);
+      if (number[u] != none) items.push_back(number[u]);
     }
     starts.push_back(static_cast<std::uint32_t>(items.size()));
   }
   return part;
 }
 
-/// Where to cut levels in two: the separator are those of a level below it with a neighbour at or above it.
-struct Cut {
-  std::uint32_t level = 0;
-  double cost = std::numeric_limits<double>::infinity();
-};
-
-// Few in the separator, and sides alike.
-Cut best_cut(const mesh::Adjacency& graph, const std::vector<std::uint32_t>& levels) {
+/// Where to cut levels in two, few in the separator, and sides alike; 0 where there are too many in it. The
+/// separator are those of a level below it with a neighbour at or above it.
+std::uint32_t best_level(const mesh::Adjacency& graph, const std::vector<std::uint32_t>& levels) {
   const std::size_t end = 2 + *std::ranges::max_element(levels);
   std::vector<std::int64_t> below(end, 0), cut(end, 0);
   for (std::size_t v = 0; v < levels.size(); ++v) {
@@ -114,16 +107,17 @@ Cut best_cut(const mesh::Adjacency& graph, const std::vector<std::uint32_t>& lev
     ++below[levels[v] + 1], ++cut[levels[v] + 1];
     --cut[highest + 1];
   }
-  Cut best;
+  std::uint32_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
   const auto n = static_cast<double>(levels.size());
-  for (std::size_t l = 1; l + 1 < end; ++l) {
+  for (std::uint32_t l = 1; l + 1 < end; ++l) {
     below[l] += below[l - 1], cut[l] += cut[l - 1];
     const auto under = static_cast<double>(below[l]), cuts = static_cast<double>(cut[l]);
     const double larger = std::max(under - cuts, n - under) / n;
     const double cost = cuts * (1 + 0.4 * (larger - 0.5));
-    if (larger <= larger_side && cost < best.cost) best = {static_cast<std::uint32_t>(l), cost};
+    if (larger <= larger_side && cost < least) best = l, least = cost;
   }
-  return best;
+  return least <= worst_separator * n ? best : 0;
 }
 
 /// Moves unknowns out of the separator to a side, which takes their neighbours of the other side into it: the
@@ -132,21 +126,19 @@ class Refinement {
 public:
   Refinement(const mesh::Adjacency& graph, std::vector<Side>& sides)
       : graph_(graph), sides_(sides), moved_in_(sides.size(), -1) {
-    for (const Side side : sides) ++state_.count[side];
+    for (const Side side : sides) ++count_[side];
   }
 
   void run() {
     for (int pass = 0; pass < passes; ++pass) {
-      const State begun = state_;
+      const Count begun = count_;
       improve(pass);
-      if (!(better(state_, begun))) return;
+      if (!better(count_, begun)) return;
     }
   }
 
 private:
-  struct State {
-    std::int64_t count[3] = {0, 0, 0};  // by side
-  };
+  using Count = std::array<std::int64_t, 3>;  // by side
   struct Move {
     std::int64_t gain;
     std::uint32_t unknown;
@@ -154,9 +146,9 @@ private:
     auto operator<=>(const Move&) const = default;
   };
 
-  static bool better(const State& a, const State& b) {
-    const auto uneven = [](const State& s) { return std::abs(s.count[0] - s.count[1]); };
-    return std::pair(a.count[separator], uneven(a)) < std::pair(b.count[separator], uneven(b));
+  static bool better(const Count& a, const Count& b) {
+    const auto rank = [](const Count& c) { return std::pair(c[separator], std::abs(c[0] - c[1])); };
+    return rank(a) < rank(b);
   }
   static Side opposite(Side side) { return side == first_side ? second_side : first_side; }
 
@@ -165,26 +157,16 @@ private:
     return 1 - std::ranges::count_if(graph_.of(v), [&](auto u) { return sides_[u] == taken; });
   }
   void propose(std::uint32_t v) {
-    for (const Side to : {first_side, second_side}) propose(Move{gain(v, to), v, to});
-  }
-  void propose(const Move& move) {
-    heap_.push_back(move);
-    std::ranges::push_heap(heap_);
-  }
-  Move take_best() {
-    std::ranges::pop_heap(heap_);
-    const Move move = heap_.back();
-    heap_.pop_back();
-    return move;
+    for (const Side to : {first_side, second_side}) moves_.push({gain(v, to), v, to});
   }
   bool unbalances(Side to) const {
-    const auto grown = static_cast<double>(state_.count[to] + 1), n = static_cast<double>(sides_.size());
-    return grown > balanced_side * n && state_.count[to] >= state_.count[opposite(to)];
+    const auto grown = static_cast<double>(count_[to] + 1), n = static_cast<double>(sides_.size());
+    return grown > balanced_side * n && count_[to] >= count_[opposite(to)];
   }
 
   void put(std::uint32_t v, Side side) {
     log_.emplace_back(v, sides_[v]);
-    --state_.count[sides_[v]], ++state_.count[side];
+    --count_[sides_[v]], ++count_[side];
     sides_[v] = side;
   }
   void make(const Move& move, int pass) {
@@ -201,35 +183,36 @@ private:
   }
 
   void improve(int pass) {
-    heap_.clear(), log_.clear();
+    moves_ = {}, log_.clear();
     for (std::uint32_t v = 0; v < sides_.size(); ++v) {
       if (sides_[v] == separator) propose(v);
     }
-    State best = state_;
+    Count best = count_;
     std::size_t best_log = 0;
-    const std::int64_t patience = 40 + state_.count[separator] / 4;
-    for (std::int64_t worse = 0; !heap_.empty() && worse < patience;) {
-      Move move = take_best();
+    const std::int64_t patience = 40 + count_[separator] / 4;
+    for (std::int64_t worse = 0; !moves_.empty() && worse < patience;) {
+      const Move move = moves_.top();
+      moves_.pop();
       if (sides_[move.unknown] != separator || moved_in_[move.unknown] == pass) continue;
       const auto now = gain(move.unknown, move.to);
       if (now != move.gain) {
-        if (now < move.gain) propose(Move{now, move.unknown, move.to});
+        if (now < move.gain) moves_.push({now, move.unknown, move.to});
         continue;  // the better one is there too
       }
       if (unbalances(move.to)) continue;
       make(move, pass);
       ++worse;
-      if (better(state_, best)) best = state_, best_log = log_.size(), worse = 0;
+      if (better(count_, best)) best = count_, best_log = log_.size(), worse = 0;
     }
     for (; log_.size() > best_log; log_.pop_back()) sides_[log_.back().first] = log_.back().second;
-    state_ = best;
+    count_ = best;
   }
 
   const mesh::Adjacency& graph_;
   std::vector<Side>& sides_;
   std::vector<int> moved_in_;  // the pass
-  State state_;
-  std::vector<Move> heap_;
+  Count count_{};
+  std::priority_queue<Move> moves_;
   std::vector<std::pair<std::uint32_t, Side>> log_;  // what was where
 };
 
@@ -277,10 +260,10 @@ private:
     const std::uint32_t apart = from_one[from_one.farthest()];
     std::vector<std::uint32_t> levels(piece.size());
     for (std::size_t v = 0; v < levels.size(); ++v) levels[v] = from_one[v] + apart - from_other[v];
-    const Cut cut = best_cut(piece.neighbours, levels);
+    const std::uint32_t level = best_level(piece.neighbours, levels);
     tell(0);
-    if (!(cut.cost <= worst_separator * static_cast<double>(piece.size()))) return finish(piece);
-    return halves(piece, sides_of(piece, levels, cut.level), from_one.reached());
+    if (level == 0) return finish(piece);
+    return halves(piece, sides_of(piece, levels, level), from_one.reached());
   }
 
   std::vector<Side> sides_of(const Piece& piece, const std::vector<std::uint32_t>& levels,
@@ -298,41 +281,33 @@ private:
 
   std::vector<Piece> halves(const Piece& piece, const std::vector<Side>& sides,
                             std::span<const std::uint32_t> sequence) {
-    std::vector<Piece> parts;
-    std::size_t place = piece.place;
-    for (const Side side : {first_side, second_side}) {
-      parts.push_back(extracted(piece, sequence, sides, side));
-      parts.back().place = place;
-      place += parts.back().size();
-    }
-    for (const auto v : sequence) {
-      if (sides[v] == separator) order_[place++] = piece.unknowns[v];
-    }
-    tell(piece.size() - parts[0].size() - parts[1].size());
-    return parts;
+    std::vector<std::uint32_t> members[3];  // by side
+    for (const auto v : sequence) members[sides[v]].push_back(v);
+    const std::size_t middle = piece.place + members[first_side].size();
+    auto last = order_.begin() + std::ptrdiff_t(middle + members[second_side].size());
+    for (const auto v : members[separator]) *last++ = piece.unknowns[v];
+    tell(members[separator].size());
+    return {extracted(piece, members[first_side], piece.place),
+            extracted(piece, members[second_side], middle)};
   }
 
   // What hangs together; small ones together up to the size that is not divided.
   std::vector<Piece> split(const Piece& piece, Distances& distances) {
-    const auto& reached = distances.reached();
-    std::vector<std::uint32_t> labels(piece.size(), 0);
-    std::vector<std::size_t> begins{0};
-    for (std::size_t begin = 0, v = 0;;) {
-      if (begin > begins.back() && reached.size() - begins.back() > smallest_) begins.push_back(begin);
-      for (; begin < reached.size(); ++begin)
-        labels[reached[begin]] = static_cast<std::uint32_t>(begins.size() - 1);
-      while (v < piece.size() && distances[v] != Distances::none) ++v;
-      if (v == piece.size()) break;
-      distances.grow(piece.neighbours, static_cast<std::uint32_t>(v));
-    }
-    begins.push_back(piece.size());
     std::vector<Piece> parts;
-    for (std::uint32_t l = 0; l + 1 < begins.size(); ++l) {
+    std::size_t begin = 0;
+    const auto end_at = [&](std::size_t end) {
       tell(0);
-      const auto sequence = std::span(reached).subspan(begins[l], begins[l + 1] - begins[l]);
-      parts.push_back(extracted(piece, sequence, labels, l));
-      parts.back().place = piece.place + begins[l];
+      parts.push_back(
+          extracted(piece, std::span(distances.reached()).subspan(begin, end - begin), piece.place + begin));
+      begin = end;
+    };
+    for (std::uint32_t v = 0; v < piece.size(); ++v) {
+      if (distances[v] != Distances::none) continue;
+      const std::size_t before = distances.reached().size();
+      distances.grow(piece.neighbours, v);
+      if (distances.reached().size() - begin > smallest_) end_at(before);
     }
+    end_at(piece.size());
     return parts;
   }
 

@@ -5,34 +5,9 @@
 #include "sym3/highway_targets.h"
 
 // Use after Highway's foreach_target: returns the object `name` of the namespace of `target`.
-#define VIETE_RETURN_COMPILED(name, target) \
-  VIETE_RETURN_AVX3(name, target)           \
-  VIETE_RETURN_AVX2(name, target)           \
-  VIETE_RETURN_SSE4(name, target)           \
-  VIETE_RETURN_NEON(name, target)           \
-  return N_SCALAR::name
-
-#if HWY_TARGETS & HWY_AVX3
-#define VIETE_RETURN_AVX3(name, target) \
-  if ((target) == HWY_AVX3) return N_AVX3::name;
-#else
-#define VIETE_RETURN_AVX3(name, target)
-#endif
-#if HWY_TARGETS & HWY_AVX2
-#define VIETE_RETURN_AVX2(name, target) \
-  if ((target) == HWY_AVX2) return N_AVX2::name;
-#else
-#define VIETE_RETURN_AVX2(name, target)
-#endif
-#if HWY_TARGETS & HWY_SSE4
-#define VIETE_RETURN_SSE4(name, target) \
-  if ((target) == HWY_SSE4) return N_SSE4::name;
-#else
-#define VIETE_RETURN_SSE4(name, target)
-#endif
-#if HWY_TARGETS & HWY_NEON
-#define VIETE_RETURN_NEON(name, target) \
-  if ((target) == HWY_NEON) return N_NEON::name;
-#else
-#define VIETE_RETURN_NEON(name, target)
-#endif
+#define VIETE_RETURN_COMPILED(name, target)               \
+  return *((target) == HWY_AVX3   ? HWY_CHOOSE_AVX3(name) \
+           : (target) == HWY_AVX2 ? HWY_CHOOSE_AVX2(name) \
+           : (target) == HWY_SSE4 ? HWY_CHOOSE_SSE4(name) \
+           : (target) == HWY_NEON ? HWY_CHOOSE_NEON(name) \
+                                  : &N_SCALAR::name)

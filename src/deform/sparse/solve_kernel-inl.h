@@ -7,7 +7,7 @@
 #define VIETE_SPARSE_SOLVE_KERNEL_INL_H
 #endif
 
-#include "deform/sparse/sparse_jobs.h"
+#include "deform/sparse/sparse_kernel.h"
 #include "sym3/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -156,17 +156,9 @@ static HWY_INLINE void solve_backward(const TriangularFactor& f, const Supernode
 }
 
 template <std::size_t N>
-static HWY_INLINE void solve_block(const TriangularFactor& f, double* block) {
+static void solve_block(const TriangularFactor& f, double* block) {
   for (std::size_t s = 0; s < f.count; ++s) solve_forward<N>(f, f.supernodes[s], block);
   for (std::size_t s = f.count; s-- > 0;) solve_backward<N>(f, f.supernodes[s], block);
-}
-
-static void solve_columns(const TriangularFactor& factor, double* block) {
-  solve_block<solved_columns>(factor, block);
-}
-
-static void solve_four(const TriangularFactor& factor, double* block) {
-  solve_block<4>(factor, block);
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

@@ -2,11 +2,9 @@
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "base/error.h"
 #include "sym3/kernel.h"
-#include "deform/sparse/sparse_kernel.h"
 
 namespace viete::deform {
 
@@ -39,16 +37,33 @@ SparseCholesky::SparseCholesky(const SparseMatrix& matrix, base::WorkerPool& poo
 }
 
 void SparseCholesky::solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const {
-  work.resize(size());
+  work.resize(4 * size());
   for (std::size_t i = 0; i < size(); ++i) {
     const mesh::Vec3& from = b[factor_.order[i]];
-    work[i] = {{from[0], from[1], from[2], 0}};
+    double* to = &work[4 * i];
+    to[0] = from[0], to[1] = from[1], to[2] = from[2], to[3] = 0;
   }
-  if (size() > 0) sparse_kernel(sym3::kernel()).solve_four(factor_.view(), work.front().x);
+  sparse_kernel(sym3::kernel()).solve_four(factor_.view(), work.data());
   for (std::size_t i = 0; i < size(); ++i) {
-    const Row& from = work[i];
-    x[factor_.order[i]] = {from.x[0], from.x[1], from.x[2]};
+    const double* from = &work[4 * i];
+    x[factor_.order[i]] = {from[0], from[1], from[2]};
   }
+}
+
+void refuse_system() {
+  throw base::Error("", "the equations of these weights have no solution in double precision",
+                    "choose other weights, or repair the model's triangles");
+}
+
+BlockSolver::BlockSolver(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report)
+    : factor_(factor(matrix, pool, report)), places_(inverted(factor_.order)) {
+  for (const double pivot : factor_.pivots) {
+    if (!(pivot > 0 && std::isfinite(pivot))) refuse_system();
+  }
+}
+
+void BlockSolver::solve(std::span<double> block, const SparseKernel& kernel) const {
+  kernel.solve_columns(factor_.view(), block.data());
 }
 
 }  // namespace viete::deform

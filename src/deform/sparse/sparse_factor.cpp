@@ -32,41 +32,6 @@ double work_of(const Supernode& node) {
   return (m * m * m - b * b * b) / 6 + b * b / 2 + 1e3;
 }
 
-/// The lower triangle in the order of the factor.
-SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& order) {
-  const auto place = inverted(order);
-  const auto n = static_cast<std::uint32_t>(matrix.size());
-  SparseMatrix result;
-  result.starts.assign(n + 1, 0);
-  const auto for_lower = [&](const auto& visit) {
-    for (std::uint32_t v = 0; v < n; ++v) {
-      const auto at = place[v];
-      for_column(matrix, v, [&](std::uint32_t row, double value) {
-        if (row >= v) visit(std::minmax(at, place[row]), value);
-      });
-    }
-  };
-  for_lower([&](const auto& places, double) { ++result.starts[places.first + 1]; });
-  std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
-  result.rows.resize(static_cast<std::size_t>(result.starts.back()));
-  result.values.resize(result.rows.size());
-  std::vector<std::int32_t> next(result.starts.begin(), result.starts.end() - 1);
-  for_lower([&](const auto& places, double value) {
-    const auto i = static_cast<std::size_t>(next[places.first]++);
-    result.rows[i] = static_cast<std::int32_t>(places.second), result.values[i] = value;
-  });
-  return result;
-}
-
-/// What a supernode's front takes from those below it it leaves behind for its parent: the lower triangle of
-/// its rows.
-struct Update {
-  base::AlignedVector<double> values;
-
-  void begin(std::size_t rows) { values.assign(padded(rows) * padded(rows), 0.0); }
-  Front front(std::size_t rows) { return {values.data(), padded(rows)}; }
-};
-
 /// What one thread needs for one front at a time.
 struct Scratch {
   explicit Scratch(std::size_t n) : position(n) {}
@@ -79,22 +44,22 @@ struct Scratch {
 
 class Elimination {
 public:
-  Elimination(const SparseMatrix& matrix, const SymbolicFactor& plan, SparseFactor& factor,
-              base::WorkerPool& pool, const FactorReport& report, const SparseKernel& kernel)
+  Elimination(const SparseMatrix& matrix, SparseFactor& factor, base::WorkerPool& pool,
+              const FactorReport& report, const SparseKernel& kernel)
       : matrix_(matrix),
-        plan_(plan),
         factor_(factor),
         pool_(pool),
         report_(report),
         kernel_(kernel),
         updates_(factor.supernodes.size()),
         work_(factor.supernodes.size()) {
+    factor.values.resize(factor.entries);
     factor.pivots.resize(factor.size());
     factor.inverse.resize(factor.size());
     for (std::size_t s = 0; s < work_.size(); ++s) {
       const double work = work_of(factor.supernodes[s]);
       work_[s] += work, total_ += work;
-      if (plan.parents[s] != no_parent) work_[plan.parents[s]] += work_[s];
+      if (factor.parents[s] != no_parent) work_[factor.parents[s]] += work_[s];
     }
   }
 
@@ -120,7 +85,7 @@ private:
   std::vector<std::uint32_t> task_roots() const {
     std::vector<std::uint32_t> roots;
     for (std::uint32_t s = 0; s < work_.size(); ++s) {
-      const auto parent = plan_.parents[s];
+      const auto parent = factor_.parents[s];
       if (work_[s] <= largest_task() && (parent == no_parent || work_[parent] > largest_task()))
         roots.push_back(s);
     }
@@ -131,7 +96,7 @@ private:
   // Parents come after their children, and nothing in between.
   void eliminate_subtree(std::uint32_t root, Scratch& scratch) {
     auto first = root;
-    while (!plan_.children.of(first).empty()) first = plan_.children.of(first).front();
+    while (!factor_.children.of(first).empty()) first = factor_.children.of(first).front();
     for (auto s = first; s <= root; ++s) eliminate(s, scratch);
   }
 
@@ -146,18 +111,22 @@ private:
     const Supernode& node = factor_.supernodes[s];
     const Front panel = assemble(s, scratch);
     eliminate_columns(node, panel, scratch);
-    Front update = updates_[s].front(node.below);
-    Front left{panel.values + padded(node.columns), panel.stride};
-    subtract(left, node.below, node.columns, factor_.pivots.data() + node.first, update, scratch);
+    for (std::size_t p = 0; p < node.columns; p += longest_product) {
+      const Front left{panel.values + p * panel.stride + padded(node.columns), panel.stride};
+      subtract(left, padded(node.below), node.below, std::min(longest_product, node.columns - p),
+               factor_.pivots.data() + node.first + p, update_of(s), scratch);
+    }
     keep(node, panel);
     tell(1e3, scratch);
   }
+
+  Front update_of(std::uint32_t s) { return {updates_[s].data(), padded(factor_.supernodes[s].below)}; }
 
   Front assemble(std::uint32_t s, Scratch& scratch) {
     const Supernode& node = factor_.supernodes[s];
     const std::size_t top = padded(node.columns), stride = top + padded(node.below);
     scratch.panel.assign(stride * top, 0.0);
-    updates_[s].begin(node.below);
+    updates_[s].assign(padded(node.below) * padded(node.below), 0.0);
     const std::uint32_t* rows = factor_.rows.data() + node.rows;
     for (std::uint32_t i = 0; i < node.columns; ++i) scratch.position[node.first + i] = i;
     for (std::uint32_t i = 0; i < node.below; ++i)
@@ -168,9 +137,9 @@ private:
       });
     }
     const Front panel{scratch.panel.data(), stride};
-    for (const auto child : plan_.children.of(s)) {
-      add_child(child, panel, updates_[s].front(node.below), top, scratch);
-      updates_[child] = {};
+    for (const auto child : factor_.children.of(s)) {
+      add_child(child, panel, update_of(s), top, scratch);
+      base::AlignedVector<double>().swap(updates_[child]);  // frees it
     }
     return panel;
   }
@@ -178,7 +147,7 @@ private:
   void add_child(std::uint32_t s, const Front& panel, const Front& update, std::size_t top,
                  Scratch& scratch) {
     const Supernode& child = factor_.supernodes[s];
-    const Front from = updates_[s].front(child.below);
+    const Front from = update_of(s);
     scratch.rows.resize(child.below);
     for (std::uint32_t i = 0; i < child.below; ++i)
       scratch.rows[i] = scratch.position[factor_.rows[child.rows + i]];
@@ -202,22 +171,13 @@ private:
       const Front left{panel.values + begin * panel.stride + end, panel.stride};
       const Front into{panel.values + end * panel.stride + end, panel.stride};
       if (end < node.columns)
-        subtract_part(left, panel.stride - end, node.columns - end, columns, pivots + begin, into, scratch);
+        subtract(left, panel.stride - end, node.columns - end, columns, pivots + begin, into, scratch);
     }
   }
 
-  // into -= left D left^T, of rows x rows.
-  void subtract(Front left, std::size_t rows, std::size_t depth, const double* pivots, const Front& into,
-                Scratch& scratch) {
-    for (std::size_t p = 0; p < depth; p += longest_product) {
-      const Front part{left.values + p * left.stride, left.stride};
-      subtract_part(part, padded(rows), rows, std::min(longest_product, depth - p), pivots + p, into,
-                    scratch);
-    }
-  }
-
-  void subtract_part(const Front& left, std::size_t rows, std::size_t columns, std::size_t depth,
-                     const double* pivots, const Front& into, Scratch& scratch) {
+  // into -= left D left^T, of which it has so many columns.
+  void subtract(const Front& left, std::size_t rows, std::size_t columns, std::size_t depth,
+                const double* pivots, const Front& into, Scratch& scratch) {
     const std::size_t count = groups(columns);
     scratch.right.assign(count * column_group * depth, 0.0);
     for (std::size_t p = 0; p < depth; ++p) {
@@ -263,12 +223,13 @@ private:
   }
 
   const SparseMatrix& matrix_;  // permuted
-  const SymbolicFactor& plan_;
   SparseFactor& factor_;
   base::WorkerPool& pool_;
   const FactorReport& report_;
   const SparseKernel& kernel_;
-  std::vector<Update> updates_;
+  // What a supernode's front takes from those below it it leaves behind for its parent: the lower triangle of
+  // its rows.
+  std::vector<base::AlignedVector<double>> updates_;
   std::vector<double> work_;  // of what is below each node, itself included
   double total_ = 0;
   std::atomic<double> done_{0};
@@ -296,16 +257,11 @@ SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const Fa
 SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbours,
                     std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report,
                     const SparseKernel& kernel) {
-  SymbolicFactor plan = analyse(neighbours, std::move(order), report);
+  SparseFactor result{analyse(neighbours, std::move(order), report), {}, {}, {}};
   if (report) report(0);
-  const SparseMatrix lower = permuted(matrix, plan.order);
+  const SparseMatrix lower = permuted(matrix, inverted(result.order));
   if (report) report(0);
-  SparseFactor result;
-  result.order = std::move(plan.order);
-  result.supernodes = std::move(plan.supernodes);
-  result.rows = std::move(plan.rows);
-  result.values.resize(plan.entries);
-  Elimination(lower, plan, result, pool, report, kernel).run();
+  Elimination(lower, result, pool, report, kernel).run();
   return result;
 }
 

@@ -16,13 +16,8 @@
 
 namespace viete::deform {
 
-/// P A P^T = L D L^T, L with ones on its diagonal: what is eliminated i-th is unknown order[i]. Neighbouring
-/// columns of L with (nearly) the same rows are one Supernode (sparse_jobs.h says how it lies), a few zeros
-/// among its entries.
-struct SparseFactor {
-  std::vector<std::uint32_t> order;
-  std::vector<Supernode> supernodes;
-  std::vector<std::uint32_t> rows;      // of the supernodes, below their own columns, ascending
+/// P A P^T = L D L^T, L with ones on its diagonal: what is eliminated i-th is unknown order[i].
+struct SparseFactor : SymbolicFactor {
   base::AlignedVector<double> values;   // of L
   std::vector<double> pivots, inverse;  // D, and 1 / D
 

@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
-static const SparseKernel sparse = {solve_columns, solve_four, eliminate, subtract_product};
+static const SparseKernel sparse = {solve_block<solved_columns>, solve_block<4>, eliminate, subtract_product};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -5,19 +5,39 @@
 
 namespace viete::deform {
 
+namespace {
+
+using EigensMatrix = Eigen::SparseMatrix<double>;
+
+SparseMatrix ours(const EigensMatrix& matrix) {
+  const auto count = matrix.nonZeros();
+  return {{matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1},
+          {matrix.innerIndexPtr(), matrix.innerIndexPtr() + count},
+          {matrix.valuePtr(), matrix.valuePtr() + count}};
+}
+
+}  // namespace
+
 SparseMatrix sparse_matrix(std::size_t n, std::span<const MatrixEntry> entries) {
   std::vector<Eigen::Triplet<double>> triplets;
   triplets.reserve(entries.size());
   for (const auto& e : entries)
     triplets.emplace_back(static_cast<int>(e.row), static_cast<int>(e.column), e.value);
   const auto size = static_cast<int>(n);
-  Eigen::SparseMatrix<double> matrix(size, size);
+  EigensMatrix matrix(size, size);
   matrix.setFromTriplets(triplets.begin(), triplets.end());
-  const int* starts = matrix.outerIndexPtr();
-  const auto count = matrix.nonZeros();
-  return {{starts, starts + size + 1},
-          {matrix.innerIndexPtr(), matrix.innerIndexPtr() + count},
-          {matrix.valuePtr(), matrix.valuePtr() + count}};
+  return ours(matrix);
+}
+
+SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& places) {
+  const auto n = static_cast<int>(matrix.size());
+  const Eigen::Map<const EigensMatrix> view(n, n, matrix.starts.back(), matrix.starts.data(),
+                                            matrix.rows.data(), matrix.values.data());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(n);
+  std::ranges::copy(places, permutation.indices().data());
+  EigensMatrix result(n, n);
+  result.selfadjointView<Eigen::Lower>() = view.selfadjointView<Eigen::Lower>().twistedBy(permutation);
+  return ours(result);
 }
 
 mesh::UnionFind connected(const SparseMatrix& matrix) {

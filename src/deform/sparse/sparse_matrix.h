@@ -26,6 +26,10 @@ struct MatrixEntry {
 /// n rows and columns of these; entries of the same place are added.
 SparseMatrix sparse_matrix(std::size_t n, std::span<const MatrixEntry> entries);
 
+/// The lower triangle of a symmetric matrix, of which the lower triangle counts, with unknown i at places[i].
+/// Columns are not sorted.
+SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& places);
+
 /// visit(row, value) of each entry of a column.
 template <class Visit>
 void for_column(const SparseMatrix& matrix, std::uint32_t column, const Visit& visit) {

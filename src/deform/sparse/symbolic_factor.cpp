@@ -7,14 +7,14 @@ namespace viete::deform {
 
 namespace {
 
-/// Which columns have entries in which rows: parents in the elimination tree, a column's first row below.
+/// Which columns have entries in which rows: their number, and parents in the elimination tree, a column's
+/// first row below its diagonal.
 class Structure {
 public:
   Structure(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order, const FactorReport& report)
-      : neighbours_(neighbours), report_(report), order_(std::move(order)), place_(inverted(order_)) {
-    find_parents();
+      : neighbours_(neighbours), order_(std::move(order)), place_(inverted(order_)) {
+    grow_tree(report);
     renumber(postorder());
-    count_rows();
   }
 
   std::size_t size() const { return order_.size(); }
@@ -30,74 +30,47 @@ public:
   }
 
 private:
-  void tell(std::uint32_t at) const {
-    if (report_ && at % 1024 == 0) report_(0);
-  }
-
-  // With shortcuts to ancestors.
-  void find_parents() {
-    parents_.assign(size(), no_parent);
-    std::vector<std::uint32_t> ancestors(size(), no_parent);
+  // A row has entries in what is between its neighbours and itself in the tree.
+  void grow_tree(const FactorReport& report) {
+    parents_.assign(size(), no_parent), counts_.assign(size(), 0);
+    std::vector<std::uint32_t> seen(size());
     for (std::uint32_t row = 0; row < size(); ++row) {
-      tell(row);
+      if (report && row % 1024 == 0) report(0);
+      seen[row] = row;
       for_neighbours(row, [&](std::uint32_t at) {
-        while (at < row && at != no_parent) {
-          const auto next = std::exchange(ancestors[at], row);
-          if (next == no_parent) parents_[at] = row;
-          at = next;
+        for (; at < row && seen[at] != row; at = parents_[at]) {
+          parents_[at] = std::min(parents_[at], row);
+          seen[at] = row, ++counts_[at];
         }
       });
     }
   }
 
+  // Places in which each subtree is without gaps. Parents come after their children, so that the last child
+  // can take the places before its parent's, and what is below it those before.
   std::vector<std::uint32_t> postorder() const {
-    std::vector<std::uint32_t> child(size(), no_parent), sibling(size(), no_parent), result, path;
-    result.reserve(size());
-    for (auto v = static_cast<std::uint32_t>(size()); v-- > 0;) {
-      if (parents_[v] != no_parent) sibling[v] = std::exchange(child[parents_[v]], v);
+    const auto n = static_cast<std::uint32_t>(size());
+    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // of subtrees, and of all trees
+    const auto above = [&](std::uint32_t v) { return std::min(parents_[v], n); };
+    for (std::uint32_t v = 0; v < n; ++v) sizes[above(v)] += sizes[v];
+    for (auto v = n; v-- > 0;) {
+      places[v] = ends[v] = ends[above(v)] - 1;
+      ends[above(v)] -= sizes[v];
     }
-    for (std::uint32_t root = 0; root < size(); ++root) {
-      if (parents_[root] != no_parent) continue;
-      path.push_back(root);
-      while (!path.empty()) {
-        const auto next = std::exchange(child[path.back()], no_parent);
-        if (next != no_parent) {
-          path.push_back(next);
-          child[path[path.size() - 2]] = sibling[next];
-        } else {
-          result.push_back(path.back()), path.pop_back();
-        }
-      }
-    }
-    return result;
+    return places;
   }
 
-  void renumber(const std::vector<std::uint32_t>& sequence) {
-    const auto number = inverted(sequence);
-    std::vector<std::uint32_t> order, parents;
-    for (const auto v : sequence) {
-      order.push_back(order_[v]);
-      parents.push_back(parents_[v] == no_parent ? no_parent : number[parents_[v]]);
+  void renumber(const std::vector<std::uint32_t>& places) {
+    const auto order = order_, parents = parents_, counts = counts_;
+    for (std::uint32_t v = 0; v < size(); ++v) {
+      const auto at = places[v];
+      order_[at] = order[v], counts_[at] = counts[v];
+      parents_[at] = parents[v] == no_parent ? no_parent : places[parents[v]];
     }
-    order_ = std::move(order), parents_ = std::move(parents);
     place_ = inverted(order_);
   }
 
-  // A row has entries in what is between its neighbours and itself in the tree.
-  void count_rows() {
-    counts_.assign(size(), 0);
-    std::vector<std::uint32_t> seen(size(), no_parent);
-    for (std::uint32_t row = 0; row < size(); ++row) {
-      tell(row);
-      seen[row] = row;
-      for_neighbours(row, [&](std::uint32_t at) {
-        for (; at < row && seen[at] != row; at = parents_[at]) seen[at] = row, ++counts_[at];
-      });
-    }
-  }
-
   const mesh::Adjacency& neighbours_;
-  const FactorReport& report_;
   std::vector<std::uint32_t> order_, place_, parents_, counts_;
 };
 
@@ -108,31 +81,27 @@ public:
 
   std::vector<Supernode> find() {
     for (std::uint32_t c = 0; c < structure_.size(); ++c) {
-      found_.push_back({{c, 1, structure_.count(c), 0, 0}, 1.0 * structure_.count(c)});
-      while (found_.size() > 1 && joined()) {
+      nodes_.push_back({c, 1, structure_.count(c), 0, 0});
+      entries_.push_back(structure_.count(c));
+      while (nodes_.size() > 1 && joined()) {
       }
     }
-    std::vector<Supernode> supernodes;
-    for (const auto& [node, entries] : found_) supernodes.push_back(node);
-    return supernodes;
+    return std::move(nodes_);
   }
 
 private:
-  struct Found {
-    Supernode node;
-    double entries;  // that are not 0
-  };
-
   bool joined() {
-    Found& upper = found_.back();
-    Found& lower = found_[found_.size() - 2];
-    const auto parent = structure_.parent(upper.node.first - 1);
-    if (parent == no_parent || parent >= upper.node.first + upper.node.columns) return false;
-    const Supernode both{lower.node.first, lower.node.columns + upper.node.columns, upper.node.below, 0, 0};
-    const double entries = lower.entries + upper.entries, all = static_cast<double>(both.entries());
+    const Supernode& upper = nodes_.back();
+    Supernode& lower = nodes_[nodes_.size() - 2];
+    const auto parent = structure_.parent(upper.first - 1);
+    if (parent == no_parent || parent >= upper.first + upper.columns) return false;
+    const Supernode both{lower.first, lower.columns + upper.columns, upper.below, 0, 0};
+    const double entries = entries_[nodes_.size() - 2] + entries_.back();
+    const auto all = static_cast<double>(both.entries());
     if (all - entries > share_of_zeros(both.columns) * all) return false;
-    lower = {both, entries};
-    found_.pop_back();
+    lower = both;
+    nodes_.pop_back(), entries_.pop_back();
+    entries_.back() = entries;
     return true;
   }
 
@@ -141,75 +110,54 @@ private:
   }
 
   const Structure& structure_;
-  std::vector<Found> found_;
+  std::vector<Supernode> nodes_;
+  std::vector<double> entries_;  // of each that are not 0
 };
 
-class Analysis {
-public:
-  Analysis(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order, const FactorReport& report)
-      : structure_(neighbours, std::move(order), report), report_(report) {
-    factor_.supernodes = SupernodeFinder(structure_).find();
-    find_tree();
-    place_values();
-    find_rows();
+void place(SymbolicFactor& f) {
+  std::size_t rows = 0;
+  for (Supernode& node : f.supernodes) {
+    node.rows = rows, node.values = f.entries;
+    rows += node.below, f.entries += node.entries();
   }
+  f.rows.resize(rows);
+}
 
-  SymbolicFactor take() {
-    factor_.order = structure_.take_order();
-    return std::move(factor_);
+void find_tree(const Structure& structure, SymbolicFactor& f) {
+  const auto count = static_cast<std::uint32_t>(f.supernodes.size());
+  std::vector<std::uint32_t> of_column(structure.size());
+  for (std::uint32_t s = 0; s < count; ++s)
+    std::fill_n(of_column.begin() + f.supernodes[s].first, f.supernodes[s].columns, s);
+  for (const Supernode& node : f.supernodes) {
+    const auto parent = structure.parent(node.first + node.columns - 1);
+    f.parents.push_back(parent == no_parent ? no_parent : of_column[parent]);
   }
-
-private:
-  void find_tree() {
-    const auto count = static_cast<std::uint32_t>(factor_.supernodes.size());
-    std::vector<std::uint32_t> of_column(structure_.size());
-    for (std::uint32_t s = 0; s < count; ++s)
-      std::fill_n(of_column.begin() + factor_.supernodes[s].first, factor_.supernodes[s].columns, s);
-    auto& parents = factor_.parents;
-    for (const Supernode& node : factor_.supernodes) {
-      const auto parent = structure_.parent(node.first + node.columns - 1);
-      parents.push_back(parent == no_parent ? no_parent : of_column[parent]);
+  f.children = mesh::make_adjacency(count, [&](const auto& add) {
+    for (std::uint32_t s = 0; s < count; ++s) {
+      if (f.parents[s] != no_parent) add(f.parents[s], s);
     }
-    factor_.children = mesh::make_adjacency(count, [&](const auto& add) {
-      for (std::uint32_t s = 0; s < count; ++s) {
-        if (parents[s] != no_parent) add(parents[s], s);
-      }
-    });
-  }
+  });
+}
 
-  void place_values() {
-    std::size_t rows = 0;
-    for (Supernode& node : factor_.supernodes) {
-      node.rows = rows, node.values = factor_.entries;
-      rows += node.below, factor_.entries += node.entries();
+void find_rows(const Structure& structure, const FactorReport& report, SymbolicFactor& f) {
+  std::vector<std::uint32_t> seen(structure.size(), no_parent);
+  for (std::uint32_t s = 0; s < f.supernodes.size(); ++s) {
+    if (report && s % 256 == 0) report(0);
+    const Supernode& node = f.supernodes[s];
+    const auto end = node.first + node.columns;
+    const auto rows = f.rows.begin() + std::ptrdiff_t(node.rows);
+    auto next = rows;
+    const auto add = [&](std::uint32_t row) {
+      if (row >= end && std::exchange(seen[row], s) != s) *next++ = row;
+    };
+    for (auto c = node.first; c < end; ++c) structure.for_neighbours(c, add);
+    for (const auto child : f.children.of(s)) {
+      const Supernode& below = f.supernodes[child];
+      std::for_each_n(f.rows.begin() + std::ptrdiff_t(below.rows), below.below, add);
     }
-    factor_.rows.resize(rows);
+    std::sort(rows, next);
   }
-
-  void find_rows() {
-    std::vector<std::uint32_t> seen(structure_.size(), no_parent), rows;
-    for (std::uint32_t s = 0; s < factor_.supernodes.size(); ++s) {
-      if (report_ && s % 256 == 0) report_(0);
-      const Supernode& node = factor_.supernodes[s];
-      const auto end = node.first + node.columns;
-      rows.clear();
-      const auto add = [&](std::uint32_t row) {
-        if (row >= end && std::exchange(seen[row], s) != s) rows.push_back(row);
-      };
-      for (auto c = node.first; c < end; ++c) structure_.for_neighbours(c, add);
-      for (const auto child : factor_.children.of(s)) {
-        const Supernode& below = factor_.supernodes[child];
-        std::for_each_n(factor_.rows.begin() + std::ptrdiff_t(below.rows), below.below, add);
-      }
-      std::ranges::sort(rows);
-      std::ranges::copy(rows, factor_.rows.begin() + std::ptrdiff_t(node.rows));
-    }
-  }
-
-  Structure structure_;
-  const FactorReport& report_;
-  SymbolicFactor factor_;
-};
+}
 
 }  // namespace
 
@@ -221,7 +169,14 @@ std::vector<std::uint32_t> inverted(const std::vector<std::uint32_t>& order) {
 
 SymbolicFactor analyse(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order,
                        const FactorReport& report) {
-  return Analysis(neighbours, std::move(order), report).take();
+  Structure structure(neighbours, std::move(order), report);
+  SymbolicFactor f;
+  f.supernodes = SupernodeFinder(structure).find();
+  place(f);
+  find_tree(structure, f);
+  find_rows(structure, report, f);
+  f.order = structure.take_order();
+  return f;
 }
 
 }  // namespace viete::deform
