@@ -24,7 +24,9 @@ public:
         cholesky_(matrix, pool_),
         blocks_(matrix, pool_),
         three_(size(), mesh::Vec3{1, 2, 3}),
-        eigens_(eigens(matrix)),
+        eigens_(Eigen::Map<const Eigen::SparseMatrix<double>>(int(size()), int(size()), matrix.starts.back(),
+                                                              matrix.starts.data(), matrix.rows.data(),
+                                                              matrix.values.data())),
         sixteen_(size() * deform::solved_columns, 1.0),
         right_(Eigen::MatrixXd::Ones(Eigen::Index(size()), deform::solved_columns)) {}
 
@@ -72,12 +74,6 @@ private:
 };
 
 }  // namespace
-
-Eigen::SparseMatrix<double> eigens(const deform::SparseMatrix& matrix) {
-  const auto n = static_cast<int>(matrix.size());
-  return Eigen::Map<const Eigen::SparseMatrix<double>>(n, n, matrix.starts.back(), matrix.starts.data(),
-                                                       matrix.rows.data(), matrix.values.data());
-}
 
 std::vector<BenchResult> compare_solvers(const deform::SparseMatrix& matrix, std::size_t rounds) {
   SolverRuns runs(matrix);

@@ -1,7 +1,6 @@
 // The sparse solver of `deform` beside Eigen's, of one matrix.
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <cstddef>
 #include <vector>
 
@@ -9,8 +8,6 @@
 #include "deform/sparse/sparse_matrix.h"
 
 namespace viete::bench {
-
-Eigen::SparseMatrix<double> eigens(const deform::SparseMatrix& matrix);
 
 /// Prints what ordering, factors, and solutions of three and of sixteen columns take, by `deform` and by
 /// Eigen's SimplicialLDLT with its order (AMD), on one thread. Where entries will be is found with the order

@@ -63,7 +63,10 @@ public:
         normals_(model.positions.size()),
         around_(mesh::vertex_triangles(model.positions.size(), model.triangles)),
         right_(Eigen::Index(model.positions.size()), 3) {
-    factors_.compute(eigens(system_of(model, stitching)));
+    const deform::SparseMatrix k = system_of(model, stitching);
+    const auto n = static_cast<int>(k.size());
+    factors_.compute(Eigen::Map<const Eigen::SparseMatrix<double>>(n, n, k.starts.back(), k.starts.data(),
+                                                                   k.rows.data(), k.values.data()));
     mesh::Surface centers;
     for (const auto& [a, b, c] : stitching.triangles)
       centers.positions.push_back((1.0 / 3) * (model.positions[a] + model.positions[b] + model.positions[c]));
