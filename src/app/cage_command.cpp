@@ -17,7 +17,7 @@
 #include "cages/closeness.h"
 #include "cages/make.h"
 #include "cages/soundness.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 

@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "base/quantity.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/read.h"
 #include "mesh/topology.h"
 #include "scene/document/checks.h"

@@ -7,7 +7,7 @@
 #include "app/words.h"
 #include "base/error.h"
 #include "base/printable.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 
 namespace viete::app {
 

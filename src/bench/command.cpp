@@ -24,7 +24,7 @@
 #include "bench/sym3.h"
 #include "bench/table.h"
 #include "bench/time.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "sym3/kernel.h"
 
 namespace viete::bench {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"

@@ -2,14 +2,8 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "mesh/formats/format.h"
 
 namespace viete::mesh {
-
-bool Original::writes(const std::filesystem::path& file) const {
-  const Format* to = find_format(file);
-  return to && to->name == format_;
-}
 
 std::vector<std::string> Original::write_file(const std::filesystem::path& path, const Surface& rest,
                                               std::span<const Point> positions, Digits digits,
@@ -28,7 +22,7 @@ std::vector<std::string> Original::write_animated(const std::filesystem::path& p
                                                   std::span<const Point>, const MorphMotion&,
                                                   base::Progress*) const {
   throw base::Error(path.string(), "this format has no morph targets",
-                    "write " + format_extensions(holds_morphs));
+                    "write one that has them");
 }
 
 }  // namespace viete::mesh

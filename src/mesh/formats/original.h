@@ -31,8 +31,7 @@ public:
   explicit Original(std::string_view format) : format_(format) {}
   virtual ~Original() = default;
 
-  /// True for the name of a file that it can write itself as.
-  bool writes(const std::filesystem::path& file) const;
+  std::string_view format() const { return format_; }
 
   /// What it holds that a surface and its attributes do not, so that another format does not get it:
   /// "animations", "12 lines".

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "mesh/formats/foreign_content.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/obj.h"
 
 namespace viete::mesh {

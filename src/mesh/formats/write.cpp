@@ -6,7 +6,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "mesh/formats/conversion.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/gltf_output.h"
 #include "mesh/formats/image_files.h"
 #include "mesh/formats/obj.h"
@@ -67,7 +67,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
     beside.keep();
     if (leads_to) *leads_to = beside.all();
   };
-  if (original && original->writes(path)) {
+  if (writes_itself(original, path)) {
     std::vector<std::string> notes = copy_companions(original->companions(), beside);
     append(notes, original->write_file(path, content.surface, content.positions, digits, progress, &beside));
     keep();
@@ -110,7 +110,7 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
   check_motion(motion, content.surface.positions.size());
   check_written(path.string(), content.positions);
   std::vector<std::string> notes;
-  if (original && original->writes(path)) {
+  if (writes_itself(original, path)) {
     FilesBeside beside(path);
     notes = copy_companions(original->companions(), beside);
     append(notes, original->write_animated(path, content.surface, content.positions, motion, progress));

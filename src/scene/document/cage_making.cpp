@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/record.h"
 #include "scene/document/selection_sets.h"

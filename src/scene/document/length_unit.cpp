@@ -1,5 +1,5 @@
 #include "scene/document/length_unit.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/vector.h"
 
 namespace viete::scene {

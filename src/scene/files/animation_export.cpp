@@ -16,7 +16,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "base/worker_pool.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
@@ -265,7 +265,7 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
       *what.model.model, what.model.model->positions, {}, what.model.attributes.get()};
   model.notes().add(mesh::write_animated(what.model.file, content, what.model.original.get(),
                                          model.motion(plan), progress));
-  const bool original = what.model.original && what.model.original->writes(what.model.file);
+  const bool original = mesh::writes_itself(what.model.original.get(), what.model.file);
   const std::string units = original ? "" : gltf_note(what.model.unit, what.model.up);
   if (!units.empty()) model.notes().add({units});
   AnimationReport report;

@@ -12,7 +12,7 @@
 #include "base/numbered_files.h"
 #include "base/quantity.h"
 #include "deform/pose_io.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/source.h"

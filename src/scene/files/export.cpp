@@ -12,7 +12,7 @@
 #include "deform/exact.h"
 #include "mesh/content_key.h"
 #include "mesh/formats/conversion.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
 #include "scene/document/cage_editing.h"
@@ -71,7 +71,7 @@ void keep_at_rest(const mesh::Surface& model, const deform::Cage& cage, std::vec
 }
 
 bool writes_original(const Export& what) {
-  return what.original && what.original->writes(what.file);
+  return mesh::writes_itself(what.original.get(), what.file);
 }
 
 }  // namespace

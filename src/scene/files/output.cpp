@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/numbered_files.h"
 #include "deform/binding_file.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
 #include "scene/document/document.h"

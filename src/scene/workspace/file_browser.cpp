@@ -7,7 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/numbered_files.h"
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
 #include "scene/files/animation_export.h"
 #include "scene/files/output.h"

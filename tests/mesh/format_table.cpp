@@ -1,5 +1,5 @@
 // The table of formats: its rows say what readers and writers do, and what shells and desktops are told.
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "mesh/formats/format.h"
+#include "mesh/formats/format_table.h"
 
 #include <algorithm>
 
@@ -102,6 +102,11 @@ const Format& surface_format(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   throw base::Error(file.string(), extension.empty() ? "no extension" : "unknown extension ." + extension,
                     "use " + format_extensions(holds_surface));
+}
+
+bool writes_itself(const Original* original, const std::filesystem::path& file) {
+  const Format* to = original ? find_format(file) : nullptr;
+  return to && to->name == original->format();
 }
 
 const Format* format_of_description(std::string_view description) {
