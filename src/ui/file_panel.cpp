@@ -126,12 +126,12 @@ std::string in_capitals(std::string_view format) {
 }
 
 // OBJ, PLY and so on as buttons that change the extension.
-void format_row(const Context& ui) {
+void format_buttons(const Context& ui, const std::vector<std::string_view>& formats, bool own_row) {
   Browser& browser = ui.workspace.browser;
   const std::string now = scene::format_of(browser);
-  for (const std::string_view format : browser.formats()) {
+  for (const std::string_view format : formats) {
     const std::string label = in_capitals(format);
-    ImGui::SameLine();
+    if (!own_row || format != formats.front()) ImGui::SameLine();
     const bool active = now == format;
     ImGui::PushStyleColor(ImGuiCol_Button, active ? ui.colors.card_active : ui.colors.card);
     ImGui::PushStyleColor(ImGuiCol_Text, active ? ui.colors.text : ui.colors.faint);
@@ -149,9 +149,10 @@ void filter_row(const Context& ui) {
   hint("To the folder above.  (Backspace)");
   ImGui::SameLine();
   if (browser.appearing && !browser.saves()) ImGui::SetKeyboardFocusHere();
-  const bool formats = browser.saves() && browser.purpose != Purpose::save_session;
+  const auto formats = browser.saves() ? browser.formats() : std::vector<std::string_view>();
   constexpr float button_width = 53;
-  ImGui::SetNextItemWidth(formats ? -button_width * static_cast<float>(browser.formats().size()) : -1.0f);
+  const bool own_row = formats.empty() || formats.size() > 8;
+  ImGui::SetNextItemWidth(own_row ? -1.0f : -button_width * static_cast<float>(formats.size()));
   const std::string before = browser.filter;
   text_field("##filter", "Filter", browser.filter, 0);
   record(ui, "file_filter");
@@ -160,7 +161,7 @@ void filter_row(const Context& ui) {
     browser.recent = Browser::none;
     if (!browser.saves()) browser.path = browser.folder.string();
   }
-  if (formats) format_row(ui);
+  format_buttons(ui, formats, own_row);
 }
 
 // The clicked entry, if any; it is acted on after the list is drawn, because that changes the list.
