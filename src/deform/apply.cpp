@@ -93,7 +93,7 @@ Vec3 moved_by_affine_log(Sums s, const Vec3& x, const Vec3& o) {
 // Relative to the pose's origin; stretched_offset: exp(X) o, of forms that have X.
 Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o, const Vec3& stretched_offset) {
   switch (form) {
-    case RowForm::logs: return times(sym3::exp_rotation(three(s, 6)), stretched_offset) + three(s, 9);
+    case RowForm::logs: break;
     case RowForm::maps: return x + (times(nine(s), x) + three(s, 9));
     case RowForm::positions: return three(s, 0) + o;
     case RowForm::stretches: return times(sym3::exp_rotation(three(s, 6)), stretched(s, o)) + three(s, 9);
@@ -115,6 +115,14 @@ void apply(const Binding& binding, const Shares& shares, RowForm form, Sums sums
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions) {
   const std::size_t columns = shape(form).columns;
+  if (form == RowForm::logs) {  // where x is not needed
+    for (std::size_t i = begin; i < end; ++i) {
+      const Sums s = sums.subspan(i * columns, columns);
+      const Vec3 stretched = times(stretches[i], offset_of(binding, shares, i));
+      positions[i] = origin + (times(sym3::exp_rotation(three(s, 6)), stretched) + three(s, 9));
+    }
+    return;
+  }
   const bool stretches_offsets = has_stretch_logs(form);
   for (std::size_t i = begin; i < end; ++i) {
     const Vec3 x = binding.rest[i] - binding.rest_origin, o = offset_of(binding, shares, i);
@@ -123,15 +131,13 @@ void apply(const Binding& binding, const Shares& shares, RowForm form, Sums sums
   }
 }
 
-void exponentiate(RowForm form, Sums sums, sym3::Method method, std::size_t begin, std::size_t end,
-                  std::span<sym3::Sym3<double>> logs, std::span<sym3::Sym3<double>> stretches) {
-  if (!has_stretch_logs(form)) return;
+void stretch_logs(RowForm form, Sums sums, std::size_t begin, std::size_t end,
+                  std::span<sym3::Sym3<double>> logs) {
   const std::size_t columns = shape(form).columns;
-  for (std::size_t i = begin; i < end; ++i) {
+  for (std::size_t i = begin; i < (has_stretch_logs(form) ? end : begin); ++i) {
     const double* x = sums.data() + i * columns;
     logs[i] = {x[0], x[1], x[2], x[3], x[4], x[5]};
   }
-  sym3::exp<double>(logs.subspan(begin, end - begin), stretches.subspan(begin, end - begin), method);
 }
 
 namespace {
@@ -163,7 +169,8 @@ double place_sums(const Binding& binding, RowForm form, Sums sums, const Vec3& o
                   std::span<mesh::Point> positions, bool error) {
   const std::size_t n = positions.size();
   std::vector<Stretch> logs(has_stretch_logs(form) ? n : 0), stretches(logs.size());
-  exponentiate(form, sums, method, 0, n, logs, stretches);
+  stretch_logs(form, sums, 0, n, logs);
+  sym3::exp<double>(logs, stretches, method);
   apply(binding, binding.shares, form, sums, stretches, origin, 0, n, positions);
   return error && method != sym3::Method::fast ? worst_difference(stretches, logs) : 0;
 }

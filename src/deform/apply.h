@@ -13,10 +13,9 @@ namespace viete::deform {
 void share_sums(const Binding& binding, const Shares& shares, RowForm form, std::size_t begin,
                 std::size_t end, std::span<double> sums);
 
-/// Link 4, of forms with logs of stretches: their exponentials for vertices [begin, end).
-void exponentiate(RowForm form, std::span<const double> sums, sym3::Method method, std::size_t begin,
-                  std::size_t end, std::span<sym3::Sym3<double>> logs,
-                  std::span<sym3::Sym3<double>> stretches);
+/// Of forms that have them, the logs of stretches of vertices [begin, end), whose exponentials are link 4.
+void stretch_logs(RowForm form, std::span<const double> sums, std::size_t begin, std::size_t end,
+                  std::span<sym3::Sym3<double>> logs);
 
 /// Vertices [begin, end) of positions, sums being shared already and of any form but moments. For logs
 /// x' = origin + (exp(Y) exp(X) o + c'), stretches being exp(X). The forms and their letters: RowForm.

@@ -51,11 +51,14 @@ void StagedEngine::blend_rows(const Rows& rows, sym3::Method method) {
   for_vertices([&](std::size_t begin, std::size_t end) {
     blend(*binding_, rows, begin, end, sums_);
     share_sums(*binding_, shares_, rows.form, begin, end, sums_);
+    stretch_logs(rows.form, sums_, begin, end, logs_);
   });
   times_[Link::blend] = watch.lap_ms();
   if (has_stretch_logs(rows.form)) {
     for_vertices([&](std::size_t begin, std::size_t end) {
-      exponentiate(rows.form, sums_, method, begin, end, logs_, stretches_);
+      const std::size_t count = end - begin;
+      sym3::exp<double>(std::span(logs_).subspan(begin, count), std::span(stretches_).subspan(begin, count),
+                        method);
     });
     times_[Link::exp] = watch.lap_ms();
   }
