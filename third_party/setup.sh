@@ -226,7 +226,7 @@ give_back() {
 }
 
 build_program() {
-  if [ ! -e "$here/build/viete" ]; then say "building the program: about two and a half minutes on two cores"; fi
+  if [ ! -e "$here/build/viete" ]; then say "building the program: three to five minutes on two cores"; fi
   build "$1" build -DVIETE_BUILD_TESTS=OFF -DVIETE_BUILD_PYTHON=OFF -DVIETE_KERNELS=native
 }
 
