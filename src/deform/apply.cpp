@@ -8,8 +8,8 @@
 
 #include "deform/linear_map.h"
 #include "deform/map_rows.h"
-#include "deform/matrix_log.h"
-#include "deform/translation_log.h"
+#include "sym3/general.h"
+#include "sym3/translation_log.h"
 
 namespace viete::deform {
 
@@ -65,7 +65,7 @@ Vec3 rotated(Sums s, const Vec3& u) {
   return u + w * t + cross(v, t);
 }
 
-// u of translation_log.h, from L times a vector, and E - I times one.
+// u of sym3/translation_log.h, from L times a vector, and E - I times one.
 template <class Turned, class Stretched>
 Vec3 translation(const Vec3& a, const Vec3& center, const Vec3& m, const Turned& l, const Stretched& e) {
   const Vec3 way = center - m;
@@ -78,7 +78,8 @@ Vec3 moved_by_screw(Sums s, const Vec3& x, const Vec3& o, const Vec3& stretched)
   const Vec3 u = translation(
       three(s, 15), center, x - o, [&](const Vec3& v) { return cross(turn, v); },
       [&](const Vec3& v) { return times(e, v); });
-  return center + (stretched + phi_times(turn, cross(turn, stretched) + u));
+  const Vec3 way = sym3::phi_times(turn, cross(turn, stretched) + u);
+  return center + (stretched + way);
 }
 
 Vec3 moved_by_affine_log(Sums s, const Vec3& x, const Vec3& o) {
@@ -87,7 +88,8 @@ Vec3 moved_by_affine_log(Sums s, const Vec3& x, const Vec3& o) {
   const Vec3 u = translation(
       three(s, 18), center, x - o, [&](const Vec3& v) { return times(l, v); },
       [&](const Vec3& v) { return times(e, v); });
-  return center + (o + phi_times(l, times(l, o) + u));
+  const Vec3 way = sym3::phi_times(l, times(l, o) + u);
+  return center + (o + way);
 }
 
 // Relative to the pose's origin; stretched_offset: exp(X) o, of forms that have X.
@@ -98,7 +100,7 @@ Vec3 moved(RowForm form, Sums s, const Vec3& x, const Vec3& o, const Vec3& stret
     case RowForm::positions: return three(s, 0) + o;
     case RowForm::stretches: return times(sym3::exp_rotation(three(s, 6)), stretched(s, o)) + three(s, 9);
     case RowForm::quaternions: return rotated(s.subspan(6, 4), stretched(s, o)) + three(s, 10);
-    case RowForm::matrix_logs: return times(matrix_exp(nine(s)), o) + three(s, 9);
+    case RowForm::matrix_logs: return times(sym3::exp_general(nine(s)), o) + three(s, 9);
     case RowForm::screws: return moved_by_screw(s, x, o, stretched_offset);
     case RowForm::affine_logs: return moved_by_affine_log(s, x, o);
     case RowForm::affine_moments:

@@ -21,9 +21,6 @@ using Rotations = std::span<const sym3::Mat3<double>>;
 // either side.
 
 constexpr double turn = 2 * std::numbers::pi;
-// What v may have across a reference, in radians, by rounding alone: about a hundred units in the last place
-// of a whole turn.
-constexpr double along_reference = 1e-13;
 // Half a turn from the reference two branches are equally near, and rounding would decide, otherwise from
 // frame to frame and part to part. Within so many radians, half a degree, they count as equally near.
 constexpr double half_turn_tie = 1e-2;
@@ -165,25 +162,6 @@ bool all_stay_principal(const MapGraph& graph, std::span<const Vec3> principal, 
 }
 
 }  // namespace
-
-// |(angle + 2 pi k) n - reference|^2 with v = angle n is a parabola in k with its least value at
-// k = (n . reference - angle) / 2 pi: the nearest whole number is the branch. Near a whole turn v is nearly 0
-// and its direction rounding, so that a long reference gives the axis.
-Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
-  const double angle = norm(v);
-  if (squared_norm(reference) > turn * turn / 4) {
-    const double length = norm(reference);
-    const Vec3 axis = (1 / length) * reference;
-    const double along = dot(v, axis);
-    if (norm(v - along * axis) <= along_reference) {
-      return (along + turn * std::round((length - along) / turn)) * axis;
-    }
-  }
-  if (angle == 0) return v;
-  const double gap = dot(reference, v) / angle - angle;
-  if (std::abs(gap) < turn / 2) return v;
-  return ((angle + turn * std::round(gap / turn)) / angle) * v;
-}
 
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);

@@ -9,10 +9,9 @@
 
 namespace viete::deform {
 
-/// The branch n (theta + 2 pi k) of the rotation vector v = n theta that is nearest to `reference`. Where v
-/// is zero, or along the reference up to 1e-13, the axis is the reference's, so that full turns do not lose
-/// it.
-Vec3 nearest_branch(const Vec3& v, const Vec3& reference);
+inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
+  return sym3::nearest_branch(v, reference);
+}
 
 /// trace(A^T B) = 1 + 2 cos(angle between the two rotations).
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
@@ -23,7 +22,7 @@ double whole_turns(const Vec3& turn, const Vec3& least);
 Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
 
 struct Branches {
-  std::vector<Vec3> logs;   ///< of each map
+  std::vector<Vec3> logs;  ///< of each map
   std::vector<Vec3>
       turns;  ///< mean log of each part of the cage, or with_whole_turns() that logs cannot tell
 };

@@ -377,7 +377,7 @@ static HWY_INLINE lanes::Two<V> inverse_or_one(D d, lanes::Two<V> x) {
   return {inverse_or_one(d, x.a), inverse_or_one(d, x.b)};
 }
 
-// phi(Y) y as in translation_log.cpp: y sin / angle + (1 - cos) / angle^2 Y x y + what is along Y.
+// phi(Y) y as in sym3/translation_log.cpp: y sin / angle + (1 - cos) / angle^2 Y x y + what is along Y.
 template <class D, class V>
 static HWY_INLINE lanes::Three<V> rotation_phi(D d, const lanes::Three<V>& turn, const lanes::Three<V>& y) {
   const lanes::HalfAngle<V> half = lanes::half_angle_lanes(d, turn);

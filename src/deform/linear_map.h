@@ -1,9 +1,8 @@
 // Products of the small matrices and vectors of a map.
 #pragma once
 
-#include <cstddef>
-
 #include "mesh/vector.h"
+#include "sym3/products.h"
 #include "sym3/rotation.h"
 #include "sym3/sym3.h"
 
@@ -20,15 +19,9 @@ inline mesh::Vec3 times(const sym3::Mat3<double>& m, const mesh::Vec3& x) {
 }
 
 inline sym3::Mat3<double> times(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
-  sym3::Mat3<double> c{};
-  for (std::size_t i = 0; i < 9; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) c[i] += a[i / 3 * 3 + k] * b[3 * k + i % 3];
-  }
-  return c;
+  return sym3::product(a, b);
 }
 
-inline sym3::Mat3<double> full(const sym3::Sym3<double>& s) {
-  return {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
-}
+using sym3::full;
 
 }  // namespace viete::deform

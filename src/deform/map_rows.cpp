@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "deform/linear_map.h"
-#include "deform/matrix_log.h"
-#include "deform/translation_log.h"
 #include "sym3/exp.h"
+#include "sym3/general.h"
+#include "sym3/translation_log.h"
 
 namespace viete::deform {
 
@@ -51,7 +51,7 @@ void write_quaternion(const Vec3& turn, Row row) {
 
 // X, Y, E - I, a of RowForm::screws. a in terms of E - I: at rest it is exactly 0.
 void write_screw(const MapLog& log, const Vec3& rest_center, Row row) {
-  auto e = even_part(log.rotation);
+  auto e = sym3::even_part(log.rotation);
   e.xx -= 1, e.yy -= 1, e.zz -= 1;
   write(log.stretch, row);
   write(log.rotation, row.subspan(6, 3));
@@ -63,10 +63,14 @@ void write_screw(const MapLog& log, const Vec3& rest_center, Row row) {
   write(way + stretched - 0.5 * cross(log.rotation, log.center + rest_center), row.subspan(15, 3));
 }
 
+sym3::Mat3<double> log_of(const AffineMap& map, const MapLog& log) {
+  return sym3::bounded_log(map.linear, {log.stretch, log.rotation});
+}
+
 // L, E - I, a of RowForm::affine_logs.
 void write_affine_log(const AffineMap& map, const MapLog& log, const Vec3& rest_center, Row row) {
-  const auto l = matrix_log(map.linear, log);
-  auto e = even_part(l, log.rotation);
+  const auto l = log_of(map, log);
+  auto e = sym3::even_part(l, log.rotation);
   for (const int i : {0, 4, 8}) e[i] -= 1;
   std::copy(l.begin(), l.end(), row.begin());
   std::copy(e.begin(), e.end(), row.begin() + 9);
@@ -111,7 +115,7 @@ void write_row(RowForm form, const AffineMap& map, const MapLog& log, const Vec3
     case RowForm::screws: write_screw(log, rest_center, row); break;
     case RowForm::affine_logs: write_affine_log(map, log, rest_center, row); break;
     case RowForm::matrix_logs: {
-      const auto l = matrix_log(map.linear, log);
+      const auto l = log_of(map, log);
       std::copy(l.begin(), l.end(), row.begin());
       break;
     }

@@ -23,7 +23,7 @@ enum class RowForm {
   rigid_moments,    ///< the same, M a rotation
 };
 // Of the last two: what takes p to exp(L) p + phi(L) u + c', u = a - E (c' - m) + L (c' + m) / 2 with m = x -
-// o; of screws L p = Y x p. See translation_log.h.
+// o; of screws L p = Y x p. See sym3/translation_log.h.
 
 struct RowShape {
   std::size_t columns;

@@ -10,7 +10,7 @@
 #include "deform/leaves.h"
 #include "deform/linear_map.h"
 #include "deform/map_rows.h"
-#include "deform/matrix_log.h"
+#include "sym3/general.h"
 #include "sym3/polar.h"
 
 namespace viete::deform {
@@ -79,7 +79,7 @@ struct Stitcher::Maps {
       Mat m;
       for (std::size_t k = 0; k < 9; ++k) m[k] = sums[k][i];
       if (by_log) {
-        m = matrix_exp(m);
+        m = sym3::exp_general(m);
       } else {
         m[0] += 1, m[4] += 1, m[8] += 1;
       }

@@ -12,16 +12,15 @@
 #include "deform/apply.h"
 #include "deform/face_maps.h"
 #include "deform/inverse_distance.h"
+#include "deform/laplacian.h"
 #include "deform/leaves.h"
 #include "deform/map_rows.h"
-#include "deform/matrix_log.h"
 #include "deform/part_coupling.h"
 #include "mesh/edge_paths.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
 #include "sym3/polar.h"
-#include "deform/laplacian.h"
 
 namespace viete::deform {
 

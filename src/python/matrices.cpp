@@ -11,10 +11,6 @@ std::string text_of(const py::handle& object) {
   return py::str(object).cast<std::string>();
 }
 
-std::string shape_text(const py::array& a) {
-  return text_of(a.attr("shape"));
-}
-
 std::size_t product(const py::array& a, py::ssize_t axes) {
   std::size_t count = 1;
   for (py::ssize_t i = 0; i < axes; ++i) count *= static_cast<std::size_t>(a.shape(i));
@@ -25,15 +21,19 @@ bool ends_in_3_3(const py::array& a) {
   return a.ndim() >= 2 && a.shape(a.ndim() - 1) == 3 && a.shape(a.ndim() - 2) == 3;
 }
 
-[[noreturn]] void wrong(const char* function, const std::string& what) {
-  throw py::value_error("viete." + std::string(function) + ": " + what);
-}
-
 [[noreturn]] void wrong_type(const char* function, const std::string& what) {
   throw py::type_error("viete." + std::string(function) + ": " + what);
 }
 
 }  // namespace
+
+std::string shape_text(const py::array& a) {
+  return text_of(a.attr("shape"));
+}
+
+void wrong(const char* function, const std::string& what) {
+  throw py::value_error("viete." + std::string(function) + ": " + what);
+}
 
 bool overlap(const py::array& a, const py::array& b) {
   const auto* first = static_cast<const char*>(a.data());

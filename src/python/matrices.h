@@ -22,6 +22,10 @@ struct Shape {
   std::size_t count;
 };
 
+/// Raises ValueError that names the function.
+[[noreturn]] void wrong(const char* function, const std::string& what);
+std::string shape_text(const py::array& a);
+
 /// Symmetric matrices in either form. Raises ValueError, naming the function, for any other shape.
 Shape symmetric_shape(const char* function, const py::array& a);
 /// General matrices, (..., 3, 3) only.

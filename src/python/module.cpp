@@ -1,6 +1,7 @@
 // The Python module `viete`: the library's functions of numpy arrays of matrices.
 #include <pybind11/pybind11.h>
 
+#include "python/affine.h"
 #include "python/matrices.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
@@ -124,6 +125,7 @@ PYBIND11_MODULE(viete, m) {
       "\n\nm: (..., 3, 3), float32 or float64 (integers are computed as float64).\nout: a pair (r, u) of "
       "arrays "
       "of the same shape and type for the answers; r may be m itself.\nOther Python threads run meanwhile.");
+  define_affine(m);
 }
 
 }  // namespace viete::python

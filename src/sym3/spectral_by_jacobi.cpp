@@ -36,21 +36,6 @@ struct SqrtOf {
   double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
 };
 
-/// V f(values) V^T. Terms that are zero do not count: an overflow stays in its own block of the matrix.
-template <class F, class Real>
-Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
-  const double f[3] = {at(e.values[0]), at(e.values[1]), at(e.values[2])};
-  const auto entry = [&](int i, int j) {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double weight = jacobi::leading(e.vectors[i][k]) * jacobi::leading(e.vectors[j][k]);
-      if (weight != 0) sum += f[k] * weight;
-    }
-    return sum;
-  };
-  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
-}
-
 template <class Real>
 double smallest(const Eigen3<Real>& e) {
   return std::min({jacobi::leading(e.values[0]), jacobi::leading(e.values[1]), jacobi::leading(e.values[2])});

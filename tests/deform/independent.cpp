@@ -4,15 +4,15 @@
 #include <map>
 #include <utility>
 
-#include "sym3/quad_reference.h"
 #include "deform/face_maps.h"
+#include "sym3/quad_general.h"
 
 namespace viete::test {
 
 namespace {
 
 using Vector = std::array<Quad, 3>;
-using Matrix = std::array<Quad, 9>;  // by rows
+using Matrix = QuadMat;
 
 const Quad whole_turn = 2 * M_PIq;
 
@@ -44,14 +44,6 @@ Vector times(const Matrix& m, const Vector& x) {
 Matrix full(const QuadSym& s) {
   return {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
 }
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c{};
-  for (int i = 0; i < 9; ++i) {
-    for (int k = 0; k < 3; ++k) c[i] += a[i / 3 * 3 + k] * b[3 * k + i % 3];
-  }
-  return c;
-}
-
 using Corners = std::array<Vector, 3>;
 
 Corners corners(const mesh::Triangle& t, std::span<const mesh::Point> p) {
@@ -110,7 +102,7 @@ Vector nearest(const Vector& v, const Vector& other) {
   return plus(v, v, turns * whole_turn / angle);
 }
 
-constexpr Matrix identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+constexpr Matrix identity = quad_identity;
 
 // A map, the handle that it is of, and how much of that.
 struct Element {
@@ -127,7 +119,7 @@ Element element(const Matrix& m, const Vector& rest_center, const Vector& center
   const QuadSym squared = squared_stretch(m);
   Element e{rest_center, center};
   e.map = m;
-  e.rotation = product(m, full(quad_inv_sqrt(squared)));
+  e.rotation = quad_product(m, full(quad_inv_sqrt(squared)));
   e.turn = log_of_rotation(e.rotation);
   e.stretch = quad_function(squared, [](Quad x) { return sqrtq(x); });
   e.log_of_stretch = quad_function(squared, [](Quad x) { return logq(x) / 2; });
@@ -588,7 +580,7 @@ Matrix rotation_of(const Vector& turn) {
 
 Matrix turned_mean_stretch(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
   const Vector turn = weighted<3>(elements, weights, [](const Element& e) { return e.turn; });
-  return product(rotation_of(turn), mean_stretch(elements, weights));
+  return quad_product(rotation_of(turn), mean_stretch(elements, weights));
 }
 
 // Of half the angle of each turn; the mean is as long as it is.
@@ -599,62 +591,11 @@ Matrix mean_quaternion_stretch(const std::vector<Element>& elements, const std::
   });
   const Vector v{q[1], q[2], q[3]};
   const Quad sine = length(v), angle = 2 * atan2q(sine, q[0]);
-  return product(rotation_of(plus({}, v, sine > 0 ? angle / sine : 0)), mean_stretch(elements, weights));
-}
-
-Matrix combined(const Matrix& a, const Matrix& b, Quad of_a, Quad of_b) {
-  Matrix c{};
-  for (int i = 0; i < 9; ++i) c[i] = of_a * a[i] + of_b * b[i];
-  return c;
-}
-
-Matrix inverse(const Matrix& m) {
-  const Vector a{m[0], m[3], m[6]}, b{m[1], m[4], m[7]}, c{m[2], m[5], m[8]};
-  const Vector rows[] = {outer(b, c), outer(c, a), outer(a, b)};
-  const Quad determinant = inner(a, rows[0]);
-  Matrix r{};
-  for (int i = 0; i < 9; ++i) r[i] = rows[i / 3][i % 3] / determinant;
-  return r;
-}
-
-// By Denman and Beavers.
-Matrix square_root(const Matrix& m) {
-  Matrix y = m, z = identity;
-  for (int i = 0; i < 14; ++i) {
-    const Matrix next = combined(y, inverse(z), 0.5, 0.5);
-    z = combined(z, inverse(y), 0.5, 0.5);
-    y = next;
-  }
-  return y;
-}
-
-// 2^12 times that of the root, which is so near to I that a few terms do.
-Matrix log_of_matrix(Matrix m) {
-  constexpr int roots = 12;
-  for (int i = 0; i < roots; ++i) m = square_root(m);
-  const Matrix x = combined(m, identity, 1, -1);
-  Matrix power = x, sum{};
-  for (int n = 1; n <= 12; ++n) {
-    sum = combined(sum, power, 1, (n % 2 ? Quad(1) : Quad(-1)) / n);
-    power = product(power, x);
-  }
-  return combined(sum, sum, 1 << roots, 0);
-}
-
-Matrix exp_of_matrix(const Matrix& log) {
-  constexpr int squarings = 10;
-  const Matrix x = combined(log, log, Quad(1) / (1 << squarings), 0);
-  Matrix term = identity, sum = identity;
-  for (int n = 1; n <= 24; ++n) {
-    term = combined(product(term, x), x, Quad(1) / n, 0);
-    sum = combined(sum, term, 1, 1);
-  }
-  for (int i = 0; i < squarings; ++i) sum = product(sum, sum);
-  return sum;
+  return quad_product(rotation_of(plus({}, v, sine > 0 ? angle / sine : 0)), mean_stretch(elements, weights));
 }
 
 Matrix mean_of_matrix_logs(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
-  return exp_of_matrix(weighted<9>(elements, weights, [](const Element& e) { return e.log; }));
+  return quad_exp(weighted<9>(elements, weights, [](const Element& e) { return e.log; }));
 }
 
 Matrix cross_matrix(const Vector& w) {
@@ -665,8 +606,8 @@ Matrix cross_matrix(const Vector& w) {
 Matrix phi(const Matrix& log) {
   Matrix term = identity, sum = identity;
   for (int n = 2; n <= 80; ++n) {
-    term = combined(product(term, log), term, Quad(1) / n, 0);
-    sum = combined(sum, term, 1, 1);
+    term = quad_combined(quad_product(term, log), term, Quad(1) / n, 0);
+    sum = quad_combined(sum, term, 1, 1);
   }
   return sum;
 }
@@ -689,7 +630,7 @@ Vector by_motions(const Vector& x, const std::vector<Element>& elements, const s
     const auto s = weighted<6>(elements, weights, [](const Element& e) { return entries(e.log_of_stretch); });
     y = times(full(quad_exp({s[0], s[1], s[2], s[3], s[4], s[5]})), y);
   }
-  return plus(center, plus(times(exp_of_matrix(log), y), times(phi(log), u)));
+  return plus(center, plus(times(quad_exp(log), y), times(phi(log), u)));
 }
 
 Vector by_maps(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights) {
@@ -728,9 +669,9 @@ Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const Indepe
     }
   }
   const Vector offset = minus(x, from);
-  if (blend == deform::Blend::mls_affine) return plus(to, times(product(b, inverse(k)), offset));
+  if (blend == deform::Blend::mls_affine) return plus(to, times(quad_product(b, quad_inverse(k)), offset));
   const QuadSym squared = squared_stretch(b);
-  const Vector turned = times(product(b, full(quad_inv_sqrt(squared))), offset);
+  const Vector turned = times(quad_product(b, full(quad_inv_sqrt(squared))), offset);
   if (blend == deform::Blend::mls_rigid) return plus(to, turned);
   const QuadSym s = quad_function(squared, [](Quad y) { return sqrtq(y); });
   return plus(to, turned, (s.xx + s.yy + s.zz) / (k[0] + k[4] + k[8]));
@@ -802,9 +743,9 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
 void find_logs(std::vector<Element>& elements, deform::Blend blend) {
   using enum deform::Blend;
   for (Element& e : elements) {
-    if (blend == log3 || blend == log4) e.log = log_of_matrix(e.map);
+    if (blend == log3 || blend == log4) e.log = quad_log(e.map);
     if (blend == log4 || blend == sse)
-      e.inverse_phi = inverse(phi(blend == sse ? cross_matrix(e.turn) : e.log));
+      e.inverse_phi = quad_inverse(phi(blend == sse ? cross_matrix(e.turn) : e.log));
   }
 }
 

@@ -4,7 +4,6 @@
 #include "deform/bind.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
-#include "deform/matrix_log.h"
 #include "deform/vertex_sample.h"
 #include "deform/ways.h"
 #include "sym3/rotation.h"

@@ -6,20 +6,11 @@
 
 #include "sym3/kernel.h"
 #include "sym3/preamble.h"
-#include "sym3/quad_reference.h"
+#include "sym3/quad_general.h"
 
 using sym3::Mat3;
 
 namespace {
-
-using QuadMat = std::array<Quad, 9>;
-
-template <class T>
-QuadMat matrix_to_quad(const Mat3<T>& m) {
-  QuadMat q;
-  for (int k = 0; k < 9; ++k) q[k] = m[k];
-  return q;
-}
 
 /// The nearest rotation, and 1 + s1 / (s2 + s3), from the eigenvectors of M^T M in 113 bits.
 struct Truth {
@@ -87,7 +78,7 @@ TEST_CASE_TEMPLATE("polar_keeps_its_bound_for_either_sign_of_the_determinant", T
     for (int i = 0; i < 30; ++i) {
       const double size = i % 3 ? 1 : std::pow(10.0, uniform(random, -3, 3));
       const auto m = with_singular_values<T>({size * shape[0], size * shape[1], size * shape[2]}, random);
-      const Truth truth = quad_polar(matrix_to_quad(m));
+      const Truth truth = quad_polar(to_quad(m));
       for (const auto& kernel : sym3::kernels()) {
         CAPTURE(kernel.name);
         CAPTURE(shape[0]);
@@ -104,7 +95,7 @@ TEST_CASE_TEMPLATE("polar_keeps_its_bound_on_random_matrices", T, double, float)
   for (int i = 0; i < 2000; ++i) {
     Mat3<T> m;
     for (T& x : m) x = T(uniform(random, -1, 1));
-    const Truth truth = quad_polar(matrix_to_quad(m));
+    const Truth truth = quad_polar(to_quad(m));
     CHECK(error(sym3::polar(m).rotation, truth) <= 8 * truth.condition);
   }
 }

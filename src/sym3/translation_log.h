@@ -1,10 +1,10 @@
 // What the logarithm of a screw motion, or of an affine map, makes of its translation.
 #pragma once
 
-#include "deform/affine_map.h"
+#include "sym3/rotation.h"
 #include "sym3/sym3.h"
 
-namespace viete::deform {
+namespace viete::sym3 {
 
 /// The map x' = e^L x + l has the logarithm (L, W l), W = phi(L)^-1 with
 ///
@@ -21,13 +21,17 @@ namespace viete::deform {
 /// one.
 ///
 /// Near turns by 360, 720 ... degrees there is no logarithm: across the axis cot has poles. Within 60 degrees
-/// of these E is let go to 0 across, so that it is continuous and bounded at every angle.
-sym3::Sym3<double> even_part(const mesh::Vec3& turn);
+/// of these E is let go to 0 across, so that it is continuous and bounded at every angle. Thread-safe; no
+/// allocation, no throw.
+Sym3<double> even_part(const Vec3<double>& turn);
 /// turn: the rotation that L turns by, near enough to tell its axis.
-sym3::Mat3<double> even_part(const sym3::Mat3<double>& log, const mesh::Vec3& turn);
+Mat3<double> even_part(const Mat3<double>& log, const Vec3<double>& turn);
 
 /// phi(L) x, to 1e-14 of |x| e^|L| or so, |L| up to 60.
-mesh::Vec3 phi_times(const sym3::Mat3<double>& log, const mesh::Vec3& x);
-mesh::Vec3 phi_times(const mesh::Vec3& turn, const mesh::Vec3& x);
+Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x);
+Vec3<double> phi_times(const Vec3<double>& turn, const Vec3<double>& x);
 
-}  // namespace viete::deform
+/// W x = E x - L x / 2 of even_part(): phi(L)^-1 x but near whole turns.
+Vec3<double> inverse_phi_times(const Mat3<double>& log, const Vec3<double>& turn, const Vec3<double>& x);
+
+}  // namespace viete::sym3

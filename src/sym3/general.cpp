@@ -1,0 +1,379 @@
+#include "sym3/general.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "sym3/jacobi.h"
+#include "sym3/log.h"
+#include "sym3/polar.h"
+#include "sym3/products.h"
+
+namespace viete::sym3 {
+
+namespace {
+
+constexpr double pi = std::numbers::pi, u = 0x1p-53;
+constexpr double flattest = 1e-12;               // stretch over the largest one
+constexpr double kept_up_to = 2, left_from = 4;  // times |X| + |Y|
+constexpr double least_clear = 1e-7;             // there X + Y is log M but for so much
+
+Mat3<double> nine_nan() {
+  Mat3<double> m;
+  m.fill(std::numeric_limits<double>::quiet_NaN());
+  return m;
+}
+
+void add_to_diagonal(Mat3<double>& m, double x) {
+  for (const int i : {0, 4, 8}) m[i] += x;
+}
+
+// M = base + above + D, where D has no trace: D^3 = p D + q I (Cayley and Hamilton).
+struct Deviator {
+  double base, above;
+  Mat3<double> d;
+  double p, q;
+
+  double mean() const { return base + above; }
+};
+
+Deviator deviator(Mat3<double> m, double base) {
+  add_to_diagonal(m, -base);
+  const double above = trace(m) / 3;
+  add_to_diagonal(m, -above);
+  const double p = (m[0] * m[0] + m[4] * m[4] + m[8] * m[8]) / 2 + m[1] * m[3] + m[2] * m[6] + m[5] * m[7];
+  return {base, above, m, p, determinant(m)};
+}
+
+// a I + b D + c D^2, which every power series of D is.
+struct InPowers {
+  double a, b, c;
+};
+
+template <std::size_t N>
+InPowers power_series(const std::array<double, N>& terms, double p, double q) {
+  InPowers s{};
+  for (std::size_t n = N; n-- > 0;) s = {s.c * q + terms[n], s.c * p + s.a, s.b};
+  return s;
+}
+
+InPowers squared(const InPowers& s, double p, double q) {
+  const double bc2 = 2 * s.b * s.c, cc = s.c * s.c;
+  return {s.a * s.a + bc2 * q, 2 * s.a * s.b + (bc2 * p + cc * q), s.b * s.b + s.c * (2 * s.a + s.c * p)};
+}
+
+Mat3<double> in_matrix(const InPowers& s, const Mat3<double>& d) {
+  Mat3<double> m = product(d, d);
+  for (int i = 0; i < 9; ++i) m[i] = s.b * d[i] + s.c * m[i];
+  add_to_diagonal(m, s.a);
+  return m;
+}
+
+// 1 / n!
+constexpr auto exp_terms = [] {
+  std::array<double, 25> terms{1};
+  double factorial = 1;
+  for (std::size_t n = 1; n < terms.size(); ++n) terms[n] = 1 / (factorial *= static_cast<double>(n));
+  return terms;
+}();
+
+// log(1 + x)
+constexpr auto log_terms = [] {
+  std::array<double, 19> terms{0};
+  for (std::size_t n = 1; n < terms.size(); ++n) terms[n] = (n % 2 ? 1.0 : -1.0) / static_cast<double>(n);
+  return terms;
+}();
+
+// Of the roots of x^3 = p x + q the real one that is largest in size, by Newton's steps from above. No other
+// one is near it, unless all are near 0.
+double largest_root(double p, double q) {
+  const double size = std::abs(q);
+  double x = std::cbrt(size) + std::sqrt(std::max(p, 0.0));
+  for (int i = 0; i < 8 && x > 0; ++i) x = (2 * x * x * x + size) / (3 * x * x - p);
+  return std::copysign(x, q);
+}
+
+}  // namespace
+
+Mat3<double> exp_general(const Mat3<double>& l) {
+  const Deviator v = deviator(l, 0);
+  double p = v.p, q = v.q, scale = 1;
+  if (!(std::abs(p) < 1e121 && std::abs(q) < 1e181)) return nine_nan();
+  int squarings = 0;
+  for (; std::abs(p) > 2 || std::abs(q) > 4; ++squarings) scale /= 2, p /= 4, q /= 8;
+  InPowers s = power_series(exp_terms, p, q);
+  const double factor = std::exp(v.mean() * scale);
+  s = {factor * s.a, factor * s.b, factor * s.c};
+  for (int i = 0; i < squarings; ++i) s = squared(s, p, q);
+  return in_matrix({s.a, s.b * scale, s.c * scale * scale}, v.d);
+}
+
+double angle_of(const Mat3<double>& l) {
+  const Deviator v = deviator(l, 0);
+  const double x = largest_root(v.p, v.q);
+  return std::sqrt(std::max(0.75 * x * x - v.p, 0.0));
+}
+
+namespace {
+
+// Eigenvalues that are within some 13 % of each other: a series of M / mean - I serves, whatever its norm.
+bool close_together(const Deviator& v) {
+  const double m = v.mean();
+  return m > 0 && std::abs(v.p) <= 0.01 * m * m && std::abs(v.q) <= 0.001 * m * m * m;
+}
+
+// About a power of two, which costs no digit of what M differs from it by.
+Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
+  int exponent;
+  if (std::frexp(mean, &exponent) < std::numbers::sqrt2 / 2) --exponent;
+  Deviator v = deviator(m, std::ldexp(1.0, exponent));
+  const double scale = 1 / v.mean();
+  for (double& x : v.d) x *= scale;
+  Mat3<double> l = in_matrix(power_series(log_terms, v.p * scale * scale, v.q * scale * scale * scale), v.d);
+  add_to_diagonal(l, std::log1p(v.above / v.base) + exponent * std::numbers::ln2);
+  return l;
+}
+
+// M = A T A, A symmetric and orthogonal, t[3] = t[6] = 0: an eigenvalue by itself, and a block of two.
+struct Deflated {
+  Mat3<double> axes, t;
+};
+
+// I - 2 n n^T with its first column along v.
+Mat3<double> reflection(const Vec3<double>& v) {
+  const double length = norm(v);
+  const Vec3<double> n{v[0] + std::copysign(length, v[0]), v[1], v[2]};
+  const double factor = -2 / dot(n, n);
+  Mat3<double> m{};
+  for (int i = 0; i < 9; ++i) m[i] = factor * n[i / 3] * n[i % 3];
+  add_to_diagonal(m, 1);
+  return m;
+}
+
+// What M - value takes to next to nothing: across two of its rows.
+Vec3<double> eigenvector(Mat3<double> m, double value) {
+  add_to_diagonal(m, -value);
+  const Vec3<double> rows[] = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
+  Vec3<double> longest{1, 0, 0};
+  double most = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3<double> v = cross(rows[i], rows[(i + 1) % 3]);
+    if (dot(v, v) > most) longest = v, most = dot(v, v);
+  }
+  return longest;
+}
+
+// Newton's steps for the first axis, until what is left below the eigenvalue is rounding. `value`: about an
+// eigenvalue that no other one is near to. Nothing where they lead nowhere.
+std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
+  constexpr int most_steps = 8;
+  const double size = norm(m);
+  double before = std::numeric_limits<double>::infinity();
+  Vec3<double> v = eigenvector(m, value);
+  for (int step = 0; step < most_steps; ++step) {
+    Deflated d{reflection(v), {}};
+    d.t = product(d.axes, product(m, d.axes));
+    Mat3<double>& t = d.t;
+    const double left = std::hypot(t[3], t[6]);
+    if (!(left < before)) break;
+    if (left <= 4 * u * size || (left <= 32 * u * size && left > before / 2)) {
+      t[3] = t[6] = 0;
+      return d;
+    }
+    before = left;
+    const double a = t[4] - t[0], b = t[5], c = t[7], e = t[8] - t[0], det = a * e - b * c;
+    v = product(d.axes, Vec3<double>{1, (b * t[6] - e * t[3]) / det, (c * t[3] - a * t[6]) / det});
+  }
+  return std::nullopt;
+}
+
+// Eigenvalues of the block: middle +- sqrt(disc), of product det.
+struct Pair {
+  double middle, disc, det;
+
+  explicit Pair(const Mat3<double>& t) {
+    const double half = (t[4] - t[8]) / 2;
+    middle = (t[4] + t[8]) / 2;
+    disc = half * half + t[5] * t[7];
+    det = turns() ? middle * middle - disc : t[4] * t[8] - t[5] * t[7];
+  }
+
+  bool turns() const { return disc < 0; }
+  bool positive() const { return turns() || (middle > 0 && det > 0); }
+  double angle() const { return turns() ? std::atan2(std::sqrt(-disc), middle) : 0; }
+  // |sin| of the angle: how many digits of the plane are left near 180 degrees.
+  double clearness() const { return turns() && middle < 0 ? std::sqrt(-disc / det) : 1; }
+};
+
+// A function of T: `single` at the eigenvalue by itself, mean + slope (B - middle) of the block B, and
+// difference = single - mean.
+struct Values {
+  double single, mean, slope, difference;
+};
+
+// (log s - log t) / (s - t) of the pair.
+double log_slope(const Pair& pair) {
+  if (pair.turns()) return pair.angle() / std::sqrt(-pair.disc);
+  const double d = std::sqrt(pair.disc), part = d / pair.middle;
+  if (part > 0.5) return std::log((pair.middle + d) / std::sqrt(pair.det)) / d;
+  return d > 0 ? std::atanh(part) / d : 1 / pair.middle;
+}
+
+// In the axes of M. Newton's form: mean + slope (T - middle) + curve ((T - middle)^2 - disc).
+Mat3<double> value_of(const Values& f, const Deflated& d, const Pair& pair) {
+  const Mat3<double>& t = d.t;
+  const double way = t[0] - pair.middle, curve = (f.difference - f.slope * way) / (way * way - pair.disc);
+  const double x = f.slope + curve * (way - pair.middle);  // across: w^T (x + curve B)
+  const Mat3<double> value{f.single,
+                           x * t[1] + curve * (t[1] * t[4] + t[2] * t[7]),
+                           x * t[2] + curve * (t[1] * t[5] + t[2] * t[8]),
+                           0,
+                           f.mean + f.slope * (t[4] - pair.middle),
+                           f.slope * t[5],
+                           0,
+                           f.slope * t[7],
+                           f.mean + f.slope * (t[8] - pair.middle)};
+  return product(d.axes, product(value, d.axes));
+}
+
+Mat3<double> log_of_apart(const Deflated& d, const Pair& pair) {
+  const double r = d.t[0];
+  return value_of({std::log(r), std::log(pair.det) / 2, log_slope(pair), std::log(r / pair.det * r) / 2}, d,
+                  pair);
+}
+
+// J, which commutes with M and turns the plane of the pair by a quarter: adds whole turns.
+Mat3<double> quarter_turn(const Deflated& d, const Pair& pair) {
+  return value_of({0, 0, 1 / std::sqrt(-pair.disc), 0}, d, pair);
+}
+
+// How many whole turns the branch of Y has made more.
+double whole_turns(const Mat3<double>& j, double angle, const Vec3<double>& turn) {
+  const Vec3<double> axis{j[7] - j[5], j[2] - j[6], j[3] - j[1]};
+  return std::round((dot(axis, turn) / norm(axis) - angle) / (2 * pi));
+}
+
+// The branch nearest to a turn; of no turn the principal one. Nothing where there is none, and where rounding
+// alone would decide which.
+std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<double>& turn) {
+  constexpr double close_angle = 0.2;  // more than eigenvalues that are close together have
+  const Deviator v = deviator(m, 0);
+  const bool close = close_together(v);
+  const double turned = norm(turn);
+  if (close && turned + close_angle < pi) return log_of_close(m, v.mean());
+  const auto d = deflated(m, v.mean() + largest_root(v.p, v.q));
+  if (!d) return std::nullopt;
+  const Pair pair(d->t);
+  if (!(d->t[0] > 0) || !pair.positive() || pair.clearness() < least_clear) return std::nullopt;
+  if (!pair.turns() && turned > pi) return std::nullopt;
+  const Mat3<double> l = close ? log_of_close(m, v.mean()) : log_of_apart(*d, pair);
+  if (!pair.turns() || turned + pair.angle() < pi) return l;
+  const Mat3<double> j = quarter_turn(*d, pair);
+  return plus(l, 2 * pi * whole_turns(j, pair.angle(), turn), j);
+}
+
+// Powers of its entries stay in range; shift: what to add to the log.
+struct InRange {
+  Mat3<double> m;
+  double shift;
+};
+
+// NaN for 0 and where an entry is not finite.
+InRange in_range(const Mat3<double>& m) {
+  double largest = 0;
+  for (const double x : m) largest = std::max(largest, std::abs(x) + 0 * x);
+  if (largest > 1e-60 && largest < 1e60) return {m, 0};
+  if (!(largest > 0 && largest < std::numeric_limits<double>::infinity())) return {nine_nan(), 0};
+  const int exponent = std::ilogb(largest);
+  InRange r{m, exponent * std::numbers::ln2};
+  for (double& x : r.m) x = std::scalbn(x, -exponent);
+  return r;
+}
+
+std::optional<Mat3<double>> log_in_range(const Mat3<double>& m, const Vec3<double>& turn) {
+  const InRange r = in_range(m);
+  auto l = log_of_branch(r.m, turn);
+  if (!l || !std::isfinite(dot(*l, *l))) return std::nullopt;
+  add_to_diagonal(*l, r.shift);
+  return l;
+}
+
+// 0 up to 0, 1 from 1 on, with a continuous slope.
+double smooth_step(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+Mat3<double> sum_of(const PolarLog& parts) {
+  return plus(full(parts.stretch), 1, cross_matrix(parts.turn));
+}
+
+// But for rounding: X + Y is log M.
+bool commute(const PolarLog& parts) {
+  const Mat3<double> x = full(parts.stretch), y = cross_matrix(parts.turn);
+  return norm(plus(product(x, y), -1, product(y, x))) <= 8 * u * norm(parts.turn) * (1 + norm(x));
+}
+
+struct Split {
+  PolarLog parts;
+  bool whole;  // M = exp(Y) exp(X): nothing was raised, nor its sign left out
+};
+
+Sym3<double> log_of_sizes(const Sym3<double>& stretch) {
+  const auto e = eigen_by_jacobi<double>(stretch);
+  double largest = 0;
+  for (const double s : e.values) largest = std::max(largest, std::abs(s));
+  return recompose([&](double s) { return std::log(std::max(std::abs(s), flattest * largest)); }, e);
+}
+
+Split split(const Mat3<double>& m, const Vec3<double>& near) {
+  const InRange r = in_range(m);
+  const Polar<double> p = polar(r.m);
+  Split s{{log(p.stretch), nearest_branch(log_rotation(p.rotation), near)}, true};
+  Mat3<double> across = full(s.parts.stretch);
+  add_to_diagonal(across, -trace(across) / 3);
+  s.whole = norm(across) < -std::log(flattest) / std::numbers::sqrt2;  // false for NaN
+  Sym3<double>& x = s.parts.stretch;
+  if (!s.whole) x = log_of_sizes(p.stretch);
+  x.xx += r.shift, x.yy += r.shift, x.zz += r.shift;
+  return s;
+}
+
+bool is_sum(const Split& s) {
+  return s.whole && commute(s.parts);
+}
+
+}  // namespace
+
+PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near) {
+  return split(m, near).parts;
+}
+
+Mat3<double> log_general(const Mat3<double>& m) {
+  const Split s = split(m, {});
+  const auto l = is_sum(s) ? std::nullopt : log_in_range(m, {});
+  return l ? *l : sum_of(s.parts);
+}
+
+bool has_log(const Mat3<double>& m) {
+  return is_sum(split(m, {})) || log_in_range(m, {});
+}
+
+Mat3<double> bounded_log(const Mat3<double>& m, const PolarLog& parts) {
+  const double size = norm(full(parts.stretch)) + norm(cross_matrix(parts.turn));
+  if (size == 0) return {};
+  const Mat3<double> sum = sum_of(parts);
+  const auto l = log_in_range(m, parts.turn);
+  if (!l) return sum;
+  const double left = smooth_step((norm(*l) / size - kept_up_to) / (left_from - kept_up_to));
+  return plus(*l, left, plus(sum, -1, *l));
+}
+
+Mat3<double> bounded_log(const Mat3<double>& m, const Vec3<double>& near) {
+  const Split s = split(m, near);
+  return is_sum(s) ? sum_of(s.parts) : bounded_log(m, s.parts);
+}
+
+}  // namespace viete::sym3

@@ -1,0 +1,144 @@
+#include "sym3/translation_log.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sym3/general.h"
+#include "sym3/products.h"
+#include "sym3/solve.h"
+
+namespace viete::sym3 {
+
+namespace {
+
+constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double pole_width = std::numbers::pi / 3;
+constexpr double small_angle = 0.05;
+
+// How much of the even part is kept at an angle: 0 at whole turns, 1 where none is near, its slope
+// continuous.
+double kept(double angle) {
+  if (angle < full_turn - pole_width) return 1;
+  const double t = std::min(std::abs(angle - full_turn * std::round(angle / full_turn)) / pole_width, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+double kept(const Mat3<double>& log, const Vec3<double>& turn) {
+  return norm(turn) > 3 ? kept(angle_of(log)) : 1;
+}
+
+// (angle / 2) cot(angle / 2), times what is kept of it.
+double across(double angle) {
+  const double square = angle * angle;
+  if (angle < small_angle) return 1 - square / 12 * (1 + square / 60 * (1 + square / 42));
+  const double share = kept(angle);
+  return share > 0 ? share * (angle / 2) / std::tan(angle / 2) : 0;
+}
+
+// n n^T of an axis.
+Mat3<double> projector(const Vec3<double>& axis) {
+  const Vec3<double> n = times(1 / norm(axis), axis);
+  Mat3<double> m;
+  for (int i = 0; i < 9; ++i) m[i] = n[i / 3] * n[i % 3];
+  return m;
+}
+
+// Powers of L / 2^k, each a combination of the first three (Cayley and Hamilton).
+struct Powers {
+  double t1, t2, t3;  // L^3 = t1 L^2 - t2 L + t3 I
+
+  // Times L.
+  Vec3<double> shifted(const Vec3<double>& p) const {
+    return {p[2] * t3, p[0] - p[2] * t2, p[1] + p[2] * t1};
+  }
+
+  Vec3<double> times(const Vec3<double>& p, const Vec3<double>& q) const {
+    const Vec3<double> once = shifted(q), twice = shifted(once);
+    return plus(plus(sym3::times(p[0], q), p[1], once), p[2], twice);
+  }
+};
+
+// phi(L) = c[0] I + c[1] A + c[2] A^2, A = L / 2^k: phi(2 A) = phi(A) + A phi(A)^2 / 2, from |A| <= 1/2 up.
+struct Phi {
+  Mat3<double> a;
+  Vec3<double> c;
+
+  explicit Phi(const Mat3<double>& log) {
+    constexpr int last = 14;
+    const double size = norm(log);
+    const int doublings = size > 0.5 ? static_cast<int>(std::min(std::ceil(std::log2(2 * size)), 60.0)) : 0;
+    a = times(std::exp2(-doublings), log);
+    const double sum = trace(a);
+    const Powers powers{sum, (sum * sum - trace(product(a, a))) / 2, determinant(a)};
+    double factorial = 1;  // of n + 1
+    for (int n = 2; n <= last + 1; ++n) factorial *= n;
+    c = {1 / factorial, 0, 0};
+    for (int n = last - 1; n >= 0; --n) {
+      factorial /= n + 2;
+      c = powers.shifted(c);
+      c[0] += 1 / factorial;
+    }
+    double half = 0.5;
+    for (int k = 0; k < doublings; ++k, half *= 2) c = plus(c, half, powers.shifted(powers.times(c, c)));
+  }
+
+  Vec3<double> operator*(const Vec3<double>& x) const {
+    const Vec3<double> once = product(a, x);
+    return plus(plus(times(c[0], x), c[1], once), c[2], product(a, once));
+  }
+
+  std::array<Vec3<double>, 3> rows() const {
+    const Mat3<double> m = plus(times(c[1], a), c[2], product(a, a));
+    return {{{c[0] + m[0], m[1], m[2]}, {m[3], c[0] + m[4], m[5]}, {m[6], m[7], c[0] + m[8]}}};
+  }
+};
+
+Mat3<double> by_rows(const std::array<Vec3<double>, 3>& m) {
+  return {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]};
+}
+
+}  // namespace
+
+Sym3<double> even_part(const Vec3<double>& y) {
+  const double angle = norm(y), g = across(angle);
+  if (angle == 0) return identity<double>();
+  // 1 - g is small where the axis is rounding.
+  const double along = (1 - g) / dot(y, y);
+  return {g + along * y[0] * y[0], along * y[0] * y[1], along * y[0] * y[2],
+          g + along * y[1] * y[1], along * y[1] * y[2], g + along * y[2] * y[2]};
+}
+
+Mat3<double> even_part(const Mat3<double>& log, const Vec3<double>& y) {
+  const double share = kept(log, y);
+  Mat3<double> e{};
+  if (share > 1e-9) {
+    const Mat3<double> inverse =
+        by_rows(solved<3>(by_rows(Phi(log).rows()), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
+    e = times(share, plus(inverse, 0.5, log));
+  }
+  return share < 1 ? plus(e, 1 - share, projector(y)) : e;
+}
+
+Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
+  return Phi(log) * x;
+}
+
+// I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, by half the angle: x sin / theta + ... + what is
+// along the axis.
+Vec3<double> phi_times(const Vec3<double>& y, const Vec3<double>& x) {
+  const double square = dot(y, y), angle = std::sqrt(square);
+  const double half_sine = angle > 0 ? std::sin(angle / 2) / angle : 0.5,
+               sinc = 2 * std::cos(angle / 2) * half_sine;
+  const double along = angle < small_angle ? (1 - square / 20 * (1 - square / 42 * (1 - square / 72))) / 6
+                                           : (1 - sinc) / square;
+  return plus(plus(times(sinc, x), 2 * half_sine * half_sine, cross(y, x)), along * dot(y, x), y);
+}
+
+Vec3<double> inverse_phi_times(const Mat3<double>& log, const Vec3<double>& turn, const Vec3<double>& x) {
+  if (kept(log, turn) < 1) return plus(product(even_part(log, turn), x), -0.5, product(log, x));
+  const auto solution = solved<1>(by_rows(Phi(log).rows()), {{{x[0]}, {x[1]}, {x[2]}}});
+  return {solution[0][0], solution[1][0], solution[2][0]};
+}
+
+}  // namespace viete::sym3

@@ -1,0 +1,175 @@
+#include "sym3/affine.h"
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include "sym3/general.h"
+#include "sym3/preamble.h"
+#include "sym3/products.h"
+
+using sym3::Affine, sym3::AffineLog;
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+double difference(const Affine& a, const Affine& b) {
+  return std::max(sym3::norm(sym3::plus(a.linear, -1, b.linear)),
+                  sym3::norm(sym3::plus(a.translation, -1, b.translation)));
+}
+
+// Less than half a turn, stretches up to so many times, and a shift.
+Affine any_map(Random& random, double angle = 2.5, double stretch = 3) {
+  const auto some = [&] { return uniform(random, -1, 1); };
+  const sym3::Vec3<double> w{some(), some(), some()};
+  const double limit = std::log(stretch) / 2;
+  Affine a{sym3::exp_rotation(sym3::times(uniform(random, 0, angle) / sym3::norm(w), w)),
+           {some(), some(), some()}};
+  const auto s =
+      sym3::exp_general({some() * limit, some() * limit, some() * limit, some() * limit, some() * limit,
+                         some() * limit, some() * limit, some() * limit, some() * limit});
+  a.linear = sym3::product(a.linear, s);
+  return a;
+}
+
+Affine about_z(double angle, const sym3::Vec3<double>& shift = {}) {
+  return {sym3::exp_rotation<double>({0, 0, angle}), shift};
+}
+
+std::vector<Affine> some_maps(Random& random, int count, double angle) {
+  std::vector<Affine> maps;
+  for (int i = 0; i < count; ++i) maps.push_back(any_map(random, angle, 2));
+  return maps;
+}
+
+std::vector<Affine> times_all(const Affine& a, std::vector<Affine> maps, const Affine& b) {
+  for (Affine& m : maps) m = a * m * b;
+  return maps;
+}
+
+std::vector<Affine> inverses(std::vector<Affine> maps) {
+  for (Affine& m : maps) m = sym3::inverse(m);
+  return maps;
+}
+
+const std::vector<double> weights{0.5, 0.3, -0.1, 0.3};
+
+}  // namespace
+
+TEST_CASE("exp_of_the_log_of_an_affine_map_is_the_map") {
+  Random random(21);
+  for (int i = 0; i < 500; ++i) {
+    const Affine a = any_map(random, 3, 5);
+    if (!sym3::has_log(a.linear)) continue;
+    const double size = 1 + sym3::norm(sym3::log_affine(a).linear);
+    CHECK(difference(sym3::exp_affine(sym3::log_affine(a)), a) < 1e-14 * size * size);
+    CHECK(difference(a * sym3::inverse(a), {}) < 1e-13);
+  }
+  CHECK(sym3::exp_affine({}) == Affine{});
+  CHECK(sym3::log_affine(Affine{}) == AffineLog{});
+  const sym3::Vec3<double> shift{1, -2, 3};
+  CHECK(sym3::log_affine(Affine{Affine{}.linear, shift}).translation == shift);
+}
+
+TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
+  for (const double angle : {0.5, 1.0, 1 - 1e-9, 1 - 1e-6, 1 - 1e-3}) {
+    const Affine half = sym3::combine(std::vector{about_z(turn / 2 * angle)}, std::vector{0.5});
+    CHECK(difference(half, about_z(turn / 4 * angle)) < 1e-15);
+  }
+  // About a point, by a screw: the quarter goes about the same point.
+  const Affine to{about_z(0).linear, {3, 1, 0}},
+      screw = to * about_z(turn / 2, {0, 0, 2}) * sym3::inverse(to);
+  const Affine quarter = to * about_z(turn / 4, {0, 0, 1}) * sym3::inverse(to);
+  CHECK(difference(sym3::interpolate({}, screw, 0.5), quarter) < 2e-15);
+}
+
+TEST_CASE("the_branch_nearest_to_a_turn_is_followed_any_number_of_times_round") {
+  sym3::Vec3<double> before{};
+  for (int i = 1; i <= 72; ++i) {  // 30 degrees each: six turns
+    const double angle = turn * i / 12;
+    const Affine map = about_z(angle);
+    const AffineLog log = sym3::log_affine(map, before);
+    before = sym3::turn_of(log);
+    CHECK(before[2] == doctest::Approx(angle).epsilon(1e-13));
+    CHECK(difference(sym3::exp_affine(log), map) < 1e-13);
+  }
+  const Affine a = about_z(0.2, {1, 2, 3}), b = about_z(2.2, {2, 0, 1});
+  CHECK(difference(sym3::interpolate(a, b, 0.5, {0, 0, 2 - turn}), sym3::interpolate(a, b, 0.5)) > 1);
+  CHECK(difference(sym3::interpolate(a, b, 1, {0, 0, 2 - turn}), b) < 1e-13);
+  CHECK(difference(sym3::interpolate(a, b, 1, {0, 0, 2 + 3 * turn}), b) < 1e-13);
+}
+
+TEST_CASE("interpolation_leads_from_one_map_to_the_other_in_any_coordinates") {
+  Random random(22);
+  for (int i = 0; i < 100; ++i) {
+    const Affine a = any_map(random, 1.5, 2), b = any_map(random, 1.5, 2), c = any_map(random);
+    CHECK(sym3::interpolate(a, b, 0) == a);
+    CHECK(difference(sym3::interpolate(a, b, 1), b) < 1e-13);
+    const Affine middle = sym3::interpolate(a, b, 0.3);
+    CHECK(difference(sym3::interpolate(c * a, c * b, 0.3), c * middle) < 1e-12);
+    CHECK(difference(sym3::interpolate(a * c, b * c, 0.3), middle * c) < 1e-12);
+    CHECK(difference(sym3::interpolate(b, a, 0.7), middle) < 1e-13);
+    CHECK(difference(sym3::interpolate(sym3::inverse(a), sym3::inverse(b), 0.3), sym3::inverse(middle)) <
+          1e-12);
+  }
+}
+
+TEST_CASE("the_order_of_combined_maps_does_not_matter_nor_do_coordinates_and_inverses_give_the_inverse") {
+  Random random(23);
+  for (int i = 0; i < 100; ++i) {
+    auto maps = some_maps(random, 4, 2);
+    const Affine sum = sym3::combine(maps, weights), c = any_map(random);
+    CHECK(difference(sym3::combine(times_all(c, maps, sym3::inverse(c)), weights),
+                     c * sum * sym3::inverse(c)) < 1e-11);
+    CHECK(difference(sym3::combine(inverses(maps), weights), sym3::inverse(sum)) < 1e-12);
+    std::swap(maps[0], maps[2]), std::swap(maps[1], maps[3]);
+    CHECK(difference(sym3::combine(maps, std::vector{-0.1, 0.3, 0.5, 0.3}), sum) < 1e-15 * 10);
+    CHECK(difference(sym3::combine(std::span(maps).first(1), std::vector{2.0}), maps[0] * maps[0]) < 1e-13);
+  }
+}
+
+TEST_CASE("linear_maps_stay_linear") {
+  Random random(24);
+  auto maps = some_maps(random, 4, 2);
+  for (Affine& m : maps) m.translation = {};
+  const sym3::Vec3<double> zero{};
+  CHECK(sym3::combine(maps, weights).translation == zero);
+  CHECK(sym3::interpolate(maps[0], maps[1], 0.4).translation == zero);
+  CHECK(sym3::mean(maps, weights).map.translation == zero);
+}
+
+TEST_CASE("the_mean_goes_along_with_what_is_done_before_and_after_and_with_inverses") {
+  Random random(25);
+  for (int i = 0; i < 60; ++i) {
+    const auto maps = some_maps(random, 4, 1);
+    const auto mean = sym3::mean(maps, weights);
+    CHECK(mean.converged);
+    const Affine a = any_map(random), b = any_map(random);
+    const auto moved = sym3::mean(times_all(a, maps, b), weights), back = sym3::mean(inverses(maps), weights);
+    CHECK(moved.converged);
+    CHECK(back.converged);
+    CHECK(difference(moved.map, a * mean.map * b) < 1e-12);
+    CHECK(difference(back.map, sym3::inverse(mean.map)) < 1e-12);
+    AffineLog left;
+    for (int k = 0; k < 4; ++k) {
+      const AffineLog log = sym3::log_affine(sym3::inverse(mean.map) * maps[k]);
+      left.linear = sym3::plus(left.linear, weights[k], log.linear);
+      left.translation = sym3::plus(left.translation, weights[k], log.translation);
+    }
+    CHECK(sym3::norm(left.linear) + sym3::norm(left.translation) < 1e-13);
+  }
+}
+
+TEST_CASE("a_mean_of_two_is_between_them_and_one_that_does_not_end_says_so") {
+  Random random(26);
+  for (int i = 0; i < 60; ++i) {
+    const Affine a = any_map(random, 1, 2), b = any_map(random, 1, 2);
+    const auto mean = sym3::mean(std::vector{a, b}, std::vector{3.0, 1.0});
+    CHECK(mean.converged);
+    CHECK(difference(mean.map, sym3::interpolate(a, b, 0.25)) < 1e-13);
+  }
+  const Affine flat{{1, 0, 0, 0, 1, 0, 0, 0, 0}, {}};
+  CHECK(!sym3::mean(std::vector{flat, Affine{}}, std::vector{2.0, 1.0}).converged);
+  CHECK(!sym3::mean(std::vector{Affine{}}, std::vector{0.0}).converged);
+}

@@ -1,0 +1,298 @@
+#include "sym3/general.h"
+
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "sym3/preamble.h"
+#include "sym3/products.h"
+#include "sym3/quad_general.h"
+
+using sym3::Mat3, sym3::exp_general, sym3::log_general, sym3::has_log;
+using Vector = sym3::Vec3<double>;
+
+namespace {
+
+constexpr double half_turn = std::numbers::pi;
+
+Vector direction(Random& random) {
+  const auto r = random_rotation(random);
+  return {r[0][0], r[1][0], r[2][0]};
+}
+
+Vector vector_of(double angle, Random& random) {
+  return sym3::times(angle, direction(random));
+}
+
+Mat3<double> turned_by(double angle, Random& random) {
+  return sym3::exp_rotation(vector_of(angle, random));
+}
+
+Mat3<double> diagonal_matrix(double x, double y, double z) {
+  return {x, 0, 0, 0, y, 0, 0, 0, z};
+}
+
+double power_of_ten(Random& random, double low, double high) {
+  return std::pow(10.0, uniform(random, low, high));
+}
+
+Mat3<double> in_axes_of(const Mat3<double>& m, Random& random) {
+  const auto r = turned_by(uniform(random, 0, 3), random);
+  return sym3::product(r, sym3::product(m, {r[0], r[3], r[6], r[1], r[4], r[7], r[2], r[5], r[8]}));
+}
+
+Mat3<double> stretched(double range, Random& random) {
+  return in_axes_of(diagonal_matrix(power_of_ten(random, -range, range), power_of_ten(random, -range, range),
+                                    power_of_ten(random, -range, range)),
+                    random);
+}
+
+Mat3<double> any_matrix(double size, Random& random) {
+  Mat3<double> m;
+  for (double& x : m) x = uniform(random, -size, size);
+  return m;
+}
+
+// Turns by half a turn less a little, in a plane that is stretched.
+Mat3<double> nearly_half_turn(double less, Random& random) {
+  const Mat3<double> turn = sym3::cross_matrix({0, 0, half_turn - less});
+  const Mat3<double> s = sym3::plus(diagonal_matrix(1, 1, 1), 0.3, any_matrix(1, random));
+  const auto l = quad_product(to_quad(s), quad_product(to_quad(turn), quad_inverse(to_quad(s))));
+  const auto m = quad_exp(l);
+  Mat3<double> rounded;
+  for (int i = 0; i < 9; ++i) rounded[i] = static_cast<double>(m[i]);
+  return rounded;
+}
+
+// Upper triangular with eigenvalues so close, turned.
+Mat3<double> nearly_defective(double gap, Random& random) {
+  const double a = power_of_ten(random, -1, 1), b = uniform(random, -1, 1), c = uniform(random, -1, 1);
+  return in_axes_of({a, 1, b, 0, a * (1 + gap), c, 0, 0, a * (1 + gap * uniform(random, -2, 2))}, random);
+}
+
+double worst_log(const std::vector<Mat3<double>>& matrices) {
+  double worst = 0;
+  int counted = 0;
+  for (const auto& m : matrices) {
+    if (!has_log(m)) continue;
+    ++counted;
+    const QuadMat q = to_quad(m), exact = quad_log(q);
+    const double size = static_cast<double>(quad_norm(exact)), of_m = sym3::norm(m);
+    const double allowed = size + of_m * sensitivity([](const QuadMat& x) { return quad_log(x); }, q);
+    const double ratio = distance(log_general(m), exact) / allowed / 0x1p-53;
+    if (!(ratio < 8)) MESSAGE(ratio);
+    worst = std::max(worst, ratio);
+  }
+  CHECK(counted > 0);
+  MESSAGE("counted ", counted, " of ", matrices.size(), " worst ", worst);
+  return worst;
+}
+
+template <class Make>
+std::vector<Mat3<double>> some(int count, const Make& make) {
+  Random random(11);
+  std::vector<Mat3<double>> all;
+  for (int i = 0; i < count; ++i) all.push_back(make(i, random));
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("log_of_a_general_matrix_is_as_exact_as_its_condition_allows") {
+  constexpr double bound = 16;
+  SUBCASE("rotations") {
+    CHECK(worst_log(some(60, [](int i, Random& r) {
+            return turned_by(i % 3 ? uniform(r, 0, half_turn) : half_turn * power_of_ten(r, -12, 0), r);
+          })) < bound);
+  }
+  SUBCASE("rotations near half a turn") {
+    CHECK(worst_log(some(60, [](int, Random& r) {
+            return turned_by(half_turn - power_of_ten(r, -6.5, 0), r);
+          })) < bound);
+  }
+  SUBCASE("stretches") {
+    CHECK(worst_log(some(60, [](int i, Random& r) { return stretched(i % 4, r); })) < bound);
+  }
+  SUBCASE("rotations of stretches") {
+    CHECK(worst_log(some(200, [](int i, Random& r) {
+            return sym3::product(turned_by(uniform(r, 0, half_turn), r), stretched(i % 4, r));
+          })) < bound);
+  }
+  SUBCASE("nearly defective") {
+    CHECK(worst_log(some(100, [](int i, Random& r) { return nearly_defective(std::pow(10, -i % 18), r); })) <
+          bound);
+  }
+  SUBCASE("shears") {
+    CHECK(worst_log(some(100, [](int i, Random& r) {
+            Mat3<double> m{1, power_of_ten(r, -6, 3), 0, 0, 1, 0, 0, 0, 1};
+            if (i % 2) m[5] = power_of_ten(r, -6, 3);
+            return in_axes_of(m, r);
+          })) < bound);
+  }
+  SUBCASE("scaled") {
+    CHECK(worst_log(some(60, [](int i, Random& r) {
+            const auto m = sym3::product(turned_by(uniform(r, 0, 2), r), stretched(0.5, r));
+            return sym3::times(i % 2 ? power_of_ten(r, -3, 3) : power_of_ten(r, -200, 200), m);
+          })) < bound);
+  }
+  SUBCASE("any") {
+    CHECK(worst_log(some(400, [](int, Random& r) { return any_matrix(1, r); })) < bound);
+  }
+  SUBCASE("near the identity") {
+    CHECK(worst_log(some(100, [](int, Random& r) {
+            return sym3::plus(any_matrix(power_of_ten(r, -9, 0), r), 1, diagonal_matrix(1, 1, 1));
+          })) < bound);
+  }
+  SUBCASE("nearly half a turn") {
+    CHECK(worst_log(some(60, [](int, Random& r) { return nearly_half_turn(power_of_ten(r, -6, 0), r); })) <
+          bound);
+  }
+}
+
+namespace {
+
+constexpr double degree = half_turn / 180;
+
+double entry_difference(const Mat3<double>& a, const Mat3<double>& b) {
+  double largest = 0;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+double largest_of(const Mat3<double>& m) {
+  return entry_difference(m, {});
+}
+
+// The rotation as a branch of so many whole turns more.
+sym3::PolarLog parts_of(const Mat3<double>& m, int turns = 0) {
+  sym3::PolarLog parts = sym3::log_polar(m);
+  const double angle = sym3::norm(parts.turn);
+  if (angle > 0) parts.turn = sym3::times(1 + 2 * half_turn * turns / angle, parts.turn);
+  return parts;
+}
+
+Mat3<double> sum_of_logs(const sym3::PolarLog& parts) {
+  return sym3::plus(sym3::full(parts.stretch), 1, sym3::cross_matrix(parts.turn));
+}
+
+}  // namespace
+
+TEST_CASE("exp_of_a_general_matrix_is_as_exact_as_its_condition_allows") {
+  Random random(12);
+  double worst = 0;
+  for (int i = 0; i < 600; ++i) {
+    Mat3<double> l = any_matrix(power_of_ten(random, -6, 1.3), random);
+    if (i % 4 == 1) l = sym3::plus(l, 1, diagonal_matrix(30, 30, 30));
+    if (i % 4 == 2) l = sym3::cross_matrix(vector_of(uniform(random, 0, 20), random));
+    if (i % 4 == 3)
+      l = in_axes_of({1, power_of_ten(random, -3, 3), 0, 0, 1, power_of_ten(random, -3, 3), 0, 0, 1}, random);
+    const QuadMat q = to_quad(l), exact = quad_exp(q);
+    const double allowed = static_cast<double>(quad_norm(exact)) +
+                           sym3::norm(l) * sensitivity([](const QuadMat& x) { return quad_exp(x); }, q);
+    worst = std::max(worst, distance(exp_general(l), exact) / allowed / 0x1p-53);
+  }
+  MESSAGE(worst);
+  CHECK(worst < 8);
+}
+
+TEST_CASE("exp_of_a_bounded_log_is_the_matrix_on_every_branch") {
+  Random random(7);
+  for (int n = 0; n < 200; ++n) {
+    auto m = sym3::times(uniform(random, 0.3, 3), turned_by(uniform(random, 0.3, 2.2), random));
+    m = sym3::plus(m, 0.1 * largest_of(m), any_matrix(1, random));
+    for (const int turns : {0, 1, -2, 3}) {
+      const auto parts = parts_of(m, turns);
+      const auto l = sym3::bounded_log(m, parts);
+      CHECK(entry_difference(exp_general(l), m) < 1e-12 * largest_of(m));
+      const Vector turn{(l[7] - l[5]) / 2, (l[2] - l[6]) / 2, (l[3] - l[1]) / 2};
+      const double along = sym3::dot(sym3::plus(turn, -1, parts.turn), parts.turn) / sym3::norm(parts.turn);
+      CHECK(std::abs(along) < half_turn);  // no other branch
+      CHECK(entry_difference(sym3::bounded_log(m, parts.turn), l) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("logs_of_similarities_are_sums_also_at_180_degrees_and_at_rest") {
+  const double x = std::log(2.5);
+  for (const double angle : {0.0, 1e-9, 90.0, 179.999999, 180.0}) {
+    const double length = std::sqrt(14.0);
+    const auto m =
+        sym3::times(2.5, sym3::exp_rotation<double>({angle * degree / length, -2 * angle * degree / length,
+                                                     3 * angle * degree / length}));
+    const auto parts = parts_of(m);
+    const Vector& y = parts.turn;
+    const Mat3<double> sum{x, -y[2], y[1], y[2], x, -y[0], -y[1], y[0], x};
+    CHECK(entry_difference(sym3::bounded_log(m, parts), sum) < 1e-7);
+    CHECK(entry_difference(sym3::log_general(m), sum) < 1e-14);
+    CHECK(entry_difference(exp_general(sym3::bounded_log(m, parts)), m) < 1e-12);
+    CHECK(entry_difference(exp_general(sym3::log_general(m)), m) < 1e-14);
+    CHECK(has_log(m));
+  }
+  const auto one = diagonal_matrix(1, 1, 1);
+  CHECK(sym3::bounded_log(one, parts_of(one)) == Mat3<double>{});
+  CHECK(log_general(one) == Mat3<double>{});
+  CHECK(exp_general({}) == one);
+}
+
+TEST_CASE("where_there_is_no_logarithm_it_is_bounded_and_continuous") {
+  // Turned about z by an angle around 180 degrees, stretched along x: two negative eigenvalues in the middle.
+  Mat3<double> before{};
+  int without = 0;
+  for (int i = 0; i <= 4000; ++i) {
+    const double angle = (150 + 60.0 * i / 4000) * degree, c = std::cos(angle), s = std::sin(angle);
+    const Mat3<double> m{1.5 * c, -s, 0, 1.5 * s, c, 0, 0, 0, 1};
+    auto parts = parts_of(m);
+    if (parts.turn[2] < 0) parts = parts_of(m, -1);  // on through 180 degrees
+    const auto l = sym3::bounded_log(m, parts);
+    CHECK(largest_of(l) < 4 * (sym3::norm(parts.turn) + 1));
+    if (i > 0) CHECK(entry_difference(l, before) < 0.15);
+    before = l;
+    if (has_log(m)) continue;
+    ++without;
+    CHECK(log_general(m) == sum_of_logs(parts_of(m)));
+  }
+  CHECK(without > 1000);
+}
+
+TEST_CASE("of_mirrored_and_flat_matrices_it_is_the_sum_of_the_logs_of_the_nearest_rotation_and_stretch") {
+  const Mat3<double> mirrored{-1, 0.1, 0, 0.2, 1, 0.3, 0, 0.1, 1.2}, spun{0, -1, 0.1, 1, 0, 0, 0.2, 0, -1.5},
+      flat{1, 0, 0, 0, 1, 0, 0, 0, 0};
+  for (const auto& m : {mirrored, spun, flat}) {
+    const sym3::PolarLog parts{{0.1, 0.02, 0, -0.2, 0, 0.3}, {0.3, -0.2, 0.9}};
+    CHECK(sym3::bounded_log(m, parts) == sum_of_logs(parts));
+    CHECK(!has_log(m));
+    CHECK(log_general(m) == sum_of_logs(sym3::log_polar(m)));
+    CHECK(largest_of(log_general(m)) < 30);
+  }
+  const auto about = sym3::log_polar(diagonal_matrix(2, 3, -4));  // the least is the one that is mirrored
+  CHECK(about.turn != Vector{0, 0, 0});
+  CHECK(about.stretch.xx + about.stretch.yy + about.stretch.zz == doctest::Approx(std::log(24.0)));
+}
+
+TEST_CASE("what_is_no_number_and_no_map_has_no_log_and_nan_for_it") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = HUGE_VAL;
+  for (const double bad : {nan, infinite, -infinite}) {
+    for (int i = 0; i < 9; ++i) {
+      Mat3<double> m = diagonal_matrix(1, 2, 3);
+      m[i] = bad;
+      CHECK(!has_log(m));
+      for (const double x : log_general(m)) CHECK(std::isnan(x));
+      for (const double x : exp_general(m)) CHECK(std::isnan(x));
+      for (const double x : sym3::bounded_log(m, Vector{})) CHECK(std::isnan(x));
+    }
+  }
+  CHECK(!has_log({}));
+  for (const double x : log_general({})) CHECK(std::isnan(x));
+}
+
+TEST_CASE("the_angle_of_a_log_is_what_it_turns_by") {
+  Random random(14);
+  for (int i = 0; i < 100; ++i) {
+    const double angle = uniform(random, 0.1, 20);
+    auto l = sym3::cross_matrix({0, 0, angle});
+    l[0] = l[4] = uniform(random, -1, 1), l[8] = uniform(random, -1, 1);
+    CHECK(sym3::angle_of(in_axes_of(l, random)) == doctest::Approx(angle).epsilon(1e-13));
+  }
+  CHECK(sym3::angle_of({}) == 0);
+  CHECK(sym3::angle_of(diagonal_matrix(1, 2, 3)) < 1e-7);
+}

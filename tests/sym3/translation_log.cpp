@@ -1,0 +1,99 @@
+#include "sym3/translation_log.h"
+
+#include <array>
+#include <numbers>
+
+#include "sym3/preamble.h"
+#include "sym3/products.h"
+
+using sym3::Mat3, sym3::Vec3, sym3::full, sym3::norm, sym3::plus, sym3::phi_times, sym3::even_part;
+using Vector = Vec3<double>;
+
+namespace {
+
+Vector random_vector(Random& random, double size) {
+  return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
+}
+
+// The first 120 terms, in long double.
+Vector series(const Mat3<double>& m, const Vector& x) {
+  std::array<long double, 3> term{x[0], x[1], x[2]}, sum = term;
+  for (int n = 2; n <= 120; ++n) {
+    const auto before = term;
+    for (int i = 0; i < 3; ++i) {
+      term[i] = 0;
+      for (int j = 0; j < 3; ++j) term[i] += m[3 * i + j] * before[j] / n;
+      sum[i] += term[i];
+    }
+  }
+  return {double(sum[0]), double(sum[1]), double(sum[2])};
+}
+
+Mat3<double> random_matrix(Random& random, double size) {
+  Mat3<double> m;
+  for (double& entry : m) entry = uniform(random, -size, size);
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("phi_is_its_series") {
+  Random random(3);
+  for (const double size : {0.0, 1e-9, 1e-3, 0.2, 1.0, 3.0, 6.0}) {
+    for (int n = 0; n < 50; ++n) {
+      const auto m = random_matrix(random, size);
+      const Vector x = random_vector(random, 1), w = random_vector(random, size);
+      CHECK(norm(plus(phi_times(m, x), -1, series(m, x))) < 1e-15 * std::exp(norm(m)) * (10 + 10 * size));
+      CHECK(norm(plus(phi_times(w, x), -1, series(sym3::cross_matrix(w), x))) < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("the_even_part_less_half_the_log_undoes_phi_up_to_300_degrees") {
+  Random random(4);
+  for (int n = 0; n < 300; ++n) {
+    const Vector v = random_vector(random, 1), w = sym3::times(uniform(random, 0, 5.23) / norm(v), v);
+    const Vector x = random_vector(random, 1), y = phi_times(w, x);
+    CHECK(norm(plus(plus(sym3::product(full(even_part(w)), y), -0.5, sym3::cross(w, y)), -1, x)) < 1e-13);
+    auto m = random_matrix(random, 0.4);
+    const auto t = sym3::cross_matrix(w);
+    for (int i = 0; i < 9; ++i) m[i] += t[i];
+    if (norm(w) > 4) continue;  // the angle that m turns by is not that of w
+    const Vector z = phi_times(m, x);
+    const Vector back = plus(sym3::product(even_part(m, w), z), -0.5, sym3::product(m, z));
+    CHECK(norm(plus(back, -1, x)) < 1e-11);
+    CHECK(norm(plus(sym3::inverse_phi_times(m, w, z), -1, x)) < 1e-11);
+  }
+}
+
+TEST_CASE("the_even_part_is_bounded_and_continuous_through_two_whole_turns") {
+  const Vector axis = sym3::times(1 / norm(Vector{1, -2, 0.5}), Vector{1, -2, 0.5});
+  auto before = full(even_part(Vector{0, 0, 0}));
+  auto before_general = before;
+  const Mat3<double> stretch{0.3, 0.1, 0, 0.1, -0.2, 0, 0, 0, 0.05};
+  bool first = true;
+  for (int step = 0; step <= 4 * 3600; ++step) {
+    const Vector w = sym3::times(0.05 * step * std::numbers::pi / 180, axis);
+    const auto now = full(even_part(w));
+    auto log = sym3::cross_matrix(w);
+    for (int i = 0; i < 9; ++i) log[i] += stretch[i];
+    const auto general = even_part(log, w);
+    CHECK(norm(now) < 18);
+    CHECK(norm(general) < 18);
+    for (int i = 0; i < 9; ++i) {
+      CHECK(std::abs(now[i] - before[i]) < 0.04);
+      if (!first) CHECK(std::abs(general[i] - before_general[i]) < 0.05);
+    }
+    before = now, before_general = general;
+    first = false;
+  }
+}
+
+TEST_CASE("of_no_log_the_even_part_is_the_identity_and_near_none_it_is_next_to_it") {
+  CHECK(full(even_part(Vector{0, 0, 0})) == Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
+  CHECK(even_part(Mat3<double>{}, Vector{0, 0, 0}) == Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
+  for (const double tiny : {1e-300, 1e-160, 1e-20, 1e-8}) {
+    const auto e = full(even_part(Vector{tiny, 0, -tiny}));
+    for (int i = 0; i < 9; ++i) CHECK(std::abs(e[i] - (i % 4 == 0)) < 1e-15);
+  }
+}
