@@ -1,6 +1,9 @@
 #include "python/affine.h"
 
+#include <pybind11/stl.h>
+
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "python/matrices.h"

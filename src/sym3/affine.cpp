@@ -29,7 +29,7 @@ Affine from(const Affine& a, const Affine& b) {
   return map;
 }
 
-AffineLog plus(const AffineLog& a, double s, const AffineLog& b) {
+AffineLog added(const AffineLog& a, double s, const AffineLog& b) {
   return {plus(a.linear, s, b.linear), plus(a.translation, s, b.translation)};
 }
 
@@ -64,7 +64,7 @@ Vec3<double> turn_of(const AffineLog& log) {
 
 AffineLog weighted_sum(std::span<const AffineLog> logs, std::span<const double> weights) {
   AffineLog sum;
-  for (std::size_t i = 0; i < logs.size(); ++i) sum = plus(sum, weights[i], logs[i]);
+  for (std::size_t i = 0; i < logs.size(); ++i) sum = added(sum, weights[i], logs[i]);
   return sum;
 }
 
@@ -74,7 +74,7 @@ namespace {
 AffineLog sum_of_logs(const Affine& origin, std::span<const Affine> maps, std::span<const double> weights) {
   AffineLog sum;
   for (std::size_t i = 0; i < maps.size(); ++i)
-    sum = plus(sum, weights[i], log_affine(from(origin, maps[i])));
+    sum = added(sum, weights[i], log_affine(from(origin, maps[i])));
   return sum;
 }
 
@@ -85,11 +85,11 @@ Affine combine(std::span<const Affine> maps, std::span<const double> weights) {
 }
 
 Affine interpolate(const Affine& a, const Affine& b, double t) {
-  return a * exp_affine(plus({}, t, log_affine(from(a, b))));
+  return a * exp_affine(added({}, t, log_affine(from(a, b))));
 }
 
 Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double>& near) {
-  return a * exp_affine(plus({}, t, log_affine(from(a, b), near)));
+  return a * exp_affine(added({}, t, log_affine(from(a, b), near)));
 }
 
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
@@ -100,7 +100,7 @@ AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
   AffineMean m{maps[first], false, 0};
   double size = HUGE_VAL, way = HUGE_VAL;
   while (!m.converged && m.steps < most_steps) {
-    const AffineLog left = plus({}, 1 / total, sum_of_logs(m.map, maps, weights));
+    const AffineLog left = added({}, 1 / total, sum_of_logs(m.map, maps, weights));
     const double size_now = norm(left.linear), way_now = norm(left.translation);
     if (!std::isfinite(size_now + way_now)) break;
     m.converged = size_now < near_the_end && size_now >= size && way_now >= way;

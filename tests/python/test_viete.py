@@ -114,6 +114,85 @@ class Answers(unittest.TestCase):
                 viete.polar(m, out=out)
 
 
+def turn_about_z(angle, shift=(0, 0, 0)):
+    m = np.eye(4)
+    m[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+    m[:3, 3] = shift
+    return m
+
+
+def affine(*shape):
+    m = np.zeros(shape + (4, 4))
+    m[..., :3, :] = np.random.default_rng(10).uniform(-0.4, 0.4, shape + (3, 4))
+    return m + np.eye(4)
+
+
+class AffineMaps(unittest.TestCase):
+    def test_exp_undoes_log(self):
+        for m in (affine(50), affine(2, 3)[..., :3, :3]):
+            l = viete.affine_log(m)
+            self.assertEqual(l.shape, m.shape)
+            self.assertTrue(viete.affine_has_log(m).all())
+            np.testing.assert_allclose(viete.affine_exp(l), m, atol=1e-14)
+        self.assertTrue((viete.affine_log(affine(5))[..., 3, :] == 0).all())
+        self.assertEqual(viete.affine_log(affine(5).astype(np.float32)).dtype, np.float32)
+
+    def test_of_a_symmetric_map_it_is_the_symmetric_log(self):
+        s = positive(np.float64, 50)
+        np.testing.assert_allclose(viete.affine_log(s), viete.log(s), atol=1e-13)
+
+    def test_half_of_a_half_turn_is_a_quarter_turn(self):
+        half = viete.affine_combine(turn_about_z(np.pi)[None], [0.5])
+        np.testing.assert_allclose(half, turn_about_z(np.pi / 2), atol=1e-15)
+
+    def test_logs_follow_a_branch(self):
+        m = turn_about_z(0.5)
+        for turns in (-1, 0, 2):
+            l = viete.affine_log(m, near=(0, 0, 0.4 + 2 * np.pi * turns))
+            self.assertAlmostEqual(l[1, 0], 0.5 + 2 * np.pi * turns, places=13)
+        self.assertEqual(viete.affine_log(m, near=np.zeros((7, 3))).shape, (7, 4, 4))
+
+    def test_interpolation_goes_from_one_map_to_the_other_over_any_axes(self):
+        a, b = affine(6)[:3], affine(6)[3:]
+        np.testing.assert_array_equal(viete.affine_interpolate(a, b, 0), a)
+        np.testing.assert_allclose(viete.affine_interpolate(a, b, 1), b, atol=1e-13)
+        way = viete.affine_interpolate(a[0], b[0], np.linspace(0, 1, 11))
+        self.assertEqual(way.shape, (11, 4, 4))
+        np.testing.assert_allclose(way[5], viete.affine_interpolate(b[0], a[0], 0.5), atol=1e-13)
+        back = viete.affine_interpolate(turn_about_z(0), turn_about_z(1), 0.5, near=(0, 0, -5))
+        np.testing.assert_allclose(back, turn_about_z(0.5 - np.pi), atol=1e-14)
+
+    def test_combinations_are_of_the_sums_of_logs_and_means_go_along(self):
+        m, w = affine(4, 5), np.array([0.4, 0.1, 0.2, 0.2, 0.1])
+        sums = np.einsum("k,ikab->iab", w, viete.affine_log(m))
+        np.testing.assert_allclose(viete.affine_combine(m, w), viete.affine_exp(sums), atol=1e-13)
+        mean, converged = viete.affine_mean(m, w)
+        self.assertTrue(converged.all())
+        c = affine(1)[0]
+        np.testing.assert_allclose(viete.affine_mean(c @ m, w)[0], c @ mean, atol=1e-12)
+        np.testing.assert_allclose(viete.affine_mean(m @ c, w)[0], mean @ c, atol=1e-12)
+        np.testing.assert_allclose(viete.affine_mean(m)[0], viete.affine_mean(m, np.full((4, 5), 3.0))[0], atol=1e-13)
+
+    def test_maps_without_a_log_get_a_bounded_one(self):
+        mirror = np.diag([1.0, 2.0, -1.0])
+        self.assertFalse(viete.affine_has_log(mirror))
+        self.assertTrue(np.isfinite(viete.affine_log(mirror)).all())
+        self.assertTrue(np.isnan(viete.affine_log(np.full((3, 3), np.nan))).all())
+
+    def test_wrong_shapes_say_so(self):
+        for f in (viete.affine_log, viete.affine_exp, viete.affine_has_log):
+            with self.assertRaisesRegex(ValueError, r"viete.affine_.*\(\.\.\., 4, 4\)"):
+                f(np.zeros((3, 4)))
+        with self.assertRaisesRegex(ValueError, "there are 2 maps; weights have shape"):
+            viete.affine_combine(affine(2), [1, 2, 3])
+        with self.assertRaisesRegex(ValueError, "there are no maps"):
+            viete.affine_mean(affine(0))
+        with self.assertRaisesRegex(ValueError, "near is"):
+            viete.affine_log(affine(2), near=(1, 2))
+        with self.assertRaisesRegex(ValueError, "not of the same size"):
+            viete.affine_interpolate(np.eye(3), np.eye(4), 0.5)
+
+
 class Arrays(unittest.TestCase):
     def test_any_number_of_leading_axes_is_kept(self):
         for shape in ((), (1,), (0,), (7,), (2, 3), (2, 0, 3), (2, 3, 4, 5)):
