@@ -73,13 +73,15 @@ TEST_CASE("exp_of_the_log_of_an_affine_map_is_the_map") {
 }
 
 TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
+  const Affine half_turn{{-1, 0, 0, 0, -1, 0, 0, 0, 1}, {}};
   for (const double angle : {0.5, 1.0, 1 - 1e-9, 1 - 1e-6, 1 - 1e-3}) {
-    const Affine half = sym3::combine(std::vector{about_z(turn / 2 * angle)}, std::vector{0.5});
+    const Affine whole = angle == 1 ? half_turn : about_z(turn / 2 * angle);
+    const Affine half = sym3::combine(std::vector{whole}, std::vector{0.5});
     CHECK(difference(half, about_z(turn / 4 * angle)) < 1e-15);
   }
   // About a point, by a screw: the quarter goes about the same point.
   const Affine to{about_z(0).linear, {3, 1, 0}},
-      screw = to * about_z(turn / 2, {0, 0, 2}) * sym3::inverse(to);
+      screw = to * Affine{half_turn.linear, {0, 0, 2}} * sym3::inverse(to);
   const Affine quarter = to * about_z(turn / 4, {0, 0, 1}) * sym3::inverse(to);
   CHECK(difference(sym3::interpolate({}, screw, 0.5), quarter) < 2e-15);
 }

@@ -65,9 +65,11 @@ inline QuadMat quad_root(const QuadMat& m) {
   return y;
 }
 
-/// 2^n times that of the root that is so near to I that some terms do.
+/// 2^n times that of the root that is so near to I that some terms do, of entries about 1.
 inline QuadMat quad_log(QuadMat m) {
   int roots = 0;
+  const int exponent = ilogbq(quad_norm(m));
+  for (Quad& x : m) x = scalbnq(x, -exponent);
   for (; quad_norm(quad_combined(m, quad_identity, 1, -1)) > 1e-3 && roots < 60; ++roots) m = quad_root(m);
   const QuadMat x = quad_combined(m, quad_identity, 1, -1);
   QuadMat power = x, sum{};
@@ -75,7 +77,7 @@ inline QuadMat quad_log(QuadMat m) {
     sum = quad_combined(sum, power, 1, (n % 2 ? Quad(1) : Quad(-1)) / n);
     power = quad_product(power, x);
   }
-  return quad_combined(sum, sum, scalbnq(1, roots), 0);
+  return quad_combined(sum, quad_identity, scalbnq(1, roots), exponent * M_LN2q);
 }
 
 inline QuadMat quad_exp(const QuadMat& log) {
