@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deform/map_graph.h"
+#include "sym3/general.h"
 #include "sym3/rotation.h"
 
 namespace viete::deform {

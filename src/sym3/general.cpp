@@ -203,8 +203,8 @@ struct Pair {
   bool turns() const { return disc < 0; }
   bool positive() const { return turns() || (middle > 0 && det > 0); }
   double angle() const { return turns() ? std::atan2(std::sqrt(-disc), middle) : 0; }
-  // |sin| of the angle: how many digits of the plane are left near 180 degrees.
-  double clearness() const { return turns() && middle < 0 ? std::sqrt(-disc / det) : 1; }
+  // By |sin| of the angle, which is how many digits are left of the plane that it turns in.
+  bool clear() const { return -disc >= least_clear * least_clear * det; }
 };
 
 // A function of T: `single` at the eigenvalue by itself, mean + slope (B - middle) of the block B, and
@@ -266,10 +266,11 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   const auto d = deflated(m, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
   const Pair pair(d->t);
-  if (!(d->t[0] > 0) || !pair.positive() || pair.clearness() < least_clear) return std::nullopt;
-  if (!pair.turns() && turned > pi) return std::nullopt;
+  const bool other = turned + pair.angle() > pi;  // maybe another branch
+  if (!(d->t[0] > 0) || !pair.positive()) return std::nullopt;
+  if ((other || (pair.turns() && pair.middle < 0)) && !pair.clear()) return std::nullopt;
   const Mat3<double> l = close ? log_of_close(m, v.mean()) : log_of_apart(*d, pair);
-  if (!pair.turns() || turned + pair.angle() < pi) return l;
+  if (!other) return l;
   const Mat3<double> j = quarter_turn(*d, pair);
   return plus(l, 2 * pi * whole_turns(j, pair.angle(), turn), j);
 }
@@ -348,6 +349,28 @@ bool is_sum(const Split& s) {
 }
 
 }  // namespace
+
+// |(angle + 2 pi k) n - reference|^2 with v = angle n is a parabola in k with its least value at
+// k = (n . reference - angle) / 2 pi: the nearest whole number is the branch. Near a whole turn v is nearly 0
+// and its direction rounding, so that a long reference gives the axis.
+Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
+  // What v may have across a reference, in radians, by rounding alone: about a hundred units in the last
+  // place of a whole turn.
+  constexpr double along_reference = 1e-13;
+  const double angle = norm(v);
+  if (dot(reference, reference) > pi * pi) {
+    const double length = norm(reference);
+    const Vec3<double> axis = times(1 / length, reference);
+    const double along = dot(v, axis);
+    if (norm(plus(v, -1, times(along, axis))) <= along_reference) {
+      return times(along + 2 * pi * std::round((length - along) / (2 * pi)), axis);
+    }
+  }
+  if (angle == 0) return v;
+  const double gap = dot(reference, v) / angle - angle;
+  if (std::abs(gap) < pi) return v;
+  return times((angle + 2 * pi * std::round(gap / (2 * pi))) / angle, v);
+}
 
 PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near) {
   return split(m, near).parts;

@@ -28,6 +28,11 @@ Mat3<double> log_general(const Mat3<double>& m);
 /// True if exp_general(log_general(M)) is M.
 bool has_log(const Mat3<double>& m);
 
+/// The branch n (theta + 2 pi k) of the rotation vector v = n theta that is nearest to `reference`, any whole
+/// k. Where v is zero, or along the reference up to 1e-13, the axis is the reference's, so that full turns do
+/// not lose it.
+Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference);
+
 /// M = exp(turn) exp(stretch), by the polar decomposition.
 struct PolarLog {
   Sym3<double> stretch;  ///< X = log S

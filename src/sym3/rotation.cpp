@@ -1,11 +1,9 @@
 #include "sym3/rotation.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "sym3/call_kernel.h"
 #include "sym3/fallback.h"
-#include "sym3/products.h"
 
 namespace viete::sym3 {
 
@@ -58,28 +56,5 @@ Vec3<T> log_rotation(const Mat3<T>& r) {
 VIETE_FOR(float)
 VIETE_FOR(double)
 #undef VIETE_FOR
-
-// |(angle + 2 pi k) n - reference|^2 with v = angle n is a parabola in k with its least value at
-// k = (n . reference - angle) / 2 pi: the nearest whole number is the branch. Near a whole turn v is nearly 0
-// and its direction rounding, so that a long reference gives the axis.
-Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
-  constexpr double turn = 2 * std::numbers::pi;
-  // What v may have across a reference, in radians, by rounding alone: about a hundred units in the last
-  // place of a whole turn.
-  constexpr double along_reference = 1e-13;
-  const double angle = norm(v);
-  if (dot(reference, reference) > turn * turn / 4) {
-    const double length = norm(reference);
-    const Vec3<double> axis = times(1 / length, reference);
-    const double along = dot(v, axis);
-    if (norm(plus(v, -1, times(along, axis))) <= along_reference) {
-      return times(along + turn * std::round((length - along) / turn), axis);
-    }
-  }
-  if (angle == 0) return v;
-  const double gap = dot(reference, v) / angle - angle;
-  if (std::abs(gap) < turn / 2) return v;
-  return times((angle + turn * std::round(gap / turn)) / angle, v);
-}
 
 }  // namespace viete::sym3

@@ -47,9 +47,4 @@ void log_rotation(const MatView<const double>& in, const VecView<double>& out, s
 void log_rotation(const MatView<const float>& in, const VecView<float>& out, std::size_t count,
                   const Batch& batch = {});
 
-/// The branch n (theta + 2 pi k) of the rotation vector v = n theta that is nearest to `reference`, any whole
-/// k. Where v is zero, or along the reference up to 1e-13, the axis is the reference's, so that full turns do
-/// not lose it.
-Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference);
-
 }  // namespace viete::sym3

@@ -595,7 +595,7 @@ Matrix mean_quaternion_stretch(const std::vector<Element>& elements, const std::
 }
 
 Matrix mean_of_matrix_logs(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
-  return quad_exp(weighted<9>(elements, weights, [](const Element& e) { return e.log; }));
+  return quad_exp_general(weighted<9>(elements, weights, [](const Element& e) { return e.log; }));
 }
 
 Matrix cross_matrix(const Vector& w) {
@@ -630,7 +630,7 @@ Vector by_motions(const Vector& x, const std::vector<Element>& elements, const s
     const auto s = weighted<6>(elements, weights, [](const Element& e) { return entries(e.log_of_stretch); });
     y = times(full(quad_exp({s[0], s[1], s[2], s[3], s[4], s[5]})), y);
   }
-  return plus(center, plus(times(quad_exp(log), y), times(phi(log), u)));
+  return plus(center, plus(times(quad_exp_general(log), y), times(phi(log), u)));
 }
 
 Vector by_maps(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights) {
@@ -743,7 +743,7 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
 void find_logs(std::vector<Element>& elements, deform::Blend blend) {
   using enum deform::Blend;
   for (Element& e : elements) {
-    if (blend == log3 || blend == log4) e.log = quad_log(e.map);
+    if (blend == log3 || blend == log4) e.log = quad_log_general(e.map);
     if (blend == log4 || blend == sse)
       e.inverse_phi = quad_inverse(phi(blend == sse ? cross_matrix(e.turn) : e.log));
   }

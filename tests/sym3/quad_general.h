@@ -66,7 +66,7 @@ inline QuadMat quad_root(const QuadMat& m) {
 }
 
 /// 2^n times that of the root that is so near to I that some terms do, of entries about 1.
-inline QuadMat quad_log(QuadMat m) {
+inline QuadMat quad_log_general(QuadMat m) {
   int roots = 0;
   const int exponent = ilogbq(quad_norm(m));
   for (Quad& x : m) x = scalbnq(x, -exponent);
@@ -80,7 +80,7 @@ inline QuadMat quad_log(QuadMat m) {
   return quad_combined(sum, quad_identity, scalbnq(1, roots), exponent * M_LN2q);
 }
 
-inline QuadMat quad_exp(const QuadMat& log) {
+inline QuadMat quad_exp_general(const QuadMat& log) {
   int squarings = 0;
   for (Quad size = quad_norm(log); size > 1e-3; size /= 2) ++squarings;
   const QuadMat x = quad_combined(log, log, scalbnq(1, -squarings), 0);
