@@ -94,19 +94,22 @@ Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double
 
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
   constexpr int most_steps = 200;
-  constexpr double near_the_end = 1e-6;  // from there on sizes fall until they are rounding
+  constexpr double near_the_end = 1e-6;  // from there on what is left falls until it is rounding
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const auto first = std::max_element(weights.begin(), weights.end()) - weights.begin();
-  AffineMean m{maps[first], false, 0};
-  double size = HUGE_VAL, way = HUGE_VAL;
-  while (!m.converged && m.steps < most_steps) {
-    const AffineLog left = added({}, 1 / total, sum_of_logs(m.map, maps, weights));
-    const double size_now = norm(left.linear), way_now = norm(left.translation);
-    if (!std::isfinite(size_now + way_now)) break;
-    m.converged = size_now < near_the_end && size_now >= size && way_now >= way;
-    m.map = m.map * exp_affine(left);
-    size = size_now, way = way_now;
-    ++m.steps;
+  const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+  AffineMean m{maps[heaviest], false, 0};
+  double turned = HUGE_VAL, moved = HUGE_VAL;
+  bool turned_enough = false, moved_enough = false;
+  for (; !m.converged && m.steps < most_steps; ++m.steps) {
+    const AffineLog step = added({}, 1 / total, sum_of_logs(m.map, maps, weights));
+    const double turns = norm(step.linear), moves = norm(step.translation);
+    if (!std::isfinite(turns + moves)) break;
+    const bool near = turns < near_the_end;
+    turned_enough = turned_enough || (near && turns >= turned);
+    moved_enough = moved_enough || (near && moves >= moved);
+    m.converged = turned_enough && moved_enough;
+    m.map = m.map * exp_affine(step);
+    turned = turns, moved = moves;
   }
   return m;
 }

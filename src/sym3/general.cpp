@@ -376,14 +376,18 @@ PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near) {
   return split(m, near).parts;
 }
 
+// Where X + Y is no better: logs that are so short turn by less than 122 degrees.
 Mat3<double> log_general(const Mat3<double>& m) {
+  constexpr double is_short = 3;
+  const bool symmetric = m[1] == m[3] && m[2] == m[6] && m[5] == m[7];
+  const auto l = symmetric ? std::nullopt : log_in_range(m, {});
+  if (l && norm(*l) < is_short) return *l;
   const Split s = split(m, {});
-  const auto l = is_sum(s) ? std::nullopt : log_in_range(m, {});
-  return l ? *l : sum_of(s.parts);
+  return l && !is_sum(s) ? *l : sum_of(s.parts);
 }
 
 bool has_log(const Mat3<double>& m) {
-  return is_sum(split(m, {})) || log_in_range(m, {});
+  return log_in_range(m, {}) || is_sum(split(m, {}));
 }
 
 Mat3<double> bounded_log(const Mat3<double>& m, const PolarLog& parts) {

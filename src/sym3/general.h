@@ -12,12 +12,13 @@
 namespace viete::sym3 {
 
 /// exp(L), by a power series of what is left of L without its trace, reduced by Cayley and Hamilton, and
-/// squarings. |answer - exact| <= 8 u (1 + k) |exact|. Exactly I for L = 0. NaN, infinity or entries past
+/// squarings. |answer - exact| <= 16 u (1 + k) |exact|. Exactly I for L = 0. NaN, infinity or entries past
 /// 1e60 in size: nine NaN.
 Mat3<double> exp_general(const Mat3<double>& l);
 
 /// The principal logarithm: the real L with exp(L) = M whose eigenvalues have imaginary parts below pi in
-/// size. |answer - exact| <= 16 u (1 + k) |exact|. Symmetric for symmetric M.
+/// size. |answer - exact| <= 32 u (1 + k) |exact|, but for large shears 6 u. Symmetric for
+/// symmetric M.
 ///
 /// Has M none, because det M <= 0 or it has negative eigenvalues, or do its eigenvalues turn by 180 degrees
 /// but for 1e-7, where rounding decides, the answer is X + Y of log_polar(): bounded, and the same as log M

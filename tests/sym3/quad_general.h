@@ -98,22 +98,22 @@ inline double distance(const sym3::Mat3<double>& computed, const QuadMat& exact)
   return static_cast<double>(quad_norm(quad_combined(to_quad(computed), exact, 1, -1)));
 }
 
-/// The largest change of f per change of the entries, Frobenius norms: of differences the largest singular
-/// value, by power iteration.
+/// The largest change of f per relative change of the matrix, Frobenius norms: of differences the largest
+/// singular value, by power iteration.
 template <class F>
 double sensitivity(const F& f, const QuadMat& m) {
   const QuadMat at = f(m);
-  const Quad step = scalbnq(quad_norm(m), -56);
+  const Quad relative = scalbnq(1, -56), step = relative * quad_norm(m);
   double by_entry[9][9];
   for (int k = 0; k < 9; ++k) {
     QuadMat moved = m;
     moved[k] += step;
-    const QuadMat change = quad_combined(f(moved), at, 1 / step, -1 / step);
+    const QuadMat change = quad_combined(f(moved), at, 1 / relative, -1 / relative);
     for (int i = 0; i < 9; ++i) by_entry[k][i] = static_cast<double>(change[i]);
   }
   std::array<double, 9> way{1, .9, .8, -.7, 1.1, .6, .5, -.4, 1.2};
   double largest = 0;
-  for (int step_count = 0; step_count < 30; ++step_count) {
+  for (int n = 0; n < 30; ++n) {
     std::array<double, 9> image{}, back{};
     double length = 0;
     for (int k = 0; k < 9; ++k) length = std::hypot(length, way[k]);
