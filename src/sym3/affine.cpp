@@ -49,7 +49,7 @@ AffineLog log_affine(const Affine& map) {
 }
 
 AffineLog log_affine(const Affine& map, const Vec3<double>& near) {
-  const Mat3<double> l = bounded_log(map.linear, near);
+  const Mat3<double> l = log_near(map.linear, near);
   return {l, inverse_phi_times(l, turn_of({l, {}}), map.translation)};
 }
 

@@ -42,7 +42,7 @@ Affine inverse(const Affine& a);
 /// The principal logarithm: (L, phi(L)^-1 l) of (M, l), L = log_general(M).
 AffineLog log_affine(const Affine& map);
 /// The logarithm on the branch nearest to a rotation vector, as that of a log before (see turn_of()): L =
-/// bounded_log(M, near). Near turns of 360, 720 ... degrees the translation's log is bounded, too, and not
+/// log_near(M, near). Near turns of 360, 720 ... degrees the translation's log is bounded, too, and not
 /// exact.
 AffineLog log_affine(const Affine& map, const Vec3<double>& near);
 

@@ -376,18 +376,33 @@ PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near) {
   return split(m, near).parts;
 }
 
-// Where X + Y is no better: logs that are so short turn by less than 122 degrees.
-Mat3<double> log_general(const Mat3<double>& m) {
+namespace {
+
+// The logarithm if there is one, else X + Y.
+struct Answer {
+  Mat3<double> log;
+  bool is_log;
+};
+
+// Logs that are so short are of maps that turn by less than 122 degrees and are not flat.
+Answer principal_log(const Mat3<double>& m) {
   constexpr double is_short = 3;
   const bool symmetric = m[1] == m[3] && m[2] == m[6] && m[5] == m[7];
   const auto l = symmetric ? std::nullopt : log_in_range(m, {});
-  if (l && norm(*l) < is_short) return *l;
+  if (l && norm(*l) < is_short) return {*l, true};
   const Split s = split(m, {});
-  return l && !is_sum(s) ? *l : sum_of(s.parts);
+  const bool sum = is_sum(s) || !s.whole || !l;
+  return {sum ? sum_of(s.parts) : *l, !sum || is_sum(s)};
+}
+
+}  // namespace
+
+Mat3<double> log_general(const Mat3<double>& m) {
+  return principal_log(m).log;
 }
 
 bool has_log(const Mat3<double>& m) {
-  return log_in_range(m, {}) || is_sum(split(m, {}));
+  return principal_log(m).is_log;
 }
 
 Mat3<double> bounded_log(const Mat3<double>& m, const PolarLog& parts) {
@@ -400,7 +415,7 @@ Mat3<double> bounded_log(const Mat3<double>& m, const PolarLog& parts) {
   return plus(*l, left, plus(sum, -1, *l));
 }
 
-Mat3<double> bounded_log(const Mat3<double>& m, const Vec3<double>& near) {
+Mat3<double> log_near(const Mat3<double>& m, const Vec3<double>& near) {
   const Split s = split(m, near);
   return is_sum(s) ? sum_of(s.parts) : bounded_log(m, s.parts);
 }

@@ -20,13 +20,13 @@ Mat3<double> exp_general(const Mat3<double>& l);
 /// size. |answer - exact| <= 32 u (1 + k) |exact|, but for large shears 6 u. Symmetric for
 /// symmetric M.
 ///
-/// Has M none, because det M <= 0 or it has negative eigenvalues, or do its eigenvalues turn by 180 degrees
-/// but for 1e-7, where rounding decides, the answer is X + Y of log_polar(): bounded, and the same as log M
-/// where turn and stretch commute, as those of all rotations and similarities do. has_log() tells. NaN or
-/// infinity in M, and M = 0: nine NaN.
+/// Where M has none, because det M <= 0 or it has negative eigenvalues, and where rounding decides, because M
+/// is flat (a stretch below 1e-11 of another) or its eigenvalues turn by 180 degrees but for 1e-7, the answer
+/// is X + Y of log_polar(): bounded, and the same as log M where turn and stretch commute, as those of all
+/// rotations and similarities do. has_log() tells. NaN or infinity in M, and M = 0: nine NaN.
 Mat3<double> log_general(const Mat3<double>& m);
 
-/// True if exp_general(log_general(M)) is M.
+/// True if exp_general(log_general(M)) is M, but for rounding.
 bool has_log(const Mat3<double>& m);
 
 /// The branch n (theta + 2 pi k) of the rotation vector v = n theta that is nearest to `reference`, any whole
@@ -52,8 +52,8 @@ PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near = {});
 /// norms); also where a turn of more than 180 degrees leaves no plane of rotation to tell it by. Exactly 0
 /// where X and Y are. `parts`: of M, or with stretches that were raised to a floor.
 Mat3<double> bounded_log(const Mat3<double>& m, const PolarLog& parts);
-/// The same of log_polar(m, near), as accurate as log_general().
-Mat3<double> bounded_log(const Mat3<double>& m, const Vec3<double>& near);
+/// bounded_log() of log_polar(m, near), as accurate as log_general().
+Mat3<double> log_near(const Mat3<double>& m, const Vec3<double>& near);
 
 /// By how much exp(L) turns: the imaginary part of L's complex eigenvalues, 0 where these are real.
 double angle_of(const Mat3<double>& l);
