@@ -7,9 +7,9 @@
 // across. They get a bounded one, which exp does not lead back from. What is not finite gives NaN.
 // Thread-safe; no allocation, no throw.
 //
-// combine() does not ask for the order of maps; of inverses it is the inverse, of C A C^-1 it is C combine C^-1:
-// no coordinates are special. interpolate() and mean() go along with maps before and after, too: of C A D they
-// are C mean D; and of inverses the inverse.
+// combine() does not ask for the order of maps; of inverses it is the inverse, of C A C^-1 it is C combine
+// C^-1: no coordinates are special. interpolate() and mean() go along with maps before and after, too: of C A
+// D they are C mean D; and of inverses the inverse.
 #pragma once
 
 #include <span>

@@ -332,9 +332,9 @@ Sym3<double> log_of_sizes(const Sym3<double>& stretch) {
 Split split(const Mat3<double>& m, const Vec3<double>& near) {
   const InRange r = in_range(m);
   const Polar<double> p = polar(r.m);
-  const Vec3<double> turn =
-      log_rotation(p.rotation);  // of which 0 is as near as to its opposite at 180 degrees
-  Split s{{log(p.stretch), dot(near, near) > 0 ? nearest_branch(turn, near) : turn}, true};
+  const Vec3<double> turn = log_rotation(p.rotation);
+  // To 0 half turns either way are equally near: that of the rotation stays.
+  Split s{{log(p.stretch), norm(near) > 0 ? nearest_branch(turn, near) : turn}, true};
   Mat3<double> across = full(s.parts.stretch);
   add_to_diagonal(across, -trace(across) / 3);
   s.whole = norm(across) < -std::log(flattest) / std::numbers::sqrt2;  // false for NaN

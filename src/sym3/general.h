@@ -17,8 +17,8 @@ namespace viete::sym3 {
 Mat3<double> exp_general(const Mat3<double>& l);
 
 /// The principal logarithm: the real L with exp(L) = M whose eigenvalues have imaginary parts below pi in
-/// size. |answer - exact| <= 32 u (1 + k) |exact|, but for large shears 6 u. Symmetric for
-/// symmetric M.
+/// size. |answer - exact| <= 32 u (1 + k) |exact|; 6 u where M shears by no more than some tens. Symmetric
+/// for symmetric M.
 ///
 /// Where M has none, because det M <= 0 or it has negative eigenvalues, and where rounding decides, because M
 /// is flat (a stretch below 1e-11 of another) or its eigenvalues turn by 180 degrees but for 1e-7, the answer

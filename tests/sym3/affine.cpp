@@ -122,6 +122,9 @@ TEST_CASE("the_order_of_combined_maps_does_not_matter_nor_do_coordinates_and_inv
   for (int i = 0; i < 100; ++i) {
     auto maps = some_maps(random, 4, 2);
     const Affine sum = sym3::combine(maps, weights), c = any_map(random);
+    std::vector<AffineLog> logs;
+    for (const Affine& m : maps) logs.push_back(sym3::log_affine(m));
+    CHECK(difference(sym3::exp_affine(sym3::weighted_sum(logs, weights)), sum) < 1e-14);
     CHECK(difference(sym3::combine(times_all(c, maps, sym3::inverse(c)), weights),
                      c * sum * sym3::inverse(c)) < 1e-11);
     CHECK(difference(sym3::combine(inverses(maps), weights), sym3::inverse(sum)) < 1e-12);
