@@ -17,7 +17,7 @@ namespace viete::sym3 {
 Mat3<double> exp_general(const Mat3<double>& l);
 
 /// The principal logarithm: the real L with exp(L) = M whose eigenvalues have imaginary parts below pi in
-/// size. |answer - exact| <= 32 u (1 + k) |exact|; 6 u where M shears by no more than some tens. Symmetric
+/// size. |answer - exact| <= 32 u (1 + k) |exact|; 6 u where M shears by no more than 100. Symmetric
 /// for symmetric M.
 ///
 /// Where M has none, because det M <= 0 or it has negative eigenvalues, and where rounding decides, because M
