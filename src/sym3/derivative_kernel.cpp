@@ -77,34 +77,57 @@ static HWY_INLINE void one_by(const F& f, const T* s, const T* direction, T* out
   store_row(d, answer, out);
 }
 
+/// Whether items [i, i + count) can be read and written in planes where they lie, in whole registers.
+template <class D, class T>
+static HWY_INLINE bool is_direct(D, const View<T, 6>& v, std::size_t count) {
+  return v.layout == Layout::planes && count % hn::MaxLanes(D()) == 0;
+}
+
+template <class T>
+static HWY_INLINE View<T, 6> planes_from(const View<T, 6>& v, std::size_t i) {
+  View<T, 6> there;
+  there.layout = Layout::planes;
+  for (int k = 0; k < 6; ++k) there.plane[k] = v.plane[k] + i;
+  return there;
+}
+
+/// Items [i, i + count) in planes: there, or gathered into a tile.
+template <class D, class T>
+static HWY_INLINE View<const T, 6> readable(D d, const View<const T, 6>& v, std::size_t i, std::size_t count,
+                                            T* tile) {
+  if (is_direct(d, v, count)) return planes_from(v, i);
+  fill_tile(d, v, i, count, tile);
+  return Tile<T>::template view<6, const T>(tile);
+}
+
 /// By tiles: first what the directions share of all S in a tile, then one direction after the other, read
 /// before its answers are written.
 template <class F, class T>
 static HWY_INLINE void many_by(const F& f, const View<const T, 6>& s, const View<const T, 6>* directions,
                                const View<T, 6>* out, std::size_t n, const Range& range) {
-  const hn::ScalableTag<T> d;
   using D = hn::ScalableTag<T>;
+  const D d;
   constexpr std::size_t stride = Tile<T>::stride, lanes = hn::MaxLanes(D());
   alignas(64) T from[6 * stride], to[6 * stride];
   typename F::template Point<D> points[Tile<T>::items / lanes];
-  const auto from_view = Tile<T>::template view<6, const T>(from);
-  const auto to_view = Tile<T>::template view<6, T>(to);
   hn::Vec<D> e[6];
   for (std::size_t i = range.begin; i < range.end; i += Tile<T>::items) {
     const std::size_t count = range.end - i < Tile<T>::items ? range.end - i : Tile<T>::items;
-    const std::size_t filled = fill_tile(d, s, i, count, from);
-    for (std::size_t j = 0; j < filled; j += lanes) {
-      InPlanes::load(d, from_view, j, e);
+    const auto matrices = readable(d, s, i, count, from);
+    for (std::size_t j = 0; j < count; j += lanes) {
+      InPlanes::load(d, matrices, j, e);
       f.put_point(d, six(e), points[j / lanes]);
     }
     for (std::size_t k = 0; k < n; ++k) {
-      fill_tile(d, directions[k], i, count, from);
-      for (std::size_t j = 0; j < filled; j += lanes) {
-        InPlanes::load(d, from_view, j, e);
+      const bool direct = is_direct(d, out[k], count);
+      const auto direction = readable(d, directions[k], i, count, from);
+      const auto answers = direct ? planes_from(out[k], i) : Tile<T>::template view<6, T>(to);
+      for (std::size_t j = 0; j < count; j += lanes) {
+        InPlanes::load(d, direction, j, e);
         put_six(f.derivative(d, points[j / lanes], six(e)), e);
-        InPlanes::store<false>(d, e, to_view, j);
+        InPlanes::store<false>(d, e, answers, j);
       }
-      scatter(d, to, stride, count, out[k], i);
+      if (!direct) scatter(d, to, stride, count, out[k], i);
     }
   }
 }
@@ -127,6 +150,19 @@ extern const DerivativeFunction<float> derivative_float;
 const DerivativeFunction<double> derivative_double = {derivative_one<double>, derivative_many<double>};
 const DerivativeFunction<float> derivative_float = {derivative_one<float>, derivative_many<float>};
 
+/// One direction after the other. Only the lanes without `done` are written.
+template <class F, class D, class V, class M>
+static HWY_NOINLINE void tangent_by_directions(D d, const F& f, const typename F::template Point<D>& point,
+                                               const M& done, V (&tangent)[36]) {
+  const V zero = hn::Zero(d), one = hn::Set(d, hn::TFromD<D>(1));
+  for (int k = 0; k < 6; ++k) {
+    V e[6] = {zero, zero, zero, zero, zero, zero}, answer[6];
+    e[k] = one;
+    put_six(f.derivative(d, point, six(e)), answer);
+    for (int j = 0; j < 6; ++j) tangent[6 * k + j] = hn::IfThenElse(done, tangent[6 * k + j], answer[j]);
+  }
+}
+
 /// The derivatives in the six directions in which one of the six numbers is 1 and the others are 0.
 struct Tangent {
   static constexpr int in = 6, out = 36, group = 1;
@@ -137,25 +173,33 @@ struct Tangent {
   template <int G, class D, class V>
   HWY_INLINE bool quick(D d, const V (&s)[G][in], V (&tangent)[G][out]) const {
     if (f == Of::exp) {
-      put(d, ExpDerivative{}, s[0], tangent[0]);
+      put(d, six(s[0]), tangent[0]);
     } else {
-      put(d, SpectralDerivative{f, p}, s[0], tangent[0]);
+      const SpectralDerivative any = {f, p};
+      SpectralPoint<D> point;
+      any.put_point(d, six(s[0]), point);
+      for (V& x : tangent[0]) x = hn::Zero(d);
+      tangent_by_directions(d, any, point, hn::MaskFromVec(hn::Zero(d)), tangent[0]);
     }
     return true;
   }
 
 private:
-  template <class D, class F, class V>
-  static HWY_INLINE void put(D d, const F& f, const V (&s)[in], V (&tangent)[out]) {
-    typename F::template Point<D> point;
-    f.put_point(d, six(s), point);
-    const V zero = hn::Zero(d), one = hn::Set(d, hn::TFromD<D>(1));
+  template <class D, class V>
+  static HWY_INLINE void put(D d, const Six<V>& s, V (&tangent)[out]) {
+    ExpPoint<D> point;
+    Six<V> rows[6];
+    put_exp_point(d, s, point);
+    put_exp_tangent(d, point.parts, rows);
+#pragma GCC unroll 6
     for (int k = 0; k < 6; ++k) {
-      V e[6] = {zero, zero, zero, zero, zero, zero}, answer[6];
-      e[k] = one;
-      put_six(f.derivative(d, point, six(e)), answer);
-      for (int j = 0; j < 6; ++j) tangent[6 * k + j] = answer[j];
+      V row[6];
+      put_six(rows[k], row);
+#pragma GCC unroll 6
+      for (int j = 0; j < 6; ++j) tangent[6 * k + j] = row[j];
     }
+    if (HWY_LIKELY(hn::AllTrue(d, point.ok))) return;
+    tangent_by_directions(d, ExpDerivative{}, point, point.ok, tangent);
   }
 };
 

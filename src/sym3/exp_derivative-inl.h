@@ -33,13 +33,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// exp(S) = z0 I + z1 A + z2 C, and u_k = dz_k / dp, u_{k+1} = dz_k / dq: all that a derivative is made of.
+/// exp(S) = z0 I + z1 A + z2 C, with u_k = dz_k / dp, u_{k+1} = dz_k / dq; and what follows of them.
 template <class V>
 struct ExpParts {
   Six<V> a, c;
   V minus_p;
   Coefficients<V> z;
   V u0, u1, u2, u3;
+  V t0, t1;                        ///< what t brings to the coefficients: z0 - z1, z1 + z2; the third is z2
+  Six<V> w;                        ///< z2 A
+  V beside_x, beside_y, beside_z;  ///< z1 - w.xx and so on
 };
 
 /// From A = `a`, times a factor that is made beside the recurrence: scalar.step(k) in its steps, then
@@ -60,44 +63,76 @@ static HWY_INLINE void put_exp_parts(D d, const Six<V>& a, Scalar scalar, ExpPar
   parts.z = recurrence(d, C::matrix_exp, minus_p, q, beside);
   const V factor = scalar.value();
   parts.z = times(parts.z, factor);
+  const Coefficients<V>& z = parts.z;
+  parts.t0 = Sub(z.z0, z.z1), parts.t1 = Add(z.z1, z.z2);
+  parts.w = {Mul(z.z2, a.xx), Mul(z.z2, a.xy), Mul(z.z2, a.xz),
+             Mul(z.z2, a.yy), Mul(z.z2, a.yz), Mul(z.z2, a.zz)};
+  parts.beside_x = Sub(z.z1, parts.w.xx), parts.beside_y = Sub(z.z1, parts.w.yy);
+  parts.beside_z = Sub(z.z1, parts.w.zz);
   parts.u0 = Mul(u0, factor), parts.u1 = Mul(u1, factor), parts.u2 = Mul(u2, factor),
   parts.u3 = Mul(u3, factor);
 }
 
-/// The trace of m times e, both symmetric.
-template <class D, class V>
-static HWY_INLINE V inner_product(D d, const Six<V>& m, const Six<V>& e) {
-  return MulAdd(hn::Set(d, hn::TFromD<D>(2)), sum_of_products(m.xy, e.xy, m.xz, e.xz, m.yz, e.yz),
-                sum_of_products(m.xx, e.xx, m.yy, e.yy, m.zz, e.zz));
-}
-
-/// The derivative of adj at A in the direction E.
+/// The coefficients of I, A and C in exp'(S)[E], from t and the derivatives of p and q.
 template <class V>
-static HWY_INLINE Six<V> adjugate_slope(const Six<V>& a, const Six<V>& e) {
-  const V twice_xy = Add(e.xy, e.xy), twice_xz = Add(e.xz, e.xz), twice_yz = Add(e.yz, e.yz);
-  return {NegMulAdd(a.yz, twice_yz, MulAdd(a.yy, e.zz, Mul(a.zz, e.yy))),
-          NegMulAdd(a.xy, e.zz, NegMulAdd(a.zz, e.xy, MulAdd(a.xz, e.yz, Mul(a.yz, e.xz)))),
-          NegMulAdd(a.xz, e.yy, NegMulAdd(a.yy, e.xz, MulAdd(a.xy, e.yz, Mul(a.yz, e.xy)))),
-          NegMulAdd(a.xz, twice_xz, MulAdd(a.xx, e.zz, Mul(a.zz, e.xx))),
-          NegMulAdd(a.yz, e.xx, NegMulAdd(a.xx, e.yz, MulAdd(a.xy, e.xz, Mul(a.xz, e.xy)))),
-          NegMulAdd(a.xy, twice_xy, MulAdd(a.xx, e.yy, Mul(a.yy, e.xx)))};
+static HWY_INLINE Coefficients<V> coefficient_slopes(const ExpParts<V>& m, V t, V dp, V dq) {
+  return {sum_of_products(m.u0, dp, m.u1, dq, m.t0, t), sum_of_products(m.u1, dp, m.u2, dq, m.t1, t),
+          sum_of_products(m.u2, dp, m.u3, dq, m.z.z2, t)};
 }
 
 /// exp'(S)[E] where the parts are right.
 template <class D, class V>
 static HWY_INLINE Six<V> exp_slope(D d, const ExpParts<V>& m, const Six<V>& e) {
-  const Coefficients<V>& z = m.z;
-  const V t = Mul(Add(Add(e.xx, e.yy), e.zz), hn::Set(d, hn::TFromD<D>(1) / hn::TFromD<D>(3)));
-  const V dp = inner_product(d, m.a, e), dq = NegMulAdd(t, m.minus_p, inner_product(d, m.c, e));
-  const V k0 = sum_of_products(m.u0, dp, m.u1, dq, t, Sub(z.z0, z.z1));
-  const V k1 = sum_of_products(m.u1, dp, m.u2, dq, t, Add(z.z1, z.z2));
-  const V k2 = sum_of_products(m.u2, dp, m.u3, dq, t, z.z2);
-  const Six<V> base = combine({k0, k1, k2}, m.a, m.c), s = adjugate_slope(m.a, e);
-  const auto entry = [&](const V& b, const V& e, const V& s) HWY_ATTR __attribute__((always_inline)) {
-    return MulAdd(z.z1, e, MulAdd(z.z2, s, b));
+  const Six<V>&a = m.a, &c = m.c, &w = m.w;
+  const V xy = Add(e.xy, e.xy), xz = Add(e.xz, e.xz), yz = Add(e.yz, e.yz);
+  const auto inner_product = [&](const Six<V>& m) HWY_ATTR __attribute__((always_inline)) {
+    return MulAdd(m.xx, e.xx,
+                  MulAdd(m.yy, e.yy, MulAdd(m.zz, e.zz, sum_of_products(m.xy, xy, m.xz, xz, m.yz, yz))));
   };
-  return {entry(base.xx, e.xx, s.xx), entry(base.xy, e.xy, s.xy), entry(base.xz, e.xz, s.xz),
-          entry(base.yy, e.yy, s.yy), entry(base.yz, e.yz, s.yz), entry(base.zz, e.zz, s.zz)};
+  const V t = Mul(Add(Add(e.xx, e.yy), e.zz), hn::Set(d, hn::TFromD<D>(1) / hn::TFromD<D>(3)));
+  const auto k = coefficient_slopes(m, t, inner_product(a), NegMulAdd(t, m.minus_p, inner_product(c)));
+  const Six<V> s = combine(k, a, c);
+  return {
+      NegMulAdd(w.yz, yz, MulAdd(w.zz, e.yy, MulAdd(w.yy, e.zz, MulAdd(m.z.z1, e.xx, s.xx)))),
+      NegMulAdd(w.xy, e.zz, MulAdd(w.yz, e.xz, MulAdd(w.xz, e.yz, MulAdd(m.beside_z, e.xy, s.xy)))),
+      NegMulAdd(w.xz, e.yy, MulAdd(w.yz, e.xy, MulAdd(w.xy, e.yz, MulAdd(m.beside_y, e.xz, s.xz)))),
+      NegMulAdd(w.xz, xz, MulAdd(w.zz, e.xx, MulAdd(w.xx, e.zz, MulAdd(m.z.z1, e.yy, s.yy)))),
+      NegMulAdd(w.yz, e.xx, MulAdd(w.xz, e.xy, MulAdd(w.xy, e.xz, MulAdd(m.beside_x, e.yz, s.yz)))),
+      NegMulAdd(w.xy, xy, MulAdd(w.yy, e.xx, MulAdd(w.xx, e.yy, MulAdd(m.z.z1, e.zz, s.zz)))),
+  };
+}
+
+/// exp_slope in the six directions in which one number is 1 and the others are 0.
+template <class D, class V>
+static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]) {
+  const Six<V>&a = m.a, &c = m.c, &w = m.w;
+  const V third = hn::Set(d, hn::TFromD<D>(1) / hn::TFromD<D>(3)), p = hn::Mul(m.minus_p, third),
+          zero = hn::Zero(d);
+  const auto diagonal = [&](const V& a_ii, const V& c_ii, Six<V>& f) HWY_ATTR __attribute__((always_inline)) {
+    f = combine(coefficient_slopes(m, third, a_ii, hn::Sub(c_ii, p)), a, c);
+  };
+  const auto off = [&](const V& a_ij, const V& c_ij, Six<V>& f) HWY_ATTR __attribute__((always_inline)) {
+    f = combine(coefficient_slopes(m, zero, hn::Add(a_ij, a_ij), hn::Add(c_ij, c_ij)), a, c);
+  };
+  const auto add = [](V & x, const V& y) HWY_ATTR __attribute__((always_inline)) {
+    x = hn::Add(x, y);
+  };
+  const auto subtract = [](V & x, const V& y) HWY_ATTR __attribute__((always_inline)) {
+    x = hn::Sub(x, y);
+  };
+  const V &x = m.beside_x, &y = m.beside_y, &z = m.beside_z, &z1 = m.z.z1;
+  diagonal(a.xx, c.xx, f[0]);
+  add(f[0].xx, z1), add(f[0].yy, w.zz), subtract(f[0].yz, w.yz), add(f[0].zz, w.yy);
+  off(a.xy, c.xy, f[1]);
+  add(f[1].xy, z), add(f[1].xz, w.yz), add(f[1].yz, w.xz), subtract(f[1].zz, hn::Add(w.xy, w.xy));
+  off(a.xz, c.xz, f[2]);
+  add(f[2].xy, w.yz), add(f[2].xz, y), subtract(f[2].yy, hn::Add(w.xz, w.xz)), add(f[2].yz, w.xy);
+  diagonal(a.yy, c.yy, f[3]);
+  add(f[3].xx, w.zz), subtract(f[3].xz, w.xz), add(f[3].yy, z1), add(f[3].zz, w.xx);
+  off(a.yz, c.yz, f[4]);
+  subtract(f[4].xx, hn::Add(w.yz, w.yz)), add(f[4].xy, w.xz), add(f[4].xz, w.xy), add(f[4].yz, x);
+  diagonal(a.zz, c.zz, f[5]);
+  add(f[5].xx, w.yy), subtract(f[5].xy, w.xy), add(f[5].yy, w.xx), add(f[5].zz, z1);
 }
 
 /// One S a lane with what all its directions share.
