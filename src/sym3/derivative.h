@@ -9,6 +9,20 @@
 //
 // exp: the recurrence of method `fast`, differentiated (exp_derivative-inl.h): no eigenvalues, no division.
 // The others: eigenvectors and divided differences (spectral_derivative-inl.h).
+//
+// Error in the Frobenius norm, relative to |f'(S)| |E|, |f'(S)| the largest F_ij; u is 2^-53 or 2^-24, spread
+// the largest eigenvalue minus the smallest, k the one over the other:
+//   exp        <= (6 + 2 spread) u with fused multiply-add, (8 + 2.5 spread) u without, at any trace
+//   log, sqrt  <= (16 + 2 k) u
+//   pow        <= (16 + 2 (1 + |p|) k + 2 |p log S|) u
+// at any gap between eigenvalues; where log.h goes through Jacobi's eigenvectors, and so where S^p is past
+// e^(+-500) (float e^(+-50)), <= 16 (1 + |p|) u, some 5 us. The bounds are empirical: tests/sym3 pins them
+// against 113 bits.
+//
+// NaN or an infinity anywhere in S or E gives six NaN, and so does an S that is not positive definite, of log,
+// sqrt and pow. (The root has no derivative where an eigenvalue is 0.) For other finite numbers exp gives no
+// NaN: where an entry overflows, that entry alone is a signed infinity; underflow is gradual. Powers that
+// overflow are infinite or NaN. Thread-safe; no allocation, no throw.
 #pragma once
 
 #include <array>
