@@ -5,9 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "base/child_program.h"
+#include "base/error.h"
 #include "base/progress.h"
 #include "bench/table.h"
 #include "bench/timing/ensembles.h"
@@ -114,8 +118,9 @@ struct Planes {
   }
 };
 
+/// Returns the time of one direction.
 template <class T>
-void time_derivative(const Differentiable<T>& f, const std::string& type, Planes<T>& p, Bars& report) {
+double time_derivative(const Differentiable<T>& f, const std::string& type, Planes<T>& p, Bars& report) {
   const std::size_t count = p.matrices.size();
   const SymView<const T> s(p.arrays[0].view());
   std::array<sym3::Sym3<T>, 6> answers;
@@ -150,6 +155,38 @@ void time_derivative(const Differentiable<T>& f, const std::string& type, Planes
   report.check(what + ", one direction: / function", ratio("1 direction", "function"), 3, false);
   report.check(what + ", six directions: / function", ratio("6 directions", "function"), 8, false);
   report.check(what + ", tangent: / function", ratio("tangent", "function"), 8, false);
+  return time_of(r, "1 direction");
+}
+
+/// ns a matrix of SciPy's expm_frechet, one direction, where /usr/bin/python3 has SciPy.
+std::optional<double> time_of_scipy() {
+  constexpr const char* program = R"(
+import sys, time
+import numpy
+from scipy.linalg import expm_frechet
+random = numpy.random.default_rng(1)
+m, e = random.uniform(-1, 1, (2, 500, 3, 3))
+s, e = m @ m.swapaxes(1, 2), e + e.swapaxes(1, 2)
+for pair in zip(s[:20], e): expm_frechet(*pair, compute_expm=False)
+start = time.process_time()
+for pair in zip(s, e): expm_frechet(*pair, compute_expm=False)
+print((time.process_time() - start) / len(s) * 1e9, file=sys.stderr)
+)";
+  try {
+    base::ChildProgram python({"/usr/bin/python3", "-c", program}, "", {"OPENBLAS_NUM_THREADS=1"});
+    python.finish();
+    return std::stod(python.said());
+  } catch (const base::Error&) {
+    return std::nullopt;
+  }
+}
+
+void compare_with_scipy(double ours) {
+  if (const auto ns = time_of_scipy()) {
+    std::printf("  %-58s %8.0f\n", "scipy.linalg.expm_frechet, one direction: / ours", *ns / ours);
+  } else {
+    std::printf("  scipy.linalg.expm_frechet: SciPy is not installed for /usr/bin/python3\n");
+  }
 }
 
 template <class T>
@@ -161,7 +198,10 @@ void derivatives(const std::string& type, Bars& report) {
     s = with_eigenvalues<T>({uniform(random, 0.5, 3), uniform(random, 0.5, 3), uniform(random, 0.5, 3)},
                             random);
   Planes<T> planes(matrices);
-  for (const auto& f : differentiable<T>()) time_derivative(f, type, planes, report);
+  for (const auto& f : differentiable<T>()) {
+    const double ns = time_derivative(f, type, planes, report);
+    if (sizeof(T) == 8 && f.name == "exp") compare_with_scipy(ns);
+  }
 }
 
 }  // namespace
