@@ -139,9 +139,29 @@ static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]
 template <class D, class V = hn::Vec<D>>
 struct ExpPoint {
   Six<V> s;
-  ExpParts<V> parts;
-  hn::Mask<D> ok;  ///< where `parts` are right
+  hn::Mask<D> ok;        ///< where `parts` are those of S
+  ExpParts<V> parts;     ///< elsewhere those of A times halvings.scale
+  Halvings<V> halvings;  ///< none where `ok`
 };
+
+/// In place of ScalarExp, where not every lane is `ok`.
+template <class Table, class D, class V>
+struct ScalarExpOrLead {
+  ScalarExp<Table, D, V> scalar;
+  hn::Mask<D> ok;
+
+  HWY_INLINE void step(int step) { scalar.step(step); }
+  HWY_INLINE V value() const { return hn::IfThenElse(ok, scalar.value(), hn::Set(scalar.d, Table::lead)); }
+};
+
+template <class D, class V = hn::Vec<D>>
+static HWY_NOINLINE void scale_exp_point(D d, ExpPoint<D>& point) {
+  using C = ExpDerivativeTables<hn::TFromD<D>>;
+  const Split<V> m = split(d, point.s);
+  point.halvings = halvings_of(d, point.parts.minus_p);
+  const ScalarExpOrLead<C, D, V> factor = {ScalarExp<C, D, V>(d, m), point.ok};
+  put_exp_parts(d, times(m.a, point.halvings.scale), factor, point.parts);
+}
 
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE void put_exp_point(D d, const Six<V>& s, ExpPoint<D>& point) {
@@ -150,6 +170,8 @@ static HWY_INLINE void put_exp_point(D d, const Six<V>& s, ExpPoint<D>& point) {
   point.s = s;
   put_exp_parts(d, m.a, ScalarExp<C, D, V>(d, m), point.parts);
   point.ok = is_quick(d, point.parts.minus_p, m.trace);
+  point.halvings = {hn::Neg(point.parts.minus_p), hn::Set(d, hn::TFromD<D>(1)), hn::Zero(d)};
+  if (HWY_UNLIKELY(!hn::AllTrue(d, point.ok))) scale_exp_point(d, point);
 }
 
 template <class D, class V = hn::Vec<D>>
@@ -158,14 +180,6 @@ static HWY_INLINE ExpPoint<D> exp_point(D d, const Six<V>& s) {
   put_exp_point(d, s, point);
   return point;
 }
-
-/// In place of ScalarExp.
-template <class V>
-struct ConstantFactor {
-  V factor;
-  HWY_INLINE void step(int) const {}
-  HWY_INLINE V value() const { return factor; }
-};
 
 /// a b + c d + e f + g h + i j + k l.
 template <class V>
@@ -189,30 +203,24 @@ static HWY_INLINE Six<V> twice_symmetric_product(const Six<V>& f, const Six<V>& 
 
 /// Any S and any E, as exp_general, of which it is the derivative.
 template <class D, class V = hn::Vec<D>>
-static HWY_NOINLINE Six<V> exp_derivative_general(D d, const Six<V>& s, const Six<V>& direction) {
+static HWY_NOINLINE Six<V> exp_derivative_general(D d, const ExpPoint<D>& point, const Six<V>& e) {
   using T = hn::TFromD<D>;
   using C = ExpTables<T>;
-  ExpPoint<D> point;
-  put_exp_point(d, s, point);
-  const Six<V> quick = exp_slope(d, point.parts, direction);
-  const Halvings<V> halvings = halvings_of(d, point.parts.minus_p);
-  const auto in_reach = hn::Le(halvings.p, hn::Set(d, C::p_limit));
-  const Split<V> m = split(d, s);
-  const ConstantFactor<V> lead = {hn::Set(d, ExpDerivativeTables<T>::lead)};
-  ExpParts<V> parts;
-  put_exp_parts(d, times(m.a, halvings.scale), lead, parts);
-  Six<V> f = combine(parts.z, parts.a, parts.c), df = exp_slope(d, parts, times(direction, halvings.scale));
+  const auto& [s, ok, parts, halvings] = point;
+  const Six<V> slope = exp_slope(d, parts, times(e, halvings.scale));
+  Six<V> f = combine(parts.z, parts.a, parts.c), df = slope;
   for (int j = 0; j < C::max_squarings; ++j) {
     const auto more = hn::Gt(halvings.count, hn::Set(d, T(j)));
     if (hn::AllFalse(d, more)) break;
     df = select(more, twice_symmetric_product(f, df), df);
     f = select(more, square(f), f);
   }
-  df = select(point.ok, quick, times_exp(d, df, m.mean, m.rest));
-  const auto good = hn::And(hn::Or(point.ok, in_reach), is_finite(d, df));
+  const Split<V> m = split(d, s);
+  df = select(ok, slope, times_exp(d, df, m.mean, m.rest));
+  const auto in_reach = hn::Le(halvings.p, hn::Set(d, C::p_limit));
+  const auto good = hn::And(in_reach, is_finite(d, df));
   if (hn::AllTrue(d, good)) return df;
-  const V from[12] = {s.xx,         s.xy,         s.xz,         s.yy,         s.yz,         s.zz,
-                      direction.xx, direction.xy, direction.xz, direction.yy, direction.yz, direction.zz};
+  const V from[12] = {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz, e.xx, e.xy, e.xz, e.yy, e.yz, e.zz};
   V to[6] = {df.xx, df.xy, df.xz, df.yy, df.yz, df.zz};
   replace_lanes(d, hn::Not(good), from, to, [](const T* in, T* out) { exp_derivative_by_jacobi(in, out); });
   return {to[0], to[1], to[2], to[3], to[4], to[5]};
@@ -221,10 +229,12 @@ static HWY_NOINLINE Six<V> exp_derivative_general(D d, const Six<V>& s, const Si
 /// exp'(S)[E], one S and one E a lane.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_derivative(D d, const ExpPoint<D>& point, const Six<V>& e) {
-  const Six<V> quick = exp_slope(d, point.parts, e);
-  if (HWY_LIKELY(hn::AllTrue(d, hn::And(point.ok, is_finite(d, quick))))) return quick;
-  const Six<V> s = point.s, direction = e;  // copies: what is passed by reference lives in memory
-  return exp_derivative_general(d, s, direction);
+  if (HWY_LIKELY(hn::AllTrue(d, point.ok))) {
+    const Six<V> quick = exp_slope(d, point.parts, e);
+    if (HWY_LIKELY(hn::AllTrue(d, is_finite(d, quick)))) return quick;
+  }
+  const Six<V> direction = e;  // a copy: what is passed by reference lives in memory
+  return exp_derivative_general(d, point, direction);
 }
 
 /// exp(S).
