@@ -19,10 +19,10 @@
 // e^(+-500) (float e^(+-50)), <= 16 (1 + |p|) u, some 5 us. The bounds are empirical: tests/sym3 pins them
 // against 113 bits.
 //
-// NaN or an infinity anywhere in S or E gives six NaN, and so does an S that is not positive definite, of log,
-// sqrt and pow. (The root has no derivative where an eigenvalue is 0.) For other finite numbers exp gives no
-// NaN: where an entry overflows, that entry alone is a signed infinity; underflow is gradual. Powers that
-// overflow are infinite or NaN. Thread-safe; no allocation, no throw.
+// NaN or an infinity anywhere in S or E gives six NaN, and so does an S that is not positive definite, of
+// log, sqrt and pow. (The root has no derivative where an eigenvalue is 0.) For other finite numbers exp
+// gives no NaN: where an entry overflows, that entry alone is a signed infinity; underflow is gradual. Powers
+// that overflow are infinite or NaN. Thread-safe; no allocation, no throw.
 #pragma once
 
 #include <array>
@@ -64,9 +64,12 @@ Tangent<T> pow_tangent(const Sym3<T>& s, double p);
 
 // The same of many. Several directions at once: number i of out[k] becomes the derivative at number i of `s`
 // in the direction that is number i of directions[k]; what does not depend on the direction is computed once.
+//   const SymView<const double> directions[] = {e0, e1, e2};
+//   const SymView<double> out[] = {f0, f1, f2};
+//   exp_derivative(s, directions, out, count);
 // directions.size() == out.size(). Any layout of view.h for each view; planes are fastest. out[k] may be the
-// same view as directions[k] or, if k is the last one, as `s`; else it must overlap no other view. Each
-// answer has the bits of the single call under that kernel.
+// same view as directions[k] or as `s`; else it must overlap no other view. Each answer has the bits of the
+// single call under that kernel.
 
 template <class T>
 using Directions = std::span<const SymView<const T>>;

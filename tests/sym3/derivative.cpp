@@ -414,6 +414,20 @@ TEST_CASE_TEMPLATE("several_derivatives_of_a_batch_have_the_bits_of_single_calls
   }
 }
 
+TEST_CASE_TEMPLATE("derivatives_of_a_batch_may_take_the_place_of_its_matrices", T, double, float) {
+  const auto in = matrices_of_all_kinds<T>(150);
+  for (const auto& kernel : sym3::kernels()) {
+    const DerivativeCase<T> c(Of::sqrt, kernel, in);
+    for (const auto layout : layouts) {
+      Arranged<T> s = c.arranged(layout, in, in.size()), e = c.arranged(layout, c.directions[0], in.size());
+      const sym3::SymView<const T> direction[] = {e.view()};
+      const sym3::SymView<T> out[] = {s.view()};
+      derive<T>(Of::sqrt, s.view(), direction, out, in.size(), {&kernel});
+      for (std::size_t i = 0; i < in.size(); ++i) CHECK(same_or_nan(s.get(i), c.expected[0][i]));
+    }
+  }
+}
+
 TEST_CASE_TEMPLATE("fused_kernels_give_the_same_bits_of_derivatives_and_so_do_the_others", T, double, float) {
   Random random(79);
   for (const Of f : every_function) {
