@@ -49,7 +49,7 @@ Sym3<T> pow_derivative(const Sym3<T>& s, double p, const Sym3<T>& direction);
 /// The derivatives in all six directions: number k in the direction in which the k-th number of Sym3 is 1 and
 /// the others are 0. So the j-th number of [k] is the derivative of the j-th number of f(S) by the k-th
 /// number of S; for k = xy, xz or yz, xy and yx move both by 1. The order is that of Sym3: xx xy xz yy yz zz
-/// (eigen.h has those of Voigt). Equal to the single derivatives but for rounding.
+/// (eigen.h has that of Voigt). Equal to the single derivatives but for rounding.
 template <class T>
 using Tangent = std::array<Sym3<T>, 6>;
 

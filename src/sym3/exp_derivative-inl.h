@@ -5,6 +5,7 @@
 //   ... const auto at = lanes::exp_point(d, s);                      // once for each S
 //   ... const lanes::Six<V> f = lanes::exp_value(d, at);             // exp(S), if that is needed, too
 //   ... const lanes::Six<V> df = lanes::exp_derivative(d, at, e);    // for each direction E at S
+// (A point is initialised so, or made in place by put_exp_point, in an array; it cannot be assigned.)
 // Each lane has the bits of the single call sym3::exp_derivative under the kernel of that target, whatever
 // the other lanes hold. Bounds and special values: derivative.h. exp_value has the bounds of sym3::exp, not
 // its bits: its polynomial is another one.
@@ -14,7 +15,7 @@
 //   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S),
 // where adj'(A)[E] is bilinear. The coefficients z_k are sums of a_{n+k} h_n over n, and h_n those of the
 // power series 1 / (1 - p x^2 - q x^3), whose derivatives by p and by q are x^2 and x^3 over the square of
-// that: so dz_k = u_k dp + u_{k+1} dq with one recurrence more for every direction,
+// that: so dz_k = u_k dp + u_{k+1} dq with one more recurrence, the same for every direction,
 //   u_k = p u_{k+2} + q u_{k+3} + z_{k+2}.
 // No eigenvalues, no division of numbers, no case distinction: exact at equal eigenvalues. The polynomial is
 // one whose derivative is close to exp; a minimax polynomial's is not, at the ends of its range. Squaring:

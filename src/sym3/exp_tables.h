@@ -64,9 +64,9 @@ struct ExpTables<float> {
                                          0x1.5558b2p-5f, 0x1.12398p-7f, 0x1.6a4994p-10f};
 };
 
-/// As `matrix_exp` and `lead`, one degree more: the polynomial whose derivative is minimax. Error 0.56 u (float
-/// 0.38 u), that of the derivative 1.29 u (float 0.51 u). The derivative of `matrix_exp` errs by 100 u at the
-/// ends.
+/// As `matrix_exp` and `lead`, one degree more: the polynomial whose derivative is minimax. Error 0.56 u
+/// (float 0.38 u), that of the derivative 1.29 u (float 0.51 u). The derivative of `matrix_exp` errs by 100 u
+/// at the ends.
 template <class T>
 struct ExpDerivativeTables;
 
