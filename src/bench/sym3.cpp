@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/bars.h"
+#include "bench/derivatives.h"
 #include "bench/table.h"
 #include "bench/timing/ensembles.h"
 #include "bench/timing/rounds.h"
@@ -366,6 +367,7 @@ void bench_sym3(std::size_t count, const std::filesystem::path& json) {
                                  random);
   logarithms("conditions up to 4", ordinary, report);
   logarithms("S = M M^T", paper_ensemble<double>(in_cache), report);
+  bench_derivatives(report);
   errors<double>("double", small ? count : 1'000'000, report);
   errors<float>("float", small ? count : 1'000'000, report);
   write_json(json, {{"figure", "sym3"}, {"results", report.rows}});

@@ -1,8 +1,12 @@
 // The Python module `viete`: the library's functions of numpy arrays of matrices.
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "python/affine.h"
 #include "python/matrices.h"
+#include "sym3/derivative.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/log.h"
@@ -93,6 +97,121 @@ py::tuple polar(const py::object& m, const py::object& out) {
   return is_single("polar", array) ? polar_as<float>(array, outputs) : polar_as<double>(array, outputs);
 }
 
+/// How many directions at each matrix: an array of the same shape, or one with an axis more in front.
+template <class T>
+std::size_t directions_at(const std::string& name, const Contiguous<T>& a, const Contiguous<T>& e) {
+  const py::ssize_t more = e.ndim() - a.ndim();
+  if ((more != 0 && more != 1) || !std::equal(a.shape(), a.shape() + a.ndim(), e.shape() + more)) {
+    throw py::value_error("viete." + name +
+                          ": directions are of the shape of the matrices, or of that after the "
+                          "number of directions");
+  }
+  return more ? static_cast<std::size_t>(e.shape(0)) : 1;
+}
+
+/// f(matrices, directions, derivatives, count) with views, other Python threads running.
+template <class T, class F>
+py::array derivative_as(const char* name, const py::array& a, const py::array& directions,
+                        const py::object& out, const F& f) {
+  const auto in = Contiguous<T>::ensure(a), e = Contiguous<T>::ensure(directions);
+  if (!in || !e) throw py::error_already_set();
+  const Shape shape = symmetric_shape(name, in);
+  const std::size_t n = directions_at<T>(name, in, e);
+  py::array_t<T> result = output<T>(name, out, e);
+  if (overlap(result, in))
+    throw py::value_error("viete." + std::string(name) + ": out overlaps the matrices");
+  const T* from = e.data();
+  T* to = result.mutable_data();
+  const std::size_t step = static_cast<std::size_t>(in.size());
+  std::vector<sym3::SymView<const T>> froms;
+  std::vector<sym3::SymView<T>> tos;
+  for (std::size_t k = 0; k < n; ++k) {
+    froms.emplace_back(shape.layout, from + k * step), tos.emplace_back(shape.layout, to + k * step);
+  }
+  const auto matrices = view<T>(shape, in);
+  const py::gil_scoped_release release;
+  f(matrices, sym3::Directions<T>(froms), sym3::Derivatives<T>(tos), shape.count);
+  return result;
+}
+
+template <class T, class F>
+py::array tangent_as(const char* name, const py::array& a, const F& f) {
+  const auto in = Contiguous<T>::ensure(a);
+  if (!in) throw py::error_already_set();
+  const Shape shape = symmetric_shape(name, in);
+  std::vector<py::ssize_t> axes(in.shape(),
+                                in.shape() + in.ndim() - (shape.layout == sym3::Layout::full ? 2 : 1));
+  axes.insert(axes.end(), {6, 6});
+  py::array_t<T> result(axes);
+  const auto matrices = view<T>(shape, in);
+  const sym3::TangentView<T> to(sym3::Layout::packed, result.mutable_data());
+  const py::gil_scoped_release release;
+  f(matrices, to, shape.count);
+  return result;
+}
+
+template <class F>
+py::array derivative(const char* name, const py::object& a, const py::object& e, const py::object& out,
+                     const F& f) {
+  const py::array array = as_array(name, a), directions = as_array(name, e);
+  const bool single = is_single(name, array) && is_single(name, directions);
+  return single ? derivative_as<float>(name, array, directions, out, f)
+                : derivative_as<double>(name, array, directions, out, f);
+}
+
+template <class F>
+py::array tangent(const char* name, const py::object& a, const F& f) {
+  const py::array array = as_array(name, a);
+  return is_single(name, array) ? tangent_as<float>(name, array, f) : tangent_as<double>(name, array, f);
+}
+
+constexpr const char* derivative_text =
+    "The derivative of the function at each matrix of `a` in the direction `e`."
+    "\n\na: as for the function itself.\ne: symmetric matrices, an array of the shape of a; or of several "
+    "directions at each matrix, with one axis more, in front.\nout: where the answers go, of the shape and "
+    "type "
+    "of e; may be e itself.\nOther Python threads run meanwhile.";
+
+constexpr const char* tangent_text =
+    "The derivatives of the function at each matrix in all six directions, (..., 6, 6): [..., k, j] is that "
+    "of "
+    "the j-th number of the function by the k-th number of the matrix, both in the order xx xy xz yy yz zz."
+    "\n\na: as for the function itself.\nOther Python threads run meanwhile.";
+
+template <class Derivative, class Tangent>
+void define_derivatives(py::module_& m, const char* derivative_name, const char* tangent_name,
+                        const Derivative& by_directions, const Tangent& by_all) {
+  m.def(
+      derivative_name,
+      [derivative_name, by_directions](const py::object& a, const py::object& e, const py::object& out) {
+        return derivative(derivative_name, a, e, out, by_directions);
+      },
+      py::arg("a"), py::arg("e"), py::arg("out") = py::none(), derivative_text);
+  m.def(
+      tangent_name, [tangent_name, by_all](const py::object& a) { return tangent(tangent_name, a, by_all); },
+      py::arg("a"), tangent_text);
+}
+
+void define_pow_derivatives(py::module_& m) {
+  m.def(
+      "pow_derivative",
+      [](const py::object& a, double p, const py::object& e, const py::object& out) {
+        return derivative("pow_derivative", a, e, out,
+                          [p](const auto& s, const auto& from, const auto& to, std::size_t count) {
+                            sym3::pow_derivative(s, p, from, to, count);
+                          });
+      },
+      py::arg("a"), py::arg("p"), py::arg("e"), py::arg("out") = py::none(), derivative_text);
+  m.def(
+      "pow_tangent",
+      [](const py::object& a, double p) {
+        return tangent("pow_tangent", a, [p](const auto& s, const auto& to, std::size_t count) {
+          sym3::pow_tangent(s, p, to, count);
+        });
+      },
+      py::arg("a"), py::arg("p"), tangent_text);
+}
+
 }  // namespace
 
 PYBIND11_MODULE(viete, m) {
@@ -118,6 +237,18 @@ PYBIND11_MODULE(viete, m) {
       },
       py::arg("a"), py::arg("p"), py::arg("out") = py::none(),
       (std::string("Each matrix to the power p; NaN where it is not positive definite.") + shapes).c_str());
+#define VIETE_DERIVATIVES_OF(f)                                                \
+  define_derivatives(                                                          \
+      m, #f "_derivative", #f "_tangent",                                      \
+      [](const auto& s, const auto& from, const auto& to, std::size_t count) { \
+        sym3::f##_derivative(s, from, to, count);                              \
+      },                                                                       \
+      [](const auto& s, const auto& to, std::size_t count) { sym3::f##_tangent(s, to, count); })
+  VIETE_DERIVATIVES_OF(exp);
+  VIETE_DERIVATIVES_OF(log);
+  VIETE_DERIVATIVES_OF(sqrt);
+#undef VIETE_DERIVATIVES_OF
+  define_pow_derivatives(m);
   m.def(
       "polar", polar, py::arg("m"), py::arg("out") = py::none(),
       "r, u with m = r u for each matrix: r the nearest rotation, whatever the sign of the determinant, and "

@@ -87,8 +87,22 @@ struct Tile {
   }
 };
 
+/// Items [i, i + count) into a tile. The last register is filled up with copies of an item, for answers that
+/// nobody reads; returns how many items that makes.
+template <class D, class T, int N>
+static HWY_INLINE std::size_t fill_tile(D d, const View<const T, N>& in, std::size_t i, std::size_t count,
+                                        T* tile) {
+  constexpr std::size_t stride = Tile<T>::stride;
+  gather(d, in, i, count, tile, stride);
+  const std::size_t filled = (count + hn::Lanes(d) - 1) / hn::Lanes(d) * hn::Lanes(d);
+  for (int k = 0; k < N; ++k) {
+    for (std::size_t j = count; j < filled; ++j) tile[k * stride + j] = tile[k * stride];
+  }
+  return filled;
+}
+
 /// Items [begin, end) of any layout by tiles; put(numbers, i, count) takes the answers of items [i, i +
-/// count) out of a tile. The last register is filled up with copies of an item: answers that nobody reads.
+/// count) out of a tile.
 template <class F, class D, class T, class Put>
 static HWY_NOINLINE void map_tiles(D d, const F& f, const View<const T, F::in>& in, std::size_t begin,
                                    std::size_t end, const Put& put) {
@@ -98,11 +112,7 @@ static HWY_NOINLINE void map_tiles(D d, const F& f, const View<const T, F::in>& 
   const auto to_view = Tile<T>::template view<F::out, T>(to);
   for (std::size_t i = begin; i < end; i += Tile<T>::items) {
     const std::size_t count = end - i < Tile<T>::items ? end - i : Tile<T>::items;
-    gather(d, in, i, count, from, stride);
-    const std::size_t filled = (count + hn::Lanes(d) - 1) / hn::Lanes(d) * hn::Lanes(d);
-    for (int k = 0; k < F::in; ++k) {
-      for (std::size_t j = count; j < filled; ++j) from[k * stride + j] = from[k * stride];
-    }
+    const std::size_t filled = fill_tile(d, in, i, count, from);
     map_whole<InPlanes, InPlanes, false>(d, f, from_view, to_view, 0, filled);
     put(to, i, count);
   }

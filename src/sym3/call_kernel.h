@@ -24,6 +24,13 @@ struct RangeTask {
   const void* context;
 };
 
+/// Of a function of a range that outlives the task.
+template <class Call>
+RangeTask task_of(const Call& call) {
+  return {[](const void* context, const Range& range) { (*static_cast<const Call*>(context))(range); },
+          &call};
+}
+
 /// All of [0, count), on the batch's executor. `bytes`: what is read and written in all.
 void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
                const Batch& batch);
@@ -42,10 +49,7 @@ void call_many(const F* KernelFunctions<T>::*which, const View<const T, N>& in, 
                std::size_t count, const Batch& batch, const More&... more) {
   const auto many = (functions<T>(kernel_of(batch)).*which)->many;
   const auto call = [&](const Range& range) { many(in, out, more..., range); };
-  const auto run = [](const void* context, const Range& range) {
-    (*static_cast<decltype(&call)>(context))(range);
-  };
-  run_batch({run, &call}, count, (N + M) * sizeof(T) * count, in.plane[0] == out.plane[0], batch);
+  run_batch(task_of(call), count, (N + M) * sizeof(T) * count, in.plane[0] == out.plane[0], batch);
 }
 
 }  // namespace viete::sym3

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "sym3/derivative.h"
 #include "sym3/sym3.h"
 
 namespace viete::sym3 {
@@ -45,6 +46,15 @@ Eigen::Matrix<T, 6, 1> to_voigt_strain(const Sym3<T>& s) {
 template <class T>
 Sym3<T> from_voigt_strain(const Eigen::Matrix<T, 6, 1>& v) {
   return {v[0], v[5] / 2, v[4] / 2, v[1], v[3] / 2, v[2]};
+}
+
+/// The tangent of mechanics, symmetric but for rounding: times a strain it is the derivative of the stress.
+template <class T>
+Eigen::Matrix<T, 6, 6> to_voigt_tangent(const Tangent<T>& t) {
+  Eigen::Matrix<T, 6, 6> m;
+  m << to_voigt_stress(t[0]), to_voigt_stress(t[3]), to_voigt_stress(t[5]), to_voigt_stress(t[4]) / 2,
+      to_voigt_stress(t[2]) / 2, to_voigt_stress(t[1]) / 2;
+  return m;
 }
 
 }  // namespace viete::sym3

@@ -54,6 +54,17 @@ Sym3<T> log_of_256_times(Sym3<T> log) {
   return log;
 }
 
+/// Six contiguous numbers, and back.
+template <class T>
+Sym3<double> from_six(const T* in) {
+  return {in[0], in[1], in[2], in[3], in[4], in[5]};
+}
+
+template <class T>
+void to_six(const Sym3<double>& s, T* out) {
+  out[0] = T(s.xx), out[1] = T(s.xy), out[2] = T(s.xz), out[3] = T(s.yy), out[4] = T(s.yz), out[5] = T(s.zz);
+}
+
 template <class T>
 Sym3<T> nan_matrix() {
   constexpr T nan = std::numeric_limits<T>::quiet_NaN();

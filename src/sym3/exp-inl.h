@@ -70,7 +70,8 @@ struct Coefficients {
   V z0, z1, z2;
 };
 
-/// With other work, beside(step), beside each step: it hides the latency of this chain of dependent steps.
+/// With other work, beside(step, z_{k+2}), beside each step, which is from z_{k+3}, z_{k+2} and z_{k+1} to
+/// z_k: it hides the latency of this chain of dependent steps.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
@@ -81,7 +82,7 @@ static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V 
   for (int step = 0; step <= degree - 4; ++step) {
     const V next = NegMulAdd(minus_p, z1, MulAdd(q, z2, hn::Set(d, a[degree - 4 - step])));
     z2 = z1, z1 = z0, z0 = next;
-    beside(step);
+    beside(step, z2);
   }
   return {z0, z1, z2};
 }
@@ -134,21 +135,43 @@ static HWY_INLINE hn::Mask<D> is_quick(D d, Two<V> minus_p, Two<V> trace) {
   return hn::And(is_quick(d, minus_p.a, trace.a), is_quick(d, minus_p.b, trace.b));
 }
 
+/// Table::lead e^(mean + rest), right where is_quick says so, in steps that go beside those of a recurrence.
+template <class Table, class D, class V>
+struct ScalarExp {
+  using T = hn::TFromD<D>;
+  using C = ExpTables<T>;
+  static constexpr int degree = sizeof(C::scalar_exp) / sizeof(T) - 1;
+
+  D d;
+  V r, shifted, factor;
+
+  HWY_INLINE ScalarExp(D d, const Split<V>& m)
+      : d(d), factor(hn::Set(d, C::scalar_exp[degree] * Table::lead)) {
+    const Reduced<V> x = reduce(d, m.mean);
+    r = Add(x.r, m.rest), shifted = x.shifted;
+  }
+  HWY_INLINE void step(int step) {
+    if (step < degree) {
+      factor = MulAdd(factor, r, hn::Set(d, C::scalar_exp[degree - 1 - step] * Table::lead));
+    }
+  }
+  HWY_INLINE V value() const { return add_to_exponent(d, factor, shifted); }
+};
+
+template <class V>
+static HWY_INLINE Coefficients<V> times(const Coefficients<V>& z, V factor) {
+  return {Mul(z.z0, factor), Mul(z.z1, factor), Mul(z.z2, factor)};
+}
+
 /// exp(S) from its parts and the invariants of A, right where is_quick says so.
 template <class D, class V>
 static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>& c, V minus_p, V q) {
-  using T = hn::TFromD<D>;
-  using C = ExpTables<T>;
-  constexpr int degree = sizeof(C::scalar_exp) / sizeof(T) - 1;
-  const Reduced<V> x = reduce(d, m.mean);
-  const V r = Add(x.r, m.rest);
-  V factor = hn::Set(d, C::scalar_exp[degree] * C::lead);
+  using C = ExpTables<hn::TFromD<D>>;
+  ScalarExp<C, D, V> scalar(d, m);
   const Coefficients<V> z = recurrence(
-      d, C::matrix_exp, minus_p, q, [&](int step) HWY_ATTR __attribute__((always_inline)) {
-        if (step < degree) factor = MulAdd(factor, r, hn::Set(d, C::scalar_exp[degree - 1 - step] * C::lead));
-      });
-  factor = add_to_exponent(d, factor, x.shifted);
-  return combine({Mul(z.z0, factor), Mul(z.z1, factor), Mul(z.z2, factor)}, m.a, c);
+      d, C::matrix_exp, minus_p,
+      q, [&](int step, const V&) HWY_ATTR __attribute__((always_inline)) { scalar.step(step); });
+  return combine(times(z, scalar.value()), m.a, c);
 }
 
 /// The fast path, V one register or Two: true if it served every lane, for spreads up to 4.9 (float 6.9) at
@@ -180,6 +203,28 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
+/// How many halvings of A, and which factor those are, bring its p below p_limit, as far as max_squarings go.
+template <class V>
+struct Halvings {
+  V p, scale, count;
+};
+
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE Halvings<V> halvings_of(D d, V minus_p) {
+  using T = hn::TFromD<D>;
+  using C = ExpTables<T>;
+  const V limit = hn::Set(d, C::p_limit), half = hn::Set(d, T(0.5));
+  Halvings<V> h = {hn::Neg(minus_p), hn::Set(d, T(1)), hn::Zero(d)};
+  for (int j = 0; j < C::max_squarings; ++j) {
+    const auto large = hn::Gt(h.p, limit);
+    if (hn::AllFalse(d, large)) break;
+    h.p = hn::IfThenElse(large, hn::Mul(h.p, hn::Set(d, T(0.25))), h.p);
+    h.scale = hn::IfThenElse(large, hn::Mul(h.scale, half), h.scale);
+    h.count = hn::Add(h.count, hn::IfThenElseZero(large, hn::Set(d, T(1))));
+  }
+  return h;
+}
+
 /// Any input. Lane by lane exp(A) = exp(A / 2^j)^(2^j) with the least j that brings p, which goes with the
 /// square of A, below p_limit. The matrix is squared j times and not the three coefficients: those know the
 /// spectrum by p and q alone, and a rounding of q moves a close pair of large eigenvalues, an error of u
@@ -191,27 +236,18 @@ template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;
   using C = ExpTables<T>;
-  const V limit = hn::Set(d, C::p_limit), half = hn::Set(d, T(0.5));
   const Split<V> m = split(d, s);
   const Six<V> unscaled = adjugate(m.a);
-  V p = hn::Neg(minus_p(unscaled)), scale = hn::Set(d, T(1)), squarings = hn::Zero(d);
-  for (int j = 0; j < C::max_squarings; ++j) {
-    const auto large = hn::Gt(p, limit);
-    if (hn::AllFalse(d, large)) break;
-    p = hn::IfThenElse(large, hn::Mul(p, hn::Set(d, T(0.25))), p);
-    scale = hn::IfThenElse(large, hn::Mul(scale, half), scale);
-    squarings = hn::Add(squarings, hn::IfThenElseZero(large, hn::Set(d, T(1))));
-  }
+  const Halvings<V> halvings = halvings_of(d, minus_p(unscaled));
   const auto ok = is_quick(d, minus_p(unscaled), m.trace);
   const Six<V> quick = exp_by_polynomial(d, m, unscaled, minus_p(unscaled), determinant(m.a, unscaled));
   if (hn::AllTrue(d, ok)) return quick;
-  const auto in_reach = hn::AndNot(is_diagonal(d, s), hn::Le(p, limit));
-  const Six<V> a = times(m.a, scale), c = adjugate(a);
-  const Coefficients<V> z = recurrence(d, C::matrix_exp, minus_p(c), determinant(a, c), [](int) {});
-  const V lead = hn::Set(d, C::lead);
-  Six<V> e = combine({hn::Mul(z.z0, lead), hn::Mul(z.z1, lead), hn::Mul(z.z2, lead)}, a, c);
+  const auto in_reach = hn::AndNot(is_diagonal(d, s), hn::Le(halvings.p, hn::Set(d, C::p_limit)));
+  const Six<V> a = times(m.a, halvings.scale), c = adjugate(a);
+  const Coefficients<V> z = recurrence(d, C::matrix_exp, minus_p(c), determinant(a, c), [](int, const V&) {});
+  Six<V> e = combine(times(z, hn::Set(d, C::lead)), a, c);
   for (int j = 0; j < C::max_squarings; ++j) {
-    const auto more = hn::Gt(squarings, hn::Set(d, T(j)));
+    const auto more = hn::Gt(halvings.count, hn::Set(d, T(j)));
     if (hn::AllFalse(d, more)) break;
     e = select(more, square(e), e);
   }

@@ -14,6 +14,11 @@ namespace viete::sym3 {
 void exp_by_jacobi(const double* in, double* out);
 void exp_by_jacobi(const float* in, float* out);
 
+/// exp'(S)[E]: six numbers of S and six of E to six. Error <= 16 u (of double) |E| e^(the largest
+/// eigenvalue); the rest as exp_by_jacobi.
+void exp_derivative_by_jacobi(const double* in, double* out);
+void exp_derivative_by_jacobi(const float* in, float* out);
+
 // Jacobi in double for either type, in double-double where eigenvalues differ by more than a factor of about
 // 8 to 16. Relative error, Frobenius norm: <= 24 u in double, also where log S is small, <= 1.5 u in float,
 // at any gap and for conditions up to 1e15. Some 0.5 us, 2.5 us in double-double. NaN where log.h says so.
@@ -23,6 +28,14 @@ void sqrt_by_jacobi(const double* in, double* out);
 void sqrt_by_jacobi(const float* in, float* out);
 void inv_sqrt_by_jacobi(const double* in, double* out);
 void inv_sqrt_by_jacobi(const float* in, float* out);
+
+/// The functions that have derivatives.
+enum class Of : int { exp, log, sqrt, pow };
+
+/// f'(S)[E], f any but exp: six numbers of S and six of E to six; p: the exponent of pow. Jacobi in
+/// double-double, some 3 us. NaN where derivative.h says so.
+void spectral_derivative_by_jacobi(Of f, double p, const double* in, double* out);
+void spectral_derivative_by_jacobi(Of f, double p, const float* in, float* out);
 
 /// Three numbers, ascending, with the error bound of eigenvalues.h.
 void eigenvalues_by_jacobi(const double* in, double* out);

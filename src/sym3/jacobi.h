@@ -113,4 +113,34 @@ Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
+/// Vectors as columns.
+using Axes = std::array<std::array<double, 3>, 3>;
+
+template <class Real>
+Axes axes_of(const Eigen3<Real>& eigen) {
+  Axes v;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) v[i][k] = jacobi::leading(eigen.vectors[i][k]);
+  }
+  return v;
+}
+
+inline Axes transposed(const Axes& v) {
+  return {{{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {v[0][2], v[1][2], v[2][2]}}};
+}
+
+/// V^T E V.
+inline Sym3<double> in_axes(const Axes& v, const Sym3<double>& e) {
+  Axes ev;
+  for (int k = 0; k < 3; ++k) {
+    ev[0][k] = e.xx * v[0][k] + e.xy * v[1][k] + e.xz * v[2][k];
+    ev[1][k] = e.xy * v[0][k] + e.yy * v[1][k] + e.yz * v[2][k];
+    ev[2][k] = e.xz * v[0][k] + e.yz * v[1][k] + e.zz * v[2][k];
+  }
+  const auto entry = [&](int k, int l) {
+    return v[0][k] * ev[0][l] + v[1][k] * ev[1][l] + v[2][k] * ev[2][l];
+  };
+  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+}
+
 }  // namespace viete::sym3

@@ -23,14 +23,17 @@ VIETE_FUNCTION(eigenvalues, 6, 3)
 VIETE_FUNCTION(exp_rotation, 3, 9)
 VIETE_FUNCTION(log_rotation, 9, 3)
 VIETE_FUNCTION(rotation_of, 9, 9)
+VIETE_FUNCTION(tangent, 6, 36, Of, double)
 #undef VIETE_FUNCTION
 extern const PolarFunction<double> polar_double;
 extern const PolarFunction<float> polar_float;
+extern const DerivativeFunction<double> derivative_double;
+extern const DerivativeFunction<float> derivative_float;
 
 #define VIETE_FUNCTIONS_OF(T)                                                                    \
   {                                                                                              \
     &exp_##T, &log_##T, &sqrt_##T, &inv_sqrt_##T, &pow_##T, &eigenvalues_##T, &exp_rotation_##T, \
-        &log_rotation_##T, &rotation_of_##T, &polar_##T                                          \
+        &log_rotation_##T, &rotation_of_##T, &polar_##T, &derivative_##T, &tangent_##T           \
   }
 static const KernelTable table = {VIETE_FUNCTIONS_OF(double), VIETE_FUNCTIONS_OF(float)};
 #undef VIETE_FUNCTIONS_OF

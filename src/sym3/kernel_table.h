@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "sym3/fallback.h"
+
 namespace viete::sym3 {
 
 template <class T, int N>
@@ -29,6 +31,15 @@ struct PolarFunction {
                const Range& range);
 };
 
+/// One matrix and one direction, six numbers each, to six. Many matrices: n views of directions, and n of
+/// answers. p: the exponent of pow.
+template <class T>
+struct DerivativeFunction {
+  void (*one)(const T* s, const T* direction, T* out, Of f, double p);
+  void (*many)(const View<const T, 6>& s, const View<const T, 6>* directions, const View<T, 6>* out,
+               std::size_t n, Of f, double p, const Range& range);
+};
+
 template <class T>
 struct KernelFunctions {
   const Function<T, 6, 6>*exp, *log, *sqrt, *inv_sqrt;
@@ -38,6 +49,8 @@ struct KernelFunctions {
   const Function<T, 9, 3>* log_rotation;
   const Function<T, 9, 9>* rotation_of;
   const PolarFunction<T>* polar;
+  const DerivativeFunction<T>* derivative;
+  const Function<T, 6, 36, Of, double>* tangent;
 };
 
 struct KernelTable {

@@ -118,31 +118,69 @@ std::array<double, 3> eigenvalues_in_double(const Sym3<double>& s) {
   return values;
 }
 
-template <class T>
-Sym3<double> from_six(const T* in) {
-  return {in[0], in[1], in[2], in[3], in[4], in[5]};
+/// (f(x) - f(y)) / (x - y), or f'(x) where they are equal, for positive x >= y.
+struct SlopeOf {
+  Of f;
+  double p;
+
+  double operator()(const DoubleDouble& x, const DoubleDouble& y) const {
+    const double distance = (x - y).hi;
+    if (f == Of::sqrt) return 1 / (std::sqrt(x.hi) + std::sqrt(y.hi));
+    const double of_log = distance > 0 ? std::log1p(distance / y.hi) / distance : 1 / y.hi;
+    if (f == Of::log) return of_log;
+    const double t = p * of_log * distance;  // p log(x / y)
+    const double of_exp = t != 0 ? -std::expm1(-std::fabs(t)) / std::fabs(t) : 1;
+    return p * of_log * std::pow(t > 0 ? x.hi : y.hi, p) * of_exp;
+  }
+};
+
+/// f(256 S) goes by that power of 256.
+double homogeneity(const SlopeOf& slope) {
+  return slope.f == Of::pow ? slope.p : slope.f == Of::sqrt ? 0.5 : 0;
 }
 
-template <class T>
-void to_six(const Sym3<double>& s, T* out) {
-  out[0] = T(s.xx), out[1] = T(s.xy), out[2] = T(s.xz), out[3] = T(s.yy), out[4] = T(s.yz), out[5] = T(s.zz);
+/// f'(S)[E] = V (F o V^T E V) V^T, where F has the slopes between eigenvalues (Daleckii and Krein 1965).
+Sym3<double> derivative_by_slopes(const SlopeOf& slope, const Sym3<double>& s,
+                                  const Sym3<double>& direction) {
+  if (!is_usable(s) || !is_finite(direction)) return nan_matrix<double>();
+  if (has_huge_eigenvalues(direction)) {
+    return times(derivative_by_slopes(slope, s, times(direction, 0x1p-8)), 0x1p8);
+  }
+  if (has_huge_eigenvalues(s)) {
+    return times(derivative_by_slopes(slope, times(s, 0x1p-8), direction),
+                 std::exp2(8 * (homogeneity(slope) - 1)));
+  }
+  const auto e = eigen_of<DoubleDouble>(s, comfortable_scale(s));
+  if (!(smallest(e) > 0)) return nan_matrix<double>();
+  const auto between = [&](int k, int l) {
+    const DoubleDouble &x = e.values[k], &y = e.values[l];
+    return x.hi >= y.hi ? slope(x, y) : slope(y, x);
+  };
+  const Axes v = axes_of(e);
+  Sym3<double> g = in_axes(v, direction);
+  g.xx *= between(0, 0), g.xy *= between(0, 1), g.xz *= between(0, 2);
+  g.yy *= between(1, 1), g.yz *= between(1, 2), g.zz *= between(2, 2);
+  return in_axes(transposed(v), g);
 }
 
 }  // namespace
 
-#define VIETE_FOR(T)                                         \
-  void log_by_jacobi(const T* in, T* out) {                  \
-    to_six(log_in_double(from_six(in)), out);                \
-  }                                                          \
-  void sqrt_by_jacobi(const T* in, T* out) {                 \
-    to_six(sqrt_in_double<T>(from_six(in)), out);            \
-  }                                                          \
-  void inv_sqrt_by_jacobi(const T* in, T* out) {             \
-    to_six(inv_sqrt_in_double(from_six(in)), out);           \
-  }                                                          \
-  void eigenvalues_by_jacobi(const T* in, T* out) {          \
-    const auto values = eigenvalues_in_double(from_six(in)); \
-    for (int k = 0; k < 3; ++k) out[k] = T(values[k]);       \
+#define VIETE_FOR(T)                                                           \
+  void log_by_jacobi(const T* in, T* out) {                                    \
+    to_six(log_in_double(from_six(in)), out);                                  \
+  }                                                                            \
+  void sqrt_by_jacobi(const T* in, T* out) {                                   \
+    to_six(sqrt_in_double<T>(from_six(in)), out);                              \
+  }                                                                            \
+  void inv_sqrt_by_jacobi(const T* in, T* out) {                               \
+    to_six(inv_sqrt_in_double(from_six(in)), out);                             \
+  }                                                                            \
+  void spectral_derivative_by_jacobi(Of f, double p, const T* in, T* out) {    \
+    to_six(derivative_by_slopes({f, p}, from_six(in), from_six(in + 6)), out); \
+  }                                                                            \
+  void eigenvalues_by_jacobi(const T* in, T* out) {                            \
+    const auto values = eigenvalues_in_double(from_six(in));                   \
+    for (int k = 0; k < 3; ++k) out[k] = T(values[k]);                         \
   }
 VIETE_FOR(float)
 VIETE_FOR(double)

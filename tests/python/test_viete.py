@@ -1,5 +1,6 @@
 """The module `viete` against numpy: answers, shapes, memory, errors."""
 
+import importlib.util
 import sys
 import threading
 import tracemalloc
@@ -191,6 +192,79 @@ class AffineMaps(unittest.TestCase):
             viete.affine_log(affine(2), near=(1, 2))
         with self.assertRaisesRegex(ValueError, "not of the same size"):
             viete.affine_interpolate(np.eye(3), np.eye(4), 0.5)
+
+
+def derivative_by_eigenvalues(f, slope, s, e):
+    """By divided differences, for eigenvalues that are well apart or equal."""
+    x, v = np.linalg.eigh(s.astype(np.float64))
+    gap = x[..., :, None] - x[..., None, :]
+    near = np.abs(gap) < 1e-6
+    slopes = np.where(near, slope((x[..., :, None] + x[..., None, :]) / 2),
+                      (f(x)[..., :, None] - f(x)[..., None, :]) / np.where(near, 1, gap))
+    t = np.swapaxes(v, -1, -2)
+    return v @ (slopes * (t @ e.astype(np.float64) @ v)) @ t
+
+
+DERIVATIVES = {
+    "exp": (viete.exp_derivative, viete.exp_tangent, np.exp, np.exp),
+    "log": (viete.log_derivative, viete.log_tangent, np.log, lambda x: 1 / x),
+    "sqrt": (viete.sqrt_derivative, viete.sqrt_tangent, np.sqrt, lambda x: 0.5 / np.sqrt(x)),
+    "pow": (lambda a, e, out=None: viete.pow_derivative(a, 0.3, e, out), lambda a: viete.pow_tangent(a, 0.3),
+            lambda x: x**0.3, lambda x: 0.3 * x**-0.7),
+}
+
+
+class Derivatives(unittest.TestCase):
+    def assert_close(self, a, b, dtype):
+        error = np.linalg.norm(a.astype(np.float64) - b, axis=(-1, -2)) / np.linalg.norm(b, axis=(-1, -2))
+        self.assertLess(error.max(), 20 * tolerance(dtype))
+
+    def test_every_derivative_agrees_with_numpy_in_one_direction_and_in_several(self):
+        for name, (derivative, _, f, slope) in DERIVATIVES.items():
+            for dtype in TYPES:
+                with self.subTest(name=name, dtype=dtype.__name__):
+                    s, e = positive(dtype, 203), symmetric(dtype, 4, 203)
+                    several = derivative(s, e)
+                    self.assertEqual((several.dtype, several.shape), (dtype, e.shape))
+                    self.assert_close(several, derivative_by_eigenvalues(f, slope, s, e), dtype)
+                    self.assertTrue(np.array_equal(derivative(s, e[1]), several[1]))
+                    self.assertTrue(np.array_equal(derivative(packed(s), packed(e)), packed(several)))
+
+    def test_a_tangent_has_the_derivatives_by_each_number(self):
+        six = np.broadcast_to(np.eye(6)[:, None], (6, 50, 6))
+        for name, (derivative, tangent, _, _) in DERIVATIVES.items():
+            for dtype in TYPES:
+                s = positive(dtype, 50)
+                t = tangent(s)
+                self.assertEqual((t.dtype, t.shape), (dtype, (50, 6, 6)))
+                self.assertTrue(np.array_equal(t, tangent(packed(s))))
+                expected = np.swapaxes(derivative(packed(s), six.astype(dtype)), 0, 1)
+                self.assertLess(np.abs(t - expected).max() / np.abs(expected).max(), tolerance(dtype))
+
+    def test_out_receives_the_derivatives_and_may_be_the_directions(self):
+        s, e = symmetric(np.float64, 30), symmetric(np.float64, 2, 30)
+        expected = viete.exp_derivative(s, e)
+        out = np.empty_like(e)
+        self.assertIs(viete.exp_derivative(s, e, out=out), out)
+        self.assertTrue(np.array_equal(out, expected))
+        self.assertIs(viete.exp_derivative(s, e, out=e), e)
+        self.assertTrue(np.array_equal(e, expected))
+        with self.assertRaisesRegex(ValueError, "out overlaps the matrices"):
+            viete.exp_derivative(s, s[::-1].copy(), out=s)
+
+    def test_directions_of_another_shape_are_refused(self):
+        s = symmetric(np.float64, 5)
+        for e in (packed(s), s[:4], s[None, None], np.zeros((5, 3))):
+            with self.assertRaisesRegex(ValueError, "viete.exp_derivative: directions"):
+                viete.exp_derivative(s, e)
+
+    @unittest.skipIf(importlib.util.find_spec("scipy") is None, "SciPy is not installed")
+    def test_derivatives_of_exp_agree_with_those_of_scipy(self):
+        from scipy.linalg import expm_frechet
+        s, e = positive(np.float64, 40), symmetric(np.float64, 40)
+        s[:10] = np.eye(3)  # equal eigenvalues
+        expected = np.array([expm_frechet(a, b, compute_expm=False) for a, b in zip(s, e)])
+        self.assert_close(viete.exp_derivative(s, e), expected, np.float64)
 
 
 class Arrays(unittest.TestCase):

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "sym3/derivative.h"
+
 using namespace viete;
 using sym3::Sym3;
 
@@ -30,4 +32,12 @@ TEST_CASE("voigt_orders_are_those_of_mechanics_and_come_back") {
   CHECK(sym3::from_voigt_stress<double>(stress) == sample);
   CHECK(sym3::from_voigt_strain<double>(strain) == sample);
   CHECK(stress.dot(strain) == doctest::Approx(sym3::to_eigen(sample).squaredNorm()));
+}
+
+TEST_CASE("the_voigt_tangent_takes_strains_to_derivatives_of_stresses") {
+  const Sym3<double> s{0.1, 0.2, -0.3, 0.4, 0.5, -0.6};
+  const auto tangent = sym3::to_voigt_tangent(sym3::exp_tangent(s));
+  const auto stress = sym3::to_voigt_stress(sym3::exp_derivative(s, sample));
+  CHECK((tangent * sym3::to_voigt_strain(sample) - stress).norm() <= 1e-14 * stress.norm());
+  CHECK((tangent - tangent.transpose()).norm() <= 1e-14 * tangent.norm());
 }

@@ -115,23 +115,53 @@ T divisor_of_one(T x) {
   return best;
 }
 
-/// The norm and the errors: exp_tables.h.
+/// f for polynomials in a traceless matrix, relative to the norm that exp_tables.h has.
+template <class T>
+Target matrix_target(const QuadFunction& f) {
+  const Quad reach = 2 * sqrtq(Quad(ExpTables<T>::p_limit) / 3);
+  return {f, [](Quad x) { return 1 / std::max(expq(x), expq(-x / 2)); }, -reach, reach};
+}
+
+/// The errors: exp_tables.h.
 template <class T>
 void exponential(double matrix_error, double scalar_error) {
   using C = ExpTables<T>;
   constexpr int count = std::size(C::matrix_exp), scalar_count = std::size(C::scalar_exp);
-  const Quad reach = 2 * sqrtq(Quad(C::p_limit) / 3);
-  const auto norm = [](Quad x) { return 1 / std::max(expq(x), expq(-x / 2)); };
-  const Target matrix = {expq, norm, -reach, reach};
+  const Target matrix = matrix_target<T>(expq);
   const Quad lead = divisor_of_one(static_cast<T>(minimax(matrix, Polynomial(count, 0), 0).back()));
   std::printf("lead %a, of the header %a\n", static_cast<double>(lead), static_cast<double>(C::lead));
-  const Target rest = {[=](Quad x) { return expq(x) - lead * powq(x, count - 1); }, norm, -reach, reach};
+  const Target rest = matrix_target<T>([=](Quad x) { return expq(x) - lead * powq(x, count - 1); });
   Polynomial made = rounded_minimax<T>(rest, {rounded<T>(1, lead)}, count - 1, count - 1, lead);
   made.push_back(lead);
   check_minimax<T>("e^x / lead", matrix, made, as_quad(C::matrix_exp, C::lead), matrix_error, lead);
   const Target scalar = {expq, [](Quad x) { return expq(-x); }, -0.3467Q, 0.3467Q};
   check_minimax<T>("e^r", scalar, rounded_minimax<T>(scalar, {1, 1}, scalar_count, scalar_count),
                    as_quad(C::scalar_exp), scalar_error);
+}
+
+Polynomial derivative(const Polynomial& p) {
+  Polynomial d;
+  for (std::size_t k = 1; k < p.size(); ++k) d.push_back(p[k] * static_cast<int>(k));
+  return d;
+}
+
+/// What a minimax polynomial is the derivative of, rounded plainly; the errors: exp_tables.h.
+template <class T>
+void exponential_with_derivative(double error, double derivative_error) {
+  using C = ExpDerivativeTables<T>;
+  constexpr int count = std::size(C::matrix_exp);
+  const Target matrix = matrix_target<T>(expq);
+  Polynomial slope = {1}, made = {1};  // exactly: of the zero matrix
+  slope.resize(count - 1, 0);
+  slope = minimax(matrix, slope, 1);
+  for (int k = 1; k < count; ++k) made.push_back(slope[k - 1] / k);
+  const Quad lead = divisor_of_one(static_cast<T>(made.back()));
+  made.back() = lead;
+  for (Quad& c : made) c = rounded<T>(c, lead);
+  std::printf("lead %a, of the header %a\n", static_cast<double>(lead), static_cast<double>(C::lead));
+  const Polynomial table = as_quad(C::matrix_exp, C::lead);
+  check_minimax<T>("e^x / lead, differentiable", matrix, made, table, error, lead);
+  check_minimax<T>("its derivative", matrix, derivative(made), derivative(table), derivative_error, lead);
 }
 
 }  // namespace
@@ -143,5 +173,7 @@ int main() {
   rotations<float>(1.3, 0.07, 0.19);
   exponential<double>(0.45, 0.04);
   exponential<float>(0.51, 0.06);
+  exponential_with_derivative<double>(0.56, 1.29);
+  exponential_with_derivative<float>(0.38, 0.51);
   return failed;
 }

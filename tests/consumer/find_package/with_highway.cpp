@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "with_highway.cpp"
 #include <hwy/foreach_target.h>
 #include <viete/sym3/exp-inl.h>
+#include <viete/sym3/exp_derivative-inl.h>
 #include <viete/sym3/rotation-inl.h>
 
 HWY_BEFORE_NAMESPACE();
