@@ -34,21 +34,6 @@ constexpr double incoherent = 3;
 // Radians that rounding may not bridge where a comparison is to hold for certain.
 constexpr double to_spare = 1e-6;
 
-// Kruskal: the pairs of a spanning forest with the smallest relative angles.
-std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotations rotations) {
-  std::vector<std::pair<double, std::uint32_t>> order(edges.size());
-  for (std::uint32_t n = 0; n < edges.size(); ++n) {
-    order[n] = {-alignment(rotations[edges[n][0]], rotations[edges[n][1]]), n};
-  }
-  std::sort(order.begin(), order.end());
-  mesh::UnionFind trees(rotations.size());
-  std::vector<mesh::Edge> forest;
-  for (const auto& [key, n] : order) {
-    if (trees.join(edges[n][0], edges[n][1])) forest.push_back(edges[n]);
-  }
-  return forest;
-}
-
 // The maps that hang together with a root, parents first.
 struct Tree {
   std::vector<std::uint32_t> maps, parents;  // parents: places in maps
@@ -165,6 +150,21 @@ bool all_stay_principal(const MapGraph& graph, std::span<const Vec3> principal, 
 
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+// Kruskal.
+std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotations rotations) {
+  std::vector<std::pair<double, std::uint32_t>> order(edges.size());
+  for (std::uint32_t n = 0; n < edges.size(); ++n) {
+    order[n] = {-alignment(rotations[edges[n][0]], rotations[edges[n][1]]), n};
+  }
+  std::sort(order.begin(), order.end());
+  mesh::UnionFind trees(rotations.size());
+  std::vector<mesh::Edge> forest;
+  for (const auto& [key, n] : order) {
+    if (trees.join(edges[n][0], edges[n][1])) forest.push_back(edges[n]);
+  }
+  return forest;
 }
 
 namespace {

@@ -17,6 +17,10 @@ inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
 /// trace(A^T B) = 1 + 2 cos(angle between the two rotations).
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
+/// The pairs of a spanning forest with the smallest relative angles; ties: lowest place.
+std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges,
+                                        std::span<const sym3::Mat3<double>> rotations);
+
 /// How many whole turns about its own axis `turn` has beyond `least`, the least rotation of the same pose.
 double whole_turns(const Vec3& turn, const Vec3& least);
 /// So many about an axis of length 1, and of the least rotation what is about it.

@@ -14,18 +14,6 @@ constexpr double flatness_floor = 1e-3;   // of the element's largest stretch
 constexpr double size_floor = 1e-4;       // of the pose's mean stretch
 constexpr double smallest_floor = 1e-12;  // where the whole pose is one point
 
-// Geometric mean of the elements' largest stretches: what size the pose has as a whole.
-double mean_stretch(const MapGraph& graph, std::span<const MapSplit> splits) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t e = 0; e < splits.size(); ++e) {
-    if (graph.skipped[e] || !(splits[e].largest > 0)) continue;
-    sum += std::log(splits[e].largest);
-    ++count;
-  }
-  return count ? std::exp(sum / static_cast<double>(count)) : 0;
-}
-
 double floor_of(double largest, double mean) {
   const double floor = std::max(flatness_floor * largest, size_floor * mean);
   return floor > 0 ? floor : smallest_floor;
@@ -35,8 +23,7 @@ bool finite(const sym3::Mat3<double>& m) {
   return std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); });
 }
 
-// A map that mirrors, collapses or is not finite, by its singular values, which are raised to the floor. True
-// if one was below.
+// By its singular values. True if one was below the floor.
 bool split_collapsed(const AffineMap& map, double mean, MapSplit& split) {
   const bool usable = finite(map.linear);
   Polar p =
@@ -56,16 +43,31 @@ bool torn(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b, const Vec3& 
 
 }  // namespace
 
+double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < splits.size(); ++e) {
+    if (skipped[e] || !(splits[e].largest > 0)) continue;
+    sum += std::log(splits[e].largest);
+    ++count;
+  }
+  return count ? std::exp(sum / static_cast<double>(count)) : 0;
+}
+
+bool raise_to_floor(const AffineMap& map, double mean, MapSplit& split) {
+  const bool ordinary = split.least >= floor_of(split.largest, mean);  // false for NaN
+  return !ordinary && split_collapsed(map, mean, split);
+}
+
 void log_maps(const MapGraph& graph, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report) {
   report = {};
-  const double mean = mean_stretch(graph, splits);
+  const double mean = mean_stretch(graph.skipped, splits);
   std::vector<sym3::Mat3<double>> rotations(maps.size());
   std::vector<Vec3> principal(maps.size());
   for (std::uint32_t e = 0; e < maps.size(); ++e) {
     MapSplit split = splits[e];
-    const bool ordinary = graph.skipped[e] || split.least >= floor_of(split.largest, mean);  // false for NaN
-    if (!ordinary && split_collapsed(maps[e], mean, split)) report.collapsed.push_back(e);
+    if (!graph.skipped[e] && raise_to_floor(maps[e], mean, split)) report.collapsed.push_back(e);
     rotations[e] = split.rotation;
     principal[e] = split.turn;
     logs[e] = {split.stretch, {0, 0, 0}, maps[e].center};

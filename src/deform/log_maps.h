@@ -2,6 +2,7 @@
 // branches.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct MapLog {
   Vec3 center;                 ///< posed centroid minus the pose's origin
 };
 
+/// In the order of LogVector::logs.
+inline std::array<double, 9> numbers(const MapLog& log) {
+  const auto& [x, y, center] = log;
+  return {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz, y[0], y[1], y[2]};
+}
+
 /// What had to be decided: shown to the user, and carried to the next pose.
 struct LogReport {
   std::vector<Vec3> turns;  ///< of each part of the cage, see Branches: pass as the next pose's `turns`
@@ -30,6 +37,13 @@ struct LogReport {
   std::vector<mesh::Edge> torn;
   Handles handles = Handles::faces;  ///< what the numbers of CageState's report name
 };
+
+/// Geometric mean of the largest stretches of what is not skipped: what size a pose has as a whole.
+double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits);
+
+/// The split of a map that mirrors, collapses or is not finite, by SVD, its singular values raised to the
+/// floors below; that of others stays. True if one was below, or the map is not finite.
+bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 
 /// Of each map, linear = R S: X = log S, Y = log R, from its split, and by SVD where it mirrors or nearly
 /// collapses. Singular values are raised to 1e-3 of the element's largest one and to 1e-4 of the pose's mean

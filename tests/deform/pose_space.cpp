@@ -23,13 +23,13 @@ struct Posed {
   Pose by(const Affine& map) const { return {mapped(rest(), map), {}}; }
   // A share of one pose, and the way between two.
   Pose share(const Pose& pose, double factor) const {
-    const PoseVector v = space.vector(pose);
-    const std::array terms{PoseTerm{&v, factor}};
-    return space.pose(sum(*cage, terms), space.held_from(sum(*cage, {}), terms));
+    const LogVector v = space.vector(pose);
+    const std::array terms{LogTerm{&v, factor}};
+    return space.pose(terms, space.logs().held_from(space.logs().at_rest(), terms));
   }
-  Pose between(const PoseVector& a, const PoseVector& b, double t) const {
-    const std::array terms{PoseTerm{&a, 1 - t}, PoseTerm{&b, t}};
-    return space.pose(sum(*cage, terms), space.held_between(a, b));
+  Pose between(const LogVector& a, const LogVector& b, double t) const {
+    const std::array terms{LogTerm{&a, 1 - t}, LogTerm{&b, t}};
+    return space.pose(terms, space.logs().held_between(a, b));
   }
   double error(const Pose& pose, const std::vector<mesh::Point>& expected) const {
     return largest_distance(pose.positions, expected) / cage->diagonal;
@@ -108,9 +108,9 @@ TEST_CASE("540_degrees_are_three_half_turns") {
 
 TEST_CASE("a_pose_that_says_nothing_of_whole_turns_takes_those_nearest_to_the_pose_before") {
   const Posed p(box());
-  PoseVector before = p.space.vector(p.by({}));
+  LogVector before = p.space.vector(p.by({}));
   for (double angle = 0; angle <= 720; angle += 90) {
-    const PoseVector v = p.space.vector(p.by(similarity({0, 0, 1}, angle * degree)), before.turns);
+    const LogVector v = p.space.vector(p.by(similarity({0, 0, 1}, angle * degree)), before.turns);
     CHECK(v.turns[0][2] == doctest::Approx(angle * degree));
     if (angle > 0)
       CHECK(p.error(p.between(before, v, 0.5),
@@ -126,7 +126,7 @@ TEST_CASE("what_stands_still_stands_and_the_limb_turns_about_where_it_hangs") {
   const Affine turn = similarity({0, 1, 0}, 90 * degree);
   for (auto& x : pose.positions)
     if (x[2] > 0.1) x = turn(x);
-  const PoseVector rest = p.space.vector({p.rest(), {}}), posed = p.space.vector(pose);
+  const LogVector rest = p.space.vector({p.rest(), {}}), posed = p.space.vector(pose);
   double tip = 0, least = 1e9;
   for (int i = 0; i <= 20; ++i) {
     const Pose part = p.between(rest, posed, i / 20.0);
@@ -137,8 +137,8 @@ TEST_CASE("what_stands_still_stands_and_the_limb_turns_about_where_it_hangs") {
   }
   // In a straight line it would come to 1.41.
   CHECK(least > 1.9);
-  const std::array half{PoseTerm{&rest, 0.5}, PoseTerm{&posed, 0.5}};
-  CHECK(norm(p.space.straight(sum(*p.cage, half)).positions.back()) == doctest::Approx(std::sqrt(2.0)));
+  const std::array half{LogTerm{&rest, 0.5}, LogTerm{&posed, 0.5}};
+  CHECK(norm(p.space.straight(half).positions.back()) == doctest::Approx(std::sqrt(2.0)));
 }
 
 TEST_CASE("parts_and_loose_vertices_each_go_their_way") {
@@ -182,8 +182,8 @@ TEST_CASE("vertices_at_the_same_place_stay_together_where_both_poses_have_them_s
 TEST_CASE("poses_far_from_rest_lose_nothing_but_what_their_numbers_cannot_hold") {
   const Posed p(tube(9, 7, 0.3, 2));
   const Vec3 far{1e6, -3e5, 7e5};
-  const PoseVector a = p.space.vector(p.by({.shift = far}));
-  const PoseVector b = p.space.vector(p.by(similarity({0, 0, 1}, 120 * degree, 1, far)));
+  const LogVector a = p.space.vector(p.by({.shift = far}));
+  const LogVector b = p.space.vector(p.by(similarity({0, 0, 1}, 120 * degree, 1, far)));
   CHECK(p.error(p.between(a, b, 0.5), mapped(p.rest(), similarity({0, 0, 1}, 60 * degree, 1, far))) < 1e-9);
 }
 
@@ -198,8 +198,8 @@ TEST_CASE("a_posed_cage_goes_round_by_the_whole_turns_that_it_has_about_any_axis
   const Vec3 middle = deform::middle(posed);
   for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0.6, 0, -0.8}}) {
     for (const double count : {1.0, -2.0}) {
-      const PoseVector from = p.space.vector({posed, {{0, 0, 0}}});
-      const PoseVector to = p.space.vector({posed, {count * 360 * degree * axis}});
+      const LogVector from = p.space.vector({posed, {{0, 0, 0}}});
+      const LogVector to = p.space.vector({posed, {count * 360 * degree * axis}});
       for (const double share : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
         auto expected = posed;
         const Affine turn = similarity(axis, share * count * 360 * degree);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/document/shape_mix.h"
+
 namespace viete::scene {
 
 namespace {
@@ -28,15 +30,46 @@ void KnownVectors::follow(const std::shared_ptr<const deform::Cage>& cage) {
   space_ = cage ? std::make_shared<const deform::PoseSpace>(cage) : nullptr;
 }
 
-std::shared_ptr<const deform::PoseVector> KnownVectors::of(const SharedPose& pose,
-                                                           std::span<const mesh::Vec3> turns_before) {
+std::shared_ptr<const deform::LogVector> KnownVectors::of(const SharedPose& pose,
+                                                          std::span<const mesh::Vec3> turns_before) {
   if (!space_) return nullptr;
   const bool depends = pose->cage.turns.empty();
   const auto found = known_.find(pose.get());
   if (found != known_.end() && (!depends || std::ranges::equal(found->second.turns_before, turns_before)))
     return found->second.vector;
-  const auto vector = std::make_shared<const deform::PoseVector>(space_->vector(pose->cage, turns_before));
+  const auto vector = std::make_shared<const deform::LogVector>(space_->vector(pose->cage, turns_before));
   known_[pose.get()] = {pose, {turns_before.begin(), turns_before.end()}, vector};
+  return vector;
+}
+
+void KnownVectors::follow_model(const std::shared_ptr<const mesh::Surface>& model) {
+  if (model == model_) {
+    std::erase_if(known_shapes_, [](const auto& entry) { return entry.second.shape.use_count() == 1; });
+    return;
+  }
+  known_shapes_.clear();
+  model_ = model;
+  shapes_ = nullptr;
+}
+
+const std::shared_ptr<const deform::ShapeSpace>& KnownVectors::shapes(base::WorkerPool& pool) {
+  if (!shapes_) shapes_ = std::make_shared<const deform::ShapeSpace>(*model_, pool);
+  return shapes_;
+}
+
+std::shared_ptr<const deform::LogVector> KnownVectors::of(
+    const SharedShape& shape, const std::shared_ptr<const deform::LogVector>& before, base::WorkerPool& pool,
+    deform::ShapeReport& report) {
+  const auto found = known_shapes_.find(shape.get());
+  if (found != known_shapes_.end() && found->second.before == before) {
+    report = found->second.report;
+    return found->second.vector;
+  }
+  const auto& space = *shapes(pool);
+  const auto& positions = shape ? *shape : space.logs().rest();  // to which whole turns may lead back
+  const auto vector = std::make_shared<const deform::LogVector>(
+      shape || before ? space.vector(positions, pool, before.get(), &report) : space.logs().at_rest());
+  known_shapes_[shape.get()] = {shape, before, vector, report};
   return vector;
 }
 
@@ -54,7 +87,9 @@ bool in_range(const WholePose& pose, double farthest) {
     return std::ranges::all_of(p, [farthest](double x) { return std::abs(x) <= farthest; });
   };
   const auto turned = [](const mesh::Vec3& turn) { return mesh::norm(turn) <= largest_turn; };
-  return std::ranges::all_of(pose.cage.positions, drawn) && std::ranges::all_of(pose.cage.turns, turned) &&
+  return std::ranges::all_of(pose.cage.positions, drawn) &&
+         (!pose.shape || std::ranges::all_of(*pose.shape, drawn)) &&
+         std::ranges::all_of(pose.cage.turns, turned) &&
          std::ranges::all_of(pose.probes, [&](const deform::ProbePose& p) {
            return turned(p.turn) && drawn(p.move) && is_probe_stretch(p.stretch);
          });
@@ -74,16 +109,38 @@ bool same_pose(const deform::Pose& a, const deform::Pose& b) {
 
 Animation::Animation(const Timeline& timeline, KnownVectors& vectors)
     : timeline_(timeline), space_(vectors.space()) {
+  if (std::ranges::any_of(timeline_.keys, [](const PoseKey& key) { return key.pose->shape != nullptr; }))
+    add_shapes(vectors);
+  for (const PoseKey& key : timeline_.keys) {
+    take_farthest(key.pose->cage.positions);
+    if (key.pose->shape) take_farthest(*key.pose->shape);
+  }
   if (!space_) return;
   std::span<const mesh::Vec3> turns;
   for (const PoseKey& key : timeline_.keys) {
-    for (const mesh::Point& p : key.pose->cage.positions)
-      for (const double x : p) farthest_ = std::max(farthest_, std::abs(x));
     vectors_.push_back(vectors.of(key.pose, turns));
     turns = vectors_.back()->turns;
   }
   for (std::size_t i = 0; i + 1 < vectors_.size(); ++i)
-    held_.push_back(space_->held_between(*vectors_[i], *vectors_[i + 1]));
+    held_.push_back(space_->logs().held_between(*vectors_[i], *vectors_[i + 1]));
+}
+
+void Animation::take_farthest(std::span<const mesh::Point> positions) {
+  for (const mesh::Point& p : positions)
+    for (const double x : p) farthest_ = std::max(farthest_, std::abs(x));
+}
+
+void Animation::add_shapes(KnownVectors& vectors) {
+  base::WorkerPool pool;
+  shapes_ = vectors.shapes(pool);
+  std::shared_ptr<const deform::LogVector> before;
+  std::vector<deform::ShapeReport> reports;
+  for (const PoseKey& key : timeline_.keys) {
+    shape_vectors_.push_back(before = vectors.of(key.pose->shape, before, pool, reports.emplace_back()));
+  }
+  if (!timeline_.straight) notes_ = shape_notes(reports);
+  for (std::size_t i = 0; i + 1 < shape_vectors_.size(); ++i)
+    held_shapes_.push_back(shapes_->logs().held_between(*shape_vectors_[i], *shape_vectors_[i + 1]));
 }
 
 WholePose Animation::at(double frame) const {
@@ -109,12 +166,19 @@ WholePose Animation::blend(const Moment& moment, bool straight) const {
   std::vector<ProbeTerm> probes;
   for (const auto& [key, factor] : moment.shares) probes.push_back({&keys[key].pose->probes, factor});
   pose.probes = blended_probes(probes);
+  if (shapes_) pose.shape = blended_shape(moment, straight);
   if (!space_) return pose;
-  std::vector<deform::PoseTerm> terms;
+  std::vector<deform::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({vectors_[key].get(), factor});
-  const deform::PoseVector sum = deform::sum(space_->cage(), terms);
-  pose.cage = straight ? space_->straight(sum) : space_->pose(sum, held_[moment.from]);
+  pose.cage = straight ? space_->straight(terms) : space_->pose(terms, held_[moment.from]);
   return pose;
+}
+
+SharedShape Animation::blended_shape(const Moment& moment, bool straight) const {
+  std::vector<deform::LogTerm> terms;
+  for (const auto& [key, factor] : moment.shares) terms.push_back({shape_vectors_[key].get(), factor});
+  base::WorkerPool pool;
+  return blended(shapes_->logs(), terms, straight ? nullptr : &held_shapes_[moment.from], pool);
 }
 
 // As numbers in which a blend is a weighted sum.
@@ -125,6 +189,8 @@ std::vector<double> Animation::place(std::size_t key, bool logs) const {
     std::ranges::for_each(vectors_[key]->logs, add);
   } else if (space_) {
     std::ranges::for_each(timeline_.keys[key].pose->cage.positions, add);
+  } else if (shapes_) {
+    std::ranges::for_each(shape_vectors_[key]->logs, add);
   } else {
     for (const deform::ProbePose& p : timeline_.keys[key].pose->probes) add(p.turn), add(p.move);
   }

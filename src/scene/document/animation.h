@@ -6,31 +6,51 @@
 #include <vector>
 
 #include "deform/pose_space.h"
+#include "deform/shape_space.h"
 #include "scene/document/pose_library.h"
 #include "scene/document/timeline.h"
 
 namespace viete::scene {
 
-/// Poses of one cage as vectors, each taken once. Not thread-safe.
+/// Poses of one cage, and shapes of one model, as vectors, each taken once. Not thread-safe.
 class KnownVectors {
 public:
   /// Of another cage, or none (null), all are forgotten.
   void follow(const std::shared_ptr<const deform::Cage>& cage);
+  /// Likewise of another model and its shapes.
+  void follow_model(const std::shared_ptr<const mesh::Surface>& model);
   /// Null where there is no cage.
   const std::shared_ptr<const deform::PoseSpace>& space() const { return space_; }
   /// See PoseSpace::vector(). Null where there is no cage. Kept as long as the pose is in use elsewhere.
-  std::shared_ptr<const deform::PoseVector> of(const SharedPose& pose,
-                                               std::span<const mesh::Vec3> turns_before = {});
+  std::shared_ptr<const deform::LogVector> of(const SharedPose& pose,
+                                              std::span<const mesh::Vec3> turns_before = {});
+
+  /// Made when it is asked for. Requires a model. Throws base::Error: see ShapeSpace.
+  const std::shared_ptr<const deform::ShapeSpace>& shapes(base::WorkerPool& pool);
+  /// Branches continue those of the shape before; null: at rest. Kept as long as the shape is in use
+  /// elsewhere. Throws base::Error: see ShapeSpace::vector().
+  std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
+                                              const std::shared_ptr<const deform::LogVector>& before,
+                                              base::WorkerPool& pool, deform::ShapeReport& report);
 
 private:
   struct Known {
     SharedPose pose;
     std::vector<mesh::Vec3> turns_before;
-    std::shared_ptr<const deform::PoseVector> vector;
+    std::shared_ptr<const deform::LogVector> vector;
   };
   std::shared_ptr<const deform::Cage> cage_;
   std::shared_ptr<const deform::PoseSpace> space_;
   std::map<const WholePose*, Known> known_;
+
+  struct KnownShape {
+    SharedShape shape;
+    std::shared_ptr<const deform::LogVector> before, vector;
+    deform::ShapeReport report;
+  };
+  std::shared_ptr<const mesh::Surface> model_;
+  std::shared_ptr<const deform::ShapeSpace> shapes_;
+  std::map<const void*, KnownShape> known_shapes_;
 };
 
 /// The poses of a timeline at any frame. Constant: thread-safe, and the same bits whatever frame came before.
@@ -42,8 +62,12 @@ private:
 /// leaves what can be drawn, as a curve that overshoots far may, the key before stays.
 class Animation {
 public:
-  /// Requires keys, of this cage.
+  /// Requires keys, of this cage; where keys have shapes, of this model. Throws base::Error where a shape is
+  /// none of it.
   Animation(const Timeline& timeline, KnownVectors& vectors);
+
+  /// What a person should know of the keys' shapes, one line each.
+  const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const;
   /// As if the timeline was straight, or was not.
@@ -58,12 +82,20 @@ private:
   WholePose key(std::size_t key) const;
   std::vector<double> place(std::size_t key, bool logs) const;
   WholePose blend(const Moment& moment, bool straight) const;
+  SharedShape blended_shape(const Moment& moment, bool straight) const;
+  void add_shapes(KnownVectors& vectors);
+  void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
   double farthest_ = most_drawn;  // coordinate; or that of a key, of models that are deformed and not drawn
   std::shared_ptr<const deform::PoseSpace> space_;
-  std::vector<std::shared_ptr<const deform::PoseVector>> vectors_;  // of the keys; null without a cage
-  std::vector<deform::Held> held_;                                  // from each key to the next
+  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // of the keys; null without a cage
+  std::vector<deform::Held> held_;                                 // from each key to the next
+
+  std::shared_ptr<const deform::ShapeSpace> shapes_;  // null: no key has a shape
+  std::vector<std::shared_ptr<const deform::LogVector>> shape_vectors_;
+  std::vector<deform::Held> held_shapes_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace viete::scene

@@ -37,6 +37,7 @@ private:
 /// What files are in use as; `own` is one of the first four.
 inline constexpr std::string_view the_session = "the session", the_cage = "the cage", the_pose = "the pose",
                                   no_own = "", the_model = "the model", the_keys = "the keys",
-                                  an_imported_pose = "an imported pose", the_binding = "the binding";
+                                  an_imported_pose = "an imported pose", a_shape = "a shape",
+                                  the_binding = "the binding";
 
 }  // namespace viete::scene

@@ -14,9 +14,9 @@ namespace {
 constexpr const char* no_room_for_poses = "there are as many poses as a document can have";
 
 // What of a pose acts on some vertices of the cage: of a triangle as many thirds as it has corners there.
-deform::PoseVector limited_to(const deform::Cage& cage, const deform::PoseVector& vector,
-                              const std::vector<std::uint32_t>& part) {
-  deform::PoseVector limited = vector;
+deform::LogVector limited_to(const deform::Cage& cage, const deform::LogVector& vector,
+                             const std::vector<std::uint32_t>& part) {
+  deform::LogVector limited = vector;
   if (part.empty()) return limited;
   std::vector<double> share(cage.surface.positions.size());
   for (const auto v : part) share[v] = 1;
@@ -56,7 +56,7 @@ WholePose mix_of(const Document& document, const PoseLibrary& library, KnownVect
   WholePose pose{from->cage, blended_probes(probes)};
   keep_locked(document, pose);
   if (!document.has_cage()) return pose;
-  std::vector<deform::PoseVector> parts;
+  std::vector<deform::LogVector> parts;
   std::vector<double> factors;
   for (const NamedPose& named : library.poses) {
     if (named.weight == 0) continue;
@@ -64,11 +64,11 @@ WholePose mix_of(const Document& document, const PoseLibrary& library, KnownVect
     factors.push_back(sign * named.weight);
   }
   const auto base = vectors.of(from);
-  std::vector<deform::PoseTerm> terms;
+  std::vector<deform::LogTerm> terms;
   for (std::size_t i = 0; i < parts.size(); ++i) terms.push_back({&parts[i], factors[i]});
-  const deform::Held held = vectors.space()->held_from(*base, terms);
+  const deform::Held held = vectors.space()->logs().held_from(*base, terms);
   terms.push_back({base.get(), 1});
-  pose.cage = vectors.space()->pose(deform::sum(*document.cage, terms), held);
+  pose.cage = vectors.space()->pose(terms, held);
   return pose;
 }
 

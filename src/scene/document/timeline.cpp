@@ -111,7 +111,8 @@ bool is_closed(const Timeline& timeline) {
   const auto& keys = timeline.keys;
   if (timeline.repeat != Repeat::loop || keys.size() < 3) return false;
   const WholePose &first = *keys.front().pose, &last = *keys.back().pose;
-  return &first == &last || (first.cage.positions == last.cage.positions && first.probes == last.probes);
+  return &first == &last || (first.cage.positions == last.cage.positions && first.probes == last.probes &&
+                             same_shape(first.shape, last.shape));
 }
 
 // A camera that comes back after whole turns goes on, even where it plays once: it is a turntable.

@@ -14,13 +14,23 @@
 
 namespace viete::scene {
 
-/// All that moves the model: the cage, and probes by their number (those that are missing are at rest).
+/// Where the model's own vertices are before anything else moves them. Null: at rest.
+using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
+
+inline bool same_shape(const SharedShape& a, const SharedShape& b) {
+  return a == b || (a && b && *a == *b);
+}
+
+/// All that moves the model: its shape, the cage, and probes by their number (those that are missing are at
+/// rest).
 struct WholePose {
   deform::Pose cage;
   std::vector<deform::ProbePose> probes;
+  SharedShape shape{};
 
   friend bool operator==(const WholePose& a, const WholePose& b) {
-    return a.cage.positions == b.cage.positions && a.cage.turns == b.cage.turns && a.probes == b.probes;
+    return a.cage.positions == b.cage.positions && a.cage.turns == b.cage.turns && a.probes == b.probes &&
+           same_shape(a.shape, b.shape);
   }
 };
 /// Never null; the same pointer is the same pose.

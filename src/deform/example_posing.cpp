@@ -1,0 +1,428 @@
+#include "deform/example_posing.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "deform/linear_map.h"
+#include "deform/plane_kernel.h"
+#include "sym3/derivative.h"
+#include "sym3/eigenvalues.h"
+#include "sym3/exp.h"
+#include "sym3/kernel.h"
+#include "sym3/polar.h"
+
+namespace viete::deform {
+
+namespace {
+
+using Mat = sym3::Mat3<double>;
+
+constexpr std::size_t block = plane_size;
+constexpr std::size_t blocks_at_once = 128;  // whose sums are added in order, on however many threads
+
+constexpr double longest_step = 0.7;  // of a weight, or of the turn in radians
+constexpr double least_damping = 1e-9, most_damping = 1e3;
+constexpr double at_rest = 1e-5;  // a step that is none
+// Of rotations near 0: series of the left Jacobian's coefficients.
+constexpr double small_angle = 1e-4;
+
+// Whether one rotation is the nearest to a matrix.
+bool tells_rotation(const Mat& m) {
+  const auto singular = sym3::eigenvalues(sym3::polar(m).stretch);
+  return singular[0] + singular[1] > 1e-6 * singular[2];
+}
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Eigen::Vector3d column(const Vec3& v) {
+  return {v[0], v[1], v[2]};
+}
+Vec3 vec(const Eigen::Vector3d& v) {
+  return {v[0], v[1], v[2]};
+}
+
+// Of the left Jacobian of a rotation Y by the angle a, J v = v + p Y x v + q Y x (Y x v) (T. Barfoot, State
+// Estimation for Robotics, 2017, 7.1.5): p = (1 - cos a) / a^2 and q = (a - sin a) / a^3. With it
+// d(exp(Y) S) = [J dY]x exp(Y) S + exp(Y) dS.
+std::array<double, 2> jacobian_coefficients(double angle) {
+  const double square = angle * angle;
+  if (angle < small_angle) return {0.5 - square / 24, 1.0 / 6 - square / 120};
+  const double half = std::sin(0.5 * angle) / (0.5 * angle);
+  return {0.5 * half * half, (angle - std::sin(angle)) / (angle * square)};
+}
+
+}  // namespace
+
+// Where the blend would take the pins, a row each, but for the ways of their parts; and how that changes with
+// the weights and the turn.
+struct ExamplePosing::Reach {
+  Eigen::MatrixXd places, changes;
+};
+
+// The sums over triangles that a step is made of: where blends would take the pins, and how that changes with
+// the weights.
+class ExamplePosing::Derivatives {
+public:
+  explicit Derivatives(const ExamplePosing& posing)
+      : posing_(posing),
+        logs_(posing.space_.logs()),
+        kernel_(plane_kernel(sym3::kernel())),
+        examples_(posing.examples_.size()),
+        pins_(posing.pins_.size()),
+        log_planes_(9 * (examples_ + 1) * plane_stride),
+        change_planes_(6 * examples_ * plane_stride),
+        sums(3 * pins_ * (examples_ + 1)) {
+    for (std::size_t e = 0; e < examples_; ++e) {
+      directions_.emplace_back(logs_of(e)[0], plane_stride);
+      changes_.emplace_back(change_of(e)[0], plane_stride);
+    }
+  }
+
+  // Of the triangles [begin, end); begin is that of a block.
+  void add(std::size_t begin, std::size_t end) {
+    for (std::size_t first = begin; first < end; first += block) {
+      first_ = first, count_ = std::min(block, end - first);
+      if (count_ < block) fill_up();
+      read_logs();
+      blend();
+      add_products(maps_, examples_);
+      for (std::size_t e = 0; e < examples_; ++e) {
+        kernel_.times_symmetric(rotations_, change_of(e), changed_);
+        kernel_.add_turning(logs_of(examples_) + 6, logs_of(e) + 6, jacobian_, maps_, changed_);
+        add_products(changed_, e);
+      }
+    }
+  }
+
+private:
+  // Of an example; the last one is the blend's.
+  Plane* logs_of(std::size_t e) { return reinterpret_cast<Plane*>(log_planes_.data()) + 9 * e; }
+  Plane* change_of(std::size_t e) { return reinterpret_cast<Plane*>(change_planes_.data()) + 6 * e; }
+
+  // What is computed with no triangle is 0.
+  void fill_up() {
+    std::ranges::fill(log_planes_, 0.0), std::ranges::fill(change_planes_, 0.0);
+    std::fill_n(stretches_[0], 6 * plane_stride, 0.0), std::fill_n(rotations_[0], 9 * plane_stride, 0.0);
+  }
+
+  void read_logs() {
+    Plane* sum = logs_of(examples_);
+    std::fill_n(sum[0], 9 * plane_stride, 0.0);
+    for (std::size_t e = 0; e < examples_; ++e) {
+      const auto& logs = posing_.examples_[e]->logs;
+      Plane* own = logs_of(e);
+      for (std::size_t i = 0; i < count_; ++i) {
+        const auto& from = logs[logs_.triangles()[first_ + i]];
+        for (std::size_t k = 0; k < 9; ++k) own[k][i] = from[k];
+      }
+      const double weight = posing_.weights_[e];
+      for (std::size_t k = 0; k < 9; ++k)
+        for (std::size_t i = 0; i < block; ++i) sum[k][i] += weight * own[k][i];
+    }
+  }
+
+  // Its maps, and what of them changes with the stretches.
+  void blend() {
+    const Plane* sum = logs_of(examples_);
+    const sym3::SymView<const double> at(sum[0], plane_stride);
+    sym3::exp(at, sym3::SymView<double>(stretches_[0], plane_stride), count_);
+    sym3::exp_rotation(sym3::VecView<const double>(sum[6], plane_stride),
+                       sym3::MatView<double>(rotations_[0], plane_stride), count_);
+    if (examples_ > 0) sym3::exp_derivative(at, directions_, changes_, count_);
+    kernel_.times_symmetric(rotations_, stretches_, maps_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto [a, b] = jacobian_coefficients(norm(Vec3{sum[6][i], sum[7][i], sum[8][i]}));
+      jacobian_[0][i] = a, jacobian_[1][i] = b;
+    }
+  }
+
+  void add_products(const Plane* m, std::size_t e) {
+    kernel_.add_products(m, posing_.gradients_.data() + first_ * pins_ * 3, pins_,
+                         sums.data() + 3 * pins_ * e);
+  }
+
+  const ExamplePosing& posing_;
+  const LogSpace& logs_;
+  const PlaneKernel& kernel_;
+  std::size_t examples_, pins_, first_ = 0, count_ = 0;
+  base::AlignedVector<double> log_planes_, change_planes_;
+  std::vector<sym3::SymView<const double>> directions_;
+  std::vector<sym3::SymView<double>> changes_;
+  alignas(64) Plane stretches_[6], rotations_[9], maps_[9], changed_[9], jacobian_[2] = {};
+
+public:
+  std::vector<double> sums;  // [example, last the blend itself][pin][3]
+};
+
+ExamplePosing::ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples,
+                             base::WorkerPool& pool)
+    : space_(space), examples_(std::move(examples)), pool_(pool) {
+  const auto& rest = space_.logs().rest();
+  for (const LogVector* example : examples_) {
+    const Vec3 back = -1.0 * example->wholes[0];
+    const Mat turn = sym3::exp_rotation(back);
+    std::vector<Vec3> own;
+    for (const Vec3& leftover : example->leftovers) own.push_back(times(turn, leftover));
+    leftovers_.push_back(std::move(own));
+  }
+  for (const auto& [a, b, c] : space_.logs().corners())
+    area_ += norm(cross(rest[b] - rest[a], rest[c] - rest[a])) / 2;
+  restart();
+}
+
+void ExamplePosing::restart() {
+  weights_.assign(examples_.size(), 0);
+  turn_ = {0, 0, 0}, turns_ = false;
+  damping_ = 1e-3, energy_ = std::numeric_limits<double>::infinity();
+  positions_ = space_.logs().rest();
+}
+
+void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
+  const LogSpace& logs = space_.logs();
+  const auto& rest = logs.rest();
+  pins_ = std::move(pins);
+  energy_ = std::numeric_limits<double>::infinity();
+  columns_.clear(), part_of_pin_.clear();
+  LogSpace::Work work;
+  work.ways.resize(rest.size());
+  for (std::size_t first = 0; first < pins_.size(); first += 3) {
+    const std::size_t count = std::min<std::size_t>(3, pins_.size() - first);
+    work.right.assign(rest.size(), Vec3{0, 0, 0});
+    for (std::size_t j = 0; j < count; ++j) work.right[logs.place(pins_[first + j].vertex)][j] = 1;
+    logs.solve(work);
+    for (std::size_t j = 0; j < count; ++j) {
+      auto& column = columns_.emplace_back();
+      for (const Vec3& w : work.ways) column.push_back(w[j]);
+    }
+  }
+  std::vector<std::uint32_t> part_of(rest.size());
+  for (std::uint32_t part = 0; part < logs.parts().count(); ++part)
+    for (const auto v : logs.parts().vertices.of(part)) part_of[v] = part;
+  for (const PosingPin& pin : pins_) part_of_pin_.push_back(part_of[pin.vertex]);
+  fill_gradients();
+  fill_stiffness();
+}
+
+// q = sum_k c_k e_k (z_a - z_b) of each triangle and column z, of its sides e.
+void ExamplePosing::fill_gradients() {
+  const LogSpace& logs = space_.logs();
+  const auto& rest = logs.rest();
+  const std::size_t count = logs.corners().size(), pins = pins_.size();
+  gradients_.assign((count + block - 1) / block * block * 3 * pins, 0);
+  for (std::size_t t = 0; t < count; ++t) {
+    const auto& corners = logs.corners()[t];
+    for (std::size_t pin = 0; pin < pins; ++pin) {
+      Vec3 q{0, 0, 0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
+        q = q + logs.cotangents()[t][k] * (columns_[pin][a] - columns_[pin][b]) * (rest[a] - rest[b]);
+      }
+      for (std::size_t j = 0; j < 3; ++j)
+        gradients_[(t / block * pins + pin) * 3 * block + j * block + t % block] = q[j];
+    }
+  }
+}
+
+// Forces f at pins bring them from where they would be: (1 / c + Z) f + way of the part = d, the forces of a
+// part in balance.
+void ExamplePosing::fill_stiffness() {
+  std::vector<std::uint32_t> parts = part_of_pin_;
+  std::ranges::sort(parts);
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  const auto n = static_cast<Eigen::Index>(pins_.size()), all = n + static_cast<Eigen::Index>(parts.size());
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(all, all);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j)
+      system(i, j) = columns_[std::size_t(j)][pins_[std::size_t(i)].vertex];
+    system(i, i) += 1 / pins_[std::size_t(i)].firmness;
+    const auto part = std::ranges::lower_bound(parts, part_of_pin_[std::size_t(i)]) - parts.begin();
+    system(i, n + part) = system(n + part, i) = 1;
+  }
+  forces_.resize(std::size_t(all * n));
+  Eigen::Map<Rows>(forces_.data(), all, n) = system.fullPivLu().inverse().leftCols(n);
+  pinned_parts_ = std::move(parts);
+}
+
+std::vector<LogTerm> ExamplePosing::terms() const {
+  std::vector<LogTerm> terms;
+  for (std::size_t e = 0; e < examples_.size(); ++e)
+    if (weights_[e] != 0) terms.push_back({examples_[e], weights_[e]});
+  return terms;
+}
+
+// Where the blend would take the pins, turned by `turn`, but for the ways of their parts; and its
+// derivatives.
+ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
+  const std::size_t n = pins_.size(), m = examples_.size(), count = space_.logs().corners().size();
+  const std::size_t at_once = block * blocks_at_once;
+  std::vector<std::vector<double>> parts((count + at_once - 1) / at_once);
+  pool_.for_blocks(count, at_once, [&](std::size_t begin, std::size_t end) {
+    Derivatives derivatives(*this);
+    derivatives.add(begin, end);
+    parts[begin / at_once] = std::move(derivatives.sums);
+  });
+  std::vector<double> sums(3 * n * (m + 1));
+  for (const auto& part : parts)
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += part[i];
+  const Mat g = sym3::exp_rotation(turn_);
+  Reach reach{Eigen::MatrixXd(n, 3), Eigen::MatrixXd(3 * n, m + 3)};
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto at = [&](std::size_t e) {
+      const double* s = sums.data() + 3 * (n * e + k);
+      return Vec3{s[0], s[1], s[2]};
+    };
+    Vec3 place = at(m);
+    for (std::size_t e = 0; e < m; ++e) place = place + weights_[e] * leftovers_[e][pins_[k].vertex];
+    place = times(g, place);
+    reach.places.row(Eigen::Index(k)) = column(place).transpose();
+    for (std::size_t e = 0; e < m; ++e)
+      reach.changes.block<3, 1>(Eigen::Index(3 * k), Eigen::Index(e)) =
+          column(times(g, at(e) + leftovers_[e][pins_[k].vertex]));
+    Eigen::Matrix3d about;  // the cross product with the place, from the left
+    about << 0, place[2], -place[1], -place[2], 0, place[0], place[1], -place[0], 0;
+    reach.changes.block<3, 3>(Eigen::Index(3 * k), Eigen::Index(m)) = about;
+  }
+  return reach;
+}
+
+// The turn that fits the pins at rest best, where they tell one.
+void ExamplePosing::begin_turn(std::span<const mesh::Point> targets) {
+  turns_ = true;
+  const auto& rest = space_.logs().rest();
+  const double share = 1 / static_cast<double>(pins_.size());
+  Vec3 from{0, 0, 0}, to{0, 0, 0};
+  for (std::size_t k = 0; k < pins_.size(); ++k)
+    from = from + share * rest[pins_[k].vertex], to = to + share * targets[k];
+  Mat sum{};
+  for (std::size_t k = 0; k < pins_.size(); ++k) {
+    const Vec3 a = targets[k] - to, b = rest[pins_[k].vertex] - from;
+    for (std::size_t n = 0; n < 9; ++n) sum[n] += a[n / 3] * b[n % 3];
+  }
+  if (tells_rotation(sum)) turn_ = sym3::log_rotation(sym3::polar(sum).rotation);
+}
+
+double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSettings& settings) {
+  if (!turns_) begin_turn(targets);
+  if (!std::ranges::equal(targets, targets_)) energy_ = std::numeric_limits<double>::infinity();
+  targets_.assign(targets.begin(), targets.end());
+  const Reach reach = reach_of_pins();
+  const auto n = static_cast<Eigen::Index>(pins_.size()), m = static_cast<Eigen::Index>(examples_.size());
+  Eigen::MatrixXd off(n, 3);
+  for (Eigen::Index k = 0; k < n; ++k)
+    off.row(k) = column(targets[std::size_t(k)]).transpose() - reach.places.row(k);
+  const Eigen::Map<const Rows> stiffness(forces_.data(), n, n);
+  const Eigen::MatrixXd forces = stiffness * off;
+  const Eigen::Map<const Eigen::VectorXd> weights(weights_.data(), m);
+  const double held = settings.restraint * area_;
+  const double energy = off.cwiseProduct(forces).sum() + held * weights.squaredNorm();
+  if (energy > energy_) {  // too far: back, and less
+    weights_ = last_weights_, turn_ = last_turn_;
+    damping_ = std::min(10 * damping_, most_damping);
+    energy_ = std::numeric_limits<double>::infinity();
+    return step(targets, settings);
+  }
+  damping_ = std::max(damping_ / 3, least_damping);
+  energy_ = energy;
+  last_weights_ = weights_, last_turn_ = turn_;
+
+  Eigen::MatrixXd pulled(3 * n, m + 3);  // B J
+  for (Eigen::Index c = 0; c < m + 3; ++c) {
+    const Eigen::MatrixXd column = reach.changes.col(c).reshaped(3, n).transpose();
+    pulled.col(c) = (stiffness * column).transpose().reshaped();
+  }
+  Eigen::MatrixXd normal = reach.changes.transpose() * pulled;
+  Eigen::VectorXd right = pulled.transpose() * off.transpose().reshaped();
+  normal.topLeftCorner(m, m).diagonal().array() += held;
+  right.head(m) -= held * weights;
+  normal.diagonal() += damping_ * normal.diagonal() +
+                       Eigen::VectorXd::Constant(m + 3, least_damping * (normal.trace() + 1e-300));
+  Eigen::VectorXd step = normal.ldlt().solve(right);
+  if (!step.allFinite()) step.setZero();
+  const double length = step.size() > 0 ? step.cwiseAbs().maxCoeff() : 0;
+  if (length > longest_step) step *= longest_step / length;
+  for (Eigen::Index e = 0; e < m; ++e) weights_[std::size_t(e)] += step[e];
+  turn_ = sym3::log_rotation(times(sym3::exp_rotation(vec(step.tail<3>())), sym3::exp_rotation(turn_)));
+  return std::max(std::min(length, longest_step), show(settings));
+}
+
+int ExamplePosing::solve(std::span<const mesh::Point> targets, const PosingSettings& settings, int most,
+                         base::Progress* progress) {
+  for (int i = 1; i <= most; ++i) {
+    if (progress) progress->report(static_cast<double>(i) / most);
+    if (step(targets, settings) < at_rest) return i;
+  }
+  return most;
+}
+
+// Returns how far positions went by fitting alone, in sides of a square of the area.
+double ExamplePosing::show(const PosingSettings& settings) {
+  const LogSpace& logs = space_.logs();
+  const auto& rest = logs.rest();
+  const std::vector<LogTerm> sum = terms();
+  const Mat g = sym3::exp_rotation(turn_);
+  const auto leftover = [&](std::size_t v) {
+    Vec3 left{0, 0, 0};
+    for (std::size_t e = 0; e < examples_.size(); ++e) left = left + weights_[e] * leftovers_[e][v];
+    return times(g, left);
+  };
+  const bool fits = settings.freedom > 0 && !work_.ways.empty();
+  const std::vector<mesh::Point> before = fits ? positions_ : std::vector<mesh::Point>{};
+  if (fits) {
+    for (std::size_t v = 0; v < rest.size(); ++v) work_.ways[v] = positions_[v] - rest[v] - leftover(v);
+    logs.follow_fitted(sum, settings.freedom, pool_, work_, &turn_);
+  } else {
+    logs.follow(sum, pool_, work_, &turn_);
+  }
+  for (std::size_t v = 0; v < rest.size(); ++v) positions_[v] = rest[v] + work_.ways[v] + leftover(v);
+  reach_targets();
+  place_other_parts();
+  double farthest = 0;
+  for (std::size_t v = 0; v < before.size(); ++v)
+    farthest = std::max(farthest, squared_norm(positions_[v] - before[v]));
+  return std::sqrt(farthest / std::max(area_, 1e-300));
+}
+
+// Forces at the pins bring them to their targets.
+void ExamplePosing::reach_targets() {
+  Eigen::MatrixXd off(pins_.size(), 3);
+  for (std::size_t k = 0; k < pins_.size(); ++k)
+    off.row(Eigen::Index(k)) = column(targets_[k] - positions_[pins_[k].vertex]).transpose();
+  const auto n = static_cast<Eigen::Index>(pins_.size());
+  const Eigen::MatrixXd forces =
+      Eigen::Map<const Rows>(forces_.data(), n + static_cast<Eigen::Index>(pinned_parts_.size()), n) * off;
+  for (std::size_t k = 0; k < pins_.size(); ++k) {
+    const Vec3 force = vec(forces.row(Eigen::Index(k)).transpose());
+    for (const auto v : space_.logs().parts().vertices.of(part_of_pin_[k]))
+      positions_[v] = positions_[v] + columns_[k][v] * force;
+  }
+  for (std::size_t i = 0; i < pinned_parts_.size(); ++i) {
+    const Vec3 way = vec(forces.row(Eigen::Index(pins_.size() + i)).transpose());
+    for (const auto v : space_.logs().parts().vertices.of(pinned_parts_[i]))
+      positions_[v] = positions_[v] + way;
+  }
+}
+
+// Their vertices' mean goes its straight way; and loose vertices do.
+void ExamplePosing::place_other_parts() {
+  const LogSpace& logs = space_.logs();
+  const auto straight = [&](std::size_t v) {
+    Vec3 place = logs.rest()[v];
+    for (std::size_t e = 0; e < examples_.size(); ++e) place = place + weights_[e] * examples_[e]->ways[v];
+    return place;
+  };
+  for (std::uint32_t part = 0; part < logs.parts().count(); ++part) {
+    if (std::ranges::binary_search(pinned_parts_, part)) continue;
+    const auto vertices = logs.parts().vertices.of(part);
+    Vec3 missing{0, 0, 0};
+    for (const auto v : vertices) missing = missing + (straight(v) - positions_[v]);
+    for (const auto v : vertices)
+      positions_[v] = positions_[v] + (1 / static_cast<double>(vertices.size())) * missing;
+  }
+  for (std::size_t v = 0; v < positions_.size(); ++v)
+    if (logs.parts().loose[v]) positions_[v] = straight(v);
+}
+
+}  // namespace viete::deform

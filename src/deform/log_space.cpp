@@ -1,0 +1,424 @@
+#include "deform/log_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "deform/laplacian.h"
+#include "deform/plane_kernel.h"
+#include "mesh/point_index.h"
+#include "mesh/union_find.h"
+#include "sym3/exp.h"
+#include "sym3/kernel.h"
+#include "sym3/polar.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr std::uint32_t no_part = 0xFFFFFFFF;
+constexpr std::size_t places_per_block = 1024;
+
+// Of each vertex the first one that is at the same place.
+std::vector<std::uint32_t> first_at_place(std::span<const mesh::Point> positions) {
+  mesh::PointIndex index;
+  std::vector<mesh::Point> places;
+  std::vector<std::uint32_t> first_of, place_of(positions.size());
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    const std::uint32_t place = index.find_or_add(positions[v], places);
+    if (place == places.size()) places.push_back(positions[v]), first_of.push_back(v);
+    place_of[v] = first_of[place];
+  }
+  return place_of;
+}
+
+Vec3 summed(std::span<const LogTerm> terms, std::vector<Vec3> LogVector::*member, std::size_t i) {
+  Vec3 sum{0, 0, 0};
+  for (const auto& [vector, factor] : terms) {
+    const auto& of = vector->*member;
+    if (i < of.size()) sum = sum + factor * of[i];
+  }
+  return sum;
+}
+
+}  // namespace
+
+// The maps of a block of triangles, see PlaneKernel.
+class LogSpace::Block {
+public:
+  static constexpr std::size_t size = plane_size;
+
+  Block(const LogSpace& space, const Work& work, std::span<const LogTerm> terms)
+      : space_(space), work_(work), terms_(terms), kernel_(plane_kernel(sym3::kernel())) {}
+
+  // What each side of the triangles pulls its first end by, and, with the other sign, its second: of those
+  // that follow `first` in triangles_, a block,
+  void pull_by_logs(std::size_t first, std::size_t count) {
+    sides_ = space_.sides_of(first);
+    pull_by_logs_of(count, [first](std::size_t i) { return first + i; });
+  }
+  // or of some places there.
+  void pull_by_logs(std::span<const std::uint32_t> places) {
+    if (places.size() < size) std::fill_n(gathered_[0], 12 * plane_stride, 0.0);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Plane* of = space_.sides_of(places[i]);
+      for (std::size_t n = 0; n < 12; ++n) gathered_[n][i] = of[n][places[i] % size];
+    }
+    sides_ = gathered_;
+    pull_by_logs_of(places.size(), [places](std::size_t i) { return places[i]; });
+  }
+
+  // After pull_by_logs() of the same: by the rotations that fit the ways best, R = the one nearest to
+  // sum_k c_k e'_k (S e_k)^T, of the sides e at rest and e' now.
+  template <class At>
+  void pull_by_fit(std::size_t count, const At& at) {
+    for (std::size_t k = 0; k < 3; ++k) read_posed_side(count, at, k);
+    kernel_.spread(posed_, sides_, sides_ + 9, maps_);
+    kernel_.times_symmetric(maps_, stretches_, rotations_);
+    const sym3::MatView<double> rotations(rotations_[0], plane_stride);
+    sym3::polar(rotations, rotations, count);
+    kernel_.times_symmetric(rotations_, stretches_, maps_);
+    kernel_.pull(maps_, sides_, sides_ + 9, fitted_);
+  }
+
+  Vec3 pulled(std::size_t triangle, std::size_t side) const { return of(pulls_, triangle, side); }
+  // What a fitted rotation adds.
+  Vec3 fit(std::size_t triangle, std::size_t side) const {
+    return of(fitted_, triangle, side) - of(pulls_, triangle, side);
+  }
+
+private:
+  template <class At>
+  void pull_by_logs_of(std::size_t count, const At& at) {
+    if (count < size) fill_up();
+    sum_logs(count, at);
+    sym3::exp(sym3::SymView<const double>(logs_[0], plane_stride),
+              sym3::SymView<double>(stretches_[0], plane_stride), count);
+    sym3::exp_rotation(sym3::VecView<const double>(logs_[6], plane_stride),
+                       sym3::MatView<double>(rotations_[0], plane_stride), count);
+    kernel_.times_symmetric(rotations_, stretches_, maps_);
+    if (work_.turned.size() == 1) kernel_.turn(work_.turned[0].data(), maps_);
+    if (work_.turned.size() > 1) turn(count, at);
+    kernel_.pull(maps_, sides_, sides_ + 9, pulls_);
+  }
+
+  static Vec3 of(const Plane* pulls, std::size_t triangle, std::size_t side) {
+    return {pulls[3 * side][triangle], pulls[3 * side + 1][triangle], pulls[3 * side + 2][triangle]};
+  }
+
+  // What is computed with no triangle are numbers, at any rate.
+  void fill_up() {
+    for (Plane* planes : {logs_, rotations_, posed_}) std::fill_n(planes[0], 9 * plane_stride, 0.0);
+    std::fill_n(stretches_[0], 6 * plane_stride, 0.0);
+  }
+
+  template <class At>
+  void read_posed_side(std::size_t count, const At& at, std::size_t k) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& corners = space_.corners_[at(i)];
+      const Vec3 way = work_.ways[corners[(k + 1) % 3]] - work_.ways[corners[(k + 2) % 3]];
+      for (std::size_t j = 0; j < 3; ++j) posed_[3 * k + j][i] = sides_[3 * k + j][i] + way[j];
+    }
+  }
+
+  template <class At>
+  void sum_logs(std::size_t count, const At& at) {
+    std::array<double, 9> sums[size];
+    std::fill_n(sums, count, std::array<double, 9>{});
+    for (const auto& [vector, factor] : terms_) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto& log = vector->logs[space_.triangles_[at(i)]];
+        for (std::size_t k = 0; k < 9; ++k) sums[i][k] += factor * log[k];
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < 9; ++k) logs_[k][i] = sums[i][k];
+  }
+
+  template <class At>
+  void turn(std::size_t count, const At& at) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto part = space_.part_of_[at(i)];
+      if (work_.wholes[part] == Vec3{0, 0, 0}) continue;
+      const sym3::Mat3<double>& r = work_.turned[part];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = maps_[k][i], y = maps_[3 + k][i], z = maps_[6 + k][i];
+        for (std::size_t j = 0; j < 3; ++j)
+          maps_[3 * j + k][i] = r[3 * j] * x + r[3 * j + 1] * y + r[3 * j + 2] * z;
+      }
+    }
+  }
+
+  const LogSpace& space_;
+  const Work& work_;
+  std::span<const LogTerm> terms_;
+  const PlaneKernel& kernel_;
+  const Plane* sides_ = nullptr;
+  alignas(64) Plane logs_[9], stretches_[6], rotations_[9], posed_[9], maps_[9], gathered_[12];
+  alignas(64) Plane pulls_[9], fitted_[9];
+};
+
+LogSpace::LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* progress)
+    : rest_(mesh.positions.begin(), mesh.positions.end()),
+      part_count_(mesh.part_count),
+      places_(first_at_place(rest_)),
+      free_(rest_.size()),
+      factors_(grounded(add_triangles(mesh), free_), pool, told(progress, 0, 1)) {}
+
+// Returns the stiffness matrix of the places.
+SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
+  index_of_.resize(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.degenerate[t]) continue;
+    const auto& [a, b, c] = corners_.emplace_back(mesh.triangles[t]);
+    index_of_[t] = static_cast<std::uint32_t>(triangles_.size());
+    triangles_.push_back(t);
+    part_of_.push_back(mesh.parts[t]);
+    placed_.push_back({places_[a], places_[b], places_[c]});
+    cotangents_.push_back(half_cotangents(rest_[a], rest_[b], rest_[c]));
+  }
+  fill_sides();
+  around_ = mesh::make_adjacency(rest_.size(), [&](const auto& add) {
+    for (std::uint32_t i = 0; i < placed_.size(); ++i)
+      for (std::uint32_t k = 0; k < 3; ++k) add(placed_[i][k], 3 * i + k);
+  });
+  SparseMatrix stiffness = stiffness_matrix(rest_, placed_);
+  find_parts(connected(stiffness));
+  return stiffness;
+}
+
+// The sides across from the corners, and their weights.
+void LogSpace::fill_sides() {
+  sides_.resize((corners_.size() + plane_size - 1) / plane_size * 12 * plane_stride);
+  std::ranges::fill(sides_, 0.0);
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    Plane* planes = reinterpret_cast<Plane*>(sides_.data()) + i / plane_size * 12;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 side = rest_[corners_[i][(k + 1) % 3]] - rest_[corners_[i][(k + 2) % 3]];
+      for (std::size_t j = 0; j < 3; ++j) planes[3 * k + j][i % plane_size] = side[j];
+      planes[9 + k][i % plane_size] = cotangents_[i][k];
+    }
+  }
+}
+
+void LogSpace::find_parts(mesh::UnionFind sets) {
+  std::vector<std::uint32_t> part_of_set(rest_.size(), no_part), part_of(rest_.size(), no_part);
+  std::uint32_t count = 0;
+  parts_.loose.resize(rest_.size());
+  for (std::uint32_t v = 0; v < rest_.size(); ++v) {
+    parts_.loose[v] = around_.of(places_[v]).empty();
+    if (parts_.loose[v]) continue;
+    std::uint32_t& part = part_of_set[sets.find(places_[v])];
+    if (part == no_part) {
+      part = count++;
+    } else {
+      free_[v] = places_[v] == v;
+    }
+    part_of[v] = part;
+  }
+  parts_.vertices = mesh::make_adjacency(count, [&](const auto& add) {
+    for (std::uint32_t v = 0; v < rest_.size(); ++v)
+      if (!parts_.loose[v]) add(part_of[v], v);
+  });
+}
+
+LogVector LogSpace::at_rest() const {
+  return {std::vector<std::array<double, 9>>(index_of_.size()),
+          std::vector<Vec3>(rest_.size()),
+          std::vector<Vec3>(rest_.size()),
+          {},
+          std::vector<Vec3>(part_count_),
+          {}};
+}
+
+void LogSpace::turn_by(std::span<const LogTerm> terms, const Vec3* whole, Work& work) const {
+  work.right.resize(rest_.size()), work.ways.resize(rest_.size());
+  work.wholes.resize(part_count_), work.turned.clear();
+  for (std::size_t part = 0; part < part_count_; ++part)
+    work.wholes[part] = whole ? *whole : summed(terms, &LogVector::wholes, part);
+  const auto turns = [](const Vec3& w) { return w != Vec3{0, 0, 0}; };
+  if (std::ranges::any_of(work.wholes, turns))
+    for (const Vec3& w : work.wholes) work.turned.push_back(sym3::exp_rotation(w));
+}
+
+void LogSpace::follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
+                      const Vec3* whole) const {
+  turn_by(terms, whole, work);
+  add_pulls(
+      [&](std::size_t first, std::size_t count, const auto& take) {
+        Block block(*this, work, terms);
+        block.pull_by_logs(first, count);
+        take([&](std::size_t i, std::size_t k) { return block.pulled(i, k); });
+      },
+      pool, work);
+  solve(work);
+  if (fit_doubtful(terms, work)) solve(work);
+}
+
+void LogSpace::follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
+                             const Vec3* whole) const {
+  turn_by(terms, whole, work);
+  add_pulls(
+      [&](std::size_t first, std::size_t count, const auto& take) {
+        Block block(*this, work, terms);
+        block.pull_by_logs(first, count);
+        block.pull_by_fit(count, [first](std::size_t i) { return first + i; });
+        take([&](std::size_t i, std::size_t k) { return block.pulled(i, k) + share * block.fit(i, k); });
+      },
+      pool, work);
+  solve(work);
+}
+
+// In the order of the sides.
+template <class Pull>
+void LogSpace::add_pulls_of(std::size_t i, const Pull& pull, std::span<Vec3> right) const {
+  const Vec3 p0 = pull(0), p1 = pull(1), p2 = pull(2);
+  Vec3 &a = right[placed_[i][0]], &b = right[placed_[i][1]], &c = right[placed_[i][2]];
+  a = (a - p1) + p2, b = (b + p0) - p2, c = (c - p0) + p1;
+}
+
+template <class Make>
+void LogSpace::add_pulls(const Make& make, base::WorkerPool& pool, Work& work) const {
+  if (pool.threads() == 1) return scatter_pulls(make, work);
+  gather_pulls(make, pool, work);
+}
+
+// The order of what is added to a place is that of triangles and of their sides, here and in gather_pulls().
+template <class Make>
+void LogSpace::scatter_pulls(const Make& make, Work& work) const {
+  std::ranges::fill(work.right, Vec3{0, 0, 0});
+  for (std::size_t first = 0; first < triangles_.size(); first += Block::size) {
+    const std::size_t count = std::min(Block::size, triangles_.size() - first);
+    make(first, count, [&](const auto& pull) {
+      for (std::size_t i = 0; i < count; ++i)
+        add_pulls_of(
+            first + i, [&](std::size_t k) { return pull(i, k); }, work.right);
+    });
+  }
+}
+
+template <class Make>
+void LogSpace::gather_pulls(const Make& make, base::WorkerPool& pool, Work& work) const {
+  work.pulls.resize(3 * triangles_.size());
+  pool.for_blocks(triangles_.size(), Block::size, [&](std::size_t begin, std::size_t end) {
+    make(begin, end - begin, [&](const auto& pull) {
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t k = 0; k < 3; ++k) work.pulls[3 * i + k] = pull(i - begin, k);
+    });
+  });
+  pool.for_blocks(rest_.size(), places_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) work.right[v] = pulled(work.pulls, v);
+  });
+}
+
+Vec3 LogSpace::pulled(std::span<const Vec3> pulls, std::size_t place) const {
+  Vec3 sum{0, 0, 0};
+  for (const std::uint32_t corner : around_.of(place)) {
+    const Vec3* of = pulls.data() + corner / 3 * 3;
+    switch (corner % 3) {
+      case 0: sum = (sum - of[1]) + of[2]; break;
+      case 1: sum = (sum + of[0]) - of[2]; break;
+      default: sum = (sum - of[0]) + of[1];
+    }
+  }
+  return sum;
+}
+
+void LogSpace::solve(Work& work) const {
+  for (std::size_t v = 0; v < rest_.size(); ++v) work.ways[v] = free_[v] ? work.right[v] : Vec3{0, 0, 0};
+  factors_.solve(work.ways, work.ways, work.solve);
+  for (std::size_t v = 0; v < rest_.size(); ++v) work.ways[v] = work.ways[places_[v]];
+}
+
+// Adds what fitted rotations pull otherwise. False if no rotation is doubtful.
+bool LogSpace::fit_doubtful(std::span<const LogTerm> terms, Work& work) const {
+  sum_doubts(terms, work);
+  Block block(*this, work, terms);
+  for (std::size_t first = 0; first < work.doubtful.size(); first += Block::size) {
+    const std::size_t count = std::min(Block::size, work.doubtful.size() - first);
+    const auto places = std::span(work.doubtful).subspan(first, count);
+    const auto at = [places](std::size_t i) { return places[i]; };
+    block.pull_by_logs(places);
+    block.pull_by_fit(count, at);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double share = std::min(1.0, work.doubts[at(i)]);
+      add_pulls_of(
+          at(i), [&](std::size_t k) { return share * block.fit(i, k); }, work.right);
+    }
+  }
+  return !work.doubtful.empty();
+}
+
+void LogSpace::sum_doubts(std::span<const LogTerm> terms, Work& work) const {
+  for (const auto i : work.doubtful) work.doubts[i] = 0;
+  work.doubtful.clear();
+  work.doubts.resize(triangles_.size());
+  for (const auto& [vector, factor] : terms) {
+    if (factor == 0) continue;
+    for (const auto& [triangle, share] : vector->doubts) {
+      const std::uint32_t i = index_of_[triangle];
+      if (work.doubts[i] == 0) work.doubtful.push_back(i);
+      work.doubts[i] += std::abs(factor) * share;
+    }
+  }
+  std::ranges::sort(work.doubtful);
+}
+
+void LogSpace::complete(std::span<const mesh::Point> positions, base::WorkerPool& pool,
+                        LogVector& vector) const {
+  const LogTerm term{&vector, 1};
+  Work work;
+  vector.ways.clear(), vector.leftovers.clear();
+  follow({&term, 1}, pool, work);
+  for (std::size_t v = 0; v < rest_.size(); ++v) {
+    vector.ways.push_back(positions[v] - rest_[v]);
+    vector.leftovers.push_back(vector.ways[v] - work.ways[v]);
+  }
+  center(parts_, vector.leftovers);  // where a part is, is told by the point that is held
+}
+
+void LogSpace::straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
+  for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = rest_[v] + summed(terms, &LogVector::ways, v);
+}
+
+void LogSpace::shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
+                     std::span<mesh::Point> positions) const {
+  follow(terms, pool, work);
+  work.straight.resize(rest_.size());
+  pool.for_blocks(rest_.size(), places_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      work.straight[v] = summed(terms, &LogVector::ways, v);
+      work.ways[v] =
+          parts_.loose[v] ? work.straight[v] : work.ways[v] + summed(terms, &LogVector::leftovers, v);
+    }
+  });
+  hold(parts_, held, work.straight, work.ways);
+  for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = work.ways[v] + rest_[v];
+}
+
+Held LogSpace::held_from(const LogVector& from, std::span<const LogTerm> terms) const {
+  std::vector<mesh::Point> start(rest_.size());
+  const LogTerm whole{&from, 1};
+  straight({&whole, 1}, start);
+  std::vector<Vec3> ways(rest_.size());
+  std::vector<double> squares(rest_.size());
+  for (std::size_t v = 0; v < ways.size(); ++v) {
+    ways[v] = summed(terms, &LogVector::ways, v);
+    for (const auto& [vector, factor] : terms) squares[v] += std::abs(factor) * squared_norm(vector->ways[v]);
+  }
+  return deform::held(parts_, start, ways, squares);
+}
+
+Held LogSpace::held_between(const LogVector& from, const LogVector& to) const {
+  std::vector<mesh::Point> start(rest_.size());
+  const LogTerm whole{&from, 1};
+  straight({&whole, 1}, start);
+  std::vector<Vec3> ways;
+  std::vector<double> squares;
+  for (std::size_t v = 0; v < rest_.size(); ++v) {
+    ways.push_back(to.ways[v] - from.ways[v]);
+    squares.push_back(squared_norm(ways[v]));
+  }
+  return deform::held(parts_, start, ways, squares);
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,212 @@
+#include "deform/example_posing.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <numeric>
+#include <set>
+
+#include "deform/shapes.h"
+#include "mesh/formats/read.h"
+#include "support/data.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+using Points = std::vector<mesh::Point>;
+constexpr double holds = std::numeric_limits<double>::infinity();
+
+// A model with examples, and pins at some of its vertices.
+struct Posing {
+  mesh::Surface rest;
+  base::WorkerPool pool;
+  ShapeSpace space;
+  std::vector<LogVector> vectors;
+  std::vector<std::uint32_t> pinned;
+  std::unique_ptr<ExamplePosing> posing;
+
+  Posing(mesh::Surface surface, const std::vector<Points>& examples, std::vector<std::uint32_t> vertices,
+         double firmness = holds, int threads = 1)
+      : rest(std::move(surface)), pool(threads), space(rest, pool), pinned(std::move(vertices)) {
+    for (const Points& example : examples) vectors.push_back(space.vector(example, pool));
+    std::vector<const LogVector*> pointers;
+    for (const LogVector& v : vectors) pointers.push_back(&v);
+    posing = std::make_unique<ExamplePosing>(space, pointers, pool);
+    std::vector<PosingPin> pins;
+    for (const auto v : pinned) pins.push_back({v, firmness});
+    posing->set_pins(pins);
+  }
+
+  Points at_pins(const Points& shape) const {
+    Points targets;
+    for (const auto v : pinned) targets.push_back(shape[v]);
+    return targets;
+  }
+  Points solved(const Points& shape, const PosingSettings& settings, int most = 100) {
+    steps = posing->solve(at_pins(shape), settings, most);
+    return {posing->positions().begin(), posing->positions().end()};
+  }
+  double error(const Points& a, const Points& b) const {
+    return largest_distance(a, b) / mesh::bounds(rest.positions).diagonal();
+  }
+  int steps = 0;
+};
+
+// The tube bent about the x axis, by so many degrees from end to end, its length kept.
+Points bent(const mesh::Surface& tube, double degrees) {
+  const auto box = mesh::bounds(tube.positions);
+  const double k = degrees * degree / (box.high[2] - box.low[2]);
+  Points points = tube.positions;
+  for (auto& p : points) {
+    const double a = k * p[2], r = 1 / k - p[1];
+    p = {p[0], 1 / k - r * std::cos(a), r * std::sin(a)};
+  }
+  return points;
+}
+
+mesh::Surface straight_tube() {
+  return tube(30, 8, 0.3, 4);
+}
+// Both ends and the middle.
+std::vector<std::uint32_t> some_pins() {
+  return {0, 4, 14 * 8, 14 * 8 + 4, 29 * 8, 29 * 8 + 4};
+}
+
+}  // namespace
+
+TEST_CASE("an_example_is_found_by_its_own_vertices") {
+  const mesh::Surface model = straight_tube();
+  const Points bend = bent(model, 120);
+  Points stretched = model.positions;
+  for (auto& p : stretched) p[2] *= 1.5;
+  Posing p(model, {bend, stretched}, some_pins());
+  const PosingSettings exactly{.restraint = 1e-12, .freedom = 0};
+  CHECK(p.error(p.solved(bend, exactly), bend) < 1e-5);
+  CHECK(p.posing->weights()[0] == doctest::Approx(1).epsilon(1e-4));
+  CHECK(std::abs(p.posing->weights()[1]) < 1e-4);
+  CHECK(p.steps < 25);
+  // Between both, and beyond one: what is blended in log space.
+  p.posing->restart();
+  const std::array terms{LogTerm{&p.vectors[0], 1.4}, LogTerm{&p.vectors[1], 0.5}};
+  Points blend(model.positions.size());
+  LogSpace::Work work;
+  p.space.logs().shape(terms, p.space.logs().held_from(p.space.logs().at_rest(), terms), p.pool, work, blend);
+  CHECK(p.error(p.solved(blend, exactly), blend) < 1e-4);
+  CHECK(p.posing->weights()[0] == doctest::Approx(1.4).epsilon(1e-3));
+  CHECK(p.posing->weights()[1] == doctest::Approx(0.5).epsilon(1e-3));
+}
+
+TEST_CASE("examples_turn_with_the_pins") {
+  const mesh::Surface model = straight_tube();
+  const Points bend = bent(model, 120);
+  Posing p(model, {bend}, some_pins());
+  const auto map = similarity({1, 2, 3}, 160 * degree, 1, {5, -3, 2});
+  const Points turned = mapped(bend, map);
+  CHECK(p.error(p.solved(turned, {.restraint = 1e-12, .freedom = 0}), turned) < 1e-5);
+}
+
+TEST_CASE("pins_that_hold_are_where_they_are_held_and_others_are_between") {
+  const mesh::Surface model = straight_tube();
+  Points targets = bent(model, 60);
+  targets[0] = targets[0] + Vec3{0.3, 0.2, 0};
+  for (const double freedom : {0.0, 0.3, 1.0}) {
+    Posing p(model, {bent(model, 120)}, some_pins());
+    const Points posed = p.solved(targets, {.freedom = freedom});
+    for (const auto v : p.pinned) CHECK(norm(posed[v] - targets[v]) < 1e-12);
+    Posing soft(model, {bent(model, 120)}, some_pins(), 0.01);
+    const Points pulled = soft.solved(targets, {.freedom = freedom});
+    const double off = norm(pulled[0] - targets[0]);
+    CHECK(off > 1e-3);
+    CHECK(off < norm(model.positions[0] - targets[0]));
+  }
+}
+
+TEST_CASE("without_examples_a_rigid_motion_of_the_pins_moves_all_rigidly") {
+  const mesh::Surface model = straight_tube();
+  const Points moved = mapped(model.positions, similarity({1, 2, 3}, 150 * degree, 1, {5, -3, 2}));
+  Posing p(model, {}, some_pins());
+  CHECK(p.error(p.solved(moved, {.freedom = 1}), moved) < 1e-9);
+  Posing one(model, {}, {17});
+  Points shifted = model.positions;
+  for (auto& x : shifted) x = x + Vec3{1, 2, 3};
+  CHECK(one.error(one.solved(shifted, {.freedom = 1}), shifted) < 1e-12);
+}
+
+TEST_CASE("without_examples_edges_keep_their_lengths_as_well_as_they_can") {
+  const mesh::Surface model = straight_tube();
+  const Points bend = bent(model, 90);
+  Posing p(model, {}, some_pins());
+  const Points free = p.solved(bend, {.freedom = 1}, 500);
+  CHECK(largest_edge_stretch(model, free) < 1.6);
+  Posing stiff(model, {}, some_pins());
+  CHECK(largest_edge_stretch(model, free) < largest_edge_stretch(model, stiff.solved(bend, {.freedom = 0})));
+}
+
+TEST_CASE("parts_without_a_pin_stay_where_their_blend_is") {
+  const mesh::Surface model = straight_tube();
+  mesh::Surface other = model;
+  other.positions = mapped(model.positions, Affine{.shift = {5, 0, 0}});
+  const mesh::Surface both = together(model, other);
+  Points bend = bent(model, 60);
+  bend.insert(bend.end(), other.positions.begin(), other.positions.end());
+  Posing p(both, {bend}, some_pins());
+  const Points posed = p.solved(bend, {.restraint = 1e-12, .freedom = 0});
+  CHECK(p.error(posed, bend) < 1e-4);
+}
+
+TEST_CASE("posing_gives_the_same_bits_on_any_number_of_threads") {
+  const mesh::Surface model = tube(400, 16, 0.3, 40);
+  Points first;
+  for (const int threads : {1, 2, 3}) {
+    Posing p(model, {bent(model, 120), bent(model, -40)}, {0, 1000, 3000, 6000}, holds, threads);
+    const Points posed = p.solved(bent(model, 70), {}, 5);
+    if (first.empty()) first = posed;
+    CHECK(posed == first);
+  }
+}
+
+// The bars of the published gallop: seven vertices and six of its frames give the others.
+TEST_CASE("a_gallop_is_posed_by_six_of_its_frames" * doctest::test_suite(if_present)) {
+  const auto folder = shared_data("shapes/horse");
+  if (folder.empty()) return;
+  const auto frame = [&](int i) {
+    return mesh::read(folder / ("gallop_" + std::string(i < 10 ? "0" : "") + std::to_string(i) + ".obj"))
+        .surface.positions;
+  };
+  const mesh::Surface rest = mesh::read(folder / "rest.obj").surface;
+  std::vector<std::uint32_t> pins;
+  const Vec3 middle = (1.0 / double(rest.positions.size())) *
+                      std::accumulate(rest.positions.begin(), rest.positions.end(), Vec3{0, 0, 0});
+  std::vector<double> distance;
+  for (const auto& p : rest.positions) distance.push_back(norm(p - middle));
+  for (int k = 0; k < 7; ++k) {
+    const auto v = std::uint32_t(std::ranges::max_element(distance) - distance.begin());
+    for (std::size_t i = 0; i < distance.size(); ++i) {
+      const double d = norm(rest.positions[i] - rest.positions[v]);
+      distance[i] = k == 0 ? d : std::min(distance[i], d);
+    }
+    pins.push_back(v);
+  }
+  Posing p(rest, {frame(1), frame(3), frame(5), frame(7), frame(9), frame(11)}, pins);
+  double far = 0, longer = 0;
+  for (const int i : {2, 6, 10}) {
+    const Points truth = frame(i);
+    p.posing->restart();
+    const Points posed = p.solved(truth, {}, 60);
+    double sum = 0;
+    for (std::size_t v = 0; v < posed.size(); ++v) sum += norm(posed[v] - truth[v]);
+    far += sum / double(posed.size()) / mesh::bounds(rest.positions).diagonal() / 3;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const auto& t : rest.triangles)
+      for (int k = 0; k < 3; ++k) edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+    std::vector<double> errors;
+    for (const auto& [a, b] : edges)
+      errors.push_back(std::abs(std::log(norm(posed[a] - posed[b]) / norm(truth[a] - truth[b]))));
+    std::ranges::sort(errors);
+    longer += errors[errors.size() * 95 / 100] / 3;
+  }
+  CHECK(far <= 0.0064);
+  CHECK(longer <= 0.074);
+}

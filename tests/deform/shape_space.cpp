@@ -1,0 +1,281 @@
+#include "deform/shape_space.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+
+#include "base/error.h"
+#include "deform/shapes.h"
+#include "mesh/formats/read.h"
+#include "support/data.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+using Points = std::vector<mesh::Point>;
+
+// A model and shapes between rest and others.
+struct Shapes {
+  mesh::Surface rest;
+  base::WorkerPool pool;
+  ShapeSpace space;
+
+  explicit Shapes(mesh::Surface surface, int threads = 1)
+      : rest(std::move(surface)), pool(threads), space(rest, pool) {}
+
+  Points mixed(std::span<const LogTerm> terms) {
+    Points positions(rest.positions.size());
+    LogSpace::Work work;
+    space.logs().shape(terms, space.logs().held_from(space.logs().at_rest(), terms), pool, work, positions);
+    return positions;
+  }
+  Points share(const Points& shape, double factor, ShapeReport* report = nullptr) {
+    const LogVector vector = space.vector(shape, pool, nullptr, report);
+    const LogTerm term{&vector, factor};
+    return mixed({&term, 1});
+  }
+  double error(const Points& a, const Points& b) const {
+    return largest_distance(a, b) / mesh::bounds(rest.positions).diagonal();
+  }
+};
+
+// Each part about its own place.
+Points centered(Points points, std::size_t part_size) {
+  for (std::size_t first = 0; first < points.size(); first += part_size) {
+    Vec3 mean{0, 0, 0};
+    for (std::size_t v = first; v < first + part_size; ++v) mean = mean + points[v];
+    for (std::size_t v = first; v < first + part_size; ++v)
+      points[v] = points[v] - (1.0 / static_cast<double>(part_size)) * mean;
+  }
+  return points;
+}
+
+Points joined(Points a, const Points& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+// The tube's rings turned about its axis, x, by an angle that grows along it.
+Points twisted(const mesh::Surface& tube, double degrees) {
+  const auto box = mesh::bounds(tube.positions);
+  int axis = 0;
+  for (int i = 1; i < 3; ++i)
+    if (box.high[i] - box.low[i] > box.high[axis] - box.low[axis]) axis = i;
+  Points points = tube.positions;
+  for (auto& p : points) {
+    const double t = (p[axis] - box.low[axis]) / (box.high[axis] - box.low[axis]);
+    const double c = std::cos(t * degrees * degree), s = std::sin(t * degrees * degree);
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double x = p[u], y = p[v];
+    p[u] = c * x - s * y, p[v] = s * x + c * y;
+  }
+  return points;
+}
+
+// Root mean square of the logs of edges against the geometric mean of both ends, and the share of 99 %.
+struct EdgeErrors {
+  double mean, most;
+};
+EdgeErrors edge_errors(const mesh::Surface& s, const Points& a, const Points& b, const Points& between) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const auto& t : s.triangles)
+    for (int k = 0; k < 3; ++k) edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+  std::vector<double> errors;
+  double sum = 0;
+  for (const auto& [i, j] : edges) {
+    const double expected = std::sqrt(norm(a[i] - a[j]) * norm(b[i] - b[j]));
+    errors.push_back(std::abs(std::log(norm(between[i] - between[j]) / expected)));
+    sum += errors.back() * errors.back();
+  }
+  std::ranges::sort(errors);
+  return {std::sqrt(sum / static_cast<double>(errors.size())), errors[errors.size() * 99 / 100]};
+}
+
+double volume(const mesh::Surface& s, const Points& p) {
+  double sum = 0;
+  for (const auto& [a, b, c] : s.triangles) sum += dot(p[a], cross(p[b], p[c])) / 6;
+  return std::abs(sum);
+}
+
+Points halfway(const Points& a, const Points& b) {
+  Points line;
+  for (std::size_t v = 0; v < a.size(); ++v) line.push_back(0.5 * (a[v] + b[v]));
+  return line;
+}
+
+}  // namespace
+
+TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part_for_itself") {
+  const mesh::Surface limb = tube(9, 7, 0.3, 2);
+  const std::size_t n = limb.positions.size();
+  mesh::Surface far = limb;
+  far.positions = mapped(limb.positions, Affine{.shift = {5, 0, 0}});
+  Shapes s(together(limb, far));
+  for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 2, -3}}) {
+    for (const double angle : {179.0, 90.0, -150.0}) {
+      const auto turned = [&](double share) {
+        return joined(limb.positions, mapped(far.positions, similarity(axis, share * angle * degree)));
+      };
+      const Points half = s.share(turned(1), 0.5);
+      CHECK(s.error(centered(half, n), centered(turned(0.5), n)) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("what_turns_as_a_whole_turns_about_its_axis_by_any_share") {
+  Shapes s(tube(9, 7, 0.3, 2));
+  const auto at = [&](double share) {
+    return mapped(s.rest.positions, similarity({1, 1, 0}, share * 100 * degree, std::pow(4, share)));
+  };
+  for (const double share : {0.25, 0.5, 1.0, 1.5, -0.5})
+    CHECK(s.error(s.share(at(1), share), at(share)) < 1e-12);
+}
+
+TEST_CASE("shapes_come_back_and_rest_is_rest") {
+  Shapes s(tube(9, 7, 0.3, 2));
+  for (const double degrees : {20.0, 285.0}) {
+    const Points shape = twisted(s.rest, degrees);
+    CHECK(s.error(s.share(shape, 1), shape) < 1e-12);
+    CHECK(s.error(s.share(shape, 0), s.rest.positions) == 0);
+  }
+}
+
+TEST_CASE("limbs_that_turn_by_more_than_half_a_turn_are_coherent") {
+  Shapes s(tube(60, 12, 0.3, 6));
+  for (const double degrees : {170.0, 285.0, 340.0}) {
+    ShapeReport report;
+    const Points shape = twisted(s.rest, degrees);
+    const Points half = s.share(shape, 0.5, &report);
+    CHECK(report.torn == 0);
+    CHECK(report.folded == 0);
+    CHECK(edge_errors(s.rest, s.rest.positions, shape, half).mean < 0.05);
+    CHECK(volume(s.rest, half) > 0.95 * volume(s.rest, shape));
+  }
+}
+
+TEST_CASE("a_triangle_that_was_turned_over_turns_no_others") {
+  Shapes s(tube(60, 12, 0.3, 6));
+  Points shape = twisted(s.rest, 285);
+  const Points sound = s.share(shape, 0.5);
+  // A vertex goes through its neighbours to the other side.
+  const auto& t = s.rest.triangles[s.rest.triangles.size() / 2];
+  const std::uint32_t moved = t[0];
+  shape[moved] = shape[t[1]] + shape[t[2]] - shape[moved];
+  ShapeReport report;
+  const Points half = s.share(shape, 0.5, &report);
+  CHECK(report.torn + report.folded > 0);
+  std::size_t far = 0;
+  for (std::size_t v = 0; v < half.size(); ++v)
+    far += norm(half[v] - sound[v]) > 0.1 * norm(s.rest.positions[t[1]] - s.rest.positions[t[2]]);
+  CHECK(far < 30);
+}
+
+TEST_CASE("flat_models_stay_flat_to_the_bit") {
+  mesh::Surface sheet;
+  const std::uint32_t n = 8;
+  for (std::uint32_t j = 0; j <= n; ++j)
+    for (std::uint32_t i = 0; i <= n; ++i) sheet.positions.push_back({double(i), double(j), 0.1});
+  std::vector<mesh::Triangle> triangles;
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = j * (n + 1) + i, b = a + n + 1;
+      triangles.insert(triangles.end(), {{a, a + 1, b}, {a + 1, b + 1, b}});
+    }
+  Shapes s(mesh::from_triangles(sheet.positions, triangles));
+  Points bent = s.rest.positions;
+  for (auto& p : bent) {
+    const double angle = 0.4 * p[0], r = 10 - p[1];
+    p = {r * std::sin(angle), 10 - r * std::cos(angle), p[2]};
+  }
+  for (const double share : {0.1, 0.5, 1.7, -1.0})
+    for (const auto& p : s.share(bent, share)) REQUIRE(p[2] == 0.1);
+}
+
+TEST_CASE("how_far_and_how_large_things_are_does_not_matter") {
+  const mesh::Surface limb = tube(30, 9, 0.3, 4);
+  Shapes here(limb);
+  const Points half = here.share(twisted(limb, 285), 0.5);
+  const auto same = [&](const Affine& map, double allowed) {
+    mesh::Surface moved = limb;
+    moved.positions = mapped(limb.positions, map);
+    Shapes there(moved);
+    return there.error(there.share(mapped(twisted(limb, 285), map), 0.5), mapped(half, map)) < allowed;
+  };
+  CHECK(same({{1e30, 0, 0, 0, 1e30, 0, 0, 0, 1e30}}, 1e-12));
+  CHECK(same({{1e-30, 0, 0, 0, 1e-30, 0, 0, 0, 1e-30}}, 1e-12));
+  CHECK(same({.shift = {1e5, -1e5, 1e5}}, 1e-8));
+}
+
+TEST_CASE("the_same_bits_on_any_number_of_threads") {
+  const mesh::Surface limb = tube(60, 12, 0.3, 6);
+  Points first;
+  for (const int threads : {1, 2, 3}) {
+    Shapes s(limb, threads);
+    Points shape = twisted(limb, 285);
+    shape[100] = shape[101];  // doubts
+    const Points half = s.share(shape, 0.4);
+    if (first.empty()) first = half;
+    CHECK(half == first);
+  }
+}
+
+TEST_CASE("branches_go_on_from_the_shape_before") {
+  Shapes s(tube(9, 7, 0.3, 2));
+  const auto turned = [&](double degrees) {
+    return mapped(s.rest.positions, similarity({0, 0, 1}, degrees * degree));
+  };
+  LogVector before = s.space.vector(turned(0), s.pool);
+  for (double degrees = 150; degrees <= 750; degrees += 150) {
+    const LogVector v = s.space.vector(turned(degrees), s.pool, &before);
+    const std::array terms{LogTerm{&before, 0.5}, LogTerm{&v, 0.5}};
+    CHECK(s.error(centered(s.mixed(terms), s.rest.positions.size()),
+                  centered(turned(degrees - 75), s.rest.positions.size())) < 1e-11);
+    before = v;
+  }
+}
+
+TEST_CASE("collapsed_shapes_and_loose_vertices_are_finite_and_come_back") {
+  mesh::Surface surface = tube(9, 7, 0.3, 2);
+  surface.positions.push_back({7, 7, 7});  // of no triangle
+  Shapes s(surface);
+  for (const Vec3& scale : {Vec3{1, 1, 0}, Vec3{-1, 1, 1}, Vec3{0, 0, 0}, Vec3{1, 1e-9, 1}}) {
+    const Points shape =
+        mapped(s.rest.positions, Affine{{scale[0], 0, 0, 0, scale[1], 0, 0, 0, scale[2]}, {0.5, 0, 0}});
+    CHECK(s.error(s.share(shape, 1), shape) < 1e-12);
+    for (const double share : {0.5, 1.5, -0.5}) CHECK(all_finite(s.share(shape, share)));
+  }
+}
+
+TEST_CASE("shapes_of_other_models_are_refused") {
+  Shapes s(box());
+  CHECK_THROWS_WITH_AS(s.space.vector(Points(7), s.pool), doctest::Contains("7 vertices"), base::Error);
+  Points shape = s.rest.positions;
+  shape[3][1] = std::nan("");
+  CHECK_THROWS_WITH_AS(s.space.vector(shape, s.pool), doctest::Contains("vertex 3"), base::Error);
+  mesh::Surface needle;
+  needle.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  CHECK_THROWS_AS(Shapes(mesh::from_triangles(needle.positions, {{0, 1, 2}})), base::Error);
+}
+
+// The bars of the published meshes: edges keep their lengths where straight lines collapse limbs.
+TEST_CASE("halfway_to_the_lions_poses_edges_and_volume_stay" * doctest::test_suite(if_present)) {
+  const auto folder = shared_data("shapes/lion");
+  if (folder.empty()) return;
+  Shapes s(mesh::read(folder / "rest.obj").surface);
+  std::vector<double> logs, lines;
+  for (int i = 1; i <= 9; ++i) {
+    const Points shape = mesh::read(folder / ("pose_0" + std::to_string(i) + ".obj")).surface.positions;
+    const Points half = s.share(shape, 0.5);
+    const EdgeErrors e = edge_errors(s.rest, s.rest.positions, shape, half);
+    CHECK(e.mean <= 0.05);
+    CHECK(e.most <= 0.2);
+    CHECK(volume(s.rest, half) >= 0.99 * std::min(volume(s.rest, shape), volume(s.rest, s.rest.positions)));
+    logs.push_back(e.mean);
+    lines.push_back(edge_errors(s.rest, s.rest.positions, shape, halfway(s.rest.positions, shape)).mean);
+  }
+  std::ranges::sort(logs), std::ranges::sort(lines);
+  CHECK(logs[4] <= lines[4] / 6);
+}
