@@ -1,6 +1,5 @@
 // viete animate SESSION -o PATTERN --frames A-B: the deformed model at the frames of a timeline, as files.
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,7 +14,6 @@
 #include "app/terminal_progress.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "base/printable.h"
 #include "base/quantity.h"
 #include "mesh/formats/source.h"
 #include "scene/files/animation_export.h"
@@ -120,12 +118,6 @@ scene::AnimationExport export_of(const AnimateOptions& options, const scene::Ope
   return what;
 }
 
-void say(const std::filesystem::path& file, const scene::AnimationReport& report) {
-  std::string text = report.summary;
-  if (report.there > 0) text += "; " + base::with_thousands(report.there) + " of them were there already";
-  std::printf("%s: %s\n", base::printable(file.string()).c_str(), text.c_str());
-}
-
 int write_models(const AnimateOptions& options) {
   const scene::Opened opened = opened_for(options, scene::check_deformable);
   print_notes(opened.warnings);
@@ -136,7 +128,7 @@ int write_models(const AnimateOptions& options) {
     return scene::write_animation(what, &work.progress());
   }();
   print_notes(report.notes);
-  say(options.output, report);
+  print_summary(options.output, report);
   return exit_ok;
 }
 
@@ -166,7 +158,8 @@ int write_pictures(const AnimateOptions& options) {
   const PicturesReport report = write_pictures(*offscreen, run, work->progress());
   work.reset();  // its line gives way to what is said
   print_messages(offscreen->viewer().workspace());
-  say(options.output, {run.frames.size(), report.there, base::counted(run.frames.size(), "picture"), {}});
+  print_summary(options.output,
+                {run.frames.size(), report.there, base::counted(run.frames.size(), "picture"), {}});
   return exit_ok;
 }
 

@@ -7,7 +7,9 @@
 #include "app/words.h"
 #include "base/error.h"
 #include "base/printable.h"
+#include "base/quantity.h"
 #include "mesh/formats/format_table.h"
+#include "scene/files/animation_export.h"
 
 namespace viete::app {
 
@@ -115,6 +117,14 @@ FilesInUse files_read(const Inputs& inputs) {
 
 void print_notes(const std::vector<std::string>& notes) {
   for (const auto& note : notes) std::fprintf(stderr, "viete: note: %s\n", base::printable(note).c_str());
+}
+
+void print_summary(const fs::path& file, const scene::AnimationReport& report) {
+  std::string text = report.summary;
+  if (report.there > 0)
+    text += "; " + base::with_thousands(report.there) + " of them " + (report.there == 1 ? "was" : "were") +
+            " there already";
+  std::printf("%s: %s\n", base::printable(file.string()).c_str(), text.c_str());
 }
 
 }  // namespace viete::app

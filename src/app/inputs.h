@@ -11,6 +11,9 @@
 namespace CLI {
 class App;
 }
+namespace viete::scene {
+struct AnimationReport;
+}
 
 namespace viete::app {
 
@@ -56,5 +59,7 @@ FilesInUse files_read(const Inputs& inputs);
 
 /// On stderr, a line each.
 void print_notes(const std::vector<std::string>& notes);
+/// Of frames that were written, on stdout: a line.
+void print_summary(const std::filesystem::path& file, const scene::AnimationReport& report);
 
 }  // namespace viete::app

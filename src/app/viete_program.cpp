@@ -66,6 +66,9 @@ void add_commands(CLI::App& app, Action& action) {
   add_render_command(app, action);
   add_deform_command(app, action);
   add_animate_command(app, action);
+  add_between_command(app, action);
+  add_mix_command(app, action);
+  add_pose_command(app, action);
   add_cage_command(app, action);
   add_bind_command(app, action);
   add_info_command(app, action);

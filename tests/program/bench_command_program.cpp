@@ -1,5 +1,6 @@
 // viete bench: small runs of every benchmark, their files and tables.
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
@@ -136,6 +137,38 @@ TEST_CASE("what_log_space_keeps_between_keys_is_measured_beside_straight_lines")
   const auto nothing = run("bench time " + quoted(scratch / "rest.viete"));
   CHECK(nothing.code == 1);
   CHECK(mentions(nothing, "nothing plays in it"));
+}
+
+TEST_CASE("shapes_are_measured_beside_straight_lines_and_plain_loops") {
+  const TemporaryFolder scratch;
+  const fs::path json = scratch / "shapes.json", rest = scratch / "rest.obj", tall = scratch / "tall.obj",
+                 wide = scratch / "wide.obj";
+  auto ball = test::sphere(3);
+  mesh::write(rest, ball);
+  for (auto& p : ball.positions) p[2] *= 2;
+  mesh::write(tall, ball);
+  for (auto& p : ball.positions) p[0] *= 3;
+  mesh::write(wide, ball);
+  const std::string files = quoted(rest) + " " + quoted(tall) + " " + quoted(wide);
+  const auto outcome = run("bench shapes --rounds 1 " + files + " --json " + quoted(json));
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+  for (const char* part :
+       {"258 vertices, 2 shapes", "plain", "frame by links", "step, 2 examples, 8 vertices"})
+    CHECK_MESSAGE(mentions(outcome, part), outcome.text);
+  std::istringstream lines(outcome.text);
+  for (std::string line; std::getline(lines, line);) CHECK_MESSAGE(line.size() <= 125, line);
+  std::ifstream in(json);
+  const auto measured = nlohmann::json::parse(in);
+  REQUIRE(measured["halfway"].size() == 2);
+  CHECK(double(measured["halfway"][0]["log_space"]["volume"]) == doctest::Approx(std::sqrt(2)).epsilon(0.05));
+  CHECK(double(measured["difference"]["frame"]) < 1e-9);
+  CHECK(measured["bars"].size() == 8);
+  CHECK(run("bench shapes " + quoted(rest)).code == 2);  // without shapes
+  const auto replaced = run("bench shapes " + files + " --json " + quoted(tall));
+  CHECK(mentions(replaced, "one of those that are read (a shape)"));
+  const auto nothing = run("bench shapes --rounds 1 " + files + " --published " + quoted(scratch / "none"));
+  CHECK(nothing.code == 1);
+  CHECK(mentions(nothing, "rest.obj"));
 }
 
 TEST_CASE("what_is_missing_or_does_not_fit_is_said_before_modes_are_compared") {

@@ -11,7 +11,8 @@ using namespace viete::test;
 
 namespace {
 
-const std::vector<std::string> commands = {"view", "render", "deform", "bind", "cage", "info", "bench"},
+const std::vector<std::string> commands = {"view", "render", "deform", "between", "mix",
+                                           "pose", "bind",   "cage",   "info",    "bench"},
                                benches = {"exp",  "eigen", "accuracy", "sym3", "frame",
                                           "bind", "files", "cage",     "modes"};
 
@@ -69,7 +70,8 @@ TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_
       {"render a b -q -o x.png", "no option -q\n"},
       {"render a b c d -o x.png", "more than viete render takes: c d\n"},
       {"bench",
-       "viete bench needs one of exp, eigen, accuracy, sym3, frame, bind, files, cage, modes, stitched or time\n"
+       "viete bench needs one of exp, eigen, accuracy, sym3, frame, bind, files, cage, modes, stitched or "
+       "time\n"
        "Run viete bench --help"},
       {"bench nothing", "viete bench has no command nothing\n"},
       {"bench exponential", "no command exponential; did you mean exp?"},

@@ -153,6 +153,97 @@ TEST_CASE("any_order_of_seeking_gives_the_same_bits") {
   }
 }
 
+namespace {
+
+// A cube that is its own shapes, and no cage.
+struct Shaped {
+  std::shared_ptr<const mesh::Surface> model = std::make_shared<const mesh::Surface>(test::cube(1));
+  KnownVectors vectors;
+
+  Animation animation(const Timeline& timeline) {
+    vectors.follow_model(model);
+    return {timeline, vectors};
+  }
+  SharedShape shape(double degrees, double pull = 0) const {
+    auto points = model->positions;
+    points[7][2] += pull;
+    return std::make_shared<const std::vector<mesh::Point>>(test::turned(points, degrees));
+  }
+  static PoseKey key(int frame, SharedShape shape, Easing easing = Easing::linear) {
+    return {frame, std::make_shared<const WholePose>(WholePose{{}, {}, std::move(shape)}), easing};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("keys_with_and_without_shapes_lead_by_logs_from_one_to_the_next") {
+  Shaped m;
+  Timeline t;
+  const SharedShape turned = m.shape(170), pulled = m.shape(70, 0.5);
+  t.keys = {Shaped::key(1, nullptr), Shaped::key(11, turned), Shaped::key(21, pulled),
+            Shaped::key(31, nullptr)};
+  const Animation a = m.animation(t);
+  CHECK(a.notes().empty());
+  for (const PoseKey& key : t.keys) CHECK(a.at(key.frame) == *key.pose);
+  CHECK(a.at(21).shape == pulled);
+  CHECK(distance(*a.at(6).shape, *m.shape(85)) < 1e-12);
+  CHECK(a.at(-3).shape == nullptr);
+  CHECK(a.at(99).shape == nullptr);
+  const auto straight = a.at(6, true).shape;
+  for (std::size_t v = 0; v < straight->size(); ++v)
+    CHECK(mesh::norm((*straight)[v] - 0.5 * (m.model->positions[v] + (*turned)[v])) < 1e-15);
+  // Any order, and taken anew, gives the same bits.
+  std::vector<WholePose> in_order;
+  for (int frame = 1; frame <= 31; ++frame) in_order.push_back(a.at(frame));
+  Shaped other;
+  const Animation b = other.animation(t);
+  for (int frame = 31; frame >= 1; --frame) CHECK(b.at(frame) == in_order[std::size_t(frame - 1)]);
+}
+
+TEST_CASE("shapes_go_on_turning_from_key_to_key_and_back_to_rest_after_a_whole_turn") {
+  Shaped m;
+  Timeline t;
+  for (int i = 0; i <= 6; ++i)
+    t.keys.push_back(Shaped::key(1 + 10 * i, i % 3 ? m.shape(120 * i) : SharedShape()));
+  const Animation a = m.animation(t);
+  for (double degrees = 0; degrees <= 720; degrees += 30)
+    if (const SharedShape shape = a.at(1 + degrees / 12).shape)
+      CHECK(distance(*shape, *m.shape(degrees)) < 1e-12);
+}
+
+TEST_CASE("a_loop_of_shapes_flows_through_where_it_ends_as_it_begins") {
+  Shaped m;
+  Timeline t;
+  t.repeat = Repeat::loop;
+  const auto speed_at_start = [&](const SharedShape& last) {
+    t.keys = {Shaped::key(1, nullptr, Easing::smooth), Shaped::key(11, m.shape(40), Easing::smooth),
+              Shaped::key(21, m.shape(-40), Easing::smooth), Shaped::key(31, last)};
+    return distance(*m.animation(t).at(1.01).shape, m.model->positions);
+  };
+  CHECK(speed_at_start(nullptr) > 10 * speed_at_start(m.shape(20)));
+}
+
+TEST_CASE("shapes_move_beside_the_cage_and_are_taken_once") {
+  Keyed k;
+  Shaped m;
+  Timeline t = two_keys(turned_cube(0), turned_cube(180));
+  WholePose last = *t.keys[1].pose;
+  last.shape = m.shape(60);
+  t.keys[1].pose = std::make_shared<const WholePose>(last);
+  k.vectors.follow_model(m.model);
+  const Animation a = k.animation(t);
+  CHECK(distance(a.at(6).cage.positions, turned_cube(90).positions) < 1e-12);
+  CHECK(distance(*a.at(6).shape, *m.shape(30)) < 1e-12);
+  base::WorkerPool pool;
+  deform::ShapeReport report;
+  const auto known = k.vectors.of(last.shape, nullptr, pool, report);
+  CHECK(k.vectors.of(last.shape, nullptr, pool, report) == known);
+  k.vectors.follow_model(std::make_shared<const mesh::Surface>(test::cube(1)));
+  CHECK(k.vectors.of(last.shape, nullptr, pool, report) != known);
+  const auto wrong = std::make_shared<const std::vector<mesh::Point>>(5);
+  CHECK_THROWS(k.vectors.of(wrong, nullptr, pool, report));
+}
+
 TEST_CASE("a_straight_timeline_goes_straight_and_keeps_its_keys") {
   Keyed k;
   Timeline t = two_keys(turned_cube(0), turned_cube(180));

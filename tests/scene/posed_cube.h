@@ -10,12 +10,16 @@
 
 namespace viete::test {
 
+/// About z.
+inline std::vector<mesh::Point> turned(std::vector<mesh::Point> positions, double degrees) {
+  const double angle = degrees / 180 * std::numbers::pi, c = std::cos(angle), s = std::sin(angle);
+  for (auto& p : positions) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+  return positions;
+}
+
 /// All of the cage turned about z, whole turns included.
 inline deform::Pose turned_cube(double degrees) {
-  deform::Pose pose{cube(1.5).positions, {{0, 0, degrees / 180 * std::numbers::pi}}};
-  const double c = std::cos(pose.turns[0][2]), s = std::sin(pose.turns[0][2]);
-  for (auto& p : pose.positions) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
-  return pose;
+  return {turned(cube(1.5).positions, degrees), {{0, 0, degrees / 180 * std::numbers::pi}}};
 }
 
 /// Wider along x, and longer along z.

@@ -1,20 +1,23 @@
 # viete(1) in bash, on the functions of bash-completion. tests/consumer/completion.sh compares it with the program's own --help.
 
 _viete_meshes='@(obj|ply|off|stl|glb|gltf)'
+_viete_caches='@(obj|ply|off|stl|glb|gltf|pc2|mdd)'
 
 # Completes the value of option $prev of command $1; fails where that takes none.
 _viete_value() {
   local words=
   case $prev in
-    --pose | --cage) _filedir "$_viete_meshes" ;;
+    --pose | --cage | --rest | --examples) _filedir "$_viete_meshes" ;;
     --binding | --keys) _filedir ;;
+    --published) _filedir -d ;;
     --json) _filedir json ;;
     --plot) _filedir svg ;;
     -o | --output)
       case $1 in
         render) _filedir png ;;
         animate) _filedir '@(pc2|mdd|glb|gltf|obj|ply|off|stl|png|mp4|webm|mkv|gif)' ;;
-        deform | cage) _filedir "$_viete_meshes" ;;
+        between) _filedir "$_viete_caches" ;;
+        deform | mix | pose | cage) _filedir "$_viete_meshes" ;;
         *) _filedir ;;
       esac
       ;;
@@ -35,7 +38,8 @@ _viete_value() {
     --triangles) words='60 200 600' ;;
     --margin | --gap) words='0.15 0.5 2' ;;
     --cells) words='1x1x1 2x2x2 3x3x3' ;;
-    --scale | --frames | --step | --rate | --iterations | --pins | --hold | --tolerance | --largest | --count | --faces | --rounds) ;;
+    --shape) _filedir "$_viete_caches" ;;
+    --scale | --frames | --at | --step | --rate | --iterations | --pins | --hold | --tolerance | --largest | --count | --faces | --rounds) ;;
     *) return 1 ;;
   esac
   [[ -z $words ]] || COMPREPLY=($(compgen -W "$words" -- "$cur"))
@@ -57,6 +61,9 @@ _viete_options() {
       options+=' --output --force --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
         --size --scale --binding --look --shading --panels --light --wireframe --error-map --no-cage --no-grid'
       ;;
+    between) options+=' --output --frames --at --rest --loop --linear --straight --rate --digits --force' ;;
+    mix) options+=' --output --shape --straight --digits --force' ;;
+    pose) options+=' --output --examples --pin --pull --firmness --freedom --restraint --digits --force' ;;
     bind) options+=' --output --force --way --elements --weights --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
     cage) options+=' --output --force --kind --triangles --margin --gap --symmetry --quads --cells --own-axes' ;;
     info) options+=' --cage' ;;
@@ -70,6 +77,7 @@ _viete_options() {
     'bench cage') options+=' --force --json' ;;
     'bench files') options+=' --force --rounds --json' ;;
     'bench stitched' | 'bench time') options+=' --force --rounds --json' ;;
+    'bench shapes') options+=' --force --rounds --published --json' ;;
   esac
   COMPREPLY=($(compgen -W "$options" -- "$cur"))
 }
@@ -78,7 +86,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform animate bind cage info bench help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time'
+  local commands='view render deform animate between mix pose bind cage info bench help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time shapes'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -88,10 +96,11 @@ _viete() {
   case $cur:$command in
     -*) _viete_options "$command" ;;
     *:bench) COMPREPLY=($(compgen -W "$benches" -- "$cur")) ;;
-    *:bench\ frame | *:bench\ bind | *:bench\ files | *:bench\ cage | *:bench\ modes | *:bench\ stitched) _filedir "$_viete_meshes" ;;
+    *:bench\ frame | *:bench\ bind | *:bench\ files | *:bench\ cage | *:bench\ modes | *:bench\ stitched | *:bench\ shapes) _filedir "$_viete_meshes" ;;
     *:bench\ time) _filedir viete ;;
     *:bench\ *) ;;
-    *:info | *:cage) _filedir "$_viete_meshes" ;;
+    *:between) _filedir "$_viete_caches" ;;
+    *:info | *:cage | *:mix | *:pose) _filedir "$_viete_meshes" ;;
     *)
       _filedir '@(obj|ply|off|stl|glb|gltf|viete)'
       [[ $cword -gt 1 ]] || COMPREPLY+=($(compgen -W "$commands" -- "$cur"))

@@ -3,6 +3,7 @@
 
 local any="_files -g '*.(#i)(obj|ply|off|stl|glb|gltf|viete)(-.)'" mesh="_files -g '*.(#i)(obj|ply|off|stl|glb|gltf)(-.)'"
 local -a help=('(-h --help)'{-h,--help}'[what it can do]')
+local cache="_files -g '*.(#i)(obj|ply|off|stl|glb|gltf|pc2|mdd)(-.)'"
 local -a files=("1:model or session:$any" "2:cage:$mesh")
 local -a meshes=("1:model:$mesh" "2:cage:$mesh")
 local -a force=('--force[replace other files too]')
@@ -29,6 +30,7 @@ local -a picture=($binding $scale
   '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
   '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
 local -a digits=('--digits=[decimals of what moved in text files]:decimals:(all 4 6 9)')
+local -a straight=('--straight[straight lines from key to key, or shape to shape]') rate=('--rate=[frames a second]:rate:')
 local -a count=('--count=[matrices or vertices]:count:')
 local -a faces=('--faces=[triangles of the cage]:triangles:') rounds=('--rounds=[repetitions]:rounds:')
 local -a json=($force "--json=[also write the numbers]:file:_files -g '*.json'")
@@ -45,11 +47,22 @@ case $command in
   deform) specs+=($files $output $digits $pose $method $weighting $blend $way $reach $limits $amounts $stitched) ;;
   animate)
     specs+=($files $output $method $weighting $blend $way $reach $limits $amounts $stitched $picture $digits
-      '--keys=[keys of other files]:file:_files' '--frames=[first-last]:frames:' '--step=[every so many frames]:frames:'
-      '--rate=[frames a second]:rate:' '--tolerance=[of morph targets]:tolerance:'
+      '--keys=[keys of other files]:file:_files' '--frames=[first-last]:frames:' '--step=[every so many frames]:frames:' $rate $straight
+      '--tolerance=[of morph targets]:tolerance:'
       '--no-normals[morph targets of positions alone]' '--largest=[megabytes of morph targets]:megabytes:'
-      '--straight[straight lines from key to key]' '--turntable[pictures go once round the model]')
+      '--turntable[pictures go once round the model]')
     ;;
+  between)
+    specs+=("*:shape:$cache" $output $digits $straight $rate "--rest=[the model at rest]:model:$mesh" '--frames=[how many]:frames:'
+      '--at=[one moment: 1 is the second shape]:moment:(0.5 1 1.5)' '--loop[the last shape goes on to the first one]'
+      '--linear[straight from shape to shape in log space]')
+    ;;
+  mix) specs+=("1:model at rest:$mesh" $output $digits $straight "*--shape=[a shape and how much of it, FILE=WEIGHT]:shape:$cache") ;;
+  pose)
+    specs+=("1:model at rest:$mesh" $output $digits "*--examples=[shapes of the model whose ways it has]:shape:$cache"
+      '*--pin=[a vertex and where it is held, VERTEX=x,y,z]:pin: ' '*--pull=[a vertex and where it is pulled, VERTEX=x,y,z]:pin: '
+      '--firmness=[how much vertices are pulled]:number: ' '--freedom=[how freely it turns off the blend of examples]:number:(0 0.3 1)'
+      '--restraint=[how near to 0 weights of examples stay]:number: ') ;;
   bind) specs+=($files $output $weighting $way $reach $limits $tolerance) ;;
   cage) specs+=("1:mesh:$mesh" $output '--kind=[what cage]:kind:(automatic box hull)'
       '--triangles=[size of the cage]:triangles:(60 200 600)' '--margin=[distance to the mesh, percent]:percent:(0.15 0.5 2)'
@@ -68,7 +81,8 @@ case $command in
   'bench files') specs+=("1:mesh:$mesh" $json $rounds) ;;
   'bench stitched') specs+=($meshes "*:pose:$mesh" $json $rounds) ;;
   'bench time') specs+=("1:session:_files -g '*.(#i)viete(-.)'" $json $rounds) ;;
-  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files cage modes stitched time)') ;;
+  'bench shapes') specs+=("*:mesh:$mesh" $json $rounds '--published=[folder with lion and horse, whose bars are checked]:folder:_files -/') ;;
+  'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files cage modes stitched time shapes)') ;;
   *) # view, which may be left out
     specs+=($files $pose $method $weighting $blend $way $reach $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
@@ -77,7 +91,7 @@ esac
 
 if ((CURRENT == 2)) && [[ $PREFIX != -* ]]; then
   local -a commands=('view:open the viewer' 'render:render a picture' 'deform:deform a mesh by a posed cage'
-    'animate:write the frames of a timeline'
+    'animate:write the frames of a timeline' 'between:what lies between shapes of a model' 'mix:mix shapes of a model' 'pose:pose a model by its vertices and by examples'
     'bind:bind a model to its cage' 'cage:make a cage around a mesh' 'info:what mesh files hold' 'bench:measure speed and accuracy'
     'help:what a command can do')
   _describe command commands
@@ -87,8 +101,8 @@ fi
 
 # The words of the command are no files.
 local -i skip=0
-[[ $command == (view|render|deform|animate|bind|cage|info|bench\ *) ]] && skip=1
-[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched|time) ]] && ((CURRENT > 3)) && skip=2
+[[ $command == (view|render|deform|animate|between|mix|pose|bind|cage|info|bench\ *) ]] && skip=1
+[[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched|time|shapes) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))
 _arguments -s $specs

@@ -17,6 +17,7 @@ AnimatedModel::AnimatedModel(const Export& model, const Timeline& timeline, Prec
                              std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress)
     : model_(model), pool_(pool) {
   vectors_.follow(has_cage() ? model.cage : nullptr);
+  vectors_.follow_model(model.model);
   animation_.emplace(timeline, vectors_);
   if (wish == Precision::fast && fuses() && has_memory_to_fuse()) make_fast(most, tried, progress);
 }
@@ -71,6 +72,10 @@ deform::Probes AnimatedModel::probes(const WholePose& pose) const {
 }
 
 deform::ExactModel AnimatedModel::exact(const WholePose& pose, base::Progress* progress) {
+  if (pose.shape && !has_cage()) {
+    notes_ = animation_->notes();
+    return {*pose.shape, {}, {}, 0};
+  }
   using deform::ExactDeformer;
   if (!exact_)
     exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.scheme, model_.method, pool_,

@@ -78,6 +78,8 @@ std::uint64_t cache_key(const AnimationExport& what, const AnimatedModel& model)
   base::Checksum sum;
   const std::uint64_t content = content_key(what.model);
   sum.add(&content, sizeof content);
+  for (const PoseKey& key : what.timeline.keys)
+    if (key.pose->shape) sum.add(key.pose->shape->data(), key.pose->shape->size() * sizeof(mesh::Point));
   const std::string text = timeline_json(what.timeline, 0).dump() + std::to_string(what.first) + ' ' +
                            std::to_string(what.last) + ' ' + std::to_string(what.step) + ' ' +
                            std::to_string(static_cast<int>(model.precision())) +
@@ -274,31 +276,40 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
 }
 
 // Each frame's key is of its pose, so that another key elsewhere in time makes only those anew that it moves.
-std::vector<Planned> planned_frames(const AnimationExport& what, const AnimatedModel& model) {
+std::vector<Planned> planned_frames(const AnimationExport& what, const AnimatedModel& model,
+                                    base::Progress* progress) {
   const std::uint64_t content = content_key(what.model);
   std::vector<Planned> planned;
-  for (const int frame : what.frames()) planned.push_back({frame, pose_key(content, model.pose(frame))});
+  for (const int frame : what.frames()) {
+    planned.push_back({frame, pose_key(content, model.pose(frame))});
+    if (progress) progress->report(static_cast<double>(frame - what.first) / (what.last - what.first + 1));
+  }
   return planned;
 }
 
 AnimationReport write_frames(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
   const base::NumberedName name(what.model.file);
   base::MadeFiles made(name);
+  constexpr double planning = 0.1;  // share of the work: of shapes, which are solved for, about that
   AnimatedModel model(what.model, what.timeline, AnimatedModel::Precision::exact, 0, {}, pool);
-  const std::vector<Planned> all = planned_frames(what, model);
+  if (progress) progress->section(0, planning);
+  const std::vector<Planned> all = planned_frames(what, model, progress);
   const std::vector<Planned> missing = files_to_make(made, name, all, what.replaces_foreign);
   FrameNotes notes;
   const auto count = static_cast<double>(missing.size());
   for (std::size_t i = 0; i < missing.size(); ++i) {
-    const auto frame = static_cast<double>(missing[i].number), at = static_cast<double>(i);
+    const auto frame = static_cast<double>(missing[i].number);
+    const auto share = [&](double frames) { return planning + (1 - planning) * frames / count; };
+    const auto at = static_cast<double>(i);
     Export one = what.model;
     one.file = name.file(missing[i].number);
     const WholePose pose = model.pose(frame);
     one.pose = pose.cage;
     one.probes = model.probes(pose);
-    if (progress) progress->section(at / count, (at + 0.5) / count);
+    one.shape = pose.shape;
+    if (progress) progress->section(share(at), share(at + 0.5));
     deform::ExactModel deformed = model.exact(pose, progress);
-    if (progress) progress->section((at + 0.5) / count, (at + 1) / count);
+    if (progress) progress->section(share(at + 0.5), share(at + 1));
     std::vector<fs::path> leads_to;
     notes.add(write_exact(one, std::move(deformed), progress, &leads_to));
     made.add(missing[i], leads_to);
@@ -385,7 +396,7 @@ std::vector<Planned> files_to_make(base::MadeFiles& made, const base::NumberedNa
         "this file was made or changed otherwise, and would be replaced" +
             (foreign.size() > 1 ? ", as " + base::with_thousands(foreign.size() - 1) + " more would"
                                 : std::string()),
-        "choose another name, move them away, or use viete animate --force");
+        "choose another name, move them away, or use --force");
   made.begin(missing);
   return missing;
 }
@@ -397,6 +408,7 @@ std::uint64_t pose_key(std::uint64_t before, const WholePose& pose) {
   add(pose.cage.positions);
   add(pose.cage.turns);
   add(pose.probes);
+  if (pose.shape) add(*pose.shape);
   return sum.value();
 }
 

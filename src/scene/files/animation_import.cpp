@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/error.h"
@@ -16,9 +15,9 @@
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/source.h"
-#include "mesh/point_tree.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
+#include "scene/files/morph_import.h"
 
 namespace viete::scene {
 
@@ -30,81 +29,12 @@ SharedPose shared(deform::Pose pose) {
   return std::make_shared<const WholePose>(WholePose{std::move(pose), {}});
 }
 
-// Of positions that a graphics card, and the engines, can hold: those of any surface that is opened.
-void check_places(const std::string& place, std::span<const mesh::Point> positions) {
-  constexpr double largest = 1e32;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (mesh::largest_abs(positions[v]) <= largest) continue;
-    throw base::Error(place, "vertex " + std::to_string(v) + " is farther away than can be drawn",
-                      "export it again, in another unit");
-  }
-}
-
-void check_points(const std::string& place, std::size_t found, const deform::Cage& cage) {
-  const std::size_t wanted = cage.surface.positions.size();
-  if (found == wanted) return;
-  throw base::Error(place,
-                    "it moves " + base::counted(found, "point") + ", and the cage has " +
-                        base::with_thousands(wanted) + " vertices",
-                    "choose one that was made of this cage, not of the model");
-}
-
-// Morph targets of a file as positions of the cage.
-struct CageClip {
-  std::shared_ptr<const mesh::MorphClip> clip;  ///< null: none
-  std::vector<std::uint32_t> order;             ///< of each vertex of the cage: the file's vertex
-
-  std::vector<mesh::Point> of_cage(const std::vector<mesh::Point>& of_file) const {
-    std::vector<mesh::Point> positions;
-    for (const auto v : order) positions.push_back(of_file[v]);
-    return positions;
-  }
-  std::vector<mesh::Point> at_key(std::size_t key) const { return of_cage(clip->at_key(key)); }
-  std::vector<mesh::Point> at_target(std::size_t target) const { return of_cage(clip->at_target(target)); }
-};
-
-// glTF keeps no order of the vertices: they are told by where they are at rest, in floats. Each has one
-// partner.
-std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
-                                          const deform::Cage& cage) {
-  std::vector<std::uint32_t> all(found.positions.size());
-  std::iota(all.begin(), all.end(), 0U);
-  if (mesh::same_faces(found, cage.surface)) return all;
-  const mesh::PointTree tree(found.positions, all);
-  std::vector<bool> taken(all.size());
-  const double near = 1e-6 * cage.diagonal;
-  std::vector<std::uint32_t> order;
-  for (const mesh::Point& p : cage.surface.positions) {
-    const std::uint32_t v = tree.nearest(p);
-    if (taken[v] || mesh::norm(found.positions[v] - p) > near)
-      throw base::Error(file,
-                        "at rest it is not the cage: no vertex of its own is at that of vertex " +
-                            std::to_string(order.size()),
-                        "export the cage itself, as it is at rest, in the same axes and unit");
-    taken[v] = true;
-    order.push_back(v);
-  }
-  return order;
-}
-
-CageClip clip_of(const fs::path& file, const deform::Cage& cage, std::vector<std::string>& warnings) {
-  constexpr bool played = true;
-  const mesh::ReadResult read = mesh::read(file, nullptr, played);
-  warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
-  CageClip found{read.original ? read.original->morphs() : nullptr, {}};
-  if (!found.clip) return found;
-  check_points(file.string(), read.surface.positions.size(), cage);
-  found.order = order_by_place(file.string(), read.surface, cage);
-  warnings.insert(warnings.end(), found.clip->notes().begin(), found.clip->notes().end());
-  return found;
-}
-
 void report_part(base::Progress* progress, std::size_t done, std::size_t of) {
   if (progress)
     progress->report(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(of, 1)));
 }
 
-void add_targets(const fs::path& file, const CageClip& found, ImportedPoses& all) {
+void add_targets(const fs::path& file, const MorphPositions& found, ImportedPoses& all) {
   const mesh::MorphClip& clip = *found.clip;
   for (std::size_t i = 0; i < clip.targets().size(); ++i) {
     auto positions = found.at_target(i);
@@ -116,7 +46,7 @@ void add_targets(const fs::path& file, const CageClip& found, ImportedPoses& all
 void add_poses_of(const fs::path& file, const deform::Cage& cage, ImportedPoses& all) {
   all.files.push_back(file);
   if (mesh::is_a(mesh::holds_morphs, file)) {
-    const CageClip found = clip_of(file, cage, all.warnings);
+    const MorphPositions found = morphs_of(file, {cage.surface, "the cage"}, all.warnings);
     if (found.clip) return add_targets(file, found, all);
   }
   deform::Pose pose = deform::read_pose(file, cage, all.warnings);
@@ -270,7 +200,7 @@ ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const
                            base::Progress* progress) {
   const mesh::PointCache cache(file);
   const mesh::PointCacheHead& head = cache.head();
-  check_points(file.string(), head.points, cage);
+  check_points(file.string(), head.points, {cage.surface, "the cage"});
   check_key_count(file.string(), head.frames);
   base::require_memory({24.0 * static_cast<double>(head.frames) * static_cast<double>(head.points),
                         base::counted(head.frames, "key") + " of the cage take", "export fewer frames",
@@ -289,7 +219,7 @@ ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const
 ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,
                           base::Progress* progress) {
   std::vector<std::string> warnings;
-  const CageClip found = clip_of(file, cage, warnings);
+  const MorphPositions found = morphs_of(file, {cage.surface, "the cage"}, warnings);
   const auto& clip = found.clip;
   if (!clip || clip->seconds().empty())
     throw base::Error(file.string(), clip ? "its morph targets are not animated" : "it has no morph targets",

@@ -35,6 +35,7 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
              document.method,
              document.mask,
              document.probes,
+             nullptr,
              document.model.path,
              document.model.unit,
              guessed_up(document.model),
@@ -52,7 +53,7 @@ namespace {
 bool is_at_rest(const Export& what) {
   const auto has_done_nothing = [](const deform::Probe& p) { return p.pose == deform::ProbePose{}; };
   const deform::Pose rest = deform::rest_pose(*what.cage);
-  return what.pose.positions == rest.positions && what.pose.turns == rest.turns &&
+  return !what.shape && what.pose.positions == rest.positions && what.pose.turns == rest.turns &&
          std::ranges::all_of(what.probes.all, has_done_nothing);
 }
 
@@ -91,7 +92,7 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
                                      base::Progress* progress, std::vector<std::filesystem::path>* leads_to) {
   if (is_at_rest(what)) {
     deformed.positions = what.model->positions;
-  } else {
+  } else if (!what.shape) {
     keep_at_rest(*what.model, *what.cage, deformed.positions);
   }
   const mesh::Content content{*what.model, deformed.positions, {}, what.attributes.get()};

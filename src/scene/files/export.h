@@ -28,6 +28,7 @@ struct Export {
   sym3::Method method;
   deform::Mask mask;
   deform::Probes probes;
+  SharedShape shape;                      ///< of the model; null: at rest
   std::filesystem::path model_file;       ///< that the original is of; empty: none
   LengthUnit unit = LengthUnit::unknown;  ///< of the model
   UpAxis up = UpAxis::y;                  ///< which of its axes is taken as up

@@ -1,0 +1,184 @@
+// viete between A B -o PATTERN: what lies between shapes of a model.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/command_line.h"
+#include "app/inputs.h"
+#include "app/options.h"
+#include "app/shape_inputs.h"
+#include "app/terminal_progress.h"
+#include "base/error.h"
+#include "base/numbered_files.h"
+#include "base/quantity.h"
+#include "mesh/formats/point_cache.h"
+#include "mesh/formats/source.h"
+#include "scene/document/animation.h"
+#include "scene/files/animation_export.h"
+
+namespace viete::app {
+
+namespace {
+
+constexpr int most_frames = 100'000;
+
+struct BetweenOptions {
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path rest, output;  // rest empty: the first of the files
+  std::optional<double> at;
+  int frames = 25;
+  double rate = 24;
+  bool straight = false, linear = false, loop = false, force = false;
+  mesh::Digits digits;
+};
+
+// Of a sequence the first file is the model, and the others are its shapes.
+void spread_sequence(std::vector<std::filesystem::path>& files) {
+  if (!base::NumberedName::is_pattern(files.front())) return;
+  const base::NumberedName name(files.front());
+  std::vector<std::filesystem::path> all;
+  for (const auto& file : name.find()) all.push_back(file.path);
+  if (all.empty())
+    throw base::Error(name.pattern(), "there is no file of this name, with a number in the place of #",
+                      "check the name; as many # as the numbers have digits");
+  all.insert(all.end(), files.begin() + 1, files.end());
+  files = std::move(all);
+}
+
+// What is between, in order.
+struct Way {
+  OpenedShapes opened;
+  std::vector<scene::SharedShape> shapes;
+};
+
+Way open_way(const BetweenOptions& options, Content content, const scene::FrameSteps* frames) {
+  const bool first_is_rest = options.rest.empty();
+  if (first_is_rest && mesh::point_cache_format(options.files.front()))
+    throw base::Error(options.files.front().string(), "a point cache has no faces",
+                      "name the model that it is of by --rest");
+  const auto& model = first_is_rest ? options.files.front() : options.rest;
+  const auto shapes = std::span(options.files).subspan(first_is_rest ? 1 : 0);
+  Way way{open_shapes(model, shapes, {options.output, content, options.force}, frames), {}};
+  if (first_is_rest) way.shapes.push_back(nullptr);
+  for (const auto& of_file : way.opened.of_files)
+    for (const scene::NamedShape& shape : of_file) way.shapes.push_back(shape.shape);
+  if (way.shapes.size() < 2)
+    throw base::Error(options.files.front().string(), "there is one shape alone, and nothing between",
+                      "name another one");
+  if (options.loop) way.shapes.push_back(way.shapes.front());
+  return way;
+}
+
+// Shapes evenly spread over so many frames.
+scene::Timeline timeline_of(const BetweenOptions& options, const Way& way, int first, int last) {
+  const std::size_t steps = way.shapes.size() - 1;
+  scene::Timeline timeline;
+  timeline.first = first, timeline.last = last;
+  timeline.straight = options.straight;
+  timeline.repeat = options.loop ? scene::Repeat::loop : scene::Repeat::once;
+  const auto easing = options.linear || steps == 1 ? scene::Easing::linear : scene::Easing::smooth;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    scene::WholePose pose;
+    pose.shape = way.shapes[i];
+    const double share = static_cast<double>(i) / static_cast<double>(steps);
+    timeline.keys.push_back({first + static_cast<int>(std::lround((last - first) * share)),
+                             std::make_shared<const scene::WholePose>(std::move(pose)), easing});
+  }
+  return timeline;
+}
+
+int write_moment(const BetweenOptions& options) {
+  const Way way = open_way(options, Content::surface, nullptr);
+  const auto last = static_cast<int>(way.shapes.size()) - 1;
+  if (*options.at > last)
+    throw base::Error("",
+                      "--at " + base::few_digits(*options.at) + " is beyond the last shape, which is at " +
+                          std::to_string(last),
+                      "0 is the first shape, 1 the second, 1.5 halfway from there to the third");
+  const scene::Document& document = *way.opened.model.document;
+  scene::Export what = scene::export_of(document, options.output);
+  what.digits = options.digits;
+  std::optional<TerminalProgress> work("Writing " + options.output.filename().string());
+  scene::KnownVectors vectors;
+  vectors.follow_model(document.model.surface);
+  const scene::Animation animation(timeline_of(options, way, 0, last), vectors);
+  what.shape = animation.at(*options.at).shape;
+  deform::ExactModel model{what.shape ? *what.shape : what.model->positions, {}, {}, 0};
+  const auto notes = scene::write_exact(what, std::move(model), &work->progress());
+  work.reset();  // its line gives way to what is said
+  print_notes(animation.notes());
+  print_notes(notes);
+  return exit_ok;
+}
+
+int write_frames(const BetweenOptions& options) {
+  const scene::FrameSteps steps{1, options.frames, 1};
+  const Way way = open_way(options, Content::animation, &steps);
+  if (static_cast<std::size_t>(options.frames) < way.shapes.size())
+    throw base::Error(options.output.string(),
+                      std::to_string(options.frames) + " frames are too few: some shape would have none",
+                      "ask for " + std::to_string(way.shapes.size()) + " or more");
+  scene::AnimationExport what = scene::animation_export_of(*way.opened.model.document, options.output);
+  what.timeline = timeline_of(options, way, 1, options.frames);
+  what.last = options.frames;
+  what.rate = options.rate;
+  what.model.digits = options.digits;
+  what.replaces_foreign = options.force;
+  const scene::AnimationReport report = [&] {
+    TerminalProgress work("Writing " + options.output.filename().string());
+    return scene::write_animation(what, &work.progress());
+  }();
+  print_notes(report.notes);
+  print_summary(options.output, report);
+  return exit_ok;
+}
+
+int between(BetweenOptions options) {
+  spread_sequence(options.files);
+  try {
+    return options.at ? write_moment(options) : write_frames(options);
+  } catch (const base::Cancelled&) {
+    throw base::Error(
+        options.output.string(), "stopped",
+        options.at ? "no file was changed" : "what is whole stays; the same command goes on from there");
+  }
+}
+
+}  // namespace
+
+void add_between_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("between", "Write what lies between shapes of a model");
+  auto o = std::make_shared<BetweenOptions>();
+  command
+      ->add_option("SHAPES", o->files,
+                   "A model, and other files of the same faces: models, numbered ones (pose_##.obj), point "
+                   "caches, glTF files with morph targets")
+      ->required();
+  add_file_option(
+      *command, "-o,--output", o->output,
+      "File to write; the extension chooses the format: numbered models (out_###.obj), .pc2, .mdd, "
+      ".glb or .gltf with morph targets; with --at any model")
+      ->required();
+  auto* frames = command->add_option("--frames", o->frames, "How many, from the first shape to the last");
+  whole_in_range(frames, 2, most_frames)->default_str("25");
+  auto* at = command->add_option_function<double>(
+      "--at", [o](double at) { o->at = at; },
+      "One moment: 0 is the first shape, 1 the second, 1.5 halfway from there to the third");
+  in_range(at, 0, most_frames)->excludes(frames);
+  add_file_option(*command, "--rest", o->rest,
+                  "The model at rest, which turns and stretches are told from; else the first shape");
+  command->add_flag("--loop", o->loop, "The last shape goes on to the first one");
+  command->add_flag("--linear", o->linear,
+                    "Straight from shape to shape in log space; else three shapes and more flow smoothly");
+  command->add_flag("--straight", o->straight, "Vertices go in straight lines, as in other programs");
+  auto* rate = command->add_option("--rate", o->rate, "Frames a second, of .mdd and glTF");
+  in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)->default_str("24");
+  add_digits_option(*command, o->digits);
+  add_force_option(*command, o->force);
+  command->callback([o, &action] { action = [o] { return between(*o); }; });
+}
+
+}  // namespace viete::app

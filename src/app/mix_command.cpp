@@ -1,0 +1,134 @@
+// viete mix REST --shape FILE=0.5 ... -o OUT: a model as a mix of its shapes.
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "app/command_line.h"
+#include "app/inputs.h"
+#include "app/options.h"
+#include "app/shape_inputs.h"
+#include "app/terminal_progress.h"
+#include "base/error.h"
+#include "mesh/formats/format_table.h"
+#include "scene/document/pose_library.h"
+#include "scene/document/shape_mix.h"
+#include "scene/files/export.h"
+
+namespace viete::app {
+
+namespace {
+
+using scene::PoseLibrary;
+
+struct Share {
+  std::filesystem::path file;
+  double weight;
+  std::string name = {};
+};
+
+struct MixOptions {
+  std::filesystem::path rest, output;
+  std::vector<Share> shares;
+  bool straight = false, force = false;
+  mesh::Digits digits;
+};
+
+// "smile.obj=0.5".
+Share share_of(const std::string& text) {
+  const auto equals = text.rfind('=');
+  double weight = 0;
+  const char* const end = text.data() + text.size();
+  const bool read = equals != text.npos && equals > 0 &&
+                    std::from_chars(text.data() + equals + 1, end, weight).ptr == end &&
+                    equals + 1 < text.size();
+  if (!read || !(weight >= PoseLibrary::least_weight && weight <= PoseLibrary::largest_weight))
+    throw CLI::ValidationError("--shape", "needs FILE=WEIGHT, such as smile.obj=0.5, with a weight from " +
+                                              std::to_string(int(PoseLibrary::least_weight)) + " to " +
+                                              std::to_string(int(PoseLibrary::largest_weight)) + ", not " +
+                                              text);
+  return {text.substr(0, equals), weight};
+}
+
+// "face.glb:smile" is a shape of a file that holds several.
+void split_name(Share& share) {
+  const std::string text = share.file.string();
+  std::error_code ignored;
+  if (std::filesystem::exists(share.file, ignored)) return;
+  for (auto colon = text.find(':'); colon != text.npos; colon = text.find(':', colon + 1)) {
+    share = {text.substr(0, colon), share.weight, text.substr(colon + 1)};
+    if (std::filesystem::exists(share.file, ignored)) return;
+  }
+}
+
+scene::SharedShape shape_of(const Share& share, const std::vector<scene::NamedShape>& shapes) {
+  if (share.name.empty() && shapes.size() == 1) return shapes.front().shape;
+  constexpr std::size_t most = 12;
+  std::string names;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i].name == share.name) return shapes[i].shape;
+    if (i < most) names += (names.empty() ? "" : ", ") + shapes[i].name;
+  }
+  throw base::Error(
+      share.file.string(),
+      share.name.empty() ? "it holds several shapes" : "it holds no shape of the name " + share.name,
+      "name one of them behind a colon: " + names + (shapes.size() > most ? " ..." : ""));
+}
+
+std::vector<std::string> write_mix(MixOptions options) {
+  std::vector<std::filesystem::path> files;
+  for (Share& share : options.shares) split_name(share), files.push_back(share.file);
+  const OpenedShapes opened =
+      open_shapes(options.rest, files, {options.output, Content::surface, options.force});
+  std::vector<scene::ShapeTerm> terms;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    terms.push_back({shape_of(options.shares[i], opened.of_files[i]), options.shares[i].weight});
+  scene::Export what = scene::export_of(*opened.model.document, options.output);
+  what.digits = options.digits;
+  std::vector<std::string> notes;
+  TerminalProgress work("Writing " + options.output.filename().string());
+  base::WorkerPool pool;
+  const deform::ShapeSpace space(*what.model, pool, &work.progress());
+  what.shape = scene::mixed(space, terms, options.straight, pool, &notes);
+  if (!scene::in_range({{}, {}, what.shape}))
+    throw base::Error(options.output.string(), "the mix is larger than can be drawn", "take smaller weights");
+  for (auto& note : scene::write_exact(what, {*what.shape, {}, {}, 0}, &work.progress()))
+    notes.push_back(std::move(note));
+  return notes;
+}
+
+int mix(const MixOptions& options) {
+  try {
+    print_notes(write_mix(options));
+    return exit_ok;
+  } catch (const base::Cancelled&) {
+    throw base::Error(options.output.string(), "stopped", "no file was changed");
+  }
+}
+
+}  // namespace
+
+void add_mix_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("mix", "Mix shapes of a model and write it");
+  auto o = std::make_shared<MixOptions>();
+  command->add_option("REST", o->rest, mesh::a_mesh())->required();
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--shape",
+          [o](const std::vector<std::string>& texts) {
+            for (const auto& text : texts) o->shares.push_back(share_of(text));
+          },
+          "A shape of the same faces and how much of it, smile.obj=0.5; of a file that holds several, "
+          "face.glb:smile=0.5. As often as there are shapes")
+      ->allow_extra_args(false)
+      ->option_text("FILE=WEIGHT ...")
+      ->required();
+  add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
+      ->required();
+  command->add_flag("--straight", o->straight, "Vertices go in straight lines, as in other programs");
+  add_digits_option(*command, o->digits);
+  add_force_option(*command, o->force);
+  command->callback([o, &action] { action = [o] { return mix(*o); }; });
+}
+
+}  // namespace viete::app

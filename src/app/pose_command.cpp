@@ -1,0 +1,198 @@
+// viete pose REST --examples FILES --pin VERTEX=x,y,z ... -o OUT: a model posed by its examples.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "app/command_line.h"
+#include "app/inputs.h"
+#include "app/options.h"
+#include "app/shape_inputs.h"
+#include "app/terminal_progress.h"
+#include "base/error.h"
+#include "base/printable.h"
+#include "base/quantity.h"
+#include "deform/example_posing.h"
+#include "mesh/formats/format_table.h"
+#include "scene/files/export.h"
+
+namespace viete::app {
+
+namespace {
+
+constexpr int most_steps = 200;
+constexpr double usual_firmness = 1;
+
+struct Pin {
+  std::uint32_t vertex;
+  mesh::Point target;
+  bool holds;
+};
+
+struct PoseOptions {
+  std::filesystem::path rest, output;
+  std::vector<std::filesystem::path> examples;
+  std::vector<Pin> pins;
+  deform::PosingSettings settings;
+  double firmness = usual_firmness;
+  bool force = false;
+  mesh::Digits digits;
+};
+
+// "1234=0.1,2,-3".
+Pin pin_of(const std::string& text, const std::string& option, bool holds) {
+  unsigned vertex = 0;
+  mesh::Point p;
+  int end = 0;
+  const int read = std::sscanf(text.c_str(), "%9u=%lf,%lf,%lf%n", &vertex, &p[0], &p[1], &p[2], &end);
+  const auto fits = [](double x) { return std::abs(x) <= mesh::largest_coordinate; };  // false for NaN
+  if (read != 4 || static_cast<std::size_t>(end) != text.size() || text[0] == '-' ||
+      !std::ranges::all_of(p, fits))
+    throw CLI::ValidationError(option,
+                               "needs VERTEX=x,y,z, such as 1234=0.1,2,-3 (vertices from 0), not " + text);
+  return {vertex, p, holds};
+}
+
+void add_pins_option(CLI::App& command, const std::string& name, bool holds, const std::string& text,
+                     const std::shared_ptr<PoseOptions>& o) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [o, name, holds](const std::vector<std::string>& texts) {
+            for (const auto& t : texts) o->pins.push_back(pin_of(t, name, holds));
+          },
+          text + ". As often as there are such pins")
+      ->allow_extra_args(false)
+      ->option_text("VERTEX=x,y,z ...");
+}
+
+void check_pins(const PoseOptions& options, const mesh::Surface& model) {
+  std::vector<std::uint32_t> vertices;
+  for (const Pin& pin : options.pins) {
+    if (pin.vertex >= model.positions.size())
+      throw base::Error(options.rest.string(),
+                        "there is no vertex " + std::to_string(pin.vertex) +
+                            ": they are numbered from 0 to " + std::to_string(model.positions.size() - 1),
+                        "pin one of them");
+    vertices.push_back(pin.vertex);
+  }
+  std::ranges::sort(vertices);
+  const auto twice = std::ranges::adjacent_find(vertices);
+  if (twice != vertices.end())
+    throw base::Error(options.rest.string(), "vertex " + std::to_string(*twice) + " is pinned twice",
+                      "pin it to one place");
+}
+
+struct Posed {
+  std::vector<mesh::Point> positions;
+  std::vector<double> weights;
+  int steps;
+  double farthest;  // of a pin from its target, in diagonals of the model
+};
+
+Posed posed(const PoseOptions& options, const mesh::Surface& model,
+            std::span<const scene::NamedShape> examples, base::Progress& progress) {
+  base::WorkerPool pool;
+  progress.section(0, 0.3);
+  const deform::ShapeSpace space(model, pool, &progress);
+  progress.section(0.3, 1);
+  std::vector<deform::LogVector> vectors;
+  std::vector<const deform::LogVector*> pointers;
+  vectors.reserve(examples.size());
+  for (const auto& example : examples) {
+    pointers.push_back(&vectors.emplace_back(space.vector(*example.shape, pool)));
+    progress.report(0.5 * static_cast<double>(vectors.size()) / static_cast<double>(examples.size()));
+  }
+  deform::ExamplePosing posing(space, std::move(pointers), pool);
+  std::vector<deform::PosingPin> pins;
+  std::vector<mesh::Point> targets;
+  for (const Pin& pin : options.pins) {
+    pins.push_back({pin.vertex, pin.holds ? std::numeric_limits<double>::infinity() : options.firmness});
+    targets.push_back(pin.target);
+  }
+  posing.set_pins(std::move(pins));
+  const int steps = posing.solve(targets, options.settings, most_steps, &progress);
+  Posed result{{posing.positions().begin(), posing.positions().end()}, posing.weights(), steps, 0};
+  const double diagonal = mesh::used_bounds(model).diagonal();
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    result.farthest = std::max(result.farthest,
+                               mesh::norm(result.positions[options.pins[k].vertex] - targets[k]) / diagonal);
+  return result;
+}
+
+void say(const PoseOptions& options, const Posed& result, std::span<const scene::NamedShape> examples) {
+  std::printf("%s: %s", base::printable(options.output.string()).c_str(),
+              base::counted(std::size_t(result.steps), "step").c_str());
+  std::printf(", pins off by %s %% of the diagonal at most\n",
+              base::few_digits(100 * result.farthest).c_str());
+  for (std::size_t e = 0; e < examples.size(); ++e)
+    std::printf("%8.3f  %s\n", result.weights[e], base::printable(examples[e].name).c_str());
+}
+
+int pose(const PoseOptions& options) {
+  const OpenedShapes opened =
+      open_shapes(options.rest, options.examples, {options.output, Content::surface, options.force});
+  scene::Export what = scene::export_of(*opened.model.document, options.output);
+  check_pins(options, *what.model);
+  what.digits = options.digits;
+  std::vector<scene::NamedShape> examples;
+  for (const auto& of_file : opened.of_files) examples.insert(examples.end(), of_file.begin(), of_file.end());
+  Posed result;
+  std::vector<std::string> notes;
+  try {
+    TerminalProgress work("Writing " + options.output.filename().string());
+    result = posed(options, *what.model, examples, work.progress());
+    what.shape = std::make_shared<const std::vector<mesh::Point>>(result.positions);
+    notes = scene::write_exact(what, {*what.shape, {}, {}, 0}, &work.progress());
+  } catch (const base::Cancelled&) {
+    throw base::Error(options.output.string(), "stopped", "no file was changed");
+  }
+  if (result.steps == most_steps)
+    notes.push_back("after " + std::to_string(most_steps) +
+                    " steps it still moves: pins may contradict each other");
+  print_notes(notes);
+  say(options, result, examples);
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_pose_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("pose", "Pose a model by its vertices and by examples and write it");
+  auto o = std::make_shared<PoseOptions>();
+  command->add_option("REST", o->rest, mesh::a_mesh())->required();
+  command
+      ->add_option(
+          "--examples", o->examples,
+          "Shapes of the model whose ways it has: a model of the same faces, numbered ones (pose_##.obj), a "
+          "point cache, a glTF file with morph targets; as often as wanted. Without any it is as rigid as "
+          "possible")
+      ->allow_extra_args(false)
+      ->option_text("FILE ...");
+  add_pins_option(*command, "--pin", true, "A vertex (from 0) and the place where it is held", o);
+  add_pins_option(*command, "--pull", false, "The same of a vertex that is pulled there", o);
+  auto* firmness = command->add_option("--firmness", o->firmness, "How much vertices are pulled");
+  in_range(firmness, 1e-6, 1e6)->default_str("1; about as much as neighbours hold each other");
+  auto* freedom =
+      command->add_option("--freedom", o->settings.freedom,
+                          "How freely it turns off the blend of examples: 0 near them, 1 stretches "
+                          "least");
+  in_range(freedom, 0, 1)->default_str("0.3; 1 without examples");
+  auto* restraint =
+      command->add_option("--restraint", o->settings.restraint, "How near to 0 weights of examples stay");
+  in_range(restraint, 0, 1e3)->default_str("0.001");
+  add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
+      ->required();
+  add_digits_option(*command, o->digits);
+  add_force_option(*command, o->force);
+  command->callback([o, freedom, &action] {
+    if (o->pins.empty()) throw CLI::RequiredError("--pin");
+    if (o->examples.empty() && freedom->count() == 0) o->settings.freedom = 1;
+    action = [o] { return pose(*o); };
+  });
+}
+
+}  // namespace viete::app

@@ -1,0 +1,222 @@
+#include "scene/files/shape_import.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/numbered_files.h"
+#include "base/quantity.h"
+#include "mesh/formats/format_table.h"
+#include "mesh/formats/point_cache.h"
+#include "mesh/formats/read.h"
+#include "scene/files/morph_import.h"
+
+namespace viete::scene {
+
+namespace fs = std::filesystem;
+
+void check_shape_count(const std::string& file, std::size_t count, const mesh::Surface& model) {
+  if (count > Timeline::most_keys)
+    throw base::Error(file,
+                      "there are " + base::counted(count, "shape") + ", and a timeline holds " +
+                          base::with_thousands(Timeline::most_keys),
+                      "choose fewer");
+  // Positions, and their vectors.
+  base::require_memory({120.0 * static_cast<double>(count) * static_cast<double>(model.positions.size()) +
+                            72.0 * static_cast<double>(count) * static_cast<double>(model.triangles.size()),
+                        base::counted(count, "shape") + " of the model take", "choose fewer", file});
+}
+
+namespace {
+
+constexpr const char* advice = "choose a shape of the same model: the same vertices and faces, moved";
+
+// The corners of faces, whichever the two surfaces have in common: polygons, or what these were cut into.
+struct Faces {
+  std::vector<std::uint32_t> corners, starts;
+};
+
+Faces polygons_of(const mesh::Surface& s) {
+  return {s.corners, s.polygon_starts};
+}
+
+Faces triangles_of(const mesh::Surface& s) {
+  Faces faces{{}, {0}};
+  for (const auto& t : s.triangles) {
+    faces.corners.insert(faces.corners.end(), t.begin(), t.end());
+    faces.starts.push_back(static_cast<std::uint32_t>(faces.corners.size()));
+  }
+  return faces;
+}
+
+std::string face_text(const Faces& faces, std::size_t face) {
+  std::string text;
+  for (auto c = faces.starts[face]; c < faces.starts[face + 1]; ++c)
+    text += (text.empty() ? "" : " ") + std::to_string(faces.corners[c]);
+  return text;
+}
+
+// Of each vertex of the model the one of the file, told by faces that stand in the same order.
+class VertexOrder {
+public:
+  VertexOrder(const std::string& file, const mesh::Surface& found, const mesh::Surface& model)
+      : file_(file), order_(model.positions.size(), mesh::none), taken_(found.positions.size(), mesh::none) {
+    const bool alike = found.polygon_count() == model.polygon_count();
+    found_ = alike ? polygons_of(found) : triangles_of(found);
+    model_ = alike ? polygons_of(model) : triangles_of(model);
+  }
+
+  std::vector<std::uint32_t> find() {
+    check_count(taken_.size(), order_.size(), "vertices");
+    check_count(found_.starts.size() - 1, model_.starts.size() - 1, "faces");
+    for (std::size_t f = 0; f + 1 < model_.starts.size(); ++f) match(f);
+    match_loose();
+    return std::move(order_);
+  }
+
+private:
+  void check_count(std::size_t found, std::size_t expected, const char* of) const {
+    if (found == expected) return;
+    throw base::Error(file_,
+                      std::string("the number of ") + of + " is " + base::with_thousands(found) +
+                          ", and of the model it is " + base::with_thousands(expected),
+                      advice);
+  }
+
+  void match(std::size_t face) {
+    const auto first = model_.starts[face], count = model_.starts[face + 1] - first;
+    bool fits = first == found_.starts[face] && count == found_.starts[face + 1] - first;
+    for (std::uint32_t c = first; fits && c < first + count; ++c)
+      fits = pair(model_.corners[c], found_.corners[c]);
+    if (!fits) refuse(face);
+  }
+
+  // That a face joins others may show at a later one.
+  [[noreturn]] void refuse(std::size_t face) const {
+    const auto same = [&](std::size_t f) { return face_text(found_, f) == face_text(model_, f); };
+    if (same(face)) face = 0;
+    while (same(face)) ++face;
+    throw base::Error(file_,
+                      "face " + std::to_string(face) + " (from 0) joins the vertices " +
+                          face_text(found_, face) + ", and that of the model " + face_text(model_, face),
+                      advice);
+  }
+
+  bool pair(std::uint32_t of_model, std::uint32_t of_file) {
+    if (order_[of_model] == mesh::none && taken_[of_file] == mesh::none)
+      order_[of_model] = of_file, taken_[of_file] = of_model;
+    return order_[of_model] == of_file;
+  }
+
+  // Vertices of no face: in their order.
+  void match_loose() {
+    std::uint32_t next = 0;
+    for (auto& v : order_) {
+      if (v != mesh::none) continue;
+      while (taken_[next] != mesh::none) ++next;
+      v = next++;
+    }
+  }
+
+  const std::string& file_;
+  Faces found_, model_;
+  std::vector<std::uint32_t> order_, taken_;
+};
+
+class ShapeReader {
+public:
+  ShapeReader(const mesh::Surface& model, base::Progress* progress) : model_(model), progress_(progress) {}
+
+  void add(const fs::path& file) {
+    if (base::NumberedName::is_pattern(file)) return add_sequence(base::NumberedName(file));
+    all_.files.push_back(file);
+    if (mesh::point_cache_format(file)) return add_cache(file);
+    if (mesh::is_a(mesh::holds_morphs, file) && add_morphs(file)) return;
+    add_model(file);
+  }
+
+  ImportedShapes take() { return std::move(all_); }
+
+private:
+  void put(const std::string& place, std::string name, std::vector<mesh::Point> positions) {
+    check_places(place, positions);
+    all_.shapes.push_back(
+        {std::move(name), std::make_shared<const std::vector<mesh::Point>>(std::move(positions))});
+  }
+
+  void add_sequence(const base::NumberedName& name) {
+    const auto files = name.find();
+    if (files.empty())
+      throw base::Error(name.pattern(), "there is no file of this name, with a number in the place of #",
+                        "check the name; as many # as the numbers have digits");
+    check_shape_count(name.pattern(), files.size(), model_);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (progress_) progress_->report(static_cast<double>(i) / static_cast<double>(files.size()));
+      add(files[i].path);
+    }
+  }
+
+  void add_cache(const fs::path& file) {
+    const mesh::PointCache cache(file);
+    check_points(file.string(), cache.head().points, {model_, "the model"});
+    check_shape_count(file.string(), cache.head().frames, model_);
+    for (std::size_t i = 0; i < cache.head().frames; ++i) {
+      const std::string name = "frame " + std::to_string(i + 1);
+      put(file.string() + ": " + name, name, cache.frame(i));
+    }
+    const auto& warnings = cache.warnings();
+    all_.warnings.insert(all_.warnings.end(), warnings.begin(), warnings.end());
+  }
+
+  // False if there are none.
+  bool add_morphs(const fs::path& file) {
+    std::vector<std::string> warnings;
+    const MorphPositions morphs = morphs_of(file, {model_, "the model"}, warnings);
+    if (!morphs.clip) return false;
+    all_.warnings.insert(all_.warnings.end(), warnings.begin(), warnings.end());
+    const auto& targets = morphs.clip->targets();
+    check_shape_count(file.string(), targets.size(), model_);
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      put(file.string() + ": " + targets[i], targets[i], morphs.at_target(i));
+    return true;
+  }
+
+  void add_model(const fs::path& file) {
+    mesh::ReadResult read = mesh::read(file);
+    all_.warnings.insert(all_.warnings.end(), read.warnings.begin(), read.warnings.end());
+    std::vector<mesh::Point>& positions = read.surface.positions;
+    if (positions.size() != model_.positions.size() || !mesh::same_faces(read.surface, model_))
+      positions = in_order(file, read.surface);
+    put(file.string(), file.stem().string(), std::move(positions));
+  }
+
+  std::vector<mesh::Point> in_order(const fs::path& file, const mesh::Surface& found) {
+    const std::string name = file.string();
+    std::vector<mesh::Point> positions;
+    bool moved = false;
+    for (const std::uint32_t v : VertexOrder(name, found, model_).find()) {
+      moved |= v != positions.size();
+      positions.push_back(found.positions[v]);
+    }
+    if (moved)
+      all_.warnings.push_back(name + ": its vertices stand in another order; the faces told which is which");
+    return positions;
+  }
+
+  const mesh::Surface& model_;
+  base::Progress* progress_;
+  ImportedShapes all_;
+};
+
+}  // namespace
+
+ImportedShapes read_shapes(std::span<const fs::path> files, const mesh::Surface& model,
+                           base::Progress* progress) {
+  ShapeReader reader(model, progress);
+  for (const fs::path& file : files) reader.add(file);
+  return reader.take();
+}
+
+}  // namespace viete::scene

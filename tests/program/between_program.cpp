@@ -1,0 +1,274 @@
+// viete between, viete mix and viete pose: what lies between shapes of a model, and what is made of several.
+#include <cmath>
+
+#include "base/numbered_files.h"
+#include "mesh/formats/point_cache.h"
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
+#include "program/command_line.h"
+#include "scene/files.h"
+#include "scene/posed_cube.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+using Points = std::vector<mesh::Point>;
+
+// A cube at rest, and shapes of it: a.obj, b.obj, and the same numbered s_1 to s_3.
+struct ShapeFiles : TemporaryFolder {
+  mesh::Surface cube = CubeFiles::subdivided_cube();
+
+  ShapeFiles() {
+    write("rest.obj", cube.positions), write("a.obj", shape(100)), write("b.obj", shape(170, 1));
+    write("s_1.obj", cube.positions), write("s_2.obj", shape(100)), write("s_3.obj", shape(170, 1));
+  }
+  Points shape(double degrees, double pull = 0) const {
+    Points points = cube.positions;
+    points[7][2] += pull;
+    return turned(points, degrees);
+  }
+  void write(const std::string& name, const Points& points) const { mesh::write(*this / name, cube, points); }
+  Points read(const std::string& name) const { return mesh::read(*this / name).surface.positions; }
+  Outcome viete(const std::string& words) const { return run(words, "cd " + quoted(path()) + " &&"); }
+  Outcome done(const std::string& words) const {
+    const Outcome outcome = viete(words);
+    CHECK_MESSAGE(outcome.code == 0, words << "\n" << outcome.text);
+    return outcome;
+  }
+  void refused(const std::string& words, int code, const std::string& text) const {
+    const Outcome outcome = viete(words);
+    CHECK_MESSAGE(outcome.code == code, words << "\n" << outcome.text);
+    CHECK_MESSAGE(mentions(outcome, text), words << "\n" << outcome.text);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
+  const ShapeFiles f;
+  f.write("half.obj", f.shape(180)), f.write("less.obj", f.shape(178));
+  CHECK(f.done("between rest.obj less.obj -o m.ply --at 0.5").text == "");
+  CHECK(distance(f.read("m.ply"), f.shape(89)) < 1e-6);
+  f.done("between rest.obj half.obj -o m.ply --at 0.5 --straight");
+  for (const auto& p : f.read("m.ply")) CHECK(std::hypot(p[0], p[1]) < 1e-6);
+  f.done("between rest.obj a.obj --rest half.obj -o m.ply --at 0.25");
+  CHECK(distance(f.read("m.ply"), f.shape(25)) < 1e-6);
+}
+
+TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
+  const ShapeFiles f;
+  for (const char* way : {"", " --straight", " --linear", " --rest b.obj"}) {
+    CAPTURE(way);
+    int at = 0;
+    for (const char* name : {"rest.obj", "a.obj", "b.obj"}) {
+      f.done("between rest.obj a.obj b.obj -o m.obj --digits all --at " + std::to_string(at++) + way);
+      CHECK(f.read("m.obj") == f.read(name));
+    }
+    f.done(std::string("between rest.obj a.obj b.obj -o 'f_#.obj' --frames 5 --digits all --force") + way);
+    CHECK(f.read("f_1.obj") == f.read("rest.obj"));
+    CHECK(f.read("f_3.obj") == f.read("a.obj"));
+    CHECK(f.read("f_5.obj") == f.read("b.obj"));
+  }
+  f.done("between rest.obj a.obj --loop -o 'l_#.obj' --frames 7");
+  CHECK(file_bytes(f / "l_1.obj") == file_bytes(f / "l_7.obj"));
+  CHECK(file_bytes(f / "l_1.obj") == file_bytes(f / "rest.obj"));
+  CHECK(file_bytes(f / "l_2.obj") != file_bytes(f / "l_1.obj"));
+}
+
+TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes") {
+  const ShapeFiles f;
+  CHECK(mentions(f.done("between s_#.obj -o 'f_##.ply'"), "f_##.ply: 25 frames, deformed in double"));
+  CHECK(base::NumberedName(f / "f_##.ply").find().size() == 25);
+  for (const std::string name : {"c.pc2", "c.mdd"}) {
+    f.done("between rest.obj a.obj b.obj -o " + name + " --frames 9 --rate 12");
+    const mesh::PointCache cache(f / name);
+    CHECK(cache.head().frames == 9);
+    CHECK(distance(cache.frame(4), f.shape(100)) < 1e-6);
+    f.done("between --rest rest.obj " + name + " -o 'n_#.obj' --frames 9 --force");
+    CHECK(distance(f.read("n_9.obj"), f.shape(170, 1)) < 1e-6);
+  }
+  CHECK(mentions(f.done("between rest.obj a.obj b.obj -o c.glb"), "poses with straight lines between them"));
+  f.done("between rest.obj c.glb -o m.obj --at 1");
+  CHECK(distance(f.read("m.obj"), f.cube.positions) > 0.1);
+  f.done("between s_#.obj -o smooth.pc2 --frames 9");
+  f.done("between s_#.obj -o linear.pc2 --frames 9 --linear");
+  CHECK(file_bytes(f / "smooth.pc2") == file_bytes(f / "c.pc2"));
+  CHECK(file_bytes(f / "smooth.pc2") != file_bytes(f / "linear.pc2"));
+}
+
+TEST_CASE("what_the_model_holds_beside_positions_is_kept_between_shapes") {
+  const ShapeFiles f;
+  const std::string
+      begin = "# mine\r\nmtllib m.mtl\r\no Cloth\r\nv 0 0 0 1 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\n",
+      end = "v 9 9 9\r\nvt 0 0\r\nvt 1 0\r\nvt 1 1\r\ng left\r\nusemtl red\r\nf 1/1 2/2 3/3 4/1\r\np 5\r\n";
+  put_file(f / "m.mtl", "newmtl red\nKd 1 0 0\n");
+  put_file(f / "quad.obj", begin + end);
+  std::string lifted = begin;
+  lifted.replace(lifted.find("v 1 1 0"), 7, "v 1 1 4");
+  put_file(f / "lifted.obj", lifted + end);
+  f.done("between quad.obj lifted.obj -o m.obj --at 0");
+  CHECK(file_bytes(f / "m.obj") == file_bytes(f / "quad.obj"));
+  f.done("mix quad.obj --shape lifted.obj=0.5 -o m.obj --straight");
+  lifted.replace(lifted.find("v 1 1 4"), 7, "v 1 1 2");
+  CHECK(file_bytes(f / "m.obj") == lifted + end);
+  f.done("mix quad.obj --shape lifted.obj=0.5 -o m.obj");
+  CHECK(test::mentions(file_bytes(f / "m.obj"), end));
+}
+
+TEST_CASE("between_goes_on_where_it_was_ended_and_replaces_nothing_of_others") {
+  const ShapeFiles f;
+  f.done("between rest.obj b.obj -o 'f_##.obj' --frames 9");
+  const std::string before = file_bytes(f / "f_05.obj");
+  fs::remove(f / "f_05.obj");
+  CHECK(mentions(f.done("between rest.obj b.obj -o 'f_##.obj' --frames 9"), "8 of them were there already"));
+  CHECK(file_bytes(f / "f_05.obj") == before);
+  f.write("b.obj", f.shape(120, 1));
+  CHECK(mentions(f.done("between rest.obj b.obj -o 'f_##.obj' --frames 9"), "1 of them was there already"));
+  CHECK(file_bytes(f / "f_05.obj") != before);
+  put_file(f / "f_07.obj", "mine");
+  f.refused("between rest.obj b.obj -o 'f_##.obj' --frames 9", 1,
+            "f_07.obj: this file was made or changed otherwise");
+  CHECK(file_bytes(f / "f_07.obj") == "mine");
+  f.done("between rest.obj b.obj -o 'f_##.obj' --frames 9 --force");
+  CHECK(file_bytes(f / "f_07.obj") != "mine");
+}
+
+TEST_CASE("between_that_is_stopped_leaves_whole_files_and_goes_on") {
+  const TemporaryFolder folder;
+  const std::string at_home = "cd " + quoted(folder.path()) + " && ";
+  REQUIRE(
+      run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) + " -o a.ply", at_home)
+          .code == 0);
+  const std::string line = "between " + quoted(dragon) + " a.ply -o 'f_##.ply' --frames 30";
+  put_file(folder / "ended.sh", "cd " + quoted(folder.path()) + "\n'" + build_dir().string() + "/viete' " +
+                                    line +
+                                    " &\np=$!\nwhile ! [ -s f_03.ply ] && kill -0 $p 2>/dev/null; do sleep "
+                                    "0.01; done\nkill -INT $p\nwait $p\n");
+  const Outcome ended = run("--version >/dev/null; sh " + quoted(folder / "ended.sh"));
+  CHECK_MESSAGE(mentions(ended, "f_##.ply: stopped; what is whole stays"), ended.text);
+  const base::NumberedName name(folder / "f_##.ply");
+  CHECK(name.find().size() < 30);
+  for (const auto& file : name.find()) CHECK(mesh::read(file.path).surface.positions.size() == 50000);
+  CHECK(mentions(run(line, at_home), "of them were there already"));
+  CHECK(name.find().size() == 30);
+}
+
+TEST_CASE("shapes_are_mixed_by_weights_below_0_and_beyond_1") {
+  const ShapeFiles f;
+  f.done("mix rest.obj --shape a.obj=-0.5 -o m.ply");
+  CHECK(distance(f.read("m.ply"), f.shape(-50)) < 1e-6);
+  f.done("mix --shape a.obj=2.5 rest.obj -o m.ply");
+  CHECK(distance(f.read("m.ply"), f.shape(250)) < 1e-6);
+  f.done("mix rest.obj --shape a.obj=0.5 --shape=a.obj=0.25 -o m.ply");
+  CHECK(distance(f.read("m.ply"), f.shape(75)) < 1e-6);
+  f.done("mix rest.obj --shape b.obj=1 -o m.obj --digits all");
+  CHECK(f.read("m.obj") == f.read("b.obj"));
+  f.done("mix rest.obj --shape b.obj=0 -o m.obj");
+  CHECK(file_bytes(f / "m.obj") == file_bytes(f / "rest.obj"));
+  f.write("a b=c:d.obj", f.shape(100));
+  f.done("mix rest.obj --shape 'a b=c:d.obj=1' -o 'm m.obj' --digits all");
+  CHECK(f.read("m m.obj") == f.read("a.obj"));
+}
+
+TEST_CASE("a_shape_of_a_file_that_holds_several_is_named_behind_a_colon") {
+  const ShapeFiles f;
+  const Points smile = f.shape(20, 0.5), frown = f.shape(-30);
+  mesh::write_animated(f / "face.glb", {f.cube, f.cube.positions, {}}, nullptr,
+                       mesh::MorphAnimation{"", {{0, "smile", smile}, {1, "a:b=c", frown}}});
+  f.done("mix rest.obj --shape face.glb:smile=1 -o m.ply");
+  CHECK(distance(f.read("m.ply"), smile) < 1e-6);
+  f.done("mix rest.obj --shape face.glb:a:b=c=1 -o m.ply");
+  CHECK(distance(f.read("m.ply"), frown) < 1e-6);
+  f.refused("mix rest.obj --shape face.glb=1 -o m.ply", 1,
+            "face.glb: it holds several shapes; name one of them behind a colon: smile, a:b=c");
+  f.refused("mix rest.obj --shape face.glb:grin=1 -o m.ply", 1,
+            "it holds no shape of the name grin; name one");
+  f.done("between rest.obj a.obj -o c.pc2 --frames 20");
+  f.done("mix rest.obj --shape 'c.pc2:frame 20=1' -o m.ply");
+  CHECK(distance(f.read("m.ply"), f.shape(100)) < 1e-6);
+  f.refused("mix rest.obj --shape c.pc2=1 -o m.ply", 1, "frame 11, frame 12 ...");
+}
+
+TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
+  const ShapeFiles f;
+  mesh::write(f / "other.obj", test::cube(1));
+  put_file(f / "broken.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
+  put_file(f / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  put_file(f / "flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  put_file(f / "s.viete", R"({"format": "viete session", "version": 1, "model": "rest.obj"})");
+  f.refused("between rest.obj other.obj -o m.ply --at 1", 1, "other.obj: the number of vertices is 8");
+  f.refused("between rest.obj broken.obj -o m.ply --at 1", 1, "broken.obj:2: coordinate \"nan\"");
+  f.refused("between broken.obj rest.obj -o m.ply --at 1", 1, "broken.obj:2: coordinate \"nan\"");
+  f.refused("between rest.obj none.obj -o m.ply --at 1", 1, "none.obj: there is no such file");
+  f.refused("between rest.obj 'none_#.obj' -o m.ply --at 1", 1, "there is no file of this name");
+  f.refused("between 'none_#.obj' -o m.ply --at 1", 1, "there is no file of this name");
+  f.refused("between points.obj points.obj -o m.ply --at 1", 1,
+            "points.obj: no face of this model has an area");
+  f.refused("mix flat.obj --shape flat.obj=1 -o m.ply", 1, "flat.obj: no face of this model has an area");
+  f.refused("between c.pc2 -o m.ply --at 1", 1, "c.pc2: a point cache has no faces; name the model");
+  f.refused("between s.viete a.obj -o m.ply --at 1", 1, "s.viete: this is a session");
+  f.refused("mix s.viete --shape a.obj=1 -o m.ply", 1, "s.viete: this is a session");
+  f.refused("between rest.obj -o m.ply --at 1", 1, "there is one shape alone");
+  f.refused("between rest.obj a.obj -o rest.obj --at 1", 1, "one of those that are read (the model)");
+  f.refused("between rest.obj a.obj -o a.obj --at 1", 1, "one of those that are read (a shape)");
+  f.refused("mix rest.obj --shape a.obj=1 -o a.obj", 1, "one of those that are read (a shape)");
+  f.refused("between rest.obj 's_#.obj' -o 's_#.obj' --force", 1, "s_1.obj: this file is one of those");
+  f.refused("between rest.obj a.obj -o m.obj", 1, "a file of this format holds one frame; write numbered");
+  f.refused("between rest.obj a.obj -o m.png", 1, "unknown extension .png");
+  f.refused("between rest.obj a.obj -o m.pc2 --at 1", 1, "unknown extension .pc2");
+  f.refused("between rest.obj a.obj b.obj -o m.pc2 --frames 2", 1, "2 frames are too few");
+  f.refused("between rest.obj a.obj -o m.ply --at 1.5", 1, "is beyond the last shape, which is at 1");
+  Points large = f.cube.positions;
+  for (auto& p : large) p = 1e12 * p;
+  f.write("large.obj", large);
+  f.refused("mix rest.obj --shape large.obj=3 -o m.ply", 1, "m.ply: the mix is larger than can be drawn");
+  CHECK_FALSE(fs::exists(f / "m.ply"));
+}
+
+TEST_CASE("wrong_words_of_between_and_mix_are_said_before_anything_is_read") {
+  const ShapeFiles f;
+  f.refused("between -o m.pc2", 2, "SHAPES is required");
+  f.refused("between rest.obj a.obj", 2, "--output is required");
+  f.refused("between rest.obj a.obj -o m.pc2 --frames 1", 2, "needs a whole number from 2 to 100,000, not 1");
+  f.refused("between rest.obj a.obj -o m.ply --at -1", 2, "--at: needs a number from 0 to 1e+05, not -1");
+  f.refused("between rest.obj a.obj -o m.ply --at 1 --frames 3", 2, "excludes");
+  f.refused("between rest.obj a.obj -o m.pc2 --rate 0", 2, "needs a number from 1 to 240, not 0");
+  f.refused("mix rest.obj -o m.ply", 2, "--shape is required");
+  f.refused("mix rest.obj --shape a.obj=1 b.obj=1 -o m.ply", 2, "more than viete mix takes: b.obj=1");
+  for (const char* bad : {"a.obj", "a.obj=", "=1", "a.obj=x", "a.obj=nan", "a.obj=4", "a.obj=-2.5", "''"})
+    f.refused("mix rest.obj -o m.ply --shape " + std::string(bad), 2,
+              "needs FILE=WEIGHT, such as smile.obj=0.5, with a weight from -2 to 3, not ");
+}
+
+TEST_CASE("pose_finds_the_example_that_its_pins_are_of") {
+  const ShapeFiles f;
+  const Points bent = f.shape(100);
+  std::string pins;
+  for (const int v : {0, 3, 5, 6, 8}) {
+    char text[100];
+    std::snprintf(text, sizeof text, " --pin %d=%.17g,%.17g,%.17g", v, bent[v][0], bent[v][1], bent[v][2]);
+    pins += text;
+  }
+  const Outcome outcome = f.done("pose --examples a.obj --examples b.obj" + pins +
+                                 " --restraint 0 -o p.obj --digits all rest.obj");
+  CHECK(mentions(outcome, "pins off by 0.00 %"));
+  CHECK(mentions(outcome, "  b"));
+  CHECK(distance(f.read("p.obj"), bent) < 1e-4);
+  f.done("pose rest.obj --pin 0=5,5,5 --pull 7=9,9,9 -o q.ply");
+  f.done("pose rest.obj --examples 's_#.obj' --pin 0=5,5,5 -o r.glb");
+}
+
+TEST_CASE("pose_says_what_is_wrong_with_its_pins") {
+  const ShapeFiles f;
+  f.refused("pose rest.obj -o p.obj", 2, "--pin");
+  f.refused("pose rest.obj --pin 0=1,2 -o p.obj", 2, "VERTEX=x,y,z");
+  f.refused("pose rest.obj --pin 0=1,2,nan -o p.obj", 2, "VERTEX=x,y,z");
+  f.refused("pose rest.obj --pin -1=1,2,3 -o p.obj", 2, "");
+  f.refused("pose rest.obj --pin 1=1,2,3 --freedom 2 -o p.obj", 2, "--freedom");
+  f.refused("pose rest.obj --pin 999=1,2,3 -o p.obj", 1, "there is no vertex 999");
+  f.refused("pose rest.obj --pin 1=1,2,3 --pull 1=3,2,1 -o p.obj", 1, "pinned twice");
+  f.refused("pose rest.obj --pin 1=1,2,3 -o rest.obj", 1, "rest.obj");
+  CHECK(!fs::exists(f / "p.obj"));
+}

@@ -1,0 +1,114 @@
+#include "scene/document/shape_mix.h"
+
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+#include "scene/files.h"
+#include "scene/posed_cube.h"
+#include "support/text.h"
+
+using namespace viete;
+using namespace viete::scene;
+using test::distance, test::turned, test::mentions;
+
+namespace {
+
+using Points = std::vector<mesh::Point>;
+
+struct Shapes {
+  mesh::Surface rest;
+  base::WorkerPool pool;
+  deform::ShapeSpace space;
+
+  explicit Shapes(mesh::Surface surface = test::CubeFiles::subdivided_cube(), int threads = 1)
+      : rest(std::move(surface)), pool(threads), space(rest, pool) {}
+
+  SharedShape shape(double degrees) const { return shared(turned(rest.positions, degrees)); }
+  // A vertex of it pulled out, so that it is no motion of the whole.
+  SharedShape pulled(double degrees) const {
+    Points points = rest.positions;
+    points[7][2] += 0.5;
+    return shared(turned(points, degrees));
+  }
+  static SharedShape shared(Points points) { return std::make_shared<const Points>(std::move(points)); }
+  Points mixed(std::vector<ShapeTerm> terms, bool straight = false,
+               std::vector<std::string>* notes = nullptr) {
+    return *scene::mixed(space, terms, straight, pool, notes);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("half_of_a_turn_of_a_model_is_half_of_its_angle") {
+  Shapes s;
+  CHECK(distance(s.mixed({{s.shape(170), 0.5}}), *s.shape(85)) < 1e-12);
+  CHECK(distance(s.mixed({{s.shape(100), -1}}), *s.shape(-100)) < 1e-12);
+  CHECK(distance(s.mixed({{s.shape(100), 2.5}}), *s.shape(250)) < 1e-12);
+  CHECK(distance(s.mixed({{s.shape(30), 1}, {s.shape(50), 1}}), *s.shape(80)) < 1e-12);
+}
+
+TEST_CASE("rest_and_a_shape_alone_are_themselves_to_the_bit") {
+  Shapes s;
+  const SharedShape shape = s.pulled(77);
+  CHECK(s.mixed({}) == s.rest.positions);
+  CHECK(s.mixed({{shape, 0}, {nullptr, 1}}) == s.rest.positions);
+  const std::vector<ShapeTerm> alone = {{nullptr, 3}, {shape, 1}, {s.shape(20), 0}};
+  CHECK(scene::mixed(s.space, alone, false, s.pool) == shape);
+}
+
+TEST_CASE("a_mix_does_not_depend_on_threads_nor_on_the_order_of_shapes") {
+  Shapes one, four(test::CubeFiles::subdivided_cube(), 4);
+  const SharedShape a = one.pulled(120), b = one.pulled(-40), c = one.shape(15);
+  const Points mixed = one.mixed({{a, 0.3}, {b, 0.9}, {c, -1}});
+  CHECK(mixed == four.mixed({{a, 0.3}, {b, 0.9}, {c, -1}}));
+  CHECK(distance(mixed, one.mixed({{c, -1}, {b, 0.9}, {a, 0.3}})) < 1e-13);
+}
+
+TEST_CASE("straight_mixes_are_sums_of_ways") {
+  Shapes s;
+  const SharedShape a = s.pulled(180), b = s.pulled(50);
+  Points expected = s.rest.positions;
+  for (std::size_t v = 0; v < expected.size(); ++v)
+    expected[v] = expected[v] + 1.5 * ((*a)[v] - s.rest.positions[v]) - 0.5 * ((*b)[v] - s.rest.positions[v]);
+  CHECK(distance(s.mixed({{a, 1.5}, {b, -0.5}}, true), expected) < 1e-15);
+}
+
+TEST_CASE("a_part_that_rests_in_all_shapes_rests_to_the_bit") {
+  mesh::Surface both = test::cube(1);
+  Points points = both.positions;
+  std::vector<mesh::Triangle> triangles = both.triangles;
+  for (const auto& p : both.positions) points.push_back({p[0] / 3 + 10.123456789, p[1] / 7, p[2] / 11});
+  for (const auto& [a, b, c] : both.triangles) triangles.push_back({a + 8, b + 8, c + 8});
+  Shapes s(mesh::from_triangles(points, triangles));
+  const Points moved = turned(both.positions, 100);
+  std::ranges::copy(moved, points.begin());
+  const Points half = s.mixed({{Shapes::shared(points), 0.5}});
+  CHECK(half[0] != s.rest.positions[0]);
+  for (std::size_t v = 8; v < 16; ++v) CHECK(half[v] == s.rest.positions[v]);
+}
+
+TEST_CASE("what_shapes_leave_open_is_said_once_for_all") {
+  Shapes s;
+  const SharedShape flat = Shapes::shared(Points(20, {1, 2, 3}));
+  std::vector<std::string> notes;
+  s.mixed({{s.pulled(30), 0.5}}, false, &notes);
+  CHECK(notes.empty());
+  s.mixed({{flat, 0.5}}, false, &notes);
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0] == "triangles fold over or collapse, and move as their neighbours do: 36");
+  s.mixed({{flat, 0.5}, {flat, 0.25}}, false, &notes);
+  CHECK(mentions(notes.at(0), "up to 36 in each of 2 shapes"));
+  notes.clear();
+  s.mixed({{flat, 0.5}}, true, &notes);
+  CHECK(notes.empty());
+  const deform::ShapeReport reports[] = {{0, 0, 3}, {0, 0, 0}, {0, 0, 1200}};
+  CHECK(mentions(shape_notes(reports).at(0), "up to 1,200 in each of 2 shapes"));
+}
+
+TEST_CASE("a_shape_of_another_model_is_refused") {
+  Shapes s;
+  CHECK_THROWS_AS(s.mixed({{Shapes::shared(Points(8, {0, 0, 0})), 0.5}}), base::Error);
+  Points nowhere = s.rest.positions;
+  nowhere[3][1] = std::nan("");
+  CHECK_THROWS_AS(s.mixed({{Shapes::shared(nowhere), 0.5}}), base::Error);
+}
