@@ -1,5 +1,5 @@
-// viete bench exp|eigen|frame|bind|files|cage|modes|stitched|time|accuracy|sym3: the paper's figures, and its
-// future work, on this machine.
+// viete bench exp|eigen|frame|bind|files|cage|modes|stitched|time|shapes|accuracy|sym3: the paper's figures,
+// and its future work, on this machine.
 #include "bench/command.h"
 
 #include <cstdio>
@@ -20,6 +20,7 @@
 #include "bench/frame.h"
 #include "bench/modes.h"
 #include "bench/options.h"
+#include "bench/shapes.h"
 #include "bench/stitched.h"
 #include "bench/sym3.h"
 #include "bench/table.h"
@@ -236,6 +237,26 @@ void add_time_bench(CLI::App& command, Action& action) {
   });
 }
 
+void add_shapes_bench(CLI::App& command, Action& action) {
+  auto bench = std::make_shared<ModelBench<ShapesOptions>>();
+  auto& options = bench->options;
+  add_file_option(command, "REST", options.rest, "A model at rest")->default_str("a bar that is made");
+  command.add_option("SHAPES", options.shapes, "Of the same faces: models, numbered ones (pose_##.obj)")
+      ->default_str("it bent and twisted");
+  add_file_option(command, "--published", options.published,
+                  "Folder with a lion's poses and a horse's gallop, whose bars are checked, too")
+      ->option_text("FOLDER");
+  add_rounds_option(command, options.rounds, "11");
+  const auto prepare = [](auto& o, const BenchFiles& files) {
+    FilesInUse inputs{o.rest};
+    for (const auto& shape : o.shapes) inputs.add(shape, scene::a_shape);
+    files.check(inputs);
+  };
+  finish(command, action, bench, bench_shapes, prepare, [&options] {
+    if (!options.rest.empty() && options.shapes.empty()) throw CLI::RequiredError("SHAPES");
+  });
+}
+
 struct MatrixBench {
   const char* name;
   const char* text;
@@ -289,7 +310,9 @@ void add_bench_command(CLI::App& app, Action& action) {
       {"modes", "Every way of blending, side by side: what it reproduces, how it distorts, what it costs",
        add_modes_bench},
       {"stitched", "A frame of a stitched model, against a plain one", add_stitched_bench},
-      {"time", "Between keys, in log space and straight: volumes, and what a frame costs", add_time_bench}};
+      {"time", "Between keys, in log space and straight: volumes, and what a frame costs", add_time_bench},
+      {"shapes", "Between shapes of a model, and posing by them: how far from the truth, and what it costs",
+       add_shapes_bench}};
   for (const auto& bench : model_benches) bench.add(*command->add_subcommand(bench.name, bench.text), action);
 }
 

@@ -1,0 +1,38 @@
+// Shapes of published meshes, a lion's poses and a horse's gallop, and what is known to be possible there.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/bars.h"
+#include "mesh/surface.h"
+
+namespace viete::bench {
+
+/// A model at rest, and shapes of it.
+struct ShapesOfModel {
+  mesh::Surface rest;
+  std::vector<std::string> names;
+  std::vector<std::vector<mesh::Point>> shapes;
+};
+
+/// Throws base::Error.
+ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
+                                   const std::vector<std::filesystem::path>& shapes);
+/// Of a folder that holds lion/rest.obj and lion/pose_##.obj. Throws base::Error.
+ShapesOfModel read_lion(const std::filesystem::path& folder);
+
+/// Halfway from rest to each shape, in log space and on straight lines: prints how far edges and volume are
+/// from those of both ends. The volume is over the smaller end's, null where the model encloses none.
+nlohmann::json measure_halfway(const ShapesOfModel& model);
+
+/// The lion's, compared with their bars.
+void check_halfway(const nlohmann::json& halfway, Bars& bars);
+
+/// Frames of horse/gallop_##.obj that are left out, and filled in by a timeline; and frames that are posed by
+/// seven vertices and six of the others, beside linear blend shapes. Throws base::Error.
+nlohmann::json check_gallop(const std::filesystem::path& folder, Bars& bars);
+
+}  // namespace viete::bench
