@@ -64,6 +64,7 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
   const double explained = (slope * across.transpose()).trace();
   if (!(all > 0)) return fit;
   Eigen::JacobiSVD<Eigen::Matrix3d> svd(slope, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  if (svd.info() != Eigen::Success) return fit;  // not of finite numbers
   for (int k = 0; k < 3; ++k) {
     const double s = svd.singularValues()[k];
     if (s > least_motion)
