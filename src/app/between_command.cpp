@@ -106,8 +106,7 @@ int write_moment(const BetweenOptions& options) {
   vectors.follow_model(document.model.surface);
   const scene::Animation animation(timeline_of(options, way, 0, last), vectors);
   what.shape = animation.at(*options.at).shape;
-  deform::ExactModel model{what.shape ? *what.shape : what.model->positions, {}, {}, 0};
-  const auto notes = scene::write_exact(what, std::move(model), &work->progress());
+  const auto notes = write_shape(what, "the shape", &work->progress());
   work.reset();  // its line gives way to what is said
   print_notes(animation.notes());
   print_notes(notes);

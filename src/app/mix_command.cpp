@@ -90,20 +90,15 @@ std::vector<std::string> write_mix(MixOptions options) {
   base::WorkerPool pool;
   const deform::ShapeSpace space(*what.model, pool, &work.progress());
   what.shape = scene::mixed(space, terms, options.straight, pool, &notes);
-  if (!scene::in_range({{}, {}, what.shape}))
-    throw base::Error(options.output.string(), "the mix is larger than can be drawn", "take smaller weights");
-  for (auto& note : scene::write_exact(what, {*what.shape, {}, {}, 0}, &work.progress()))
-    notes.push_back(std::move(note));
+  for (auto& note : write_shape(what, "the mix", &work.progress())) notes.push_back(std::move(note));
   return notes;
 }
 
 int mix(const MixOptions& options) {
-  try {
+  return unless_stopped(options.output, [&] {
     print_notes(write_mix(options));
     return exit_ok;
-  } catch (const base::Cancelled&) {
-    throw base::Error(options.output.string(), "stopped", "no file was changed");
-  }
+  });
 }
 
 }  // namespace

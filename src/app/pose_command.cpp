@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/command_line.h"
@@ -132,7 +133,7 @@ void say(const PoseOptions& options, const Posed& result, std::span<const scene:
     std::printf("%8.3f  %s\n", result.weights[e], base::printable(examples[e].name).c_str());
 }
 
-int pose(const PoseOptions& options) {
+int write_pose(const PoseOptions& options) {
   const OpenedShapes opened =
       open_shapes(options.rest, options.examples, {options.output, Content::surface, options.force});
   scene::Export what = scene::export_of(*opened.model.document, options.output);
@@ -140,22 +141,20 @@ int pose(const PoseOptions& options) {
   what.digits = options.digits;
   std::vector<scene::NamedShape> examples;
   for (const auto& of_file : opened.of_files) examples.insert(examples.end(), of_file.begin(), of_file.end());
-  Posed result;
-  std::vector<std::string> notes;
-  try {
-    TerminalProgress work("Writing " + options.output.filename().string());
-    result = posed(options, *what.model, examples, work.progress());
-    what.shape = std::make_shared<const std::vector<mesh::Point>>(result.positions);
-    notes = scene::write_exact(what, {*what.shape, {}, {}, 0}, &work.progress());
-  } catch (const base::Cancelled&) {
-    throw base::Error(options.output.string(), "stopped", "no file was changed");
-  }
+  std::optional<TerminalProgress> work("Writing " + options.output.filename().string());
+  const Posed result = posed(options, *what.model, examples, work->progress());
+  what.shape = std::make_shared<const std::vector<mesh::Point>>(result.positions);
+  std::vector<std::string> notes = write_shape(what, "the pose", &work->progress());
+  work.reset();  // its line gives way to what is said
   if (result.steps == most_steps)
-    notes.push_back("after " + std::to_string(most_steps) +
-                    " steps it still moves: pins may contradict each other");
+    notes.push_back("it still moves after " + std::to_string(most_steps) + " steps, and was left there");
   print_notes(notes);
   say(options, result, examples);
   return exit_ok;
+}
+
+int pose(const PoseOptions& options) {
+  return unless_stopped(options.output, [&] { return write_pose(options); });
 }
 
 }  // namespace

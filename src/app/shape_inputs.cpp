@@ -57,4 +57,20 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
   return all;
 }
 
+std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
+                                     base::Progress* progress) {
+  if (!scene::in_range({{}, {}, what.shape}))
+    throw base::Error(what.file.string(), name + " is larger than can be drawn",
+                      "take smaller weights, and places nearer to the model");
+  return scene::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
+}
+
+int unless_stopped(const std::filesystem::path& output, const std::function<int()>& write) {
+  try {
+    return write();
+  } catch (const base::Cancelled&) {
+    throw base::Error(output.string(), "stopped", "no file was changed");
+  }
+}
+
 }  // namespace viete::app

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/output.h"
 #include "deform/shape_space.h"
+#include "scene/files/export.h"
 #include "scene/files/open.h"
 #include "scene/files/shape_import.h"
 
@@ -23,5 +25,13 @@ struct OpenedShapes {
 /// null. Notes are printed. Throws base::Error.
 OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
                          const Output& output, const scene::FrameSteps* frames = nullptr);
+
+/// Writes the model in its shape, which errors call by the name: "the mix". Throws base::Error where that is
+/// larger than can be drawn, or no numbers. Returns notes.
+std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
+                                     base::Progress* progress);
+
+/// What a command of one file makes of Ctrl+C.
+int unless_stopped(const std::filesystem::path& output, const std::function<int()>& write);
 
 }  // namespace viete::app

@@ -6,6 +6,9 @@
 #include <limits>
 #include <numeric>
 
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/quantity.h"
 #include "deform/linear_map.h"
 #include "deform/plane_kernel.h"
 #include "sym3/derivative.h"
@@ -183,6 +186,15 @@ void ExamplePosing::restart() {
 void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
+  for (const PosingPin& pin : pins) {
+    if (logs.parts().loose[pin.vertex])
+      throw base::Error("", "vertex " + std::to_string(pin.vertex) + " (from 0) is of no triangle with area",
+                        "pin one that is");
+  }
+  base::require_memory(
+      {static_cast<double>(pins.size()) *
+           (8.0 * static_cast<double>(rest.size()) + 24.0 * static_cast<double>(logs.corners().size())),
+       base::counted(pins.size(), "pin") + " of this model take", "pin fewer vertices", ""});
   pins_ = std::move(pins);
   energy_ = std::numeric_limits<double>::infinity();
   columns_.clear(), part_of_pin_.clear();
@@ -227,7 +239,7 @@ void ExamplePosing::fill_gradients() {
 }
 
 // Forces f at pins bring them from where they would be: (1 / c + Z) f + way of the part = d, the forces of a
-// part in balance.
+// part in balance. Vertices at one place, held at two, are held as near to both as can be.
 void ExamplePosing::fill_stiffness() {
   std::vector<std::uint32_t> parts = part_of_pin_;
   std::ranges::sort(parts);
@@ -242,7 +254,8 @@ void ExamplePosing::fill_stiffness() {
     system(i, n + part) = system(n + part, i) = 1;
   }
   forces_.resize(std::size_t(all * n));
-  Eigen::Map<Rows>(forces_.data(), all, n) = system.fullPivLu().inverse().leftCols(n);
+  Eigen::Map<Rows>(forces_.data(), all, n) =
+      system.completeOrthogonalDecomposition().pseudoInverse().leftCols(n);
   pinned_parts_ = std::move(parts);
 }
 

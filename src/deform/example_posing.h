@@ -41,7 +41,8 @@ public:
   /// Vectors are of the space, without keys before; both outlive this, and so does the pool.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
 
-  /// Other ones; weights, turn and positions stay. Each vertex once. Some milliseconds a pin.
+  /// Other ones; weights, turn and positions stay. Each vertex once. Some milliseconds a pin. Throws
+  /// base::Error, before anything changes, where a vertex is of no triangle with area, or memory is short.
   void set_pins(std::vector<PosingPin> pins);
 
   /// One step towards the targets, one a pin. Returns how far it went: the most of weights, turn (radians)

@@ -243,13 +243,7 @@ void LogSpace::turn_by(std::span<const LogTerm> terms, const Vec3* whole, Work& 
 void LogSpace::follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
                       const Vec3* whole) const {
   turn_by(terms, whole, work);
-  add_pulls(
-      [&](std::size_t first, std::size_t count, const auto& take) {
-        Block block(*this, work, terms);
-        block.pull_by_logs(first, count);
-        take([&](std::size_t i, std::size_t k) { return block.pulled(i, k); });
-      },
-      pool, work);
+  load(terms, 0, pool, work);
   solve(work);
   if (fit_doubtful(terms, work)) solve(work);
 }
@@ -257,15 +251,21 @@ void LogSpace::follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Wo
 void LogSpace::follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                              const Vec3* whole) const {
   turn_by(terms, whole, work);
+  load(terms, share, pool, work);
+  solve(work);
+}
+
+// Of all triangles, with rotations that are fitted by a share.
+void LogSpace::load(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work) const {
   add_pulls(
       [&](std::size_t first, std::size_t count, const auto& take) {
         Block block(*this, work, terms);
         block.pull_by_logs(first, count);
+        if (share == 0) return take([&](std::size_t i, std::size_t k) { return block.pulled(i, k); });
         block.pull_by_fit(count, [first](std::size_t i) { return first + i; });
         take([&](std::size_t i, std::size_t k) { return block.pulled(i, k) + share * block.fit(i, k); });
       },
       pool, work);
-  solve(work);
 }
 
 // In the order of the sides.

@@ -130,6 +130,7 @@ private:
   }
   void find_parts(mesh::UnionFind sets);
   void turn_by(std::span<const LogTerm> terms, const Vec3* whole, Work& work) const;
+  void load(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work) const;
   template <class Make>
   void add_pulls(const Make& make, base::WorkerPool& pool, Work& work) const;
   template <class Make>

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/error.h"
 #include "deform/shapes.h"
 #include "mesh/formats/read.h"
 #include "support/data.h"
@@ -165,6 +166,32 @@ TEST_CASE("posing_gives_the_same_bits_on_any_number_of_threads") {
     if (first.empty()) first = posed;
     CHECK(posed == first);
   }
+}
+
+TEST_CASE("pins_at_one_place_that_are_held_at_two_are_between_them") {
+  mesh::Surface model = straight_tube();
+  // A seam: the triangles of the first vertex take turns with a copy of it.
+  const auto copy = std::uint32_t(model.positions.size());
+  model.positions.push_back(model.positions[40]);
+  auto triangles = model.triangles;
+  bool takes = false;
+  for (auto& t : triangles)
+    for (auto& v : t)
+      if (v == 40 && (takes = !takes)) v = copy;
+  Posing p(mesh::from_triangles(model.positions, triangles), {}, {0, 200, 40, copy});
+  Points targets = p.rest.positions;
+  targets[40][0] += 0.1, targets[copy][0] -= 0.1;
+  const Points posed = p.solved(targets, {.freedom = 1});
+  CHECK(all_finite(posed));
+  CHECK(norm(posed[40] - p.rest.positions[40]) < 0.1);
+  CHECK(posed[40] == posed[copy]);
+}
+
+TEST_CASE("a_vertex_of_no_triangle_is_no_pin") {
+  mesh::Surface model = straight_tube();
+  model.positions.push_back({7, 7, 7});
+  const auto loose = std::uint32_t(model.positions.size() - 1);
+  CHECK_THROWS_WITH_AS(Posing(model, {}, {0, loose}), doctest::Contains("no triangle"), base::Error);
 }
 
 // The bars of the published gallop: seven vertices and six of its frames give the others.

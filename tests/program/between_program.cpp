@@ -270,5 +270,6 @@ TEST_CASE("pose_says_what_is_wrong_with_its_pins") {
   f.refused("pose rest.obj --pin 999=1,2,3 -o p.obj", 1, "there is no vertex 999");
   f.refused("pose rest.obj --pin 1=1,2,3 --pull 1=3,2,1 -o p.obj", 1, "pinned twice");
   f.refused("pose rest.obj --pin 1=1,2,3 -o rest.obj", 1, "rest.obj");
+  f.refused("pose rest.obj --pin 1=1e60,2,3 --pin 2=0,0,0 -o p.obj", 1, "larger than can be drawn");
   CHECK(!fs::exists(f / "p.obj"));
 }
