@@ -79,7 +79,8 @@ bool add_loop(scene::Workspace& w, const std::filesystem::path& file) {
     scene::Session session = scene::read_session(file);
     if (!same_file(session.model, document.model.path) || !same_file(session.cage, document.cage_file.path))
       return false;
-    scene::fit_poses(session.library, session.timeline, document.cage.get(), file.string(), session.warnings);
+    scene::fit_poses(session.library, session.timeline, document.cage.get(), *document.model.surface,
+                     file.string(), session.warnings);
     if (!session.warnings.empty()) return false;  // nothing is missing but a show
     document.library = w.saved.state.library = std::move(session.library);
     document.timeline = w.saved.state.timeline = std::move(session.timeline);

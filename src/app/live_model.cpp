@@ -177,6 +177,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   const bool deformed = !editing && deforms(document);
   if (deformed) {
     deformer_->set_probes(document.probes);
+    deformer_->set_shape(document.shape);
     deformer_->deform(document.has_cage() ? document.pose : deform::rest_pose(*no_cage_),
                       deformer_->engine(document.method) ? document.method : sym3::Method::fast);
     take_carried(document);

@@ -18,6 +18,8 @@ scene::Document without_history(const scene::Document& document) {
   copy.cage = document.cage;
   copy.mask = document.mask;
   copy.probes = document.probes;
+  copy.shape = document.shape;
+  copy.library = document.library;
   copy.method = document.method;
   copy.scheme = document.scheme;
   copy.timeline = document.timeline;

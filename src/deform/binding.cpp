@@ -4,6 +4,21 @@
 
 namespace viete::deform {
 
+std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point> rest) {
+  std::vector<Vec3> ways;
+  if (!shape) return ways;
+  ways.reserve(rest.size());
+  for (std::size_t v = 0; v < rest.size(); ++v) ways.push_back((*shape)[v] - rest[v]);
+  return ways;
+}
+
+void shape_by(Binding& binding, std::span<const Vec3> ways) {
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    binding.rest[i] = binding.rest[i] + ways[i];
+    binding.offsets[i] = binding.offsets[i] + ways[i];
+  }
+}
+
 Shares product(Shares shares, const Mask& mask) {
   if (!mask) return shares;
   if (shares.empty()) return {mask->begin(), mask->end()};

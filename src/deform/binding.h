@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ using Shares = std::vector<double>;
 /// A share of every vertex, painted; null: all of it. It is not of a binding: those serve any.
 using Mask = std::shared_ptr<const std::vector<float>>;
 
+/// Where a model's vertices are before the cage moves them, one position each; null: at rest. Weights stay
+/// those at rest.
+using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
+
 /// n vertices, k handles.
 struct Binding {
   Weighting weighting;
@@ -45,6 +50,11 @@ struct Binding {
   std::vector<mesh::Triangle> triangles;  ///< of the model
   mesh::Adjacency around;
 };
+
+/// How far its vertices are from rest; empty: at rest.
+std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point> rest);
+/// Rest and offsets are those of a shape, from now on: so far from where they were, one way each, or none.
+void shape_by(Binding& binding, std::span<const Vec3> ways);
 
 /// Empties shares that are all 1.
 template <class Vector>

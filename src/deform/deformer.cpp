@@ -39,14 +39,26 @@ void Deformer::set_amounts(const Amounts& amounts) {
   state_.set_amounts(amounts);
 }
 
+template <class Act>
+void Deformer::for_engines(const Act& act) {
+  if (staged_) act(*staged_);
+  if (fused_) act(*fused_);
+  if (stitched_) act(*stitched_);
+}
+
 void Deformer::set_mask(Mask mask) {
   mask_ = std::move(mask);
   layer_.set(layer_.probes(), mask_);
   const bool partial = !binding_->shares.empty() || (binding_->tiles && !binding_->tiles->shares.empty());
   state_.keep_origin(mask_ || partial);
-  if (staged_) staged_->set_mask(mask_);
-  if (fused_) fused_->set_mask(mask_);
-  if (stitched_) stitched_->set_mask(mask_);
+  for_engines([&](Engine& engine) { engine.set_mask(mask_); });
+}
+
+void Deformer::set_shape(const SharedShape& shape) {
+  if (shape == shape_) return;
+  shape_ = shape;
+  ways_ = ways_of(shape, binding_->rest);
+  for_engines([&](Engine& engine) { engine.set_shape(ways_); });
 }
 
 void Deformer::set_probes(const Probes& probes) {
@@ -122,7 +134,7 @@ double Deformer::sampled_error() const {
   if (!ran_ || ran_ == EngineKind::staged) return 0;
   const auto sample = spread_vertices(binding_->vertices, error_sample);
   const auto measured = [&](const ProbeLayer* layer, std::span<const Vec3> shown) {
-    return deform::sampled_error(weigher_, *binding_, mask_, state_.rows(), layer, shown);
+    return deform::sampled_error(weigher_, *binding_, mask_, ways_, state_.rows(), layer, shown);
   };
   if (ran_ == EngineKind::stitched) return measured(nullptr, stitched_->blended(sample));
   std::vector<Vec3> shown;

@@ -33,6 +33,9 @@ public:
   /// Of the next frames; null: every vertex follows. One share a vertex, 0 to 1.
   void set_mask(Mask mask);
   const Mask& mask() const { return mask_; }
+  /// Of the next frames: what the cage acts upon. Of the same model, or null: at rest.
+  void set_shape(const SharedShape& shape);
+  const SharedShape& shape() const { return shape_; }
   /// Of the next frames: a layer upon what the cage does.
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
@@ -73,12 +76,16 @@ public:
 
 private:
   Engine& of(EngineKind kind) const;
+  template <class Act>
+  void for_engines(const Act& act);
   const Engine& last() const { return of(*ran_); }
   void carry_probes();
 
   std::shared_ptr<const Binding> binding_;
   Scheme scheme_;
   Mask mask_;
+  SharedShape shape_;
+  std::vector<Vec3> ways_;  // of the shape, from rest
   CageState state_;
   Weigher weigher_;
   ProbeLayer layer_;

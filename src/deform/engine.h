@@ -24,6 +24,9 @@ public:
 
   /// Of the next frames. The state must keep its origin if there is one, or weights are partial.
   virtual void set_mask(const Mask& mask) = 0;
+  /// Of the next frames: how far the shape of each vertex is from rest, one way each; empty: at rest. Must
+  /// outlive them.
+  virtual void set_shape(std::span<const Vec3> ways) = 0;
   /// Of the next frames, upon what the rows do; null: none. Of the same model, and outlives its frames.
   void set_layer(ProbeLayer* layer) { layer_ = layer; }
   /// One frame. The state must be of the cage, the elements and the blend that the engine was made for.

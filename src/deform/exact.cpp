@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "deform/apply.h"
+#include "deform/bind.h"
 #include "deform/blend.h"
 #include "deform/map_rows.h"
 #include "deform/moments.h"
@@ -17,7 +18,6 @@
 #include "deform/stitcher.h"
 #include "deform/vertex_sample.h"
 #include "deform/weigher.h"
-#include "deform/bind.h"
 
 namespace viete::deform {
 
@@ -60,11 +60,12 @@ namespace {
 // What stitching takes of a pose: sums of rows at every vertex. Positions become those that are stitched.
 void stitch_positions(const Stitching& stitching, const Rows& rows, std::span<const double> sums,
                       const Shares& shares, const Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
-                      std::span<mesh::Point> positions) {
+                      std::span<const Vec3> ways, std::span<mesh::Point> positions) {
   std::vector<Vec3> held;
   for (const auto& hold : stitching.holds) held.push_back(positions[hold.vertex] - rows.origin);
   Stitcher stitcher(stitching, rows.form, pool);
   stitcher.set_shares(shares);
+  stitcher.set_shape(ways);
   stitcher.run(rows, sums, held, method, scheme.iterations);
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rows.origin + stitcher.positions()[v];
 }
@@ -126,6 +127,21 @@ BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) const {
   return part;
 }
 
+// Offsets at rest are kept beside: added and taken away again they would not be the same bits.
+void ExactDeformer::shape_by(BoundPart& part, const SharedShape& shape, std::size_t begin) const {
+  Binding& b = part.binding;
+  const auto at_rest = std::span(model_.positions).subspan(begin, b.vertices);
+  if (!part.offsets.empty()) {
+    std::ranges::copy(at_rest, b.rest.begin());
+    b.offsets = part.offsets;
+  }
+  if (!shape) return;
+  part.offsets = b.offsets;
+  std::vector<Vec3> ways;
+  for (std::size_t i = 0; i < b.vertices; ++i) ways.push_back((*shape)[begin + i] - at_rest[i]);
+  deform::shape_by(b, ways);
+}
+
 // Returns what place_vertices() does.
 double ExactDeformer::place(const BoundPart& part, const Rows& rows, std::size_t begin,
                             std::span<mesh::Point> positions) {
@@ -140,7 +156,8 @@ double ExactDeformer::place(const BoundPart& part, const Rows& rows, std::size_t
   return error;
 }
 
-ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, base::Progress* progress) {
+ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const SharedShape& shape,
+                                 base::Progress* progress) {
   state_.set_pose(pose);
   const Rows rows = state_.rows();
   const std::size_t n = model_.positions.size(), at_once = handle_block(weigher_.handles());
@@ -154,6 +171,7 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, base::P
     BoundPart made;
     BoundPart& bound = parts_.empty() ? made : parts_[begin / at_once];
     if (bound.binding.vertices == 0) bound = part(begin, count);
+    shape_by(bound, shape, begin);
     const double error = place(bound, rows, begin, std::span(exact.positions).subspan(begin, count));
     const std::lock_guard lock(mutex);
     done += count;
@@ -162,7 +180,8 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, base::P
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(n));
   });
   if (stitching_)
-    stitch_positions(*stitching_, rows, sums_, shares_, scheme_, method_, pool_, exact.positions);
+    stitch_positions(*stitching_, rows, sums_, shares_, scheme_, method_, pool_,
+                     ways_of(shape, model_.positions), exact.positions);
   layer_.set(probes, mask_);
   if (layer_.moves()) layer_.move_all(exact.positions, method_);
   exact.warnings = weight_warnings(*cage_, scheme_.weighting.weights, failed, n);
@@ -171,10 +190,11 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, base::P
 
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
-                          base::Progress* progress, const Mask& mask, const Probes& probes) {
+                          base::Progress* progress, const Mask& mask, const Probes& probes,
+                          const SharedShape& shape) {
   ExactDeformer deformer(model, std::move(cage), scheme, method, pool, ExactDeformer::Weights::dropped, mask,
                          progress);
-  return deformer.deform(pose, probes, progress);
+  return deformer.deform(pose, probes, shape, progress);
 }
 
 }  // namespace viete::deform

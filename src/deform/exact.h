@@ -45,12 +45,14 @@ public:
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);
 
-  /// Probes are a layer upon it, see ProbeLayer. Throws base::Error when the pose has not one position per
-  /// cage vertex, and base::Cancelled.
-  ExactModel deform(const Pose& pose, const Probes& probes = {}, base::Progress* progress = nullptr);
+  /// Probes are a layer upon it, see ProbeLayer; a shape is what the cage acts upon. Throws base::Error when
+  /// the pose has not one position per cage vertex, and base::Cancelled.
+  ExactModel deform(const Pose& pose, const Probes& probes = {}, const SharedShape& shape = nullptr,
+                    base::Progress* progress = nullptr);
 
 private:
   BoundPart part(std::size_t begin, std::size_t count) const;
+  void shape_by(BoundPart& part, const SharedShape& shape, std::size_t begin) const;
   double place(const BoundPart& part, const Rows& rows, std::size_t begin, std::span<mesh::Point> positions);
 
   const mesh::Surface& model_;
@@ -73,6 +75,6 @@ private:
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
                           base::Progress* progress = nullptr, const Mask& mask = nullptr,
-                          const Probes& probes = {});
+                          const Probes& probes = {}, const SharedShape& shape = nullptr);
 
 }  // namespace viete::deform

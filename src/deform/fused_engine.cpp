@@ -90,6 +90,22 @@ void FusedEngine::set_mask(const Mask& mask) {
   for (std::size_t slot = 0; slot < shares_.size(); ++slot) shares_[slot] *= (*mask)[order[slot]];
 }
 
+void FusedEngine::set_shape(std::span<const Vec3> ways) {
+  drag_.placed = false;
+  knows_rest_ = false;
+  rest_.clear(), offsets_.clear();
+  if (ways.empty()) return;
+  rest_ = binding_->rest, offsets_ = binding_->offsets;
+  const TileLines<float> rest{rest_.data(), 3}, offsets{offsets_.data(), 3};
+  for_leaves([&](std::size_t leaf) {
+    for (std::size_t slot = binding_->leaves.begin(leaf); slot < binding_->leaves.end(leaf); ++slot) {
+      const Vec3 way = (1 / binding_->unit) * ways[binding_->leaves.order[slot]];
+      rest.set(slot, 0, rest.three(slot, 0) + way);
+      offsets.set(slot, 0, offsets.three(slot, 0) + way);
+    }
+  });
+}
+
 std::size_t FusedEngine::bytes() const {
   const std::size_t at_rest = sizeof(float) * rest_moments_.size();
   if (!dragging_) return at_rest + binding_->bytes();
@@ -149,7 +165,7 @@ void FusedEngine::blend(const CageState& state, std::span<double> sums) {
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;
-  const float* rest = binding_->rest.data() + slot / lanes * lanes * 3 + slot % lanes;
+  const float* rest = this->rest().data() + slot / lanes * lanes * 3 + slot % lanes;
   for (std::size_t c = 0; c < columns_; ++c) {
     sums[c] *= share;
     if (c >= center)
@@ -207,7 +223,7 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   base::AlignedVector<float> own(slots * sums_), table = table_;
   const TileLines<float> moments{rest_moments_.data() + begin * rest_moment_lines, rest_moment_lines};
   const TileLines<const float> sums{own.data(), sums_}, rest{b.rest.data() + begin * 3, 3},
-      offsets{b.offsets.data() + begin * 3, 3};
+      offsets{b.offsets.data() + begin * 3, 3}, shaped{this->offsets().data() + begin * 3, 3};
   for (std::size_t s = 0; s < slots; ++s) moments.set(s, 0, unit * (rest.three(s, 0) - offsets.three(s, 0)));
   write_offset_rows(table);
   const auto sum = [&] { tiles_.blend(leaf_run(leaf, table.data()), own.data()); };
@@ -225,7 +241,7 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
     sym3::Mat3<double> m;
     for (std::size_t i = 0; i < 9; ++i) m[i] = sums.at(s, i);
     const Vec3 near = moments.three(s, 0);
-    const RestMoment r = rest_moment(m, off[s], weight[s], near - middle, unit * offsets.three(s, 0), unit);
+    const RestMoment r = rest_moment(m, off[s], weight[s], near - middle, unit * shaped.three(s, 0), unit);
     moments.set(s, 3, off[s]);
     moments.set(s, 6, r.dual);
     moments.at(s, 9) = static_cast<float>(r.scale);
@@ -396,7 +412,7 @@ void FusedEngine::place_vertices() {
     TileRun<float> run = frame_run(leaf);
     run.mean = mean_.data();
     if (!shares_.empty()) run.shares = shares_.data() + begin;
-    tiles_.place(run, b.rest.data() + begin * 3, b.offsets.data() + begin * 3,
+    tiles_.place(run, rest().data() + begin * 3, offsets().data() + begin * 3,
                  positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]));
   });
 }

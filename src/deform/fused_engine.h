@@ -35,6 +35,7 @@ public:
               const sym3::Kernel& kernel = sym3::kernel());
 
   void set_mask(const Mask& mask) override;
+  void set_shape(std::span<const Vec3> ways) override;
   /// The method does not matter.
   void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
@@ -51,6 +52,10 @@ public:
 private:
   using Handles = std::span<const std::uint32_t>;
 
+  const base::AlignedVector<float>& rest() const { return rest_.empty() ? binding_->rest : rest_; }
+  const base::AlignedVector<float>& offsets() const {
+    return offsets_.empty() ? binding_->offsets : offsets_;
+  }
   void prepare(const CageState& state);
   void fill_table(const Rows& rows);
   void fill_rest_moments(const Rows& rows);
@@ -90,10 +95,11 @@ private:
   base::AlignedVector<float> skeleton_table_;  // [pivot][column]
   base::AlignedVector<float> positions_;       // of slots and ghosts (see Rings), x y z x in units
   base::AlignedVector<FrameVertex> vertices_;
-  base::AlignedVector<float> shares_;     // [slot]; empty: all 1
-  std::vector<std::uint8_t> leaf_moved_;  // [leaf] its slots, in this frame
-  std::vector<std::uint32_t> slots_;      // of vertices, where probes are
-  ProbeTiles probes_;  // of the layer
+  base::AlignedVector<float> shares_;          // [slot]; empty: all 1
+  base::AlignedVector<float> rest_, offsets_;  // of a shape, as those of the binding; empty: at rest
+  std::vector<std::uint8_t> leaf_moved_;       // [leaf] its slots, in this frame
+  std::vector<std::uint32_t> slots_;           // of vertices, where probes are
+  ProbeTiles probes_;                          // of the layer
   bool dragging_ = false;
   Vec3 origin_{0, 0, 0};  // of the frame's rows
 

@@ -90,17 +90,20 @@ Vec3 fitted(RowForm form, const Moments& moments, const Vec3& o, double length) 
 
 }  // namespace
 
-void place_by_moments(const Binding& binding, const Shares& shares, const Rows& rows, std::size_t begin,
-                      std::size_t end, std::span<mesh::Point> positions) {
+void place_by_moments(const Binding& binding, const Shares& shares, const Rows& rows,
+                      std::span<const Vec3> ways, std::size_t begin, std::size_t end,
+                      std::span<mesh::Point> positions) {
+  const auto shaped = [&](const Vec3& at, std::size_t i) { return ways.empty() ? at : at + ways[i]; };
   for (std::size_t i = begin; i < end; ++i) {
-    positions[i] = binding.rest[i];
+    positions[i] = shaped(binding.rest[i], i);
     const double share = shares.empty() ? 1 : shares[i];
     if (share == 0) continue;
     const auto weights = std::span(binding.weights).subspan(i * binding.handles, binding.handles);
     const Means mean = means(weights, rows.values.data());
     const Moments sums = moments(weights, rows.values.data(), mean);
-    const Vec3 moved = fitted(rows.form, sums, binding.offsets[i], rows.moment_length) + mean.center;
-    const Vec3 rest = binding.rest[i] - binding.rest_origin;
+    const Vec3 moved =
+        fitted(rows.form, sums, shaped(binding.offsets[i], i), rows.moment_length) + mean.center;
+    const Vec3 rest = shaped(binding.rest[i], i) - binding.rest_origin;
     positions[i] = rows.origin + (share == 1 ? moved : rest + share * (moved - rest));
   }
 }

@@ -33,9 +33,10 @@ namespace viete::deform {
 ///
 /// Positions of the vertices [begin, end) of a binding for the staged engine, all links at once, in double.
 /// Each is computed by itself. Of its way from rest a vertex goes its share. The form of the rows must be one
-/// of moments.
-void place_by_moments(const Binding& binding, const Shares& shares, const Rows& rows, std::size_t begin,
-                      std::size_t end, std::span<mesh::Point> positions);
+/// of moments. ways, of all vertices: how far their shapes are from rest; empty: at rest.
+void place_by_moments(const Binding& binding, const Shares& shares, const Rows& rows,
+                      std::span<const Vec3> ways, std::size_t begin, std::size_t end,
+                      std::span<mesh::Point> positions);
 
 /// What the fused frame knows of a vertex at rest. It sums B' = sum v p' (p - n)^T + l^2 sum v A about a
 /// fixed point n next to m, so that nothing cancels; what the rounding of n leaves, B' - B = m' s^T with s =

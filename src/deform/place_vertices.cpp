@@ -13,7 +13,7 @@ double place_vertices(const Binding& binding, const Rows& rows, sym3::Method met
                       std::span<mesh::Point> positions) {
   const std::size_t n = positions.size();
   if (has_moments(rows.form)) {
-    place_by_moments(binding, binding.shares, rows, 0, n, positions);
+    place_by_moments(binding, binding.shares, rows, {}, 0, n, positions);
     return 0;
   }
   std::vector<double> sums(n * rows.columns());

@@ -32,6 +32,14 @@ void StagedEngine::for_vertices(const Body& body) {
   pool_.for_blocks(binding_->vertices, vertices_per_block, body);
 }
 
+void StagedEngine::set_shape(std::span<const Vec3> ways) {
+  ways_ = ways;
+  if (ways_.empty()) return;
+  shaped_.vertices = binding_->vertices, shaped_.rest_origin = binding_->rest_origin;
+  shaped_.rest = binding_->rest, shaped_.offsets = binding_->offsets;
+  shape_by(shaped_, ways_);
+}
+
 void StagedEngine::run(const CageState& state, sym3::Method method) {
   const Rows rows = state.rows();
   times_ = {};
@@ -50,7 +58,7 @@ void StagedEngine::blend_rows(const Rows& rows, sym3::Method method) {
   base::Stopwatch watch;
   for_vertices([&](std::size_t begin, std::size_t end) {
     blend(*binding_, rows, begin, end, sums_);
-    share_sums(*binding_, shares_, rows.form, begin, end, sums_);
+    share_sums(places(), shares_, rows.form, begin, end, sums_);
     stretch_logs(rows.form, sums_, begin, end, logs_);
   });
   times_[Link::blend] = watch.lap_ms();
@@ -63,7 +71,7 @@ void StagedEngine::blend_rows(const Rows& rows, sym3::Method method) {
     times_[Link::exp] = watch.lap_ms();
   }
   for_vertices([&](std::size_t begin, std::size_t end) {
-    apply(*binding_, shares_, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
+    apply(places(), shares_, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
   });
   times_[Link::apply] = watch.lap_ms();
 }
@@ -72,7 +80,7 @@ void StagedEngine::blend_rows(const Rows& rows, sym3::Method method) {
 void StagedEngine::fit(const Rows& rows) {
   base::Stopwatch watch;
   for_vertices([&](std::size_t begin, std::size_t end) {
-    place_by_moments(*binding_, shares_, rows, begin, end, positions_);
+    place_by_moments(*binding_, shares_, rows, ways_, begin, end, positions_);
   });
   times_[Link::blend] = watch.lap_ms();
 }

@@ -17,6 +17,7 @@ public:
   StagedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool);
 
   void set_mask(const Mask& mask) override { shares_ = product(binding_->shares, mask); }
+  void set_shape(std::span<const Vec3> ways) override;
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
   /// Of the last frame, in double.
@@ -28,6 +29,7 @@ public:
 private:
   template <class Body>
   void for_vertices(const Body& body);
+  const Binding& places() const { return ways_.empty() ? *binding_ : shaped_; }
   void blend_rows(const Rows& rows, sym3::Method method);
   void fit(const Rows& rows);
   void move_by_probes(sym3::Method method);
@@ -36,6 +38,8 @@ private:
   std::shared_ptr<const Binding> binding_;
   base::WorkerPool& pool_;
   Shares shares_;
+  std::span<const Vec3> ways_;                        // of the shape
+  Binding shaped_;                                    // with these, without weights
   std::vector<double> sums_;                          // [vertex][column], of forms without moments
   std::vector<sym3::Sym3<double>> logs_, stretches_;  // of forms that have them
   std::vector<mesh::Point> positions_, normals_;

@@ -21,15 +21,18 @@ std::vector<std::size_t> held_vertices(const Stitching& stitching) {
   return held;
 }
 
-// What apply() needs of these, but for shares.
+// What apply() needs of these, but for shares. ways: of all vertices.
 Binding some_vertices(const TiledBinding& tiles, std::span<const std::uint32_t> slots,
-                      std::span<const std::size_t> vertices) {
+                      std::span<const std::size_t> vertices, std::span<const Vec3> ways = {}) {
   Binding some;
+  std::vector<Vec3> own;
   some.vertices = vertices.size();
   for (const auto v : vertices) {
     some.rest.push_back(vector_of_slot(tiles.rest, slots[v], tiles.unit));
     some.offsets.push_back(vector_of_slot(tiles.offsets, slots[v], tiles.unit));
+    if (!ways.empty()) own.push_back(ways[v]);
   }
+  shape_by(some, own);
   return some;
 }
 
@@ -61,6 +64,15 @@ void StitchedEngine::set_mask(const Mask& mask) {
     held_.shares.push_back(shares_[stitching_->holds[i].vertex]);
 }
 
+void StitchedEngine::set_shape(std::span<const Vec3> ways) {
+  ways_ = ways;
+  blender_.set_shape(ways);
+  stitcher_.set_shape(ways);
+  Shares shares = std::move(held_.shares);
+  held_ = some_vertices(*binding_, slots_, held_vertices(*stitching_), ways);
+  held_.shares = std::move(shares);
+}
+
 void StitchedEngine::run(const CageState& state, sym3::Method method) {
   blender_.blend(state, sums_);
   base::Stopwatch watch;
@@ -77,7 +89,7 @@ void StitchedEngine::run(const CageState& state, sym3::Method method) {
 
 std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices) const {
   const std::size_t columns = shape(form_).columns;
-  Binding some = some_vertices(*binding_, slots_, vertices);
+  Binding some = some_vertices(*binding_, slots_, vertices, ways_);
   std::vector<double> sums;
   for (const auto v : vertices) {
     const auto from = std::span(sums_).subspan(v * columns, columns);

@@ -23,6 +23,7 @@ public:
                  RowForm form, int iterations, base::WorkerPool& pool);
 
   void set_mask(const Mask& mask) override;
+  void set_shape(std::span<const Vec3> ways) override;
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return blender_.vertices(); }
   /// Of the last frame, in double, relative to its rows' origin.
@@ -42,7 +43,8 @@ private:
   Stitcher stitcher_;
   std::vector<std::uint32_t> slots_;  // of vertices
   Shares shares_;
-  Binding held_;  // what apply() needs of the vertices that are held
+  std::span<const Vec3> ways_;  // of the shape
+  Binding held_;                // what apply() needs of the vertices that are held
   std::vector<double> sums_, held_sums_;
   std::vector<Vec3> held_positions_;
 };

@@ -164,6 +164,24 @@ void Stitcher::set_shares(const Shares& shares) {
     pinned_.shares.push_back(shares[stitching_.pins[i].vertex]);
 }
 
+void Stitcher::set_shape(std::span<const Vec3> ways) {
+  const Stitching& s = stitching_;
+  shaped_gradients_.clear();
+  pinned_.rest = s.pinned.rest, pinned_.offsets = s.pinned.offsets;
+  if (ways.empty()) return;
+  std::vector<Vec3> of_pins;
+  for (const Stitching::Pin& pin : s.pins) of_pins.push_back(ways[pin.vertex]);
+  shape_by(pinned_, of_pins);
+  shaped_gradients_ = s.gradients;
+  pool_.for_blocks(s.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c] = s.triangles[t];
+      const auto more = area_gradients(s.cotangents[t], ways[a], ways[b], ways[c]);
+      for (const std::size_t i : {0, 1}) shaped_gradients_[t][i] = shaped_gradients_[t][i] + more[i];
+    }
+  });
+}
+
 void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held,
                    sym3::Method method, int iterations) {
   base::Stopwatch watch;
@@ -199,6 +217,7 @@ inline void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
 
 void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, bool keep_stretches) {
   if (keep_stretches) stretched_.resize(stitching_.triangles.size());
+  const auto& gradients_at = shaped_gradients_.empty() ? stitching_.gradients : shaped_gradients_;
   pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     const auto triangles = std::span(stitching_.triangles).subspan(begin, end - begin);
     const std::size_t count = triangles.size();
@@ -207,7 +226,7 @@ void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, b
     maps.make(form_, count, method, keep_stretches);
     alignas(64) Maps::Plane gradients[6], stretched[6], loads[6];
     for (std::size_t i = 0; i < count; ++i) {
-      const auto& [a, b] = stitching_.gradients[begin + i];
+      const auto& [a, b] = gradients_at[begin + i];
       Maps::put(gradients, i, std::array{a[0], a[1], a[2], b[0], b[1], b[2]});
     }
     for (const std::size_t corner : {0, 3}) {

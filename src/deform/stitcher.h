@@ -20,6 +20,9 @@ public:
 
   /// Of the next poses, one a vertex; empty: all 1. Pins take part in what their vertices make of them.
   void set_shares(const Shares& shares);
+  /// Of the next poses, one way a vertex: see Engine::set_shape(). Gradients are of the shape's sides, with
+  /// the cotangents at rest.
+  void set_shape(std::span<const Vec3> ways);
   /// One pose. sums, shared already, are the blended rows, [vertex][column]; held, of each hold, the vertex's
   /// blended position relative to the rows' origin. A triangle's map is that of the mean of its corners'
   /// sums.
@@ -48,9 +51,10 @@ private:
   const Stitching& stitching_;
   RowForm form_;
   base::WorkerPool& pool_;
-  std::vector<Vec3> loads_;                     // M g of each corner of each triangle
-  std::vector<std::array<Vec3, 2>> stretched_;  // S g, where rotations are refitted
-  Binding pinned_;                              // with the shares of the pins' vertices
+  std::vector<std::array<Vec3, 2>> shaped_gradients_;  // empty: those at rest
+  std::vector<Vec3> loads_;                            // M g of each corner of each triangle
+  std::vector<std::array<Vec3, 2>> stretched_;         // S g, where rotations are refitted
+  Binding pinned_;                                     // with the shares of the pins' vertices
   std::vector<mesh::Point> pin_targets_;
   std::vector<Vec3> right_, positions_;
   SparseCholesky::Workspace work_;

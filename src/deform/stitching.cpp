@@ -32,13 +32,6 @@ constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
 constexpr double indistinguishable = 1e-9;  // distances, in diagonals
 
-// Area times the gradients of the hat functions of the first two corners: rows of the triangle's stiffness
-// matrix times its corners.
-std::array<Vec3, 2> area_gradients(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
-  const Vec3 h = half_cotangents(a, b, c);
-  return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
-}
-
 // The triangle nearest to a point, of those that are not thin; none: the number of triangles. Where several
 // share the nearest point, or what is as near but for rounding, the one whose centre is nearest.
 class NearestTriangle {
@@ -104,6 +97,7 @@ public:
     add_diagonal(matrix);
     Stitching s{entry(elements_).handles,
                 settings_,
+                {},
                 {},
                 {},
                 {},
@@ -209,8 +203,10 @@ private:
       return std::min({places[t[0]], places[t[1]], places[t[2]]});
     };
     std::ranges::stable_sort(s.triangles, {}, first_place);
-    for (const mesh::Triangle& t : s.triangles)
-      s.gradients.push_back(area_gradients(p[t[0]], p[t[1]], p[t[2]]));
+    for (const auto& [a, b, c] : s.triangles) {
+      s.cotangents.push_back(half_cotangents(p[a], p[b], p[c]));
+      s.gradients.push_back(area_gradients(s.cotangents.back(), p[a], p[b], p[c]));
+    }
     std::vector<std::uint32_t> beside(p.size(), no_triangle);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
       s.rotated_as.push_back(t);
@@ -221,6 +217,7 @@ private:
       s.rotated_as.push_back(beside[a] != no_triangle ? beside[a] : own);
       const Vec3 g = strength * (p[a] - p[b]);
       s.triangles.push_back({a, b, b});
+      s.cotangents.push_back({0, 0, strength});
       s.gradients.push_back({g, Vec3{0, 0, 0} - g});
     }
     s.around = mesh::make_adjacency(p.size(), [&](const auto& add) {
@@ -266,10 +263,16 @@ private:
 
 }  // namespace
 
+// Area times the gradients of the hat functions of the first two corners: rows of the triangle's stiffness
+// matrix times its corners.
+std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, const Vec3& c) {
+  return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
+}
+
 std::size_t stitching_bytes(std::size_t vertices) {
   // factors by n log n; gradients, loads and stretches of two triangles a vertex; lists; right sides
   const auto n = static_cast<double>(vertices);
-  return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 48 + 72 + 48) + 28 + 80));
+  return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80));
 }
 
 StitchingSettings settings_of(const Scheme& scheme) {

@@ -62,6 +62,8 @@ struct Stitching {
   /// Whose rotation each of them takes when rotations are fitted: its own, and couplings that of a triangle
   /// beside, since along one line any rotation fits.
   std::vector<std::uint32_t> rotated_as;
+  /// Half the cotangents of their corners, of which K is made; of a coupling (0, 0, c).
+  std::vector<Vec3> cotangents;
   /// g of their first two corners; the third is what these lack to 0.
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< 3 t + corner, of each vertex in the order
@@ -72,6 +74,9 @@ struct Stitching {
 
   std::size_t vertices() const { return factors.size(); }
 };
+
+/// g of a triangle with these cotangents whose corners are there.
+std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Bytes that it takes, about, for a surface of so many vertices.
 std::size_t stitching_bytes(std::size_t vertices);

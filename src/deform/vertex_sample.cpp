@@ -68,13 +68,19 @@ void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, con
 
 }  // namespace
 
-double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
-                     const ProbeLayer* layer, std::span<const Vec3> shown) {
+double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
+                     std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
+                     std::span<const Vec3> shown) {
   const auto vertices = spread_vertices(binding.vertices, error_sample);
   std::vector<mesh::Point> exact;
-  for (const auto v : vertices) exact.push_back(binding.rest[v]);
+  std::vector<Vec3> own;
+  for (const auto v : vertices) {
+    exact.push_back(binding.rest[v]);
+    if (!ways.empty()) own.push_back(ways[v]);
+  }
   BoundPart part = entry(binding.weighting.weights).on_surface ? sampled_part(weigher, *binding.tiles, exact)
                                                                : bind_part(weigher, exact);
+  shape_by(part.binding, own);
   part.binding.shares = product(std::move(part.binding.shares), at_vertices(mask, vertices));
   place_vertices(part.binding, rows, sym3::Method::fast, exact);
   if (layer && layer->moves()) move_by(*layer, vertices, rows.origin, exact);

@@ -59,7 +59,8 @@ void visit_kept_weights(const Binding& binding, std::span<const std::size_t> ver
 /// Vertices at these points, with weights and offsets as the staged frame has them.
 struct BoundPart {
   Binding binding;
-  std::size_t failed = 0;  ///< have no mean value coordinates
+  std::size_t failed = 0;              ///< have no mean value coordinates
+  std::vector<mesh::Point> offsets{};  ///< those at rest, while the binding's are a shape's
 };
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
 /// With weights along the surface: of the error_sample vertices of tiles.sample.
@@ -68,10 +69,11 @@ BoundPart sampled_part(const Weigher& weigher, const TiledBinding& tiles,
 
 /// How far a frame of these rows, and of the layer unless that is null, is from double precision and exact
 /// weights: the largest distance of the vertices of spread_vertices(n, error_sample), in diagonals of the
-/// cage. shown: where the frame has them, relative to the rows' origin. Takes about a millisecond. Weights
-/// along the surface must be those of tiles.
-double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
-                     const ProbeLayer* layer, std::span<const Vec3> shown);
+/// cage. ways: of the shape, see Engine::set_shape(). shown: where the frame has them, relative to the rows'
+/// origin. Takes about a millisecond. Weights along the surface must be those of tiles.
+double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
+                     std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
+                     std::span<const Vec3> shown);
 
 /// The symmetric logs that at most `limit` vertices, spread evenly over the model, blend: what their
 /// exponential is taken of. Empty if rows hold none. Throws base::Cancelled.

@@ -23,7 +23,8 @@ const char* title(Purpose purpose) {
     case Purpose::cage: return "Open a cage###file_panel";
     case Purpose::pose: return "Open a pose###file_panel";
     case Purpose::poses: return "Import poses: a file, or all of its folder###file_panel";
-    case Purpose::animation: return "Import an animation of the cage###file_panel";
+    case Purpose::shapes: return "Import shapes of the model: a file, or all of its folder###file_panel";
+    case Purpose::animation: return "Import an animation of the cage or the model###file_panel";
     case Purpose::save_session: return "Save the session###file_panel";
     case Purpose::save_pose: return "Save the posed cage###file_panel";
     case Purpose::save_named_pose: return "Export the chosen pose###file_panel";
@@ -40,6 +41,7 @@ void request(scene::Requests& requests, Purpose purpose, const std::filesystem::
     case Purpose::cage: requests.open = scene::OpenRequest{What::cage, {path}}; break;
     case Purpose::pose: requests.open = scene::OpenRequest{What::pose, {path}}; break;
     case Purpose::poses: requests.open = scene::OpenRequest{What::poses, {path}}; break;
+    case Purpose::shapes: requests.open = scene::OpenRequest{What::shapes, {path}}; break;
     case Purpose::animation: requests.open = scene::OpenRequest{What::animation, {path}}; break;
     case Purpose::save_session: requests.save_session = path; break;
     case Purpose::save_pose: requests.save_pose = path; break;
@@ -328,14 +330,15 @@ void button_row(const Context& ui) {
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) browser.open = false;
   record(ui, "file_cancel");
-  if (browser.purpose == Purpose::poses) {
+  if (browser.purpose == Purpose::poses || browser.purpose == Purpose::shapes) {
     ImGui::SameLine();
     if (ImGui::Button("All of this folder")) {
       request(ui.workspace.requests, browser.purpose, browser.folder);
       browser.open = false;
     }
     record(ui, "file_folder");
-    hint("Every model of this folder that is a pose of the cage.");
+    hint(browser.purpose == Purpose::poses ? "Every model of this folder that is a pose of the cage."
+                                           : "Every model of this folder that is a shape of the model.");
   }
   if (!browser.problem.empty()) {
     ImGui::SameLine();

@@ -35,13 +35,11 @@ void draw_pose(const Context& ui, const scene::NamedPose& named, ImVec2 low, boo
   const ImVec2 high{low.x + pose_picture_size.x, low.y + pose_picture_size.y};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, hovered ? ui.colors.card_hover : ui.colors.card, 4);
-  if (w.document.has_cage()) {
-    list.PushClipRect(low, high, true);
-    PicturePainter painter(ui, low);
-    for (const auto& shape : w.pose_pictures.of(w.document.cage, named.pose, w.camera.pose().up))
-      painter.draw(shape);
-    list.PopClipRect();
-  }
+  list.PushClipRect(low, high, true);
+  PicturePainter painter(ui, low);
+  for (const auto& shape : w.pose_pictures.of(w.document, named.pose, w.camera.pose().up))
+    painter.draw(shape);
+  list.PopClipRect();
   if (chosen) list.AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
 }
 
@@ -141,7 +139,7 @@ void mix_reach(const Context& ui) {
 
 void panel_poses(const Context& ui) {
   scene::Workspace& w = ui.workspace;
-  if (!w.document.is_movable()) return;
+  if (!w.document.model.surface) return;
   const std::size_t poses = w.document.library.poses.size();
   const bool open = section(ui, "Poses", false);
   if (poses > 0) section_note(ui, count(poses));
@@ -154,7 +152,7 @@ void panel_poses(const Context& ui) {
   // Above the list, which grows where it ends: nothing that is clicked moves away.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
   command_row(ui, {"duplicate_pose", "remove_pose"});
-  command_row(ui, {"import_poses", "export_pose"});
+  command_row(ui, {"import_shapes", "import_poses", "export_pose"});
   command_row(ui, {"set_key", "toggle_timeline"});
   command_row(ui, {"clear_mix", "average_mix"});
   mix_reach(ui);

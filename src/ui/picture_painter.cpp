@@ -31,6 +31,7 @@ void PicturePainter::draw(const Shape& shape) {
   using scene::Ink;
   switch (shape.ink) {
     case Ink::model: return lit(shape);
+    case Ink::lit: return fill(shape, darkened(ui_.colors.model, shape.tones[0]));
     case Ink::weight: return weighed(shape);
     case Ink::behind: return line(shape, faded(colors.accent, 0.4f), 1);
     case Ink::cage: return line(shape, colors.accent, 1.25f);

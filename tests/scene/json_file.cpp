@@ -96,7 +96,7 @@ TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
   std::filesystem::resize_file(folder / "long", most_json_bytes + 1);  // of zeros that take no disk
   CHECK(message_of([&] {
           read_json(folder / "long");
-        }).find("67108865 bytes are more than this program reads") != std::string::npos);
+        }).find("134217729 bytes are more than this program reads") != std::string::npos);
   CHECK_MESSAGE(message_of([&] {
                   readable({{"a", std::string(most_json_bytes, 'x')}}, "f");
                 }).find("more than this program reads") != std::string::npos,

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "base/base64.h"
 #include "base/error.h"
 #include "base/percent_coding.h"
 #include "mesh/formats/foreign_content.h"
@@ -21,8 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view glb_magic = "glTF", base64_mark = ";base64,";
-constexpr std::string_view base64_letters =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 [[noreturn]] void refuse_gltf(const Source& source, const std::string& problem,
                               const std::string& advice = "export the model again") {
@@ -110,34 +109,13 @@ GltfJson parsed(const Source& source, std::string_view text) {
   }
 }
 
-std::string unbase64(const Source& source, const std::string& place, std::string_view text) {
-  static const auto values = [] {
-    std::array<int, 256> table;
-    table.fill(-1);
-    for (std::size_t i = 0; i < 64; ++i)
-      table[static_cast<unsigned char>(base64_letters[i])] = static_cast<int>(i);
-    return table;
-  }();
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3 + 3);
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const int value = values[static_cast<unsigned char>(c)];
-    if (value < 0) throw base::Error(source.name + ": " + place, "not base64", "export the model again");
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    count += 6;
-    if (count >= 8) bytes.push_back(static_cast<char>(bits >> (count -= 8)));
-  }
-  return bytes;
-}
-
 std::string embedded(const Source& source, const std::string& place, std::string_view uri) {
   const auto mark = uri.substr(0, 256).find(base64_mark);
   if (mark == std::string_view::npos)
     throw base::Error(source.name + ": " + place, "its data are not base64", "export the model again");
-  return unbase64(source, place, uri.substr(mark + base64_mark.size()));
+  auto bytes = base::bytes_of_base64(uri.substr(mark + base64_mark.size()));
+  if (!bytes) throw base::Error(source.name + ": " + place, "not base64", "export the model again");
+  return *std::move(bytes);
 }
 
 // A file that the model names by the way to it; nothing for other addresses.
@@ -329,20 +307,6 @@ GltfFile take_apart(const Source& source) {
   const bool binary = is_glb(source);
   return GltfTaker(source, binary ? chunks_of(source) : Chunks{source.bytes, std::nullopt, {}}, binary)
       .take();
-}
-
-std::string base64(std::string_view bytes) {
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text.push_back(k <= n ? base64_letters[bits >> (18 - 6 * k) & 63] : '=');
-  }
-  return text;
 }
 
 std::string encoded_uri(std::string_view path) {

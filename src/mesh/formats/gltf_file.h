@@ -40,9 +40,6 @@ struct GltfFile {
 /// base::Error if anything that the surface needs is missing, compressed, or not as it claims to be.
 GltfFile take_apart(const Source& source);
 
-/// Base64 as RFC 4648 has it.
-std::string base64(std::string_view bytes);
-
 /// "a b" is "a%20b", as paths of files beside are written.
 std::string encoded_uri(std::string_view path);
 

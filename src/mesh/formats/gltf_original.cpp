@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/base64.h"
 #include "base/error.h"
 #include "base/quantity.h"
 #include "mesh/formats/gltf_beyond.h"
@@ -101,7 +102,7 @@ private:
 
   static void embed(GltfRewritten& result, std::size_t buffer) {
     result.document["buffers"][buffer]["uri"] =
-        "data:application/octet-stream;base64," + base64(result.buffers[buffer]);
+        "data:application/octet-stream;base64," + base::base64(result.buffers[buffer]);
   }
 
   // The first of its buffers is the chunk of a GLB; the others have their addresses.

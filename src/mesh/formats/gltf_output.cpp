@@ -11,6 +11,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "base/base64.h"
 #include "base/error.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/gltf_file.h"
@@ -376,7 +377,7 @@ void put_chunk(std::string_view bytes, std::string_view kind, char padding, Text
 
 void put_made(GltfMaker& made, bool binary, TextWriter& out) {
   if (binary) return write_glb_chunks(json_text(made.document), made.bytes, {}, out);
-  made.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(made.bytes);
+  made.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base::base64(made.bytes);
   out.text(json_text(made.document, 2)).text("\n");
 }
 

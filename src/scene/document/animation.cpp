@@ -60,17 +60,29 @@ const std::shared_ptr<const deform::ShapeSpace>& KnownVectors::shapes(base::Work
 std::shared_ptr<const deform::LogVector> KnownVectors::of(
     const SharedShape& shape, const std::shared_ptr<const deform::LogVector>& before, base::WorkerPool& pool,
     deform::ShapeReport& report) {
-  const auto found = known_shapes_.find(shape.get());
-  if (found != known_shapes_.end() && found->second.before == before) {
-    report = found->second.report;
-    return found->second.vector;
+  KnownShape& known = known_shapes_[shape.get()];
+  const auto found = std::ranges::find(known.told, before, &Told::before);
+  if (found != known.told.end()) {
+    report = found->report;
+    return found->vector;
   }
   const auto& space = *shapes(pool);
   const auto& positions = shape ? *shape : space.logs().rest();  // to which whole turns may lead back
   const auto vector = std::make_shared<const deform::LogVector>(
       shape || before ? space.vector(positions, pool, before.get(), &report) : space.logs().at_rest());
-  known_shapes_[shape.get()] = {shape, before, vector, report};
+  known.shape = shape;
+  known.told.push_back({before, vector, report});
   return vector;
+}
+
+void KnownVectors::take(KnownVectors&& others) {
+  if (others.model_ != model_) return;
+  if (!shapes_) shapes_ = others.shapes_;
+  for (auto& [key, known] : others.known_shapes_) {
+    KnownShape& own = known_shapes_[key];
+    own.shape = known.shape;
+    own.told.insert(own.told.end(), known.told.begin(), known.told.end());
+  }
 }
 
 std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms) {

@@ -32,6 +32,8 @@ public:
   std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
+  /// What others know of shapes of the same model is known from now on.
+  void take(KnownVectors&& others);
 
 private:
   struct Known {
@@ -43,10 +45,13 @@ private:
   std::shared_ptr<const deform::PoseSpace> space_;
   std::map<const WholePose*, Known> known_;
 
-  struct KnownShape {
-    SharedShape shape;
+  struct Told {
     std::shared_ptr<const deform::LogVector> before, vector;
     deform::ShapeReport report;
+  };
+  struct KnownShape {
+    SharedShape shape;
+    std::vector<Told> told;  // a shape may come after several others
   };
   std::shared_ptr<const mesh::Surface> model_;
   std::shared_ptr<const deform::ShapeSpace> shapes_;

@@ -29,7 +29,7 @@ void take_made(Document& document, CageMaking& making, OpenedSurface surface,
   making.notes = std::move(notes);
   if (const std::string lost = lost_sets(document.groups, {}); !lost.empty())
     making.notes.push_back("Sets of the cage before are gone: " + lost + "; undo brings them back");
-  if (const std::string lost = drop_poses(document); !lost.empty())
+  if (const std::string lost = drop_poses(document, *cage); !lost.empty())
     making.notes.push_back("Poses of the cage before are gone: " + lost + "; undo brings them back");
   document.kept_pose.reset();
   document.replace_cage(std::move(surface), std::move(cage), std::move(pose));

@@ -36,18 +36,24 @@ void check_pose(const std::string& place, const std::vector<mesh::Point>& positi
   if (!positions.empty()) check_size(place, mesh::bounds(positions), {0, range.most, range.use});
 }
 
+void check_pose(const std::string& place, const WholePose& pose, const SizeRange& range) {
+  check_pose(place, pose.cage.positions, range);
+  if (pose.shape) check_pose(place, *pose.shape, range);
+}
+
 void check_sizes(const Document& document, const SizeRange& range) {
   for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
     if (opened->surface) check_size(place_of(*opened), opened->bounds, range);
   }
   for (const NamedPose& named : document.library.poses)
-    check_pose("the pose " + mesh::in_quotes(named.name), named.pose->cage.positions, range);
+    check_pose("the pose " + mesh::in_quotes(named.name), *named.pose, range);
   for (const PoseKey& key : document.timeline.keys)
-    check_pose("the key of frame " + std::to_string(key.frame), key.pose->cage.positions, range);
+    check_pose("the key of frame " + std::to_string(key.frame), *key.pose, range);
   for (const PoseKey& left : document.timeline.unkeyed)
-    check_pose("the pose in no key of frame " + std::to_string(left.frame), left.pose->cage.positions, range);
+    check_pose("the pose in no key of frame " + std::to_string(left.frame), *left.pose, range);
   if (document.library.unmixed)
-    check_pose("the pose before others are mixed in", document.library.unmixed->cage.positions, range);
+    check_pose("the pose before others are mixed in", *document.library.unmixed, range);
+  if (document.shape) check_pose("the shape of the model", *document.shape, range);
   if (document.cage_file.surface)
     check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
 }
@@ -118,6 +124,11 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
   Document document = document_of(open_surface(model, progress));
   if (!cage.empty()) set_cage(document, open_surface(cage));
   return document;
+}
+
+bool Document::has_shapes() const {
+  const auto has_one = [](const auto& keyed) { return keyed.pose->shape != nullptr; };
+  return shape || std::ranges::any_of(library.poses, has_one) || std::ranges::any_of(timeline.keys, has_one);
 }
 
 void Document::take_place_of(const Document& other) {

@@ -63,7 +63,9 @@ struct Document : DocumentState {
 
   bool has_cage() const { return cage != nullptr; }
   /// Something moves the model, or may.
-  bool is_movable() const { return has_cage() || !probes.empty(); }
+  bool is_movable() const { return has_cage() || !probes.empty() || has_shapes(); }
+  /// The model has a shape, or poses or keys with shapes.
+  bool has_shapes() const;
 
   const Revisions& revisions() const { return revisions_; }
   /// It is open now in place of the other one: all is another.
@@ -72,6 +74,8 @@ struct Document : DocumentState {
   /// To be changed: what follows the pose is then made anew.
   deform::Pose& changed_pose() { return ++revisions_.pose, pose; }
   deform::Probes& changed_probes() { return ++revisions_.pose, probes; }
+  /// Of the model, or null.
+  void put_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose; }
   /// Another cage around the same model, with its pose. What was selected of the old one is not.
   void replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed);
   /// Settings, by no edit: pose and history are untouched.

@@ -20,6 +20,7 @@ struct DocumentState {
   std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
   OpenedSurface cage_file;                   ///< surface is null when there is no cage
   deform::Pose pose;
+  SharedShape shape;  ///< of the model, which cage and probes act upon; null: at rest
   std::optional<deform::Pose>
       kept_pose;  ///< the real one while the cage itself is edited, see cage_editing.h
   deform::Scheme scheme = deform::default_scheme();

@@ -34,7 +34,7 @@ void slide(Document& document, const char* label, EditStep step, const Value& va
 
 bool differs_from_rest(const Document& document) {
   const auto acts = [](const deform::Probe& p) { return !p.locked && p.pose != deform::ProbePose{}; };
-  if (std::ranges::any_of(document.probes.all, acts)) return true;
+  if (document.shape || std::ranges::any_of(document.probes.all, acts)) return true;
   if (!document.has_cage()) return false;
   const auto turned = [](const deform::Vec3& t) { return t[0] * t[0] + t[1] * t[1] + t[2] * t[2] > 1; };
   const auto& turns = document.pose.turns;
@@ -45,6 +45,7 @@ bool differs_from_rest(const Document& document) {
 void reset_pose(Document& document) {
   record_edit(document, "reset pose");
   end_mix(document);
+  document.put_shape(nullptr);
   if (document.has_cage()) document.changed_pose() = deform::rest_pose(*document.cage);
   for (deform::Probe& probe : document.changed_probes().all) {
     if (!probe.locked) probe.pose = {};

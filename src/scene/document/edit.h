@@ -10,7 +10,8 @@
 
 namespace viete::scene {
 
-/// True if some cage vertex or a probe that is not locked is not at rest, or is there after whole turns.
+/// True if the model has a shape, or some cage vertex or a probe that is not locked is not at rest, or is
+/// there after whole turns.
 bool differs_from_rest(const Document& document);
 
 /// All vertices, or the selected ones, back to rest. Undoable.

@@ -33,7 +33,9 @@ void History::push(std::string label, DocumentState before, EditStep step) {
   const std::size_t poses =
       before.library.poses.size() + before.timeline.keys.size() + before.timeline.unkeyed.size();
   const std::size_t bytes_of_vertex = bytes_of_cage_vertex + poses * sizeof(mesh::Point);
-  const std::size_t bytes = 512 + (other_cage ? bytes_of_vertex * before.pose.positions.size() : 0) +
+  const bool other_shape = before.shape && (undo_.empty() || undo_.back().state.shape != before.shape);
+  const std::size_t bytes = 512 + (other_shape ? before.shape->size() * sizeof(mesh::Point) : 0) +
+                            (other_cage ? bytes_of_vertex * before.pose.positions.size() : 0) +
                             before.pose.positions.size() * (sizeof(mesh::Point) + sizeof(std::uint32_t)) +
                             (before.mask ? before.mask->size() * sizeof(float) : 0);
   const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);

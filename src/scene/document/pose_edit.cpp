@@ -4,8 +4,11 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/quantity.h"
+#include "base/worker_pool.h"
 #include "scene/document/elements.h"
 #include "scene/document/record.h"
+#include "scene/document/shape_mix.h"
 
 namespace viete::scene {
 
@@ -47,18 +50,44 @@ void keep_locked(const Document& document, WholePose& pose) {
     if (all[i].locked) pose.probes[i] = all[i].pose;
 }
 
-// The pose `from`, and upon it `sign` times what the library mixes.
-WholePose mix_of(const Document& document, const PoseLibrary& library, KnownVectors& vectors,
+// The shape `from`, and upon it `sign` times those that the library mixes; one alone is that, to the last
+// bit.
+SharedShape shape_of_mix(const DocumentState& state, KnownVectors& vectors, const SharedShape& from,
+                         double sign) {
+  std::vector<ShapeTerm> shapes;
+  for (const NamedPose& named : state.library.poses) {
+    if (named.weight != 0 && named.part.empty() && named.pose->shape)
+      shapes.push_back({named.pose->shape, sign * named.weight});
+  }
+  if (shapes.empty()) return from;
+  if (!from && shapes.size() == 1 && shapes.front().factor == 1) return shapes.front().shape;
+  base::WorkerPool pool;
+  std::vector<deform::LogTerm> terms;
+  const auto vector_of = [&](const SharedShape& shape) {
+    deform::ShapeReport report;
+    return vectors.of(shape, nullptr, pool, report).get();
+  };
+  for (const ShapeTerm& term : shapes) terms.push_back({vector_of(term.shape), term.factor});
+  const deform::LogVector* base = vector_of(from);
+  const deform::LogSpace& space = vectors.shapes(pool)->logs();
+  const deform::Held held = space.held_from(*base, terms);
+  terms.push_back({base, 1});
+  return blended(space, terms, state.timeline.straight ? nullptr : &held, pool);
+}
+
+// The pose `from`, and upon it `sign` times what that state's library mixes.
+WholePose mix_of(const Document& document, const DocumentState& state, KnownVectors& vectors,
                  const SharedPose& from, double sign) {
   std::vector<ProbeTerm> probes{{&from->probes, 1}};
-  for (const NamedPose& named : library.poses)
+  for (const NamedPose& named : state.library.poses)
     if (named.part.empty()) probes.push_back({&named.pose->probes, sign * named.weight});
   WholePose pose{from->cage, blended_probes(probes)};
   keep_locked(document, pose);
+  pose.shape = shape_of_mix(state, vectors, from->shape, sign);
   if (!document.has_cage()) return pose;
   std::vector<deform::LogVector> parts;
   std::vector<double> factors;
-  for (const NamedPose& named : library.poses) {
+  for (const NamedPose& named : state.library.poses) {
     if (named.weight == 0) continue;
     parts.push_back(limited_to(*document.cage, *vectors.of(named.pose), named.part));
     factors.push_back(sign * named.weight);
@@ -68,12 +97,12 @@ WholePose mix_of(const Document& document, const PoseLibrary& library, KnownVect
   for (std::size_t i = 0; i < parts.size(); ++i) terms.push_back({&parts[i], factors[i]});
   const deform::Held held = vectors.space()->logs().held_from(*base, terms);
   terms.push_back({base.get(), 1});
-  pose.cage = vectors.space()->pose(terms, held);
+  pose.cage = state.timeline.straight ? vectors.space()->straight(terms) : vectors.space()->pose(terms, held);
   return pose;
 }
 
 bool is_rest_pose(const Document& document, const WholePose& pose) {
-  return (!document.has_cage() || pose.cage.positions == document.cage->surface.positions) &&
+  return !pose.shape && (!document.has_cage() || pose.cage.positions == document.cage->surface.positions) &&
          std::ranges::all_of(pose.probes, [](const auto& p) { return p == deform::ProbePose{}; }) &&
          std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
 }
@@ -91,19 +120,18 @@ const NamedPose* mixed_alone(const PoseLibrary& library) {
 
 // The mix as it was is left aside: what remains is made by hand.
 SharedPose without_mix(const Document& document, KnownVectors& vectors) {
-  const PoseLibrary& library = document.library;
   const SharedPose now = shared_pose(document);
-  if (!library.mixes()) return now;
+  if (!document.library.mixes()) return now;
   if (const SharedPose known = unmixed_pose(document)) return known;
-  return std::make_shared<const WholePose>(mix_of(document, library, vectors, now, -1));
+  return std::make_shared<const WholePose>(mix_of(document, document, vectors, now, -1));
 }
 
-SharedPose mixed_upon(const Document& document, const PoseLibrary& library, KnownVectors& vectors,
+SharedPose mixed_upon(const Document& document, const DocumentState& state, KnownVectors& vectors,
                       const SharedPose& base) {
-  if (!library.mixes()) return base;
-  const NamedPose* alone = mixed_alone(library);
+  if (!state.library.mixes()) return base;
+  const NamedPose* alone = mixed_alone(state.library);
   if (alone && is_rest_pose(document, *base)) return alone->pose;
-  return std::make_shared<const WholePose>(mix_of(document, library, vectors, base, 1));
+  return std::make_shared<const WholePose>(mix_of(document, state, vectors, base, 1));
 }
 
 bool are_weights(const PoseLibrary& library) {
@@ -116,13 +144,15 @@ bool are_weights(const PoseLibrary& library) {
 template <class Record, class Change>
 bool remix(Document& document, KnownVectors& vectors, Record record, Change change) {
   vectors.follow(document.cage);
+  vectors.follow_model(document.model.surface);
   const SharedPose base = without_mix(document, vectors);
-  PoseLibrary library = document.library;
-  change(library);
-  const SharedPose pose = mixed_upon(document, library, vectors, base);
-  if (!are_weights(library) || !in_range(*pose)) return false;
+  DocumentState changed = state_of(document);
+  change(changed);
+  const SharedPose pose = mixed_upon(document, changed, vectors, base);
+  if (!are_weights(changed.library) || !in_range(*pose)) return false;
   record();
-  document.library = std::move(library);
+  document.library = std::move(changed.library);
+  document.timeline.straight = changed.timeline.straight;
   put_whole_pose(document, *pose);
   const bool mixes = document.library.mixes();
   document.library.unmixed = mixes ? base : nullptr;
@@ -155,6 +185,7 @@ WholePose whole_pose(const Document& document) {
     pose.cage.turns.resize(document.cage->roots.size());  // those that are missing are known to be 0
   }
   for (const deform::Probe& probe : document.probes.all) pose.probes.push_back(probe.pose);
+  pose.shape = document.shape;
   return pose;
 }
 
@@ -163,6 +194,7 @@ SharedPose shared_pose(const Document& document) {
 }
 
 void put_whole_pose(Document& document, const WholePose& pose) {
+  document.put_shape(pose.shape);
   if (document.has_cage()) {
     document.kept_pose.reset();
     document.changed_pose() = pose.cage;
@@ -181,7 +213,8 @@ SharedPose unmixed_pose(const Document& document) {
   const PoseLibrary& library = document.library;
   if (!library.mixes() || !library.mixed || !library.unmixed) return nullptr;
   const WholePose now = whole_pose(document);
-  const bool same = same_pose(library.mixed->cage, now.cage) && library.mixed->probes == now.probes;
+  const bool same = same_pose(library.mixed->cage, now.cage) && library.mixed->probes == now.probes &&
+                    same_shape(library.mixed->shape, now.shape);
   return same ? library.unmixed : nullptr;
 }
 
@@ -205,13 +238,30 @@ std::size_t keep_pose(Document& document, const std::string& name) {
   return document.library.poses.size() - 1;
 }
 
-void add_poses(Document& document, std::vector<NamedPose> poses) {
+namespace {
+
+void add_named(Document& document, std::vector<NamedPose> poses, const char* label) {
   check_room_for_poses(document.library, poses.size());
-  record_edit(document, "import poses");
+  record_edit(document, label);
   for (NamedPose& pose : poses) {
     pose.name = free_name(document.library, pose.name);
     document.library.poses.push_back(std::move(pose));
   }
+}
+
+}  // namespace
+
+void add_poses(Document& document, std::vector<NamedPose> poses) {
+  add_named(document, std::move(poses), "import poses");
+}
+
+void add_shapes(Document& document, std::vector<NamedShape> shapes) {
+  const deform::Pose cage = document.has_cage() ? deform::rest_pose(*document.cage) : deform::Pose();
+  std::vector<NamedPose> poses;
+  for (NamedShape& shape : shapes)
+    poses.push_back({std::move(shape.name),
+                     std::make_shared<const WholePose>(WholePose{cage, {}, std::move(shape.shape)})});
+  add_named(document, std::move(poses), "import shapes");
 }
 
 void update_pose(Document& document, std::size_t pose) {
@@ -259,7 +309,8 @@ void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose) {
   const auto erase = [pose](PoseLibrary& library) {
     library.poses.erase(library.poses.begin() + static_cast<std::ptrdiff_t>(pose));
   };
-  if (document.library.poses[pose].weight != 0 && remix(document, vectors, record, erase)) return;
+  const auto erase_of = [&](DocumentState& state) { erase(state.library); };
+  if (document.library.poses[pose].weight != 0 && remix(document, vectors, record, erase_of)) return;
   record();
   if (document.library.poses[pose].weight != 0) end_mix(document);
   erase(document.library);
@@ -279,8 +330,8 @@ bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, dou
   const auto record = [&, label = "mix in " + named.name] {
     record_step(document, label, {EditKind::mix, pose});
   };
-  return remix(document, vectors, record, [&](PoseLibrary& library) {
-    NamedPose& changed = library.poses[pose];
+  return remix(document, vectors, record, [&](DocumentState& state) {
+    NamedPose& changed = state.library.poses[pose];
     if (changed.weight == 0 && selected_alone) changed.part = selected_part(document);
     changed.weight = weight;
     if (weight == 0) changed.part.clear();
@@ -290,8 +341,8 @@ bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, dou
 bool clear_mix(Document& document, KnownVectors& vectors) {
   if (!document.library.mixes()) return true;
   const auto record = [&] { record_edit(document, "clear the mix"); };
-  return remix(document, vectors, record, [](PoseLibrary& library) {
-    for (NamedPose& named : library.poses) named.weight = 0, named.part.clear();
+  return remix(document, vectors, record, [](DocumentState& state) {
+    for (NamedPose& named : state.library.poses) named.weight = 0, named.part.clear();
   });
 }
 
@@ -300,14 +351,24 @@ bool average_mix(Document& document, KnownVectors& vectors) {
   for (const NamedPose& named : document.library.poses) sum += named.weight;
   if (!(sum > 0)) return false;
   const auto record = [&] { record_edit(document, "average poses"); };
-  return remix(document, vectors, record, [sum](PoseLibrary& library) {
-    for (NamedPose& named : library.poses) named.weight /= sum;
+  return remix(document, vectors, record, [sum](DocumentState& state) {
+    for (NamedPose& named : state.library.poses) named.weight /= sum;
   });
+}
+
+bool set_straight(Document& document, KnownVectors& vectors, bool straight) {
+  if (document.timeline.straight == straight) return true;
+  const auto record = [&] { record_edit(document, straight ? "straight lines" : "log space"); };
+  const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };
+  if (document.library.mixes()) return remix(document, vectors, record, change);
+  record();
+  change(document);
+  return true;
 }
 
 void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried) {
   const auto carry = [&](SharedPose& pose) {
-    pose = std::make_shared<const WholePose>(WholePose{carried(pose->cage), pose->probes});
+    pose = std::make_shared<const WholePose>(WholePose{carried(pose->cage), pose->probes, pose->shape});
   };
   end_mix(document);
   for (NamedPose& named : document.library.poses) carry(named.pose);
@@ -315,21 +376,40 @@ void carry_poses(Document& document, const std::function<deform::Pose(const defo
     for (PoseKey& key : *keys) carry(key.pose);
 }
 
-std::string counted_poses(const Document& document) {
-  const auto counted = [](std::size_t n, const std::string& what) {
-    return n == 0 ? std::string() : std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
-  };
-  const std::string poses = counted(document.library.poses.size(), "pose");
-  const std::string keys = counted(document.timeline.keys.size(), "key");
-  return poses.empty() || keys.empty() ? poses + keys : poses + " and " + keys;
+std::string counted_poses(std::size_t poses, std::size_t keys) {
+  const std::string some = poses == 0 ? "" : base::counted(poses, "pose");
+  const std::string others = keys == 0 ? "" : base::counted(keys, "key");
+  return some.empty() || others.empty() ? some + others : some + " and " + others;
 }
 
-std::string drop_poses(Document& document) {
-  const std::string lost = counted_poses(document);
-  document.library = {};
-  document.timeline.keys.clear();
-  document.timeline.unkeyed.clear();
+namespace {
+
+// Those that have a shape keep it, with this pose of the cage; all others go. Returns how many.
+template <class Keyed>
+std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
+  const std::size_t lost = std::erase_if(all, [](const Keyed& keyed) { return !keyed.pose->shape; });
+  for (Keyed& keyed : all)
+    keyed.pose = std::make_shared<const WholePose>(WholePose{cage, keyed.pose->probes, keyed.pose->shape});
   return lost;
+}
+
+}  // namespace
+
+std::string drop_poses(Document& document, const deform::Cage& by) {
+  const deform::Pose rest = deform::rest_pose(by);
+  end_mix(document);
+  const std::size_t poses = keep_shapes(document.library.poses, rest);
+  const std::size_t keys = keep_shapes(document.timeline.keys, rest);
+  keep_shapes(document.timeline.unkeyed, rest);
+  return counted_poses(poses, keys);
+}
+
+std::string keep_shapes(Document& to, const Document& from) {
+  to.shape = from.shape;
+  to.library = from.library;
+  to.timeline = from.timeline;
+  to.frame = from.frame;
+  return drop_poses(to, *to.cage);
 }
 
 void forget_probe(Document& document, std::size_t probe) {

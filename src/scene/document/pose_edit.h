@@ -31,6 +31,8 @@ std::string free_name(const PoseLibrary& library, const std::string& wish);
 std::size_t keep_pose(Document& document, const std::string& name);
 /// Those that were read, behind the others; one edit. Throws likewise.
 void add_poses(Document& document, std::vector<NamedPose> poses);
+/// Likewise shapes of the model, with the cage at rest.
+void add_shapes(Document& document, std::vector<NamedShape> shapes);
 /// That pose becomes what is there.
 void update_pose(Document& document, std::size_t pose);
 /// It becomes what is there; the mix ends.
@@ -56,13 +58,20 @@ bool clear_mix(Document& document, KnownVectors& vectors);
 /// small that weights would leave their range.
 bool average_mix(Document& document, KnownVectors& vectors);
 
+/// Poses are added in straight lines, here and between keys, or in log space. One edit.
+bool set_straight(Document& document, KnownVectors& vectors, bool straight);
+
 /// Another cage, or another number of probes: all poses, those of keys too, go with it. Part of the edit that
 /// is being made.
 void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried);
-/// What the document has of them: "3 poses and 2 keys"; empty if there are none.
-std::string counted_poses(const Document& document);
-/// They are of another cage, and are gone: "3 poses and 2 keys"; empty if there were none.
-std::string drop_poses(Document& document);
+/// "3 poses and 2 keys"; empty if there are none.
+std::string counted_poses(std::size_t poses, std::size_t keys);
+/// They are of another cage than `by`: those that have shapes keep them, with that cage at rest, and all
+/// others are gone: "3 poses and 2 keys"; empty if there were none.
+std::string drop_poses(Document& document, const deform::Cage& by);
+/// What `to`, a document of the same model with its cage at rest, keeps of another's poses: their shapes.
+/// Returns what it does not keep, likewise.
+std::string keep_shapes(Document& to, const Document& from);
 void forget_probe(Document& document, std::size_t probe);
 
 /// Another pose as an edit: undoable. Requires one position per cage vertex.

@@ -20,8 +20,13 @@ struct NamedPose {
   friend bool operator==(const NamedPose&, const NamedPose&) = default;
 };
 
+struct NamedShape {
+  std::string name;
+  SharedShape shape;  ///< never null
+};
+
 /// In an order of the user's. The document's pose is `unmixed` and the weighted poses upon it, added in log
-/// space; a hand that moves the cage moves `unmixed` with it.
+/// space or, as the timeline, in straight lines; a hand that moves the cage moves `unmixed` with it.
 struct PoseLibrary {
   static constexpr double least_weight = -2, largest_weight = 3;
   static constexpr std::size_t most_poses = 1000, longest_name = 200;

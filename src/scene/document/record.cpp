@@ -25,7 +25,8 @@ void take_back(Document& document, EditMark&& mark) {
 }
 
 bool moved_since(const Document& document, const DocumentState& before) {
-  return document.pose.positions != before.pose.positions || document.probes != before.probes;
+  return document.pose.positions != before.pose.positions || document.probes != before.probes ||
+         !same_shape(document.shape, before.shape);
 }
 
 void undo(Document& document) {

@@ -22,7 +22,7 @@ EditMark mark_of(const Document& document);
 /// As it was then, to the last bit: what was recorded since never was.
 void take_back(Document& document, EditMark&& mark);
 
-/// True if a vertex or a probe is not where it was.
+/// True if a vertex or a probe is not where it was, or the model has another shape.
 bool moved_since(const Document& document, const DocumentState& before);
 
 /// Require can_undo() and can_redo() of the history.

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/probe.h"
 #include "scene/document/camera.h"
@@ -14,8 +15,7 @@
 
 namespace viete::scene {
 
-/// Where the model's own vertices are before anything else moves them. Null: at rest.
-using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
+using deform::SharedShape;
 
 inline bool same_shape(const SharedShape& a, const SharedShape& b) {
   return a == b || (a && b && *a == *b);

@@ -72,16 +72,13 @@ deform::Probes AnimatedModel::probes(const WholePose& pose) const {
 }
 
 deform::ExactModel AnimatedModel::exact(const WholePose& pose, base::Progress* progress) {
-  if (pose.shape && !has_cage()) {
-    notes_ = animation_->notes();
-    return {*pose.shape, {}, {}, 0};
-  }
   using deform::ExactDeformer;
   if (!exact_)
     exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.scheme, model_.method, pool_,
                                              ExactDeformer::Weights::kept, model_.mask, progress);
-  deform::ExactModel deformed = exact_->deform(pose.cage, probes(pose), progress);
-  notes_ = pose_notes(deformed.report, *model_.cage, pose.cage);
+  deform::ExactModel deformed = exact_->deform(pose.cage, probes(pose), pose.shape, progress);
+  notes_ = animation_->notes();
+  for (auto& note : pose_notes(deformed.report, *model_.cage, pose.cage)) notes_.push_back(std::move(note));
   notes_.insert(notes_.end(), deformed.warnings.begin(), deformed.warnings.end());
   if (auto note = method_note(model_.method, deformed.exp_error); !note.empty())
     notes_.push_back(std::move(note));
@@ -91,8 +88,11 @@ deform::ExactModel AnimatedModel::exact(const WholePose& pose, base::Progress* p
 void AnimatedModel::run_fast(double frame) {
   const WholePose pose = this->pose(frame);
   deformer_->set_probes(probes(pose));
+  deformer_->set_shape(pose.shape);
   deformer_->deform(pose.cage, model_.method);
-  notes_ = pose_notes(deformer_->state().report(), *model_.cage, pose.cage);
+  notes_ = animation_->notes();
+  for (auto& note : pose_notes(deformer_->state().report(), *model_.cage, pose.cage))
+    notes_.push_back(std::move(note));
   notes_.insert(notes_.end(), deformer_->binding().warnings.begin(), deformer_->binding().warnings.end());
 }
 

@@ -80,7 +80,8 @@ std::uint64_t cache_key(const AnimationExport& what, const AnimatedModel& model)
   sum.add(&content, sizeof content);
   for (const PoseKey& key : what.timeline.keys)
     if (key.pose->shape) sum.add(key.pose->shape->data(), key.pose->shape->size() * sizeof(mesh::Point));
-  const std::string text = timeline_json(what.timeline, 0).dump() + std::to_string(what.first) + ' ' +
+  ShapeTable shapes;
+  const std::string text = timeline_json(what.timeline, 0, shapes).dump() + std::to_string(what.first) + ' ' +
                            std::to_string(what.last) + ' ' + std::to_string(what.step) + ' ' +
                            std::to_string(static_cast<int>(model.precision())) +
                            std::string(sym3::kernel_name());

@@ -76,6 +76,12 @@ bool before_by_numbers(const std::string& a, const std::string& b) {
   return a.size() - i < b.size() - j;
 }
 
+}  // namespace
+
+void sort_by_numbers(std::vector<fs::path>& files) {
+  std::ranges::sort(files, before_by_numbers, [](const fs::path& p) { return p.filename().string(); });
+}
+
 std::vector<fs::path> models_in(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code code;
@@ -85,9 +91,11 @@ std::vector<fs::path> models_in(const fs::path& folder) {
       files.push_back(at->path());
   }
   if (code) throw base::Error(folder.string(), "cannot be read: " + code.message(), "check the folder");
-  std::ranges::sort(files, before_by_numbers, [](const fs::path& p) { return p.filename().string(); });
+  sort_by_numbers(files);
   return files;
 }
+
+namespace {
 
 void add_poses_in(const fs::path& folder, const deform::Cage& cage, ImportedPoses& all,
                   base::Progress* progress) {

@@ -20,6 +20,11 @@ struct ImportedPoses {
   std::vector<std::filesystem::path> files;  ///< that were read
 };
 
+/// As people count: a file of 2 comes before one of 10.
+void sort_by_numbers(std::vector<std::filesystem::path>& files);
+/// Models of a folder in that order. Throws base::Error where it cannot be read.
+std::vector<std::filesystem::path> models_in(const std::filesystem::path& folder);
+
 /// Posed cages, each a pose of its file's name, with the turns that it says; a glTF file with morph targets
 /// gives a pose a target. A folder stands for the models in it, in the order of their names (numbers by what
 /// they count), and those that are no poses of the cage are left out with a warning. Throws base::Error:

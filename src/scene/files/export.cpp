@@ -35,7 +35,7 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
              document.method,
              document.mask,
              document.probes,
-             nullptr,
+             document.shape,
              document.model.path,
              document.model.unit,
              guessed_up(document.model),
@@ -49,23 +49,24 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
 
 namespace {
 
-// Nothing moves the model: whatever way it is deformed by leaves it as it is, but for rounding.
+// Nothing but its shape moves the model: whatever way it is deformed by leaves it as it is, but for rounding.
 bool is_at_rest(const Export& what) {
   const auto has_done_nothing = [](const deform::Probe& p) { return p.pose == deform::ProbePose{}; };
   const deform::Pose rest = deform::rest_pose(*what.cage);
-  return !what.shape && what.pose.positions == rest.positions && what.pose.turns == rest.turns &&
+  return what.pose.positions == rest.positions && what.pose.turns == rest.turns &&
          std::ranges::all_of(what.probes.all, has_done_nothing);
 }
 
-// Where only rounding moves a coordinate, it is at rest, and so it is written.
-void keep_at_rest(const mesh::Surface& model, const deform::Cage& cage, std::vector<mesh::Point>& positions) {
+// Where only rounding moves a coordinate, it is where the shape has it, and so it is written.
+void keep_at_rest(const std::vector<mesh::Point>& shape, const deform::Cage& cage,
+                  std::vector<mesh::Point>& positions) {
   double size = 0;
-  for (const mesh::Bounds& box : {mesh::bounds(model.positions), mesh::bounds(cage.surface.positions)})
+  for (const mesh::Bounds& box : {mesh::bounds(shape), mesh::bounds(cage.surface.positions)})
     size = std::max({size, mesh::largest_abs(box.low), mesh::largest_abs(box.high)});
   const double rounding = 1e-14 * size;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const double rest = model.positions[v][i];
+      const double rest = shape[v][i];
       if (std::abs(positions[v][i] - rest) <= rounding) positions[v][i] = rest;
     }
   }
@@ -82,18 +83,20 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
   base::check_replaceable(what.file);
   base::WorkerPool pool;
   if (progress) progress->section(0, 0.5);
-  deform::ExactModel deformed = deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose,
-                                                       what.method, pool, progress, what.mask, what.probes);
+  deform::ExactModel deformed =
+      deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose, what.method, pool, progress,
+                             what.mask, what.probes, what.shape);
   if (progress) progress->section(0.5, 1);
   return write_exact(what, std::move(deformed), progress);
 }
 
 std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
                                      base::Progress* progress, std::vector<std::filesystem::path>* leads_to) {
+  const std::vector<mesh::Point>& shape = what.shape ? *what.shape : what.model->positions;
   if (is_at_rest(what)) {
-    deformed.positions = what.model->positions;
-  } else if (!what.shape) {
-    keep_at_rest(*what.model, *what.cage, deformed.positions);
+    deformed.positions = shape;
+  } else {
+    keep_at_rest(shape, *what.cage, deformed.positions);
   }
   const mesh::Content content{*what.model, deformed.positions, {}, what.attributes.get()};
   std::vector<std::string> notes =

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/base64.h"
 #include "base/error.h"
 #include "base/percent_coding.h"
 #include "mesh/formats/foreign_content.h"
@@ -244,6 +245,13 @@ std::string JsonReader::text() const {
          std::to_string(longest_text) + ")");
   }
   return text;
+}
+
+std::string JsonReader::base64() const {
+  if (!value_.is_string()) expected("a text");
+  auto bytes = base::bytes_of_base64(value_.get_ref<const std::string&>());
+  if (!bytes) fail("this is not base64");
+  return *std::move(bytes);
 }
 
 std::filesystem::path JsonReader::path() const {

@@ -20,8 +20,8 @@
 namespace viete::scene {
 
 /// What a file may have: more is no file of this program's, and is refused before it takes memory. The bytes
-/// are those of a pose of half a million vertices and more; a text is the name of a file, percent-encoded.
-inline constexpr std::size_t most_json_bytes = 64 << 20, most_json_depth = 32, longest_text = 3 * 4096;
+/// are those of shapes of eight million vertices in all; a text is the name of a file, percent-encoded.
+inline constexpr std::size_t most_json_bytes = 128 << 20, most_json_depth = 32, longest_text = 3 * 4096;
 
 /// One key a line; an array stands on one line unless it holds arrays or objects, which get a line each.
 /// Numbers with the digits that read back as the same double. Throws base::Error naming `file` if a string is
@@ -57,6 +57,7 @@ public:
                 const char* problem = "this number is out of range") const;  ///< one of these
   std::uint32_t index() const;
   std::string text() const;            ///< at most longest_text bytes
+  std::string base64() const;          ///< the bytes that a text stands for
   std::filesystem::path path() const;  ///< as path_json() writes it
   /// An array of exactly N numbers.
   template <std::size_t N>

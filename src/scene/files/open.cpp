@@ -14,10 +14,12 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/record.h"
 #include "scene/document/selection_sets.h"
+#include "scene/document/shape_mix.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
 #include "scene/files/output.h"
 #include "scene/files/pose_json.h"
+#include "scene/files/shape_import.h"
 
 namespace viete::scene {
 
@@ -98,6 +100,7 @@ Opened open_cage(OpenedSurface cage, const Document& current) {
   opened.document->mask = current.mask;
   opened.document->probes = current.probes;
   set_cage(*opened.document, std::move(cage));
+  opened.lost = keep_shapes(*opened.document, current);
   take_cage_warnings(opened);
   return opened;
 }
@@ -152,7 +155,12 @@ Opened open_poses(const std::vector<fs::path>& files, const Document& current, b
   return opened;
 }
 
+Opened open_shape_keys(const fs::path& file, const Document& current, base::Progress* progress);
+bool is_cache_of(const fs::path& file, const Document& current);
+
 Opened open_animation(const fs::path& file, const Document& current, base::Progress* progress) {
+  if (current.model.surface && (!current.has_cage() || is_cache_of(file, current)))
+    return open_shape_keys(file, current, progress);
   Opened opened = of_open_cage(file, current);
   const ImportTimes times{current.timeline.first, current.timeline.rate};
   ImportedKeys read = read_keys(file, *current.cage, times, progress);
@@ -160,6 +168,63 @@ Opened open_animation(const fs::path& file, const Document& current, base::Progr
   check_imported(opened);
   opened.warnings = std::move(read.warnings);
   for (auto& path : read.files) opened.also_read.push_back({std::move(path), the_keys});
+  return opened;
+}
+
+// Logs are taken here, where nobody waits for a frame.
+void tell_shapes(Opened& opened, const std::shared_ptr<const mesh::Surface>& model,
+                 std::span<const SharedShape> shapes, base::Progress* progress) {
+  base::WorkerPool pool;
+  opened.shapes_of = model;
+  opened.vectors.follow_model(model);
+  (void)opened.vectors.shapes(pool);
+  std::vector<deform::ShapeReport> reports(shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    (void)opened.vectors.of(shapes[i], nullptr, pool, reports[i]);
+    if (progress) progress->report(static_cast<double>(i + 1) / static_cast<double>(shapes.size()));
+  }
+  append(opened.warnings, shape_notes(reports));
+}
+
+void take_shapes(Opened& opened, std::vector<fs::path> files, const Document& current,
+                 base::Progress* progress) {
+  sort_by_numbers(files);
+  ImportedShapes read = read_shapes(files, *current.model.surface, progress);
+  Document checked;
+  for (const NamedShape& shape : read.shapes) {
+    checked.shape = shape.shape;
+    check_drawable(checked);
+  }
+  opened.shapes = std::move(read.shapes);
+  append(opened.warnings, read.warnings);
+  for (auto& path : read.files) opened.also_read.push_back({std::move(path), "a shape"});
+}
+
+Opened open_shapes(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
+  if (!current.model.surface)
+    throw base::Error(files.front().string(), "a shape needs its model and none is open",
+                      "open the model first");
+  Opened opened;
+  opened.file = files.front();
+  if (progress) progress->section(0, 0.3);
+  take_shapes(opened, files, current, progress);
+  std::vector<SharedShape> shapes;
+  for (const NamedShape& shape : opened.shapes) shapes.push_back(shape.shape);
+  if (progress) progress->section(0.3, 0.8);
+  tell_shapes(opened, current.model.surface, shapes, progress);
+  return opened;
+}
+
+// A key a shape, frame after frame.
+Opened open_shape_keys(const fs::path& file, const Document& current, base::Progress* progress) {
+  Opened opened = open_shapes({file}, current, progress);
+  const deform::Pose cage = current.has_cage() ? deform::rest_pose(*current.cage) : deform::Pose();
+  int frame = current.timeline.first;
+  for (NamedShape& shape : std::exchange(opened.shapes, {}))
+    opened.keys.push_back({frame++,
+                           std::make_shared<const WholePose>(WholePose{cage, {}, std::move(shape.shape)}),
+                           Easing::linear});
+  opened.pose_of = current.cage;
   return opened;
 }
 
@@ -184,7 +249,22 @@ void pose_by_keys(Document& document) {
   if (document.timeline.keys.empty()) return;
   KnownVectors vectors;
   vectors.follow(document.cage);
+  vectors.follow_model(document.model.surface);
   put_whole_pose(document, Animation(document.timeline, vectors).at(document.frame));
+}
+
+// Of a session.
+void tell_shapes(Opened& opened, const Document& document, base::Progress* progress) {
+  std::vector<SharedShape> shapes;
+  const auto add = [&](const auto& keyed) {
+    if (keyed.pose->shape) shapes.push_back(keyed.pose->shape);
+  };
+  std::ranges::for_each(document.library.poses, add);
+  if (!document.has_shapes()) return;
+  tell_shapes(opened, document.model.surface, shapes, progress);
+  if (document.timeline.keys.empty()) return;
+  opened.vectors.follow(document.cage);
+  (void)Animation(document.timeline, opened.vectors);
 }
 
 Opened open_session(const fs::path& file, bool recovered, base::Progress* progress) {
@@ -201,16 +281,19 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   document.mask = fit_to_model(session, *document.model.surface, file);
   document.probes = session.probes;
   document.model.unit = session.unit.value_or(document.model.unit);
-  const bool has_pose = session.pose.has_value() || !document.has_cage();
+  const bool has_pose = session.pose.has_value() || session.shape || !document.has_cage();
   if (document.has_cage()) {
     fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
     if (session.pose) document.pose = std::move(*session.pose);
   }
-  fit_poses(session.library, session.timeline, document.cage.get(), file.string(), session.warnings);
+  fit_poses(session.library, session.timeline, document.cage.get(), *document.model.surface, file.string(),
+            session.warnings);
+  document.shape = fit_shape(session, *document.model.surface, file);
   document.library = std::move(session.library);
   if (document.library.unmixed) document.library.mixed = shared_pose(document);
   document.timeline = std::move(session.timeline);
   document.frame = session.frame;
+  tell_shapes(opened, document, progress);
   if (!has_pose) pose_by_keys(document);
   if (document.is_movable()) {
     fit_selection(session, document, file);
@@ -226,6 +309,16 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   return opened;
 }
 
+bool is_shape_of(const Document& current, const mesh::Surface& s) {
+  return current.model.surface && s.positions.size() == current.model.surface->positions.size() &&
+         mesh::same_faces(s, *current.model.surface);
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return a == b || fs::equivalent(a, b, ignored);
+}
+
 Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
   const mesh::Surface& s = *surface.surface;
   const std::string name = name_of(surface);
@@ -233,6 +326,11 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
       mesh::same_faces(s, current.cage->surface)) {
     Opened opened = open_pose(surface.path, current);
     opened.taken_as = "Took " + name + " as a pose: it has the vertices and faces of the cage";
+    return opened;
+  }
+  if (is_shape_of(current, s) && !same_file(surface.path, current.model.path)) {
+    Opened opened = open_shapes({surface.path}, current, nullptr);
+    opened.taken_as = "Took " + name + " as a shape: it has the vertices and faces of the model";
     return opened;
   }
   const bool cage = current.model.surface && !current.has_cage() &&
@@ -267,19 +365,43 @@ Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage) {
   return opened;
 }
 
+// A point cache of the model and not of its cage.
+bool is_cache_of(const fs::path& file, const Document& current) {
+  if (!current.model.surface) return false;
+  const std::size_t points = mesh::PointCache(file).head().points;
+  return points == current.model.surface->positions.size() &&
+         !(current.has_cage() && points == current.cage->surface.positions.size());
+}
+
+Opened open_dropped_shapes(const std::vector<fs::path>& files, const Document& current,
+                           base::Progress* progress) {
+  Opened opened = open_shapes(files, current, progress);
+  opened.taken_as = "Took " + base::counted(opened.shapes.size(), "shape") + " of the model";
+  return opened;
+}
+
 Opened open_dropped(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
-  if (files.empty() || files.size() > 2 || std::any_of(files.begin(), files.end(), is_session)) {
-    throw base::Error("", std::to_string(files.size()) + " files were dropped",
-                      "drop one session, one model, one pose, or a model and its cage");
+  const bool several = files.size() > 1;
+  if (files.empty() || (several && std::any_of(files.begin(), files.end(), is_session)) ||
+      (files.size() > 2 && !current.model.surface)) {
+    throw base::Error(
+        "", std::to_string(files.size()) + " files were dropped",
+        "drop one session, one model, one pose, a model and its cage, or shapes of the open model");
   }
-  if (files.size() == 1 && mesh::point_cache_format(files[0]))
-    return open_animation(files[0], current, progress);
+  if (files.size() > 2) return open_dropped_shapes(files, current, progress);
+  if (files.size() == 1 && mesh::point_cache_format(files[0])) {
+    return is_cache_of(files[0], current) ? open_dropped_shapes(files, current, progress)
+                                          : open_animation(files[0], current, progress);
+  }
   const double middle = files.size() == 2 ? 0.4 : 0.8;
   if (progress) progress->section(0, middle);
   OpenedSurface first = open_surface(files[0], progress);
   if (files.size() == 1) return open_dropped_surface(std::move(first), current);
   if (progress) progress->section(middle, 0.8);
-  return open_dropped_pair(std::move(first), open_surface(files[1], progress));
+  OpenedSurface second = open_surface(files[1], progress);
+  if (is_shape_of(current, *first.surface) && is_shape_of(current, *second.surface))
+    return open_dropped_shapes(files, current, progress);
+  return open_dropped_pair(std::move(first), std::move(second));
 }
 
 bool names_session(const OpenRequest& request) {
@@ -298,6 +420,7 @@ Opened read(const OpenRequest& request, const Document& current, base::Progress*
     case What::pose: return open_pose(first, current);
     case What::poses: return open_poses(files, current, progress);
     case What::animation: return open_animation(first, current, progress);
+    case What::shapes: return open_shapes(files, current, progress);
     case What::dropped: return open_dropped(files, current, progress);
     default: return open_model(files, progress);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "scene/document/animation.h"
 #include "scene/document/settings.h"
 #include "scene/files/session.h"
 
@@ -21,6 +22,7 @@ struct OpenRequest {
     pose,       ///< of the open cage
     poses,      ///< likewise, to be added to those with names: see read_poses()
     animation,  ///< likewise, in place of the keys that are there: see read_keys()
+    shapes,     ///< of the open model, to be added to the poses: see read_shapes()
     dropped,    ///< whatever they are
     recovery    ///< unsaved work
   };
@@ -31,11 +33,15 @@ struct OpenRequest {
 
 /// Everything that a file gave, ready to be taken into a workspace.
 struct Opened {
-  std::optional<Document> document;             ///< another model, another cage, or a session
-  std::optional<deform::Pose> pose;             ///< or another pose of the open cage
-  std::vector<NamedPose> poses;                 ///< or poses to be added
-  std::vector<PoseKey> keys;                    ///< or keys in place of those that are there
-  std::shared_ptr<const deform::Cage> pose_of;  ///< which was open when these were read
+  std::optional<Document> document;                ///< another model, another cage, or a session
+  std::optional<deform::Pose> pose;                ///< or another pose of the open cage
+  std::vector<NamedPose> poses;                    ///< or poses to be added
+  std::vector<NamedShape> shapes;                  ///< or shapes to be added
+  std::vector<PoseKey> keys;                       ///< or keys in place of those that are there
+  std::shared_ptr<const deform::Cage> pose_of;     ///< which was open when these were read
+  std::shared_ptr<const mesh::Surface> shapes_of;  ///< likewise; null: there are none among them
+  KnownVectors vectors;                            ///< of the shapes that were read
+  std::string lost;  ///< poses of the cage before, which go with it: "3 poses and 2 keys"; or empty
   std::optional<Session> session;
   std::filesystem::path file;            ///< the session, pose or animation
   std::optional<std::uint64_t> content;  ///< checksum of the session file; of unsaved work nothing
@@ -50,10 +56,12 @@ struct Opened {
 /// changed, so that whatever goes wrong leaves everything as it was. progress may be null. Throws base::Error
 /// and base::Cancelled. Thread-safe.
 ///
-/// Dropped files are judged by content and count. One: a session; a point cache, as keys; a pose, if it has
-/// as many vertices as the open cage and the same faces; a cage, if none is open and it encloses the open
-/// model with fewer vertices; else a model. Two: a model and its cage, which is the one that encloses the
-/// other; if neither does, or both, the one with fewer vertices.
+/// Dropped files are judged by content and count. One: a session; a point cache, as keys or, if it is of the
+/// model, as shapes; a pose, if it has as many vertices as the open cage and the same faces; a shape, if it
+/// has those of the open model and is another file; a cage, if none is open and it encloses the open model
+/// with fewer vertices; else a model. Two: a model and its cage, which is the one that encloses the other; if
+/// neither does, or both, the one with fewer vertices. More, or two that are shapes of the open model:
+/// shapes.
 Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress = nullptr);
 
 /// Those of its document, if there is one; of a session the error names the session too.

@@ -1,10 +1,13 @@
 #include "scene/files/pose_json.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
+#include "base/base64.h"
 #include "base/error.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
@@ -83,8 +86,9 @@ double percent_of(double weight) {
   return typed / 100 == weight ? typed : 100 * weight;
 }
 
-NamedPose named_pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  NamedPose named{json.at("name").text(), whole_pose_of(json, warnings)};
+NamedPose named_pose_of(const JsonReader& json, std::span<const SharedShape> shapes,
+                        std::vector<std::string>& warnings) {
+  NamedPose named{json.at("name").text(), whole_pose_of(json, shapes, warnings)};
   if (named.name.size() > PoseLibrary::longest_name) json.at("name").fail("this name is too long");
   const auto weight_of = [](const JsonReader& v) {
     return v.number(100 * PoseLibrary::least_weight, 100 * PoseLibrary::largest_weight) / 100;
@@ -96,8 +100,9 @@ NamedPose named_pose_of(const JsonReader& json, std::vector<std::string>& warnin
   return named;
 }
 
-PoseKey key_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  PoseKey key{frame_of(json.at("frame")), whole_pose_of(json, warnings)};
+PoseKey key_of(const JsonReader& json, std::span<const SharedShape> shapes,
+               std::vector<std::string>& warnings) {
+  PoseKey key{frame_of(json.at("frame")), whole_pose_of(json, shapes, warnings)};
   const auto handles_of = [](const JsonReader& v) {
     const Handles handles = v.numbers<4>();
     if (!are_handles(handles)) v.fail("x is 0 to 1, y is -4 to 5");
@@ -108,10 +113,11 @@ PoseKey key_of(const JsonReader& json, std::vector<std::string>& warnings) {
   return key;
 }
 
-std::vector<PoseKey> keys_of(const JsonReader& json, std::vector<std::string>& warnings) {
+std::vector<PoseKey> keys_of(const JsonReader& json, std::span<const SharedShape> shapes,
+                             std::vector<std::string>& warnings) {
   std::vector<PoseKey> keys;
   take_items(json, Timeline::most_keys, "it is left out", warnings,
-             [&](const JsonReader& item) { keys.push_back(key_of(item, warnings)); });
+             [&](const JsonReader& item) { keys.push_back(key_of(item, shapes, warnings)); });
   return keys;
 }
 
@@ -131,8 +137,9 @@ void put_in_order(Keys& keys) {
   keys.erase(std::ranges::unique(keys, {}, frame).begin(), keys.end());
 }
 
-bool fits(const WholePose& pose, const deform::Cage* cage) {
-  return pose.cage.positions.size() == (cage ? cage->surface.positions.size() : 0) &&
+bool fits(const WholePose& pose, const deform::Cage* cage, const mesh::Surface& model) {
+  return (!pose.shape || pose.shape->size() == model.positions.size()) &&
+         pose.cage.positions.size() == (cage ? cage->surface.positions.size() : 0) &&
          pose.cage.turns.size() <= (cage ? cage->roots.size() : 0);
 }
 
@@ -181,8 +188,87 @@ deform::ProbePose probe_pose_of(const JsonReader& json) {
   return pose;
 }
 
-ordered_json whole_pose_json(const WholePose& pose) {
+namespace {
+
+// The bytes of numbers as T, little-endian.
+template <class T>
+std::string bytes_of(const std::vector<mesh::Point>& points) {
+  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  std::string bytes;
+  bytes.reserve(points.size() * 3 * sizeof(T));
+  for (const mesh::Point& p : points) {
+    for (const double x : p) {
+      auto bits = std::bit_cast<Bits>(static_cast<T>(x));
+      for (std::size_t i = 0; i < sizeof(T); ++i, bits >>= 8) bytes.push_back(static_cast<char>(bits & 255));
+    }
+  }
+  return bytes;
+}
+
+template <class T>
+SharedShape shape_of_bytes(const JsonReader& json) {
+  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  const std::string bytes = json.base64();
+  if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("there are not three numbers for each vertex");
+  std::vector<mesh::Point> points(bytes.size() / (3 * sizeof(T)));
+  for (std::size_t n = 0; n < 3 * points.size(); ++n) {
+    Bits bits = 0;
+    for (std::size_t i = sizeof(T); i-- > 0;)
+      bits = static_cast<Bits>(bits << 8) | static_cast<unsigned char>(bytes[n * sizeof(T) + i]);
+    const auto x = static_cast<double>(std::bit_cast<T>(bits));
+    if (!(std::abs(x) <= largest_coordinate)) json.fail("a number is too large");
+    points[n / 3][n % 3] = x;
+  }
+  return std::make_shared<const std::vector<mesh::Point>>(std::move(points));
+}
+
+SharedShape read_shape(const JsonReader& json) {
+  if (const auto floats = json.find("float32")) return shape_of_bytes<float>(*floats);
+  return shape_of_bytes<double>(json.at("float64"));
+}
+
+}  // namespace
+
+std::size_t ShapeTable::number_of(const SharedShape& shape) {
+  const auto [entry, is_new] = numbers_.try_emplace(shape.get(), shapes_.size());
+  if (is_new) shapes_.push_back(shape);
+  return entry->second;
+}
+
+ordered_json ShapeTable::json() const {
+  const auto is_float = [](const mesh::Point& p) {
+    return std::ranges::all_of(p, [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
+  };
+  ordered_json all = ordered_json::array();
+  for (const SharedShape& shape : shapes_) {
+    const bool floats = std::ranges::all_of(*shape, is_float);
+    all.push_back({{floats ? "float32" : "float64",
+                    base::base64(floats ? bytes_of<float>(*shape) : bytes_of<double>(*shape))}});
+  }
+  return all;
+}
+
+std::vector<SharedShape> shapes_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  std::vector<SharedShape> shapes(json.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    try {
+      shapes[i] = read_shape(json.item(i));
+    } catch (const base::Error& error) {
+      warnings.emplace_back(error.what());
+    }
+  }
+  return shapes;
+}
+
+SharedShape shape_of(const JsonReader& json, std::span<const SharedShape> shapes) {
+  const std::size_t number = json.index();
+  if (number >= shapes.size() || !shapes[number]) json.fail("there is no such shape");
+  return shapes[number];
+}
+
+ordered_json whole_pose_json(const WholePose& pose, ShapeTable& shapes) {
   ordered_json json = ordered_json::object();
+  if (pose.shape) json["shape"] = shapes.number_of(pose.shape);
   if (!pose.cage.positions.empty()) json.update(pose_json(pose.cage));
   if (pose.probes.empty()) return json;
   json["probes"] = ordered_json::array();
@@ -194,8 +280,10 @@ ordered_json whole_pose_json(const WholePose& pose) {
   return json;
 }
 
-SharedPose whole_pose_of(const JsonReader& json, std::vector<std::string>& warnings) {
+SharedPose whole_pose_of(const JsonReader& json, std::span<const SharedShape> shapes,
+                         std::vector<std::string>& warnings) {
   WholePose pose;
+  if (const auto number = json.find("shape")) pose.shape = shape_of(*number, shapes);
   if (json.find("positions")) pose.cage = pose_of(json, warnings);
   if (const auto probes = json.find("probes")) {
     if (probes->size() > most_probes) probes->fail("there are too many probes");
@@ -204,19 +292,19 @@ SharedPose whole_pose_of(const JsonReader& json, std::vector<std::string>& warni
   return std::make_shared<const WholePose>(std::move(pose));
 }
 
-ordered_json library_json(const PoseLibrary& library) {
+ordered_json library_json(const PoseLibrary& library, ShapeTable& shapes) {
   ordered_json all = ordered_json::array();
   for (const NamedPose& named : library.poses) {
     ordered_json json = {{"name", named.name}};
     if (named.weight != 0) json["weight"] = percent_of(named.weight);
     if (!named.part.empty()) json["part"] = named.part;
-    json.update(whole_pose_json(*named.pose));
+    json.update(whole_pose_json(*named.pose, shapes));
     all.push_back(std::move(json));
   }
   return all;
 }
 
-ordered_json timeline_json(const Timeline& timeline, double frame) {
+ordered_json timeline_json(const Timeline& timeline, double frame, ShapeTable& shapes) {
   ordered_json json = {{"first", timeline.first},
                        {"last", timeline.last},
                        {"rate", timeline.rate},
@@ -227,12 +315,12 @@ ordered_json timeline_json(const Timeline& timeline, double frame) {
   for (const PoseKey& key : timeline.keys) {
     ordered_json one = {{"frame", key.frame}, {"easing", entry_of(key.easing).word}};
     if (key.easing == Easing::bezier) one["handles"] = key.handles;
-    one.update(whole_pose_json(*key.pose));
+    one.update(whole_pose_json(*key.pose, shapes));
     json["keys"].push_back(std::move(one));
   }
   for (const PoseKey& left : timeline.unkeyed) {
     ordered_json one = {{"frame", left.frame}};
-    one.update(whole_pose_json(*left.pose));
+    one.update(whole_pose_json(*left.pose, shapes));
     json["unkeyed"].push_back(std::move(one));
   }
   if (timeline.cameras.empty()) return json;
@@ -245,17 +333,19 @@ ordered_json timeline_json(const Timeline& timeline, double frame) {
   return json;
 }
 
-PoseLibrary library_of(const JsonReader& json, std::vector<std::string>& warnings) {
+PoseLibrary library_of(const JsonReader& json, std::span<const SharedShape> shapes,
+                       std::vector<std::string>& warnings) {
   PoseLibrary library;
   take_items(json, PoseLibrary::most_poses, "this pose is left out", warnings, [&](const JsonReader& item) {
-    NamedPose named = named_pose_of(item, warnings);
+    NamedPose named = named_pose_of(item, shapes, warnings);
     named.name = free_name(library, named.name);  // each name once
     library.poses.push_back(std::move(named));
   });
   return library;
 }
 
-Timeline timeline_of(const JsonReader& json, double& frame, std::vector<std::string>& warnings) {
+Timeline timeline_of(const JsonReader& json, double& frame, std::span<const SharedShape> shapes,
+                     std::vector<std::string>& warnings) {
   Timeline t;
   const auto take = [&](const char* key, auto& part, auto read, const char* instead) {
     take_part(json, key, part, read, instead, warnings);
@@ -267,7 +357,7 @@ Timeline timeline_of(const JsonReader& json, double& frame, std::vector<std::str
   const auto rate_of = [](const JsonReader& v) {
     return v.number(Timeline::least_rate, Timeline::largest_rate);
   };
-  const auto read_keys = [&](const JsonReader& v) { return keys_of(v, warnings); };
+  const auto read_keys = [&](const JsonReader& v) { return keys_of(v, shapes, warnings); };
   const auto read_cameras = [&](const JsonReader& v) { return cameras_of(v, warnings); };
   take("rate", t.rate, rate_of, "24 frames a second instead");
   take("repeat", t.repeat, choice_of<Repeat>, "loop instead");
@@ -282,21 +372,21 @@ Timeline timeline_of(const JsonReader& json, double& frame, std::vector<std::str
   return t;
 }
 
-void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cage, const std::string& file,
-               std::vector<std::string>& warnings) {
+void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cage, const mesh::Surface& model,
+               const std::string& file, std::vector<std::string>& warnings) {
   const auto drop = [&](auto& all, const char* key, const char* what) {
     const std::size_t dropped =
-        std::erase_if(all, [&](const auto& keyed) { return !fits(*keyed.pose, cage); });
+        std::erase_if(all, [&](const auto& keyed) { return !fits(*keyed.pose, cage, model); });
     if (dropped > 0)
       warnings.push_back(file + ": " + key + ": " + std::to_string(dropped) + ' ' + what +
-                         (dropped == 1 ? " is" : "s are") + " of another cage, and dropped");
+                         (dropped == 1 ? " is" : "s are") + " of another cage or model, and dropped");
     if (cage)
       for (auto& keyed : all) rest_unread(keyed.pose, *cage);
   };
   drop(library.poses, "poses", "pose");
   drop(timeline.keys, "time", "key");
   drop(timeline.unkeyed, "time", "unkeyed pose");
-  if (library.unmixed && !fits(*library.unmixed, cage)) library.unmixed = nullptr;
+  if (library.unmixed && !fits(*library.unmixed, cage, model)) library.unmixed = nullptr;
   if (library.unmixed && cage) rest_unread(library.unmixed, *cage);
   for (NamedPose& named : library.poses) {
     const auto unknown = [&](auto v) { return !cage || v >= cage->surface.positions.size(); };

@@ -33,7 +33,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr const char* format_name = "viete session";
-constexpr std::uint32_t newest_version = 5;
+constexpr std::uint32_t newest_version = 6;
 
 struct ViewFlag {
   const char* key;
@@ -214,7 +214,8 @@ OpenedSurface made_cage_of(const JsonReader& json) {
 }
 
 // The oldest whose programs read all of it.
-std::uint32_t version_of(const Session& session) {
+std::uint32_t version_of(const Session& session, bool has_shapes) {
+  if (has_shapes) return 6;
   if (!session.library.poses.empty() || session.timeline != Timeline{}) return 5;
   if (session.made_cage) return 4;
   if (!session.probes.empty()) return 3;
@@ -224,7 +225,8 @@ std::uint32_t version_of(const Session& session) {
 }  // namespace
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
-  ordered_json json = {{"format", format_name}, {"version", version_of(session)}};
+  ordered_json json = {{"format", format_name}, {"version", 1}};
+  ShapeTable shapes;
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
   if (session.made_cage) json["made_cage"] = cage_json(*session.made_cage);
@@ -250,9 +252,13 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (!session.groups.sets.empty()) json["sets"] = sets_json(session.groups.sets);
   if (!session.groups.hidden.empty()) json["hidden"] = session.groups.hidden;
   if (session.pose) json["pose"] = pose_json(*session.pose);
-  if (!session.library.poses.empty()) json["poses"] = library_json(session.library);
-  if (session.library.unmixed) json["unmixed"] = whole_pose_json(*session.library.unmixed);
-  if (session.timeline != Timeline{}) json["time"] = timeline_json(session.timeline, session.frame);
+  if (!session.library.poses.empty()) json["poses"] = library_json(session.library, shapes);
+  if (session.library.unmixed) json["unmixed"] = whole_pose_json(*session.library.unmixed, shapes);
+  if (session.timeline != Timeline{}) json["time"] = timeline_json(session.timeline, session.frame, shapes);
+  if (session.shape) json["shape"] = shapes.number_of(session.shape);
+  ordered_json all_shapes = shapes.json();
+  json["version"] = version_of(session, !all_shapes.empty());
+  if (!all_shapes.empty()) json["shapes"] = std::move(all_shapes);
   return readable(json, file);
 }
 
@@ -266,9 +272,12 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
              *new_window = "as in a new window instead";
   const auto read_path = [&](const JsonReader& v) { return resolved(folder / v.path()); };
   const auto read_method = [](const JsonReader& v) { return word_of(v, sym3::method_from_name); };
-  const auto read_poses = [&](const JsonReader& v) { return library_of(v, s.warnings); };
-  const auto read_pose = [&](const JsonReader& v) { return whole_pose_of(v, s.warnings); };
-  const auto read_time = [&](const JsonReader& v) { return timeline_of(v, s.frame, s.warnings); };
+  std::vector<SharedShape> shapes;
+  const auto read_shapes = [&](const JsonReader& v) { return shapes_of(v, s.warnings); };
+  const auto read_shape = [&](const JsonReader& v) { return shape_of(v, shapes); };
+  const auto read_poses = [&](const JsonReader& v) { return library_of(v, shapes, s.warnings); };
+  const auto read_pose = [&](const JsonReader& v) { return whole_pose_of(v, shapes, s.warnings); };
+  const auto read_time = [&](const JsonReader& v) { return timeline_of(v, s.frame, shapes, s.warnings); };
   const auto read_camera = [](const JsonReader& v) { return camera_of(v); };
   const auto read_view = [&](const JsonReader& v) { return view_of(v, s.warnings); };
   const auto read_hand = [&](const JsonReader& v) { return handling_of(v, s.warnings); };
@@ -290,6 +299,8 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("probes", s.probes, read_probes, none);
   take("sets", s.groups.sets, sets_of, none);
   take("hidden", s.groups.hidden, selection_of, "all of the cage is shown instead");
+  take("shapes", shapes, read_shapes, none);
+  take("shape", s.shape, read_shape, "the model is at rest instead");
   take("poses", s.library, read_poses, none);
   take("unmixed", s.library.unmixed, read_pose, "it is found anew from what is mixed");
   take("time", s.timeline, read_time, "there are no keys instead");
@@ -402,6 +413,14 @@ void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& fil
   for (std::size_t v = 0; v < rest.size(); ++v) {
     if (std::isnan(positions[v][0])) positions[v] = rest[v];
   }
+}
+
+SharedShape fit_shape(Session& session, const mesh::Surface& model, const fs::path& file) {
+  if (!session.shape || session.shape->size() == model.positions.size()) return session.shape;
+  session.warnings.push_back(file.string() + ": shape: it is of " +
+                             counted(ElementKind::vertex, session.shape->size()) + ", the model has " +
+                             std::to_string(model.positions.size()) + "; the model is at rest instead");
+  return nullptr;
 }
 
 deform::Mask fit_to_model(Session& session, const mesh::Surface& model, const fs::path& file) {

@@ -21,8 +21,8 @@ struct MaskRun {
   friend bool operator==(const MaskRun&, const MaskRun&) = default;
 };
 
-/// What a session file holds. JSON, version 1 to 5:
-///   "format": "viete session", "version": 1 to 5,
+/// What a session file holds. JSON, version 1 to 6:
+///   "format": "viete session", "version": 1 to 6,
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
 ///                         that are not UTF-8 as path_json() writes them
 ///   "made_cage"           instead of "cage", one that is in no file: "name", "positions": [x, y, z] a
@@ -60,9 +60,13 @@ struct MaskRun {
 ///                         "positions": [x, y, z] per cage vertex
 ///   "poses", "time"       those with names, and keys: see pose_json.h; missing: there are none
 ///   "unmixed"             while poses are mixed: what is there without them
+///   "shapes"              of the model, which poses and keys name by their numbers: see pose_json.h;
+///   missing:
+///                         there are none
+///   "shape"               the number of the one that the model has; missing: it is at rest
 /// Version 1 has only such elements, weights and blends as "coordinates" has a word for: programs that know
 /// no others read it; version 3 is what has probes, version 4 what has a cage that is in no file,
-/// version 5 what has poses with names, or keys. Only
+/// version 5 what has poses with names, or keys, version 6 what has shapes. Only
 /// format, version and model are required. Unknown keys are ignored, so that newer programs may add some.
 /// Ranges are those of scene/document/range.h. What is damaged beside model, cage and the list of positions
 /// costs its own part: it counts as missing, and a warning says so.
@@ -88,6 +92,7 @@ struct Session {
   PoseLibrary library;
   Timeline timeline;
   double frame = 1;                   ///< of the timeline
+  SharedShape shape{};                ///< null: at rest
   std::optional<deform::Pose> pose;   ///< missing: at rest; NaN: a position that could not be read
   std::vector<std::string> warnings;  ///< one line each, naming file and key, and what is taken instead
 };
@@ -112,6 +117,9 @@ void tell_what_changed(Session& session, const Document& document, const std::fi
 /// Positions that could not be read become those at rest, with a warning. Throws base::Error naming `file`
 /// and the key if the pose cannot be of this cage.
 void fit_to_cage(Session& session, const deform::Cage& cage, const std::filesystem::path& file);
+
+/// The shape of the model. One that has not a place for each vertex is dropped, with a warning.
+SharedShape fit_shape(Session& session, const mesh::Surface& model, const std::filesystem::path& file);
 
 /// The mask of the model. One that has not a share for each vertex is dropped, with a warning.
 deform::Mask fit_to_model(Session& session, const mesh::Surface& model, const std::filesystem::path& file);

@@ -11,6 +11,7 @@
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
+#include "scene/files/animation_import.h"
 #include "scene/files/morph_import.h"
 
 namespace viete::scene {
@@ -130,6 +131,8 @@ public:
   ShapeReader(const mesh::Surface& model, base::Progress* progress) : model_(model), progress_(progress) {}
 
   void add(const fs::path& file) {
+    std::error_code ignored;
+    if (fs::is_directory(file, ignored)) return add_folder(file);
     if (base::NumberedName::is_pattern(file)) return add_sequence(base::NumberedName(file));
     all_.files.push_back(file);
     if (mesh::point_cache_format(file)) return add_cache(file);
@@ -156,6 +159,27 @@ private:
       if (progress_) progress_->report(static_cast<double>(i) / static_cast<double>(files.size()));
       add(files[i].path);
     }
+  }
+
+  void add_folder(const fs::path& folder) {
+    const std::vector<fs::path> files = models_in(folder);
+    std::vector<std::string> refused;
+    const std::size_t before = all_.shapes.size();
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (progress_) progress_->report(static_cast<double>(i) / static_cast<double>(files.size()));
+      try {
+        add(files[i]);
+      } catch (const base::Error& error) {
+        refused.push_back(std::string(error.what()) + "; left out");
+      }
+    }
+    if (all_.shapes.size() == before)
+      throw base::Error(
+          folder.string(),
+          files.empty() ? "there is no model in this folder"
+                        : "none of its " + base::counted(files.size(), "model") + " is a shape of this model",
+          "choose a folder of shapes of the model: the same vertices and faces, moved");
+    all_.warnings.insert(all_.warnings.end(), refused.begin(), refused.end());
   }
 
   void add_cache(const fs::path& file) {

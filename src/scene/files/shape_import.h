@@ -8,14 +8,9 @@
 
 #include "base/progress.h"
 #include "mesh/surface.h"
-#include "scene/document/timeline.h"
+#include "scene/document/pose_library.h"
 
 namespace viete::scene {
-
-struct NamedShape {
-  std::string name;
-  SharedShape shape;  ///< never null
-};
 
 struct ImportedShapes {
   std::vector<NamedShape> shapes;
@@ -24,7 +19,8 @@ struct ImportedShapes {
 };
 
 /// Each file gives a shape of its name: a model of any format with the same faces. A name with a place for
-/// the number (`pose_##.obj`) stands for the files of the sequence; a point cache gives a shape a frame; a
+/// the number (`pose_##.obj`) stands for the files of the sequence; a folder for those of its models that are
+/// shapes; a point cache gives a shape a frame; a
 /// glTF file with morph targets one a target.
 ///
 /// Vertices may stand in another order, as in formats that keep none: where the faces stand in the same order

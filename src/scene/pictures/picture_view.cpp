@@ -44,12 +44,12 @@ double nearness(const PictureView& view, Corners corners, std::span<const Point>
   return sum / static_cast<double>(corners.size());
 }
 
+}  // namespace
+
 float lightness(const Vec3& normal) {
   const double lit = mesh::dot(normal, to_light) / mesh::norm(normal);
   return static_cast<float>(shade + span_of_light * std::clamp(lit, -0.6, 1.0));
 }
-
-}  // namespace
 
 PictureView::PictureView(const PictureAngles& angles, const Frame& frame)
     : turn_(turn_of(angles)), size_(frame.size) {

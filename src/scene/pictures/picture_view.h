@@ -14,6 +14,7 @@ namespace viete::scene {
 /// What a shape shows, by which it has its colour.
 enum class Ink {
   model,   ///< an area of it; its tone says how light
+  lit,     ///< the same without a line around it
   weight,  ///< an area of it; tones are weights, 0 to 1
   behind,  ///< a line of the cage that the model may hide
   cage,    ///< a line of the cage before the model
@@ -59,6 +60,9 @@ private:
   glm::vec2 size_;
   double scale_ = 1;
 };
+
+/// How light a face with that normal, as it is seen, is.
+float lightness(const mesh::Vec3& normal);
 
 /// The polygons that face the viewer, the farthest first.
 std::vector<std::size_t> facing(const PictureView& view, const mesh::Surface& surface,

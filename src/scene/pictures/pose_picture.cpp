@@ -2,22 +2,13 @@
 
 #include <algorithm>
 
+#include "scene/pictures/shape_picture.h"
+
 namespace viete::scene {
 
 namespace {
 
 constexpr std::size_t most_faces = 3000;  // more would be neither legible nor quick
-
-// As it stands in the view.
-mesh::Point upright(const mesh::Point& p, UpAxis up) {
-  return up == UpAxis::y ? p : mesh::Point{p[0], p[2], -p[1]};
-}
-
-std::vector<mesh::Point> upright(const std::vector<mesh::Point>& points, UpAxis up) {
-  std::vector<mesh::Point> all;
-  for (const mesh::Point& p : points) all.push_back(upright(p, up));
-  return all;
-}
 
 }  // namespace
 
@@ -30,13 +21,20 @@ std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::P
   return lit_model(PictureView(angles, {framed, pose_picture_size, 3}), cage.surface, at);
 }
 
-const std::vector<PictureShape>& PosePictures::of(const std::shared_ptr<const deform::Cage>& cage,
-                                                  const SharedPose& pose, UpAxis up) {
-  if (cage != cage_ || up != up_) pictures_.clear();
-  cage_ = cage;
+const std::vector<PictureShape>& PosePictures::of(const Document& document, const SharedPose& pose,
+                                                  UpAxis up) {
+  if (document.cage != cage_ || document.model.surface != model_ || up != up_) pictures_.clear();
+  cage_ = document.cage;
+  model_ = document.model.surface;
   up_ = up;
   Picture& picture = pictures_[pose.get()];
-  if (!picture.pose) picture = {pose, pose_picture(*cage, pose->cage, up)};
+  if (picture.pose) return picture.shapes;
+  picture.pose = pose;
+  if (pose->shape) {
+    picture.shapes = shape_picture(*model_, *pose->shape, up, pose_picture_size);
+  } else if (cage_) {
+    picture.shapes = pose_picture(*cage_, pose->cage, up);
+  }
   return picture.shapes;
 }
 

@@ -1,4 +1,4 @@
-// Small pictures of poses: the cage in each of them.
+// Small pictures of poses: the model's shape in each of them, or else the cage.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "scene/document/timeline.h"
+#include "scene/document/document.h"
 #include "scene/document/up_axis.h"
 #include "scene/pictures/picture_view.h"
 
@@ -22,8 +22,7 @@ std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::P
 /// Each is made when it is first asked for, and kept as long as the pose is in use elsewhere.
 class PosePictures {
 public:
-  const std::vector<PictureShape>& of(const std::shared_ptr<const deform::Cage>& cage, const SharedPose& pose,
-                                      UpAxis up);
+  const std::vector<PictureShape>& of(const Document& document, const SharedPose& pose, UpAxis up);
   /// Forgets those of poses that are gone.
   void tidy();
 
@@ -33,6 +32,7 @@ private:
     std::vector<PictureShape> shapes;
   };
   std::shared_ptr<const deform::Cage> cage_;
+  std::shared_ptr<const mesh::Surface> model_;
   UpAxis up_ = UpAxis::y;
   std::map<const WholePose*, Picture> pictures_;
 };

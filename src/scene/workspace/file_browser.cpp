@@ -77,6 +77,7 @@ std::vector<std::string_view> FileBrowser::formats() const {
     if (purpose == Purpose::save_animation) names.insert(names.end(), {"png", "mp4", "webm"});
   } else {
     add(mesh::holds_surface);
+    if (purpose == Purpose::shapes) add(mesh::is_sequence);
   }
   return names;
 }

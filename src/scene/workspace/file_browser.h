@@ -34,6 +34,7 @@ struct FileBrowser {
     cage,
     pose,
     poses,
+    shapes,
     animation,
     save_session,
     save_pose,

@@ -145,6 +145,9 @@ namespace {
 constexpr Condition can_import{
     [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !in_hand(w); },
     "Open a cage first, and pose it rather than edit it (Tab)."};
+constexpr Condition can_import_shapes{
+    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !in_hand(w); },
+    "Open a model first, and pose its cage rather than edit it (Tab)."};
 constexpr Condition can_export_animation{[](const Workspace& w) {
                                            return is_movable(w) && !w.document.timeline.keys.empty() &&
                                                   !is_editing_cage(w.document);
@@ -158,12 +161,17 @@ void add_animation_file_commands(CommandTable& table) {
   table.add("import_poses", "Import poses",
             "Add posed cages to the list of poses: a file, one with morph targets, or all of a folder.",
             can_import, browse_for<Purpose::poses>);
+  table.add(
+      "import_shapes", "Import shapes",
+      "Add shapes of the model to the list of poses: the same model in other files, a numbered sequence, a "
+      "point cache (PC2, MDD), morph targets (glTF), or all of a folder.",
+      can_import_shapes, [](Workspace& w) { browse_beside(w, Purpose::shapes, w.document.model.path); });
   table.heading("Time");
   table.add(
       "import_animation", "Import animation",
-      "Take keys from numbered posed cages, a point cache of the cage (PC2, MDD), or its animated morph "
-      "targets (glTF).",
-      can_import, browse_for<Purpose::animation>);
+      "Take keys from numbered posed cages, a point cache of the cage or the model (PC2, MDD), or animated "
+      "morph targets (glTF).",
+      can_import_shapes, browse_for<Purpose::animation>);
   table.add(
       "save_animation", "Export animation",
       "Write the frames that play: a point cache (PC2, MDD), glTF with morph targets, or numbered models.",

@@ -17,6 +17,7 @@ struct Playback {
   std::shared_ptr<const Animation> animation{};  ///< of `timeline`; null where that has no keys
   Timeline timeline{};
   std::shared_ptr<const deform::Cage> cage{};
+  std::shared_ptr<const mesh::Surface> model{};
   SharedPose shown{};               ///< as time has put it there; null: not by time
   unsigned long seen_revision = 0;  ///< of the history
   Timeline seen_timeline{};         ///< as it was then

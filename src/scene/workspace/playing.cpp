@@ -20,6 +20,7 @@ constexpr const char* leave_label = "go to another frame";
 // That pose is there. Locked probes are no part of it.
 bool is_there(const Workspace& w, const WholePose& pose) {
   if (w.document.has_cage() && !same_pose(pose.cage, real_pose(w.document))) return false;
+  if (!same_shape(pose.shape, w.document.shape)) return false;
   const auto& probes = w.document.probes.all;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const deform::ProbePose there = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
@@ -30,7 +31,8 @@ bool is_there(const Workspace& w, const WholePose& pose) {
 
 // What is known of the motion is of this timeline.
 bool is_of_now(const Workspace& w) {
-  return w.playback.cage == w.document.cage && w.playback.timeline == w.document.timeline;
+  return w.playback.cage == w.document.cage && w.playback.model == w.document.model.surface &&
+         w.playback.timeline == w.document.timeline;
 }
 
 bool is_shown(const Workspace& w) {
@@ -113,7 +115,9 @@ std::shared_ptr<const Animation> animation_of(Workspace& w) {
   if (is_editing_cage(document)) return nullptr;
   if (is_of_now(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
   p.vectors.follow(document.cage);
+  p.vectors.follow_model(document.model.surface);
   p.cage = document.cage;
+  p.model = document.model.surface;
   p.timeline = document.timeline;
   p.animation = p.timeline.keys.empty() ? nullptr : std::make_shared<const Animation>(p.timeline, p.vectors);
   return p.animation;

@@ -64,7 +64,8 @@ bool same_timeline(const Workspace& w) {
       return probe.locked || pose == probe.pose;
     };
     return std::ranges::any_of(w.saved.state.timeline.unkeyed, is_same) ||
-           (same_pose(left.pose->cage, w.saved.state.pose) &&
+           (same_shape(left.pose->shape, w.saved.state.shape) &&
+            same_pose(left.pose->cage, w.saved.state.pose) &&
             std::ranges::equal(left.pose->probes, w.saved.state.probes.all, same_probe));
   };
   const bool all_saved = std::ranges::all_of(now.unkeyed, is_saved);
@@ -129,7 +130,8 @@ bool has_unsaved_edits(const Workspace& w) {
       !same_timeline(w) || !same_mask(w.document.mask, w.saved.state.mask))
     return true;
   return w.document.is_movable() && (w.document.scheme != w.saved.state.scheme ||
-                                     (!by_time && !same_pose(real_pose(w.document), w.saved.state.pose)));
+                                     (!by_time && (!same_shape(w.document.shape, w.saved.state.shape) ||
+                                                   !same_pose(real_pose(w.document), w.saved.state.pose))));
 }
 
 void mark_edits_saved(Workspace& workspace, const std::string& first_edit) {
@@ -172,6 +174,7 @@ Session session_of(const Workspace& w) {
   session.selection = w.document.selection.indices();
   session.groups = w.document.groups;
   if (w.document.has_cage()) session.pose = real_pose(w.document);
+  session.shape = w.document.shape;
   session.library = w.document.library;
   session.library.unmixed = unmixed_pose(w.document);
   session.timeline = w.document.timeline;

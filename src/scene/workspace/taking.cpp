@@ -25,14 +25,13 @@ void report(Workspace& workspace, const Opened& opened) {
 }
 
 // Another cage of the same model: sets and poses are of the one before. Where they are in a file it is named.
-void tell_what_is_lost(Workspace& w, bool in_file) {
+void tell_what_is_lost(Workspace& w, const std::string& poses, bool in_file) {
   const std::string file = w.saved.session.filename().string();
   const std::string where = in_file && !file.empty() ? "; " + file + " has them" : "";
   const Concern concern{.scope = Scope::cage};
   if (const std::string sets = lost_sets(w.document.groups, {}); !sets.empty())
     w.messages.warn("Sets of the cage before are gone: " + sets + where, concern);
-  if (const std::string poses = counted_poses(w.document); !poses.empty())
-    w.messages.warn("Poses of the cage before are gone: " + poses + where, concern);
+  if (!poses.empty()) w.messages.warn("Poses of the cage before are gone: " + poses + where, concern);
 }
 
 void take_document(Workspace& w, Document&& document, bool keep_settings) {
@@ -46,7 +45,8 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.document = std::move(document);
   w.interaction = {};
   w.making = {.wish = w.making.wish};
-  w.playback = {.auto_key = w.playback.auto_key, .paths = w.playback.paths};
+  w.playback = {
+      .auto_key = w.playback.auto_key, .paths = w.playback.paths, .vectors = std::move(w.playback.vectors)};
   w.chosen_pose.reset();
   w.time_view = {};
   w.offer_cage = true;
@@ -78,6 +78,16 @@ void take_handling(Workspace& w, const Opened& opened, bool same_model) {
   }
 }
 
+void take_shapes(Workspace& w, std::vector<NamedShape>&& shapes) {
+  const std::size_t count = shapes.size();
+  try {
+    add_shapes(w.document, std::move(shapes));
+    w.messages.info("Added " + base::counted(count, "shape") + " to the poses.");
+  } catch (const base::Error& error) {
+    w.messages.error(error.what(), {"open"});
+  }
+}
+
 // What was read of poses is an edit. Says whether it was that.
 bool take_poses(Workspace& w, Opened& opened) {
   const std::string name = opened.file.filename().string();
@@ -91,6 +101,7 @@ bool take_poses(Workspace& w, Opened& opened) {
     }
     return true;
   }
+  if (!opened.shapes.empty()) return take_shapes(w, std::move(opened.shapes)), true;
   if (opened.keys.empty()) return false;
   const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
   put_keys(w.document, std::move(opened.keys), "Import animation");
@@ -111,12 +122,19 @@ void take(Workspace& w, Opened&& opened) {
   if (opened.pose_of && opened.pose_of != w.document.cage)
     return w.messages.error(
         opened.file.string() + ": the cage was changed while this pose was read; open it again", {"open"});
+  if (!opened.document && opened.shapes_of && opened.shapes_of != w.document.model.surface)
+    return w.messages.error(
+        opened.file.string() + ": the model was changed while this shape was read; open it again", {"open"});
   report(w, opened);
+  if (opened.shapes_of) {
+    w.playback.vectors.follow_model(opened.shapes_of);
+    w.playback.vectors.take(std::move(opened.vectors));
+  }
   w.document.also_read.insert(w.document.also_read.end(), opened.also_read.begin(), opened.also_read.end());
   if (take_poses(w, opened)) return;
   if (opened.pose) return take_pose(w, std::move(*opened.pose));
   const bool same_model = opened.document->model.surface == w.document.model.surface;
-  if (same_model && !opened.session) tell_what_is_lost(w, !has_unsaved_edits(w));
+  if (same_model && !opened.session) tell_what_is_lost(w, opened.lost, !has_unsaved_edits(w));
   take_document(w, std::move(*opened.document), !opened.has_settings);
   w.saved.begin_anew();
   w.recovered_from.clear();
