@@ -6,6 +6,7 @@
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_notes.h"
+#include "scene/document/probes.h"
 
 namespace viete::app {
 
@@ -198,6 +199,14 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
 
 void LiveModel::take_carried(scene::Document& document) const {
   document.carried = deformer_->probes().places();
+  // A pin is drawn as far from its vertex as the shape is from where it is wanted.
+  for (std::size_t i = 0; i < document.carried.size(); ++i) {
+    const deform::Probe& probe = document.probes.all[i];
+    if (!probe.pin) continue;
+    const mesh::Point way =
+        vertex(document, probe.pin->vertex) - scene::shape_of_vertex(document, probe.pin->vertex);
+    document.carried[i] = probe.place + way;
+  }
 }
 
 mesh::Point LiveModel::vertex(const scene::Document& document, std::size_t index) const {

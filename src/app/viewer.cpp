@@ -82,6 +82,7 @@ void Viewer::frame(float seconds) {
   take_input(seconds);
   take_requests();
   scene::follow_time(workspace_, seconds);
+  workspace_.pins.follow(workspace_);
   follow_document();
   settle_messages();
   deform(times);
@@ -166,7 +167,7 @@ bool Viewer::changing() const {
   const scene::Document& document = workspace_.document;
   const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions().pose;
   return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
-         workspace_.playback.playing || model_.is_due(document);
+         workspace_.playback.playing || workspace_.pins.is_due() || model_.is_due(document);
 }
 
 void Viewer::take_requests() {

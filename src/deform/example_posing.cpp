@@ -178,9 +178,18 @@ ExamplePosing::ExamplePosing(const ShapeSpace& space, std::vector<const LogVecto
 
 void ExamplePosing::restart() {
   weights_.assign(examples_.size(), 0);
+  usual_weights_ = weights_;
   turn_ = {0, 0, 0}, turns_ = false;
   damping_ = 1e-3, energy_ = std::numeric_limits<double>::infinity();
   positions_ = space_.logs().rest();
+}
+
+void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Point> shape) {
+  restart();
+  weights_ = usual_weights_ = std::move(weights);
+  turns_ = true;
+  positions_.assign(shape.begin(), shape.end());
+  work_.ways.resize(shape.size());  // so that the first step starts from there
 }
 
 void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
@@ -328,7 +337,8 @@ double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSet
     off.row(k) = column(targets[std::size_t(k)]).transpose() - reach.places.row(k);
   const Eigen::Map<const Rows> stiffness(forces_.data(), n, n);
   const Eigen::MatrixXd forces = stiffness * off;
-  const Eigen::Map<const Eigen::VectorXd> weights(weights_.data(), m);
+  const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(weights_.data(), m) -
+                                  Eigen::Map<const Eigen::VectorXd>(usual_weights_.data(), m);
   const double held = settings.restraint * area_;
   const double energy = off.cwiseProduct(forces).sum() + held * weights.squaredNorm();
   if (energy > energy_) {  // too far: back, and less

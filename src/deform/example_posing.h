@@ -22,7 +22,8 @@ struct PosingPin {
 };
 
 struct PosingSettings {
-  /// Beside the elastic energy of a unit of the model's area: how near weights of examples stay to 0.
+  /// Beside the elastic energy of a unit of the model's area: how near weights of examples stay to 0, or to
+  /// those that it began with.
   double restraint = 1e-3;
   /// How freely triangles turn off the blend of examples, 0 to 1. Without examples 1 is as rigid as possible.
   double freedom = 0.3;
@@ -30,7 +31,7 @@ struct PosingSettings {
 
 /// Weights w of examples, beyond 0 and 1 too, a turn G of the whole, and positions x minimise
 ///
-///     sum_t area_t |(grad x - G M_t(w)) T_t|^2 + sum_k c_k |x_k - target_k|^2 + restraint area |w|^2
+///     sum_t area_t |(grad x - G M_t(w)) T_t|^2 + sum_k c_k |x_k - target_k|^2 + restraint area |w - w0|^2
 ///
 /// but for what of the first sum does not depend on the pins: M_t(w) is the blend in log space (see
 /// LogSpace). x is eliminated through the columns of the inverse Laplacian that belong to the pins; the rest
@@ -59,6 +60,8 @@ public:
   double energy() const { return energy_; }
   /// Where examples, weights and turn begin anew.
   void restart();
+  /// The same at a shape that these weights, one an example, blend: they are what weights stay near to.
+  void begin(std::vector<double> weights, std::span<const mesh::Point> shape);
 
 private:
   class Derivatives;
@@ -88,7 +91,7 @@ private:
   std::vector<double> forces_;  // [pin, then pinned part][pin]: from how far pins are off to forces at them,
                                 // and ways of parts
 
-  std::vector<double> weights_;
+  std::vector<double> weights_, usual_weights_;  // those of the pose, and which they stay near to
   Vec3 turn_{0, 0, 0};
   std::vector<double> last_weights_;
   Vec3 last_turn_{0, 0, 0};

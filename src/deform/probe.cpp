@@ -120,6 +120,8 @@ ProbePose scaled(const ProbePose& pose, const Vec3& factors) {
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights) {
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const Probe& probe = probes.all[i];
+    weights[i] = {};
+    if (probe.pin) continue;
     const double distance = norm(point - probe.place);
     const auto at = [&](const Influence& part) { return weight_at(part.falloff, distance / part.radius); };
     weights[i] = {at(probe.turn), at(probe.stretch), at(probe.move), 0};

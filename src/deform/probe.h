@@ -1,6 +1,7 @@
 // Probes: frames on a model or beside it that move, turn and stretch what is near them.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -59,8 +60,17 @@ ProbePose scaled(const ProbePose& pose, const Vec3& factors);
 /// exp(Y) exp(X), by rows.
 sym3::Mat3<double> linear_part(const ProbePose& pose);
 
+/// A vertex that the shape of the model is brought to where the probe has moved, see ExamplePosing.
+struct Pin {
+  std::uint32_t vertex;
+  bool pulls = false;  ///< towards that place; else it holds there
+
+  friend bool operator==(const Pin&, const Pin&) = default;
+};
+
 struct Probe {
   mesh::Point place{0, 0, 0};  ///< at rest
+  std::optional<Pin> pin{};    ///< then it acts upon nothing else; its place is that vertex's
   Influence turn{}, stretch{}, move{};
   bool locked = false;  ///< it holds what it holds, and no hand moves it
   ProbePose pose{};
@@ -82,11 +92,11 @@ struct ProbeWeights {
   double pivot = 0;  ///< how much its place counts in that about which the vertex turns
 };
 
-/// Of all probes at a point, at rest. Turn, stretch and move are mixed each by itself: with `partial` they
-/// are divided by their sum where that is above 1; with `added` they stay as they are; with `whole` wherever
-/// it is above 0; with `softmax` they are e^(b w) - 1, b = softmax_sharpness, over the sum of these, so that
-/// the nearest probe has nearly all. Pivots are the larger one of turn and stretch, over their sum.
-/// weights.size() == probes.all.size().
+/// Of all probes at a point, at rest; those of pins are 0. Turn, stretch and move are mixed each by itself:
+/// with `partial` they are divided by their sum where that is above 1; with `added` they stay as they are;
+/// with `whole` wherever it is above 0; with `softmax` they are e^(b w) - 1, b = softmax_sharpness, over the
+/// sum of these, so that the nearest probe has nearly all. Pivots are the larger one of turn and stretch,
+/// over their sum. weights.size() == probes.all.size().
 inline constexpr double softmax_sharpness = 8;
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
 

@@ -13,7 +13,8 @@ constexpr std::size_t weighed_at_once = 1024;
 
 bool same_weights(const Probes& a, const Probes& b) {
   return a.mix == b.mix && std::ranges::equal(a.all, b.all, [](const Probe& p, const Probe& q) {
-           return p.place == q.place && p.turn == q.turn && p.stretch == q.stretch && p.move == q.move;
+           return p.place == q.place && p.pin == q.pin && p.turn == q.turn && p.stretch == q.stretch &&
+                  p.move == q.move;
          });
 }
 
@@ -33,7 +34,7 @@ void add(sym3::Sym3<double>& sum, double w, const sym3::Sym3<double>& x) {
 
 void ProbeLayer::set(const Probes& probes, const Mask& mask) {
   std::vector<bool> posed;
-  for (const Probe& p : probes.all) posed.push_back(p.pose != ProbePose{});
+  for (const Probe& p : probes.all) posed.push_back(!p.pin && p.pose != ProbePose{});
   const bool same = same_weights(probes_, probes) && posed_ == posed;
   if (!same || mask_ != mask) ++revision_;
   mask_ = mask;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/document/probes.h"
+#include "scene/workspace/command_conditions.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -53,6 +54,21 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
   if (moved) scene::set_radius(document, part, shown.radius);
 }
 
+// How near to the shapes of the list pins leave the model.
+void freedom(const Context& ui) {
+  constexpr float value_width = 44;
+  double& value = ui.workspace.handling.freedom;
+  row_label("Freedom", probe_label);
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  auto percent = static_cast<float>(100 * value);
+  ImGui::SetNextItemWidth(-value_width);
+  if (ImGui::SliderFloat("##pin_freedom", &percent, 0, 100, "", ImGuiSliderFlags_NoInput))
+    value = 0.01 * std::round(static_cast<double>(percent));
+  record(ui, "pin_freedom");
+  hint("How far pins take the model off the shapes of the list: 0 % as these do, 100 % as rigid as can be.");
+  value_beside(right, std::to_string(std::lround(100 * value)) + " %");
+}
+
 void mix(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   row_label("Together", probe_label);
@@ -72,7 +88,7 @@ void panel_probes(const Context& ui) {
   if (probes == 0)
     note(ui,
          "A probe is a frame on the model that moves, turns and stretches what is near it: the tools at the "
-         "edge of the view add one.");
+         "edge of the view add one. A pin (Alt+P) brings a vertex along.");
   if (probes == 0) return;
   command_row(ui, {"mirror_probe", "remove_probe"});
   if (!document.has_cage()) {
@@ -81,7 +97,10 @@ void panel_probes(const Context& ui) {
     command_row(ui, {"select_all", "select_none", "invert_selection"});
   }
   const bool selected = document.selection.kind() == scene::ElementKind::probe && !document.selection.empty();
-  if (selected) {
+  if (scene::has_pins(document)) freedom(ui);
+  if (selected && scene::has_pins_selected(ui.workspace)) {
+    command_toggle(ui, "toggle_pulls");
+  } else if (selected) {
     influence(ui, "Turns", "turn", &scene::Probe::turn);
     influence(ui, "Stretches", "stretch", &scene::Probe::stretch);
     influence(ui, "Moves", "move", &scene::Probe::move);
@@ -90,7 +109,8 @@ void panel_probes(const Context& ui) {
                  ? "Click a probe in the view to select it."
                  : "Press 4 and click a probe to select it.");
   }
-  mix(ui);
+  if (!std::ranges::all_of(document.probes.all, [](const scene::Probe& p) { return p.pin.has_value(); }))
+    mix(ui);
   if (!selected) return;
   command_row(ui, {"reset_selected", "replace_probe"});
   const auto& indices = document.selection.indices();

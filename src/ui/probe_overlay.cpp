@@ -31,6 +31,20 @@ void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProject
   }
 }
 
+// A ring about its vertex, filled where it holds; and a line to where it is wanted.
+void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 middle, const Shown& shown) {
+  const auto& w = ui.workspace;
+  const scene::Probe& probe = w.document.probes.all[i];
+  const ImU32 color = shown.selected ? ui.colors.highlight : ui.colors.accent;
+  const mesh::Point vertex = scene::probe_center(w.document, i) - probe.place - probe.pose.move +
+                             scene::shape_of_vertex(w.document, probe.pin->vertex);
+  const scene::CursorProjection at(glm::dvec3(w.document.space.to_view(vertex)), w.camera, w.viewport);
+  painter.line(glm::vec2(at.at()), middle, color, 1.5f, 0.8f);
+  if (!probe.pin->pulls) painter.disc(middle, dot - 1, color, 1);
+  painter.circle(middle, dot + 2, color, 2);
+  if (shown.hovered) painter.circle(middle, dot + 6, ui.colors.highlight, 1.5f);
+}
+
 void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Shown& shown) {
   const auto& w = ui.workspace;
   const scene::Probe& probe = w.document.probes.all[i];
@@ -39,6 +53,7 @@ void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Show
   const scene::CursorProjection at(center, w.camera, w.viewport);
   const glm::vec2 middle(at.at());
   const float opacity = shown.selected || shown.hovered ? 1.0f : 0.75f;
+  if (probe.pin) return pin(ui, painter, i, middle, shown);
   if (shown.selected && !scene::shows_mask(w)) {
     const double radius = std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
     const auto pixels = static_cast<float>(radius * w.document.space.scale / at.per_pixel());

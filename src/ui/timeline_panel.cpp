@@ -197,8 +197,8 @@ void way_choice(const Context& ui) {
   const scene::Command& command = *scene::find_command("toggle_straight");
   const char* labels[] = {"Log space", "Straight"};
   const char* hints[] = {
-      "Between keys the logs of the cage's maps are blended: halfway to a half turn is a quarter turn.",
-      "Between keys vertices of the cage go in straight lines, as in other programs: what turns shrinks."};
+      "Between poses the logs of maps are blended: halfway to a half turn is a quarter turn.",
+      "Between poses vertices go in straight lines, as in other programs: what turns shrinks."};
   ImGui::BeginDisabled(!command.enabled(ui.workspace));
   for (int i = 0; i < 2; ++i) {
     if (i > 0) ImGui::SameLine(0, 2);

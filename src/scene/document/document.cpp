@@ -133,7 +133,8 @@ bool Document::has_shapes() const {
 
 void Document::take_place_of(const Document& other) {
   const Revisions& before = other.revisions_;
-  revisions_ = {before.surfaces + 1, before.cage + 1, before.weights + 1, before.pose + 1, before.method + 1};
+  revisions_ = {before.surfaces + 1, before.cage + 1,   before.weights + 1,
+                before.pose + 1,     before.method + 1, before.whole + 1};
 }
 
 void Document::replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed) {
@@ -162,7 +163,7 @@ void Document::restore(DocumentState&& state) {
   if (cage != state.cage) ++revisions_.cage;
   const deform::Scheme restored = std::exchange(state.scheme, scheme);
   static_cast<DocumentState&>(*this) = std::move(state);
-  ++revisions_.pose;
+  ++revisions_.pose, ++revisions_.whole;
   carried.clear();
   put_scheme(restored);
 }

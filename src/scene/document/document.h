@@ -46,6 +46,7 @@ struct Revisions {
   Revision weights = 0;   ///< elements, weights or reach
   Revision pose = 0;      ///< positions of the cage, or its turns
   Revision method = 0;    ///< blend, or how exp is computed
+  Revision whole = 0;     ///< the pose, as time, a pose of the list or undo has put it there: by no hand
 
   friend bool operator==(const Revisions&, const Revisions&) = default;
 };
@@ -74,8 +75,10 @@ struct Document : DocumentState {
   /// To be changed: what follows the pose is then made anew.
   deform::Pose& changed_pose() { return ++revisions_.pose, pose; }
   deform::Probes& changed_probes() { return ++revisions_.pose, probes; }
-  /// Of the model, or null.
-  void put_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose; }
+  /// Of the model, or null: as time, a pose of the list or undo has it.
+  void put_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose, ++revisions_.whole; }
+  /// As pins ask for it.
+  void put_posed_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose; }
   /// Another cage around the same model, with its pose. What was selected of the old one is not.
   void replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed);
   /// Settings, by no edit: pose and history are untouched.

@@ -202,6 +202,7 @@ void put_whole_pose(Document& document, const WholePose& pose) {
   auto& probes = document.changed_probes().all;
   for (std::size_t i = 0; i < probes.size(); ++i)
     if (!probes[i].locked) probes[i].pose = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
+  take_pins_along(document);
 }
 
 void end_mix(Document& document) {

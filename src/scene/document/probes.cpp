@@ -55,17 +55,32 @@ void select(Document& document, std::size_t first, std::size_t end) {
   document.selection = Selection(ElementKind::probe, added);
 }
 
+// The vertex that is drawn nearest.
+std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, const mesh::Point& at) {
+  const mesh::Surface& model = *document.model.surface;
+  double least = std::numeric_limits<double>::infinity();
+  std::uint32_t nearest = 0;
+  for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
+    const double distance = mesh::squared_norm(at - posed.at(model, v));
+    if (distance < least) least = distance, nearest = v;
+  }
+  return nearest;
+}
+
 // What is drawn there, at rest: as far from the nearest vertex.
 mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
-  double nearest = std::numeric_limits<double>::infinity();
-  mesh::Point place = at;
-  for (std::size_t v = 0; v < model.positions.size(); ++v) {
-    const mesh::Point p = posed.at(model, v);
-    const double distance = mesh::squared_norm(at - p);
-    if (distance < nearest) nearest = distance, place = model.positions[v] + (at - p);
-  }
-  return place;
+  const std::uint32_t v = nearest_vertex(document, posed, at);
+  return model.positions[v] + (at - posed.at(model, v));
+}
+
+deform::Probe pin_of(const Document& document, std::uint32_t vertex) {
+  deform::Probe probe;
+  probe.place = document.model.surface->positions[vertex];
+  probe.pin = deform::Pin{vertex};
+  probe.turn = probe.stretch = probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
+  probe.pose.move = shape_of_vertex(document, vertex) - probe.place;
+  return probe;
 }
 
 }  // namespace
@@ -79,6 +94,39 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
   document.carried.clear();
   select(document, document.probes.all.size() - 1, document.probes.all.size());
   return true;
+}
+
+bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at) {
+  const std::uint32_t vertex = nearest_vertex(document, posed, at);
+  auto& all = document.probes.all;
+  const auto pins_it = [&](const deform::Probe& p) { return p.pin && p.pin->vertex == vertex; };
+  const auto found = static_cast<std::size_t>(std::ranges::find_if(all, pins_it) - all.begin());
+  if (found == all.size()) {
+    if (all.size() >= most_probes) return false;
+    edit(document, "add a pin").all.push_back(pin_of(document, vertex));
+    document.carried.clear();
+  }
+  select(document, found, found + 1);
+  return true;
+}
+
+bool has_pins(const Document& document) {
+  return std::ranges::any_of(document.probes.all, [](const deform::Probe& p) { return p.pin.has_value(); });
+}
+
+mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex) {
+  return document.shape ? (*document.shape)[vertex] : document.model.surface->positions[vertex];
+}
+
+void take_pins_along(Document& document) {
+  for (deform::Probe& probe : document.probes.all)
+    if (probe.pin) probe.pose = {.move = shape_of_vertex(document, probe.pin->vertex) - probe.place};
+}
+
+void set_pulls(Document& document, bool pulls) {
+  change_selected(document, pulls ? "pull by pins" : "hold by pins", [pulls](deform::Probe& p) {
+    if (p.pin) p.pin->pulls = pulls;
+  });
 }
 
 void remove_probes(Document& document) {
@@ -105,6 +153,7 @@ void rest_probes(Document& document) {
 
 void replace_probes(Document& document) {
   change_selected(document, label("place", document), [](deform::Probe& p) {
+    if (p.pin) return;
     p.place = p.place + p.pose.move;
     p.pose = {};
   });
@@ -136,6 +185,8 @@ bool mirror_probes(Document& document, int axis) {
   auto& all = edit(document, label("mirror", document)).all;
   const double middle = document.model.bounds.center()[static_cast<std::size_t>(axis)];
   for (const auto i : document.selection.indices()) all.push_back(deform::mirrored(all[i], axis, middle));
+  for (std::size_t i = before; i < all.size(); ++i)
+    if (all[i].pin) all[i] = pin_of(document, nearest_vertex(document, {}, all[i].place));
   document.carried.clear();
   select(document, before, all.size());
   return true;

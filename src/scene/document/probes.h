@@ -19,6 +19,17 @@ inline constexpr std::size_t most_probes = 256;
 /// is placed where that is at rest. False if there are most_probes.
 bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& at);
 
+/// A pin of the vertex that is drawn nearest to `at`, where the shape has it; it is selected. One that pins
+/// it already is selected instead. False if there are most_probes.
+bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at);
+bool has_pins(const Document& document);
+/// Where the model's shape has that vertex.
+mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex);
+/// All pins are where the shape has their vertices.
+void take_pins_along(Document& document);
+/// Of the selected pins.
+void set_pulls(Document& document, bool pulls);
+
 /// Of the selected probes, which the caller sees to; locked ones stay as they are but for set_locked().
 void remove_probes(Document& document);
 void rest_probes(Document& document);  ///< they have done nothing

@@ -23,6 +23,19 @@ void keep_still(const std::vector<mesh::Point>& rest, std::span<const deform::Lo
 
 }  // namespace
 
+void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
+               std::span<mesh::Point> positions) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto stays = [k](const mesh::Vec3& way) { return way[k] == 0; };
+    const auto is_flat = [&](const deform::LogTerm& term) {
+      return std::ranges::all_of(term.vector->ways, stays);
+    };
+    const bool flat = std::ranges::all_of(rest, [&](const mesh::Point& p) { return p[k] == rest[0][k]; });
+    if (!flat || !std::ranges::all_of(terms, is_flat)) continue;
+    for (mesh::Point& p : positions) p[k] = rest[0][k];
+  }
+}
+
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool) {
   std::vector<mesh::Point> positions(space.rest().size());
@@ -33,6 +46,7 @@ SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTe
     space.straight(terms, positions);
   }
   keep_still(space.rest(), terms, positions);
+  keep_flat(space.rest(), terms, positions);
   return std::make_shared<const std::vector<mesh::Point>>(std::move(positions));
 }
 

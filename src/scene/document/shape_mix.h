@@ -21,6 +21,10 @@ struct ShapeTerm {
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
+/// What is flat at rest, along a plane of two axes, and in all terms, is flat to the bit.
+void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
+               std::span<mesh::Point> positions);
+
 /// Rest and upon it each shape as often as its factor says, in log space or in straight lines. One alone, or
 /// none, is that, bit for bit. Throws base::Error where a shape is none of the model.
 SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,

@@ -42,6 +42,7 @@ nlohmann::ordered_json handling_json(const Handling& handling) {
   if (handling.soft.radius != usual.soft.radius) json["radius"] = 100 * handling.soft.radius;
   put_word(json, "curve", handling.soft.curve, usual.soft.curve);
   put_word(json, "distance", handling.soft.distance, usual.soft.distance);
+  if (handling.freedom != usual.freedom) json["freedom"] = 100 * handling.freedom;
   if (handling.mix_selected) json["mix_selected"] = true;
   return json;
 }
@@ -60,6 +61,8 @@ Handling handling_of(const JsonReader& json, std::vector<std::string>& warnings)
   take_part(json, "radius", handling.soft.radius, soft_radius_of, "35 instead", warnings);
   take_word(json, "curve", handling.soft.curve, warnings);
   take_word(json, "distance", handling.soft.distance, warnings);
+  const auto freedom_of = [](const JsonReader& v) { return v.number(0, 100) / 100; };
+  take_part(json, "freedom", handling.freedom, freedom_of, "50 instead", warnings);
   take_switch("mix_selected", handling.mix_selected);
   return handling;
 }

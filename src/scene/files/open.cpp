@@ -279,6 +279,7 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   document.method = session.method;
   document.scheme = session.scheme;
   document.mask = fit_to_model(session, *document.model.surface, file);
+  fit_pins(session, *document.model.surface, file);
   document.probes = session.probes;
   document.model.unit = session.unit.value_or(document.model.unit);
   const bool has_pose = session.pose.has_value() || session.shape || !document.has_cage();

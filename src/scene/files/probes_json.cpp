@@ -1,6 +1,9 @@
 #include "scene/files/probes_json.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
 
 #include "scene/document/probes.h"
 #include "scene/document/range.h"
@@ -19,6 +22,16 @@ struct PartKey {
 constexpr PartKey part_keys[] = {
     {"turn", &deform::Probe::turn}, {"stretch", &deform::Probe::stretch}, {"move", &deform::Probe::move}};
 
+constexpr std::array pin_words = {"holds", "pulls"};
+
+deform::Pin pin_of(const JsonReader& json) {
+  const auto pulls = [](std::string_view word) -> std::optional<bool> {
+    if (word == pin_words[0] || word == pin_words[1]) return word == pin_words[1];
+    return std::nullopt;
+  };
+  return {json.at("vertex").index(), word_of(json.at("pin"), pulls)};
+}
+
 ordered_json probe_json(const deform::Probe& probe) {
   ordered_json json;
   json["place"] = probe.place;
@@ -27,6 +40,7 @@ ordered_json probe_json(const deform::Probe& probe) {
     json[key] = {{"falloff", deform::entry(influence.falloff).name}, {"radius", influence.radius}};
   }
   if (probe.locked) json["locked"] = true;
+  if (probe.pin) json["pin"] = pin_words[probe.pin->pulls], json["vertex"] = probe.pin->vertex;
   put_probe_pose(json, probe.pose);
   return json;
 }
@@ -43,6 +57,7 @@ deform::Probe probe_of(const JsonReader& json) {
   probe.place = json.at("place").place(most_drawn);
   for (const auto& [key, part] : part_keys) probe.*part = influence_of(json.at(key));
   if (const auto v = json.find("locked")) probe.locked = v->boolean();
+  if (json.find("pin")) probe.pin = pin_of(json);
   probe.pose = probe_pose_of(json);
   return probe;
 }

@@ -14,6 +14,7 @@ namespace viete::scene {
 /// "all": [{"place": [x, y, z],
 ///          "turn", "stretch", "move": {"falloff": a name of deform/probe.h, "radius"}, where it acts,
 ///          "locked": true, or missing,
+///          "pin": "holds" or "pulls", and "vertex": of the model, which it brings to its place; or missing,
 ///          "turned": [x, y, z], rotation vector in radians,
 ///          "stretched": [xx, xy, xz, yy, yz, zz], log of the stretch,
 ///          "moved": [x, y, z]; these three: what it has done, each missing where it is 0}, ...]

@@ -215,7 +215,8 @@ OpenedSurface made_cage_of(const JsonReader& json) {
 
 // The oldest whose programs read all of it.
 std::uint32_t version_of(const Session& session, bool has_shapes) {
-  if (has_shapes) return 6;
+  const auto is_pin = [](const deform::Probe& probe) { return probe.pin.has_value(); };
+  if (has_shapes || std::ranges::any_of(session.probes.all, is_pin)) return 6;
   if (!session.library.poses.empty() || session.timeline != Timeline{}) return 5;
   if (session.made_cage) return 4;
   if (!session.probes.empty()) return 3;
@@ -413,6 +414,22 @@ void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& fil
   for (std::size_t v = 0; v < rest.size(); ++v) {
     if (std::isnan(positions[v][0])) positions[v] = rest[v];
   }
+}
+
+void fit_pins(Session& session, const mesh::Surface& model, const fs::path& file) {
+  auto& all = session.probes.all;
+  const auto is_lost = [&](const deform::Probe& p) {
+    return p.pin && p.pin->vertex >= model.positions.size();
+  };
+  for (deform::Probe& probe : all)
+    if (probe.pin && !is_lost(probe)) probe.place = model.positions[probe.pin->vertex];
+  if (std::ranges::none_of(all, is_lost)) return;
+  session.warnings.push_back(
+      file.string() +
+      ": probes: there are pins of vertices that the model does not have; all probes are "
+      "dropped");
+  session.probes = {};
+  if (session.selecting == ElementKind::probe) session.selection.clear();
 }
 
 SharedShape fit_shape(Session& session, const mesh::Surface& model, const fs::path& file) {

@@ -66,7 +66,7 @@ struct MaskRun {
 ///   "shape"               the number of the one that the model has; missing: it is at rest
 /// Version 1 has only such elements, weights and blends as "coordinates" has a word for: programs that know
 /// no others read it; version 3 is what has probes, version 4 what has a cage that is in no file,
-/// version 5 what has poses with names, or keys, version 6 what has shapes. Only
+/// version 5 what has poses with names, or keys, version 6 what has shapes or pins. Only
 /// format, version and model are required. Unknown keys are ignored, so that newer programs may add some.
 /// Ranges are those of scene/document/range.h. What is damaged beside model, cage and the list of positions
 /// costs its own part: it counts as missing, and a warning says so.
@@ -117,6 +117,9 @@ void tell_what_changed(Session& session, const Document& document, const std::fi
 /// Positions that could not be read become those at rest, with a warning. Throws base::Error naming `file`
 /// and the key if the pose cannot be of this cage.
 void fit_to_cage(Session& session, const deform::Cage& cage, const std::filesystem::path& file);
+
+/// Pins of vertices that the model has not are dropped, with a warning.
+void fit_pins(Session& session, const mesh::Surface& model, const std::filesystem::path& file);
 
 /// The shape of the model. One that has not a place for each vertex is dropped, with a warning.
 SharedShape fit_shape(Session& session, const mesh::Surface& model, const std::filesystem::path& file);

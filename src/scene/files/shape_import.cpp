@@ -169,6 +169,7 @@ private:
       if (progress_) progress_->report(static_cast<double>(i) / static_cast<double>(files.size()));
       try {
         add(files[i]);
+        drop_rest();
       } catch (const base::Error& error) {
         refused.push_back(std::string(error.what()) + "; left out");
       }
@@ -180,6 +181,11 @@ private:
                         : "none of its " + base::counted(files.size(), "model") + " is a shape of this model",
           "choose a folder of shapes of the model: the same vertices and faces, moved");
     all_.warnings.insert(all_.warnings.end(), refused.begin(), refused.end());
+  }
+
+  // The model itself may lie beside its shapes.
+  void drop_rest() {
+    if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
   }
 
   void add_cache(const fs::path& file) {

@@ -113,13 +113,15 @@ bool is_in_range(const Document& document, const Grip& grip) {
                      [](const auto& turn) { return deform::norm(turn) <= largest_turn; });
 }
 
-deform::ProbePose moved(const deform::ProbePose& pose, const mesh::Point& carried, const Transform& t) {
-  deform::ProbePose result = pose;
-  if (t.factors != glm::dvec3(1)) result = deform::scaled(result, point_of(t.factors));
-  if (t.degrees != 0) result = deform::turned(result, point_of(t.axis), t.degrees / 180 * std::acos(-1.0));
-  const mesh::Point from = carried + pose.move;
+deform::ProbePose moved(const deform::Probe& probe, const mesh::Point& carried, const Transform& t) {
+  deform::ProbePose result = probe.pose;
+  if (!probe.pin) {
+    if (t.factors != glm::dvec3(1)) result = deform::scaled(result, point_of(t.factors));
+    if (t.degrees != 0) result = deform::turned(result, point_of(t.axis), t.degrees / 180 * std::acos(-1.0));
+  }
+  const mesh::Point from = carried + probe.pose.move;
   const mesh::Point to = PointMotion(t)(from, t.pivot);
-  result.move = pose.move + (to - from);
+  result.move = probe.pose.move + (to - from);
   return result;
 }
 
@@ -194,7 +196,7 @@ bool place_probes(Document& document, const DocumentState& before, const Transfo
     deform::Probe& probe = probes.all[i];
     if (probe.locked) continue;
     const mesh::Point carried = i < document.carried.size() ? document.carried[i] : probe.place;
-    probe.pose = moved(before.probes.all[i].pose, carried, transform);
+    probe.pose = moved(before.probes.all[i], carried, transform);
     fits &= in_range(document, i);
   }
   if (!fits) probes = before.probes;

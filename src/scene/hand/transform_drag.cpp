@@ -286,6 +286,8 @@ std::string TransformDrag::label() const {
 void TransformDrag::cancel(Document& document) const {
   document.changed_pose() = before_.pose;
   document.changed_probes() = before_.probes;
+  document.library = before_.library;
+  document.put_shape(before_.shape);
   document.selection = before_.selection;
 }
 

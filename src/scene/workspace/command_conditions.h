@@ -45,7 +45,7 @@ inline constexpr Condition has_model{[](const Workspace& w) { return w.document.
 inline constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); },
                                     "Open a cage first."};
 inline constexpr Condition is_movable{[](const Workspace& w) { return w.document.is_movable(); },
-                                      "Open a cage or add a probe first."};
+                                      "Open a cage, add a probe or import shapes first."};
 inline constexpr Condition has_elements{
     [](const Workspace& w) { return element_count(w.document, w.document.selection.kind()) > 0; },
     "There is nothing of the kind to select: open a cage, or add a probe."};
@@ -59,6 +59,13 @@ inline constexpr Condition has_probes_selected{[](const Workspace& w) {
                                                         !w.document.selection.empty() && !in_hand(w);
                                                },
                                                "Select a probe first."};
+inline constexpr Condition has_pins_selected{
+    [](const Workspace& w) {
+      return has_probes_selected(w) && std::ranges::any_of(w.document.selection.indices(), [&](auto i) {
+               return w.document.probes.all[i].pin.has_value();
+             });
+    },
+    "Select a pin first."};
 inline constexpr Condition has_free_probes_selected{
     [](const Workspace& w) { return has_free_probes(w.document) && !in_hand(w); },
     "Select a probe that is not locked first."};

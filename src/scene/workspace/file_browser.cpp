@@ -192,6 +192,8 @@ std::string problem_of_name(const FileBrowser& browser) {
   const fs::path file = chosen_file(browser);
   const std::string name = file.filename().string();
   std::error_code ignored;
+  const bool sequence = browser.purpose == Purpose::shapes || browser.purpose == Purpose::animation;
+  if (sequence && base::NumberedName::is_pattern(file)) return "";
   if (!browser.saves())
     return fs::exists(file, ignored) ? "" : name + " is not there; choose one of the list, or another path";
   if (name.empty() || fs::is_directory(file, ignored)) return "Give the file a name.";

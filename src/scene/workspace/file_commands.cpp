@@ -152,7 +152,7 @@ constexpr Condition can_export_animation{[](const Workspace& w) {
                                            return is_movable(w) && !w.document.timeline.keys.empty() &&
                                                   !is_editing_cage(w.document);
                                          },
-                                         "There are no keys: pose the cage and set one (I)."};
+                                         "There are no keys: pose the model and set one (I)."};
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The ways of vertices of the cage over all keys, in log space and straight: what playing shows, at a glance.
+// The ways of vertices of the cage, or of pins of a model without one, over all keys, in log space and straight: what playing shows, at a glance.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +23,16 @@ struct MotionPaths {
   std::vector<MotionPath> paths;
 };
 
-/// Of at most most_paths of the vertices, in their order. Requires keys of a cage.
+/// Of at most most_paths of the vertices, in their order: of the model's shape or, if that is null, of the
+/// cage.
 inline constexpr std::size_t most_paths = 24;
 MotionPaths motion_paths(const Animation& animation, const Timeline& timeline,
-                         std::span<const std::uint32_t> vertices);
+                         std::span<const std::uint32_t> vertices, const mesh::Surface* model = nullptr);
 
 /// Made when they are asked for, and kept until timeline, cage or selection change.
 class KnownPaths {
 public:
-  /// Of the selected vertices; empty where there is nothing that moves.
+  /// Of the selected vertices or pins; empty where there is nothing that moves.
   const MotionPaths& of(const Document& document, std::shared_ptr<const Animation> animation);
 
 private:

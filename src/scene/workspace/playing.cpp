@@ -24,7 +24,7 @@ bool is_there(const Workspace& w, const WholePose& pose) {
   const auto& probes = w.document.probes.all;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const deform::ProbePose there = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
-    if (!probes[i].locked && !(probes[i].pose == there)) return false;
+    if (!probes[i].locked && !probes[i].pin && !(probes[i].pose == there)) return false;
   }
   return true;
 }

@@ -116,6 +116,20 @@ void take_pose(Workspace& w, deform::Pose&& pose) {
   if (was_saved) mark_pose_saved(w);  // nothing is lost with it: it stands in the file
 }
 
+// What is flat is seen from before, without perspective.
+void look_at_first(Workspace& w) {
+  const mesh::Bounds& box = w.document.model.bounds;
+  const bool z_up = w.camera.pose().up == UpAxis::z;
+  const StandardView along[] = {StandardView::right, z_up ? StandardView::front : StandardView::top,
+                                z_up ? StandardView::top : StandardView::front};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box.high[k] - box.low[k] > 1e-9 * box.diagonal()) continue;
+    w.camera.look(along[k]);
+    return w.camera.set_orthographic(true);
+  }
+  w.camera.look(StandardView::home);
+}
+
 }  // namespace
 
 void take(Workspace& w, Opened&& opened) {
@@ -160,7 +174,7 @@ void take(Workspace& w, Opened&& opened) {
   if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
   if (same_model) return;
   w.camera.set_up(guessed_up(w.document.model));
-  w.camera.look(StandardView::home);  // as if nothing had been open before
+  look_at_first(w);  // as if nothing had been open before
   frame_all(w, false);
 }
 

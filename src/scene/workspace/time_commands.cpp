@@ -17,7 +17,7 @@ namespace {
 
 constexpr Condition can_pose{
     [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !in_hand(w); },
-    "Open a cage or add a probe first, and pose it rather than edit it (Tab)."};
+    "Open a cage, add a probe or import shapes first, and pose it rather than edit it (Tab)."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
                                     "Choose a pose of the list first; Keep pose makes one of what is there."};
 constexpr Condition can_export_pose{[](const Workspace& w) { return has_chosen_pose(w) && has_cage(w); },
@@ -42,10 +42,10 @@ constexpr Condition has_time{[](const Workspace& w) {
                                return !w.document.timeline.empty() && !is_editing_cage(w.document) &&
                                       !in_hand(w);
                              },
-                             "There are no keys: pose the cage and set one (I)."};
+                             "There are no keys: pose the model and set one (I)."};
 constexpr Condition has_pose_keys{
     [](const Workspace& w) { return has_time(w) && !w.document.timeline.keys.empty(); },
-    "There are no keys: pose the cage and set one (I)."};
+    "There are no keys: pose the model and set one (I)."};
 constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !in_hand(w); },
                                    "Open a model first."};
 constexpr Condition has_selected_keys{
@@ -190,7 +190,7 @@ void add_time_commands(CommandTable& table) {
   table.heading("Poses");
   table.add("keep_pose", {"Keep this pose", "Keep pose"}, "Keep what is there now as a pose with a name.",
             can_pose, keep);
-  table.add("apply_pose", {"Apply the chosen pose", "Apply"}, "Put cage and probes into the chosen pose.",
+  table.add("apply_pose", {"Apply the chosen pose", "Apply"}, "Put shape, cage and probes into the chosen pose.",
             has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
   table.add("update_pose", {"Update the chosen pose", "Update"}, "The chosen pose becomes what is there now.",
             has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.chosen_pose); });
@@ -244,14 +244,18 @@ void add_time_commands(CommandTable& table) {
   table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
             "Whatever the hand changes becomes a key of this frame, once there is a key.", always,
             switches(&Playback::auto_key, &Workspace::playback));
-  table.add("toggle_straight", {"Straight lines between keys", "Straight lines"},
-            "Vertices of the cage go straight from key to key, as in other programs; else the logs of its "
-            "maps are blended.",
+  table.add("toggle_straight", {"Straight lines between poses", "Straight lines"},
+            "Vertices of cage and model go straight from key to key, and in mixes, as in other programs; else the "
+            "logs of their maps are blended.",
             has_model,
-            {[](Workspace& w) { change_play(w, [](Play& play) { play.straight = !play.straight; }); },
+            {[](Workspace& w) {
+               change_mix(w, [&] {
+                 return set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
+               });
+             },
              [](const Workspace& w) { return w.document.timeline.straight; }});
   table.add("toggle_paths", {"Show paths of vertices", "Paths"},
-            "Draw the ways of the selected vertices, by logs and in straight lines.", always,
+            "Draw the ways of the selected vertices or pins, by logs and in straight lines.", always,
             switches(&Playback::paths, &Workspace::playback));
   table.add("toggle_timeline", {"Show the timeline", "Timeline"}, "Show or hide the timeline.",
             {key('T'), false, true}, always,

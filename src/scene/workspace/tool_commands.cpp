@@ -24,16 +24,24 @@ bool in_use(const Workspace& w) {
 }
 
 // On the model under the cursor or, where none is there or a button was pressed, in the middle of the view.
-void add_probe_in_view(Workspace& w) {
+template <bool (*Add)(Document&, const PosedModel&, const mesh::Point&)>
+void add_in_view(Workspace& w) {
   const glm::vec2 middle = w.viewport.origin + 0.5f * w.viewport.size;
   const auto on_model = [&](const glm::vec2& at) {
     return pick_model(w.document, w.posed, w.camera.ray(at, w.viewport));
   };
   auto at = w.interaction.cursor ? on_model(*w.interaction.cursor) : std::nullopt;
   if (!at) at = on_model(middle);
-  add_probe(w.document, w.posed, at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
+  Add(w.document, w.posed, at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
   w.interaction.hovered.reset();
   w.view.cage = true;  // with which probes are shown
+}
+
+bool all_pull(const Workspace& w) {
+  return std::ranges::all_of(w.document.selection.indices(), [&](auto i) {
+    const deform::Probe& probe = w.document.probes.all[i];
+    return !probe.pin || probe.pin->pulls;
+  });
 }
 
 bool all_locked(const Workspace& w) {
@@ -71,7 +79,17 @@ void add_tool_commands(CommandTable& table) {
   table.add("add_probe", {"Add a probe", "Add"},
             "Place a probe on the model, under the cursor: a frame that moves, turns and stretches what is "
             "near it.",
-            {key('P')}, has_probe_room, add_probe_in_view);
+            {key('P')}, has_probe_room, add_in_view<add_probe>);
+  table.add(
+      "add_pin", {"Pin a vertex", "Pin"},
+      "Pin the vertex of the model under the cursor. Drag pins, and the model follows by the shapes of the "
+      "list of poses; without any it stays as rigid as it can.",
+      {key('P'), false, false, true}, has_probe_room, add_in_view<add_pin>);
+  table.add("toggle_pulls", {"Pull by pins", "Pulls"},
+            "The selected pins pull their vertices towards them; else they hold them there.",
+            has_pins_selected,
+            {[](Workspace& w) { set_pulls(w.document, !all_pull(w)); },
+             [](const Workspace& w) { return has_pins_selected(w) && all_pull(w); }});
   table.add("mirror_probe", {"Mirror probes", "Mirror"},
             "Place copies of the selected probes on the other side of the model, across the axis in which it "
             "is most symmetric.",

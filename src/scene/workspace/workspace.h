@@ -37,6 +37,7 @@
 #include "scene/workspace/measures.h"
 #include "scene/workspace/messages.h"
 #include "scene/workspace/motion_path.h"
+#include "scene/workspace/pin_posing.h"
 #include "scene/workspace/playback.h"
 #include "scene/workspace/question.h"
 #include "scene/workspace/remembered.h"
@@ -200,6 +201,7 @@ struct Workspace {
   KnownMirror mirror;  ///< that of the cage, as handling asks for it
   CopiedPose copied;
   Playback playback;
+  PinPosing pins;
   std::optional<std::size_t> chosen_pose;  ///< of the library: what the commands of poses act on
   TimeView time_view;
   KnownPaths paths;
