@@ -91,16 +91,18 @@ public:
   void wheel(float steps) { send(platform::InputEvent::scroll(steps)); }
   void key(int code, bool down) { send(platform::InputEvent::key(code, down)); }
   void type(const std::string& text) { send(platform::InputEvent::typed(text), 2); }
-  void press_key(int code, bool ctrl = false, bool shift = false) {
+  void press_key(int code, bool ctrl = false, bool shift = false, bool alt = false) {
     if (ctrl) key(left_ctrl, true);
     if (shift) key(left_shift, true);
+    if (alt) key(left_alt, true);
     key(code, true);
     key(code, false);
+    if (alt) key(left_alt, false);
     if (shift) key(left_shift, false);
     if (ctrl) key(left_ctrl, false);
   }
-  void press_key(scene::Key k, bool ctrl = false, bool shift = false) {
-    press_key(ui::key_code(k), ctrl, shift);
+  void press_key(scene::Key k, bool ctrl = false, bool shift = false, bool alt = false) {
+    press_key(ui::key_code(k), ctrl, shift, alt);
   }
 
   void click(glm::vec2 at, int b = 0) {
@@ -174,7 +176,7 @@ public:
     base::WorkerPool pool;
     const scene::Export e = scene::export_of(document(), {});
     return deform::deform_exactly(*e.model, e.cage, e.scheme, e.pose, e.method, pool, nullptr, e.mask,
-                                  e.probes)
+                                  e.probes, e.shape)
         .positions;
   }
 
@@ -196,7 +198,7 @@ public:
   /// far from the middle.
   std::uint32_t free_vertex();
 
-  static constexpr int left_ctrl = 341, left_shift = 340;
+  static constexpr int left_ctrl = 341, left_shift = 340, left_alt = 342;
 
 private:
   app::OffscreenViewer offscreen_;

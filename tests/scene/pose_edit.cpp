@@ -380,9 +380,9 @@ TEST_CASE("a_pose_that_is_applied_ends_the_editing_of_the_cage") {
 
 TEST_CASE("poses_of_a_cage_that_is_replaced_are_gone_and_counted") {
   Mixed m;
-  CHECK(drop_poses(m.document) == "2 poses");
-  CHECK(drop_poses(m.document).empty());
+  CHECK(drop_poses(m.document, *m.document.cage) == "2 poses");
+  CHECK(drop_poses(m.document, *m.document.cage).empty());
   test::add_two_poses(m.document);
   m.document.timeline.keys = {test::key(1, turned_cube(0))};
-  CHECK(drop_poses(m.document) == "2 poses and 1 key");
+  CHECK(drop_poses(m.document, *m.document.cage) == "2 poses and 1 key");
 }

@@ -143,9 +143,10 @@ TEST_CASE("weights_as_they_are_typed_come_back_to_the_last_bit") {
   for (int tenths = -2000; tenths <= 3000; tenths += 7) {
     const double weight = tenths / 10.0 / 100;
     w.document.library.poses[0].weight = weight;
-    const nlohmann::json json = library_json(w.document.library);
+    ShapeTable shapes;
+    const nlohmann::json json = library_json(w.document.library, shapes);
     std::vector<std::string> warnings;
-    CHECK(library_of(JsonReader(json, "file"), warnings).poses[0].weight == weight);
+    CHECK(library_of(JsonReader(json, "file"), {}, warnings).poses[0].weight == weight);
     CHECK(warnings.empty());
   }
 }
@@ -363,7 +364,7 @@ TEST_CASE("poses_in_no_key_go_along_to_another_cage_and_lose_probes_that_are_rem
     return pose;
   });
   for (const PoseKey& left : w.document.timeline.unkeyed) CHECK(left.pose->cage.positions.size() == 9);
-  drop_poses(w.document);
+  drop_poses(w.document, *w.document.cage);
   CHECK(w.document.timeline.unkeyed.empty());
 }
 

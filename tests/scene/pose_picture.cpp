@@ -54,11 +54,11 @@ TEST_CASE("a_picture_is_kept_while_its_pose_is_in_use") {
   const auto document = test::cube_document();
   PosePictures pictures;
   auto pose = std::make_shared<const WholePose>(WholePose{document.pose, {}});
-  const auto* first = &pictures.of(document.cage, pose, UpAxis::y);
+  const auto* first = &pictures.of(document, pose, UpAxis::y);
   pictures.tidy();
-  CHECK(&pictures.of(document.cage, pose, UpAxis::y) == first);
+  CHECK(&pictures.of(document, pose, UpAxis::y) == first);
   pose.reset();
   pictures.tidy();
   const auto other = std::make_shared<const WholePose>(WholePose{scaled(*document.cage, 0.5), {}});
-  CHECK(extent(pictures.of(document.cage, other, UpAxis::y)).y < 0.6f * pose_picture_size.y);
+  CHECK(extent(pictures.of(document, other, UpAxis::y)).y < 0.6f * pose_picture_size.y);
 }

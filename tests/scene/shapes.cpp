@@ -189,7 +189,7 @@ TEST_CASE("files_that_fit_are_shapes_when_dropped_and_the_model_itself_is_opened
   REQUIRE(open_now(f.w, {What::dropped, {f.model}}));
   CHECK(f.document().library.poses.empty());
   // A folder: all that fits, but for the model itself.
-  REQUIRE(open_now(f.w, {What::shapes, {f}}));
+  REQUIRE(open_now(f.w, {What::shapes, {f / "."}}));
   CHECK(f.document().library.poses.size() == 3);
 }
 

@@ -35,6 +35,16 @@ bool is_of_now(const Workspace& w) {
          w.playback.timeline == w.document.timeline;
 }
 
+// What the keys make of the document's frame. Requires an animation. Known until one of the two is another: to
+// blend shapes takes time.
+const WholePose& keyed_pose(const Workspace& w) {
+  TimedPose& known = w.playback.by_time;
+  if (known.animation != w.playback.animation || known.frame != w.document.frame)
+    known = {w.playback.animation, w.document.frame,
+             std::make_shared<const WholePose>(w.playback.animation->at(w.document.frame))};
+  return *known.pose;
+}
+
 bool is_shown(const Workspace& w) {
   return w.playback.shown && is_there(w, *w.playback.shown);
 }
@@ -46,9 +56,8 @@ void show_frame(Workspace& w, double frame) {
   const auto animation = animation_of(w);
   if (!animation) return;
   end_mix(w.document);
-  WholePose pose = animation->at(frame);
-  put_whole_pose(w.document, pose);
-  w.playback.shown = std::make_shared<const WholePose>(std::move(pose));
+  put_whole_pose(w.document, keyed_pose(w));
+  w.playback.shown = w.playback.by_time.pose;
 }
 
 void see(Workspace& w) {
@@ -82,7 +91,7 @@ void follow_edits(Workspace& w) {
     p.shown = nullptr;
     return;
   }
-  if (p.auto_key && !retimed && !is_shown(w) && !is_there(w, p.animation->at(w.document.frame))) {
+  if (p.auto_key && !retimed && !is_shown(w) && !is_there(w, keyed_pose(w))) {
     try {
       add_key_to_edit(w.document, current_frame(w.document));
       see(w);
@@ -91,7 +100,7 @@ void follow_edits(Workspace& w) {
     }
     animation_of(w);
   }
-  if (is_there(w, p.animation->at(w.document.frame))) {
+  if (is_there(w, keyed_pose(w))) {
     p.shown = shared_pose(w.document);
   } else if (retimed && is_shown(w)) {
     show_frame(w, w.document.frame);
@@ -126,7 +135,7 @@ std::shared_ptr<const Animation> animation_of(Workspace& w) {
 bool has_unkeyed_pose(const Workspace& w) {
   if (w.document.timeline.keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
   const bool known = w.playback.animation && is_of_now(w);
-  return !known || !is_there(w, w.playback.animation->at(w.document.frame));
+  return !known || !is_there(w, keyed_pose(w));
 }
 
 void go_to_frame(Workspace& w, double frame) {

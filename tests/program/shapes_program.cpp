@@ -1,0 +1,167 @@
+// Shapes and pins by hand: imported, mixed by sliders, keyed, pulled by a pin, exported; upon them a cage.
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/formats/read.h"
+#include "mesh/formats/write.h"
+#include "program/driver.h"
+#include "scene/document/edit.h"
+#include "scene/document/probes.h"
+#include "scene/hand/projector.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/saving.h"
+#include "support/folder.h"
+#include "support/pictures.h"
+
+using namespace viete;
+using test::Driver;
+
+namespace {
+
+// The dragon and two shapes of it, of files: its upper half turned to the left and to the right.
+struct ShapeHand : Driver {
+  test::TemporaryFolder folder;
+  std::filesystem::path left = folder / "left.ply", right = folder / "right.ply";
+
+  explicit ShapeHand(bool cage) {
+    if (cage) {
+      open_dragon();
+    } else {
+      REQUIRE(open({test::dragon}));
+      settle();
+    }
+    write(left, 1.2), write(right, -1.2);
+    workspace().requests.open = scene::OpenRequest{What::dropped, {right, left}};
+    frame();
+    REQUIRE(until([&] { return document().library.poses.size() == 2; }));
+    settle();
+    click("section/Poses");
+    frame(2);
+  }
+  void write(const std::filesystem::path& file, double angle) {
+    mesh::Surface surface = *document().model.surface;
+    const mesh::Bounds box = mesh::bounds(surface.positions);
+    for (mesh::Point& p : surface.positions) {
+      const double share = std::clamp((p[1] - box.low[1]) / (box.high[1] - box.low[1]), 0.0, 1.0);
+      const double a = angle * share, x = p[0] - box.center()[0], z = p[2] - box.center()[2];
+      p = {box.center()[0] + std::cos(a) * x + std::sin(a) * z, p[1],
+           box.center()[2] - std::sin(a) * x + std::cos(a) * z};
+    }
+    mesh::write(file, surface);
+  }
+  glm::vec2 on_screen(const mesh::Point& p) {
+    const scene::Projector project(document().space, workspace().camera, workspace().viewport);
+    return glm::floor(glm::vec2(*project(p)));
+  }
+  const scene::NamedPose& pose(std::size_t i) { return document().library.poses[i]; }
+};
+
+}  // namespace
+
+TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
+  for (const bool cage : {false, true}) {
+    INFO(cage);
+    ShapeHand d(cage);
+    CHECK(d.pose(0).name == "left");
+    const auto before = d.picture();
+    d.click("pose_weight/1");  // in its middle: 50 %
+    d.settle();
+    CHECK(d.pose(1).weight == doctest::Approx(0.5).epsilon(0.03));
+    REQUIRE(d.document().shape);
+    CHECK(test::difference(before, d.picture(), 8) > 0.01);
+    CHECK(d.drawn_error() < 2e-5);
+    CHECK(scene::has_unsaved_edits(d.workspace()));
+    // With a cage that is posed too.
+    if (cage) {
+      d.document().changed_pose().positions[d.free_vertex()][1] += 0.4;
+      d.frame(2);
+      CHECK(d.drawn_error() < 2e-5);
+    }
+    const auto file = d.folder / "out.ply";
+    d.workspace().requests.save_model = file;
+    d.frame();
+    REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+    const auto written = mesh::read(file).surface.positions;
+    const auto exact = d.exact_positions();
+    REQUIRE(written.size() == exact.size());
+    double off = 0;
+    for (std::size_t v = 0; v < exact.size(); ++v) off = std::max(off, mesh::norm(written[v] - exact[v]));
+    CHECK(off < 1e-6 * d.document().model.bounds.diagonal());
+  }
+}
+
+TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_with_it") {
+  ShapeHand d(false);
+  const auto& rest = d.document().model.surface->positions;
+  // One at the feet, one on the head.
+  for (const mesh::Point& at : {mesh::Point{0.05, 0.1, 0.2}, mesh::Point{0.75, 1.35, 0}}) {
+    d.move(d.on_screen(at));
+    d.press_key('P', false, false, true);
+    d.frame(2);
+  }
+  d.settle();
+  REQUIRE(d.document().probes.all.size() == 2);
+  const deform::Probe& pin = d.document().probes.all[1];
+  REQUIRE(pin.pin);
+  CHECK(pin.place == rest[pin.pin->vertex]);
+  CHECK_FALSE(d.document().shape);
+  d.press_key('Q');
+  d.frame(2);
+  const glm::vec2 from = d.on_screen(scene::probe_center(d.document(), 1));
+  d.press_and_move(from, from + glm::vec2(-50, 10));
+  REQUIRE(d.document().shape);
+  CHECK(std::abs(d.pose(0).weight) + std::abs(d.pose(1).weight) > 0.05);
+  d.button(0, false);
+  d.settle();
+  CHECK_FALSE(d.workspace().pins.is_due());
+  const auto& shape = *d.document().shape;
+  CHECK(mesh::norm(shape[pin.pin->vertex] - (pin.place + pin.pose.move)) < 1e-6);
+  CHECK(glm::distance(d.on_screen(shape[pin.pin->vertex]), from + glm::vec2(-50, 10)) < 4);
+  const std::uint32_t foot = d.document().probes.all[0].pin->vertex;
+  CHECK(mesh::norm(shape[foot] - rest[foot]) < 1e-6);
+  CHECK(d.drawn_error() < 2e-5);
+  // Taken back, and made again, to the bit.
+  const auto posed = d.document().shape;
+  d.press_key('Z', true);
+  d.settle();
+  CHECK_FALSE(d.document().shape);
+  CHECK(d.pose(0).weight == 0);
+  d.press_key('Z', true, true);
+  d.settle();
+  CHECK(d.document().shape == posed);
+  // A drag that is called off leaves nothing.
+  const auto weight = d.pose(0).weight;
+  const glm::vec2 now = d.on_screen(scene::probe_center(d.document(), 1));
+  d.press_and_move(now, now + glm::vec2(60, 0));
+  CHECK(d.document().shape != posed);
+  d.press_key(scene::Key::escape);
+  d.button(0, false);
+  d.settle();
+  CHECK(d.document().shape == posed);
+  CHECK(d.pose(0).weight == weight);
+}
+
+TEST_CASE("shapes_are_keyed_and_played_and_the_straight_way_is_another_one") {
+  ShapeHand d(false);
+  d.press_key('I');
+  d.frame(2);
+  scene::apply_pose(d.workspace(), 0);
+  d.document().frame = 11;
+  d.press_key('I');
+  d.frame(2);
+  REQUIRE(d.document().timeline.keys.size() == 2);
+  scene::go_to_frame(d.workspace(), 6);
+  d.settle();
+  const auto by_logs = *d.document().shape;
+  d.click("time/straight");
+  d.settle();
+  const auto straight = *d.document().shape;
+  double apart = 0;
+  for (std::size_t v = 0; v < straight.size(); ++v)
+    apart = std::max(apart, mesh::norm(straight[v] - by_logs[v]));
+  CHECK(apart > 0.05);
+  d.click("time/log_space");
+  d.settle();
+  CHECK(*d.document().shape == by_logs);
+  CHECK(d.drawn_error() < 2e-5);
+}
