@@ -151,7 +151,7 @@ TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
   CHECK(other.document.has_cage());
   const auto* surface = other.document.model.surface.get();
   CHECK_FALSE(drop(other, {files.model, files.cage, files.pose}));
-  CHECK(said(other, "3 files were dropped; drop one session"));
+  CHECK(said(other, "3 files were dropped, and this is no shape of the model"));
   CHECK_FALSE(drop(other, {files / "a.viete", files.model}));
   CHECK_FALSE(drop(other, {}));
   CHECK_FALSE(drop(other, {files.broken}));

@@ -421,8 +421,8 @@ TEST_CASE("another_format_and_a_newer_version_are_refused_with_advice") {
   const test::CubeFiles files;
   test::put_file(files / "a.viete", R"({"version": 1, "model": "model.obj"})");
   CHECK(mentions(refusal(files / "a.viete"), "not a session"));
-  test::put_file(files / "a.viete", R"({"format": "viete session", "version": 6, "model": "model.obj"})");
-  CHECK(mentions(refusal(files / "a.viete"), "version: the session has version 6"));
+  test::put_file(files / "a.viete", R"({"format": "viete session", "version": 7, "model": "model.obj"})");
+  CHECK(mentions(refusal(files / "a.viete"), "version: the session has version 7"));
   for (const char* text : {"", "[]", "3", "{", "null", "\xff\xfe{}"}) {
     test::put_file(files / "a.viete", text);
     CHECK_MESSAGE(mentions(refusal(files / "a.viete"), "a.viete"), text);

@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/numbered_files.h"
 #include "base/quantity.h"
 #include "deform/pose_io.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/winding_number.h"
 #include "scene/document/animation.h"
@@ -217,7 +219,9 @@ Opened open_shapes(const std::vector<fs::path>& files, const Document& current, 
 
 // A key a shape, frame after frame.
 Opened open_shape_keys(const fs::path& file, const Document& current, base::Progress* progress) {
-  Opened opened = open_shapes({file}, current, progress);
+  const bool is_model = mesh::is_a(mesh::keeps_order, file);  // then maybe one of a sequence
+  const auto sequence = is_model ? base::NumberedName::of_file(file) : std::nullopt;
+  Opened opened = open_shapes({sequence ? fs::path(sequence->pattern()) : file}, current, progress);
   const deform::Pose cage = current.has_cage() ? deform::rest_pose(*current.cage) : deform::Pose();
   int frame = current.timeline.first;
   for (NamedShape& shape : std::exchange(opened.shapes, {}))
@@ -368,7 +372,7 @@ Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage) {
 
 // A point cache of the model and not of its cage.
 bool is_cache_of(const fs::path& file, const Document& current) {
-  if (!current.model.surface) return false;
+  if (!current.model.surface || !mesh::point_cache_format(file)) return false;
   const std::size_t points = mesh::PointCache(file).head().points;
   return points == current.model.surface->positions.size() &&
          !(current.has_cage() && points == current.cage->surface.positions.size());
@@ -382,14 +386,21 @@ Opened open_dropped_shapes(const std::vector<fs::path>& files, const Document& c
 }
 
 Opened open_dropped(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
+  const std::string dropped = std::to_string(files.size()) + " files were dropped";
+  const char* advice =
+      "drop one session, one model, one pose, a model and its cage, or shapes of the open model";
   const bool several = files.size() > 1;
   if (files.empty() || (several && std::any_of(files.begin(), files.end(), is_session)) ||
-      (files.size() > 2 && !current.model.surface)) {
-    throw base::Error(
-        "", std::to_string(files.size()) + " files were dropped",
-        "drop one session, one model, one pose, a model and its cage, or shapes of the open model");
+      (files.size() > 2 && !current.model.surface))
+    throw base::Error("", dropped, advice);
+  if (files.size() > 2) {
+    try {
+      return open_dropped_shapes(files, current, progress);
+    } catch (const base::Error& error) {
+      throw base::Error(error.place(), dropped + ", and this is no shape of the model: " + error.problem(),
+                        advice);
+    }
   }
-  if (files.size() > 2) return open_dropped_shapes(files, current, progress);
   if (files.size() == 1 && mesh::point_cache_format(files[0])) {
     return is_cache_of(files[0], current) ? open_dropped_shapes(files, current, progress)
                                           : open_animation(files[0], current, progress);

@@ -71,7 +71,8 @@ void PinPosing::follow(Workspace& w) {
   Pins now = pins_of(w.document);
   const bool put = std::exchange(whole_, w.document.revisions().whole) != w.document.revisions().whole;
   const bool freed = std::exchange(freedom_, w.handling.freedom) != w.handling.freedom;
-  const bool moved = now.targets != seen_.targets && now.pins == seen_.pins;
+  const bool moved = now.targets != seen_.targets &&
+                     std::ranges::equal(now.pins, seen_.pins, {}, &deform::Pin::vertex, &deform::Pin::vertex);
   seen_ = std::move(now);
   if (put) posing_.reset();
   if (put || seen_.pins.empty() || is_editing_cage(w.document)) {
@@ -93,7 +94,7 @@ void PinPosing::follow(Workspace& w) {
 }
 
 void PinPosing::begin(Workspace& w) {
-  if (!pool_) pool_ = std::make_unique<base::WorkerPool>();
+  if (!pool_) pool_ = std::make_shared<base::WorkerPool>();
   KnownVectors& known = w.playback.vectors;
   known.follow_model(w.document.model.surface);
   posing_.reset();
@@ -118,7 +119,7 @@ void PinPosing::begin_here(Workspace& w) {
   }
   std::vector<const deform::LogVector*> vectors;
   for (const auto& vector : vectors_) vectors.push_back(vector.get());
-  posing_ = std::make_unique<deform::ExamplePosing>(*space_, std::move(vectors), *pool_);
+  posing_ = std::make_shared<deform::ExamplePosing>(*space_, std::move(vectors), *pool_);
   posing_->begin(std::move(weights), document.shape ? *document.shape : space_->logs().rest());
 }
 

@@ -37,10 +37,10 @@ private:
   void step(Workspace& workspace);
   void show(Document& document);
 
-  std::unique_ptr<base::WorkerPool> pool_;
+  std::shared_ptr<base::WorkerPool> pool_;
   std::shared_ptr<const deform::ShapeSpace> space_;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // of the examples
-  std::unique_ptr<deform::ExamplePosing> posing_;                  // null: it begins anew
+  std::shared_ptr<deform::ExamplePosing> posing_;                  // null: it begins anew
   std::vector<SharedPose> examples_;                               // poses of the list, in its order
   std::vector<deform::Pin> set_;                                   // pins that it has
   SharedShape shown_;                                              // by the last step
