@@ -6,7 +6,6 @@
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_notes.h"
-#include "scene/document/probes.h"
 
 namespace viete::app {
 

@@ -82,7 +82,7 @@ void Viewer::frame(float seconds) {
   take_input(seconds);
   take_requests();
   scene::follow_time(workspace_, seconds);
-  workspace_.pins.follow(workspace_);
+  scene::follow_pins(workspace_);
   follow_document();
   settle_messages();
   deform(times);

@@ -8,13 +8,13 @@
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "deform/all_element_maps.h"
+#include "deform/face_maps.h"
 #include "deform/linear_map.h"
 #include "deform/map_rows.h"
 #include "deform/moment_rows.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
-#include "deform/all_element_maps.h"
-#include "deform/face_maps.h"
 
 namespace viete::deform {
 

@@ -10,7 +10,9 @@ namespace viete::deform {
 
 Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding,
                    const Scheme& scheme, base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching)
-    : binding_(std::move(binding)),
+    : cage_(cage),
+      pool_(pool),
+      binding_(std::move(binding)),
       scheme_(scheme),
       state_(cage, scheme.weighting.elements, scheme.blend, scheme.weighting.as_before),
       weigher_(state_.cage(), binding_->weighting),
@@ -58,7 +60,13 @@ void Deformer::set_shape(const SharedShape& shape) {
   if (shape == shape_) return;
   shape_ = shape;
   ways_ = ways_of(shape, binding_->rest);
-  for_engines([&](Engine& engine) { engine.set_shape(ways_); });
+  if (shape && !turner_ && WayTurner::is_for(scheme_)) turner_ = std::make_unique<WayTurner>(cage_);
+  show_ways(ways_);
+}
+
+void Deformer::show_ways(std::span<const Vec3> ways) {
+  shown_ways_ = ways;
+  for_engines([&](Engine& engine) { engine.set_shape(ways); });
 }
 
 void Deformer::set_probes(const Probes& probes) {
@@ -78,6 +86,10 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
   const EngineKind kind = engine(method).value_or(EngineKind::fused);
   assert(kind != EngineKind::fused || fused_);
   state_.set_pose(pose);
+  if (turner_ && !ways_.empty()) {
+    turner_->set_pose(pose);
+    show_ways(turner_->turned(*binding_, mask_, ways_, pool_));
+  }
   of(kind).set_layer(layer_.moves() ? &layer_ : nullptr);
   of(kind).run(state_, method);
   ran_ = kind;
@@ -134,7 +146,7 @@ double Deformer::sampled_error() const {
   if (!ran_ || ran_ == EngineKind::staged) return 0;
   const auto sample = spread_vertices(binding_->vertices, error_sample);
   const auto measured = [&](const ProbeLayer* layer, std::span<const Vec3> shown) {
-    return deform::sampled_error(weigher_, *binding_, mask_, ways_, state_.rows(), layer, shown);
+    return deform::sampled_error(weigher_, *binding_, mask_, shown_ways_, state_.rows(), layer, shown);
   };
   if (ran_ == EngineKind::stitched) return measured(nullptr, stitched_->blended(sample));
   std::vector<Vec3> shown;

@@ -12,6 +12,7 @@
 #include "deform/fused_engine.h"
 #include "deform/staged_engine.h"
 #include "deform/stitched_engine.h"
+#include "deform/way_turner.h"
 #include "deform/weigher.h"
 
 namespace viete::deform {
@@ -78,14 +79,19 @@ private:
   Engine& of(EngineKind kind) const;
   template <class Act>
   void for_engines(const Act& act);
+  void show_ways(std::span<const Vec3> ways);
   const Engine& last() const { return of(*ran_); }
   void carry_probes();
 
+  std::shared_ptr<const Cage> cage_;
+  base::WorkerPool& pool_;
   std::shared_ptr<const Binding> binding_;
   Scheme scheme_;
   Mask mask_;
   SharedShape shape_;
-  std::vector<Vec3> ways_;  // of the shape, from rest
+  std::vector<Vec3> ways_;             // of the shape, from rest
+  std::span<const Vec3> shown_ways_;   // as the engines have them: these, or turned
+  std::unique_ptr<WayTurner> turner_;  // null: not needed
   CageState state_;
   Weigher weigher_;
   ProbeLayer layer_;

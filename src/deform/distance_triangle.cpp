@@ -8,7 +8,8 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double least_near = 1.0 / 512;  // the cage's diagonal being 1: floats of coordinates are a leaf's size
+constexpr double least_near =
+    1.0 / 512;  // the cage's diagonal being 1: floats of coordinates are a leaf's size
 
 // v without its part along the unit vector, as a unit vector, at a right angle to it to the last bits; 0 if
 // rounding is all that is left.

@@ -23,8 +23,8 @@ struct DualGraph {
 /// joined.
 DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip);
 
-/// Pairs i < j of what is not skipped, sorted, each once; the neighbours of each cluster of skipped elements are
-/// joined in a chain.
+/// Pairs i < j of what is not skipped, sorted, each once; the neighbours of each cluster of skipped elements
+/// are joined in a chain.
 std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip);
 
 /// The centre of each connected part, in the order of the parts' lowest elements: the element of least

@@ -139,7 +139,7 @@ void ExactDeformer::shape_by(BoundPart& part, const SharedShape& shape, std::siz
   part.offsets = b.offsets;
   std::vector<Vec3> ways;
   for (std::size_t i = 0; i < b.vertices; ++i) ways.push_back((*shape)[begin + i] - at_rest[i]);
-  deform::shape_by(b, ways);
+  deform::shape_by(b, turner_ ? turner_->turned(b, b.shares, ways) : ways);
 }
 
 // Returns what place_vertices() does.
@@ -159,6 +159,10 @@ double ExactDeformer::place(const BoundPart& part, const Rows& rows, std::size_t
 ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const SharedShape& shape,
                                  base::Progress* progress) {
   state_.set_pose(pose);
+  if (shape && WayTurner::is_for(scheme_)) {
+    if (!turner_) turner_.emplace(cage_);
+    turner_->set_pose(pose);
+  }
   const Rows rows = state_.rows();
   const std::size_t n = model_.positions.size(), at_once = handle_block(weigher_.handles());
   ExactModel exact;

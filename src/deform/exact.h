@@ -16,6 +16,7 @@
 #include "deform/probe_layer.h"
 #include "deform/stitching.h"
 #include "deform/vertex_sample.h"
+#include "deform/way_turner.h"
 #include "deform/weigher.h"
 #include "sym3/exp.h"
 
@@ -69,6 +70,7 @@ private:
   Binding surface_weights_;       // of all vertices, where they live on the surface
   std::vector<BoundPart> parts_;  // block by block, where weights are kept
   ProbeLayer layer_;
+  std::optional<WayTurner> turner_;  // where elements only move, for shapes
 };
 
 /// Of one pose.

@@ -6,7 +6,8 @@ namespace viete::deform {
 
 std::string_view name(Link link) {
   static constexpr std::array<std::string_view, link_count> names = {
-      "maps", "log maps", "blend", "exp", "apply", "skeleton", "fused", "triangles", "solve", "probes", "normals"};
+      "maps",  "log maps",  "blend", "exp",    "apply",  "skeleton",
+      "fused", "triangles", "solve", "probes", "normals"};
   return names[static_cast<std::size_t>(link)];
 }
 

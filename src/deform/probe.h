@@ -70,10 +70,10 @@ struct Pin {
 
 struct Probe {
   mesh::Point place{0, 0, 0};  ///< at rest
-  std::optional<Pin> pin{};    ///< then it acts upon nothing else; its place is that vertex's
   Influence turn{}, stretch{}, move{};
   bool locked = false;  ///< it holds what it holds, and no hand moves it
   ProbePose pose{};
+  std::optional<Pin> pin{};  ///< then it acts upon nothing else; its place is that vertex's
 
   friend bool operator==(const Probe&, const Probe&) = default;
 };

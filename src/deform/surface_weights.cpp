@@ -10,11 +10,11 @@
 #include "base/memory.h"
 #include "deform/cage_state.h"
 #include "deform/inverse_distance.h"
+#include "deform/sparse/sparse_kernel.h"
 #include "mesh/point_tree.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
-#include "deform/sparse/sparse_kernel.h"
 
 namespace viete::deform {
 

@@ -153,14 +153,14 @@ TEST_CASE("shapes_are_keyed_and_played_and_the_straight_way_is_another_one") {
   scene::go_to_frame(d.workspace(), 6);
   d.settle();
   const auto by_logs = *d.document().shape;
-  d.click("time/straight");
+  scene::find_command("toggle_straight")->run(d.workspace());
   d.settle();
   const auto straight = *d.document().shape;
   double apart = 0;
   for (std::size_t v = 0; v < straight.size(); ++v)
     apart = std::max(apart, mesh::norm(straight[v] - by_logs[v]));
   CHECK(apart > 0.05);
-  d.click("time/log_space");
+  scene::find_command("toggle_straight")->run(d.workspace());
   d.settle();
   CHECK(*d.document().shape == by_logs);
   CHECK(d.drawn_error() < 2e-5);

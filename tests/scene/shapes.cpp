@@ -105,13 +105,13 @@ struct BarFiles : test::TemporaryFolder {
   }
   void settle_pins() {
     int frames = 0;
-    do w.pins.follow(w);
+    do follow_pins(w);
     while (w.pins.is_due() && ++frames < 100);
     CHECK(frames < 100);
   }
   void add_pin_at(std::uint32_t vertex) {
     REQUIRE(add_pin(document(), {}, bar.positions[vertex]));
-    w.pins.follow(w);
+    follow_pins(w);
   }
 };
 
@@ -269,10 +269,10 @@ TEST_CASE("keys_with_shapes_play_and_a_pin_goes_with_its_vertex") {
   f.document().frame = 21;
   apply_pose(f.w, 0);
   set_key(f.document(), 21);
-  f.w.pins.follow(f.w);
+  follow_pins(f.w);
   for (const double frame : {11.0, 1.0, 21.0, 7.5}) {
     go_to_frame(f.w, frame);
-    f.w.pins.follow(f.w);
+    follow_pins(f.w);
     CHECK(!f.w.pins.is_due());
     const Probe& pin = f.document().probes.all[0];
     CHECK(pin.place + pin.pose.move == shape_of_vertex(f.document(), 67));

@@ -172,6 +172,10 @@ DocumentState state_of(const Document& document) {
   return document;
 }
 
+mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex) {
+  return document.shape ? (*document.shape)[vertex] : document.model.surface->positions[vertex];
+}
+
 mesh::Point probe_center(const Document& document, std::size_t i) {
   const deform::Probe& probe = document.probes.all[i];
   return (i < document.carried.size() ? document.carried[i] : probe.place) + probe.pose.move;

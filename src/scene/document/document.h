@@ -122,6 +122,8 @@ inline const deform::Pose& real_pose(const Document& document) {
   return document.kept_pose ? *document.kept_pose : document.pose;
 }
 
+/// Where the model's shape has that vertex.
+mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex);
 /// Where a probe is now: carried by the cage, then moved by hand.
 mesh::Point probe_center(const Document& document, std::size_t probe);
 std::vector<mesh::Point> probe_centers(const Document& document);

@@ -205,6 +205,11 @@ void put_whole_pose(Document& document, const WholePose& pose) {
   take_pins_along(document);
 }
 
+void take_pins_along(Document& document) {
+  for (deform::Probe& probe : document.probes.all)
+    if (probe.pin) probe.pose = {.move = shape_of_vertex(document, probe.pin->vertex) - probe.place};
+}
+
 void end_mix(Document& document) {
   for (NamedPose& named : document.library.poses) named.weight = 0, named.part.clear();
   document.library.unmixed = document.library.mixed = nullptr;

@@ -16,6 +16,8 @@ SharedPose shared_pose(const Document& document);
 /// Puts it there, in whole. No edit. Locked probes stay. Whole poses of other places (time, a file) end the
 /// mix: see end_mix().
 void put_whole_pose(Document& document, const WholePose& pose);
+/// All pins are where the shape has their vertices. No edit.
+void take_pins_along(Document& document);
 /// All weights become 0: what is there counts as made by hand. No edit.
 void end_mix(Document& document);
 

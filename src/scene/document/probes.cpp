@@ -114,15 +114,6 @@ bool has_pins(const Document& document) {
   return std::ranges::any_of(document.probes.all, [](const deform::Probe& p) { return p.pin.has_value(); });
 }
 
-mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex) {
-  return document.shape ? (*document.shape)[vertex] : document.model.surface->positions[vertex];
-}
-
-void take_pins_along(Document& document) {
-  for (deform::Probe& probe : document.probes.all)
-    if (probe.pin) probe.pose = {.move = shape_of_vertex(document, probe.pin->vertex) - probe.place};
-}
-
 void set_pulls(Document& document, bool pulls) {
   change_selected(document, pulls ? "pull by pins" : "hold by pins", [pulls](deform::Probe& p) {
     if (p.pin) p.pin->pulls = pulls;

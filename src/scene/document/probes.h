@@ -23,10 +23,6 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
 /// it already is selected instead. False if there are most_probes.
 bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at);
 bool has_pins(const Document& document);
-/// Where the model's shape has that vertex.
-mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex);
-/// All pins are where the shape has their vertices.
-void take_pins_along(Document& document);
 /// Of the selected pins.
 void set_pulls(Document& document, bool pulls);
 

@@ -72,6 +72,11 @@ deform::Probes AnimatedModel::probes(const WholePose& pose) const {
 }
 
 deform::ExactModel AnimatedModel::exact(const WholePose& pose, base::Progress* progress) {
+  const auto acts = [](const Probe& probe) { return !probe.pin && probe.pose != ProbePose{}; };
+  if (pose.shape && !has_cage() && std::ranges::none_of(probes(pose).all, acts)) {
+    notes_ = animation_->notes();
+    return {*pose.shape, {}, {}, 0};
+  }
   using deform::ExactDeformer;
   if (!exact_)
     exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.scheme, model_.method, pool_,

@@ -51,7 +51,7 @@ namespace {
 
 // Nothing but its shape moves the model: whatever way it is deformed by leaves it as it is, but for rounding.
 bool is_at_rest(const Export& what) {
-  const auto has_done_nothing = [](const deform::Probe& p) { return p.pose == deform::ProbePose{}; };
+  const auto has_done_nothing = [](const deform::Probe& p) { return p.pin || p.pose == deform::ProbePose{}; };
   const deform::Pose rest = deform::rest_pose(*what.cage);
   return what.pose.positions == rest.positions && what.pose.turns == rest.turns &&
          std::ranges::all_of(what.probes.all, has_done_nothing);

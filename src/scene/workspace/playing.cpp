@@ -35,8 +35,8 @@ bool is_of_now(const Workspace& w) {
          w.playback.timeline == w.document.timeline;
 }
 
-// What the keys make of the document's frame. Requires an animation. Known until one of the two is another: to
-// blend shapes takes time.
+// What the keys make of the document's frame. Requires an animation. Known until one of the two is another:
+// to blend shapes takes time.
 const WholePose& keyed_pose(const Workspace& w) {
   TimedPose& known = w.playback.by_time;
   if (known.animation != w.playback.animation || known.frame != w.document.frame)
@@ -214,6 +214,15 @@ void follow_time(Workspace& w, double seconds) {
     w.playback.playing = false;
   follow_edits(w);
   if (w.playback.playing) play(w, seconds);
+}
+
+void follow_pins(Workspace& w) {
+  try {
+    const PinPosing::Hand hand{w.handling.freedom, w.interaction.drag.has_value()};
+    if (w.pins.follow(w.document, w.playback.vectors, hand)) w.messages.succeeded("pins");
+  } catch (const base::Error& error) {
+    w.messages.error(error.what(), {"pins"});
+  }
 }
 
 }  // namespace viete::scene

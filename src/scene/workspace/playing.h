@@ -40,4 +40,7 @@ void stop_playing(Workspace& workspace);
 /// keyed ends the playing, so that it is there to be seen.
 void follow_time(Workspace& workspace, double seconds);
 
+/// Once a frame, before the model is deformed: the model follows its pins, see PinPosing.
+void follow_pins(Workspace& workspace);
+
 }  // namespace viete::scene

@@ -7,19 +7,23 @@
 #include "base/worker_pool.h"
 #include "deform/example_posing.h"
 #include "deform/probe.h"
+#include "scene/document/animation.h"
 #include "scene/document/document.h"
 
 namespace viete::scene {
 
-struct Workspace;
-
 /// Follows the pins of a document: when a hand has moved some, the shape of the model and the weights of the
 /// poses that it is blended of go with them, a step a frame, until they rest. What time, a pose of the list
-/// or undo puts there stays. Of a workspace.
+/// or undo puts there stays.
 class PinPosing {
 public:
-  /// Once a frame, before the model is deformed. What cannot be posed becomes a message.
-  void follow(Workspace& workspace);
+  struct Hand {
+    double freedom;  ///< see Handling
+    bool holds;      ///< what it moves may go on
+  };
+  /// Once a frame, before the model is deformed. Says whether it has made a step. Throws base::Error where
+  /// pins cannot be posed: then they are where the shape has their vertices.
+  bool follow(Document& document, KnownVectors& vectors, const Hand& hand);
   /// True if the next call would go on.
   bool is_due() const { return steps_left_ > 0; }
 
@@ -32,9 +36,9 @@ private:
   };
   static Pins pins_of(const Document& document);
   bool is_of_now(const Document& document) const;
-  void begin(Workspace& workspace);
-  void begin_here(Workspace& workspace);
-  void step(Workspace& workspace);
+  void begin(const Document& document, KnownVectors& known);
+  void begin_here(const Document& document, KnownVectors& known);
+  void step(Document& document, KnownVectors& known, const Hand& hand);
   void show(Document& document);
 
   std::shared_ptr<base::WorkerPool> pool_;

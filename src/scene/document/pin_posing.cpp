@@ -1,4 +1,4 @@
-#include "scene/workspace/pin_posing.h"
+#include "scene/document/pin_posing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +9,13 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
 #include "scene/document/shape_mix.h"
-#include "scene/workspace/workspace.h"
 
 namespace viete::scene {
 
 namespace {
 
 constexpr int most_steps = 24;    // after the hand has come to rest
-constexpr double at_rest = 1e-5;  // a step that is none
+constexpr double no_step = 1e-5;  // shorter ones are none
 constexpr double pull = 0.3;      // beside a stiffness of about 1 between neighbours
 
 // From weights that go as far as the pins ask, to those that hardly go at all.
@@ -67,55 +66,53 @@ bool PinPosing::is_of_now(const Document& document) const {
   return posing_ && document.shape == shown_ && examples_of(document) == examples_;
 }
 
-void PinPosing::follow(Workspace& w) {
-  Pins now = pins_of(w.document);
-  const bool put = std::exchange(whole_, w.document.revisions().whole) != w.document.revisions().whole;
-  const bool freed = std::exchange(freedom_, w.handling.freedom) != w.handling.freedom;
+bool PinPosing::follow(Document& document, KnownVectors& vectors, const Hand& hand) {
+  Pins now = pins_of(document);
+  const bool put = std::exchange(whole_, document.revisions().whole) != document.revisions().whole;
+  const bool freed = std::exchange(freedom_, hand.freedom) != hand.freedom;
   const bool moved = now.targets != seen_.targets &&
                      std::ranges::equal(now.pins, seen_.pins, {}, &deform::Pin::vertex, &deform::Pin::vertex);
   seen_ = std::move(now);
   if (put) posing_.reset();
-  if (put || seen_.pins.empty() || is_editing_cage(w.document)) {
+  if (put || seen_.pins.empty() || is_editing_cage(document)) {
     steps_left_ = 0;
-    return;
+    return false;
   }
-  if (moved || (freed && is_of_now(w.document))) steps_left_ = most_steps;
-  if (steps_left_ == 0) return;
+  if (moved || (freed && is_of_now(document))) steps_left_ = most_steps;
+  if (steps_left_ == 0) return false;
   try {
-    step(w);
-    w.messages.succeeded("pins");
-  } catch (const base::Error& error) {
+    step(document, vectors, hand);
+    return true;
+  } catch (const base::Error&) {
     steps_left_ = 0;
     posing_.reset();
-    take_pins_along(w.document);
-    seen_ = pins_of(w.document);
-    w.messages.error(error.what(), {"pins"});
+    take_pins_along(document);
+    seen_ = pins_of(document);
+    throw;
   }
 }
 
-void PinPosing::begin(Workspace& w) {
+void PinPosing::begin(const Document& document, KnownVectors& known) {
   if (!pool_) pool_ = std::make_shared<base::WorkerPool>();
-  KnownVectors& known = w.playback.vectors;
-  known.follow_model(w.document.model.surface);
+  known.follow_model(document.model.surface);
   posing_.reset();
   space_ = known.shapes(*pool_);
-  examples_ = examples_of(w.document);
+  examples_ = examples_of(document);
   vectors_.clear(), set_.clear();
   deform::ShapeReport report;
   for (const SharedPose& example : examples_)
     vectors_.push_back(known.of(example->shape, nullptr, *pool_, report));
-  begin_here(w);
+  begin_here(document, known);
 }
 
 // A shape that is no mix is an example itself.
-void PinPosing::begin_here(Workspace& w) {
-  const Document& document = w.document;
+void PinPosing::begin_here(const Document& document, KnownVectors& known) {
   std::vector<double> weights = weights_of(document, examples_);
   if (!is_mix(document) && document.shape) {
     deform::ShapeReport report;
     weights.assign(weights.size(), 0);
     weights.push_back(1);
-    vectors_.push_back(w.playback.vectors.of(document.shape, nullptr, *pool_, report));
+    vectors_.push_back(known.of(document.shape, nullptr, *pool_, report));
   }
   std::vector<const deform::LogVector*> vectors;
   for (const auto& vector : vectors_) vectors.push_back(vector.get());
@@ -123,8 +120,8 @@ void PinPosing::begin_here(Workspace& w) {
   posing_->begin(std::move(weights), document.shape ? *document.shape : space_->logs().rest());
 }
 
-void PinPosing::step(Workspace& w) {
-  if (!is_of_now(w.document)) begin(w);
+void PinPosing::step(Document& document, KnownVectors& known, const Hand& hand) {
+  if (!is_of_now(document)) begin(document, known);
   if (set_ != seen_.pins) {
     constexpr double holds = std::numeric_limits<double>::infinity();
     std::vector<deform::PosingPin> pins;
@@ -132,14 +129,14 @@ void PinPosing::step(Workspace& w) {
     posing_->set_pins(std::move(pins));
     set_ = seen_.pins;
   }
-  const double length = posing_->step(seen_.targets, settings_of(w.handling.freedom, !vectors_.empty()));
-  show(w.document);
-  if (w.interaction.drag) {
+  const double length = posing_->step(seen_.targets, settings_of(hand.freedom, !vectors_.empty()));
+  show(document);
+  if (hand.holds) {
     steps_left_ = most_steps;
     return;
   }
-  w.document.history.go_on();
-  steps_left_ = length < at_rest ? 0 : steps_left_ - 1;
+  document.history.go_on();
+  steps_left_ = length < no_step ? 0 : steps_left_ - 1;
 }
 
 void PinPosing::show(Document& document) {
