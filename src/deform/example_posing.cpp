@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -23,14 +24,11 @@ namespace {
 
 using Mat = sym3::Mat3<double>;
 
-constexpr std::size_t block = plane_size;
 constexpr std::size_t blocks_at_once = 128;  // whose sums are added in order, on however many threads
 
 constexpr double longest_step = 0.7;  // of a weight, or of the turn in radians
 constexpr double least_damping = 1e-9, most_damping = 1e3;
 constexpr double at_rest = 1e-5;  // a step that is none
-// Of rotations near 0: series of the left Jacobian's coefficients.
-constexpr double small_angle = 1e-4;
 
 // Whether one rotation is the nearest to a matrix.
 bool tells_rotation(const Mat& m) {
@@ -47,14 +45,14 @@ Vec3 vec(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
 
-// Of the left Jacobian of a rotation Y by the angle a, J v = v + p Y x v + q Y x (Y x v) (T. Barfoot, State
-// Estimation for Robotics, 2017, 7.1.5): p = (1 - cos a) / a^2 and q = (a - sin a) / a^3. With it
-// d(exp(Y) S) = [J dY]x exp(Y) S + exp(Y) dS.
-std::array<double, 2> jacobian_coefficients(double angle) {
-  const double square = angle * angle;
-  if (angle < small_angle) return {0.5 - square / 24, 1.0 / 6 - square / 120};
-  const double half = std::sin(0.5 * angle) / (0.5 * angle);
-  return {0.5 * half * half, (angle - std::sin(angle)) / (angle * square)};
+// Two across each other in the plane of a triangle, and its normal.
+struct Axes {
+  Vec3 u, v, n;
+};
+Axes axes_of(std::span<const mesh::Point> p, const mesh::Triangle& t) {
+  const Vec3 side = p[t[1]] - p[t[0]], across = cross(side, p[t[2]] - p[t[0]]);
+  const Vec3 u = (1 / norm(side)) * side, n = (1 / norm(across)) * across;
+  return {u, cross(n, u), n};
 }
 
 }  // namespace
@@ -71,93 +69,33 @@ class ExamplePosing::Derivatives {
 public:
   explicit Derivatives(const ExamplePosing& posing)
       : posing_(posing),
-        logs_(posing.space_.logs()),
         kernel_(plane_kernel(sym3::kernel())),
-        examples_(posing.examples_.size()),
-        pins_(posing.pins_.size()),
-        log_planes_(9 * (examples_ + 1) * plane_stride),
-        change_planes_(6 * examples_ * plane_stride),
-        sums(3 * pins_ * (examples_ + 1)) {
-    for (std::size_t e = 0; e < examples_; ++e) {
-      directions_.emplace_back(logs_of(e)[0], plane_stride);
-      changes_.emplace_back(change_of(e)[0], plane_stride);
-    }
+        maps_(posing.examples_.size() + 1),
+        changes_(6 * maps_ * plane_stride),
+        lanes_(3 * posing.pins_.size() * maps_ * group_size) {
+    std::ranges::fill(lanes_, 0.0);
   }
 
-  // Of the triangles [begin, end); begin is that of a block.
-  void add(std::size_t begin, std::size_t end) {
-    for (std::size_t first = begin; first < end; first += block) {
-      first_ = first, count_ = std::min(block, end - first);
-      if (count_ < block) fill_up();
-      read_logs();
-      blend();
-      add_products(maps_, examples_);
-      for (std::size_t e = 0; e < examples_; ++e) {
-        kernel_.times_symmetric(rotations_, change_of(e), changed_);
-        kernel_.add_turning(logs_of(examples_) + 6, logs_of(e) + 6, jacobian_, maps_, changed_);
-        add_products(changed_, e);
-      }
-    }
+  void add_block(std::size_t block) {
+    const std::size_t numbers = posing_.numbers_of_group(), pins = posing_.pins_.size();
+    const double* groups = posing_.groups_.data() + block * plane_size * numbers;
+    for (std::size_t i = 0; i < plane_size; i += group_size)
+      kernel_.derive(groups + i * numbers, posing_.weights_.data(), maps_ - 1, changes_.data() + i);
+    kernel_.add_products(changes_.data(), maps_, posing_.gradients_.data() + block * plane_size * 2 * pins, pins,
+                         lanes_.data());
+  }
+
+  // [example, last the blend itself][pin][3]
+  void add_to(std::span<double> sums) const {
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      for (std::size_t l = 0; l < group_size; ++l) sums[i] += lanes_[i * group_size + l];
   }
 
 private:
-  // Of an example; the last one is the blend's.
-  Plane* logs_of(std::size_t e) { return reinterpret_cast<Plane*>(log_planes_.data()) + 9 * e; }
-  Plane* change_of(std::size_t e) { return reinterpret_cast<Plane*>(change_planes_.data()) + 6 * e; }
-
-  // What is computed with no triangle is 0.
-  void fill_up() {
-    std::ranges::fill(log_planes_, 0.0), std::ranges::fill(change_planes_, 0.0);
-    std::fill_n(stretches_[0], 6 * plane_stride, 0.0), std::fill_n(rotations_[0], 9 * plane_stride, 0.0);
-  }
-
-  void read_logs() {
-    Plane* sum = logs_of(examples_);
-    std::fill_n(sum[0], 9 * plane_stride, 0.0);
-    for (std::size_t e = 0; e < examples_; ++e) {
-      const auto& logs = posing_.examples_[e]->logs;
-      Plane* own = logs_of(e);
-      for (std::size_t i = 0; i < count_; ++i) {
-        const auto& from = logs[logs_.triangles()[first_ + i]];
-        for (std::size_t k = 0; k < 9; ++k) own[k][i] = from[k];
-      }
-      const double weight = posing_.weights_[e];
-      for (std::size_t k = 0; k < 9; ++k)
-        for (std::size_t i = 0; i < block; ++i) sum[k][i] += weight * own[k][i];
-    }
-  }
-
-  // Its maps, and what of them changes with the stretches.
-  void blend() {
-    const Plane* sum = logs_of(examples_);
-    const sym3::SymView<const double> at(sum[0], plane_stride);
-    sym3::exp(at, sym3::SymView<double>(stretches_[0], plane_stride), count_);
-    sym3::exp_rotation(sym3::VecView<const double>(sum[6], plane_stride),
-                       sym3::MatView<double>(rotations_[0], plane_stride), count_);
-    if (examples_ > 0) sym3::exp_derivative(at, directions_, changes_, count_);
-    kernel_.times_symmetric(rotations_, stretches_, maps_);
-    for (std::size_t i = 0; i < count_; ++i) {
-      const auto [a, b] = jacobian_coefficients(norm(Vec3{sum[6][i], sum[7][i], sum[8][i]}));
-      jacobian_[0][i] = a, jacobian_[1][i] = b;
-    }
-  }
-
-  void add_products(const Plane* m, std::size_t e) {
-    kernel_.add_products(m, posing_.gradients_.data() + first_ * pins_ * 3, pins_,
-                         sums.data() + 3 * pins_ * e);
-  }
-
   const ExamplePosing& posing_;
-  const LogSpace& logs_;
   const PlaneKernel& kernel_;
-  std::size_t examples_, pins_, first_ = 0, count_ = 0;
-  base::AlignedVector<double> log_planes_, change_planes_;
-  std::vector<sym3::SymView<const double>> directions_;
-  std::vector<sym3::SymView<double>> changes_;
-  alignas(64) Plane stretches_[6], rotations_[9], maps_[9], changed_[9], jacobian_[2] = {};
-
-public:
-  std::vector<double> sums;  // [example, last the blend itself][pin][3]
+  std::size_t maps_;
+  base::AlignedVector<double> changes_, lanes_;
 };
 
 ExamplePosing::ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples,
@@ -173,6 +111,7 @@ ExamplePosing::ExamplePosing(const ShapeSpace& space, std::vector<const LogVecto
   }
   for (const auto& [a, b, c] : space_.logs().corners())
     area_ += norm(cross(rest[b] - rest[a], rest[c] - rest[a])) / 2;
+  fill_groups();
   restart();
 }
 
@@ -190,6 +129,31 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   turns_ = true;
   positions_.assign(shape.begin(), shape.end());
   work_.ways.resize(shape.size());  // so that the first step starts from there
+}
+
+std::size_t ExamplePosing::blocks() const {
+  return (space_.logs().corners().size() + plane_size - 1) / plane_size;
+}
+
+// See PlaneKernel::derive.
+void ExamplePosing::fill_groups() {
+  const LogSpace& logs = space_.logs();
+  const std::size_t numbers = numbers_of_group();
+  groups_.assign(blocks() * plane_size * numbers, 0);
+  for (std::size_t t = 0; t < logs.corners().size(); ++t) {
+    double* to = groups_.data() + t / group_size * group_size * numbers + t % group_size;
+    const auto put = [&](double x) { *std::exchange(to, to + group_size) = x; };
+    const Axes axes = axes_of(logs.rest(), logs.corners()[t]);
+    for (const Vec3& axis : {axes.u, axes.v}) std::ranges::for_each(axis, put);
+    for (const LogVector* example : examples_) {
+      const auto& [xx, xy, xz, yy, yz, zz, x, y, z] = example->logs[logs.triangles()[t]];
+      const sym3::Sym3<double> stretch{xx, xy, xz, yy, yz, zz};
+      const Vec3 u = times(stretch, axes.u), v = times(stretch, axes.v), n = times(stretch, axes.n);
+      for (const double number : {dot(axes.u, u), dot(axes.u, v), dot(axes.u, n), dot(axes.v, v), dot(axes.v, n),
+                                  dot(axes.n, n), x, y, z})
+        put(number);
+    }
+  }
 }
 
 void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
@@ -232,17 +196,18 @@ void ExamplePosing::fill_gradients() {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
   const std::size_t count = logs.corners().size(), pins = pins_.size();
-  gradients_.assign((count + block - 1) / block * block * 3 * pins, 0);
+  gradients_.assign(blocks() * plane_size * 2 * pins, 0);
   for (std::size_t t = 0; t < count; ++t) {
     const auto& corners = logs.corners()[t];
+    const Axes axes = axes_of(rest, corners);
     for (std::size_t pin = 0; pin < pins; ++pin) {
       Vec3 q{0, 0, 0};
       for (std::size_t k = 0; k < 3; ++k) {
         const auto a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
         q = q + logs.cotangents()[t][k] * (columns_[pin][a] - columns_[pin][b]) * (rest[a] - rest[b]);
       }
-      for (std::size_t j = 0; j < 3; ++j)
-        gradients_[(t / block * pins + pin) * 3 * block + j * block + t % block] = q[j];
+      double* of = gradients_.data() + (t / plane_size * pins + pin) * 2 * plane_size + t % plane_size;
+      of[0] = dot(q, axes.u), of[plane_size] = dot(q, axes.v);
     }
   }
 }
@@ -278,13 +243,14 @@ std::vector<LogTerm> ExamplePosing::terms() const {
 // Where the blend would take the pins, turned by `turn`, but for the ways of their parts; and its
 // derivatives.
 ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
-  const std::size_t n = pins_.size(), m = examples_.size(), count = space_.logs().corners().size();
-  const std::size_t at_once = block * blocks_at_once;
-  std::vector<std::vector<double>> parts((count + at_once - 1) / at_once);
-  pool_.for_blocks(count, at_once, [&](std::size_t begin, std::size_t end) {
+  const std::size_t n = pins_.size(), m = examples_.size();
+  std::vector<std::vector<double>> parts((blocks() + blocks_at_once - 1) / blocks_at_once);
+  pool_.for_blocks(blocks(), blocks_at_once, [&](std::size_t begin, std::size_t end) {
     Derivatives derivatives(*this);
-    derivatives.add(begin, end);
-    parts[begin / at_once] = std::move(derivatives.sums);
+    for (std::size_t block = begin; block < end; ++block) derivatives.add_block(block);
+    auto& part = parts[begin / blocks_at_once];
+    part.resize(3 * n * (m + 1));
+    derivatives.add_to(part);
   });
   std::vector<double> sums(3 * n * (m + 1));
   for (const auto& part : parts)

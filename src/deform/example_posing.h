@@ -69,6 +69,9 @@ private:
   struct Reach;
 
   std::vector<LogTerm> terms() const;
+  std::size_t blocks() const;
+  std::size_t numbers_of_group() const { return 6 + 9 * examples_.size(); }
+  void fill_groups();
   void fill_gradients();
   void fill_stiffness();
   void begin_turn(std::span<const mesh::Point> targets);
@@ -81,11 +84,12 @@ private:
   std::vector<const LogVector*> examples_;
   base::WorkerPool& pool_;
   std::vector<std::vector<Vec3>> leftovers_;  // of the examples, as they are before the whole turns
+  base::AlignedVector<double> groups_;        // of triangles: see PlaneKernel::derive
   double area_ = 0;
 
   std::vector<PosingPin> pins_;
   std::vector<std::vector<double>> columns_;  // of the inverse Laplacian, one a pin, [vertex]
-  base::AlignedVector<double> gradients_;     // of these, by area: [block][pin][3][triangle]
+  base::AlignedVector<double> gradients_;     // of these, by area, along u and v: [block][pin][2][triangle]
   std::vector<std::uint32_t> part_of_pin_;
   std::vector<std::uint32_t> pinned_parts_;  // ascending
   std::vector<double> forces_;  // [pin, then pinned part][pin]: from how far pins are off to forces at them,

@@ -114,7 +114,7 @@ private:
   template <class At>
   void read_posed_side(std::size_t count, const At& at, std::size_t k) {
     for (std::size_t i = 0; i < count; ++i) {
-      const auto& corners = space_.corners_[at(i)];
+      const auto& corners = space_.placed_[at(i)];
       const Vec3 way = work_.ways[corners[(k + 1) % 3]] - work_.ways[corners[(k + 2) % 3]];
       for (std::size_t j = 0; j < 3; ++j) posed_[3 * k + j][i] = sides_[3 * k + j][i] + way[j];
     }
@@ -244,8 +244,14 @@ void LogSpace::follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Wo
                       const Vec3* whole) const {
   turn_by(terms, whole, work);
   load(terms, 0, pool, work);
-  solve(work);
-  if (fit_doubtful(terms, work)) solve(work);
+  sum_doubts(terms, work);
+  if (work.doubtful.empty()) return solve(work);
+  work.doubted.clear();
+  for (const auto i : work.doubtful) work.doubted.insert(work.doubted.end(), placed_[i].begin(), placed_[i].end());
+  ground(work);
+  factors_.solve_corrected(work.right, work.ways, work.doubted, [&] { fit_doubtful(terms, work), ground(work); },
+                           work.solve);
+  spread_places(work);
 }
 
 void LogSpace::follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
@@ -324,14 +330,22 @@ Vec3 LogSpace::pulled(std::span<const Vec3> pulls, std::size_t place) const {
 }
 
 void LogSpace::solve(Work& work) const {
-  for (std::size_t v = 0; v < rest_.size(); ++v) work.ways[v] = free_[v] ? work.right[v] : Vec3{0, 0, 0};
-  factors_.solve(work.ways, work.ways, work.solve);
+  ground(work);
+  factors_.solve(work.right, work.ways, work.solve);
+  spread_places(work);
+}
+
+void LogSpace::ground(Work& work) const {
+  for (std::size_t v = 0; v < rest_.size(); ++v)
+    if (!free_[v]) work.right[v] = {0, 0, 0};
+}
+
+void LogSpace::spread_places(Work& work) const {
   for (std::size_t v = 0; v < rest_.size(); ++v) work.ways[v] = work.ways[places_[v]];
 }
 
-// Adds what fitted rotations pull otherwise. False if no rotation is doubtful.
-bool LogSpace::fit_doubtful(std::span<const LogTerm> terms, Work& work) const {
-  sum_doubts(terms, work);
+// Adds what fitted rotations pull otherwise.
+void LogSpace::fit_doubtful(std::span<const LogTerm> terms, Work& work) const {
   Block block(*this, work, terms);
   for (std::size_t first = 0; first < work.doubtful.size(); first += Block::size) {
     const std::size_t count = std::min(Block::size, work.doubtful.size() - first);
@@ -345,7 +359,6 @@ bool LogSpace::fit_doubtful(std::span<const LogTerm> terms, Work& work) const {
           at(i), [&](std::size_t k) { return share * block.fit(i, k); }, work.right);
     }
   }
-  return !work.doubtful.empty();
 }
 
 void LogSpace::sum_doubts(std::span<const LogTerm> terms, Work& work) const {

@@ -77,6 +77,7 @@ public:
     std::vector<sym3::Mat3<double>> turned;  // by them; empty: none turns
     std::vector<double> doubts;              // of the sum; of all triangles
     std::vector<std::uint32_t> doubtful;     // which are not 0
+    std::vector<std::uint32_t> doubted;      // the places of their corners
     SparseCholesky::Workspace solve;
   };
 
@@ -140,7 +141,9 @@ private:
   Vec3 pulled(std::span<const Vec3> pulls, std::size_t place) const;
   template <class Pull>
   void add_pulls_of(std::size_t i, const Pull& pull, std::span<Vec3> right) const;
-  bool fit_doubtful(std::span<const LogTerm> terms, Work& work) const;
+  void ground(Work& work) const;
+  void spread_places(Work& work) const;
+  void fit_doubtful(std::span<const LogTerm> terms, Work& work) const;
   void sum_doubts(std::span<const LogTerm> terms, Work& work) const;
 
   std::vector<mesh::Point> rest_;

@@ -8,14 +8,16 @@
 
 #include <hwy/highway.h>
 
+#include "sym3/exp_derivative-inl.h"
+#include "sym3/rotation-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+namespace lanes = viete::sym3::HWY_NAMESPACE;
 
-// Sums of eight triangles each, whatever the width of the registers, so that all machines add in one order.
-constexpr std::size_t summed_apart = 8;
-using Tag = hn::CappedTag<double, summed_apart>;
+using Tag = hn::CappedTag<double, group_size>;
 using V = hn::Vec<Tag>;
 constexpr std::size_t width = hn::MaxLanes(Tag());
 
@@ -81,50 +83,111 @@ static void spread(const Plane* posed, const Plane* sides, const Plane* weights,
   }
 }
 
-static void add_turning(const Plane* y, const Plane* v, const Plane* ab, const Plane* m, Plane* changed) {
-  for (std::size_t i = 0; i < plane_size; i += width) {
-    const V y0 = at(y[0], i), y1 = at(y[1], i), y2 = at(y[2], i), v0 = at(v[0], i), v1 = at(v[1], i),
-            v2 = at(v[2], i), a = at(ab[0], i), b = at(ab[1], i);
-    const V p = hn::NegMulAdd(y2, v1, hn::Mul(y1, v2)), q = hn::NegMulAdd(y0, v2, hn::Mul(y2, v0)),
-            r = hn::NegMulAdd(y1, v0, hn::Mul(y0, v1));
-    const V t0 = hn::MulAdd(b, hn::NegMulAdd(y2, q, hn::Mul(y1, r)), hn::MulAdd(a, p, v0));
-    const V t1 = hn::MulAdd(b, hn::NegMulAdd(y0, r, hn::Mul(y2, p)), hn::MulAdd(a, q, v1));
-    const V t2 = hn::MulAdd(b, hn::NegMulAdd(y1, p, hn::Mul(y0, q)), hn::MulAdd(a, r, v2));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const V m0 = at(m[k], i), m1 = at(m[3 + k], i), m2 = at(m[6 + k], i);
-      put(hn::NegMulAdd(t2, m1, hn::MulAdd(t1, m2, at(changed[k], i))), changed[k], i);
-      put(hn::NegMulAdd(t0, m2, hn::MulAdd(t2, m0, at(changed[3 + k], i))), changed[3 + k], i);
-      put(hn::NegMulAdd(t1, m0, hn::MulAdd(t0, m1, at(changed[6 + k], i))), changed[6 + k], i);
+using Vector = lanes::Three<V>;
+
+static HWY_INLINE Vector sum(V a, const Vector& x, V b, const Vector& y, V c, const Vector& z) {
+  return {lanes::sum_of_products(a, x.x, b, y.x, c, z.x), lanes::sum_of_products(a, x.y, b, y.y, c, z.y),
+          lanes::sum_of_products(a, x.z, b, y.z, c, z.z)};
+}
+
+// Of the rotation vector y: J v = v + p y x v + q y x (y x v), p = (1 - cos a) / a^2, q = (a - sin a) / a^3
+// for the angle a (T. Barfoot, State Estimation for Robotics, 2017, 7.1.5), by columns.
+struct LeftJacobian {
+  Vector x, y, z;
+
+  HWY_INLINE LeftJacobian(const Vector& w, const lanes::HalfAngle<V>& half) {
+    const V one = hn::Set(Tag(), 1), sine = hn::Add(half.sine, half.sine);
+    const V square = lanes::sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z);
+    const V p = hn::Mul(half.sine, sine);
+    const V q = hn::IfThenElse(hn::Lt(square, hn::Set(Tag(), 1e-8)), hn::Set(Tag(), 1.0 / 6),
+                               hn::Div(hn::NegMulAdd(sine, half.cosine, one), square));
+    const V rest = hn::NegMulAdd(q, square, one), px = hn::Mul(p, w.x), py = hn::Mul(p, w.y), pz = hn::Mul(p, w.z),
+            qx = hn::Mul(q, w.x), qy = hn::Mul(q, w.y);
+    x = {hn::MulAdd(qx, w.x, rest), hn::MulAdd(qx, w.y, pz), hn::MulSub(qx, w.z, py)};
+    y = {hn::MulSub(qx, w.y, pz), hn::MulAdd(qy, w.y, rest), hn::MulAdd(qy, w.z, px)};
+    z = {hn::MulAdd(qx, w.z, py), hn::MulSub(qy, w.z, px), hn::MulAdd(hn::Mul(q, w.z), w.z, rest)};
+  }
+  HWY_INLINE Vector operator()(const Vector& v) const { return sum(v.x, x, v.y, y, v.z, z); }
+};
+
+static HWY_INLINE void put(const Vector& u, const Vector& v, double* planes) {
+  const V of[6] = {u.x, u.y, u.z, v.x, v.y, v.z};
+  for (std::size_t n = 0; n < 6; ++n) hn::Store(of[n], Tag(), planes + n * plane_stride);
+}
+
+// d(exp(Y) S) = exp(Y) dS + [J dY]x exp(Y) S.
+static void derive(const double* group, const double* weights, std::size_t count, double* changes) {
+  for (std::size_t l = 0; l < group_size; l += width) {
+    const auto read = [=](std::size_t n) HWY_ATTR { return hn::Load(Tag(), group + n * group_size + l); };
+    const auto six = [=](std::size_t n) HWY_ATTR {
+      return lanes::Six<V>{read(n), read(n + 1), read(n + 2), read(n + 3), read(n + 4), read(n + 5)};
+    };
+    const auto three = [=](std::size_t n) HWY_ATTR { return Vector{read(n), read(n + 1), read(n + 2)}; };
+    V log[9];
+    for (V& x : log) x = hn::Zero(Tag());
+    for (std::size_t e = 0; e < count; ++e) {
+      const V weight = hn::Set(Tag(), weights[e]);
+      for (std::size_t k = 0; k < 9; ++k) log[k] = hn::MulAdd(weight, read(6 + 9 * e + k), log[k]);
+    }
+    const auto at = lanes::exp_point(Tag(), lanes::Six<V>{log[0], log[1], log[2], log[3], log[4], log[5]});
+    const lanes::Six<V> s = lanes::exp_value(Tag(), at);
+    const Vector y{log[6], log[7], log[8]}, u = three(0), v = three(3);
+    const auto half = lanes::half_angle_lanes(Tag(), y);
+    const auto r = lanes::to_matrix(Tag(), lanes::half_angle_quaternion(half.cosine, half.sine, y));
+    const Vector rx{r.xx, r.yx, r.zx}, ry{r.xy, r.yy, r.zy}, rz{r.xz, r.yz, r.zz};
+    const Vector ru = sum(u.x, rx, u.y, ry, u.z, rz), rv = sum(v.x, rx, v.y, ry, v.z, rz), rn = lanes::cross(ru, rv);
+    const Vector mu = sum(s.xx, ru, s.xy, rv, s.xz, rn), mv = sum(s.xy, ru, s.yy, rv, s.yz, rn);
+    put(mu, mv, changes + 6 * plane_stride * count + l);
+    const LeftJacobian jacobian(y, half);
+    const bool quick = hn::AllTrue(Tag(), at.ok);
+    const auto turned = [](const Vector& w, const Vector& m, const Vector& added) HWY_ATTR {
+      return Vector{hn::NegMulAdd(w.z, m.y, hn::MulAdd(w.y, m.z, added.x)),
+                    hn::NegMulAdd(w.x, m.z, hn::MulAdd(w.z, m.x, added.y)),
+                    hn::NegMulAdd(w.y, m.x, hn::MulAdd(w.x, m.y, added.z))};
+    };
+    for (std::size_t e = 0; e < count; ++e) {
+      const lanes::Six<V> d = quick ? lanes::exp_slope(Tag(), at.parts, six(6 + 9 * e))
+                                    : lanes::exp_derivative_general(Tag(), at, six(6 + 9 * e));
+      const Vector w = jacobian(three(12 + 9 * e));
+      put(turned(w, mu, sum(d.xx, ru, d.xy, rv, d.xz, rn)), turned(w, mv, sum(d.xy, ru, d.yy, rv, d.yz, rn)),
+          changes + 6 * plane_stride * e + l);
     }
   }
 }
 
-static void add_products(const Plane* m, const double* q, std::size_t count, double* sums) {
-  constexpr std::size_t vectors = summed_apart / width;
-  for (std::size_t n = 0; n < count; ++n, q += 3 * plane_size, sums += 3) {
-    V lanes[3][vectors];
-    for (auto& row : lanes)
-      for (V& lane : row) lane = hn::Zero(Tag());
-    for (std::size_t i = 0; i < plane_size; i += summed_apart) {
-      for (std::size_t l = 0; l < vectors; ++l) {
-        const std::size_t j = i + l * width;
-        const V x = hn::LoadU(Tag(), q + j), y = hn::LoadU(Tag(), q + plane_size + j),
-                z = hn::LoadU(Tag(), q + 2 * plane_size + j);
-        for (std::size_t row = 0; row < 3; ++row) {
-          const V xy = hn::MulAdd(at(m[3 * row + 1], j), y, hn::MulAdd(at(m[3 * row], j), x, lanes[row][l]));
-          lanes[row][l] = hn::MulAdd(at(m[3 * row + 2], j), z, xy);
+// Of one map's planes, and of N columns.
+template <std::size_t N>
+static HWY_INLINE void add_products_of(const double* m, const double* columns, double* sums) {
+  for (std::size_t l = 0; l < group_size; l += width) {
+    V sum[N][3];
+    for (std::size_t n = 0; n < N; ++n)
+      for (std::size_t row = 0; row < 3; ++row) sum[n][row] = hn::Load(Tag(), sums + (3 * n + row) * group_size + l);
+    for (std::size_t i = l; i < plane_size; i += group_size) {
+      for (std::size_t c = 0; c < 2; ++c) {
+        const double* of = m + 3 * c * plane_stride + i;
+        const V x = hn::Load(Tag(), of), y = hn::Load(Tag(), of + plane_stride), z = hn::Load(Tag(), of + 2 * plane_stride);
+        for (std::size_t n = 0; n < N; ++n) {
+          const V q = hn::Load(Tag(), columns + (2 * n + c) * plane_size + i);
+          sum[n][0] = hn::MulAdd(x, q, sum[n][0]);
+          sum[n][1] = hn::MulAdd(y, q, sum[n][1]);
+          sum[n][2] = hn::MulAdd(z, q, sum[n][2]);
         }
       }
     }
-    for (std::size_t row = 0; row < 3; ++row) {
-      alignas(64) double apart[summed_apart];
-      for (std::size_t l = 0; l < vectors; ++l) hn::Store(lanes[row][l], Tag(), apart + l * width);
-      for (const double x : apart) sums[row] += x;
-    }
+    for (std::size_t n = 0; n < N; ++n)
+      for (std::size_t row = 0; row < 3; ++row) hn::Store(sum[n][row], Tag(), sums + (3 * n + row) * group_size + l);
   }
 }
 
-static constexpr PlaneKernel planes{times_symmetric, turn, pull, spread, add_turning, add_products};
+static void add_products(const double* maps, std::size_t count, const double* columns, std::size_t n, double* sums) {
+  for (std::size_t e = 0; e < count; ++e, maps += 6 * plane_stride) {
+    std::size_t k = 0;
+    for (; k + 4 <= n; k += 4, sums += 12 * group_size) add_products_of<4>(maps, columns + 2 * k * plane_size, sums);
+    for (; k < n; ++k, sums += 3 * group_size) add_products_of<1>(maps, columns + 2 * k * plane_size, sums);
+  }
+}
+
+static constexpr PlaneKernel planes{times_symmetric, turn, pull, spread, derive, add_products};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -12,6 +12,10 @@ namespace viete::deform {
 inline constexpr std::size_t plane_size = 64, plane_stride = 72;
 using Plane = double[plane_stride];
 
+/// Triangles whose numbers lie side by side, and that are summed apart from others, whatever the width of the
+/// registers, so that all machines add in one order.
+inline constexpr std::size_t group_size = 8;
+
 /// General matrices have nine planes by rows, symmetric ones six as Sym3, vectors three. Products and sums
 /// are rounded one by one, so that the first four give the same bits on every machine; the others on every
 /// one with fused multiply-add.
@@ -24,10 +28,14 @@ struct PlaneKernel {
   void (*pull)(const Plane* m, const Plane* sides, const Plane* weights, Plane* pulls);
   /// m = sum over three sides of weight_k posed_k side_k^T.
   void (*spread)(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m);
-  /// m' += [J v]x m with J v = v + a y x v + b y x (y x v): y and v vectors, a and b the planes of `ab`.
-  void (*add_turning)(const Plane* y, const Plane* v, const Plane* ab, const Plane* m, Plane* changed);
-  /// sums[3 n ..] += the sum over all triangles of m q_n; q [n][3][plane_size].
-  void (*add_products)(const Plane* m, const double* q, std::size_t count, double* sums);
+  /// What the maps exp(Y) exp(X) of weighted sums of logs make of two directions u and v, and how that changes
+  /// with the weights. group [number][group_size]: u, v, and of each of `count` logs X in the axes u, v, u x v,
+  /// and Y. changes [log, last the map itself][3 of u, 3 of v][plane_size], of which the first group_size are
+  /// written.
+  void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
+  /// sums [map][column][3][group_size] += the sums over groups of what `count` maps make of columns of such
+  /// directions: columns [n][2][plane_size].
+  void (*add_products)(const double* maps, std::size_t count, const double* columns, std::size_t n, double* sums);
 };
 
 /// That of the same instruction set.

@@ -167,7 +167,8 @@ TEST_CASE("solutions_are_eigens") {
       const auto f = factor(matrix, neighbours, elimination_order(neighbours, pool, {}, 0, piece), pool);
       base::AlignedVector<double> block(4 * n, 0.0);
       for (std::size_t i = 0; i < n; ++i) block[4 * i + 2] = right[f.order[i]];
-      sparse_kernel(sym3::kernel()).solve_four(f.view(), block.data());
+      sparse_kernel(sym3::kernel()).forward_four(f.view(), block.data());
+      sparse_kernel(sym3::kernel()).backward_four(f.view(), block.data());
       Eigen::VectorXd ours(n);
       for (std::size_t i = 0; i < n; ++i) {
         ours[f.order[i]] = block[4 * i + 2];

@@ -156,9 +156,18 @@ static HWY_INLINE void solve_backward(const TriangularFactor& f, const Supernode
 }
 
 template <std::size_t N>
-static void solve_block(const TriangularFactor& f, double* block) {
+static void solve_forward(const TriangularFactor& f, double* block) {
   for (std::size_t s = 0; s < f.count; ++s) solve_forward<N>(f, f.supernodes[s], block);
+}
+
+template <std::size_t N>
+static void solve_backward(const TriangularFactor& f, double* block) {
   for (std::size_t s = f.count; s-- > 0;) solve_backward<N>(f, f.supernodes[s], block);
+}
+
+template <std::size_t N>
+static void solve_block(const TriangularFactor& f, double* block) {
+  solve_forward<N>(f, block), solve_backward<N>(f, block);
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

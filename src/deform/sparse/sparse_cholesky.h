@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,11 @@ namespace viete::deform {
 /// is thread-safe as long as each thread has a workspace of its own.
 class SparseCholesky {
 public:
-  using Workspace = base::AlignedVector<double>;
+  struct Workspace {
+    base::AlignedVector<double> rows, part;  // four numbers an unknown
+    std::vector<Supernode> nodes;            // of the part
+    std::vector<std::uint8_t> seen;          // supernodes
+  };
 
   /// Of a symmetric matrix, of which the lower half counts. Throws base::Error, saying which row, where it is
   /// not positive definite up to rounding or not finite; what report throws.
@@ -31,9 +36,18 @@ public:
 
   /// A x = b for three columns at once; b and x may be the same. Sizes: size().
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
+  /// A x = b + c for a c that is 0 but at some unknowns and made of x there as it is without c: correct() finds
+  /// that in x and leaves c in b, where it finds 0. What is eliminated before those unknowns is solved for once.
+  void solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x, std::span<const std::uint32_t> some,
+                       const std::function<void()>& correct, Workspace& work) const;
 
 private:
+  void read(std::span<const mesh::Vec3> b, Workspace& work) const;
+  void write(const Workspace& work, std::span<mesh::Vec3> x) const;
+  void find_part(std::span<const std::uint32_t> some, Workspace& work) const;
+
   SparseFactor factor_;
+  std::vector<std::uint32_t> places_, nodes_;  // of unknowns: in the order, and their supernodes
 };
 
 /// Throws base::Error: that the equations have no solution in double precision.
