@@ -131,9 +131,8 @@ void add_horns(Field& field, const Head& head, double side) {
 
 }  // namespace
 
-std::vector<Station> muzzle() {
-  const Head head;
-  return {head.ring(-0.050, -0.030, 0, .060), head.ring(0.260, -0.060, 0, .060)};
+Station muzzle() {
+  return Head().ring(0.260, -0.060, 0, .060);
 }
 
 std::vector<Station> horn(double side) {

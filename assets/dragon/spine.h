@@ -13,8 +13,8 @@ const std::vector<Station>& spine();
 /// From hip or shoulder to the heel, which stands a little above the ground; side: +1 for the left one.
 std::vector<Station> leg(bool hind, double side);
 
-/// Through the middle of the jaws; along the long horn.
-std::vector<Station> muzzle();
+/// The end of the jaws, between them; the long horn.
+Station muzzle();
 std::vector<Station> horn(double side);
 
 /// Relief of the legs: scales that fade out towards the thin shank.
