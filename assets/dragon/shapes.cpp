@@ -37,7 +37,7 @@ Bends folded() {
 /// Lying in a ring about its left side, the chin on the tail.
 Bends coiled() {
   Bends bends{{kTail, 0.1, 6.5, kUp, 220}, {kTail, 0.1, 1.5, kLeft, -37}, {kTail, 2, 6.5, kLeft, 84},
-              {kTrunk, 0.5, 3, kUp, -70},  {kTrunk, 3, 8.5, kUp, -125}, {kTrunk, 2, 5.5, kLeft, -90},
+              {kTrunk, 0.5, 3, kUp, -70},  {kTrunk, 3, 8.5, kUp, -125},   {kTrunk, 2, 5.5, kLeft, -90},
               {kTrunk, 6, 9.5, kLeft, 90}};
   bend_both(bends, kHindLeg, 0, 1.5, kLeft, 96);
   bend_both(bends, kHindLeg, 2.2, 3.4, kLeft, -141);
@@ -52,10 +52,10 @@ Bends coiled() {
 
 /// On its hind legs, the tail about them.
 Bends sitting() {
-  constexpr double kRaised = 38;
-  Bends bends{{kTail, 1.2, 6, kUp, 225},      {kTail, 0, 2, kLeft, -80}, {kTail, 2, 6.5, kLeft, 88},
-              {kTail, -1, 0, kLeft, kRaised},  // all of it, from the rump
-              {kTrunk, 3, 10, kUp, -30},      {kTrunk, 2, 6, kLeft, -35},    {kTrunk, 0, 2.5, kLeft, -3}};
+  const Bend all_from_the_rump{kTail, -1, 0, kLeft, 38};
+  Bends bends{{kTail, 1.2, 6, kUp, 225},  {kTail, 0, 2, kLeft, -80}, {kTail, 2, 6.5, kLeft, 88},
+              all_from_the_rump,          {kTrunk, 3, 10, kUp, -30}, {kTrunk, 2, 6, kLeft, -35},
+              {kTrunk, 0, 2.5, kLeft, -3}};
   bend_both(bends, kHindLeg, 0, 1.2, kLeft, 45);
   bend_both(bends, kHindLeg, 2.2, 3.4, kLeft, -112);
   bend_both(bends, kHindLeg, 4.5, 5.5, kLeft, 69);
@@ -75,7 +75,7 @@ std::vector<Shape> dragon_shapes(const Mesh& dragon) {
   const std::pair<const char*, Bends> all[] = {
       {"shape_folded", folded()}, {"shape_coiled", coiled()}, {"shape_sitting", sitting()}};
   for (const auto& [name, bends] : all) {
-    shapes.push_back({name, skeleton.carried(dragon.positions, bends)});
+    shapes.push_back({name, skeleton.carried(dragon, bends)});
     stand_on_ground(shapes.back().positions);
   }
   return shapes;

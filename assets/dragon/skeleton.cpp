@@ -7,8 +7,9 @@ namespace {
 
 constexpr int kRump = 7, kNape = 10, kShoulders = 2;  // of the spine's stations; of the trunk's
 constexpr double kSpade = 0.185;                      // length of the tail's tip, beyond the spine
-constexpr double kFlesh = 0.045;                       // how far from a limb its hold is half or less
+constexpr double kFlesh = 0.045;                      // so far outside of a limb its hold is a sixteenth
 constexpr double kReach = 8;  // times the gap of a wing's nearest bone: where other bones of it hold no more
+constexpr int kEasing = 24;   // steps: more lose volume, fewer leave folds
 
 std::vector<Station> tail() {
   std::vector<Station> stations{spine().rend() - 1 - kRump, spine().rend()};
@@ -21,6 +22,23 @@ std::vector<Station> trunk() {
   std::vector<Station> stations{spine().begin() + kRump, spine().end()};
   stations.push_back(muzzle());
   return stations;
+}
+
+struct Edge {
+  std::uint32_t from, to;
+  Vec3 way;  ///< as both ends turn it
+};
+
+/// Every vertex to where its neighbours want it: what is crushed where limbs meet spreads.
+std::vector<Vec3> eased(const std::vector<Vec3>& places, const std::vector<Edge>& edges) {
+  std::vector<Vec3> sums(places.size());
+  std::vector<int> counts(places.size());
+  for (const Edge& edge : edges) {
+    sums[edge.to] = sums[edge.to] + places[edge.from] + edge.way;
+    ++counts[edge.to];
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) sums[v] = sums[v] * (1.0 / counts[v]);
+  return sums;
 }
 
 }  // namespace
@@ -86,7 +104,7 @@ Skeleton::Hold Skeleton::hold(Vec3 p, int limb) const {
 
 // As the viewer does: one turn about the blended place. Body and wings hold by the fourth power of their
 // gaps; the bones of a wing share its hold in proportion, so that skin between two of them folds evenly.
-Vec3 Skeleton::carried(Vec3 p, const std::vector<Frame>& frames) const {
+Skeleton::Frame Skeleton::carried(Vec3 p, const std::vector<Frame>& frames) const {
   Hold holds[kLimbs];
   double wings[2] = {1e18, 1e18};
   for (int limb = 0; limb < kLimbs; ++limb) {
@@ -107,13 +125,25 @@ Vec3 Skeleton::carried(Vec3 p, const std::vector<Frame>& frames) const {
     to = to + lerp(a.at, b.at, along) * weight;
     sum += weight;
   }
-  return to * (1 / sum) + turned(p - from * (1 / sum), turn);
+  return {turn * (1 / sum), to * (1 / sum) + turned(p - from * (1 / sum), turn)};
 }
 
-std::vector<Vec3> Skeleton::carried(const std::vector<Vec3>& skin, const std::vector<Bend>& bends) const {
+std::vector<Vec3> Skeleton::carried(const Mesh& skin, const std::vector<Bend>& bends) const {
   const std::vector<Frame> frames = bent(bends);
   std::vector<Vec3> places;
-  for (Vec3 p : skin) places.push_back(carried(p, frames));
+  std::vector<Quaternion> turns;
+  for (Vec3 p : skin.positions) {
+    const Frame vertex = carried(p, frames);
+    places.push_back(vertex.at), turns.push_back(vertex.turn);
+  }
+  std::vector<Edge> edges;
+  for (const auto& corner : skin.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = corner[k], b = corner[(k + 1) % 3];
+      edges.push_back({a, b, turned(skin.positions[b] - skin.positions[a], turns[a] + turns[b])});
+    }
+  }
+  for (int step = 0; step < kEasing; ++step) places = eased(places, edges);
   return places;
 }
 

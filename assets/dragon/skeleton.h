@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "dragon/mesh.h"
 #include "dragon/quaternion.h"
 #include "dragon/tube.h"
 #include "dragon/wings.h"
@@ -36,8 +37,8 @@ class Skeleton {
 public:
   Skeleton();
 
-  /// Where the skin's vertices go. The rump stays in its place.
-  std::vector<Vec3> carried(const std::vector<Vec3>& skin, const std::vector<Bend>& bends) const;
+  /// Where the vertices of a closed mesh go. The rump stays in its place.
+  std::vector<Vec3> carried(const Mesh& skin, const std::vector<Bend>& bends) const;
 
 private:
   struct Joint {
@@ -45,8 +46,8 @@ private:
     double radius;
     int before;  ///< the joint that it hangs on, or -1
   };
-  struct Frame {  ///< of a bent joint
-    Quaternion turn;
+  struct Frame {      ///< of a joint that is bent, of a vertex that is carried
+    Quaternion turn;  ///< of any length but 0
     Vec3 at;
   };
   struct Hold {    ///< of a limb on a vertex
@@ -58,7 +59,7 @@ private:
   void add(const std::vector<Station>& stations, int before);
   std::vector<Frame> bent(const std::vector<Bend>& bends) const;
   Hold hold(Vec3 p, int limb) const;
-  Vec3 carried(Vec3 p, const std::vector<Frame>& frames) const;
+  Frame carried(Vec3 p, const std::vector<Frame>& frames) const;
 
   std::vector<Joint> joints_;
   std::vector<int> begins_{0};  ///< of each limb, and the end
