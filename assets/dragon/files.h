@@ -11,6 +11,9 @@ namespace viete::dragon {
 /// Binary little-endian PLY: float32 positions, uchar/int32 face lists.
 void write_ply(const std::filesystem::path& path, const Mesh& mesh, const std::string& comment);
 
+/// A point cache of one frame: float32 positions.
+void write_pc2(const std::filesystem::path& path, const std::vector<Vec3>& positions);
+
 /// OBJ with four decimals, comment in the first line.
 void write_obj(const std::filesystem::path& path, const Mesh& mesh, const std::string& comment);
 

@@ -114,11 +114,7 @@ double horn_rings(const TubePoint& p) {
 }
 
 void add_horns(Field& field, const Head& head, double side) {
-  head.join(field,
-            {head.ring(-0.020, 0.045, .040 * side, .026), head.ring(-0.075, 0.085, .058 * side, .024),
-             head.ring(-0.150, 0.110, .082 * side, .019), head.ring(-0.225, 0.125, .098 * side, .014),
-             head.ring(-0.285, 0.150, .097 * side, .009), head.ring(-0.325, 0.185, .088 * side, .0045)},
-            0.014, horn_rings);
+  head.join(field, horn(side), 0.014, horn_rings);
   head.join(field,
             {head.ring(-0.040, 0.010, .056 * side, .019), head.ring(-0.095, 0.022, .088 * side, .015),
              head.ring(-0.150, 0.030, .112 * side, .010), head.ring(-0.195, 0.046, .122 * side, .0045)},
@@ -134,6 +130,17 @@ void add_horns(Field& field, const Head& head, double side) {
 }
 
 }  // namespace
+
+Station muzzle() {
+  return Head().ring(0.260, -0.060, 0, .060);
+}
+
+std::vector<Station> horn(double side) {
+  const Head head;
+  return {head.ring(-0.020, 0.045, .040 * side, .026), head.ring(-0.075, 0.085, .058 * side, .024),
+          head.ring(-0.150, 0.110, .082 * side, .019), head.ring(-0.225, 0.125, .098 * side, .014),
+          head.ring(-0.285, 0.150, .097 * side, .009), head.ring(-0.325, 0.185, .088 * side, .0045)};
+}
 
 void add_head(Field& field) {
   const Head head;

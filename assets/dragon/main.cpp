@@ -1,4 +1,4 @@
-// generate_dragon FOLDER: makes the bundled dragon, its cage, the poses of the cage and its loop.
+// generate_dragon FOLDER: makes the bundled dragon, its shapes, its cage, the poses of the cage and its loop.
 #include <cstdio>
 #include <exception>
 
@@ -7,7 +7,8 @@
 int main(int count, char** arguments) {
   if (count != 2) {
     std::fprintf(stderr,
-                 "usage: generate_dragon FOLDER\nWrites dragon.ply, cage.obj, pose_*.obj and loop.viete there.\n");
+                 "usage: generate_dragon FOLDER\nWrites dragon.ply, shape_*.pc2, cage.obj, pose_*.obj and "
+                 "loop.viete there.\n");
     return 2;
   }
   try {

@@ -15,4 +15,11 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
+/// Moves all of them up or down, until the lowest are on y = 0.
+inline void stand_on_ground(std::vector<Vec3>& positions) {
+  double lowest = positions[0].y;
+  for (const Vec3& p : positions) lowest = std::min(lowest, p.y);
+  for (Vec3& p : positions) p.y -= lowest;
+}
+
 }  // namespace viete::dragon

@@ -9,6 +9,7 @@
 #include "dragon/polygonise.h"
 #include "dragon/poses.h"
 #include "dragon/relax.h"
+#include "dragon/shapes.h"
 #include "dragon/simplify.h"
 
 namespace viete::dragon {
@@ -19,12 +20,6 @@ constexpr double kSpacing = 0.006;  // of the lattice: a finger bone's tip is th
 /// The face is small and looked at most.
 double importance(Vec3 p) {
   return 1 + 5 * smooth_step(0.35, 0.20, length(p - Vec3{0.82, 1.38, 0.07}));
-}
-
-void stand_on_ground(Mesh& mesh) {
-  double lowest = mesh.positions[0].y;
-  for (const Vec3& p : mesh.positions) lowest = std::min(lowest, p.y);
-  for (Vec3& p : mesh.positions) p.y -= lowest;
 }
 
 void require_sphere(const Mesh& mesh) {
@@ -47,13 +42,15 @@ Mesh dragon_mesh() {
     even_out(mesh, 0.4);
     project(mesh, field, kSpacing, 2);
   }
-  stand_on_ground(mesh);
+  stand_on_ground(mesh.positions);
   require_sphere(mesh);
   return mesh;
 }
 
 void write_files(const std::filesystem::path& folder) {
-  write_ply(folder / "dragon.ply", dragon_mesh(), "Viete dragon, made by generate_dragon; MIT licence");
+  const Mesh dragon = dragon_mesh();
+  write_ply(folder / "dragon.ply", dragon, "Viete dragon, made by generate_dragon; MIT licence");
+  for (const Shape& shape : dragon_shapes(dragon)) write_pc2(folder / (shape.name + ".pc2"), shape.positions);
   const Cage cage = dragon_cage();
   write_obj(folder / "cage.obj", cage.mesh,
             "Viete dragon, the cage at rest, made by generate_dragon; MIT licence");

@@ -14,7 +14,7 @@ inline constexpr std::size_t kVertices = 50000;
 /// Takes seconds. Throws std::runtime_error if the shape has a handle or a loose part.
 Mesh dragon_mesh();
 
-/// Writes dragon.ply, cage.obj, the poses of the cage and loop.viete into a folder that exists.
+/// Writes dragon.ply, its shapes, cage.obj, the poses of the cage and loop.viete into a folder that exists.
 void write_files(const std::filesystem::path& folder);
 
 }  // namespace viete::dragon

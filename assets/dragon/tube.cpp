@@ -3,7 +3,6 @@
 namespace viete::dragon {
 namespace {
 
-constexpr int kSamplesPerSpan = 8;
 constexpr int kSegmentsPerChunk = 8;
 constexpr double kThinnest = 0.002;
 
@@ -30,13 +29,8 @@ double angle_around(double a, double b) {
 
 }  // namespace
 
-Tube::Tube(const std::vector<Station>& stations, Vec3 sideways, Relief relief) : relief_(relief) {
-  sample(stations);
-  frame(sideways);
-  bound(relief != nullptr);
-}
-
-void Tube::sample(const std::vector<Station>& stations) {
+std::vector<Station> sampled(const std::vector<Station>& stations) {
+  std::vector<Station> samples;
   const int last = static_cast<int>(stations.size()) - 1;
   for (int span = 0; span < last; ++span) {
     const Station& before = stations[std::max(span - 1, 0)];
@@ -44,10 +38,17 @@ void Tube::sample(const std::vector<Station>& stations) {
     const int steps = span == last - 1 ? kSamplesPerSpan + 1 : kSamplesPerSpan;
     for (int step = 0; step < steps; ++step) {
       const double t = static_cast<double>(step) / kSamplesPerSpan;
-      const Station s = mix(before, stations[span], stations[span + 1], after, t);
-      samples_.push_back({s.at, {}, {}, {}, s.across, s.above, s.below, 0, 0});
+      samples.push_back(mix(before, stations[span], stations[span + 1], after, t));
     }
   }
+  return samples;
+}
+
+Tube::Tube(const std::vector<Station>& stations, Vec3 sideways, Relief relief) : relief_(relief) {
+  for (const Station& s : sampled(stations))
+    samples_.push_back({s.at, {}, {}, {}, s.across, s.above, s.below, 0, 0});
+  frame(sideways);
+  bound(relief != nullptr);
 }
 
 void Tube::frame(Vec3 sideways) {

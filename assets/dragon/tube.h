@@ -19,6 +19,11 @@ inline Station round(Vec3 at, double radius) {
   return {at, radius, radius, radius};
 }
 
+/// The Catmull-Rom spline through the stations, kSamplesPerSpan samples from each to the next, and the last
+/// one.
+inline constexpr int kSamplesPerSpan = 8;
+std::vector<Station> sampled(const std::vector<Station>& stations);
+
 /// Where a point stands on a tube.
 struct TubePoint {
   double along;   ///< length along the curve divided by the local radius, summed up: grows by 1 per radius
@@ -55,7 +60,6 @@ private:
     double t;
   };
 
-  void sample(const std::vector<Station>& stations);
   void frame(Vec3 sideways);
   void bound(bool with_relief);
   Nearest nearest(Vec3 p) const;

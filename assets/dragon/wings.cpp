@@ -10,7 +10,7 @@ namespace {
 using Polyline = std::vector<PlanePoint>;
 
 constexpr PlanePoint kShoulder{0.00, 0.00}, kElbow{0.20, 0.30}, kWrist{-0.02, 0.70}, kArmpit{0.11, 0.07};
-constexpr PlanePoint kTips[4] = {{0.46, 1.27}, {0.87, 1.03}, {1.05, 0.69}, {0.90, 0.38}};
+constexpr PlanePoint kTips[kFingers] = {{0.46, 1.27}, {0.87, 1.03}, {1.05, 0.69}, {0.90, 0.38}};
 
 /// A finger arches from the wrist to its tip.
 Polyline finger(int i) {
@@ -41,22 +41,13 @@ Polyline outline() {
   return points;
 }
 
-void add_bone(Field& field, const WingFrame& frame, const Polyline& line, double thick, double thin,
-              double blend) {
-  std::vector<Station> stations;
-  const double last = static_cast<double>(line.size() - 1);
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    stations.push_back(round(frame.place(line[i]), lerp(thick, thin, static_cast<double>(i) / last)));
-  }
-  field.join(std::make_unique<Tube>(stations, frame.normal), blend);
+/// A place off the wing's plane.
+Vec3 lifted(const WingFrame& frame, PlanePoint p, double lift) {
+  return frame.place(p) + frame.normal * lift;
 }
 
-void add_arm(Field& field, const WingFrame& frame) {
-  const auto at = [&](PlanePoint p, double lift) { return frame.place(p) + frame.normal * lift; };
-  const std::vector<Station> arm{round(at({0.02, -0.06}, -0.01), 0.050), round(at({0.06, 0.07}, 0), 0.042),
-                                 round(at(kElbow, 0), 0.031), round(at({0.10, 0.50}, 0), 0.028),
-                                 round(at(kWrist, 0), 0.028)};
-  field.join(std::make_unique<Tube>(arm, frame.normal), 0.02);
+void add_claw(Field& field, const WingFrame& frame) {
+  const auto at = [&](PlanePoint p, double lift) { return lifted(frame, p, lift); };
   const std::vector<Station> claw{round(at(kWrist, 0), 0.022), round(at({-0.055, 0.755}, 0.004), 0.015),
                                   round(at({-0.065, 0.81}, 0.0), 0.009),
                                   round(at({-0.050, 0.855}, -0.01), 0.0045)};
@@ -66,10 +57,12 @@ void add_arm(Field& field, const WingFrame& frame) {
 void add_wing(Field& field, double side) {
   const WingFrame frame = wing_frame(side);
   std::vector<Polyline> bones{{kShoulder, kElbow, kWrist}};
-  for (int i = 0; i < 4; ++i) bones.push_back(finger(i));
+  for (int i = 0; i < kFingers; ++i) bones.push_back(finger(i));
   field.join(std::make_unique<Membrane>(frame, outline(), bones, 0.0075, 0.035), 0.015);
-  for (int i = 0; i < 4; ++i) add_bone(field, frame, finger(i), 0.019, 0.0085, 0.012);
-  add_arm(field, frame);
+  for (int i = 0; i < kFingers; ++i)
+    field.join(std::make_unique<Tube>(wing_finger(frame, i), frame.normal), 0.012);
+  field.join(std::make_unique<Tube>(wing_arm(frame), frame.normal), 0.02);
+  add_claw(field, frame);
 }
 
 }  // namespace
@@ -79,6 +72,21 @@ WingFrame wing_frame(double side) {
   const Vec3 rough_back = Vec3{-1, -0.05, 0.55 * side};
   const Vec3 back = normalized(rough_back - out * dot(rough_back, out));
   return {{0.16, 0.715, 0.115 * side}, back, out, cross(back, out) * side, 0.14};
+}
+
+std::vector<Station> wing_arm(const WingFrame& frame) {
+  return {round(lifted(frame, {0.02, -0.06}, -0.01), 0.050), round(lifted(frame, {0.06, 0.07}, 0), 0.042),
+          round(lifted(frame, kElbow, 0), 0.031), round(lifted(frame, {0.10, 0.50}, 0), 0.028),
+          round(lifted(frame, kWrist, 0), 0.028)};
+}
+
+std::vector<Station> wing_finger(const WingFrame& frame, int i) {
+  std::vector<Station> stations;
+  const Polyline line = finger(i);
+  const double last = static_cast<double>(line.size() - 1);
+  for (std::size_t k = 0; k < line.size(); ++k)
+    stations.push_back(round(frame.place(line[k]), lerp(0.019, 0.0085, static_cast<double>(k) / last)));
+  return stations;
 }
 
 void add_wings(Field& field) {

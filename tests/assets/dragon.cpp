@@ -40,7 +40,7 @@ TEST_CASE("generator_makes_the_committed_files_byte_for_byte") {
     CHECK(same);
     ++files;
   }
-  CHECK(files == 6);
+  CHECK(files == 9);
 }
 
 TEST_CASE("dragon_is_one_closed_oriented_part_of_genus_0_with_50000_vertices") {

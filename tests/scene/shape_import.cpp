@@ -175,6 +175,8 @@ TEST_CASE("a_point_cache_is_a_shape_a_frame") {
     REQUIRE(read.shapes.size() == 3);
     CHECK(read.shapes[1].name == "frame 2");
     CHECK(distance(*read.shapes[2].shape, f.moved(60)) < 1e-6);
+    f.write_cache(name, {f.moved(30)});
+    CHECK(f.read(name).shapes.front().name == "c");
     f.write_cache(name, {test::cube(1).positions});
     CHECK(mentions(f.problem(name), "it moves 8 points, and the model has 20 vertices"));
   }

@@ -194,7 +194,8 @@ private:
     check_shape_count(file.string(), cache.head().frames, model_);
     for (std::size_t i = 0; i < cache.head().frames; ++i) {
       const std::string name = "frame " + std::to_string(i + 1);
-      put(file.string() + ": " + name, name, cache.frame(i));
+      put(file.string() + ": " + name, cache.head().frames == 1 ? file.stem().string() : name,
+          cache.frame(i));
     }
     const auto& warnings = cache.warnings();
     all_.warnings.insert(all_.warnings.end(), warnings.begin(), warnings.end());

@@ -1,0 +1,79 @@
+// The bundled shapes of the dragon: halfway to them it is whole in log space, and is not in straight lines.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bench/shape_errors.h"
+#include "deform/shape_space.h"
+#include "mesh/formats/point_cache.h"
+#include "mesh/formats/read.h"
+#include "mesh/summary.h"
+#include "support/data.h"
+
+using namespace viete;
+
+namespace {
+
+using Places = std::vector<mesh::Point>;
+
+struct Shape {
+  const char* name;
+  double edges_in_log_space, edges_in_straight_lines;  ///< at most, at least: root mean squares of logs
+};
+constexpr Shape kShapes[] = {{"folded", 0.01, 0.4}, {"coiled", 0.03, 0.5}, {"sitting", 0.015, 0.15}};
+
+Places places_of(const Shape& shape) {
+  const std::string file = "shape_" + std::string(shape.name) + ".pc2";
+  return mesh::PointCache(test::assets_dir() / "dragon" / file).frame(0);
+}
+
+Places halfway(const deform::ShapeSpace& space, const Places& places, base::WorkerPool& pool) {
+  const deform::LogVector vector = space.vector(places, pool);
+  const deform::LogTerm half{&vector, 0.5};
+  deform::LogSpace::Work work;
+  Places between(places.size());
+  const deform::LogSpace& logs = space.logs();
+  logs.shape({&half, 1}, logs.held_from(logs.at_rest(), {&half, 1}), pool, work, between);
+  return between;
+}
+
+double volume(mesh::Surface surface, const Places& places) {
+  surface.positions = places;
+  return mesh::summarize(surface).volume;
+}
+
+}  // namespace
+
+TEST_CASE("shapes_stand_on_the_ground_and_keep_nine_tenths_of_the_volume") {
+  const mesh::Surface dragon = mesh::read(test::assets_dir() / "dragon" / "dragon.ply").surface;
+  const double rest = volume(dragon, dragon.positions);
+  for (const Shape& shape : kShapes) {
+    CAPTURE(shape.name);
+    const Places places = places_of(shape);
+    REQUIRE(places.size() == dragon.positions.size());
+    CHECK(mesh::bounds(places).low[1] == 0);
+    CHECK(volume(dragon, places) > 0.89 * rest);
+    CHECK(volume(dragon, places) < 1.01 * rest);
+  }
+}
+
+TEST_CASE("halfway_to_its_shapes_the_dragon_keeps_edges_and_volume_in_log_space_alone") {
+  const mesh::Surface dragon = mesh::read(test::assets_dir() / "dragon" / "dragon.ply").surface;
+  base::WorkerPool pool(2);
+  const deform::ShapeSpace space(dragon, pool);
+  const bench::ShapeErrors errors(dragon);
+  for (const Shape& shape : kShapes) {
+    CAPTURE(shape.name);
+    const Places& rest = dragon.positions;
+    const Places end = places_of(shape), between = halfway(space, end, pool);
+    Places straight;
+    for (std::size_t v = 0; v < rest.size(); ++v) straight.push_back(0.5 * (rest[v] + end[v]));
+    CHECK(errors.edges(rest, end, between).root_mean_square < shape.edges_in_log_space);
+    CHECK(errors.edges(rest, end, straight).root_mean_square > shape.edges_in_straight_lines);
+    const double expected = std::sqrt(volume(dragon, rest) * volume(dragon, end));
+    CHECK(std::abs(volume(dragon, between) / expected - 1) < 0.03);
+    CHECK(volume(dragon, straight) < 0.9 * expected);
+  }
+}
