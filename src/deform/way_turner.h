@@ -17,8 +17,10 @@ namespace viete::deform {
 /// motion, v' is what that does to v. Not thread-safe.
 class WayTurner {
 public:
-  /// True if the elements need one.
-  static bool is_for(const Scheme& scheme) { return !entry(scheme.weighting.elements).affine; }
+  /// True if rows are positions; other forms have maps of their own.
+  static bool is_for(const Scheme& scheme) {
+    return row_form(scheme.weighting.elements, scheme.blend) == RowForm::positions;
+  }
 
   explicit WayTurner(std::shared_ptr<const Cage> cage)
       : state_(std::move(cage), Elements::vertex_patch, Blend::linear) {}

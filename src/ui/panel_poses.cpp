@@ -152,8 +152,8 @@ void panel_poses(const Context& ui) {
   // Above the list, which grows where it ends: nothing that is clicked moves away.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
   command_row(ui, {"duplicate_pose", "remove_pose"});
-  command_row(ui, {"import_shapes", "import_poses", "export_pose"});
-  command_row(ui, {"set_key", "toggle_timeline"});
+  command_row(ui, {"import_shapes", "import_poses"});
+  command_row(ui, {"export_pose", "set_key", "toggle_timeline"});
   command_row(ui, {"clear_mix", "average_mix"});
   mix_reach(ui);
   ImGui::BeginDisabled(!free);

@@ -116,9 +116,9 @@ void take_pose(Workspace& w, deform::Pose&& pose) {
   if (was_saved) mark_pose_saved(w);  // nothing is lost with it: it stands in the file
 }
 
-// What is flat is seen from before, without perspective.
+// What is flat, its cage too, is seen from before, without perspective.
 void look_at_first(Workspace& w) {
-  const mesh::Bounds& box = w.document.model.bounds;
+  const mesh::Bounds box = w.document.has_cage() ? w.document.cage_file.bounds : w.document.model.bounds;
   const bool z_up = w.camera.pose().up == UpAxis::z;
   const StandardView along[] = {StandardView::right, z_up ? StandardView::front : StandardView::top,
                                 z_up ? StandardView::top : StandardView::front};
