@@ -12,9 +12,7 @@
 #include "base/quantity.h"
 #include "deform/linear_map.h"
 #include "deform/plane_kernel.h"
-#include "sym3/derivative.h"
 #include "sym3/eigenvalues.h"
-#include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/polar.h"
 
@@ -81,8 +79,8 @@ public:
     const double* groups = posing_.groups_.data() + block * plane_size * numbers;
     for (std::size_t i = 0; i < plane_size; i += group_size)
       kernel_.derive(groups + i * numbers, posing_.weights_.data(), maps_ - 1, changes_.data() + i);
-    kernel_.add_products(changes_.data(), maps_, posing_.gradients_.data() + block * plane_size * 2 * pins, pins,
-                         lanes_.data());
+    kernel_.add_products(changes_.data(), maps_, posing_.gradients_.data() + block * plane_size * 2 * pins,
+                         pins, lanes_.data());
   }
 
   // [example, last the blend itself][pin][3]
@@ -149,8 +147,8 @@ void ExamplePosing::fill_groups() {
       const auto& [xx, xy, xz, yy, yz, zz, x, y, z] = example->logs[logs.triangles()[t]];
       const sym3::Sym3<double> stretch{xx, xy, xz, yy, yz, zz};
       const Vec3 u = times(stretch, axes.u), v = times(stretch, axes.v), n = times(stretch, axes.n);
-      for (const double number : {dot(axes.u, u), dot(axes.u, v), dot(axes.u, n), dot(axes.v, v), dot(axes.v, n),
-                                  dot(axes.n, n), x, y, z})
+      for (const double number : {dot(axes.u, u), dot(axes.u, v), dot(axes.u, n), dot(axes.v, v),
+                                  dot(axes.v, n), dot(axes.n, n), x, y, z})
         put(number);
     }
   }

@@ -7,7 +7,6 @@
 #include "deform/plane_kernel.h"
 #include "mesh/point_index.h"
 #include "mesh/union_find.h"
-#include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/polar.h"
 
@@ -53,7 +52,7 @@ public:
   // What each side of the triangles pulls its first end by, and, with the other sign, its second: of those
   // that follow `first` in triangles_, a block,
   void pull_by_logs(std::size_t first, std::size_t count) {
-    sides_ = space_.sides_of(first);
+    sides_ = space_.sides_of(first), next_sides_ = sides_ + 12;
     pull_by_logs_of(count, [first](std::size_t i) { return first + i; });
   }
   // or of some places there.
@@ -63,7 +62,7 @@ public:
       const Plane* of = space_.sides_of(places[i]);
       for (std::size_t n = 0; n < 12; ++n) gathered_[n][i] = of[n][places[i] % size];
     }
-    sides_ = gathered_;
+    sides_ = next_sides_ = gathered_;
     pull_by_logs_of(places.size(), [places](std::size_t i) { return places[i]; });
   }
 
@@ -91,12 +90,8 @@ private:
   void pull_by_logs_of(std::size_t count, const At& at) {
     if (count < size) fill_up();
     sum_logs(count, at);
-    sym3::exp(sym3::SymView<const double>(logs_[0], plane_stride),
-              sym3::SymView<double>(stretches_[0], plane_stride), count);
-    sym3::exp_rotation(sym3::VecView<const double>(logs_[6], plane_stride),
-                       sym3::MatView<double>(rotations_[0], plane_stride), count);
-    kernel_.times_symmetric(rotations_, stretches_, maps_);
-    if (work_.turned.size() == 1) kernel_.turn(work_.turned[0].data(), maps_);
+    kernel_.map(logs_, work_.turned.size() == 1 ? work_.turned[0].data() : nullptr, next_sides_, stretches_,
+                maps_);
     if (work_.turned.size() > 1) turn(count, at);
     kernel_.pull(maps_, sides_, sides_ + 9, pulls_);
   }
@@ -120,15 +115,26 @@ private:
     }
   }
 
+  // Of triangles one after the other.
+  void add_logs(std::uint32_t first, std::size_t count, double* sums) const {
+    constexpr std::size_t at_once = 8;
+    ScaledRows rows[at_once];
+    for (std::size_t begin = 0; begin < terms_.size(); begin += at_once) {
+      const auto some = terms_.subspan(begin, std::min(at_once, terms_.size() - begin));
+      for (std::size_t k = 0; k < some.size(); ++k)
+        rows[k] = {some[k].vector->logs[first].data(), some[k].factor};
+      kernel_.add_rows(rows, some.size(), 9 * count, sums);
+    }
+  }
+
   template <class At>
   void sum_logs(std::size_t count, const At& at) {
-    std::array<double, 9> sums[size];
-    std::fill_n(sums, count, std::array<double, 9>{});
-    for (const auto& [vector, factor] : terms_) {
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto& log = vector->logs[space_.triangles_[at(i)]];
-        for (std::size_t k = 0; k < 9; ++k) sums[i][k] += factor * log[k];
-      }
+    std::array<double, 9> sums[size] = {};
+    const auto triangle = [&](std::size_t i) { return space_.triangles_[at(i)]; };
+    for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
+      const auto first = triangle(begin);
+      while (end < count && triangle(end) - first == end - begin) ++end;
+      add_logs(first, end - begin, sums[begin].data());
     }
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k < 9; ++k) logs_[k][i] = sums[i][k];
@@ -152,7 +158,7 @@ private:
   const Work& work_;
   std::span<const LogTerm> terms_;
   const PlaneKernel& kernel_;
-  const Plane* sides_ = nullptr;
+  const Plane *sides_ = nullptr, *next_sides_ = nullptr;
   alignas(64) Plane logs_[9], stretches_[6], rotations_[9], posed_[9], maps_[9], gathered_[12];
   alignas(64) Plane pulls_[9], fitted_[9];
 };
@@ -161,10 +167,9 @@ LogSpace::LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* pro
     : rest_(mesh.positions.begin(), mesh.positions.end()),
       part_count_(mesh.part_count),
       places_(first_at_place(rest_)),
-      free_(rest_.size()),
-      factors_(grounded(add_triangles(mesh), free_), pool, told(progress, 0, 1)) {}
+      factors_(add_triangles(mesh), pool, told(progress, 0, 1)) {}
 
-// Returns the stiffness matrix of the places.
+// Returns the stiffness matrix of the places, one of each part grounded.
 SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
   index_of_.resize(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -181,14 +186,17 @@ SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
     for (std::uint32_t i = 0; i < placed_.size(); ++i)
       for (std::uint32_t k = 0; k < 3; ++k) add(placed_[i][k], 3 * i + k);
   });
-  SparseMatrix stiffness = stiffness_matrix(rest_, placed_);
+  const SparseMatrix stiffness = stiffness_matrix(rest_, placed_);
   find_parts(connected(stiffness));
-  return stiffness;
+  std::vector<bool> free(rest_.size());
+  for (std::uint32_t v = 0; v < rest_.size(); ++v) free[v] = !parts_.loose[v] && places_[v] == v;
+  for (const auto v : grounded_) free[v] = false;
+  return grounded(stiffness, free);
 }
 
 // The sides across from the corners, and their weights.
 void LogSpace::fill_sides() {
-  sides_.resize((corners_.size() + plane_size - 1) / plane_size * 12 * plane_stride);
+  sides_.resize((corners_.size() / plane_size + 2) * 12 * plane_stride);
   std::ranges::fill(sides_, 0.0);
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     Plane* planes = reinterpret_cast<Plane*>(sides_.data()) + i / plane_size * 12;
@@ -205,14 +213,11 @@ void LogSpace::find_parts(mesh::UnionFind sets) {
   std::uint32_t count = 0;
   parts_.loose.resize(rest_.size());
   for (std::uint32_t v = 0; v < rest_.size(); ++v) {
+    if (places_[v] != v) copies_.push_back(v);
     parts_.loose[v] = around_.of(places_[v]).empty();
     if (parts_.loose[v]) continue;
     std::uint32_t& part = part_of_set[sets.find(places_[v])];
-    if (part == no_part) {
-      part = count++;
-    } else {
-      free_[v] = places_[v] == v;
-    }
+    if (part == no_part) part = count++, grounded_.push_back(v);
     part_of[v] = part;
   }
   parts_.vertices = mesh::make_adjacency(count, [&](const auto& add) {
@@ -247,10 +252,11 @@ void LogSpace::follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Wo
   sum_doubts(terms, work);
   if (work.doubtful.empty()) return solve(work);
   work.doubted.clear();
-  for (const auto i : work.doubtful) work.doubted.insert(work.doubted.end(), placed_[i].begin(), placed_[i].end());
+  for (const auto i : work.doubtful)
+    work.doubted.insert(work.doubted.end(), placed_[i].begin(), placed_[i].end());
   ground(work);
-  factors_.solve_corrected(work.right, work.ways, work.doubted, [&] { fit_doubtful(terms, work), ground(work); },
-                           work.solve);
+  factors_.solve_corrected(
+      work.right, work.ways, work.doubted, [&] { fit_doubtful(terms, work), ground(work); }, work.solve);
   spread_places(work);
 }
 
@@ -336,12 +342,11 @@ void LogSpace::solve(Work& work) const {
 }
 
 void LogSpace::ground(Work& work) const {
-  for (std::size_t v = 0; v < rest_.size(); ++v)
-    if (!free_[v]) work.right[v] = {0, 0, 0};
+  for (const auto v : grounded_) work.right[v] = {0, 0, 0};
 }
 
 void LogSpace::spread_places(Work& work) const {
-  for (std::size_t v = 0; v < rest_.size(); ++v) work.ways[v] = work.ways[places_[v]];
+  for (const auto v : copies_) work.ways[v] = work.ways[places_[v]];
 }
 
 // Adds what fitted rotations pull otherwise.

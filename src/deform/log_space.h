@@ -108,8 +108,8 @@ public:
   /// Again, with rotations replaced, by a share of 0 to 1, by those that fit work.ways best.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
-  /// work.ways become the solution of the Poisson problem for work.right, of which the rows of each place are
-  /// read; one vertex of each part stays. Three columns at once.
+  /// work.ways become the solution of the Poisson problem for work.right, which is not 0 but at places; one
+  /// vertex of each part stays. Three columns at once.
   void solve(Work& work) const;
 
   /// Triangles with area: their number, corners and halved cotangents, and which ones of the mesh.
@@ -158,7 +158,8 @@ private:
   std::vector<std::uint32_t> places_;     // of each vertex the first that is at its place: the unknowns
   mesh::Adjacency around_;                // 3 i + corner, of each place
   HangingParts parts_;
-  std::vector<bool> free_;  // places that are not grounded: one of each part is
+  std::vector<std::uint32_t> copies_;    // vertices that are not the first at their place
+  std::vector<std::uint32_t> grounded_;  // of each part a place that stays
   SparseCholesky factors_;
 };
 

@@ -6,8 +6,10 @@
 #define HWY_TARGET_INCLUDE "deform/plane_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include "sym3/exp-inl.h"
 #include "sym3/exp_derivative-inl.h"
 #include "sym3/rotation-inl.h"
 
@@ -33,6 +35,21 @@ static HWY_INLINE V sum(V a, V x, V b, V y, V c, V z) {
   return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), hn::Mul(c, z));
 }
 
+template <class D>
+static HWY_INLINE void add_rows_at(D d, const ScaledRows* rows, std::size_t count, std::size_t i,
+                                   double* sums) {
+  auto sum = hn::LoadU(d, sums + i);
+  for (std::size_t k = 0; k < count; ++k)
+    sum = hn::Add(sum, hn::Mul(hn::Set(d, rows[k].factor), hn::LoadU(d, rows[k].numbers + i)));
+  hn::StoreU(sum, d, sums + i);
+}
+
+static void add_rows(const ScaledRows* rows, std::size_t count, std::size_t n, double* sums) {
+  std::size_t i = 0;
+  for (; i + width <= n; i += width) add_rows_at(Tag(), rows, count, i, sums);
+  for (; i < n; ++i) add_rows_at(hn::CappedTag<double, 1>(), rows, count, i, sums);
+}
+
 static void times_symmetric(const Plane* m, const Plane* s, Plane* product) {
   for (std::size_t i = 0; i < plane_size; i += width) {
     const V xx = at(s[0], i), xy = at(s[1], i), xz = at(s[2], i), yy = at(s[3], i), yz = at(s[4], i),
@@ -46,13 +63,26 @@ static void times_symmetric(const Plane* m, const Plane* s, Plane* product) {
   }
 }
 
-static void turn(const double* r, Plane* m) {
+static void map(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m) {
+  V turn[9];
+  for (std::size_t n = 0; r && n < 9; ++n) turn[n] = hn::Set(Tag(), r[n]);
   for (std::size_t i = 0; i < plane_size; i += width) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const V x = at(m[k], i), y = at(m[3 + k], i), z = at(m[6 + k], i);
-      for (std::size_t j = 0; j < 9; j += 3)
-        put(sum(hn::Set(Tag(), r[j]), x, hn::Set(Tag(), r[j + 1]), y, hn::Set(Tag(), r[j + 2]), z), m[j + k],
-            i);
+    for (std::size_t n = 0; i % group_size == 0 && n < 12; ++n) hwy::Prefetch(next[n] + i);
+    const lanes::Six<V> e =
+        lanes::exp_lanes(Tag(), lanes::Six<V>{at(logs[0], i), at(logs[1], i), at(logs[2], i), at(logs[3], i),
+                                              at(logs[4], i), at(logs[5], i)});
+    put(e.xx, s[0], i), put(e.xy, s[1], i), put(e.xz, s[2], i), put(e.yy, s[3], i), put(e.yz, s[4], i),
+        put(e.zz, s[5], i);
+    const auto q =
+        lanes::exp_rotation_lanes(Tag(), lanes::Three<V>{at(logs[6], i), at(logs[7], i), at(logs[8], i)});
+    V of[9] = {sum(q.xx, e.xx, q.xy, e.xy, q.xz, e.xz), sum(q.xx, e.xy, q.xy, e.yy, q.xz, e.yz),
+               sum(q.xx, e.xz, q.xy, e.yz, q.xz, e.zz), sum(q.yx, e.xx, q.yy, e.xy, q.yz, e.xz),
+               sum(q.yx, e.xy, q.yy, e.yy, q.yz, e.yz), sum(q.yx, e.xz, q.yy, e.yz, q.yz, e.zz),
+               sum(q.zx, e.xx, q.zy, e.xy, q.zz, e.xz), sum(q.zx, e.xy, q.zy, e.yy, q.zz, e.yz),
+               sum(q.zx, e.xz, q.zy, e.yz, q.zz, e.zz)};
+    for (std::size_t n = 0; n < 9; ++n) {
+      const std::size_t k = n % 3, j = n - k;
+      put(r ? sum(turn[j], of[k], turn[j + 1], of[3 + k], turn[j + 2], of[6 + k]) : of[n], m[n], i);
     }
   }
 }
@@ -101,8 +131,8 @@ struct LeftJacobian {
     const V p = hn::Mul(half.sine, sine);
     const V q = hn::IfThenElse(hn::Lt(square, hn::Set(Tag(), 1e-8)), hn::Set(Tag(), 1.0 / 6),
                                hn::Div(hn::NegMulAdd(sine, half.cosine, one), square));
-    const V rest = hn::NegMulAdd(q, square, one), px = hn::Mul(p, w.x), py = hn::Mul(p, w.y), pz = hn::Mul(p, w.z),
-            qx = hn::Mul(q, w.x), qy = hn::Mul(q, w.y);
+    const V rest = hn::NegMulAdd(q, square, one), px = hn::Mul(p, w.x), py = hn::Mul(p, w.y),
+            pz = hn::Mul(p, w.z), qx = hn::Mul(q, w.x), qy = hn::Mul(q, w.y);
     x = {hn::MulAdd(qx, w.x, rest), hn::MulAdd(qx, w.y, pz), hn::MulSub(qx, w.z, py)};
     y = {hn::MulSub(qx, w.y, pz), hn::MulAdd(qy, w.y, rest), hn::MulAdd(qy, w.z, px)};
     z = {hn::MulAdd(qx, w.z, py), hn::MulSub(qy, w.z, px), hn::MulAdd(hn::Mul(q, w.z), w.z, rest)};
@@ -135,7 +165,8 @@ static void derive(const double* group, const double* weights, std::size_t count
     const auto half = lanes::half_angle_lanes(Tag(), y);
     const auto r = lanes::to_matrix(Tag(), lanes::half_angle_quaternion(half.cosine, half.sine, y));
     const Vector rx{r.xx, r.yx, r.zx}, ry{r.xy, r.yy, r.zy}, rz{r.xz, r.yz, r.zz};
-    const Vector ru = sum(u.x, rx, u.y, ry, u.z, rz), rv = sum(v.x, rx, v.y, ry, v.z, rz), rn = lanes::cross(ru, rv);
+    const Vector ru = sum(u.x, rx, u.y, ry, u.z, rz), rv = sum(v.x, rx, v.y, ry, v.z, rz),
+                 rn = lanes::cross(ru, rv);
     const Vector mu = sum(s.xx, ru, s.xy, rv, s.xz, rn), mv = sum(s.xy, ru, s.yy, rv, s.yz, rn);
     put(mu, mv, changes + 6 * plane_stride * count + l);
     const LeftJacobian jacobian(y, half);
@@ -161,11 +192,13 @@ static HWY_INLINE void add_products_of(const double* m, const double* columns, d
   for (std::size_t l = 0; l < group_size; l += width) {
     V sum[N][3];
     for (std::size_t n = 0; n < N; ++n)
-      for (std::size_t row = 0; row < 3; ++row) sum[n][row] = hn::Load(Tag(), sums + (3 * n + row) * group_size + l);
+      for (std::size_t row = 0; row < 3; ++row)
+        sum[n][row] = hn::Load(Tag(), sums + (3 * n + row) * group_size + l);
     for (std::size_t i = l; i < plane_size; i += group_size) {
       for (std::size_t c = 0; c < 2; ++c) {
         const double* of = m + 3 * c * plane_stride + i;
-        const V x = hn::Load(Tag(), of), y = hn::Load(Tag(), of + plane_stride), z = hn::Load(Tag(), of + 2 * plane_stride);
+        const V x = hn::Load(Tag(), of), y = hn::Load(Tag(), of + plane_stride),
+                z = hn::Load(Tag(), of + 2 * plane_stride);
         for (std::size_t n = 0; n < N; ++n) {
           const V q = hn::Load(Tag(), columns + (2 * n + c) * plane_size + i);
           sum[n][0] = hn::MulAdd(x, q, sum[n][0]);
@@ -175,19 +208,22 @@ static HWY_INLINE void add_products_of(const double* m, const double* columns, d
       }
     }
     for (std::size_t n = 0; n < N; ++n)
-      for (std::size_t row = 0; row < 3; ++row) hn::Store(sum[n][row], Tag(), sums + (3 * n + row) * group_size + l);
+      for (std::size_t row = 0; row < 3; ++row)
+        hn::Store(sum[n][row], Tag(), sums + (3 * n + row) * group_size + l);
   }
 }
 
-static void add_products(const double* maps, std::size_t count, const double* columns, std::size_t n, double* sums) {
+static void add_products(const double* maps, std::size_t count, const double* columns, std::size_t n,
+                         double* sums) {
   for (std::size_t e = 0; e < count; ++e, maps += 6 * plane_stride) {
     std::size_t k = 0;
-    for (; k + 4 <= n; k += 4, sums += 12 * group_size) add_products_of<4>(maps, columns + 2 * k * plane_size, sums);
+    for (; k + 4 <= n; k += 4, sums += 12 * group_size)
+      add_products_of<4>(maps, columns + 2 * k * plane_size, sums);
     for (; k < n; ++k, sums += 3 * group_size) add_products_of<1>(maps, columns + 2 * k * plane_size, sums);
   }
 }
 
-static constexpr PlaneKernel planes{times_symmetric, turn, pull, spread, derive, add_products};
+static constexpr PlaneKernel planes{add_rows, map, times_symmetric, pull, spread, derive, add_products};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

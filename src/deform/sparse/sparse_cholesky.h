@@ -36,8 +36,9 @@ public:
 
   /// A x = b for three columns at once; b and x may be the same. Sizes: size().
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
-  /// A x = b + c for a c that is 0 but at some unknowns and made of x there as it is without c: correct() finds
-  /// that in x and leaves c in b, where it finds 0. What is eliminated before those unknowns is solved for once.
+  /// A x = b + c for a c that is 0 but at some unknowns and made of x there as it is without c: correct()
+  /// finds that in x and leaves c in b, where it finds 0. What is eliminated before those unknowns is solved
+  /// for once.
   void solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x, std::span<const std::uint32_t> some,
                        const std::function<void()>& correct, Workspace& work) const;
 

@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
-static const SparseKernel sparse = {solve_block<solved_columns>, solve_forward<4>, solve_backward<4>, eliminate,
-                                    subtract_product};
+static const SparseKernel sparse = {solve_block<solved_columns>, solve_forward<4>, solve_backward<4>,
+                                    eliminate, subtract_product};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

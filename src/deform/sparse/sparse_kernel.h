@@ -9,8 +9,8 @@ namespace viete::deform {
 struct SparseKernel {
   /// block [row][solved_columns], aligned, in place: right-hand sides become solutions.
   void (*solve_columns)(const TriangularFactor& factor, double* block);
-  /// The two halves of that, of [row][4]: by L from the left, then by D and L^T. Of a part of the supernodes that
-  /// contains the parents of all, they solve for the rows of these.
+  /// The two halves of that, of [row][4]: by L from the left, then by D and L^T. Of a part of the supernodes
+  /// that contains the parents of all, they solve for the rows of these.
   void (*forward_four)(const TriangularFactor& factor, double* block);
   void (*backward_four)(const TriangularFactor& factor, double* block);
   /// Columns [begin, end) become those of L, and their pivots D: what earlier columns before `begin` take
