@@ -6,10 +6,10 @@
 #include <Eigen/SparseCholesky>
 #include <numeric>
 
-#include "deform/shapes.h"
-#include "sym3/kernel.h"
 #include "deform/laplacian.h"
+#include "deform/shapes.h"
 #include "deform/sparse/sparse_kernel.h"
+#include "sym3/kernel.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -9,10 +9,10 @@
 #include "scene/document/cage_editing.h"
 #include "scene/document/cage_making.h"
 #include "scene/document/edit.h"
-#include "scene/posed_cube.h"
 #include "scene/document/probes.h"
-#include "support/edits.h"
 #include "scene/document/record.h"
+#include "scene/posed_cube.h"
+#include "support/edits.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -48,7 +48,7 @@ struct Handling {
   Axes axes = Axes::world;
   MirrorPlane mirror = MirrorPlane::none;
   SoftSelection soft{};
-  double freedom = 0.5;  ///< of pins: 0 as the poses of the list say, 1 as rigid as can be
+  double freedom = 0.5;       ///< of pins: 0 as the poses of the list say, 1 as rigid as can be
   bool mix_selected = false;  ///< the slider of a pose moves what is selected when it leaves 0, and no more
 
   friend bool operator==(const Handling&, const Handling&) = default;

@@ -20,7 +20,8 @@ struct ImportedShapes {
 
 /// Each file gives a shape of its name: a model of any format with the same faces. A name with a place for
 /// the number (`pose_##.obj`) stands for the files of the sequence, a folder for those of its models that are
-/// shapes; a point cache of several frames gives a shape a frame; a glTF file with morph targets one a target.
+/// shapes; a point cache of several frames gives a shape a frame; a glTF file with morph targets one a
+/// target.
 ///
 /// Vertices may stand in another order, as in formats that keep none: where the faces stand in the same order
 /// their corners tell it. Throws base::Error: the first vertex count, face or position that does not fit; no

@@ -1,4 +1,5 @@
-// The ways of vertices of the cage, or of pins of a model without one, over all keys, in log space and straight: what playing shows, at a glance.
+// The ways of vertices of the cage, or of pins of a model without one, over all keys, in log space and
+// straight: what playing shows, at a glance.
 #pragma once
 
 #include <cstdint>

@@ -190,8 +190,9 @@ void add_time_commands(CommandTable& table) {
   table.heading("Poses");
   table.add("keep_pose", {"Keep this pose", "Keep pose"}, "Keep what is there now as a pose with a name.",
             can_pose, keep);
-  table.add("apply_pose", {"Apply the chosen pose", "Apply"}, "Put shape, cage and probes into the chosen pose.",
-            has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
+  table.add("apply_pose", {"Apply the chosen pose", "Apply"},
+            "Put shape, cage and probes into the chosen pose.", has_chosen_pose,
+            [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
   table.add("update_pose", {"Update the chosen pose", "Update"}, "The chosen pose becomes what is there now.",
             has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.chosen_pose); });
   table.add("duplicate_pose", {"Duplicate the chosen pose", "Duplicate"}, "Another pose like the chosen one.",
@@ -244,16 +245,16 @@ void add_time_commands(CommandTable& table) {
   table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
             "Whatever the hand changes becomes a key of this frame, once there is a key.", always,
             switches(&Playback::auto_key, &Workspace::playback));
-  table.add("toggle_straight", {"Straight lines between poses", "Straight lines"},
-            "Vertices of cage and model go straight from key to key, and in mixes, as in other programs; else the "
-            "logs of their maps are blended.",
-            has_model,
-            {[](Workspace& w) {
-               change_mix(w, [&] {
-                 return set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
-               });
-             },
-             [](const Workspace& w) { return w.document.timeline.straight; }});
+  table.add(
+      "toggle_straight", {"Straight lines between poses", "Straight lines"},
+      "Vertices of cage and model go straight from key to key, and in mixes, as in other programs; else the "
+      "logs of their maps are blended.",
+      has_model,
+      {[](Workspace& w) {
+         change_mix(
+             w, [&] { return set_straight(w.document, w.playback.vectors, !w.document.timeline.straight); });
+       },
+       [](const Workspace& w) { return w.document.timeline.straight; }});
   table.add("toggle_paths", {"Show paths of vertices", "Paths"},
             "Draw the ways of the selected vertices or pins, by logs and in straight lines.", always,
             switches(&Playback::paths, &Workspace::playback));
