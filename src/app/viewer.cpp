@@ -86,6 +86,7 @@ void Viewer::frame(float seconds) {
   follow_document();
   settle_messages();
   deform(times);
+  if (const auto errors = analysis_.take_errors()) renderer_.set_errors(*errors);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
   upload(times);
@@ -267,7 +268,6 @@ void Viewer::upload(scene::FrameTimes& times) {
   if (switched && at_rest) renderer_.set_rest(document, files_.shading());
   if (!at_rest && (deformed_ || switched) && model_.deformer() && model_.deformer()->ran())
     renderer_.set_model(model_.deformer()->vertices(), model_.deformer()->origin());
-  if (const auto errors = analysis_.take_errors()) renderer_.set_errors(*errors);
   renderer_.set_mask(workspace_);
   times.upload = watch.lap_ms();
 }
