@@ -350,25 +350,26 @@ double ExamplePosing::show(const PosingSettings& settings) {
   const auto& rest = logs.rest();
   const std::vector<LogTerm> sum = terms();
   const Mat g = sym3::exp_rotation(turn_);
-  const auto leftover = [&](std::size_t v) {
-    Vec3 left{0, 0, 0};
-    for (std::size_t e = 0; e < examples_.size(); ++e) left = left + weights_[e] * leftovers_[e][v];
-    return times(g, left);
-  };
+  left_.assign(rest.size(), Vec3{0, 0, 0});
+  std::vector<ScaledRows> rows;
+  for (std::size_t e = 0; e < examples_.size(); ++e) rows.push_back({leftovers_[e][0].data(), weights_[e]});
+  plane_kernel(sym3::kernel()).add_rows(rows.data(), rows.size(), 3 * rest.size(), left_[0].data());
+  for (Vec3& left : left_) left = times(g, left);
   const bool fits = settings.freedom > 0 && !work_.ways.empty();
-  const std::vector<mesh::Point> before = fits ? positions_ : std::vector<mesh::Point>{};
+  before_.clear();
   if (fits) {
-    for (std::size_t v = 0; v < rest.size(); ++v) work_.ways[v] = positions_[v] - rest[v] - leftover(v);
+    before_ = positions_;
+    for (std::size_t v = 0; v < rest.size(); ++v) work_.ways[v] = positions_[v] - rest[v] - left_[v];
     logs.follow_fitted(sum, settings.freedom, pool_, work_, &turn_);
   } else {
     logs.follow(sum, pool_, work_, &turn_);
   }
-  for (std::size_t v = 0; v < rest.size(); ++v) positions_[v] = rest[v] + work_.ways[v] + leftover(v);
+  for (std::size_t v = 0; v < rest.size(); ++v) positions_[v] = rest[v] + work_.ways[v] + left_[v];
   reach_targets();
   place_other_parts();
   double farthest = 0;
-  for (std::size_t v = 0; v < before.size(); ++v)
-    farthest = std::max(farthest, squared_norm(positions_[v] - before[v]));
+  for (std::size_t v = 0; v < before_.size(); ++v)
+    farthest = std::max(farthest, squared_norm(positions_[v] - before_[v]));
   return std::sqrt(farthest / std::max(area_, 1e-300));
 }
 
@@ -380,15 +381,21 @@ void ExamplePosing::reach_targets() {
   const auto n = static_cast<Eigen::Index>(pins_.size());
   const Eigen::MatrixXd forces =
       Eigen::Map<const Rows>(forces_.data(), n + static_cast<Eigen::Index>(pinned_parts_.size()), n) * off;
-  for (std::size_t k = 0; k < pins_.size(); ++k) {
-    const Vec3 force = vec(forces.row(Eigen::Index(k)).transpose());
-    for (const auto v : space_.logs().parts().vertices.of(part_of_pin_[k]))
-      positions_[v] = positions_[v] + columns_[k][v] * force;
-  }
+  struct Pull {
+    const double* column;
+    Vec3 force;
+  };
   for (std::size_t i = 0; i < pinned_parts_.size(); ++i) {
+    std::vector<Pull> pulls;
+    for (std::size_t k = 0; k < pins_.size(); ++k)
+      if (part_of_pin_[k] == pinned_parts_[i])
+        pulls.push_back({columns_[k].data(), vec(forces.row(Eigen::Index(k)).transpose())});
     const Vec3 way = vec(forces.row(Eigen::Index(pins_.size() + i)).transpose());
-    for (const auto v : space_.logs().parts().vertices.of(pinned_parts_[i]))
-      positions_[v] = positions_[v] + way;
+    for (const auto v : space_.logs().parts().vertices.of(pinned_parts_[i])) {
+      Vec3 place = positions_[v] + way;
+      for (const auto& [column, force] : pulls) place = place + column[v] * force;
+      positions_[v] = place;
+    }
   }
 }
 

@@ -103,7 +103,8 @@ private:
   double damping_ = 1e-3, energy_ = 0;
   bool turns_ = false;  // turn_ is begun
   LogSpace::Work work_;
-  std::vector<mesh::Point> positions_;
+  std::vector<mesh::Point> positions_, before_;
+  std::vector<Vec3> left_;  // the blend's leftovers, turned
 };
 
 }  // namespace viete::deform

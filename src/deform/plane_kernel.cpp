@@ -120,68 +120,82 @@ static HWY_INLINE Vector sum(V a, const Vector& x, V b, const Vector& y, V c, co
           lanes::sum_of_products(a, x.z, b, y.z, c, z.z)};
 }
 
-// Of the rotation vector y: J v = v + p y x v + q y x (y x v), p = (1 - cos a) / a^2, q = (a - sin a) / a^3
-// for the angle a (T. Barfoot, State Estimation for Robotics, 2017, 7.1.5), by columns.
-struct LeftJacobian {
-  Vector x, y, z;
-
-  HWY_INLINE LeftJacobian(const Vector& w, const lanes::HalfAngle<V>& half) {
-    const V one = hn::Set(Tag(), 1), sine = hn::Add(half.sine, half.sine);
-    const V square = lanes::sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z);
-    const V p = hn::Mul(half.sine, sine);
-    const V q = hn::IfThenElse(hn::Lt(square, hn::Set(Tag(), 1e-8)), hn::Set(Tag(), 1.0 / 6),
-                               hn::Div(hn::NegMulAdd(sine, half.cosine, one), square));
-    const V rest = hn::NegMulAdd(q, square, one), px = hn::Mul(p, w.x), py = hn::Mul(p, w.y),
-            pz = hn::Mul(p, w.z), qx = hn::Mul(q, w.x), qy = hn::Mul(q, w.y);
-    x = {hn::MulAdd(qx, w.x, rest), hn::MulAdd(qx, w.y, pz), hn::MulSub(qx, w.z, py)};
-    y = {hn::MulSub(qx, w.y, pz), hn::MulAdd(qy, w.y, rest), hn::MulAdd(qy, w.z, px)};
-    z = {hn::MulAdd(qx, w.z, py), hn::MulSub(qy, w.z, px), hn::MulAdd(hn::Mul(q, w.z), w.z, rest)};
-  }
-  HWY_INLINE Vector operator()(const Vector& v) const { return sum(v.x, x, v.y, y, v.z, z); }
-};
-
-static HWY_INLINE void put(const Vector& u, const Vector& v, double* planes) {
-  const V of[6] = {u.x, u.y, u.z, v.x, v.y, v.z};
-  for (std::size_t n = 0; n < 6; ++n) hn::Store(of[n], Tag(), planes + n * plane_stride);
+// What a map makes of two directions.
+static HWY_INLINE void put(const Vector& u, const Vector& v, V (&six)[6]) {
+  six[0] = u.x, six[1] = u.y, six[2] = u.z, six[3] = v.x, six[4] = v.y, six[5] = v.z;
 }
 
-// d(exp(Y) S) = exp(Y) dS + [J dY]x exp(Y) S.
+static HWY_INLINE void put(const V (&six)[6], double* planes) {
+  for (std::size_t n = 0; n < 6; ++n) hn::Store(six[n], Tag(), planes + n * plane_stride);
+}
+
+// The left Jacobian of a rotation vector w with the angle a, J v = v + p w x v + q w x (w x v) (T. Barfoot,
+// State Estimation for Robotics, 2017, 7.1.5): p = (1 - cos a) / a^2 and q = (a - sin a) / a^3. By columns.
+static HWY_INLINE void put_left_jacobian(const Vector& w, const lanes::HalfAngle<V>& half, Vector (&j)[3]) {
+  const V one = hn::Set(Tag(), 1), sine = hn::Add(half.sine, half.sine);
+  const V square = lanes::sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z);
+  const V p = hn::Mul(half.sine, sine);
+  const V q = hn::IfThenElse(hn::Lt(square, hn::Set(Tag(), 1e-8)), hn::Set(Tag(), 1.0 / 6),
+                             hn::Div(hn::NegMulAdd(sine, half.cosine, one), square));
+  const V rest = hn::NegMulAdd(q, square, one), px = hn::Mul(p, w.x), py = hn::Mul(p, w.y),
+          pz = hn::Mul(p, w.z), qx = hn::Mul(q, w.x), qy = hn::Mul(q, w.y);
+  j[0] = {hn::MulAdd(qx, w.x, rest), hn::MulAdd(qx, w.y, pz), hn::MulSub(qx, w.z, py)};
+  j[1] = {hn::MulSub(qx, w.y, pz), hn::MulAdd(qy, w.y, rest), hn::MulAdd(qy, w.z, px)};
+  j[2] = {hn::MulAdd(qx, w.z, py), hn::MulSub(qy, w.z, px), hn::MulAdd(hn::Mul(q, w.z), w.z, rest)};
+}
+
+// exp'(S) of the six directions in which one number is 1.
+static HWY_INLINE void put_slopes(const lanes::ExpPoint<Tag>& at, lanes::Six<V> (&slopes)[6]) {
+  if (HWY_LIKELY(hn::AllTrue(Tag(), at.ok))) return lanes::put_exp_tangent(Tag(), at.parts, slopes);
+  const V o = hn::Zero(Tag()), i = hn::Set(Tag(), 1);
+  const lanes::Six<V> directions[6] = {{i, o, o, o, o, o}, {o, i, o, o, o, o}, {o, o, i, o, o, o},
+                                       {o, o, o, i, o, o}, {o, o, o, o, i, o}, {o, o, o, o, o, i}};
+  for (std::size_t k = 0; k < 6; ++k) slopes[k] = lanes::exp_derivative_general(Tag(), at, directions[k]);
+}
+
+// What exp(Y) exp(X) makes of two directions, and the tangent of that:
+// d(exp(Y) exp(X)) = exp(Y) dexp(X) + [J dY]x exp(Y) exp(X). X is in the axes u, v, u x v.
+static HWY_INLINE void put_tangent(const V (&log)[9], const Vector& u, const Vector& v, V (&map)[6],
+                                   V (&tangent)[9][6]) {
+  const Vector y{log[6], log[7], log[8]};
+  const auto half = lanes::half_angle_lanes(Tag(), y);
+  const auto r = lanes::to_matrix(Tag(), lanes::half_angle_quaternion(half.cosine, half.sine, y));
+  const Vector rx{r.xx, r.yx, r.zx}, ry{r.xy, r.yy, r.zy}, rz{r.xz, r.yz, r.zz};
+  const Vector ru = sum(u.x, rx, u.y, ry, u.z, rz), rv = sum(v.x, rx, v.y, ry, v.z, rz),
+               rn = lanes::cross(ru, rv);
+  const auto at = lanes::exp_point(Tag(), lanes::Six<V>{log[0], log[1], log[2], log[3], log[4], log[5]});
+  const lanes::Six<V> s = lanes::exp_value(Tag(), at);
+  const Vector mu = sum(s.xx, ru, s.xy, rv, s.xz, rn), mv = sum(s.xy, ru, s.yy, rv, s.yz, rn);
+  put(mu, mv, map);
+  lanes::Six<V> d[6];
+  put_slopes(at, d);
+  for (std::size_t k = 0; k < 6; ++k)
+    put(sum(d[k].xx, ru, d[k].xy, rv, d[k].xz, rn), sum(d[k].xy, ru, d[k].yy, rv, d[k].yz, rn), tangent[k]);
+  Vector j[3];
+  put_left_jacobian(y, half, j);
+  for (std::size_t k = 0; k < 3; ++k) put(lanes::cross(j[k], mu), lanes::cross(j[k], mv), tangent[6 + k]);
+}
+
 static void derive(const double* group, const double* weights, std::size_t count, double* changes) {
-  for (std::size_t l = 0; l < group_size; l += width) {
-    const auto read = [=](std::size_t n) HWY_ATTR { return hn::Load(Tag(), group + n * group_size + l); };
-    const auto six = [=](std::size_t n) HWY_ATTR {
-      return lanes::Six<V>{read(n), read(n + 1), read(n + 2), read(n + 3), read(n + 4), read(n + 5)};
-    };
-    const auto three = [=](std::size_t n) HWY_ATTR { return Vector{read(n), read(n + 1), read(n + 2)}; };
-    V log[9];
+  const std::size_t next = (6 + 9 * count) * group_size;
+  for (std::size_t l = 0; l < group_size; l += width, group += width, changes += width) {
+    const auto read = [=](std::size_t n) HWY_ATTR { return hn::Load(Tag(), group + n * group_size); };
+    V log[9], map[6], tangent[9][6];
     for (V& x : log) x = hn::Zero(Tag());
+    for (std::size_t e = 0; e < count; ++e)
+      for (std::size_t k = 0; k < 9; ++k)
+        log[k] = hn::MulAdd(hn::Set(Tag(), weights[e]), read(6 + 9 * e + k), log[k]);
+    put_tangent(log, {read(0), read(1), read(2)}, {read(3), read(4), read(5)}, map, tangent);
+    put(map, changes + 6 * plane_stride * count);
     for (std::size_t e = 0; e < count; ++e) {
-      const V weight = hn::Set(Tag(), weights[e]);
-      for (std::size_t k = 0; k < 9; ++k) log[k] = hn::MulAdd(weight, read(6 + 9 * e + k), log[k]);
-    }
-    const auto at = lanes::exp_point(Tag(), lanes::Six<V>{log[0], log[1], log[2], log[3], log[4], log[5]});
-    const lanes::Six<V> s = lanes::exp_value(Tag(), at);
-    const Vector y{log[6], log[7], log[8]}, u = three(0), v = three(3);
-    const auto half = lanes::half_angle_lanes(Tag(), y);
-    const auto r = lanes::to_matrix(Tag(), lanes::half_angle_quaternion(half.cosine, half.sine, y));
-    const Vector rx{r.xx, r.yx, r.zx}, ry{r.xy, r.yy, r.zy}, rz{r.xz, r.yz, r.zz};
-    const Vector ru = sum(u.x, rx, u.y, ry, u.z, rz), rv = sum(v.x, rx, v.y, ry, v.z, rz),
-                 rn = lanes::cross(ru, rv);
-    const Vector mu = sum(s.xx, ru, s.xy, rv, s.xz, rn), mv = sum(s.xy, ru, s.yy, rv, s.yz, rn);
-    put(mu, mv, changes + 6 * plane_stride * count + l);
-    const LeftJacobian jacobian(y, half);
-    const bool quick = hn::AllTrue(Tag(), at.ok);
-    const auto turned = [](const Vector& w, const Vector& m, const Vector& added) HWY_ATTR {
-      return Vector{hn::NegMulAdd(w.z, m.y, hn::MulAdd(w.y, m.z, added.x)),
-                    hn::NegMulAdd(w.x, m.z, hn::MulAdd(w.z, m.x, added.y)),
-                    hn::NegMulAdd(w.y, m.x, hn::MulAdd(w.x, m.y, added.z))};
-    };
-    for (std::size_t e = 0; e < count; ++e) {
-      const lanes::Six<V> d = quick ? lanes::exp_slope(Tag(), at.parts, six(6 + 9 * e))
-                                    : lanes::exp_derivative_general(Tag(), at, six(6 + 9 * e));
-      const Vector w = jacobian(three(12 + 9 * e));
-      put(turned(w, mu, sum(d.xx, ru, d.xy, rv, d.xz, rn)), turned(w, mv, sum(d.xy, ru, d.yy, rv, d.yz, rn)),
-          changes + 6 * plane_stride * e + l);
+      V change[6];
+      for (V& x : change) x = hn::Zero(Tag());
+      for (std::size_t k = 0; k < 9; ++k) {
+        hwy::Prefetch(group + (6 + 9 * e + k) * group_size + next);
+        const V x = read(6 + 9 * e + k);
+        for (std::size_t n = 0; n < 6; ++n) change[n] = hn::MulAdd(x, tangent[k][n], change[n]);
+      }
+      put(change, changes + 6 * plane_stride * e);
     }
   }
 }
@@ -223,7 +237,7 @@ static void add_products(const double* maps, std::size_t count, const double* co
   }
 }
 
-static constexpr PlaneKernel planes{add_rows, map, times_symmetric, pull, spread, derive, add_products};
+static constexpr PlaneKernel planes{add_rows, times_symmetric, pull, spread, map, derive, add_products};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

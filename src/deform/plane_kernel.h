@@ -22,23 +22,23 @@ struct ScaledRows {
 };
 
 /// General matrices have nine planes by rows, symmetric ones six as Sym3, vectors three. Products and sums
-/// are rounded one by one, so that the first five give the same bits on every machine; the others on every
+/// are rounded one by one, so that the first four give the same bits on every machine; the others on every
 /// one with fused multiply-add.
 struct PlaneKernel {
   /// sums += factor_k rows_k, one after the other, of n numbers.
   void (*add_rows)(const ScaledRows* rows, std::size_t count, std::size_t n, double* sums);
-  /// m = r exp(Y) s, s = exp(X), of logs X and Y; r one matrix by rows, or null. Meanwhile memory is asked
-  /// for the twelve planes of `next`.
-  void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
   /// product = m s, s symmetric.
   void (*times_symmetric)(const Plane* m, const Plane* s, Plane* product);
   /// pulls_k = weight_k (m - I) side_k, of three sides.
   void (*pull)(const Plane* m, const Plane* sides, const Plane* weights, Plane* pulls);
   /// m = sum over three sides of weight_k posed_k side_k^T.
   void (*spread)(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m);
+  /// m = r exp(Y) s, s = exp(X), of logs X and Y; r one matrix by rows, or null. Meanwhile memory is asked
+  /// for the twelve planes of `next`.
+  void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
   /// What the maps exp(Y) exp(X) of weighted sums of logs make of two directions u and v, and how that
   /// changes with the weights. group [number][group_size]: u, v, and of each of `count` logs X in the axes u,
-  /// v, u x v, and Y. changes [log, last the map itself][3 of u, 3 of v][plane_size], of which the first
+  /// v, u x v, and Y. changes [log, last the map itself][3 of u, 3 of v][plane_stride], of which the first
   /// group_size are written.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
   /// sums [map][column][3][group_size] += the sums over groups of what `count` maps make of columns of such
