@@ -1,13 +1,40 @@
 #include "app/live_model.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "deform/bind.h"
+#include "deform/face_maps.h"
+#include "deform/linear_map.h"
+#include "deform/triangle_basis.h"
+#include "mesh/normals.h"
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_notes.h"
+#include "sym3/eigenvalues.h"
+#include "sym3/polar.h"
+#include "sym3/products.h"
 
 namespace viete::app {
+
+namespace {
+
+// Something moves what is drawn, besides the shape.
+bool moves_beyond_shape(const scene::Document& document) {
+  const auto is_pin = [](const deform::Probe& probe) { return probe.pin.has_value(); };
+  return document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin);
+}
+
+// Its rotation alone, where a hand could not be followed against what a map flattens.
+sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
+  constexpr double flattest = 0.05;
+  const auto [rotation, stretch] = sym3::polar(map);
+  const auto [least, middle, largest] = sym3::eigenvalues(stretch);
+  return least > flattest * largest ? map : rotation;
+}
+
+}  // namespace
 
 LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   const scene::Document& document = workspace.document;
@@ -77,6 +104,7 @@ void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
   deformer_.reset();
   bound_ = {};
   no_cage_.reset();
+  around_ = {};
   given_up_.reset();
   workspace.pose_notes.clear();
   if (bound.binds(workspace.document)) install(workspace, std::move(bound));
@@ -196,16 +224,42 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   return deformed;
 }
 
-void LiveModel::take_carried(scene::Document& document) const {
-  document.carried = deformer_->probes().places();
-  // A pin is drawn as far from its vertex as the shape is from where it is wanted.
-  for (std::size_t i = 0; i < document.carried.size(); ++i) {
-    const deform::Probe& probe = document.probes.all[i];
-    if (!probe.pin) continue;
-    const mesh::Point way =
-        vertex(document, probe.pin->vertex) - scene::shape_of_vertex(document, probe.pin->vertex);
-    document.carried[i] = probe.place + way;
+void LiveModel::take_carried(scene::Document& document) {
+  document.carried.clear();
+  for (const mesh::Point& place : deformer_->probes().places()) {
+    const deform::Probe& probe = document.probes.all[document.carried.size()];
+    document.carried.push_back(probe.pin ? carried_pin(document, probe) : scene::Carried{place});
   }
+}
+
+// A pin is drawn where the model would have it if the shape had its vertex where it is wanted.
+scene::Carried LiveModel::carried_pin(const scene::Document& document, const deform::Probe& probe) {
+  const std::uint32_t v = probe.pin->vertex;
+  const mesh::Surface& surface = *document.model.surface;
+  if (around_.starts.empty()) around_ = mesh::vertex_triangles(surface.positions.size(), surface.triangles);
+  scene::Carried carried;
+  if (moves_beyond_shape(document)) carried.map = map_at(document, v);
+  const mesh::Vec3 off = probe.place - scene::shape_of_vertex(document, v);
+  carried.place = vertex(document, v) + deform::times(carried.map, off);
+  return carried;
+}
+
+// The mean, by area, of the maps of the triangles about a vertex from the shape to what is drawn.
+sym3::Mat3<double> LiveModel::map_at(const scene::Document& document, std::uint32_t v) const {
+  sym3::Mat3<double> sum{};
+  double area = 0;
+  for (const std::uint32_t t : around_.of(v)) {
+    std::array<mesh::Point, 3> shape, drawn;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t corner = document.model.surface->triangles[t][k];
+      shape[k] = scene::shape_of_vertex(document, corner), drawn[k] = vertex(document, corner);
+    }
+    const deform::RestBasis from = deform::rest_basis(shape, {0, 1, 2});
+    const auto to = deform::triangle_basis(drawn, {0, 1, 2}, from.corner);
+    const double share = mesh::norm(mesh::cross(from.u, from.v));
+    sum = sym3::plus(sum, share, deform::linear_map(from, to.u, to.v, to.n)), area += share;
+  }
+  return area > 0 ? away_from_flat(sym3::times(1 / area, sum)) : scene::Carried{}.map;
 }
 
 mesh::Point LiveModel::vertex(const scene::Document& document, std::size_t index) const {

@@ -10,7 +10,11 @@
 #include "base/background.h"
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
+#include "deform/probe.h"
+#include "mesh/adjacency.h"
+#include "scene/document/document.h"
 #include "scene/workspace/workspace.h"
+#include "sym3/rotation.h"
 
 namespace viete::app {
 
@@ -66,7 +70,9 @@ private:
   void follow_mask(const scene::Document& document);
   std::shared_ptr<const deform::Cage> cage_of(const scene::Document& document);
   static deform::Scheme scheme_of(const scene::Document& document);
-  void take_carried(scene::Document& document) const;
+  void take_carried(scene::Document& document);
+  scene::Carried carried_pin(const scene::Document& document, const deform::Probe& probe);
+  sym3::Mat3<double> map_at(const scene::Document& document, std::uint32_t vertex) const;
   void follow_blend(const deform::Scheme& scheme);
   void make_deformer(const deform::Scheme& scheme);
   bool deforms(const scene::Document& document) const;
@@ -86,6 +92,7 @@ private:
     friend bool operator==(const Derived&, const Derived&) = default;
   };
   std::optional<Derived> derived_;
+  mesh::Adjacency around_;  // triangles of vertices; empty until a pin asks
   unsigned long frames_ = 0;
   bool same_path_ = false;                   // the staged engine for all methods
   std::optional<scene::Revision> given_up_;  // pose at which the first binding was stopped

@@ -36,8 +36,7 @@ void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 mi
   const auto& w = ui.workspace;
   const scene::Probe& probe = w.document.probes.all[i];
   const ImU32 color = shown.selected ? ui.colors.highlight : ui.colors.accent;
-  const auto vertex = scene::probe_center(w.document, i) - probe.place - probe.pose.move +
-                      scene::shape_of_vertex(w.document, probe.pin->vertex);
+  const auto vertex = scene::pinned_vertex(w.document, i);
   const scene::CursorProjection at(glm::dvec3(w.document.space.to_view(vertex)), w.camera, w.viewport);
   painter.line(glm::vec2(at.at()), middle, color, 1.5f, 0.8f);
   if (!probe.pin->pulls) painter.disc(middle, dot - 1, color, 1);

@@ -7,6 +7,7 @@
 #include "program/driver.h"
 #include "scene/document/edit.h"
 #include "scene/document/probes.h"
+#include "scene/hand/placing.h"
 #include "scene/hand/projector.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
@@ -139,6 +140,30 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   d.settle();
   CHECK(d.document().shape == posed);
   CHECK(d.pose(0).weight == weight);
+}
+
+TEST_CASE("under_a_turned_cage_a_pin_takes_the_model_where_the_hand_goes") {
+  ShapeHand d(true);
+  auto& cage = d.document().changed_pose().positions;
+  for (mesh::Point& p : cage) p = {p[0], -p[2], p[1]};  // a quarter turn about x
+  d.settle();
+  const mesh::Point head{0.75, 0, 1.35};
+  d.move(d.on_screen(head));
+  d.press_key('P', false, false, true);
+  d.settle();
+  REQUIRE(d.document().probes.all.size() == 1);
+  const deform::Probe& pin = d.document().probes.all[0];
+  const auto seen = [&] { return d.on_screen(scene::pinned_vertex(d.document(), 0)); };
+  const mesh::Point before = scene::pinned_vertex(d.document(), 0);
+  CHECK(glm::distance(glm::vec2(seen()), glm::vec2(d.on_screen(head))) < 12);
+  scene::Transform up;
+  up.shift = {0, 0.2, 0};
+  REQUIRE(scene::place_probes(d.document(), scene::state_of(d.document()), up));
+  d.settle();
+  const auto way = scene::pinned_vertex(d.document(), 0) - before;
+  CHECK(mesh::norm(way - mesh::Point{0, 0.2, 0}) < 0.02);
+  CHECK(std::abs(pin.pose.move[2] + 0.2) < 0.02);  // of the shape: against the turn
+  CHECK(mesh::norm(scene::pinned_vertex(d.document(), 0) - scene::probe_center(d.document(), 0)) < 1e-3);
 }
 
 TEST_CASE("shapes_are_keyed_and_played_and_the_straight_way_is_another_one") {

@@ -111,7 +111,8 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   // Nothing of the cage has moved.
   CHECK(p.document().pose.positions == p.document().cage->surface.positions);
   // Carried by the cage, it turns where it is then.
-  p.document().carried = {{1, 5, 0}, {-1, 5, 0}};
+  p.document().carried.resize(2);
+  p.document().carried[0].place = {1, 5, 0}, p.document().carried[1].place = {-1, 5, 0};
   CHECK(test::selection_center(p.document()) == glm::dvec3(0, 5, 0));
   REQUIRE(
       transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), quarter({0, 5, 0})));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "deform/linear_map.h"
 #include "mesh/content_key.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/text_cursor.h"
@@ -176,9 +177,20 @@ mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex) {
   return document.shape ? (*document.shape)[vertex] : document.model.surface->positions[vertex];
 }
 
+Carried carried_probe(const Document& document, std::size_t i) {
+  return i < document.carried.size() ? document.carried[i] : Carried{document.probes.all[i].place};
+}
+
 mesh::Point probe_center(const Document& document, std::size_t i) {
+  const Carried carried = carried_probe(document, i);
+  return carried.place + deform::times(carried.map, document.probes.all[i].pose.move);
+}
+
+mesh::Point pinned_vertex(const Document& document, std::size_t i) {
+  const Carried carried = carried_probe(document, i);
   const deform::Probe& probe = document.probes.all[i];
-  return (i < document.carried.size() ? document.carried[i] : probe.place) + probe.pose.move;
+  return carried.place +
+         deform::times(carried.map, shape_of_vertex(document, probe.pin->vertex) - probe.place);
 }
 
 std::vector<mesh::Point> probe_centers(const Document& document) {

@@ -23,6 +23,7 @@
 #include "scene/document/selection.h"
 #include "scene/document/space.h"
 #include "sym3/exp.h"
+#include "sym3/rotation.h"
 
 namespace viete::scene {
 
@@ -51,13 +52,19 @@ struct Revisions {
   friend bool operator==(const Revisions&, const Revisions&) = default;
 };
 
+/// Where a probe's place is brought, and the map by which its own motion is seen there.
+struct Carried {
+  mesh::Point place;
+  sym3::Mat3<double> map{1, 0, 0, 0, 1, 0, 0, 0, 1};
+};
+
 struct Document : DocumentState {
   OpenedSurface model;
   std::filesystem::path cage_beside;  ///< a file that looks like a cage of the model, which has none
   std::vector<FileInUse> also_read;   ///< poses and keys that came into it, and cages that it had
-  /// Where the cage has brought the probes' places in the last frame; shorter where that is not known: there
-  /// they are as at rest.
-  std::vector<mesh::Point> carried;
+  /// What the cage has done to the probes in the last frame; shorter where that is not known: there they are
+  /// as at rest.
+  std::vector<Carried> carried;
   History history;
   sym3::Method method = sym3::Method::fast;
   Space space;
@@ -124,8 +131,11 @@ inline const deform::Pose& real_pose(const Document& document) {
 
 /// Where the model's shape has that vertex.
 mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex);
+Carried carried_probe(const Document& document, std::size_t probe);
 /// Where a probe is now: carried by the cage, then moved by hand.
 mesh::Point probe_center(const Document& document, std::size_t probe);
 std::vector<mesh::Point> probe_centers(const Document& document);
+/// Where the vertex of a pin is now.
+mesh::Point pinned_vertex(const Document& document, std::size_t probe);
 
 }  // namespace viete::scene

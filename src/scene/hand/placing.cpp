@@ -7,10 +7,12 @@
 
 #include "deform/branches.h"
 #include "deform/cage_state.h"
+#include "deform/linear_map.h"
 #include "scene/document/elements.h"
 #include "scene/document/range.h"
 #include "scene/document/record.h"
 #include "scene/document/vectors.h"
+#include "sym3/affine.h"
 
 namespace viete::scene {
 
@@ -113,15 +115,15 @@ bool is_in_range(const Document& document, const Grip& grip) {
                      [](const auto& turn) { return deform::norm(turn) <= largest_turn; });
 }
 
-deform::ProbePose moved(const deform::Probe& probe, const mesh::Point& carried, const Transform& t) {
+deform::ProbePose moved(const deform::Probe& probe, const Carried& carried, const Transform& t) {
   deform::ProbePose result = probe.pose;
   if (!probe.pin) {
     if (t.factors != glm::dvec3(1)) result = deform::scaled(result, point_of(t.factors));
     if (t.degrees != 0) result = deform::turned(result, point_of(t.axis), t.degrees / 180 * std::acos(-1.0));
   }
-  const mesh::Point from = carried + probe.pose.move;
+  const mesh::Point from = carried.place + deform::times(carried.map, probe.pose.move);
   const mesh::Point to = PointMotion(t)(from, t.pivot);
-  result.move = probe.pose.move + (to - from);
+  result.move = probe.pose.move + deform::times(sym3::inverse({carried.map, {}}).linear, to - from);
   return result;
 }
 
@@ -195,8 +197,7 @@ bool place_probes(Document& document, const DocumentState& before, const Transfo
   for (const auto i : before.selection.indices()) {
     deform::Probe& probe = probes.all[i];
     if (probe.locked) continue;
-    const mesh::Point carried = i < document.carried.size() ? document.carried[i] : probe.place;
-    probe.pose = moved(before.probes.all[i], carried, transform);
+    probe.pose = moved(before.probes.all[i], carried_probe(document, i), transform);
     fits &= in_range(document, i);
   }
   if (!fits) probes = before.probes;
