@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/vertex_sample.h"
 
 namespace viete::app {
 
@@ -39,21 +38,11 @@ void Analysis::follow_frame(scene::Workspace& workspace, const LiveModel& model)
   shows_news_ = false;
   follow_path(workspace, model);
   if (probe_wanted_) follow_probe(workspace, model);
-  follow_error_map(workspace, model, false);
-}
-
-std::optional<std::vector<float>> Analysis::take_errors() {
-  return std::exchange(errors_, std::nullopt);
-}
-
-void Analysis::forget() {
-  error_map_.cancel();
-  errors_.reset();
 }
 
 bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& model) const {
   return probe_.has_result() || probe_is_due(workspace, model) || checks_.has_result() ||
-         bench_.has_result() || error_map_.has_result() || error_map_is_due(workspace, model);
+         bench_.has_result();
 }
 
 // What was measured of another path says nothing of this one. How far cage parts turn is no matter of the
@@ -130,38 +119,6 @@ void Analysis::follow_probe(scene::Workspace& workspace, const LiveModel& model)
   workspace.fused_error = model.deformer()->sampled_error();
   if (model.takes_exponentials()) probe_.offer(model.deformer()->sample_matrices(probed_matrices));
   shows_news_ |= !model.takes_exponentials();
-}
-
-bool Analysis::error_map_is_due(const scene::Workspace& workspace, const LiveModel& model) const {
-  return scene::shows_error_map(workspace) && model.takes_exponentials() && !error_map_.running() &&
-         mapped_ != model.frames();
-}
-
-// The newest map that is there, and the next one begun; a map may be of a pose a moment ago.
-void Analysis::follow_error_map(scene::Workspace& workspace, const LiveModel& model, bool wait) {
-  if (auto result = error_map_.poll(wait)) {
-    if (result->value && result->value->log10.size() == workspace.document.model.surface->positions.size()) {
-      workspace.error_map = result->value->stats;
-      errors_ = std::move(result->value->log10);
-      shows_news_ = true;
-    }
-  }
-  if (!error_map_is_due(workspace, model)) return;
-  mapped_ = model.frames();
-  const deform::Rows rows = model.deformer()->state().rows();
-  error_map_.start([bound = model.bound(), mask = model.deformer()->mask(), form = rows.form,
-                    origin = rows.origin, values = std::vector(rows.values.begin(), rows.values.end()),
-                    method = workspace.document.method](base::Progress& progress) {
-    const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
-    const auto matrices = deform::sample_stretches(weigher, *bound.binding, mask, {form, values, origin},
-                                                   bound.binding->vertices, &progress);
-    return error_map(matrices, method, &progress);
-  });
-}
-
-void Analysis::finish_error_map(scene::Workspace& workspace, const LiveModel& model) {
-  while (error_map_is_due(workspace, model) || (error_map_.running() && scene::shows_error_map(workspace)))
-    follow_error_map(workspace, model, true);
 }
 
 }  // namespace viete::app

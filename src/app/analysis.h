@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include "app/error_map.h"
 #include "app/live_model.h"
 #include "app/method_probe.h"
 #include "base/background.h"
@@ -26,10 +25,6 @@ public:
   void follow_document(scene::Workspace& workspace);
   /// After it: what its exponentials cost and how exact they are.
   void follow_frame(scene::Workspace& workspace, const LiveModel& model);
-  /// Errors per vertex that came since the last call.
-  std::optional<std::vector<float>> take_errors();
-  /// Another document: what was begun about the old one is void.
-  void forget();
 
   /// True if follow_document() or follow_frame() would do something now.
   bool has_news(const scene::Workspace& workspace, const LiveModel& model) const;
@@ -40,8 +35,6 @@ public:
   bool measuring() const { return probe_.busy(); }
   bool checking() const { return checks_.running(); }
   void finish_checks(scene::Workspace& workspace);
-  /// Waits until the error map, if it is shown, is the one of this pose.
-  void finish_error_map(scene::Workspace& workspace, const LiveModel& model);
 
 private:
   void start_checks(const scene::Document& document);
@@ -50,17 +43,13 @@ private:
   void follow_path(scene::Workspace& workspace, const LiveModel& model);
   bool probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
   void follow_probe(scene::Workspace& workspace, const LiveModel& model);
-  bool error_map_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
-  void follow_error_map(scene::Workspace& workspace, const LiveModel& model, bool wait);
 
   bool probe_wanted_, shows_news_ = false;
   MethodProbe probe_;
   base::BackgroundJob<bench::ExpBench> bench_;
   base::BackgroundJob<std::vector<scene::Finding>> checks_;
-  base::BackgroundJob<ErrorMap> error_map_;
-  std::optional<std::vector<float>> errors_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
-  unsigned long probed_ = 0, mapped_ = 0;  // which frame of the model
+  unsigned long probed_ = 0;  // which frame of the model
   // What decides how exact a frame is but for its pose.
   struct Path {
     scene::Revision surfaces = 0, cage = 0;

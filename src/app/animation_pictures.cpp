@@ -73,7 +73,7 @@ public:
   // Panels and errors come some frames after what they tell of.
   render::Image picture() {
     const scene::ViewOptions& view = workspace().view;
-    if (view.panels || view.error_map) {
+    if (view.panels || view.field != lab::Field::none) {
       offscreen_.settle();
     } else {
       offscreen_.viewer().frame(0);

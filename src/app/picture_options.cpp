@@ -29,9 +29,10 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
   view.dark &= !options.light;
   view.cage &= !options.no_cage;
   view.wireframe |= options.wireframe;
-  view.error_map |= options.error_map;
+  if (options.error_map) view.field = lab::Field::exp_error;
+  view.field = base::value_of_word<lab::Field>(options.map).value_or(view.field);
   view.grid &= !options.no_grid;
-  view.shading = scene::value_of_word<scene::Shading>(options.shading).value_or(view.shading);
+  view.shading = base::value_of_word<scene::Shading>(options.shading).value_or(view.shading);
   return view;
 }
 
@@ -82,8 +83,11 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command.add_flag("--panels", options.panels, "With the panels");
   command.add_flag("--light", options.light, "Light theme");
   command.add_flag("--wireframe", options.wireframe, "With the edges of the mesh");
-  command.add_flag("--error-map", options.error_map,
-                   "With the error of the exponential as colours on the mesh");
+  std::vector<std::string> maps;
+  for (const base::Choice& choice : choices(lab::Field::none)) maps.emplace_back(choice.word);
+  auto* map = command.add_option("--map", options.map, "What the mesh is coloured by, as in the Lab");
+  one_of(map, maps)->default_str("none");
+  command.add_flag("--error-map", options.error_map, "The same as --map exp-error");
   command.add_flag("--no-cage", options.no_cage, "Without the cage");
   command.add_flag("--no-grid", options.no_grid, "Without the ground grid");
 }

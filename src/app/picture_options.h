@@ -17,7 +17,7 @@ namespace viete::app {
 struct PictureOptions {
   ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
   bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
-  std::string look = "home", shading;
+  std::string look = "home", shading, map;
   bool panels_of_session = true;                ///< are shown where its window had them
   bool size_given = false, look_given = false;  ///< after parsing, see take_given()
 };

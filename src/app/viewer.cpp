@@ -51,9 +51,9 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   fonts_ = ui::add_fonts(options.scale, options.builtin_font);
   imgui_renderer_.upload_fonts();
   platform::InputQueue::configure();
-  for (const glm::vec3& c : render::surface_palette(33)) {
-    error_colors_.push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
-  }
+  for (const auto& [palette, colors] : {std::pair{render::surface_palette(33), &field_colors_.even},
+                                        {render::diverging_palette(33), &field_colors_.diverging}})
+    for (const glm::vec3& c : palette) colors->push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
   place_viewport();
 }
@@ -86,7 +86,7 @@ void Viewer::frame(float seconds) {
   follow_document();
   settle_messages();
   deform(times);
-  if (const auto errors = analysis_.take_errors()) renderer_.set_errors(*errors);
+  if (fields_.follow(workspace_, model_)) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
   upload(times);
@@ -161,7 +161,8 @@ bool Viewer::wants_frame() const {
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
   return changing() || files_.has_news() || model_.has_result() ||
          (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
-         analysis_.has_news(workspace_, model_) || workspace_.messages.due(base::wall_seconds());
+         analysis_.has_news(workspace_, model_) || fields_.has_news(workspace_, model_) ||
+         workspace_.messages.due(base::wall_seconds());
 }
 
 bool Viewer::changing() const {
@@ -191,7 +192,7 @@ void Viewer::follow_document() {
   if (model_.is_due(document) || model_.has_result()) settle(3);
   const LiveModel::Changed changed = model_.follow(workspace_, cages_.take_bound());
   if (changed.document || changed.cage) {
-    analysis_.forget();
+    fields_.forget();
     workspace_.interaction.hovered.reset();
     if (files_.shading().surface != document.model.surface)
       files_.shading() = shading_of(document.model.surface, document.model.attributes.get());
@@ -268,7 +269,7 @@ void Viewer::upload(scene::FrameTimes& times) {
   if (switched && at_rest) renderer_.set_rest(document, files_.shading());
   if (!at_rest && (deformed_ || switched) && model_.deformer() && model_.deformer()->ran())
     renderer_.set_model(model_.deformer()->vertices(), model_.deformer()->origin());
-  renderer_.set_mask(workspace_);
+  renderer_.set_colors(workspace_);
   times.upload = watch.lap_ms();
 }
 
@@ -278,7 +279,7 @@ void Viewer::panels(scene::FrameTimes& times) {
   // Who has hidden the panels wants no notices in a picture either.
   const bool attended = std::exchange(workspace_.attended,
                                       workspace_.attended && (workspace_.view.panels || !take_screenshot_));
-  ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.dark), &recorder_, error_colors_});
+  ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.dark), &recorder_, field_colors_});
   workspace_.attended = attended;
   ImGui::Render();
   times.panels = watch.lap_ms();

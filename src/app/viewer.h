@@ -8,6 +8,7 @@
 
 #include "app/analysis.h"
 #include "app/cage_maker.h"
+#include "app/field_maker.h"
 #include "app/file_desk.h"
 #include "app/kept_view.h"
 #include "app/live_model.h"
@@ -90,8 +91,8 @@ public:
   bool checking() const { return analysis_.checking(); }
   /// Waits until they are.
   void finish_checks();
-  /// Waits until the error map, if it is shown, is the one of this pose.
-  void finish_error_map() { analysis_.finish_error_map(workspace_, model_); }
+  /// Waits until the map, if one is shown, is that of this pose.
+  void finish_field() { fields_.finish(workspace_, model_); }
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
   render::Image picture() { return framebuffer_.read(); }
@@ -131,6 +132,7 @@ private:
   LiveModel model_;
   CageMaker cages_;
   Analysis analysis_;
+  FieldMaker fields_;
   scene::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;
@@ -139,7 +141,7 @@ private:
   render::Framebuffer framebuffer_;
   WorkspaceRenderer renderer_;
   KeptView view_;
-  std::vector<ImU32> error_colors_;
+  ui::FieldColors field_colors_;
 
   struct Notices {
     bool question = false, farewell = false;

@@ -92,21 +92,17 @@ WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
   model_.set_palette(render::surface_palette());
 }
 
-void WorkspaceRenderer::set_errors(std::span<const float> errors) {
-  errors_.assign(errors.begin(), errors.end());
-  colored_.reset();
-  ++content_;
-}
-
-void WorkspaceRenderer::set_mask(const scene::Workspace& w) {
-  const bool by_mask = scene::shows_mask(w);
-  const Colored wanted{by_mask, w.view.dark, by_mask ? w.document.mask : nullptr};
+void WorkspaceRenderer::set_colors(const scene::Workspace& w) {
+  const lab::Field field = scene::shown_field(w);
+  Colored wanted{scene::shows_mask(w), w.view.dark, nullptr, nullptr, lab::entry(field).symmetric};
+  if (wanted.by_mask) wanted.mask = w.document.mask;
+  if (field != lab::Field::none && w.field.stats.field == field) wanted.field = w.field.values;
   if (colored_ == wanted || model_vertices_ == 0) return;
   colored_ = wanted;
   ++content_;
-  if (!by_mask) {
-    model_.set_palette(render::surface_palette());
-    return model_.set_scalars(errors_);
+  if (!wanted.by_mask) {
+    model_.set_palette(wanted.symmetric ? render::diverging_palette() : render::surface_palette());
+    return model_.set_scalars(wanted.field ? *wanted.field : std::vector<float>());
   }
   const render::Theme theme = theme_of(w);
   model_.set_palette(render::blend_palette({theme.held, theme.model}, 64));
@@ -120,7 +116,6 @@ void WorkspaceRenderer::set_document(const scene::Document& document, const Mode
   model_.set_looks(looks.looks);
   shadow_.set_triangles(model.triangles, model.positions);
   file_says_something_ = looks.says_something;
-  errors_.clear();
   colored_.reset();
   model_vertices_ = model.positions.size();
   model_.set_occlusion(shading.occlusion);
@@ -128,7 +123,6 @@ void WorkspaceRenderer::set_document(const scene::Document& document, const Mode
 }
 
 void WorkspaceRenderer::set_another_cage(const scene::Document& document, const ModelShading& shading) {
-  errors_.clear();
   colored_.reset();
   hand_.reset();
   set_rest(document, shading);
@@ -219,9 +213,9 @@ render::SurfaceStyle WorkspaceRenderer::surface_style(const scene::Workspace& w)
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
   style.paint = paint_of(w.view.shading, file_says_something_);
   const bool by_mask = scene::shows_mask(w);
-  style.scalars = by_mask || (!errors_.empty() && scene::shows_error_map(w));
-  style.scalar_low = by_mask ? 0 : static_cast<float>(w.error_map.low);
-  style.scalar_high = by_mask ? 1 : static_cast<float>(w.error_map.high);
+  style.scalars = by_mask || (colored_ && colored_->field);
+  style.scalar_low = by_mask ? 0 : static_cast<float>(w.field.stats.low);
+  style.scalar_high = by_mask ? 1 : static_cast<float>(w.field.stats.high);
   return style;
 }
 

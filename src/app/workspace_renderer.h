@@ -46,14 +46,12 @@ public:
   void set_rest(const scene::Document& document, const ModelShading& shading);
   /// The deformed model, relative to origin in the file's coordinates.
   void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
-  /// log10 of the error per vertex, for the error map; empty: none.
-  void set_errors(std::span<const float> errors);
-  /// What of the model follows the cage, where that is shown: before draw().
-  void set_mask(const scene::Workspace& workspace);
+  /// The map, or what of the model follows the cage, where these are shown: before draw().
+  void set_colors(const scene::Workspace& workspace);
   /// The posed cage and how its vertices look now.
   void set_cage(const scene::Workspace& workspace);
   void set_hand(const scene::Workspace& workspace);
-  /// The next set_hand() and set_mask() upload all anew.
+  /// The next set_hand() and set_colors() upload all anew.
   void forget() { hand_.reset(), colored_.reset(), marks_.forget(); }
   /// What the checks found; see FindingMarks::set().
   void set_findings(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved) {
@@ -81,12 +79,13 @@ private:
   render::DiscLayer cage_vertices_;
   CageMarks marks_;
   FindingMarks findings_;
-  std::vector<float> errors_;
   bool file_says_something_ = false;
   // What the model is coloured by; nothing: it is to be uploaded anew.
   struct Colored {
     bool by_mask = false, dark = false;
     deform::Mask mask;
+    std::shared_ptr<const std::vector<float>> field;
+    bool symmetric = false;
     friend bool operator==(const Colored&, const Colored&) = default;
   };
   std::optional<Colored> colored_;

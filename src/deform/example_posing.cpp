@@ -231,6 +231,21 @@ void ExamplePosing::fill_stiffness() {
   pinned_parts_ = std::move(parts);
 }
 
+std::vector<double> ExamplePosing::reach(std::span<const std::size_t> moved) const {
+  const std::size_t n = pins_.size();
+  std::vector<double> forces(n + pinned_parts_.size()), reach(positions_.size());
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    for (const std::size_t k : moved) forces[i] += forces_[i * n + k];
+  for (std::size_t i = 0; i < pinned_parts_.size(); ++i) {
+    for (const auto v : space_.logs().parts().vertices.of(pinned_parts_[i])) {
+      reach[v] = forces[n + i];
+      for (std::size_t k = 0; k < n; ++k)
+        if (part_of_pin_[k] == pinned_parts_[i]) reach[v] += columns_[k][v] * forces[k];
+    }
+  }
+  return reach;
+}
+
 std::vector<LogTerm> ExamplePosing::terms() const {
   std::vector<LogTerm> terms;
   for (std::size_t e = 0; e < examples_.size(); ++e)

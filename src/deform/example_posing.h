@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -20,6 +21,9 @@ struct PosingPin {
 
   friend bool operator==(const PosingPin&, const PosingPin&) = default;
 };
+
+/// What holds, and what pulls about as strongly as neighbours do.
+inline constexpr double holding = std::numeric_limits<double>::infinity(), usual_pull = 0.3;
 
 struct PosingSettings {
   /// Beside the elastic energy of a unit of the model's area: how near weights of examples stay to 0, or to
@@ -45,6 +49,11 @@ public:
   /// Other ones; weights, turn and positions stay. Each vertex once. Some milliseconds a pin. Throws
   /// base::Error, before anything changes, where a vertex is of no triangle with area, or memory is short.
   void set_pins(std::vector<PosingPin> pins);
+
+  /// How far each vertex goes, over their way, when the targets of these pins (by number) go one small way
+  /// and those of the others stay, but for what examples and turns would do. 1 where all of a part goes
+  /// along.
+  std::vector<double> reach(std::span<const std::size_t> pins) const;
 
   /// One step towards the targets, one a pin. Returns how far it went: the most of weights, turn (radians)
   /// and fitted positions (in sides of a square of the area).

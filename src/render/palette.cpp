@@ -56,4 +56,8 @@ std::vector<glm::vec3> surface_palette(int count) {
   return blend_palette({rgb(0x2c63ba), rgb(0x6b82ab), rgb(0xa6a096), rgb(0xd6bf67), rgb(0xf9e24f)}, count);
 }
 
+std::vector<glm::vec3> diverging_palette(int count) {
+  return blend_palette({rgb(0x2457b2), rgb(0x7fa6da), rgb(0xdad7d0), rgb(0xe59a56), rgb(0xb84a0a)}, count);
+}
+
 }  // namespace viete::render

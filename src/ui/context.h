@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include <span>
+#include <vector>
 
 #include "scene/workspace/workspace.h"
 #include "ui/recorder.h"
@@ -28,12 +28,17 @@ struct Palette {
 
 Palette palette(bool dark);
 
+/// Of maps, from the low end to the high one.
+struct FieldColors {
+  std::vector<ImU32> even, diverging;
+};
+
 struct Context {
   scene::Workspace& workspace;
   const Fonts& fonts;
   Palette colors;
   Recorder* recorder;                     ///< null when nobody is watching
-  std::span<const ImU32> error_colors{};  ///< of the error map, from its low end to its high one
+  const FieldColors& field_colors;
 };
 
 inline constexpr float status_height = scene::PanelLayout::status_height;

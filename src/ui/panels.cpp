@@ -40,6 +40,7 @@ void lab(const Context& ui) {
   const float x = v.origin.x + v.size.x;
   if (!begin_column(ui, "Lab", x, v.window.x - x)) return;
   panel_blending(ui);
+  panel_map(ui);
   if (lab_line(ui)) {
     panel_method(ui);
     panel_timings(ui);
@@ -72,7 +73,7 @@ void draw_panels(const Context& ui) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float bottom = v.origin.y + v.size.y;
   notice_bar(ui);
-  const float free = std::min({cage_offer(ui, bottom), work_bar(ui, bottom), error_legend(ui, bottom),
+  const float free = std::min({cage_offer(ui, bottom), work_bar(ui, bottom), map_legend(ui, bottom),
                                key_question(ui, bottom)}) -
                      44;
   toasts(ui, check_badge(ui, free));

@@ -44,6 +44,7 @@ void panel_method(const Context& ui);
 void panel_blending(const Context& ui);
 void panel_timings(const Context& ui);
 void panel_accuracy(const Context& ui);
+void panel_map(const Context& ui);
 void panel_view(const Context& ui);
 void panel_benchmark(const Context& ui);
 void status_bar(const Context& ui);
@@ -66,10 +67,10 @@ void hand_overlay(const Context& ui);      ///< partners, radius and pivot in th
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
-void mark_overlay(const Context& ui);                 ///< marks on the model, and the length between two
-float error_legend(const Context& ui, float bottom);  ///< of the colours on the mesh
-scene::SelectMode select_mode();                      ///< as Shift and Ctrl are held
-void select_overlay(const Context& ui);               ///< box, lasso and brush, being drawn or about to be
+void mark_overlay(const Context& ui);               ///< marks on the model, and the length between two
+float map_legend(const Context& ui, float bottom);  ///< of the colours on the mesh
+scene::SelectMode select_mode();                    ///< as Shift and Ctrl are held
+void select_overlay(const Context& ui);             ///< box, lasso and brush, being drawn or about to be
 std::string select_hint(const scene::Workspace& workspace);  ///< what the mouse does with them; empty: none
 void view_overlay(const Context& ui);                        ///< box selection, first-start hints
 

@@ -79,7 +79,7 @@ void view_overlay(const Context& ui) {
   if (w.binding.running || w.loading.running || w.making_cage.running) return;  // their bar is there
   if (w.document.kept_pose && w.view.panels) return editing_hint(ui);
   const bool room =  // the legend takes it, or paint, or what is to be done first
-      !scene::shows_error_map(w) && !scene::shows_mask(w) && !offers_next_step(w);
+      scene::shown_field(w) == lab::Field::none && !scene::shows_mask(w) && !offers_next_step(w);
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }
 

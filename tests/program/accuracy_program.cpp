@@ -48,14 +48,14 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   const Shown plain = shown(d, empty);
 
   d.press_key(scene::key('E'), false, true);
-  CHECK(d.workspace().view.error_map);
+  CHECK(d.workspace().view.field == lab::Field::exp_error);
   d.settle();
   const Shown exact = shown(d, empty);
-  const auto& map = d.workspace().error_map;
+  const auto& map = d.workspace().field.stats;
   CHECK(map.vertices == 50000);
   CHECK(map.method == sym3::Method::fast);
-  CHECK(map.worst < 1e-14);
-  CHECK(map.median <= map.worst);
+  CHECK(map.most < -14);
+  CHECK(map.median <= map.most);
   CHECK(exact.pixels > 20000);
   CHECK(exact.blue > exact.red);  // the low end of the colours
   CHECK(plain.red > plain.blue);  // clay
@@ -64,7 +64,7 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   d.settle();
   const Shown rough = shown(d, empty);
   CHECK(map.method == sym3::Method::sd);
-  CHECK(map.worst > 1e-14);
+  CHECK(map.most > -14);
   const double rough_red = rough.red / rough.pixels, exact_red = exact.red / exact.pixels;
   CHECK(rough_red > 1.1 * exact_red);
 
@@ -80,23 +80,23 @@ TEST_CASE("the_map_follows_a_drag_and_never_holds_a_frame_up") {
   Driver d;
   open_posed_dragon(d);
   d.workspace().view.cage = true;
-  d.workspace().view.error_map = true;
+  d.workspace().view.field = lab::Field::exp_error;
   d.settle();
-  const auto before = d.workspace().error_map.worst;
+  const auto before = d.workspace().field.stats.most;
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(150, 60));
   d.settle();
-  CHECK(d.workspace().error_map.worst != before);
-  CHECK(d.workspace().error_map.worst < 1e-14);
+  CHECK(d.workspace().field.stats.most != before);
+  CHECK(d.workspace().field.stats.most < -14);
 }
 
 TEST_CASE("mean_value_coordinates_show_no_errors") {
   Driver d;
   open_posed_dragon(d);
-  d.workspace().view.error_map = true;
+  d.workspace().view.field = lab::Field::exp_error;
   d.choose("weights", "weights_mean_value");
   d.settle();
-  CHECK(!scene::shows_error_map(d.workspace()));
+  CHECK(scene::shown_field(d.workspace()) == lab::Field::none);
 }
 
 TEST_CASE("on_the_same_path_fast_runs_link_by_link_in_double_and_its_error_of_the_picture_is_gone") {

@@ -49,7 +49,7 @@ Workspace worked(const test::CubeFiles& files) {
             .cage = false,
             .grid = false,
             .ghost = true,
-            .error_map = true,
+            .field = lab::Field::turn,
             .panels = false,
             .hints = false};
   return w;

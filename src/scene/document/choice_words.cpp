@@ -1,4 +1,4 @@
-#include "scene/document/choice.h"
+#include "base/choice.h"
 
 #include "scene/document/handling.h"
 #include "scene/document/timeline.h"

@@ -5,10 +5,12 @@
 #include <array>
 #include <optional>
 
+#include "base/choice.h"
 #include "mesh/surface.h"
-#include "scene/document/choice.h"
 
 namespace viete::scene {
+
+using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 
 /// About what the selection turns and scales.
 enum class Pivot { median, active, individual, joint, point };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -16,7 +15,6 @@ namespace {
 
 constexpr int most_steps = 24;    // after the hand has come to rest
 constexpr double no_step = 1e-5;  // shorter ones are none
-constexpr double pull = 0.3;      // beside a stiffness of about 1 between neighbours
 
 // From weights that go as far as the pins ask, to those that hardly go at all.
 deform::PosingSettings settings_of(double freedom, bool has_examples) {
@@ -123,9 +121,8 @@ void PinPosing::begin_here(const Document& document, KnownVectors& known) {
 void PinPosing::step(Document& document, KnownVectors& known, const Hand& hand) {
   if (!is_of_now(document)) begin(document, known);
   if (set_ != seen_.pins) {
-    constexpr double holds = std::numeric_limits<double>::infinity();
     std::vector<deform::PosingPin> pins;
-    for (const deform::Pin& pin : seen_.pins) pins.push_back({pin.vertex, pin.pulls ? pull : holds});
+    for (const deform::Pin& pin : seen_.pins) pins.push_back({pin.vertex, pin.pulls ? deform::usual_pull : deform::holding});
     posing_->set_pins(std::move(pins));
     set_ = seen_.pins;
   }

@@ -7,13 +7,15 @@
 #include <span>
 #include <vector>
 
+#include "base/choice.h"
 #include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/probe.h"
 #include "scene/document/camera.h"
-#include "scene/document/choice.h"
 
 namespace viete::scene {
+
+using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 
 using deform::SharedShape;
 

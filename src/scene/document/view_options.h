@@ -1,9 +1,12 @@
 // What of a document the view shows, and how.
 #pragma once
 
-#include "scene/document/choice.h"
+#include "base/choice.h"
+#include "lab/field.h"
 
 namespace viete::scene {
+
+using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 
 /// What the model is coloured by.
 enum class Shading { clay, porcelain, jade, file, checker, normals, zebra };
@@ -20,7 +23,7 @@ struct ViewOptions {
   bool grid = true;
   bool axes = true;             ///< the axis widget
   bool ghost = false;           ///< the rest pose of the cage, faintly, while the cage is posed
-  bool error_map = false;       ///< the error of the exponential as colours on the mesh
+  lab::Field field = lab::Field::none;  ///< as colours on the mesh
   bool select_visible = false;  ///< what model or cage hide is not selected with the mouse
   bool same_path = false;       ///< method `fast` runs link by link in double, too, as the others do
   bool panels = true;

@@ -15,7 +15,7 @@
 #include "base/error.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/vector.h"
-#include "scene/document/choice.h"
+#include "base/choice.h"
 
 namespace viete::scene {
 
@@ -106,7 +106,7 @@ auto word_of(const JsonReader& json, Parse parse) {
 /// Of an enumeration with choices.
 template <class Value>
 Value choice_of(const JsonReader& json) {
-  return word_of(json, value_of_word<Value>);
+  return word_of(json, base::value_of_word<Value>);
 }
 
 /// Of a list: each is read, and what is damaged is left out, with a warning.

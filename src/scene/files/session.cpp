@@ -46,7 +46,6 @@ constexpr ViewFlag view_flags[] = {{"dark", &ViewOptions::dark},
                                    {"cage", &ViewOptions::cage},
                                    {"grid", &ViewOptions::grid},
                                    {"ghost", &ViewOptions::ghost},
-                                   {"error_map", &ViewOptions::error_map},
                                    {"panels", &ViewOptions::panels},
                                    {"hints", &ViewOptions::hints},
                                    {"deformed", &ViewOptions::deformed},
@@ -86,6 +85,7 @@ ordered_json view_json(const ViewOptions& view) {
   ordered_json json;
   for (const auto& flag : view_flags) json[flag.key] = view.*flag.option;
   if (view.shading != Shading::file) json["shading"] = entry_of(view.shading).word;
+  if (view.field != lab::Field::none) json["field"] = entry_of(view.field).word;
   return json;
 }
 
@@ -98,6 +98,10 @@ ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) 
   }
   take_part(json, "shading", view.shading, choice_of<Shading>, "the model is shown as its file says",
             warnings);
+  bool of_errors = false;  // as sessions said it once
+  take_part(json, "error_map", of_errors, &JsonReader::boolean, "no map is shown", warnings);
+  if (of_errors) view.field = lab::Field::exp_error;
+  take_part(json, "field", view.field, choice_of<lab::Field>, "no map is shown", warnings);
   return view;
 }
 

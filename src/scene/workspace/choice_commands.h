@@ -41,6 +41,8 @@ inline constexpr const char* choice_prefix<Easing> = "easing_";
 template <>
 inline constexpr const char* choice_prefix<Shading> = "shading_";
 template <>
+inline constexpr const char* choice_prefix<lab::Field> = "map_";
+template <>
 inline constexpr const char* choice_prefix<KeyPreset> = "keys_";
 
 /// "way_paper", "pivot_median": of the command that chooses it.
@@ -61,7 +63,7 @@ template <class Value>
 void add_choices(CommandTable& table, std::string_view headline, const Condition& enabled,
                  void (*choose)(Workspace&, Value)) {
   int number = 0;
-  for (const Choice& entry : choices(Value{})) {
+  for (const base::Choice& entry : choices(Value{})) {
     const auto value = static_cast<Value>(number++);
     table.choice(choice_command_name(value), headline, entry.label, entry.hint, enabled,
                  [=](Workspace& w) { choose(w, value); });

@@ -4,10 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "deform/links.h"
+#include "lab/field.h"
 #include "sym3/exp.h"
 
 namespace viete::scene {
@@ -15,6 +17,7 @@ namespace viete::scene {
 // What panels show of a frame.
 using deform::Link;
 using deform::link_count;
+using lab::compared_methods;
 using sym3::Method;
 
 /// Milliseconds of wall time of one frame.
@@ -55,23 +58,18 @@ struct MethodSample {
   double median_error = 0;
 };
 
-inline constexpr std::array compared_methods = {sym3::Method::diag, sym3::Method::sd,
-                                                sym3::Method::improved_sd, sym3::Method::fast};
-
 /// All methods on the same matrices; measured aside, a few times a second.
 struct MethodStats {
   std::array<MethodSample, compared_methods.size()> samples{};
   std::size_t matrices = 0;  ///< in the sample; 0 until the first measurement
 };
 
-/// Errors of one method at every vertex of the mesh, measured aside while they are shown as colours.
-struct ErrorMapStats {
-  std::size_t vertices = 0;  ///< 0: not measured
-  sym3::Method method = sym3::Method::fast;
-  double worst = 0, median = 0;  ///< relative Frobenius errors; NaN if an answer was
-  /// The colours run from 10^low to 10^high, whole numbers: the range of all methods in this pose, so that a
-  /// switch is seen. What lies outside has the colour of the end.
-  double low = -17, high = -14;
+/// The field that is shown as colours on the mesh, as it was computed last; some are computed aside.
+struct FieldView {
+  lab::FieldStats stats;
+  std::shared_ptr<const std::vector<float>> values;  ///< as the stats say; null: none
+  /// The colours keep their range, whatever comes.
+  bool holds_range = false;
 };
 
 }  // namespace viete::scene

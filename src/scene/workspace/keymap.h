@@ -9,10 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/document/choice.h"
+#include "base/choice.h"
 #include "scene/workspace/shortcut.h"
 
 namespace viete::scene {
+
+using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 
 struct Command;
 

@@ -18,7 +18,7 @@ constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
                             {"Select", {"Select"}},    {"Cage", {"Cage"}},
                             {"Tool", {"Tool"}},        {"Hand", {"Hand"}},
                             {"Probes", {"Probes"}},    {"Time", {"Poses", "Time"}},
-                            {"View", {"View"}},        {"Lab", {"Method", "Blend", "Lab"}},
+                            {"View", {"View"}},        {"Lab", {"Method", "Blend", "Map"}},
                             {"Help", {"Help", "Keys"}}};
 
 bool holds(const Title& title, std::string_view group) {

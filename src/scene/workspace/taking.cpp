@@ -53,7 +53,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   if (!same_model) w.marks.clear();
   w.stats.clear();
   w.methods = {};
-  w.error_map = {};
+  w.field = {};
   forget_findings(w.checks);
   w.checks.badge.reset();
   w.checks.put_away.clear();

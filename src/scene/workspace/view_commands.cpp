@@ -122,9 +122,6 @@ void add_view_commands(CommandTable& table) {
   table.add("toggle_ghost", {"Show the cage at rest", "Rest ghost"},
             "Show the cage at rest, faintly, while it is posed.", {key('H')}, always,
             switches(&ViewOptions::ghost));
-  table.add("toggle_error_map", {"Show errors on the mesh", "Error on the mesh"},
-            "Colour the mesh by the relative error of the exponential at each vertex.",
-            {key('E'), false, true}, uses_method, switches(&ViewOptions::error_map));
   table.add("toggle_theme", "Dark theme", "Switch between the dark and the light theme.", {key('T')}, always,
             {[](Workspace& w) { w.remembered.dark = w.view.dark = !w.view.dark; },
              [](const Workspace& w) { return w.view.dark; }});

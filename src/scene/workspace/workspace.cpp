@@ -65,8 +65,13 @@ bool shows_links(const Workspace& w) {
          deform::EngineKind::staged;
 }
 
-bool shows_error_map(const Workspace& w) {
-  return !shows_mask(w) && w.view.error_map && w.document.has_cage() && w.document.scheme.exponential();
+lab::Field shown_field(const Workspace& w) {
+  const lab::Source source = lab::entry(w.view.field).source;
+  const bool exponential = w.document.has_cage() && w.document.scheme.exponential();
+  const bool exists = source == lab::Source::surface    ? w.document.model.surface != nullptr
+                      : source == lab::Source::matrices ? exponential
+                                                        : w.document.is_movable();
+  return exists && !shows_mask(w) ? w.view.field : lab::Field::none;
 }
 
 float offer_height(const Workspace& w) {
@@ -94,6 +99,17 @@ void frame_selection(Workspace& workspace, bool eased) {
   for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
   if (document.selection.kind() == ElementKind::probe) points = around_probes(document);
   workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
+}
+
+void frame_worst(Workspace& w) {
+  constexpr double share = 0.06;  // of the model's diagonal, on either side
+  const auto& surface = *w.document.model.surface;
+  const std::size_t worst = w.field.stats.worst;
+  if (worst >= surface.positions.size()) return;
+  const mesh::Point at = w.posed.vertices.empty() ? surface.positions[worst] : w.posed.at(surface, worst);
+  const double half = share * w.document.model.bounds.diagonal();
+  const mesh::Bounds box{at - mesh::Vec3{half, half, half}, at + mesh::Vec3{half, half, half}};
+  w.camera.frame(in_view(w.document.space, corners(box)), w.viewport, true);
 }
 
 void take_hold(Workspace& w) {

@@ -213,7 +213,7 @@ struct Workspace {
   Requests requests;
   FrameStats stats;
   MethodStats methods;
-  ErrorMapStats error_map;
+  FieldView field;
   double fused_error = 0;  ///< of the fused frame, or of what a stitched one follows, against double:
                            ///< measured aside, in diagonals of the cage; 0 if staged
   WorkState loading;       ///< opening files: reading them, then binding
@@ -283,8 +283,8 @@ inline bool shows_selectable(const Workspace& w) {
   return w.view.cage && (probes ? !w.document.probes.empty() : w.document.has_cage());
 }
 
-/// True if the mesh is coloured by errors: asked for, and the coordinates use an exponential.
-bool shows_error_map(const Workspace& workspace);
+/// What the mesh is coloured by: what was asked for, or none where that does not exist.
+lab::Field shown_field(const Workspace& workspace);
 
 /// The mouse takes hold of a widget, maybe; and what it has done since never was.
 void take_hold(Workspace& workspace);
@@ -296,6 +296,8 @@ float offer_height(const Workspace& workspace);
 /// Moves the camera to see the model and its posed cage, above the offer of one, or the selected vertices.
 void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
+/// The vertex that is the worst of the map.
+void frame_worst(Workspace& workspace);
 
 /// What the deformer had to decide in the frame of this pose: its turns become the pose's, and its notes are
 /// shown.

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace viete::scene {
+namespace viete::base {
 
 struct Choice {
   std::string_view word;   ///< in files, and in names of commands
@@ -15,7 +15,7 @@ struct Choice {
   std::string_view hint;   ///< one sentence
 };
 
-/// Of an enumeration: each that is chosen from has its own beside it.
+/// Of an enumeration: each that is chosen from has its own beside it, in its namespace.
 template <class Value>
 std::span<const Choice> choices(Value) = delete;
 
@@ -39,4 +39,4 @@ Value next_choice(Value value) {
   return static_cast<Value>((static_cast<std::size_t>(value) + 1) % choices(value).size());
 }
 
-}  // namespace viete::scene
+}  // namespace viete::base

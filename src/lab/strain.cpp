@@ -1,0 +1,125 @@
+#include "lab/strain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "mesh/summary.h"
+#include "sym3/eigenvalues.h"
+#include "sym3/polar.h"
+#include "sym3/products.h"
+#include "sym3/rotation.h"
+
+namespace viete::lab {
+
+using mesh::cross, mesh::dot, mesh::norm, mesh::Point, mesh::Vec3;
+
+namespace {
+
+constexpr std::size_t at_once = 4096;
+constexpr double least_log = -20;  // of a triangle that has collapsed
+
+Vec3 unit(const Vec3& v) {
+  const double length = norm(v);
+  return length > 0 ? (1 / length) * v : Vec3{0, 0, 0};
+}
+
+void add_product(const Vec3& a, const Vec3& b, double share, sym3::Mat3<double>& sum) {
+  for (std::size_t k = 0; k < 9; ++k) sum[k] += share * a[k / 3] * b[k % 3];
+}
+
+// Axes of a face at rest: along its first side, across it, and its normal.
+std::array<Vec3, 3> axes(const FlatFace& face, std::span<const Point> rest) {
+  const auto& [a, b, c] = face.corners;
+  const Vec3 x = unit(rest[b] - rest[a]), n = unit(cross(rest[b] - rest[a], rest[c] - rest[a]));
+  return {x, cross(n, x), n};
+}
+
+}  // namespace
+
+Strain::Strain(const mesh::Surface& rest)
+    : rest_(rest.positions), diagonal_(mesh::bounds(rest.positions).diagonal()) {
+  for (const mesh::Triangle& t : rest.triangles)
+    if (const std::optional<FlatFace> face = flat_face(rest_, t)) faces_.push_back(*face);
+  around_ = mesh::make_adjacency(rest_.size(), [&](const auto& add) {
+    for (std::uint32_t f = 0; f < faces_.size(); ++f)
+      for (const std::uint32_t v : faces_[f].corners) add(v, f);
+  });
+}
+
+std::vector<double> Strain::means(std::span<const Point> deformed, double (*of)(const Stretches&),
+                                  base::WorkerPool& pool) const {
+  std::vector<double> of_faces(faces_.size()), values(rest_.size());
+  pool.for_blocks(faces_.size(), at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) of_faces[f] = of(stretches(plane_map(faces_[f], deformed)));
+  });
+  pool.for_blocks(values.size(), at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      double sum = 0, area = 0;
+      for (const std::uint32_t f : around_.of(v))
+        sum += faces_[f].area() * of_faces[f], area += faces_[f].area();
+      values[v] = area > 0 ? sum / area : 0;
+    }
+  });
+  return values;
+}
+
+std::vector<double> Strain::turns(std::span<const Point> deformed, base::WorkerPool& pool) const {
+  std::vector<sym3::Mat3<double>> of_faces(faces_.size());
+  pool.for_blocks(faces_.size(), at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto [x, y, n] = axes(faces_[f], rest_);
+      const PlaneMap map = plane_map(faces_[f], deformed);
+      add_product(map.x, x, faces_[f].area(), of_faces[f]);
+      add_product(map.y, y, faces_[f].area(), of_faces[f]);
+      add_product(unit(cross(map.x, map.y)), n, faces_[f].area(), of_faces[f]);
+    }
+  });
+  std::vector<double> values(rest_.size());
+  pool.for_blocks(values.size(), at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      sym3::Mat3<double> sum{};
+      for (const std::uint32_t f : around_.of(v)) sum = sym3::plus(sum, 1.0, of_faces[f]);
+      const auto turn = sym3::log_rotation(sym3::polar(sum).rotation);
+      values[v] = sym3::norm(turn) * 180 / std::numbers::pi;
+    }
+  });
+  return values;
+}
+
+Strain::Direction Strain::direction(std::span<const Point> deformed, std::size_t vertex) const {
+  Vec3 normal{0, 0, 0};
+  for (const std::uint32_t f : around_.of(vertex)) {
+    const auto& [a, b, c] = faces_[f].corners;
+    normal = normal + cross(deformed[b] - deformed[a], deformed[c] - deformed[a]);
+  }
+  normal = unit(normal);
+  const Vec3 p = unit(std::abs(normal[0]) < 0.6 ? cross(normal, {1, 0, 0}) : cross(normal, {0, 1, 0}));
+  const Vec3 q = cross(normal, p);
+  // The mean log of the stretch J J^T of each triangle's plane, as it is deformed, in the axes p and q.
+  double pp = 0, pq = 0, qq = 0, area = 0;
+  for (const std::uint32_t f : around_.of(vertex)) {
+    const PlaneMap map = plane_map(faces_[f], deformed);
+    const auto [larger, smaller] = stretches(map);
+    // The most stretched direction: the eigenvector of J^T J, mapped.
+    const double xx = mesh::squared_norm(map.x), yy = mesh::squared_norm(map.y);
+    const double angle = std::atan2(2 * dot(map.x, map.y), xx - yy) / 2;
+    const Vec3 most = unit(std::cos(angle) * map.x + std::sin(angle) * map.y);
+    const Vec3 least = cross(unit(cross(map.x, map.y)), most);
+    const double share = faces_[f].area();
+    for (const auto& [way, stretch] : {std::pair{most, larger}, {least, smaller}}) {
+      const double log = std::max(std::log(stretch), least_log), a = dot(way, p), b = dot(way, q);
+      pp += share * log * a * a, pq += share * log * a * b, qq += share * log * b * b;
+    }
+    area += share;
+  }
+  if (!(area > 0)) return {{0, 0, 0}, {0, 0, 0}, 1, 1};
+  pp /= area, pq /= area, qq /= area;
+  const double middle = (pp + qq) / 2, half = std::hypot((pp - qq) / 2, pq);
+  const double angle = std::atan2(2 * pq, pp - qq) / 2;
+  const Vec3 most = std::cos(angle) * p + std::sin(angle) * q;
+  return {most, cross(normal, most), std::exp(middle + half), std::exp(middle - half)};
+}
+
+}  // namespace viete::lab

@@ -1,0 +1,47 @@
+// What a deformation does to a surface at each of its vertices.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/worker_pool.h"
+#include "lab/flat_face.h"
+#include "mesh/adjacency.h"
+#include "mesh/surface.h"
+
+namespace viete::lab {
+
+/// A surface at rest, ready to be compared with itself deformed. Values at vertices are means over the
+/// triangles around, by their areas at rest; 0 where none has area. A millisecond or two for 100,000
+/// triangles. The same bits for any number of threads; const and thread-safe.
+class Strain {
+public:
+  explicit Strain(const mesh::Surface& rest);
+
+  const std::vector<mesh::Point>& rest() const { return rest_; }
+  /// Of the model at rest.
+  double diagonal() const { return diagonal_; }
+
+  /// Means of a number that a triangle's stretches tell.
+  std::vector<double> means(std::span<const mesh::Point> deformed, double (*of)(const Stretches&),
+                            base::WorkerPool& pool) const;
+  /// Angles, in degrees from 0 to 180, of the rotations nearest to the mean maps of the triangles around; a
+  /// map takes the normal at rest to the normal.
+  std::vector<double> turns(std::span<const mesh::Point> deformed, base::WorkerPool& pool) const;
+
+  /// The most stretched direction at a vertex, as it is deformed, of length 1, and by how much; the least.
+  struct Direction {
+    mesh::Vec3 most, least;
+    double larger, smaller;
+  };
+  /// From the mean of the logs of the triangles' stretches, projected to the plane across the normal.
+  Direction direction(std::span<const mesh::Point> deformed, std::size_t vertex) const;
+
+private:
+  std::vector<mesh::Point> rest_;
+  std::vector<FlatFace> faces_;  // that have area
+  mesh::Adjacency around_;       // of vertices, of these
+  double diagonal_ = 0;
+};
+
+}  // namespace viete::lab

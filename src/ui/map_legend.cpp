@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "scene/document/brush.h"
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+constexpr float width = 264, height = 134, inset = 12, thickness = 10, bars = 34;
+
+struct Legend {
+  const Context& ui;
+  ImDrawList& draw;
+  const lab::FieldStats& stats;
+  ImVec2 at;  // the upper left of the colours
+
+  float length() const { return width - 2 * inset; }
+  float x_of(double value) const {
+    const double share = std::clamp((value - stats.low) / (stats.high - stats.low), 0.0, 1.0);
+    return at.x + static_cast<float>(share) * length();
+  }
+};
+
+void colors(const Legend& l, const std::vector<ImU32>& all) {
+  const float step = l.length() / static_cast<float>(all.size() - 1);
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const float x = l.at.x + static_cast<float>(i) * step;
+    l.draw.AddRectFilledMultiColor({x, l.at.y}, {x + step, l.at.y + thickness}, all[i], all[i + 1],
+                                   all[i + 1], all[i]);
+  }
+}
+
+// How many vertices have which value, by the root: few are seen beside many.
+void counts(const Legend& l) {
+  const auto& all = l.stats.counts;
+  const auto most = static_cast<float>(std::max(1u, *std::ranges::max_element(all)));
+  const float step = l.length() / static_cast<float>(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const float tall = bars * std::sqrt(static_cast<float>(all[i]) / most);
+    const float x = l.at.x + static_cast<float>(i) * step;
+    l.draw.AddRectFilled({x, l.at.y - 3 - tall}, {x + step - 1, l.at.y - 3}, faded(l.ui.colors.faint, 0.7f));
+  }
+}
+
+void tick(const Legend& l, double value, const std::string& text) {
+  const float x = l.x_of(value), wide = ImGui::CalcTextSize(text.c_str()).x;
+  l.draw.AddLine({x, l.at.y + thickness}, {x, l.at.y + thickness + 4}, l.ui.colors.faint);
+  const float left = std::clamp(x - wide / 2, l.at.x, l.at.x + l.length() - wide);
+  l.draw.AddText({left, l.at.y + thickness + 5}, l.ui.colors.text, text.c_str());
+}
+
+void ticks(const Legend& l) {
+  ImGui::PushFont(l.ui.fonts.numbers);
+  if (lab::entry(l.stats.field).scale == lab::Scale::log10) {
+    const int low = static_cast<int>(l.stats.low), high = static_cast<int>(l.stats.high);
+    for (int at = low + 1; at < high; at += (high - low + 4) / 5) tick(l, at, "1e" + std::to_string(at));
+  } else {
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const double value = l.stats.low + share * (l.stats.high - l.stats.low);
+      tick(l, value, lab::text(l.stats.field, value));
+    }
+  }
+  ImGui::PopFont();
+}
+
+// Of what is under the cursor.
+std::optional<double> pointed_value(const scene::Workspace& w) {
+  const auto& cursor = w.interaction.cursor;
+  if (!cursor || !w.field.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse)
+    return std::nullopt;
+  const auto hit = scene::pick_triangle(w.document, w.posed, w.camera.ray(*cursor, w.viewport));
+  if (!hit) return std::nullopt;
+  const auto& corners = w.document.model.surface->triangles[hit->triangle];
+  double value = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    value += hit->shares[k] * static_cast<double>((*w.field.values)[corners[k]]);
+  return value;
+}
+
+void pointer(const Legend& l, double value) {
+  const float x = l.x_of(value), y = l.at.y - 1;
+  l.draw.AddTriangleFilled({x - 5, y - 7}, {x + 5, y - 7}, {x, y}, l.ui.colors.text);
+  const std::string text = lab::text(l.stats.field, value);
+  ImGui::PushFont(l.ui.fonts.numbers);
+  const float wide = ImGui::CalcTextSize(text.c_str()).x;
+  l.draw.AddText({l.at.x + l.length() - wide, l.at.y - bars - 41}, l.ui.colors.accent, text.c_str());
+  ImGui::PopFont();
+}
+
+std::string title(const scene::Workspace& w, lab::Field field) {
+  if (field != lab::Field::exp_error) return std::string(base::entry_of(field).label);
+  return "Error of exp by " + method_label(w.field.stats.vertices ? w.field.stats.method : w.document.method);
+}
+
+std::string extent(const scene::Workspace& w) {
+  const lab::FieldStats& stats = w.field.stats;
+  if (!w.field.values) return "computing";
+  if (stats.is_nan) return "some are not numbers";
+  return "median " + lab::text(stats.field, stats.median) + ", from " + lab::text(stats.field, stats.least) +
+         " to " + lab::text(stats.field, stats.most);
+}
+
+}  // namespace
+
+// At the bottom right of the view: what the colours on the mesh say. What is said in the middle goes above
+// it.
+float map_legend(const Context& ui, float bottom) {
+  const auto& w = ui.workspace;
+  const lab::Field field = scene::shown_field(w);
+  if (field == lab::Field::none || ui.field_colors.even.empty()) return bottom;
+  const auto& v = w.viewport;
+  const ImVec2 low{v.origin.x + v.size.x - width - 16, v.origin.y + v.size.y - height - 16};
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  draw.AddRectFilled(low, {low.x + width, low.y + height}, faded(ui.colors.card, 0.92f), 8);
+  ImGui::PushFont(ui.fonts.text);
+  draw.AddText({low.x + inset, low.y + 8}, ui.colors.text, title(w, field).c_str());
+  draw.AddText({low.x + inset, low.y + 27}, ui.colors.faint, extent(w).c_str());
+  ImGui::PopFont();
+  const Legend legend{ui, draw, w.field.stats, {low.x + inset, low.y + 56 + bars}};
+  colors(legend, lab::entry(field).symmetric ? ui.field_colors.diverging : ui.field_colors.even);
+  if (!w.field.values) return low.y - 16;
+  counts(legend);
+  ticks(legend);
+  if (const auto value = pointed_value(w)) pointer(legend, *value);
+  return low.y - 16;
+}
+
+}  // namespace viete::ui
