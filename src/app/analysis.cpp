@@ -41,8 +41,7 @@ void Analysis::follow_frame(scene::Workspace& workspace, const LiveModel& model)
 }
 
 bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& model) const {
-  return probe_.has_result() || probe_is_due(workspace, model) || checks_.has_result() ||
-         bench_.has_result();
+  return probe_.has_result() || probe_is_due(workspace, model) || checks_.has_result() || bench_.has_result();
 }
 
 // What was measured of another path says nothing of this one. How far cage parts turn is no matter of the

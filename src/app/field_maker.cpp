@@ -34,9 +34,10 @@ struct Frame {
   sym3::Method method;
 };
 
-Frame frame_of(const scene::Document& document, const LiveModel& model) {
-  const deform::Deformer& deformer = *model.deformer();
-  const auto& cage = model.bound().cage;
+Frame frame_of(const FieldSubject& subject) {
+  const scene::Document& document = subject.document;
+  const deform::Deformer& deformer = *subject.deformer;
+  const auto& cage = subject.bound.cage;
   return {document.model.surface,
           cage,
           deformer.scheme(),
@@ -44,7 +45,7 @@ Frame frame_of(const scene::Document& document, const LiveModel& model) {
           document.shape,
           document.probes,
           document.has_cage() ? document.pose : deform::rest_pose(*cage),
-          document.method};
+          subject.method};
 }
 
 class FrameInDouble {
@@ -118,6 +119,16 @@ private:
   }
 };
 
+void take(FieldValues&& made, const scene::Document& document, scene::FieldView& shown) {
+  if (made.values.size() != document.model.surface->positions.size()) return;
+  if (shown.holds_range && shown.values) {
+    made.stats.low = shown.stats.low, made.stats.high = shown.stats.high;
+    lab::fit_counts(made.values, made.stats);
+  }
+  shown.stats = made.stats;
+  shown.values = std::make_shared<const std::vector<float>>(std::move(made.values));
+}
+
 lab::FieldInput input_of(const lab::Strain& strain, sym3::Method method) {
   lab::FieldInput input;
   input.strain = &strain;
@@ -127,58 +138,61 @@ lab::FieldInput input_of(const lab::Strain& strain, sym3::Method method) {
 
 }  // namespace
 
-FieldMaker::Subject FieldMaker::subject_of(const scene::Workspace& w, const LiveModel& model) {
-  Subject subject{scene::shown_field(w), model.frames(), w.view.deformed, {}};
-  if (subject.field == Field::influence) subject.selection = w.document.selection;
-  return subject;
+FieldMaker::Key FieldMaker::key_of(const FieldSubject& s) {
+  Key key{s.field, s.posed.frame, 0, s.posed.vertices.data(), s.document.model.surface.get(), s.method, {}};
+  if (lab::entry(s.field).source == Source::first) key.first = s.first.frame;
+  if (s.field == Field::influence) key.selection = s.document.selection;
+  return key;
 }
 
-bool FieldMaker::is_due(const scene::Workspace& w, const LiveModel& model) const {
-  const Source source = lab::entry(scene::shown_field(w)).source;
-  if (source == Source::nothing) return w.field.values != nullptr;
-  if (subject_of(w, model) == subject_) return false;
-  if (source == Source::surface) return true;
-  return !job_.running() && model.deformer() && model.deformer()->ran();
+bool FieldMaker::is_due(std::size_t view, const FieldSubject& s, const scene::FieldView& shown) const {
+  const View& v = views_[view];
+  if (v.job.has_result()) return true;
+  const Source source = lab::entry(s.field).source;
+  if (source == Source::nothing) return shown.values != nullptr;
+  if (key_of(s) == v.key) return false;
+  if (source == Source::surface || source == Source::first) return true;
+  return !v.job.running() && s.deformer && s.deformer->ran();
 }
 
-bool FieldMaker::follow(scene::Workspace& w, const LiveModel& model, bool wait) {
+bool FieldMaker::follow(std::size_t view, const FieldSubject& s, scene::FieldView& shown, bool wait) {
+  View& v = views_[view];
+  const lab::FieldEntry& entry = lab::entry(s.field);
   bool news = false;
-  if (auto result = job_.poll(wait);
-      result && result->value && result->value->stats.field == scene::shown_field(w)) {
-    take(w, *std::move(result->value));
+  if (auto result = v.job.poll(wait); result && result->value && result->value->stats.field == s.field) {
+    take(*std::move(result->value), s.document, shown);
     news = true;
   }
-  if (!is_due(w, model)) return news;
-  subject_ = subject_of(w, model);
-  const lab::FieldEntry& entry = lab::entry(subject_.field);
+  if (!is_due(view, s, shown)) return news;
+  v.key = key_of(s);
   if (entry.source == Source::nothing) {
-    job_.cancel();
-    w.field = {};
-    surface_.reset(), strain_.reset(), pool_.reset();
+    v.job.cancel();
+    shown = {};
     return true;
   }
-  if (w.field.stats.field != subject_.field) w.field = {.stats = {.field = subject_.field}};
-  if (entry.source != Source::surface) {
-    begin(w, model);
+  if (shown.stats.field != s.field) shown = {.stats = {.field = s.field}};
+  if (entry.source != Source::surface && entry.source != Source::first) {
+    begin(v, s);
     return news;
   }
-  const auto drawn = drawn_positions(w.posed, *w.document.model.surface);
+  const mesh::Surface& rest = *s.document.model.surface;
+  const auto drawn = drawn_positions(s.posed, rest), first = drawn_positions(s.first, rest);
   if (!pool_) pool_ = std::make_unique<base::WorkerPool>();
-  const auto strain = strain_of(w.document);
-  lab::FieldInput input = input_of(*strain, w.document.method);
-  input.drawn = drawn, input.pool = pool_.get();
-  take(w, lab::measure(subject_.field, input));
+  const auto strain = strain_of(s.document);
+  lab::FieldInput input = input_of(*strain, s.method);
+  input.drawn = drawn, input.first = first, input.pool = pool_.get();
+  take(lab::measure(s.field, input), s.document, shown);
   return true;
 }
 
-void FieldMaker::begin(const scene::Workspace& w, const LiveModel& model) {
-  const auto strain = strain_of(w.document);
-  const Field field = subject_.field;
-  const sym3::Method method = w.document.method;
+void FieldMaker::begin(View& view, const FieldSubject& s) {
+  const auto strain = strain_of(s.document);
+  const Field field = s.field;
+  const sym3::Method method = s.method;
   if (lab::entry(field).source == Source::matrices) {
-    const deform::Rows rows = model.deformer()->state().rows();
-    return job_.start(
-        [=, bound = model.bound(), mask = model.deformer()->mask(), form = rows.form, origin = rows.origin,
+    const deform::Rows rows = s.deformer->state().rows();
+    return view.job.start(
+        [=, bound = s.bound, mask = s.deformer->mask(), form = rows.form, origin = rows.origin,
          values = std::vector(rows.values.begin(), rows.values.end())](base::Progress& progress) {
           const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
           const auto matrices = deform::sample_stretches(
@@ -188,19 +202,19 @@ void FieldMaker::begin(const scene::Workspace& w, const LiveModel& model) {
           return lab::measure(field, input);
         });
   }
-  const Frame frame = frame_of(w.document, model);
+  const Frame frame = frame_of(s);
   if (field == Field::influence) {
     std::vector<std::uint32_t> vertices;
-    if (w.document.selection.kind() != scene::ElementKind::probe) vertices = moving_vertices(w.document);
-    return job_.start(
-        [=, influence = Influence{frame, w.document.selection, vertices}](base::Progress& progress) {
+    if (s.document.selection.kind() != scene::ElementKind::probe) vertices = scene::moving_vertices(s.document);
+    return view.job.start(
+        [=, influence = Influence{frame, s.document.selection, vertices}](base::Progress& progress) {
           const auto shares = influence.shares(progress);
           lab::FieldInput input = input_of(*strain, method);
           input.shares = shares;
           return lab::measure(field, input);
         });
   }
-  job_.start([=, drawn = drawn_positions(w.posed, *w.document.model.surface)](base::Progress& progress) {
+  view.job.start([=, drawn = drawn_positions(s.posed, *frame.model)](base::Progress& progress) {
     const auto exact = FrameInDouble(frame, progress).positions(frame.pose, frame.probes);
     lab::FieldInput input = input_of(*strain, method);
     input.drawn = drawn, input.exact = exact;
@@ -208,27 +222,15 @@ void FieldMaker::begin(const scene::Workspace& w, const LiveModel& model) {
   });
 }
 
-void FieldMaker::take(scene::Workspace& w, FieldValues&& made) {
-  if (made.values.size() != w.document.model.surface->positions.size()) return;
-  if (w.field.holds_range && w.field.values) {
-    made.stats.low = w.field.stats.low, made.stats.high = w.field.stats.high;
-    lab::fit_counts(made.values, made.stats);
-  }
-  w.field.stats = made.stats;
-  w.field.values = std::make_shared<const std::vector<float>>(std::move(made.values));
-}
-
-void FieldMaker::finish(scene::Workspace& w, const LiveModel& model) {
-  while (is_due(w, model) || job_.running()) follow(w, model, true);
+void FieldMaker::finish(std::size_t view, const FieldSubject& s, scene::FieldView& shown) {
+  while (is_due(view, s, shown) || views_[view].job.running()) follow(view, s, shown, true);
 }
 
 void FieldMaker::forget() {
-  job_.cancel();
-  subject_ = {};
-}
-
-bool FieldMaker::has_news(const scene::Workspace& w, const LiveModel& model) const {
-  return job_.has_result() || is_due(w, model);
+  for (View& view : views_) {
+    view.job.cancel();
+    view.key = {};
+  }
 }
 
 std::shared_ptr<const lab::Strain> FieldMaker::strain_of(const scene::Document& document) {

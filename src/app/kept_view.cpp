@@ -5,8 +5,8 @@ namespace viete::app {
 namespace {
 
 ViewDrawing coarse(ViewDrawing drawing) {
-  drawing.view.size = (drawing.view.size + 1) / 2;
-  drawing.view.scale /= 2;
+  drawing.size = (drawing.size + 1) / 2;
+  drawing.scale /= 2;
   return drawing;
 }
 
@@ -16,7 +16,7 @@ bool KeptView::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fin
   if (shows(drawing) && fineness_ >= fineness) return false;
   const ViewDrawing now = fineness == Fineness::coarse ? coarse(drawing) : drawing;
   const int samples[] = {0, samples_.plain, samples_.smooth};
-  picture_.begin(now.view.size, samples[static_cast<int>(fineness)]);
+  picture_.begin(now.size, samples[static_cast<int>(fineness)]);
   renderer.draw(now);
   picture_.resolve();
   ++count_;

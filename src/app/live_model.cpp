@@ -154,7 +154,7 @@ void LiveModel::make_deformer(const deform::Scheme& scheme) {
   derived_.reset();
   deformer_->set_all_staged(same_path_);
   unprepared_ = true;
-  dragging_ = false;
+  drag_ = {};
 }
 
 void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity) {
@@ -194,11 +194,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   if (!deformer_) return false;
   scene::Document& document = workspace.document;
   const auto& drag = workspace.interaction.drag;
-  if (dragging_ && (!drag || drag->softened() != softened_)) {
-    deformer_->end_drag();
-    derived_.reset();  // the frame at rest depends on the pose alone
-    dragging_ = false;
-  }
+  if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose alone
   // While the hand changes the cage itself, the model stays as it is at rest.
   const bool editing = drag && document.kept_pose && !drag->vertices().empty();
   if (editing) derived_ = {document.revisions().pose, document.revisions().method};
@@ -216,11 +212,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
     prepared_ = std::exchange(unprepared_, false);
     if (prepared_) derived_.reset();
   }
-  // From the next frame on: only what was deformed whole can be followed in parts.
-  if (drag && !dragging_ && deformer_->ran() && !drag->vertices().empty())
-    deformer_->begin_drag(drag->vertices());
-  dragging_ = drag.has_value();
-  softened_ = drag ? drag->softened() : 0;
+  drag_.after(*deformer_, drag);
   return deformed;
 }
 

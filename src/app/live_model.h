@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/bound.h"
+#include "app/drag_follower.h"
 #include "app/file_desk.h"
 #include "base/background.h"
 #include "base/worker_pool.h"
@@ -96,8 +97,8 @@ private:
   unsigned long frames_ = 0;
   bool same_path_ = false;                   // the staged engine for all methods
   std::optional<scene::Revision> given_up_;  // pose at which the first binding was stopped
-  bool unprepared_ = false, prepared_ = false, dragging_ = false;
-  int softened_ = 0;  // of the drag that is followed
+  bool unprepared_ = false, prepared_ = false;
+  DragFollower drag_;
 };
 
 }  // namespace viete::app

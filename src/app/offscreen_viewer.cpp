@@ -21,7 +21,7 @@ void OffscreenViewer::settle() {
   viewer_->finish_binding();
   if (viewer_->workspace().view.panels) viewer_->finish_checks();
   for (int i = 0; i < 200 && viewer_->wants_frame(); ++i) viewer_->frame(frame_seconds);
-  viewer_->finish_field();
+  viewer_->finish_views();
   while (viewer_->measuring()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   viewer_->frame(frame_seconds);
 }

@@ -70,8 +70,9 @@ void Viewer::resize(glm::ivec2 logical_size) {
 }
 
 void Viewer::place_viewport() {
-  workspace_.viewport =
+  const scene::Viewport whole =
       scene::view_between(workspace_.remembered.layout, glm::vec2(options_.size), workspace_.view.panels);
+  workspace_.viewport = scene::viewport_of(workspace_.split, whole, workspace_.split.active);
 }
 
 void Viewer::frame(float seconds) {
@@ -86,7 +87,7 @@ void Viewer::frame(float seconds) {
   follow_document();
   settle_messages();
   deform(times);
-  if (fields_.follow(workspace_, model_)) settle(2);
+  if (follow_fields()) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
   upload(times);
@@ -116,6 +117,7 @@ void Viewer::take_input(float seconds) {
   if (!input_.empty()) settle(3);
   input_.feed_frame();
   ImGui::NewFrame();
+  enter_view_under_cursor();
   ui::handle_input(workspace_, pointer_);
   workspace_.camera.animate(seconds);
   place_viewport();
@@ -157,19 +159,19 @@ void Viewer::settle_messages() {
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
   const bool reports = files_.loading() || files_.exporting() || files_.measuring() || model_.binding() ||
-                       cages_.running() || analysis_.reports();
+                       sides_.binding(workspace_) || cages_.running() || analysis_.reports();
   if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
   return changing() || files_.has_news() || model_.has_result() ||
          (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
-         analysis_.has_news(workspace_, model_) || fields_.has_news(workspace_, model_) ||
-         workspace_.messages.due(base::wall_seconds());
+         analysis_.has_news(workspace_, model_) || workspace_.messages.due(base::wall_seconds());
 }
 
 bool Viewer::changing() const {
   const scene::Document& document = workspace_.document;
   const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions().pose;
   return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
-         workspace_.playback.playing || workspace_.pins.is_due() || model_.is_due(document);
+         workspace_.playback.playing || workspace_.pins.is_due() || model_.is_due(document) ||
+         sides_.is_due(workspace_, model_) || field_is_due();
 }
 
 void Viewer::take_requests() {
@@ -193,6 +195,8 @@ void Viewer::follow_document() {
   const LiveModel::Changed changed = model_.follow(workspace_, cages_.take_bound());
   if (changed.document || changed.cage) {
     fields_.forget();
+    sides_.forget();
+    for (scene::SideView& side : workspace_.split.sides) side.shown = {}, side.stats.clear();
     workspace_.interaction.hovered.reset();
     if (files_.shading().surface != document.model.surface)
       files_.shading() = shading_of(document.model.surface, document.model.attributes.get());
@@ -247,10 +251,70 @@ mesh::Point Viewer::vertex(std::size_t index) const {
 }
 
 void Viewer::deform(scene::FrameTimes& times) {
-  deformed_ = model_.deform(workspace_, times);
-  workspace_.posed = {};
-  if (const auto* deformer = model_.deformer(); workspace_.view.deformed && deformer && deformer->ran())
-    workspace_.posed = {deformer->vertices(), deformer->origin(), model_.frames()};
+  first_deformed_ = model_.deform(workspace_, times);
+  deformed_ = sides_.follow(workspace_, model_) || first_deformed_;
+  workspace_.posed = posed_in(workspace_.split.active);
+}
+
+// What the model is drawn as; nothing: at rest. Until a side has a frame it is as the first view.
+scene::PosedModel Viewer::posed_in(std::size_t view) const {
+  const deform::Deformer* deformer = view > 0 ? sides_[view - 1].deformer() : nullptr;
+  const bool own = deformer && deformer->ran();
+  if (!own) deformer = model_.deformer();
+  if (!workspace_.view.deformed || !deformer || !deformer->ran()) return {};
+  return {deformer->vertices(), deformer->origin(), own ? sides_[view - 1].frames() : model_.frames()};
+}
+
+FieldSubject Viewer::field_subject(std::size_t view) const {
+  const scene::Document& document = workspace_.document;
+  if (view == 0)
+    return {document,          scene::shown_field(workspace_),
+            model_.deformer(), model_.bound(),
+            document.method,   posed_in(0),
+            posed_in(0)};
+  const scene::SideView& side = workspace_.split.sides[view - 1];
+  const SideModel& model = sides_[view - 1];
+  return {document,         scene::shown_field(workspace_, side),
+          model.deformer(), model.bound(),
+          side.method,      posed_in(view),
+          posed_in(0)};
+}
+
+scene::FieldView& Viewer::field_view(std::size_t view) {
+  return view == 0 ? workspace_.field : workspace_.split.sides[view - 1].shown;
+}
+
+bool Viewer::field_is_due() const {
+  for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
+    const auto& shown = view == 0 ? workspace_.field : workspace_.split.sides[view - 1].shown;
+    if (fields_.is_due(view, field_subject(view), shown)) return true;
+  }
+  return false;
+}
+
+bool Viewer::follow_fields() {
+  bool news = false;
+  if (!workspace_.document.model.surface) return news;
+  for (std::size_t view = 0; view < workspace_.split.count(); ++view)
+    news |= fields_.follow(view, field_subject(view), field_view(view));
+  return news;
+}
+
+void Viewer::finish_views() {
+  if (!workspace_.document.model.surface) return;
+  sides_.finish(workspace_, model_);
+  frame(0);
+  for (std::size_t view = 0; view < workspace_.split.count(); ++view)
+    fields_.finish(view, field_subject(view), field_view(view));
+}
+
+// A drag goes on in the view where it began.
+void Viewer::enter_view_under_cursor() {
+  if (workspace_.split.active >= workspace_.split.count()) scene::enter_view(workspace_, 0);
+  if (!workspace_.split.on() || pointer_.active() || workspace_.camera.moving()) return;
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  if (ImGui::IsMousePosValid(&at))
+    scene::enter_view(workspace_, scene::view_at(workspace_.split, workspace_.viewport, {at.x, at.y}));
 }
 
 void Viewer::upload(scene::FrameTimes& times) {
@@ -267,8 +331,13 @@ void Viewer::upload(scene::FrameTimes& times) {
     cage_drawn_ = document.revisions().pose;
   }
   if (switched && at_rest) renderer_.set_rest(document, files_.shading());
-  if (!at_rest && (deformed_ || switched) && model_.deformer() && model_.deformer()->ran())
-    renderer_.set_model(model_.deformer()->vertices(), model_.deformer()->origin());
+  renderer_.set_views(workspace_.split.count(), document, files_.shading());
+  for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
+    const bool news = view == 0 ? first_deformed_ : sides_.take_news(view - 1);
+    const scene::PosedModel posed = posed_in(view);
+    if ((news || switched) && !posed.vertices.empty())
+      renderer_.set_model(view, posed.vertices, posed.origin);
+  }
   renderer_.set_colors(workspace_);
   times.upload = watch.lap_ms();
 }

@@ -13,6 +13,7 @@
 #include "app/kept_view.h"
 #include "app/live_model.h"
 #include "app/saved_bindings.h"
+#include "app/side_views.h"
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
@@ -80,7 +81,9 @@ public:
     return files_.exporting() || workspace_.requests.save_model || workspace_.requests.save_animation;
   }
   /// True while something is read, bound or written aside that a person waits for.
-  bool working() const { return loading() || exporting() || model_.binding() || cages_.running(); }
+  bool working() const {
+    return loading() || exporting() || model_.binding() || sides_.binding(workspace_) || cages_.running();
+  }
   /// Waits for the files that are being read.
   void finish_loading() { files_.finish_loading(workspace_); }
   /// Waits for the deformed models that are being written.
@@ -91,8 +94,8 @@ public:
   bool checking() const { return analysis_.checking(); }
   /// Waits until they are.
   void finish_checks();
-  /// Waits until the map, if one is shown, is that of this pose.
-  void finish_field() { fields_.finish(workspace_, model_); }
+  /// Waits until all views, and the maps that they show, are those of this pose.
+  void finish_views();
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
   render::Image picture() { return framebuffer_.read(); }
@@ -112,6 +115,12 @@ private:
   mesh::Point vertex(std::size_t index) const;  // of the model, as it is drawn
   void settle_notices();
   void deform(scene::FrameTimes& times);
+  void enter_view_under_cursor();
+  scene::PosedModel posed_in(std::size_t view) const;
+  FieldSubject field_subject(std::size_t view) const;
+  scene::FieldView& field_view(std::size_t view);
+  bool follow_fields();
+  bool field_is_due() const;
   void upload(scene::FrameTimes& times);
   void draw(scene::FrameTimes& times);
   ViewDrawing drawing() const { return renderer_.drawing(workspace_, device_size(), options_.scale); }
@@ -131,6 +140,7 @@ private:
   FileDesk files_;
   LiveModel model_;
   CageMaker cages_;
+  SideViews sides_;
   Analysis analysis_;
   FieldMaker fields_;
   scene::Pointer pointer_;
@@ -152,7 +162,7 @@ private:
   scene::Revisions said_of_;  ///< what the messages up to this revision may be of
   unsigned said_ = 0;
   std::optional<scene::Revision> cage_drawn_;  ///< which pose; nothing: none of this cage
-  bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
+  bool deformed_ = false, first_deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< seconds of wall time; of the view alone, and of all
   double last_motion_ = 0;                   ///< when the last picture of something that moves was there
   bool refines_ = false, moves_ = false;     ///< in this frame: the view at rest, what is seen in it

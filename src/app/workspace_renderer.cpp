@@ -1,11 +1,9 @@
 #include "app/workspace_renderer.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
-#include "render/palette.h"
 #include "scene/document/elements.h"
 #include "scene/document/selection_sets.h"
 #include "scene/workspace/pointer.h"
@@ -81,49 +79,46 @@ WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
     : gl_(gl),
       backdrop_(gl),
       grid_(gl),
-      shadow_(gl),
-      model_(gl),
       cage_faces_(gl),
       cage_lines_(gl),
       ghost_lines_(gl),
       cage_vertices_(gl),
       marks_(gl),
       findings_(gl) {
-  model_.set_palette(render::surface_palette());
+  models_.push_back(std::make_unique<ModelLayer>(gl));
 }
 
 void WorkspaceRenderer::set_colors(const scene::Workspace& w) {
-  const lab::Field field = scene::shown_field(w);
-  Colored wanted{scene::shows_mask(w), w.view.dark, nullptr, nullptr, lab::entry(field).symmetric};
-  if (wanted.by_mask) wanted.mask = w.document.mask;
-  if (field != lab::Field::none && w.field.stats.field == field) wanted.field = w.field.values;
-  if (colored_ == wanted || model_vertices_ == 0) return;
-  colored_ = wanted;
-  ++content_;
-  if (!wanted.by_mask) {
-    model_.set_palette(wanted.symmetric ? render::diverging_palette() : render::surface_palette());
-    return model_.set_scalars(wanted.field ? *wanted.field : std::vector<float>());
+  bool changed = false;
+  for (std::size_t view = 0; view < models_.size(); ++view) {
+    if (view == 0) {
+      changed |= models_[view]->set_colors(w, scene::shown_field(w), w.field);
+    } else if (view < w.split.count()) {
+      const scene::SideView& side = w.split.sides[view - 1];
+      changed |= models_[view]->set_colors(w, scene::shown_field(w, side), side.shown);
+    }
   }
-  const render::Theme theme = theme_of(w);
-  model_.set_palette(render::blend_palette({theme.held, theme.model}, 64));
-  model_.set_scalars(wanted.mask ? *wanted.mask : std::vector<float>(model_vertices_, 1.0f));
+  if (changed) ++content_;
+}
+
+void WorkspaceRenderer::set_views(std::size_t count, const scene::Document& document,
+                                  const ModelShading& shading) {
+  if (models_.size() == count) return;
+  ++content_;
+  models_.resize(std::min(models_.size(), count));
+  while (models_.size() < count) {
+    models_.push_back(std::make_unique<ModelLayer>(gl_));
+    models_.back()->set_document(document, shading);
+  }
 }
 
 void WorkspaceRenderer::set_document(const scene::Document& document, const ModelShading& shading) {
-  const mesh::Surface& model = *document.model.surface;
-  const ModelLooks& looks = shading.looks;
-  model_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles, model.positions.size());
-  model_.set_looks(looks.looks);
-  shadow_.set_triangles(model.triangles, model.positions);
-  file_says_something_ = looks.says_something;
-  colored_.reset();
-  model_vertices_ = model.positions.size();
-  model_.set_occlusion(shading.occlusion);
+  for (const auto& model : models_) model->set_document(document, shading);
+  file_says_something_ = shading.looks.says_something;
   set_another_cage(document, shading);
 }
 
 void WorkspaceRenderer::set_another_cage(const scene::Document& document, const ModelShading& shading) {
-  colored_.reset();
   hand_.reset();
   set_rest(document, shading);
   if (!document.has_cage()) return;
@@ -148,20 +143,13 @@ void WorkspaceRenderer::set_shown_edges(const scene::Document& document) {
 }
 
 void WorkspaceRenderer::set_rest(const scene::Document& document, const ModelShading& shading) {
-  model_.set_positions(document.model.surface->positions, shading.normals);
-  shadow_.set_positions(document.model.surface->positions);
+  for (const auto& model : models_) model->set_rest(document, shading);
   ++content_;
 }
 
-// The rooms do not know each other; their vertices are the same bytes.
-void WorkspaceRenderer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
-  using From = deform::FrameVertex;
-  using To = render::SurfaceVertex;
-  static_assert(sizeof(From) == sizeof(To) && offsetof(From, position) == offsetof(To, position) &&
-                offsetof(From, normal) == offsetof(To, normal));
-  const std::span same(reinterpret_cast<const To*>(vertices.data()), vertices.size());
-  model_.set_vertices(same, origin);
-  shadow_.set_vertices(same, origin);
+void WorkspaceRenderer::set_model(std::size_t view, std::span<const deform::FrameVertex> vertices,
+                                  const mesh::Point& origin) {
+  models_[view]->set_model(vertices, origin);
   ++content_;
 }
 
@@ -212,26 +200,35 @@ render::SurfaceStyle WorkspaceRenderer::surface_style(const scene::Workspace& w)
   style.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
   style.paint = paint_of(w.view.shading, file_says_something_);
-  const bool by_mask = scene::shows_mask(w);
-  style.scalars = by_mask || (colored_ && colored_->field);
-  style.scalar_low = by_mask ? 0 : static_cast<float>(w.field.stats.low);
-  style.scalar_high = by_mask ? 1 : static_cast<float>(w.field.stats.high);
   return style;
+}
+
+ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t view) const {
+  ViewDrawing::Part part;
+  const scene::Pane pane = scene::pane_of(w.split, view);
+  const scene::Viewport& v = w.viewport;
+  part.low = (v.origin + pane.at * v.size) / v.window;
+  part.high = (v.origin + (pane.at + pane.size) * v.size) / v.window;
+  scene::Camera camera = w.camera;
+  if (const auto pose = scene::camera_of(w, view); pose != camera.pose()) camera.set_pose(pose);
+  part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
+  part.projection = glm::dmat4(camera.projection(scene::viewport_of(w.split, v, view)));
+  part.surface = surface_style(w);
+  models_[view]->span(part.surface, view == 0 ? w.field : w.split.sides[view - 1].shown);
+  return part;
 }
 
 ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 size, float scale) const {
   ViewDrawing d;
-  d.view.size = size, d.view.scale = scale;
+  d.size = size, d.scale = scale;
   d.dark = w.view.dark;
   const auto& document = w.document;
   if (!document.model.surface) return d;
-  d.open = true;
   d.content = content_;
-  d.view.view = glm::dmat4(w.camera.view()) * file_to_view(document.space);
-  d.view.projection = glm::dmat4(w.camera.projection(w.viewport));
+  for (std::size_t view = 0; view < std::min(models_.size(), w.split.count()); ++view)
+    d.parts.push_back(part(w, view));
   d.model = w.view.model, d.grid = w.view.grid;
   d.cage = document.has_cage() && w.view.cage, d.ghost = w.view.ghost;
-  d.surface = surface_style(w);
   const double diagonal = document.space.diagonal();
   const auto& c = document.space.center;
   const int up = w.camera.pose().up == scene::UpAxis::z ? 2 : 1;
@@ -245,24 +242,41 @@ ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 siz
 void WorkspaceRenderer::draw(const ViewDrawing& d) {
   const render::Theme theme = d.dark ? render::dark_theme() : render::light_theme();
   backdrop_.draw(theme);
-  if (!d.open) return;
-  if (d.model) model_.draw(d.view, theme, d.surface);
-  if (d.grid) draw_ground(d, theme);
-  if (d.cage) draw_cage(d, theme);
-  findings_.draw(d.view, theme);
+  for (std::size_t view = 0; view < d.parts.size(); ++view) {
+    const ViewDrawing::Part& part = d.parts[view];
+    if (d.parts.size() > 1) clip_to(part, d.size);
+    draw_part(d, view, theme);
+    gl_.Disable(GL_SCISSOR_TEST);
+  }
 }
 
-void WorkspaceRenderer::draw_ground(const ViewDrawing& d, const render::Theme& theme) {
-  if (d.model) shadow_.draw(d.view, theme, d.shadow);
-  grid_.draw(d.view, theme, d.ground);
+// Rows of pixels are counted from below.
+void WorkspaceRenderer::clip_to(const ViewDrawing::Part& part, const glm::ivec2& size) const {
+  const glm::ivec2 low(glm::round(part.low * glm::vec2(size))), high(glm::round(part.high * glm::vec2(size)));
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.Scissor(low.x, size.y - high.y, high.x - low.x, high.y - low.y);
 }
 
-void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::Theme& theme) const {
-  if (d.ghost) ghost_lines_.draw(d.view, {1, 0.15f, 0.5f});
-  cage_faces_.draw(d.view, {theme.cage, 0.03f, 0.06f, true});
-  cage_lines_.draw(d.view, {1.25f, 0.9f, 0.25f, theme.halo});
-  marks_.draw(d.view, theme);
-  cage_vertices_.draw(d.view, {theme.outline, theme.hover, 1, 0.35f});
+void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const render::Theme& theme) {
+  const ViewDrawing::Part& part = d.parts[view];
+  const render::View seen{part.view, part.projection, d.size, d.scale};
+  ModelLayer& model = *models_[view];
+  if (d.model) model.draw(seen, theme, part.surface);
+  if (d.grid) {
+    if (d.model) model.draw_shadow(seen, theme, d.shadow);
+    grid_.draw(seen, theme, d.ground);
+  }
+  if (d.cage) draw_cage(d, seen, theme);
+  if (view == 0) findings_.draw(seen, theme);
+}
+
+void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::View& view,
+                                  const render::Theme& theme) const {
+  if (d.ghost) ghost_lines_.draw(view, {1, 0.15f, 0.5f});
+  cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
+  cage_lines_.draw(view, {1.25f, 0.9f, 0.25f, theme.halo});
+  marks_.draw(view, theme);
+  cage_vertices_.draw(view, {theme.outline, theme.hover, 1, 0.35f});
 }
 
 }  // namespace viete::app

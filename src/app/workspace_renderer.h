@@ -8,6 +8,7 @@
 
 #include "app/cage_marks.h"
 #include "app/finding_marks.h"
+#include "app/model_layer.h"
 #include "app/model_looks.h"
 #include "deform/frame_vertex.h"
 #include "render/backdrop.h"
@@ -16,17 +17,26 @@
 #include "render/line_layer.h"
 #include "render/shadow_layer.h"
 #include "render/surface_layer.h"
+#include "render/view.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::app {
 
 /// All that decides how the view looks: the same drawing again gives the same picture.
 struct ViewDrawing {
-  render::View view;
+  /// One of the views that it is split in.
+  struct Part {
+    glm::vec2 low{0, 0}, high{1, 1};  ///< where, as parts of the window from its upper left
+    glm::dmat4 view{1}, projection{1};
+    render::SurfaceStyle surface;
+
+    friend bool operator==(const Part&, const Part&) = default;
+  };
+  std::vector<Part> parts;  ///< none: there is no model, and only the backdrop is drawn
+  glm::ivec2 size{1, 1};    ///< of the window, device pixels
+  float scale = 1;          ///< device pixels per logical pixel
   bool dark = true;
-  bool open = false;  ///< there is a model; else only the backdrop
   bool model = false, grid = false, cage = false, ghost = false;  ///< are shown
-  render::SurfaceStyle surface;
   render::ShadowStyle shadow;
   render::GridStyle ground;
   unsigned long content = 0;  ///< of the layers; grows with each change of what they hold
@@ -44,15 +54,20 @@ public:
   void set_another_cage(const scene::Document& document, const ModelShading& shading);
   /// The model of that document, at rest again.
   void set_rest(const scene::Document& document, const ModelShading& shading);
-  /// The deformed model, relative to origin in the file's coordinates.
-  void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
+  /// In so many views; the model of new ones is at rest.
+  void set_views(std::size_t count, const scene::Document& document, const ModelShading& shading);
+  /// The deformed model of that view, relative to origin in the file's coordinates.
+  void set_model(std::size_t view, std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
   /// The map, or what of the model follows the cage, where these are shown: before draw().
   void set_colors(const scene::Workspace& workspace);
   /// The posed cage and how its vertices look now.
   void set_cage(const scene::Workspace& workspace);
   void set_hand(const scene::Workspace& workspace);
   /// The next set_hand() and set_colors() upload all anew.
-  void forget() { hand_.reset(), colored_.reset(), marks_.forget(); }
+  void forget() {
+    hand_.reset(), marks_.forget();
+    for (const auto& model : models_) model->forget();
+  }
   /// What the checks found; see FindingMarks::set().
   void set_findings(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved) {
     if (findings_.set(workspace, model_vertex, moved)) ++content_;
@@ -64,31 +79,23 @@ public:
   void draw(const ViewDrawing& drawing);
 
 private:
-  void draw_ground(const ViewDrawing& drawing, const render::Theme& theme);
+  ViewDrawing::Part part(const scene::Workspace& workspace, std::size_t view) const;
+  void clip_to(const ViewDrawing::Part& part, const glm::ivec2& size) const;
+  void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme);
   void set_shown_edges(const scene::Document& document);
-  void draw_cage(const ViewDrawing& drawing, const render::Theme& theme) const;
+  void draw_cage(const ViewDrawing& drawing, const render::View& view, const render::Theme& theme) const;
   render::SurfaceStyle surface_style(const scene::Workspace& workspace) const;
 
   const render::Gl& gl_;
   render::Backdrop backdrop_;
   render::Grid grid_;
-  render::ShadowLayer shadow_;
-  render::SurfaceLayer model_;
+  std::vector<std::unique_ptr<ModelLayer>> models_;  // one a view
   render::FaceLayer cage_faces_;
   render::LineLayer cage_lines_, ghost_lines_;
   render::DiscLayer cage_vertices_;
   CageMarks marks_;
   FindingMarks findings_;
   bool file_says_something_ = false;
-  // What the model is coloured by; nothing: it is to be uploaded anew.
-  struct Colored {
-    bool by_mask = false, dark = false;
-    deform::Mask mask;
-    std::shared_ptr<const std::vector<float>> field;
-    bool symmetric = false;
-    friend bool operator==(const Colored&, const Colored&) = default;
-  };
-  std::optional<Colored> colored_;
   // How the cage's vertices and lines look; nothing: it is to be uploaded anew.
   struct Hand {
     bool dark = true;
@@ -100,7 +107,6 @@ private:
   unsigned long content_ = 0;
   std::vector<std::uint32_t> hidden_;         // vertices of the cage, as its lines are drawn
   std::vector<render::Segment> shown_edges_;  // which those are
-  std::size_t model_vertices_ = 0;
 };
 
 }  // namespace viete::app

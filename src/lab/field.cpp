@@ -106,6 +106,17 @@ std::vector<double> shares(const FieldInput& in) {
   return {in.shares.begin(), in.shares.end()};
 }
 
+std::vector<double> differences(const FieldInput& in) {
+  return distances(in.drawn, in.first, in.strain->diagonal());
+}
+
+// Along the normal of the first view.
+std::vector<double> signed_differences(const FieldInput& in) {
+  std::vector<double> values = in.strain->along_normals(in.first, in.drawn, *in.pool);
+  for (double& value : values) value /= in.strain->diagonal();
+  return values;
+}
+
 constexpr FieldEntry table[] = {
     {Field::none,
      {"none", "None", "Show the mesh as it is shaded."},
@@ -229,6 +240,25 @@ constexpr FieldEntry table[] = {
      0,
      false,
      shares},
+    {Field::difference,
+     {"difference", "Difference", "How far each vertex is from where the first view has it, in diagonals."},
+     Source::first,
+     Scale::log10,
+     false,
+     3,
+     1e-12,
+     false,
+     differences},
+    {Field::signed_difference,
+     {"signed-difference", "Signed difference",
+      "The same along the normal of the first view: orange outside of it, blue inside."},
+     Source::first,
+     Scale::plain,
+     true,
+     1e-4,
+     0,
+     false,
+     signed_differences},
 };
 
 // As it is kept.

@@ -33,7 +33,9 @@ enum class Field : unsigned char {
   gap,
   exp_error,
   frame_error,
-  influence
+  influence,
+  difference,
+  signed_difference
 };
 std::span<const base::Choice> choices(Field);
 
@@ -46,10 +48,12 @@ enum class Source : unsigned char {
   matrices,  ///< the symmetric logs that vertices blend: there must be a blend that takes exponentials
   frame,     ///< positions as they are drawn, and in double
   shares,    ///< how much of the selection's motion a vertex takes
+  first,     ///< positions as they are drawn, here and in the first of several views
 };
 
 struct FieldInput {
   const Strain* strain;                          ///< of the model at rest
+  std::span<const mesh::Point> first;            ///< where the first view has them
   std::span<const mesh::Point> drawn, exact;     ///< in the file's units
   std::span<const sym3::Sym3<double>> matrices;  ///< one a vertex
   std::span<const double> shares;                ///< one a vertex

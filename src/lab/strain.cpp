@@ -88,13 +88,26 @@ std::vector<double> Strain::turns(std::span<const Point> deformed, base::WorkerP
   return values;
 }
 
-Strain::Direction Strain::direction(std::span<const Point> deformed, std::size_t vertex) const {
-  Vec3 normal{0, 0, 0};
+Vec3 Strain::normal(std::span<const Point> deformed, std::size_t vertex) const {
+  Vec3 sum{0, 0, 0};
   for (const std::uint32_t f : around_.of(vertex)) {
     const auto& [a, b, c] = faces_[f].corners;
-    normal = normal + cross(deformed[b] - deformed[a], deformed[c] - deformed[a]);
+    sum = sum + cross(deformed[b] - deformed[a], deformed[c] - deformed[a]);
   }
-  normal = unit(normal);
+  return unit(sum);
+}
+
+std::vector<double> Strain::along_normals(std::span<const Point> from, std::span<const Point> to,
+                                          base::WorkerPool& pool) const {
+  std::vector<double> values(rest_.size());
+  pool.for_blocks(values.size(), at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) values[v] = dot(normal(from, v), to[v] - from[v]);
+  });
+  return values;
+}
+
+Strain::Direction Strain::direction(std::span<const Point> deformed, std::size_t vertex) const {
+  const Vec3 normal = this->normal(deformed, vertex);
   const Vec3 p = unit(std::abs(normal[0]) < 0.6 ? cross(normal, {1, 0, 0}) : cross(normal, {0, 1, 0}));
   const Vec3 q = cross(normal, p);
   // The mean log of the stretch J J^T of each triangle's plane, as it is deformed, in the axes p and q.

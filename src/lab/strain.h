@@ -29,6 +29,10 @@ public:
   /// map takes the normal at rest to the normal.
   std::vector<double> turns(std::span<const mesh::Point> deformed, base::WorkerPool& pool) const;
 
+  /// How far `to` is from `from` along the normals of `from`, which are means by area; in the file's units.
+  std::vector<double> along_normals(std::span<const mesh::Point> from, std::span<const mesh::Point> to,
+                                    base::WorkerPool& pool) const;
+
   /// The most stretched direction at a vertex, as it is deformed, of length 1, and by how much; the least.
   struct Direction {
     mesh::Vec3 most, least;
@@ -38,6 +42,8 @@ public:
   Direction direction(std::span<const mesh::Point> deformed, std::size_t vertex) const;
 
 private:
+  mesh::Vec3 normal(std::span<const mesh::Point> deformed, std::size_t vertex) const;
+
   std::vector<mesh::Point> rest_;
   std::vector<FlatFace> faces_;  // that have area
   mesh::Adjacency around_;       // of vertices, of these

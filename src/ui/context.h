@@ -37,7 +37,7 @@ struct Context {
   scene::Workspace& workspace;
   const Fonts& fonts;
   Palette colors;
-  Recorder* recorder;                     ///< null when nobody is watching
+  Recorder* recorder;  ///< null when nobody is watching
   const FieldColors& field_colors;
 };
 

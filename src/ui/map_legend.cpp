@@ -70,17 +70,16 @@ void ticks(const Legend& l) {
   ImGui::PopFont();
 }
 
-// Of what is under the cursor.
-std::optional<double> pointed_value(const scene::Workspace& w) {
+// Of what is under the cursor: in the view that this is, or where all views have the same camera, in any.
+std::optional<double> pointed_value(const scene::Workspace& w, const scene::FieldView& shown) {
   const auto& cursor = w.interaction.cursor;
-  if (!cursor || !w.field.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse)
-    return std::nullopt;
+  if (!cursor || !shown.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse) return std::nullopt;
   const auto hit = scene::pick_triangle(w.document, w.posed, w.camera.ray(*cursor, w.viewport));
   if (!hit) return std::nullopt;
   const auto& corners = w.document.model.surface->triangles[hit->triangle];
   double value = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    value += hit->shares[k] * static_cast<double>((*w.field.values)[corners[k]]);
+    value += hit->shares[k] * static_cast<double>((*shown.values)[corners[k]]);
   return value;
 }
 
@@ -94,42 +93,57 @@ void pointer(const Legend& l, double value) {
   ImGui::PopFont();
 }
 
-std::string title(const scene::Workspace& w, lab::Field field) {
+std::string title(const scene::FieldView& shown, lab::Field field, scene::Method method) {
   if (field != lab::Field::exp_error) return std::string(base::entry_of(field).label);
-  return "Error of exp by " + method_label(w.field.stats.vertices ? w.field.stats.method : w.document.method);
+  return "Error of exp by " + method_label(shown.stats.vertices ? shown.stats.method : method);
 }
 
-std::string extent(const scene::Workspace& w) {
-  const lab::FieldStats& stats = w.field.stats;
-  if (!w.field.values) return "computing";
+std::string extent(const scene::FieldView& shown) {
+  const lab::FieldStats& stats = shown.stats;
+  if (!shown.values) return "computing";
   if (stats.is_nan) return "some are not numbers";
   return "median " + lab::text(stats.field, stats.median) + ", from " + lab::text(stats.field, stats.least) +
          " to " + lab::text(stats.field, stats.most);
 }
 
-}  // namespace
-
-// At the bottom right of the view: what the colours on the mesh say. What is said in the middle goes above
-// it.
-float map_legend(const Context& ui, float bottom) {
-  const auto& w = ui.workspace;
-  const lab::Field field = scene::shown_field(w);
-  if (field == lab::Field::none || ui.field_colors.even.empty()) return bottom;
-  const auto& v = w.viewport;
-  const ImVec2 low{v.origin.x + v.size.x - width - 16, v.origin.y + v.size.y - height - 16};
+// With its lower right corner there.
+void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab::Field field,
+            scene::Method method) {
+  const ImVec2 low{corner.x - width - 16, corner.y - height - 16};
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   draw.AddRectFilled(low, {low.x + width, low.y + height}, faded(ui.colors.card, 0.92f), 8);
   ImGui::PushFont(ui.fonts.text);
-  draw.AddText({low.x + inset, low.y + 8}, ui.colors.text, title(w, field).c_str());
-  draw.AddText({low.x + inset, low.y + 27}, ui.colors.faint, extent(w).c_str());
+  draw.AddText({low.x + inset, low.y + 8}, ui.colors.text, title(shown, field, method).c_str());
+  draw.AddText({low.x + inset, low.y + 27}, ui.colors.faint, extent(shown).c_str());
   ImGui::PopFont();
-  const Legend legend{ui, draw, w.field.stats, {low.x + inset, low.y + 56 + bars}};
-  colors(legend, lab::entry(field).symmetric ? ui.field_colors.diverging : ui.field_colors.even);
-  if (!w.field.values) return low.y - 16;
-  counts(legend);
-  ticks(legend);
-  if (const auto value = pointed_value(w)) pointer(legend, *value);
-  return low.y - 16;
+  const Legend made{ui, draw, shown.stats, {low.x + inset, low.y + 56 + bars}};
+  colors(made, lab::entry(field).symmetric ? ui.field_colors.diverging : ui.field_colors.even);
+  if (!shown.values) return;
+  counts(made);
+  ticks(made);
+  if (const auto value = pointed_value(ui.workspace, shown)) pointer(made, *value);
+}
+
+}  // namespace
+
+// At the bottom right of each view: what the colours on its mesh say. What is said in the middle goes above
+// it.
+float map_legend(const Context& ui, float bottom) {
+  const auto& w = ui.workspace;
+  if (ui.field_colors.even.empty()) return bottom;
+  float top = bottom;
+  for (std::size_t view = 0; view < w.split.count(); ++view) {
+    const bool first = view == 0;
+    const scene::SideView* side = first ? nullptr : &w.split.sides[view - 1];
+    const lab::Field field = first ? scene::shown_field(w) : scene::shown_field(w, *side);
+    if (field == lab::Field::none) continue;
+    const scene::Pane pane = scene::pane_of(w.split, view);
+    const glm::vec2 corner = w.viewport.origin + (pane.at + pane.size) * w.viewport.size;
+    if (pane.size.x * w.viewport.size.x < width + 32) continue;
+    legend(ui, vec(corner), first ? w.field : side->shown, field, first ? w.document.method : side->method);
+    if (corner.y > bottom - 1) top = bottom - height - 32;
+  }
+  return top;
 }
 
 }  // namespace viete::ui

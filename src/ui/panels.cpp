@@ -41,6 +41,7 @@ void lab(const Context& ui) {
   if (!begin_column(ui, "Lab", x, v.window.x - x)) return;
   panel_blending(ui);
   panel_map(ui);
+  panel_views(ui);
   if (lab_line(ui)) {
     panel_method(ui);
     panel_timings(ui);
@@ -53,11 +54,16 @@ void lab(const Context& ui) {
 }  // namespace
 
 void draw_panels(const Context& ui) {
+  const ImDrawList& background = *ImGui::GetBackgroundDrawList();
+  const DrawnBefore before{background.VtxBuffer.Size, background.IdxBuffer.Size,
+                           static_cast<int>(background._VtxCurrentIdx)};
   path_overlay(ui);
   probe_overlay(ui);
   hand_overlay(ui);
   gizmo_overlay(ui);
+  repeat_in_views(ui, before);
   axis_overlay(ui);
+  split_overlay(ui);
   view_overlay(ui);
   mark_overlay(ui);
   if (ui.workspace.view.panels) {

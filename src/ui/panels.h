@@ -45,6 +45,14 @@ void panel_blending(const Context& ui);
 void panel_timings(const Context& ui);
 void panel_accuracy(const Context& ui);
 void panel_map(const Context& ui);
+void panel_views(const Context& ui);
+void split_overlay(const Context& ui);
+/// How much of the background list there was.
+struct DrawnBefore {
+  int vertices, indices, first;
+};
+/// What was drawn since then, in the other views too.
+void repeat_in_views(const Context& ui, const DrawnBefore& before);
 void panel_view(const Context& ui);
 void panel_benchmark(const Context& ui);
 void status_bar(const Context& ui);

@@ -69,7 +69,7 @@ void PicturePainter::square(const Shape& shape) {
 }
 
 ImU32 PicturePainter::color_of(float weight) const {
-  const auto colors = ui_.error_colors;
+  const auto& colors = ui_.field_colors.even;
   if (colors.empty()) return faded(ui_.colors.highlight, weight);
   return colors[static_cast<std::size_t>(weight * static_cast<float>(colors.size() - 1) + 0.5f)];
 }

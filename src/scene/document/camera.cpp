@@ -18,8 +18,8 @@ float shortest_turn(float from, float to) {
 }
 
 // Tangents of the half angles under which the free part of the window is seen.
-glm::vec2 free_tangent(const Viewport& v) {
-  return std::tan(0.5f * Camera::vertical_field) * v.size / v.window.y;
+glm::vec2 free_tangent(const Viewport& v, float covered) {
+  return std::tan(0.5f * Camera::vertical_field) * (v.seen() - glm::vec2(0, covered)) / v.window.y;
 }
 
 glm::mat4 perspective_lens(float distance, float aspect) {
@@ -104,7 +104,7 @@ glm::mat4 Camera::projection(const Viewport& v) const {
   const float aspect = v.window.x / std::max(v.window.y, 1.0f);
   const glm::mat4 lens = current_.orthographic ? orthographic_lens(current_.distance, aspect)
                                                : perspective_lens(current_.distance, aspect);
-  const glm::vec2 middle = (v.origin + 0.5f * v.size) / v.window * 2.0f - 1.0f;
+  const glm::vec2 middle = v.middle() / v.window * 2.0f - 1.0f;
   return glm::translate(glm::mat4(1), {middle.x, -middle.y, 0}) * lens;
 }
 
@@ -114,7 +114,7 @@ double Camera::per_pixel(double depth, const Viewport& v) const {
 }
 
 Ray Camera::ray(const glm::vec2& cursor, const Viewport& v) const {
-  const glm::vec2 from_middle = cursor - (v.origin + 0.5f * v.size);
+  const glm::vec2 from_middle = cursor - v.middle();
   if (current_.orthographic)
     return {glm::dvec3(eye()) + plane_displacement(from_middle, 1, v), glm::dvec3(forward())};
   return {glm::dvec3(eye()), glm::normalize(glm::dvec3(forward()) + plane_displacement(from_middle, 1, v))};
@@ -148,7 +148,7 @@ void Camera::pan(const glm::vec2& pixels, const Viewport& v) {
 void Camera::zoom(float steps, const glm::vec2& cursor, const Viewport& v) {
   const float distance =
       std::clamp(current_.distance * std::pow(0.88f, steps), nearest_camera, farthest_camera);
-  const glm::vec2 from_middle = cursor - (v.origin + 0.5f * v.size);
+  const glm::vec2 from_middle = cursor - v.middle();
   const glm::dvec3 before = plane_displacement(from_middle, current_.distance, v);
   current_.distance = distance;
   current_.target += glm::vec3(before - plane_displacement(from_middle, distance, v));
@@ -194,7 +194,7 @@ void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool ea
   glm::vec3 low = points[0], high = points[0];
   for (const auto& p : points) low = glm::min(low, p), high = glm::max(high, p);
   const glm::vec3 middle = 0.5f * (low + high);
-  const glm::vec2 tangent = free_tangent({v.window, v.origin, v.size - glm::vec2(0, covered)}) / margin;
+  const glm::vec2 tangent = free_tangent(v, covered) / margin;
   const float raised = std::tan(0.5f * vertical_field) * covered / v.window.y;
   float distance = smallest / std::min(tangent.x, tangent.y);
   for (const auto& p : points) {

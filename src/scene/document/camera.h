@@ -12,6 +12,13 @@ struct Viewport {
   glm::vec2 window{1, 1};  ///< size of the whole window
   glm::vec2 origin{0, 0};  ///< top left of the free part
   glm::vec2 size{1, 1};    ///< size of the free part
+  /// The part of that in which the camera's picture stands, where it is split: from its left and top, as
+  /// parts of its width and height.
+  glm::vec2 pane{0, 0}, pane_size{1, 1};
+
+  friend bool operator==(const Viewport&, const Viewport&) = default;
+  glm::vec2 seen() const { return pane_size * size; }
+  glm::vec2 middle() const { return origin + (pane + 0.5f * pane_size) * size; }
 };
 
 enum class StandardView { front, back, right, left, top, bottom, home };

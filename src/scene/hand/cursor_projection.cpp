@@ -24,7 +24,7 @@ CursorProjection::CursorProjection(const glm::dvec3& point, const Camera& camera
   per_pixel_ = camera.per_pixel(depth_, v);
   slope_ = orthographic_ ? glm::dvec2(0) : side / depth_;
   to_eye_ = orthographic_ ? -forward_ : -glm::normalize(from_eye);
-  at_ = glm::dvec2(v.origin + 0.5f * v.size) + glm::dvec2(side.x, -side.y) / per_pixel_;
+  at_ = glm::dvec2(v.middle()) + glm::dvec2(side.x, -side.y) / per_pixel_;
 }
 
 // x = (L + t l) / (z + t n) with L = slope z: its derivative at t = 0 is (l - slope n) / z.

@@ -48,6 +48,7 @@ void add_blend_commands(CommandTable& table);
 void add_camera_commands(CommandTable& table);  ///< and those of marks
 void add_view_commands(CommandTable& table);    ///< what is shown, and how
 void add_map_commands(CommandTable& table);
+void add_split_commands(CommandTable& table);
 void add_help_commands(CommandTable& table);
 void add_hand_commands(CommandTable& table);
 void add_time_commands(CommandTable& table);            ///< of poses with names and of time

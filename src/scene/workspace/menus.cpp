@@ -11,14 +11,14 @@ namespace {
 
 struct Title {
   std::string_view title;
-  std::array<std::string_view, 3> groups;
+  std::array<std::string_view, 4> groups;
 };
 
 constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
                             {"Select", {"Select"}},    {"Cage", {"Cage"}},
                             {"Tool", {"Tool"}},        {"Hand", {"Hand"}},
                             {"Probes", {"Probes"}},    {"Time", {"Poses", "Time"}},
-                            {"View", {"View"}},        {"Lab", {"Method", "Blend", "Map"}},
+                            {"View", {"View"}},        {"Lab", {"Method", "Blend", "Map", "Views"}},
                             {"Help", {"Help", "Keys"}}};
 
 bool holds(const Title& title, std::string_view group) {

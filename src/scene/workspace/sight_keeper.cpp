@@ -47,10 +47,8 @@ Sight sight_of(const Workspace& w) {
 
 const Sight* SightKeeper::of(const Workspace& w) {
   if (!w.view.select_visible) return nullptr;
-  const Picture now{w.camera.pose(),         {w.viewport.window, w.viewport.origin, w.viewport.size},
-                    w.document.revisions(),  w.posed.frame,
-                    w.posed.vertices.data(), w.view.model,
-                    w.document.groups.hidden};
+  const Picture now{w.camera.pose(),         w.viewport,   w.document.revisions(),  w.posed.frame,
+                    w.posed.vertices.data(), w.view.model, w.document.groups.hidden};
   if (picture_ != now) {
     picture_ = now;
     sight_.emplace(sight_of(w));

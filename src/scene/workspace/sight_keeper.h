@@ -22,7 +22,7 @@ public:
 private:
   struct Picture {
     CameraPose camera;
-    std::array<glm::vec2, 3> viewport;
+    Viewport viewport;
     Revisions revisions;
     unsigned long frame;
     const void* vertices;

@@ -26,7 +26,7 @@ bool in_use(const Workspace& w) {
 // On the model under the cursor or, where none is there or a button was pressed, in the middle of the view.
 template <bool (*Add)(Document&, const PosedModel&, const mesh::Point&)>
 void add_in_view(Workspace& w) {
-  const glm::vec2 middle = w.viewport.origin + 0.5f * w.viewport.size;
+  const glm::vec2 middle = w.viewport.middle();
   const auto on_model = [&](const glm::vec2& at) {
     return pick_model(w.document, w.posed, w.camera.ray(at, w.viewport));
   };

@@ -65,7 +65,7 @@ void add_looks(CommandTable& table) {
 }
 
 void mark_point(Workspace& w) {
-  const glm::vec2 at = w.interaction.cursor.value_or(w.viewport.origin + 0.5f * w.viewport.size);
+  const glm::vec2 at = w.interaction.cursor.value_or(w.viewport.middle());
   const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
   if (!hit) return w.messages.info("Point at the model to mark it.");
   if (w.marks.size() == 2) w.marks.clear();

@@ -65,13 +65,18 @@ bool shows_links(const Workspace& w) {
          deform::EngineKind::staged;
 }
 
-lab::Field shown_field(const Workspace& w) {
-  const lab::Source source = lab::entry(w.view.field).source;
-  const bool exponential = w.document.has_cage() && w.document.scheme.exponential();
-  const bool exists = source == lab::Source::surface    ? w.document.model.surface != nullptr
+lab::Field shown_field(const Workspace& w, lab::Field field, const deform::Scheme& scheme) {
+  const lab::Source source = lab::entry(field).source;
+  const bool exponential = w.document.has_cage() && scheme.exponential();
+  const bool exists = source == lab::Source::surface || source == lab::Source::first
+                          ? w.document.model.surface != nullptr
                       : source == lab::Source::matrices ? exponential
                                                         : w.document.is_movable();
-  return exists && !shows_mask(w) ? w.view.field : lab::Field::none;
+  return exists && !shows_mask(w) ? field : lab::Field::none;
+}
+
+lab::Field shown_field(const Workspace& w) {
+  return shown_field(w, w.view.field, w.document.scheme);
 }
 
 float offer_height(const Workspace& w) {

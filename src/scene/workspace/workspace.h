@@ -41,6 +41,7 @@
 #include "scene/workspace/playback.h"
 #include "scene/workspace/question.h"
 #include "scene/workspace/remembered.h"
+#include "scene/workspace/split.h"
 #include "scene/workspace/time_view.h"
 
 namespace viete::scene {
@@ -214,6 +215,7 @@ struct Workspace {
   FrameStats stats;
   MethodStats methods;
   FieldView field;
+  Split split;
   double fused_error = 0;  ///< of the fused frame, or of what a stitched one follows, against double:
                            ///< measured aside, in diagonals of the cage; 0 if staged
   WorkState loading;       ///< opening files: reading them, then binding
@@ -285,6 +287,8 @@ inline bool shows_selectable(const Workspace& w) {
 
 /// What the mesh is coloured by: what was asked for, or none where that does not exist.
 lab::Field shown_field(const Workspace& workspace);
+/// The same of a view that asks for `field` and is blended so.
+lab::Field shown_field(const Workspace& workspace, lab::Field field, const deform::Scheme& scheme);
 
 /// The mouse takes hold of a widget, maybe; and what it has done since never was.
 void take_hold(Workspace& workspace);

@@ -1,0 +1,59 @@
+// The model as one view shows it: its surface, its colours and its shadow.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/model_looks.h"
+#include "deform/binding.h"
+#include "deform/frame_vertex.h"
+#include "lab/field.h"
+#include "mesh/surface.h"
+#include "render/shadow_layer.h"
+#include "render/surface_layer.h"
+#include "scene/workspace/workspace.h"
+
+namespace viete::app {
+
+class ModelLayer {
+public:
+  explicit ModelLayer(const render::Gl& gl) : surface_(gl), shadow_(gl) {}
+
+  /// New topology, at rest.
+  void set_document(const scene::Document& document, const ModelShading& shading);
+  void set_rest(const scene::Document& document, const ModelShading& shading);
+  /// Deformed, relative to origin in the file's coordinates.
+  void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
+  /// What the mesh is coloured by: its mask where that is shown, else the field, if there are values of it.
+  /// Says whether that is another one than before.
+  bool set_colors(const scene::Workspace& workspace, lab::Field field, const scene::FieldView& shown);
+  /// The next set_colors() uploads them anew.
+  void forget() { colored_.reset(); }
+  /// Of the surface's style: what the colours span.
+  void span(render::SurfaceStyle& style, const scene::FieldView& shown) const;
+
+  void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style) const {
+    surface_.draw(view, theme, style);
+  }
+  void draw_shadow(const render::View& view, const render::Theme& theme, const render::ShadowStyle& style) {
+    shadow_.draw(view, theme, style);
+  }
+
+private:
+  render::SurfaceLayer surface_;
+  render::ShadowLayer shadow_;
+  std::size_t vertices_ = 0;
+  // What the model is coloured by; nothing: it is to be uploaded anew.
+  struct Colored {
+    bool by_mask = false, dark = false;
+    deform::Mask mask;
+    std::shared_ptr<const std::vector<float>> field;
+    bool symmetric = false;
+    friend bool operator==(const Colored&, const Colored&) = default;
+  };
+  std::optional<Colored> colored_;
+};
+
+}  // namespace viete::app

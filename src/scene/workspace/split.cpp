@@ -1,0 +1,93 @@
+#include "scene/workspace/split.h"
+
+#include <algorithm>
+
+#include "deform/ways.h"
+#include "scene/workspace/workspace.h"
+
+namespace viete::scene {
+
+namespace {
+
+// Columns and rows, by the number of views.
+glm::ivec2 grid_of(std::size_t count) {
+  return count == 4 ? glm::ivec2(2, 2) : glm::ivec2(static_cast<int>(count), 1);
+}
+
+// The first way that no view has.
+deform::Scheme unused_scheme(const Workspace& w) {
+  const auto is_used = [&](const deform::Scheme& scheme) {
+    return scheme == w.document.scheme ||
+           std::ranges::find(w.split.sides, scheme, &SideView::scheme) != w.split.sides.end();
+  };
+  for (const deform::WayEntry& entry : deform::all_ways()) {
+    const deform::Scheme scheme = deform::scheme_of(entry.value, w.document.scheme);
+    if (!is_used(scheme)) return scheme;
+  }
+  return w.document.scheme;
+}
+
+}  // namespace
+
+Pane pane_of(const Split& split, std::size_t view) {
+  if (split.wipes())
+    return view == 0 ? Pane{{0, 0}, {split.line, 1}} : Pane{{split.line, 0}, {1 - split.line, 1}};
+  const glm::ivec2 grid = grid_of(split.count());
+  const int at = static_cast<int>(view);
+  const glm::vec2 size = 1.0f / glm::vec2(grid);
+  return {size * glm::vec2(at % grid.x, at / grid.x), size};
+}
+
+Viewport viewport_of(const Split& split, const Viewport& whole, std::size_t view) {
+  Viewport seen = whole;
+  const Pane pane = split.wipes() ? Pane{} : pane_of(split, view);
+  seen.pane = pane.at, seen.pane_size = pane.size;
+  return seen;
+}
+
+std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& place) {
+  const glm::vec2 at = (place - whole.origin) / whole.size;
+  for (std::size_t view = 0; view < split.count(); ++view) {
+    const Pane pane = pane_of(split, view);
+    if (glm::all(glm::greaterThanEqual(at, pane.at)) && glm::all(glm::lessThan(at, pane.at + pane.size)))
+      return view;
+  }
+  return split.active;
+}
+
+void split_view(Workspace& w, std::size_t count) {
+  Split& split = w.split;
+  count = std::clamp<std::size_t>(count, 1, Split::most_sides + 1);
+  enter_view(w, 0);
+  if (count - 1 < split.sides.size()) split.sides.resize(count - 1);
+  while (split.count() < count) {
+    SideView side{unused_scheme(w), w.document.method, w.view.field};
+    split.sides.push_back(std::move(side));
+  }
+  split.cameras.assign(split.count(), w.camera.pose());
+  w.viewport = viewport_of(split, w.viewport, 0);
+}
+
+void enter_view(Workspace& w, std::size_t view) {
+  Split& split = w.split;
+  if (view == split.active || view >= split.count()) return;
+  split.cameras.resize(split.count(), w.camera.pose());
+  if (!split.linked) {
+    split.cameras[split.active] = w.camera.pose();
+    w.camera.set_pose(split.cameras[view]);
+  }
+  split.active = view;
+  w.viewport = viewport_of(split, w.viewport, view);
+}
+
+CameraPose camera_of(const Workspace& w, std::size_t view) {
+  const Split& split = w.split;
+  const bool own = !split.linked && view != split.active && view < split.cameras.size();
+  return own ? split.cameras[view] : w.camera.pose();
+}
+
+lab::Field shown_field(const Workspace& w, const SideView& side) {
+  return shown_field(w, side.field, side.scheme);
+}
+
+}  // namespace viete::scene

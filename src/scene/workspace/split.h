@@ -1,0 +1,68 @@
+// The view split in several: one document, each view blended, computed and coloured in a way of its own.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deform/scheme.h"
+#include "lab/field.h"
+#include "scene/document/camera.h"
+#include "scene/workspace/frame_stats.h"
+#include "sym3/exp.h"
+
+namespace viete::scene {
+
+/// A view beside the first one, which is as the document says.
+struct SideView {
+  deform::Scheme scheme;
+  sym3::Method method = sym3::Method::fast;
+  lab::Field field = lab::Field::none;
+
+  // What was made of it, by the last frame.
+  FieldView shown{};
+  FrameStats stats{};
+  double fused_error = 0;  ///< see Workspace::fused_error
+  bool binding = false;
+  std::string problem{};  ///< why there is none
+};
+
+struct Split {
+  static constexpr std::size_t most_sides = 3;
+  static constexpr float least_part = 0.05f;
+
+  std::vector<SideView> sides;      ///< none: the view is whole
+  bool wipe = false;                ///< two views in one place, on either side of a line
+  float line = 0.5f;                ///< where that is, as a part of the width, least_part to 1 - least_part
+  bool linked = true;               ///< all have the same camera
+  std::size_t active = 0;           ///< the view that the hand works in: 0 is the first one
+  std::vector<CameraPose> cameras;  ///< of views that the hand has left, where they are not linked
+
+  std::size_t count() const { return sides.size() + 1; }
+  bool on() const { return !sides.empty(); }
+  bool wipes() const { return wipe && sides.size() == 1; }
+};
+
+/// Where a view stands, as parts of the whole: from the left and the top, and how wide and high.
+struct Pane {
+  glm::vec2 at{0, 0}, size{1, 1};
+};
+/// What is seen of it: of a wipe one side of the line.
+Pane pane_of(const Split& split, std::size_t view);
+/// As the camera sees it: of a wipe all of it.
+Viewport viewport_of(const Split& split, const Viewport& whole, std::size_t view);
+/// The view under a place of the window.
+std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& place);
+
+struct Workspace;
+/// So many views, 1 to 4. New ones are blended in ways that are not shown yet.
+void split_view(Workspace& workspace, std::size_t count);
+/// The hand works in that view from now on: the camera is its own.
+void enter_view(Workspace& workspace, std::size_t view);
+/// That of a view.
+CameraPose camera_of(const Workspace& workspace, std::size_t view);
+/// What a side view shows as colours on the mesh, or none.
+lab::Field shown_field(const Workspace& workspace, const SideView& side);
+
+}  // namespace viete::scene

@@ -1,0 +1,149 @@
+// A view that is split: lines between its parts, and what each of them shows.
+#include <string>
+
+#include "ui/format.h"
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+struct Shown {
+  std::string way, method, numbers;
+};
+
+std::string way_words(const scene::Scheme& scheme) {
+  const auto way = scene::way_of(scheme);
+  return way ? std::string(scene::entry(*way).label) : "A way of your own";
+}
+
+std::string times_words(const scene::FrameStats& stats, double fused_error) {
+  const auto times = stats.deforming_median();
+  if (!times) return "";
+  std::string words = milliseconds(times->links.total());
+  if (fused_error > 0) words += ", error " + error(fused_error);
+  return words;
+}
+
+Shown shown_in(const scene::Workspace& w, std::size_t view) {
+  if (view == 0) {
+    const bool exponential = w.document.scheme.exponential();
+    return {way_words(w.document.scheme), exponential ? method_label(w.document.method) : "",
+            times_words(w.stats, w.fused_error)};
+  }
+  const scene::SideView& side = w.split.sides[view - 1];
+  const bool waits = side.binding || !side.problem.empty();
+  return {way_words(side.scheme), side.scheme.exponential() ? method_label(side.method) : "",
+          side.binding ? "binding"
+          : waits      ? side.problem
+                       : times_words(side.stats, side.fused_error)};
+}
+
+// At the upper left of its part.
+void caption(const Context& ui, std::size_t view, glm::vec2 at, float room) {
+  const Shown shown = shown_in(ui.workspace, view);
+  const std::string title = shown.method.empty() ? shown.way : shown.way + " \u00b7 " + shown.method;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  ImGui::PushFont(ui.fonts.strong);
+  const ImVec2 size = ImGui::CalcTextSize(title.c_str());
+  ImGui::PopFont();
+  ImGui::PushFont(ui.fonts.numbers);
+  const float below = shown.numbers.empty() ? 0 : ImGui::CalcTextSize(shown.numbers.c_str()).x;
+  ImGui::PopFont();
+  const float wide = std::min(std::max(size.x, below) + 20, room - 16);
+  const float tall = shown.numbers.empty() ? 28.0f : 46.0f;
+  const ImVec2 low{at.x + 8, at.y + 8}, high{low.x + wide, low.y + tall};
+  draw.AddRectFilled(low, high, faded(ui.colors.card, 0.85f), 6);
+  draw.PushClipRect(low, high, true);
+  ImGui::PushFont(ui.fonts.strong);
+  draw.AddText({low.x + 10, low.y + 6}, ui.colors.text, title.c_str());
+  ImGui::PopFont();
+  ImGui::PushFont(ui.fonts.numbers);
+  draw.AddText({low.x + 10, low.y + 25}, ui.colors.faint, shown.numbers.c_str());
+  ImGui::PopFont();
+  draw.PopClipRect();
+}
+
+void frame(const Context& ui, const scene::Pane& pane) {
+  const scene::Viewport& v = ui.workspace.viewport;
+  const glm::vec2 low = glm::round(v.origin + pane.at * v.size);
+  const glm::vec2 high = glm::round(v.origin + (pane.at + pane.size) * v.size);
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  if (pane.at.x > 0) draw.AddLine({low.x, low.y}, {low.x, high.y}, ui.colors.line, 1.5f);
+  if (pane.at.y > 0) draw.AddLine({low.x, low.y}, {high.x, low.y}, ui.colors.line, 1.5f);
+}
+
+// Takes hold of the line of a wipe.
+void wipe_line(const Context& ui) {
+  constexpr float thickness = 10, knob = 9;
+  scene::Split& split = ui.workspace.split;
+  const scene::Viewport& v = ui.workspace.viewport;
+  const float x = v.origin.x + split.line * v.size.x;
+  const Window window("Wipe",
+                      {.at = {x, v.origin.y},
+                       .pivot = {0.5f, 0},
+                       .size = {thickness, v.size.y},
+                       .rounding = 0,
+                       .padding = {0, 0}},
+                      fixed_flags | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
+                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::InvisibleButton("line", {thickness, v.size.y});
+  record(ui, "wipe_line");
+  const bool held = ImGui::IsItemActive(), over = held || ImGui::IsItemHovered();
+  if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 color = over ? ui.colors.accent : ui.colors.text;
+  const float y = v.origin.y + 0.5f * v.size.y;
+  draw.PushClipRectFullScreen();
+  draw.AddLine({x, v.origin.y}, {x, v.origin.y + v.size.y}, faded(color, 0.8f), 1.5f);
+  draw.AddCircleFilled({x, y}, knob, color);
+  draw.PopClipRect();
+  if (held)
+    split.line = std::clamp((ImGui::GetIO().MousePos.x - v.origin.x) / v.size.x, scene::Split::least_part,
+                            1 - scene::Split::least_part);
+}
+
+}  // namespace
+
+// Overlays of the hand stand in the view where it works, and those that one camera sees alike have them too.
+void repeat_in_views(const Context& ui, const DrawnBefore& before) {
+  const scene::Split& split = ui.workspace.split;
+  if (!split.on() || split.wipes() || !split.linked) return;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const int vertices = draw.VtxBuffer.Size - before.vertices, indices = draw.IdxBuffer.Size - before.indices;
+  if (vertices == 0) return;
+  const glm::vec2 from = scene::pane_of(split, split.active).at;
+  const scene::Viewport& v = ui.workspace.viewport;
+  for (std::size_t view = 0; view < split.count(); ++view) {
+    if (view == split.active) continue;
+    const scene::Pane pane = scene::pane_of(split, view);
+    const glm::vec2 shift = (pane.at - from) * v.size, low = v.origin + pane.at * v.size;
+    draw.PushClipRect(vec(low), vec(low + pane.size * v.size));
+    draw.PrimReserve(indices, vertices);
+    const auto base = draw._VtxCurrentIdx;
+    for (int i = 0; i < indices; ++i) {
+      const int index = draw.IdxBuffer[before.indices + i] - before.first + static_cast<int>(base);
+      draw.PrimWriteIdx(static_cast<ImDrawIdx>(index));
+    }
+    for (int i = 0; i < vertices; ++i) {
+      const ImDrawVert& vertex = draw.VtxBuffer[before.vertices + i];
+      draw.PrimWriteVtx({vertex.pos.x + shift.x, vertex.pos.y + shift.y}, vertex.uv, vertex.col);
+    }
+    draw.PopClipRect();
+  }
+}
+
+void split_overlay(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  if (!w.split.on() || !w.document.model.surface) return;
+  for (std::size_t view = 0; view < w.split.count(); ++view) {
+    const scene::Pane pane = scene::pane_of(w.split, view);
+    frame(ui, pane);
+    caption(ui, view, w.viewport.origin + pane.at * w.viewport.size, pane.size.x * w.viewport.size.x);
+  }
+  if (w.split.wipes()) wipe_line(ui);
+}
+
+}  // namespace viete::ui
