@@ -36,6 +36,23 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
   return view;
 }
 
+// A view each, in the order of the words; what a word does not say is as the document has it.
+void split(scene::Workspace& w, const std::vector<std::string>& words) {
+  if (words.empty()) return;
+  std::vector<scene::SideView> views;
+  for (const std::string& word : words) {
+    scene::SideView view{w.document.scheme, w.document.method, w.view.field};
+    if (const auto method = sym3::method_from_name(word)) view.method = *method;
+    const auto way = std::ranges::find(deform::all_ways(), word, &deform::WayEntry::name);
+    if (way != deform::all_ways().end()) view.scheme = deform::scheme_of(way->value, w.document.scheme);
+    views.push_back(std::move(view));
+  }
+  w.document.put_scheme(views[0].scheme);
+  w.document.put_method(views[0].method);
+  w.split.sides.assign(views.begin() + 1, views.end());
+  w.viewport = scene::viewport_of(w.split, w.viewport, 0);
+}
+
 // A session has its own camera, which another look replaces.
 void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   viewer.frame(0);  // places the viewport that framing needs
@@ -57,6 +74,7 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   scene::take(workspace, std::move(opened));
   workspace.view = view_of(options, session);
   workspace.attended = false;
+  split(workspace, options.compare);
   aim(offscreen->viewer(), session && session->camera, options);
   return offscreen;
 }
@@ -87,6 +105,12 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   for (const base::Choice& choice : choices(lab::Field::none)) maps.emplace_back(choice.word);
   auto* map = command.add_option("--map", options.map, "What the mesh is coloured by, as in the Lab");
   one_of(map, maps)->default_str("none");
+  std::vector<std::string> compared;
+  for (const deform::WayEntry& entry : deform::all_ways()) compared.emplace_back(entry.name);
+  for (const sym3::Method method : scene::compared_methods) compared.emplace_back(sym3::name(method));
+  auto* compare = command.add_option("--compare", options.compare,
+                                     "Two to four ways or methods, such as smooth,rigid: a view of each");
+  one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--error-map", options.error_map, "The same as --map exp-error");
   command.add_flag("--no-cage", options.no_cage, "Without the cage");
   command.add_flag("--no-grid", options.no_grid, "Without the ground grid");

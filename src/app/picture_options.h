@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/offscreen_viewer.h"
 #include "app/saved_bindings.h"
@@ -18,6 +19,7 @@ struct PictureOptions {
   ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
   bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
   std::string look = "home", shading, map;
+  std::vector<std::string> compare;             ///< ways or methods, a view each
   bool panels_of_session = true;                ///< are shown where its window had them
   bool size_given = false, look_given = false;  ///< after parsing, see take_given()
 };

@@ -1,8 +1,10 @@
 #include "app/side_views.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/clock.h"
+#include "sym3/reference.h"
 
 namespace viete::app {
 
@@ -119,6 +121,27 @@ bool SideViews::follow(scene::Workspace& w, const LiveModel& first) {
 
 void SideViews::finish(scene::Workspace& w, const LiveModel& first) {
   while (is_due(w, first) || binding(w)) follow(w, first, true);
+}
+
+bool SideViews::measure(scene::Workspace& w) {
+  constexpr double rest_seconds = 0.3;
+  constexpr std::size_t sample = 256;
+  if (w.split.sides.empty() || base::wall_seconds() - measured_at_ < rest_seconds) return false;
+  bool any = false;
+  for (std::size_t i = 0; i < w.split.sides.size(); ++i) {
+    const deform::Deformer* deformer = models_[i].deformer();
+    if (!deformer || !deformer->ran() || measured_[i] == models_[i].frames()) continue;
+    measured_[i] = models_[i].frames();
+    scene::SideView& side = w.split.sides[i];
+    side.fused_error = deformer->sampled_error();
+    side.exp_error.reset();
+    for (const auto& matrix : deformer->sample_matrices(sample))
+      side.exp_error =
+          std::max(side.exp_error.value_or(0), sym3::relative_error(sym3::exp(matrix, side.method), matrix));
+    any = true;
+  }
+  if (any) measured_at_ = base::wall_seconds();
+  return any;
 }
 
 // Deformers end before the pool that they use.

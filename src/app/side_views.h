@@ -65,6 +65,8 @@ public:
   bool is_due(const scene::Workspace& workspace, const LiveModel& first) const;
   bool binding(const scene::Workspace& workspace) const;
   const SideModel& operator[](std::size_t side) const { return models_[side]; }
+  /// Errors of the frames, a few times a second: into the workspace. Says whether there are others.
+  bool measure(scene::Workspace& workspace);
   /// Has another frame since the last call.
   bool take_news(std::size_t side) { return std::exchange(news_[side], false); }
 
@@ -74,6 +76,8 @@ private:
   std::unique_ptr<base::WorkerPool> pool_;  // while there are any
   std::array<SideModel, scene::Split::most_sides> models_;
   std::array<bool, scene::Split::most_sides> news_{};
+  std::array<unsigned long, scene::Split::most_sides> measured_{};  // which frame
+  double measured_at_ = -1;                                         // wall seconds
 };
 
 }  // namespace viete::app

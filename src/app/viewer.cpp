@@ -101,7 +101,7 @@ void Viewer::frame(float seconds) {
   files_.keep(workspace_, !pointer_.active());
   settle_notices();
   analysis_.follow_frame(workspace_, model_);
-  if (analysis_.shows_news()) settle(2);
+  if (analysis_.shows_news() | sides_.measure(workspace_)) settle(2);
   if (take_screenshot_) save_screenshot();
   if (settle_frames_ > 0) --settle_frames_;
 }

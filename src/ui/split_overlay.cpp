@@ -1,4 +1,6 @@
 // A view that is split: lines between its parts, and what each of them shows.
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include "ui/format.h"
@@ -19,26 +21,28 @@ std::string way_words(const scene::Scheme& scheme) {
   return way ? std::string(scene::entry(*way).label) : "A way of your own";
 }
 
-std::string times_words(const scene::FrameStats& stats, double fused_error) {
+// "1.9 ms   exp 3e-16   frame 2e-08".
+std::string numbers(const scene::FrameStats& stats, std::optional<double> exp_error, double fused_error) {
   const auto times = stats.deforming_median();
-  if (!times) return "";
-  std::string words = milliseconds(times->links.total());
-  if (fused_error > 0) words += ", error " + error(fused_error);
+  std::string words = times ? milliseconds(times->links.total()) : "";
+  if (exp_error) words += "   exp " + error(*exp_error);
+  if (fused_error > 0) words += "   frame " + error(fused_error);
   return words;
 }
 
 Shown shown_in(const scene::Workspace& w, std::size_t view) {
   if (view == 0) {
-    const bool exponential = w.document.scheme.exponential();
-    return {way_words(w.document.scheme), exponential ? method_label(w.document.method) : "",
-            times_words(w.stats, w.fused_error)};
+    const scene::MethodSample* sample = running_sample(w);
+    return {way_words(w.document.scheme),
+            w.document.scheme.exponential() ? method_label(w.document.method) : "",
+            numbers(w.stats, sample ? std::optional(sample->worst_error) : std::nullopt, w.fused_error)};
   }
   const scene::SideView& side = w.split.sides[view - 1];
-  const bool waits = side.binding || !side.problem.empty();
-  return {way_words(side.scheme), side.scheme.exponential() ? method_label(side.method) : "",
-          side.binding ? "binding"
-          : waits      ? side.problem
-                       : times_words(side.stats, side.fused_error)};
+  Shown shown{way_words(side.scheme), side.scheme.exponential() ? method_label(side.method) : "",
+              numbers(side.stats, side.exp_error, side.fused_error)};
+  if (side.binding) shown.numbers = "binding";
+  if (!side.problem.empty()) shown.numbers = side.problem;
+  return shown;
 }
 
 // At the upper left of its part.

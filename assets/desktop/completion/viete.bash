@@ -31,7 +31,8 @@ _viete_value() {
     --exponent) words='1 2 3 4' ;;
     --turn | --stretch) words='0 50 100 200' ;;
     --look) words='home front back left right top bottom' ;;
-    --map) words='none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence' ;;
+    --map) words='none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence difference signed-difference' ;;
+    --compare) words='smooth,paper smooth,rigid smooth,arap diag,sd,improved_sd,fast' ;;
     --shading) words='clay porcelain jade file checker normals zebra' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
     --kind) words='automatic box hull' ;;
@@ -54,13 +55,13 @@ _viete_options() {
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --shading --map --panels --light --wireframe
+      options+=' --output --force --pose --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --shading --map --compare --panels --light --wireframe
         --error-map --no-cage --no-grid'
       ;;
     deform) options+=' --output --digits --force --pose --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
       options+=' --output --force --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
-        --size --scale --binding --look --shading --map --panels --light --wireframe --error-map --no-cage --no-grid'
+        --size --scale --binding --look --shading --map --compare --panels --light --wireframe --error-map --no-cage --no-grid'
       ;;
     between) options+=' --output --frames --at --rest --loop --linear --straight --rate --digits --force' ;;
     mix) options+=' --output --shape --straight --digits --force' ;;

@@ -23,7 +23,8 @@ struct SideView {
   // What was made of it, by the last frame.
   FieldView shown{};
   FrameStats stats{};
-  double fused_error = 0;  ///< see Workspace::fused_error
+  double fused_error = 0;             ///< see Workspace::fused_error
+  std::optional<double> exp_error{};  ///< the worst of some of its matrices, relative; nothing: none are used
   bool binding = false;
   std::string problem{};  ///< why there is none
 };
