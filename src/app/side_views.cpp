@@ -23,7 +23,7 @@ void SideModel::bind_for(const Made& made, const Bound& known) {
   const bool own = bound_.binding && bound_.binding->weighting == made.scheme.weighting;
   binder_.start([model = known.model, cage = known.cage, scheme = made.scheme, method,
                  known = own ? bound_ : known](base::Progress& progress) {
-    return bind(model, cage, scheme, method, known, SavedBindings(), progress);
+    return app::bind(model, cage, scheme, method, known, SavedBindings(), progress);
   });
 }
 

@@ -297,7 +297,23 @@ bool Viewer::follow_fields() {
   if (!workspace_.document.model.surface) return news;
   for (std::size_t view = 0; view < workspace_.split.count(); ++view)
     news |= fields_.follow(view, field_subject(view), field_view(view));
+  if (news && workspace_.split.on()) share_ranges();
   return news;
+}
+
+// One colour says the same in all views that show the same field.
+void Viewer::share_ranges() {
+  for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
+    scene::FieldView& shown = field_view(view);
+    lab::FieldStats& stats = shown.stats;
+    if (!shown.values) continue;
+    for (std::size_t other = 0; other < workspace_.split.count(); ++other) {
+      const scene::FieldView& beside = field_view(other);
+      if (!beside.values || beside.stats.field != stats.field) continue;
+      stats.low = std::min(stats.low, beside.stats.low), stats.high = std::max(stats.high, beside.stats.high);
+    }
+    lab::fit_counts(*shown.values, stats);
+  }
 }
 
 void Viewer::finish_views() {
@@ -306,6 +322,7 @@ void Viewer::finish_views() {
   frame(0);
   for (std::size_t view = 0; view < workspace_.split.count(); ++view)
     fields_.finish(view, field_subject(view), field_view(view));
+  if (workspace_.split.on()) share_ranges();
 }
 
 // A drag goes on in the view where it began.

@@ -121,6 +121,7 @@ private:
   scene::FieldView& field_view(std::size_t view);
   bool follow_fields();
   bool field_is_due() const;
+  void share_ranges();
   void upload(scene::FrameTimes& times);
   void draw(scene::FrameTimes& times);
   ViewDrawing drawing() const { return renderer_.drawing(workspace_, device_size(), options_.scale); }

@@ -13,15 +13,22 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float width = 264, height = 134, inset = 12, thickness = 10, bars = 34;
+constexpr float inset = 12, thickness = 10, bars = 34;
+
+// With bars over the colours, or, where several views share the room, without.
+struct Size {
+  float width, height, bars;
+};
+constexpr Size whole{264, 134, bars}, small{216, 84, 0};
 
 struct Legend {
   const Context& ui;
   ImDrawList& draw;
   const lab::FieldStats& stats;
   ImVec2 at;  // the upper left of the colours
+  Size size;
 
-  float length() const { return width - 2 * inset; }
+  float length() const { return size.width - 2 * inset; }
   float x_of(double value) const {
     const double share = std::clamp((value - stats.low) / (stats.high - stats.low), 0.0, 1.0);
     return at.x + static_cast<float>(share) * length();
@@ -89,7 +96,8 @@ void pointer(const Legend& l, double value) {
   const std::string text = lab::text(l.stats.field, value);
   ImGui::PushFont(l.ui.fonts.numbers);
   const float wide = ImGui::CalcTextSize(text.c_str()).x;
-  l.draw.AddText({l.at.x + l.length() - wide, l.at.y - bars - 41}, l.ui.colors.accent, text.c_str());
+  l.draw.AddText({l.at.x + l.length() - wide, l.at.y - l.size.bars - (l.size.bars > 0 ? 48 : 27)},
+                 l.ui.colors.accent, text.c_str());
   ImGui::PopFont();
 }
 
@@ -98,28 +106,30 @@ std::string title(const scene::FieldView& shown, lab::Field field, scene::Method
   return "Error of exp by " + method_label(shown.stats.vertices ? shown.stats.method : method);
 }
 
-std::string extent(const scene::FieldView& shown) {
+std::string extent(const scene::FieldView& shown, float room) {
   const lab::FieldStats& stats = shown.stats;
   if (!shown.values) return "computing";
   if (stats.is_nan) return "some are not numbers";
-  return "median " + lab::text(stats.field, stats.median) + ", from " + lab::text(stats.field, stats.least) +
-         " to " + lab::text(stats.field, stats.most);
+  const std::string ends = lab::text(stats.field, stats.least) + " to " + lab::text(stats.field, stats.most);
+  const std::string with_median = ends + ", median " + lab::text(stats.field, stats.median);
+  return ImGui::CalcTextSize(with_median.c_str()).x <= room ? with_median : ends;
 }
 
 // With its lower right corner there.
 void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab::Field field,
-            scene::Method method) {
-  const ImVec2 low{corner.x - width - 16, corner.y - height - 16};
+            scene::Method method, const Size& size) {
+  const ImVec2 low{corner.x - size.width - 16, corner.y - size.height - 16};
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  draw.AddRectFilled(low, {low.x + width, low.y + height}, faded(ui.colors.card, 0.92f), 8);
+  draw.AddRectFilled(low, {low.x + size.width, low.y + size.height}, faded(ui.colors.card, 0.92f), 8);
   ImGui::PushFont(ui.fonts.text);
   draw.AddText({low.x + inset, low.y + 8}, ui.colors.text, title(shown, field, method).c_str());
-  draw.AddText({low.x + inset, low.y + 27}, ui.colors.faint, extent(shown).c_str());
+  draw.AddText({low.x + inset, low.y + 27}, ui.colors.faint, extent(shown, size.width - 2 * inset).c_str());
   ImGui::PopFont();
-  const Legend made{ui, draw, shown.stats, {low.x + inset, low.y + 56 + bars}};
+  const Legend made{
+      ui, draw, shown.stats, {low.x + inset, low.y + 52 + size.bars + (size.bars > 0 ? 4 : 0)}, size};
   colors(made, lab::entry(field).symmetric ? ui.field_colors.diverging : ui.field_colors.even);
   if (!shown.values) return;
-  counts(made);
+  if (size.bars > 0) counts(made);
   ticks(made);
   if (const auto value = pointed_value(ui.workspace, shown)) pointer(made, *value);
 }
@@ -139,9 +149,11 @@ float map_legend(const Context& ui, float bottom) {
     if (field == lab::Field::none) continue;
     const scene::Pane pane = scene::pane_of(w.split, view);
     const glm::vec2 corner = w.viewport.origin + (pane.at + pane.size) * w.viewport.size;
-    if (pane.size.x * w.viewport.size.x < width + 32) continue;
-    legend(ui, vec(corner), first ? w.field : side->shown, field, first ? w.document.method : side->method);
-    if (corner.y > bottom - 1) top = bottom - height - 32;
+    const Size& size = w.split.on() ? small : whole;
+    if (pane.size.x * w.viewport.size.x < size.width + 32) continue;
+    legend(ui, vec(corner), first ? w.field : side->shown, field, first ? w.document.method : side->method,
+           size);
+    if (corner.y > bottom - 1) top = bottom - size.height - 32;
   }
   return top;
 }

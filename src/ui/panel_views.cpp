@@ -18,7 +18,7 @@ void way_list(const Context& ui, const std::string& name, scene::SideView& side)
   if (!open) return;
   for (const auto& entry : scene::all_ways()) {
     if (ImGui::Selectable(entry.label.data(), now == entry.value))
-      side.scheme = scene::scheme_of(entry.value, ui.workspace.document.scheme);
+      side.scheme = scene::chosen(entry.value, ui.workspace.document.scheme);
     record(ui, name + '_' + std::string(entry.name));
     hint(std::string(entry.sentence));
   }

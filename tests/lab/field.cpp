@@ -50,7 +50,7 @@ TEST_CASE("fields_stand_in_their_order_by_words_of_their_own") {
     CHECK(words.insert(all[i].word).second);
     CHECK((lab::entry(field).compute == nullptr) == (field == Field::none));
   }
-  CHECK(all.size() == static_cast<std::size_t>(Field::influence) + 1);
+  CHECK(all.size() == static_cast<std::size_t>(Field::signed_difference) + 1);
   CHECK(lab::measure(Field::none, {}).values.empty());
 }
 

@@ -110,6 +110,23 @@ TEST_CASE("what_collapses_has_a_finite_value_that_is_the_worst") {
   CHECK(double(area.values[area.stats.worst]) == area.stats.least);
 }
 
+TEST_CASE("differences_are_from_the_first_view_and_signed_along_its_normals") {
+  const mesh::Surface rest = sheet();
+  const auto first = moved(rest, [](const Point& p) { return Point{p[0], p[1], 0}; });
+  const auto drawn = moved(rest, [](const Point& p) { return Point{p[0] + 0.1, p[1], -0.2}; });
+  const lab::Strain strain(rest);
+  base::WorkerPool pool(2);
+  lab::FieldInput input{};
+  input.strain = &strain, input.first = first, input.drawn = drawn, input.pool = &pool;
+  const auto along = lab::measure(Field::signed_difference, input);
+  for (const float value : along.values)
+    CHECK(double(value) * strain.diagonal() == doctest::Approx(-0.2).epsilon(1e-6));
+  CHECK(along.stats.low == -along.stats.high);
+  for (const float value : lab::measure(Field::difference, input).values)
+    CHECK(std::pow(10, double(value)) * strain.diagonal() ==
+          doctest::Approx(std::hypot(0.1, 0.2)).epsilon(1e-5));
+}
+
 TEST_CASE("displacements_are_in_diagonals_and_values_do_not_depend_on_threads") {
   const mesh::Surface rest = sheet();
   const double diagonal = mesh::bounds(rest.positions).diagonal();

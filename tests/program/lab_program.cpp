@@ -1,0 +1,247 @@
+// The Lab: maps on the mesh, and the view split in several.
+#include <cmath>
+#include <set>
+
+#include "deform/ways.h"
+#include "program/driver.h"
+#include "scene/document/edit.h"
+#include "scene/document/probes.h"
+#include "scene/workspace/split.h"
+#include "support/pictures.h"
+
+using namespace viete;
+using lab::Field;
+using test::Driver;
+
+namespace {
+
+void choose_map(Driver& d, const char* word) {
+  if (!d.viewer().recorder().find("map")) d.click("section/Map");
+  d.choose("map", std::string("map_") + word);
+  d.settle();
+}
+
+// The largest distance of what a view draws from the same in double, in diagonals.
+double error_of_side(Driver& d, std::size_t side) {
+  const auto& view = d.workspace().split.sides[side];
+  base::WorkerPool pool;
+  const auto exact = deform::deform_exactly(*d.document().model.surface, d.document().cage, view.scheme,
+                                            d.document().pose, view.method, pool)
+                         .positions;
+  scene::enter_view(d.workspace(), side + 1);
+  d.frame();
+  const auto& posed = d.workspace().posed;
+  REQUIRE(posed.vertices.size() == exact.size());
+  double largest = 0;
+  for (std::size_t v = 0; v < exact.size(); ++v)
+    largest = std::max(largest, mesh::norm(posed.at(*d.document().model.surface, v) - exact[v]));
+  return largest / d.document().model.bounds.diagonal();
+}
+
+// How many pixels of a column range, below the captions, differ.
+double differing(const render::Image& a, const render::Image& b, double from, double to) {
+  const int top = 70;
+  const int left = static_cast<int>(from * a.width), right = static_cast<int>(to * a.width);
+  std::size_t count = 0, all = 0;
+  for (int y = top; y < a.height; ++y)
+    for (int x = left; x < right; ++x, ++all) {
+      const std::size_t at =
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x));
+      for (std::size_t k = 0; k < 3; ++k)
+        if (a.rgba[at + k] != b.rgba[at + k]) {
+          ++count;
+          break;
+        }
+    }
+  return static_cast<double>(count) / static_cast<double>(all);
+}
+
+}  // namespace
+
+TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
+  Driver d;
+  d.open_dragon("pose_alert");
+  d.press_key(scene::key('C'));  // no cage in the way
+  d.settle();
+  const auto plain = d.picture();
+  d.document().selection.apply(std::vector<std::uint32_t>{d.free_vertex()}, scene::SelectMode::replace);
+  std::set<std::vector<float>> seen;
+  for (const base::Choice& choice : choices(Field::none)) {
+    if (choice.word == "none") continue;
+    INFO(choice.word);
+    std::string word(choice.word);
+    std::ranges::replace(word, '-', '_');
+    choose_map(d, word.c_str());
+    const auto& map = d.workspace().field;
+    REQUIRE(map.values);
+    CHECK(map.values->size() == d.document().model.surface->positions.size());
+    CHECK(map.stats.field == d.workspace().view.field);
+    CHECK(test::difference(plain, d.picture(), 12) > 0.02);
+    seen.insert(*map.values);
+  }
+  // All say something else; of one view both differences are nothing.
+  CHECK(seen.size() >= choices(Field::none).size() - 2);
+  choose_map(d, "none");
+  d.move({1, 1});
+  d.settle();
+  CHECK(d.workspace().field.values == nullptr);
+}
+
+TEST_CASE("a_map_follows_the_hand_and_its_range_can_be_held") {
+  Driver d;
+  d.open_dragon();
+  choose_map(d, "displacement");
+  CHECK(d.workspace().field.stats.most < 1e-6);
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.press_and_move(at, at + glm::vec2(120, 40));
+  const double dragged = d.workspace().field.stats.most;  // while the mouse is down
+  CHECK(dragged > 0.01);
+  d.button(0, false);
+  d.settle();
+  const auto stats = d.workspace().field.stats;
+  d.click("hold_map_range");
+  d.press_key('Z', true);
+  d.settle();
+  CHECK(d.workspace().field.stats.most < 1e-6);
+  CHECK(d.workspace().field.stats.high == stats.high);
+  d.click("hold_map_range");
+  d.press_key('Z', true, true);
+  d.settle();
+  CHECK(d.workspace().field.stats.high == stats.high);
+  // The worst vertex comes near, to the middle.
+  d.click("frame_worst");
+  d.settle();
+  const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+  const auto place = d.workspace().posed.at(*d.document().model.surface, stats.worst);
+  CHECK(glm::distance(glm::vec2(*project(place)), d.workspace().viewport.middle()) < 3);
+}
+
+TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") {
+  Driver d;
+  d.open_dragon();
+  choose_map(d, "influence");
+  CHECK(d.workspace().field.stats.most == 0);
+  d.press_key('A');
+  d.settle();
+  CHECK(d.workspace().field.stats.least == doctest::Approx(1).epsilon(1e-3));
+  CHECK(d.workspace().field.stats.most == doctest::Approx(1).epsilon(1e-3));
+  // Two pins that hold: where one is it goes along wholly, at the other not at all.
+  scene::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[100]);
+  scene::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[40000]);
+  d.settle();
+  const auto& values = *d.workspace().field.values;
+  CHECK(double(values[40000]) == doctest::Approx(1).epsilon(1e-3));
+  CHECK(std::abs(values[100]) < 1e-3);
+  CHECK(d.workspace().field.stats.least > -0.5);
+}
+
+TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
+  Driver d;
+  d.open_dragon("pose_alert");
+  d.document().put_scheme(deform::scheme_of(deform::Way::smooth));
+  d.settle();
+  d.click("section/Views");
+  d.click("views_4");
+  d.settle();
+  auto& split = d.workspace().split;
+  REQUIRE(split.sides.size() == 3);
+  std::set<std::string_view> ways;
+  for (const auto& side : split.sides) {
+    CHECK(side.problem.empty());
+    const auto way = deform::way_of(side.scheme);
+    REQUIRE(way);
+    ways.insert(deform::entry(*way).name);
+  }
+  CHECK(ways.size() == 3);
+  d.choose("side/1/way", "side/1/way_rigid");
+  d.choose("side/2/method", "side/2/method_SD");
+  d.settle();
+  CHECK(deform::way_of(split.sides[0].scheme) == deform::Way::rigid);
+  CHECK(split.sides[1].method == sym3::Method::sd);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(error_of_side(d, i) < 2e-5);
+  scene::enter_view(d.workspace(), 0);
+  // And while a hand moves the cage, in whichever view.
+  const glm::vec2 first = glm::round(d.vertex(d.free_vertex()));
+  const auto& v = d.workspace().viewport;
+  const glm::vec2 second = first + glm::vec2(0.5f * v.size.x, 0.5f * v.size.y);
+  d.press_and_move(second, second + glm::vec2(40, -30));
+  CHECK(d.document().selection.size() == 1);
+  CHECK(split.active == 3);
+  d.button(0, false);
+  d.settle();
+  CHECK(d.document().history.undo_label() == "move 1 vertex");
+  CHECK(d.drawn_error() < 2e-5);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(error_of_side(d, i) < 2e-5);
+  d.click("views_1");
+  d.settle();
+  CHECK(split.sides.empty());
+  CHECK(d.workspace().viewport.pane_size == glm::vec2(1, 1));
+}
+
+TEST_CASE("a_wipe_shows_on_either_side_what_the_view_would_show_alone") {
+  auto options = Driver::default_options();
+  options.size = {700, 460};
+  Driver d(options);
+  d.open_dragon("pose_alert");
+  const auto smooth = deform::scheme_of(deform::Way::smooth), rigid = deform::scheme_of(deform::Way::rigid);
+  d.workspace().view.panels = false;
+  const auto alone = [&](const deform::Scheme& scheme) {
+    d.document().put_scheme(scheme);
+    d.settle();
+    return d.picture();
+  };
+  const auto right = alone(rigid), left = alone(smooth);
+  CHECK(differing(left, right, 0, 1) > 0.001);
+  scene::split_view(d.workspace(), 2);
+  auto& split = d.workspace().split;
+  split.sides[0].scheme = rigid;
+  split.wipe = true;
+  split.line = 0.5f;
+  d.move({1, 1});
+  d.settle();
+  const auto wiped = d.picture();
+  CHECK(differing(left, wiped, 0, 0.48) == 0);
+  CHECK(differing(right, wiped, 0.52, 1) == 0);
+  CHECK(differing(left, wiped, 0.52, 1) > 0);
+  // The line is dragged.
+  d.drag(d.place_of("wipe_line"), d.place_of("wipe_line") + glm::vec2(140, 0));
+  CHECK(split.line == doctest::Approx(0.7).epsilon(0.02));
+  d.move({1, 1});
+  d.settle();
+  CHECK(differing(left, d.picture(), 0, 0.68) == 0);
+}
+
+TEST_CASE("cameras_of_views_are_one_or_each_its_own") {
+  Driver d;
+  d.open_dragon();
+  scene::split_view(d.workspace(), 2);
+  d.settle();
+  const auto& v = d.workspace().viewport;
+  const glm::vec2 in_first = v.origin + glm::vec2(0.1f, 0.8f) * v.size;
+  const glm::vec2 in_second = in_first + glm::vec2(0.5f * v.size.x, 0);
+  d.drag(in_second, in_second + glm::vec2(60, 0), 1);
+  CHECK(scene::camera_of(d.workspace(), 0) == scene::camera_of(d.workspace(), 1));
+  scene::find_command("toggle_linked_cameras")->run(d.workspace());
+  d.drag(in_second, in_second + glm::vec2(60, 0), 1);
+  const auto second = d.workspace().camera.pose();
+  CHECK(scene::camera_of(d.workspace(), 0) != second);
+  d.move(in_first);
+  d.frame(2);
+  CHECK(d.workspace().camera.pose() != second);
+  CHECK(scene::camera_of(d.workspace(), 1) == second);
+}
+
+TEST_CASE("another_document_is_shown_in_the_views_that_there_are") {
+  Driver d;
+  d.open_dragon();
+  scene::split_view(d.workspace(), 3);
+  d.workspace().view.field = Field::turn;
+  for (auto& side : d.workspace().split.sides) side.field = Field::signed_difference;
+  d.settle();
+  REQUIRE(d.open({test::dragon}));
+  d.settle();
+  CHECK(d.workspace().split.count() == 3);
+  for (const auto& side : d.workspace().split.sides) REQUIRE(side.shown.values);
+  d.open_dragon("pose_coil");
+  for (const auto& side : d.workspace().split.sides) CHECK(side.shown.stats.most > 1e-4);
+}
