@@ -87,7 +87,7 @@ void Viewer::frame(float seconds) {
   follow_document();
   settle_messages();
   deform(times);
-  if (follow_fields()) settle(2);
+  if (follow_fields() | inspector_.follow(workspace_, model_)) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
   upload(times);
@@ -171,7 +171,7 @@ bool Viewer::changing() const {
   const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions().pose;
   return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
          workspace_.playback.playing || workspace_.pins.is_due() || model_.is_due(document) ||
-         sides_.is_due(workspace_, model_) || field_is_due();
+         sides_.is_due(workspace_, model_) || field_is_due() || inspector_.is_due(workspace_, model_);
 }
 
 void Viewer::take_requests() {

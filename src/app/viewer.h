@@ -14,6 +14,7 @@
 #include "app/live_model.h"
 #include "app/saved_bindings.h"
 #include "app/side_views.h"
+#include "app/vertex_inspector.h"
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
@@ -144,6 +145,7 @@ private:
   SideViews sides_;
   Analysis analysis_;
   FieldMaker fields_;
+  VertexInspector inspector_;
   scene::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;

@@ -47,10 +47,14 @@ Spectral<T> three_distinct(T a, T b, T c) {
   return {s - t - u, -wa * (b + c) + wb * (a + c) + wc * (a + b), wa - wb - wc};
 }
 
+template <class T>
+bool same(T a, T b) {
+  return std::fabs(a - b) < T(same_eigenvalue);
+}
+
 /// The switch of section 2.2.
 template <class T>
 Spectral<T> spectral_form(const std::array<T, 3>& l) {
-  const auto same = [](T a, T b) { return std::fabs(a - b) < T(same_eigenvalue); };
   const bool s01 = same(l[0], l[1]), s12 = same(l[1], l[2]), s02 = same(l[0], l[2]);
   if (s01 && s12) return {std::exp(l[0]), 0, 0};
   if (s01) return two_distinct(l[0], l[2]);
@@ -59,6 +63,12 @@ Spectral<T> spectral_form(const std::array<T, 3>& l) {
 }
 
 }  // namespace
+
+template <class T>
+int distinct_eigenvalues(const std::array<T, 3>& l) {
+  const bool s01 = same(l[0], l[1]), s12 = same(l[1], l[2]), s02 = same(l[0], l[2]);
+  return s01 && s12 ? 1 : s01 || s12 || s02 ? 2 : 3;
+}
 
 template <class T>
 Sym3<T> exp_diag(const Sym3<T>& s) {
@@ -87,6 +97,7 @@ Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s) {
   return evaluate(spectral_form(viete_roots_as_printed(depressed_cubic(s))), s);
 }
 
+template int distinct_eigenvalues(const std::array<double, 3>&);
 template Sym3<float> exp_diag(const Sym3<float>&);
 template Sym3<double> exp_diag(const Sym3<double>&);
 template Sym3<float> exp_sd(const Sym3<float>&);

@@ -17,8 +17,8 @@ template <class Value>
 void choice_list(const Context& ui, const std::string& name, std::optional<Value> now, float width,
                  const ChoiceListWords& words = {}) {
   ImGui::SetNextItemWidth(width);
-  const bool open =
-      ImGui::BeginCombo(("##" + name).c_str(), now ? base::entry_of(*now).label.data() : words.none);
+  const char* const shown = now ? base::entry_of(*now).label.data() : words.none;
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown, ImGuiComboFlags_HeightLargest);
   record(ui, name, now.has_value());
   if (!open) return hint(*words.about || !now ? words.about : std::string(base::entry_of(*now).hint));
   const std::span<const base::Choice> all = choices(Value{});

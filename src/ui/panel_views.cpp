@@ -37,7 +37,8 @@ void method_list(const Context& ui, const std::string& name, scene::SideView& si
 }
 
 void map_list(const Context& ui, const std::string& name, scene::SideView& side) {
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), base::entry_of(side.field).label.data());
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), base::entry_of(side.field).label.data(),
+                                      ImGuiComboFlags_HeightLargest);
   record(ui, name);
   if (!open) return;
   for (const base::Choice& choice : choices(side.field)) {

@@ -40,10 +40,11 @@ void lab(const Context& ui) {
   const float x = v.origin.x + v.size.x;
   if (!begin_column(ui, "Lab", x, v.window.x - x)) return;
   panel_blending(ui);
-  panel_map(ui);
-  panel_views(ui);
   if (lab_line(ui)) {
     panel_method(ui);
+    panel_map(ui);
+    panel_views(ui);
+    panel_vertex(ui);
     panel_timings(ui);
     panel_accuracy(ui);
     panel_benchmark(ui);
@@ -61,6 +62,7 @@ void draw_panels(const Context& ui) {
   probe_overlay(ui);
   hand_overlay(ui);
   gizmo_overlay(ui);
+  vertex_overlay(ui);
   repeat_in_views(ui, before);
   axis_overlay(ui);
   split_overlay(ui);

@@ -46,6 +46,8 @@ void panel_timings(const Context& ui);
 void panel_accuracy(const Context& ui);
 void panel_map(const Context& ui);
 void panel_views(const Context& ui);
+void panel_vertex(const Context& ui);    ///< the sum at a vertex
+void vertex_overlay(const Context& ui);  ///< and where its terms come from
 void split_overlay(const Context& ui);
 /// How much of the background list there was.
 struct DrawnBefore {

@@ -12,6 +12,8 @@ namespace viete::ui {
 
 namespace {
 
+constexpr float tools_room = 60;  // of the strip at the left of the view
+
 struct Shown {
   std::string way, method, numbers;
 };
@@ -145,7 +147,9 @@ void split_overlay(const Context& ui) {
   for (std::size_t view = 0; view < w.split.count(); ++view) {
     const scene::Pane pane = scene::pane_of(w.split, view);
     frame(ui, pane);
-    caption(ui, view, w.viewport.origin + pane.at * w.viewport.size, pane.size.x * w.viewport.size.x);
+    const float beside = pane.at.x == 0 && w.view.panels ? tools_room : 0;
+    caption(ui, view, w.viewport.origin + pane.at * w.viewport.size + glm::vec2(beside, 0),
+            pane.size.x * w.viewport.size.x - beside);
   }
   if (w.split.wipes()) wipe_line(ui);
 }

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "deform/bound.h"
+#include "deform/vertex_sum.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -58,4 +59,29 @@ TEST_CASE("without_logs_there_are_no_matrices_and_making_them_can_be_cancelled")
   progress.cancel();
   CHECK_THROWS_AS(sample_stretches(weigher, *b.binding, nullptr, b.deformer.state().rows(), 10, &progress),
                   base::Cancelled);
+}
+
+TEST_CASE("the_sum_at_a_vertex_is_that_of_its_terms_and_what_the_frame_exponentiates") {
+  Bound b(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
+  b.deform(b.pose(bent), sym3::Method::diag);
+  const Weigher weigher(*b.cage, faces);
+  const Rows rows = b.deformer.state().rows();
+  const auto all = sample_stretches(weigher, *b.binding, nullptr, rows, b.model.positions.size());
+  for (const std::size_t vertex : {0, 17, 900}) {
+    const VertexSum sum = vertex_sum(weigher, *b.binding, nullptr, rows, vertex);
+    REQUIRE(sum.has_logs);
+    CHECK(largest_entry(minus(sum.stretch, all[vertex])) < 1e-13);
+    double weights = 0;
+    Vec3 offset = sum.terms[0].at;
+    for (std::size_t i = 0; i < sum.terms.size(); ++i) {
+      weights += sum.terms[i].weight;
+      if (i > 0) CHECK(std::abs(sum.terms[i].weight) <= std::abs(sum.terms[i - 1].weight));
+    }
+    CHECK(weights == doctest::Approx(1).epsilon(1e-12));
+    // The largest term is of an element that is near.
+    CHECK(norm(offset - bent(b.model.positions[vertex])) < 1);
+  }
+  const Mask half = std::make_shared<const std::vector<float>>(b.model.positions.size(), 0.5f);
+  const VertexSum masked = vertex_sum(weigher, *b.binding, half, rows, 17);
+  CHECK(2 * masked.stretch.xx == doctest::Approx(all[17].xx).epsilon(1e-9));
 }

@@ -154,6 +154,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   }
   CHECK(ways.size() == 3);
   d.choose("side/1/way", "side/1/way_rigid");
+  d.choose("side/2/way", "side/2/way_paper");
   d.choose("side/2/method", "side/2/method_SD");
   d.settle();
   CHECK(deform::way_of(split.sides[0].scheme) == deform::Way::rigid);
@@ -184,7 +185,7 @@ TEST_CASE("a_wipe_shows_on_either_side_what_the_view_would_show_alone") {
   Driver d(options);
   d.open_dragon("pose_alert");
   const auto smooth = deform::scheme_of(deform::Way::smooth), rigid = deform::scheme_of(deform::Way::rigid);
-  d.workspace().view.panels = false;
+  d.workspace().view.panels = d.workspace().view.hints = false;
   const auto alone = [&](const deform::Scheme& scheme) {
     d.document().put_scheme(scheme);
     d.settle();
@@ -244,4 +245,48 @@ TEST_CASE("another_document_is_shown_in_the_views_that_there_are") {
   for (const auto& side : d.workspace().split.sides) REQUIRE(side.shown.values);
   d.open_dragon("pose_coil");
   for (const auto& side : d.workspace().split.sides) CHECK(side.shown.stats.most > 1e-4);
+}
+
+TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
+  Driver d;
+  d.open_dragon("pose_alert");
+  d.press_key('Y', false, false, true);  // nothing under the cursor
+  CHECK_FALSE(d.workspace().vertex.vertex);
+  scene::find_command("toggle_error_map")->run(d.workspace());
+  d.settle();
+  scene::find_command("pick_worst")->run(d.workspace());
+  d.settle();
+  const auto& view = d.workspace().vertex;
+  REQUIRE(view.vertex == d.workspace().field.stats.worst);
+  REQUIRE(view.has_logs);
+  double sum = 0;
+  for (const auto& term : view.terms) sum += term.weight;
+  CHECK(sum == doctest::Approx(1).epsilon(1e-9));
+  CHECK(
+      std::ranges::is_sorted(view.terms, std::greater<>(), [](const auto& t) { return std::abs(t.weight); }));
+  // The whole map takes what is near the vertex where the frame has it.
+  const auto& last = view.terms.back().eigenvalues;
+  const double volume = glm::determinant(view.map);
+  CHECK(volume == doctest::Approx(std::exp(last[0] + last[1] + last[2])).epsilon(1e-9));
+  REQUIRE(view.ways.size() == 4);
+  for (const auto& way : view.ways) CHECK(way.error < 1e-12);
+  CHECK(view.ways[3].error == doctest::Approx(std::pow(10, d.workspace().field.stats.most)).epsilon(0.2));
+  CHECK(view.ways[3].route.starts_with("degree 21"));
+  d.click("section/Vertex");
+  const auto before = d.picture();
+  d.click("drop_vertex");
+  d.settle();
+  CHECK_FALSE(d.workspace().vertex.vertex);
+  CHECK(test::difference(before, d.picture(), 8) > 0.001);
+  // By the key, under the cursor; it goes with the pose.
+  d.move(d.workspace().viewport.middle());
+  d.press_key('Y', false, false, true);
+  d.settle();
+  REQUIRE(d.workspace().vertex.vertex);
+  const double degrees = d.workspace().vertex.degrees;
+  d.press_key(scene::key('R'), true);  // a pose of its own comes and goes
+  scene::reset_pose(d.document());
+  d.settle();
+  CHECK(d.workspace().vertex.degrees == 0);
+  CHECK(degrees > 0);
 }

@@ -1,4 +1,7 @@
 // Commands of the Lab's maps: fields as colours on the mesh.
+#include <algorithm>
+
+#include "scene/document/brush.h"
 #include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
@@ -11,6 +14,17 @@ using lab::Field;
 
 constexpr Condition has_map{[](const Workspace& w) { return w.field.values != nullptr; },
                             "Choose a map of the Lab first."};
+
+constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
+                               "Pick a vertex first."};
+
+void pick_vertex(Workspace& w) {
+  const glm::vec2 at = w.interaction.cursor.value_or(w.viewport.middle());
+  const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
+  if (!hit) return w.messages.info("Point at the model to pick a vertex of it.");
+  const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
+  w.vertex.vertex = w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)];
+}
 
 void choose_field(Workspace& w, Field field) {
   w.view.field = field;
@@ -37,6 +51,16 @@ void add_map_commands(CommandTable& table) {
              [](const Workspace& w) { return w.field.holds_range; }});
   table.add("frame_worst", "Frame the worst vertex", "See the vertex where the map says most, from near.",
             has_map, frame_worst);
+  table.add(
+      "pick_vertex", {"Pick a vertex to see its sum", "Pick"},
+      "Show what is summed at the vertex under the cursor: weights, maps, and how each method takes the "
+      "exponential.",
+      {key('Y'), false, false, true}, has_model, pick_vertex);
+  table.add("pick_worst", {"Pick the worst vertex of the map", "The worst of the map"},
+            "Show what is summed at the vertex where the map says most.", has_map,
+            [](Workspace& w) { w.vertex.vertex = w.field.stats.worst; });
+  table.add("drop_vertex", {"Close the sum at a vertex", "Close"}, "Show no vertex's sum.", has_vertex,
+            [](Workspace& w) { w.vertex.vertex.reset(); });
 }
 
 }  // namespace viete::scene

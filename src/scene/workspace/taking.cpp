@@ -54,6 +54,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.stats.clear();
   w.methods = {};
   w.field = {};
+  w.vertex = {};
   forget_findings(w.checks);
   w.checks.badge.reset();
   w.checks.put_away.clear();

@@ -43,6 +43,7 @@
 #include "scene/workspace/remembered.h"
 #include "scene/workspace/split.h"
 #include "scene/workspace/time_view.h"
+#include "scene/workspace/vertex_view.h"
 
 namespace viete::scene {
 
@@ -215,6 +216,7 @@ struct Workspace {
   FrameStats stats;
   MethodStats methods;
   FieldView field;
+  VertexView vertex;
   Split split;
   double fused_error = 0;  ///< of the fused frame, or of what a stitched one follows, against double:
                            ///< measured aside, in diagonals of the cage; 0 if staged

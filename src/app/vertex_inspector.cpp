@@ -1,0 +1,96 @@
+#include "app/vertex_inspector.h"
+
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "deform/vertex_sum.h"
+#include "sym3/eigenvalues.h"
+#include "sym3/reference.h"
+#include "sym3/rotation.h"
+#include "sym3/route.h"
+
+namespace viete::app {
+
+namespace {
+
+using sym3::Method;
+
+// GLM counts columns.
+glm::dmat3 map_of(const sym3::Sym3<double>& stretch, const mesh::Vec3& turn) {
+  const auto r = sym3::exp_rotation<double>({turn[0], turn[1], turn[2]});
+  const auto s = sym3::exp(stretch);
+  const glm::dmat3 rotation(r[0], r[3], r[6], r[1], r[4], r[7], r[2], r[5], r[8]);
+  return rotation * glm::dmat3(s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz);
+}
+
+std::string words_of(Method method, const sym3::Route& route) {
+  if (method == Method::diag) return "eigenvectors by QR";
+  if (method == Method::fast) {
+    if (route.by_jacobi) return "left to Jacobi's method";
+    const std::string degree = "degree " + std::to_string(route.degree);
+    if (route.squarings == 0) return degree + ", not halved";
+    return degree + ", squared " + std::to_string(route.squarings) +
+           (route.squarings == 1 ? " time" : " times");
+  }
+  constexpr const char* cases[] = {"", "all equal: case 1", "two equal: case 2", "three apart: case 3"};
+  return std::string(method == Method::sd ? "QR, " : "Viete, ") + cases[route.distinct];
+}
+
+std::vector<scene::VertexView::Way> ways_of(const sym3::Sym3<double>& sum) {
+  std::vector<scene::VertexView::Way> ways;
+  for (const Method method : scene::compared_methods)
+    ways.push_back({method, words_of(method, sym3::route(sum, method)),
+                    sym3::relative_error(sym3::exp(sum, method), sum)});
+  return ways;
+}
+
+scene::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
+  scene::VertexView view;
+  view.vertex = vertex;
+  view.has_logs = sum.has_logs;
+  sym3::Sym3<double> partial{};
+  for (const auto& term : sum.terms) {
+    const double w = term.weight;
+    const auto& x = term.stretch;
+    partial = {partial.xx + w * x.xx, partial.xy + w * x.xy, partial.xz + w * x.xz,
+               partial.yy + w * x.yy, partial.yz + w * x.yz, partial.zz + w * x.zz};
+    view.terms.push_back({term.handle, w, map_of(x, term.turn), term.at, sym3::eigenvalues(partial)});
+  }
+  if (!sum.has_logs) return view;
+  view.map = map_of(sum.stretch, sum.turn);
+  view.degrees = mesh::norm(sum.turn) * 180 / std::numbers::pi;
+  view.ways = ways_of(sum.stretch);
+  return view;
+}
+
+}  // namespace
+
+VertexInspector::Key VertexInspector::key_of(const scene::Workspace& w, const LiveModel& model) {
+  return {w.vertex.vertex, model.frames(), model.deformer()};
+}
+
+bool VertexInspector::is_due(const scene::Workspace& w, const LiveModel& model) const {
+  return (w.vertex.vertex || key_.vertex) && key_of(w, model) != key_;
+}
+
+bool VertexInspector::follow(scene::Workspace& w, const LiveModel& model) {
+  if (!is_due(w, model)) return false;
+  key_ = key_of(w, model);
+  const auto vertex = w.vertex.vertex;
+  w.vertex = {};
+  const deform::Deformer* deformer = model.deformer();
+  const mesh::Surface& surface = *w.document.model.surface;
+  if (!vertex || *vertex >= surface.positions.size()) return true;
+  w.vertex.vertex = vertex;
+  if (!deformer || !deformer->ran() || !w.document.has_cage()) return true;
+  const Bound& bound = model.bound();
+  const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
+  const deform::VertexSum sum =
+      deform::vertex_sum(weigher, *bound.binding, deformer->mask(), deformer->state().rows(), *vertex);
+  w.vertex = view_of(*vertex, sum);
+  w.vertex.at = w.posed.at(surface, *vertex);
+  return true;
+}
+
+}  // namespace viete::app

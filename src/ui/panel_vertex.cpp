@@ -1,0 +1,124 @@
+// The sum at a vertex: weights, the sum as it is formed, and how methods take its exponential.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "ui/format.h"
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+namespace {
+
+using scene::VertexView;
+
+constexpr std::size_t most_bars = 8;
+
+std::string percent(double share) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.1f %%", 100 * share);
+  return text;
+}
+
+// What is left of the terms that have no bar of their own.
+double rest_of(const VertexView& view) {
+  double rest = 0;
+  for (std::size_t i = most_bars; i < view.terms.size(); ++i) rest += view.terms[i].weight;
+  return rest;
+}
+
+void bar(const Context& ui, const std::string& name, double weight, double largest) {
+  constexpr float label = 64, value = 64, height = 16;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x - label - value;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddText(at, ui.colors.faint, name.c_str());
+  const auto wide = static_cast<float>(std::abs(weight) / largest) * room;
+  draw.AddRectFilled({at.x + label, at.y + 3}, {at.x + label + std::max(1.0f, wide), at.y + height - 2},
+                     weight < 0 ? ui.colors.warn : ui.colors.accent, 2);
+  ImGui::Dummy({room, height});
+  text_right(ui, at.x + label + room + value, percent(weight), ui.colors.text);
+}
+
+void weights(const Context& ui, const VertexView& view) {
+  const double largest = std::abs(view.terms.front().weight);
+  for (std::size_t i = 0; i < std::min(most_bars, view.terms.size()); ++i)
+    bar(ui, "element " + std::to_string(view.terms[i].element), view.terms[i].weight, largest);
+  if (view.terms.size() > most_bars)
+    bar(ui, std::to_string(view.terms.size() - most_bars) + " more", rest_of(view), largest);
+}
+
+// The three eigenvalues of the sum, term by term, on their way to what is exponentiated.
+void partial_sums(const Context& ui, const VertexView& view) {
+  constexpr float height = 84, right = 64;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float wide = ImGui::GetContentRegionAvail().x - right;
+  double low = 0, high = 0;
+  for (const auto& term : view.terms)
+    low = std::min(low, term.eigenvalues[0]), high = std::max(high, term.eigenvalues[2]);
+  if (!(high - low > 1e-9)) low -= 0.01, high += 0.01;
+  const auto y_of = [&](double value) {
+    return at.y + 4 + static_cast<float>((high - value) / (high - low)) * (height - 8);
+  };
+  const auto x_of = [&](std::size_t terms) {
+    // By the root, since the first terms are most of it.
+    return at.x + std::sqrt(static_cast<float>(terms) / static_cast<float>(view.terms.size())) * wide;
+  };
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(at, {at.x + wide, at.y + height}, ui.colors.card, 4);
+  draw.AddLine({at.x, y_of(0)}, {at.x + wide, y_of(0)}, ui.colors.line);
+  float last_text = -100;
+  for (std::size_t k = 3; k-- > 0;) {
+    std::vector<ImVec2> line{{at.x, y_of(0)}};
+    for (std::size_t i = 0; i < view.terms.size(); ++i)
+      line.push_back({x_of(i + 1), y_of(view.terms[i].eigenvalues[k])});
+    const ImU32 color = ui.colors.axis[2 - k];
+    draw.AddPolyline(line.data(), static_cast<int>(line.size()), color, 0, 1.75f);
+    draw.AddCircleFilled(line.back(), 3, color);
+    char text[24];
+    std::snprintf(text, sizeof text, "%+.4f", view.terms.back().eigenvalues[k]);
+    ImGui::PushFont(ui.fonts.numbers);
+    last_text = std::max(line.back().y - 7, last_text + 15);
+    draw.AddText({at.x + wide + 8, last_text}, color, text);
+    ImGui::PopFont();
+  }
+  ImGui::Dummy({wide, height});
+}
+
+void ways(const Context& ui, const VertexView& view) {
+  for (const auto& way : view.ways) {
+    value_row(ui, method_label(way.method).c_str(), error(way.error));
+    hint(way.route + ". Its error is relative, against 106 bits.");
+    note(ui, way.route);
+  }
+}
+
+}  // namespace
+
+void panel_vertex(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  if (!w.document.has_cage() || !section(ui, "Vertex", false)) return;
+  const VertexView& view = w.vertex;
+  if (!view.vertex)
+    return note(ui, "Point at the model and press " +
+                        scene::text(w.remembered.keymap.of(*scene::find_command("pick_vertex")).first) +
+                        " to see what is summed there.");
+  value_row(ui, "Vertex", std::to_string(*view.vertex));
+  command_row(ui, {"pick_worst", "drop_vertex"});
+  if (view.terms.empty()) return note(ui, "The cage does not reach it.");
+  note(ui, "Weights", ui.colors.text);
+  weights(ui, view);
+  if (!view.has_logs) return note(ui, "This blend sums no logarithms.");
+  note(ui, "Eigenvalues of the sum, term by term", ui.colors.text);
+  partial_sums(ui, view);
+  char turn[24];
+  std::snprintf(turn, sizeof turn, "%.2f\u00b0", view.degrees);
+  value_row(ui, "It turns by", turn);
+  note(ui, "exp of the sum", ui.colors.text);
+  ways(ui, view);
+}
+
+}  // namespace viete::ui
