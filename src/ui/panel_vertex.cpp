@@ -17,7 +17,7 @@ using scene::VertexView;
 
 constexpr std::size_t most_bars = 8;
 
-std::string percent(double share) {
+std::string weight_text(double share) {
   char text[16];
   std::snprintf(text, sizeof text, "%.1f %%", 100 * share);
   return text;
@@ -40,7 +40,7 @@ void bar(const Context& ui, const std::string& name, double weight, double large
   draw.AddRectFilled({at.x + label, at.y + 3}, {at.x + label + std::max(1.0f, wide), at.y + height - 2},
                      weight < 0 ? ui.colors.warn : ui.colors.accent, 2);
   ImGui::Dummy({room, height});
-  text_right(ui, at.x + label + room + value, percent(weight), ui.colors.text);
+  text_right(ui, at.x + label + room + value, weight_text(weight), ui.colors.text);
 }
 
 void weights(const Context& ui, const VertexView& view) {
