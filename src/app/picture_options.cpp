@@ -9,6 +9,7 @@
 #include "app/inputs.h"
 #include "app/options.h"
 #include "base/error.h"
+#include "scene/document/pose_edit.h"
 #include "scene/workspace/taking.h"
 
 namespace viete::app {
@@ -43,9 +44,15 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     scene::SideView view{w.document.scheme, w.document.method, w.view.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
+    if (word == "log" || word == "straight")
+      view.other_lines = (word == "straight") != w.document.timeline.straight;
     const auto way = std::ranges::find(deform::all_ways(), word, &deform::WayEntry::name);
     if (way != deform::all_ways().end()) view.scheme = deform::scheme_of(way->value, w.document.scheme);
     views.push_back(std::move(view));
+  }
+  if (views[0].other_lines) {
+    scene::set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
+    for (scene::SideView& view : views) view.other_lines = !view.other_lines;
   }
   w.document.put_scheme(views[0].scheme);
   w.document.put_method(views[0].method);
@@ -108,8 +115,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   std::vector<std::string> compared;
   for (const deform::WayEntry& entry : deform::all_ways()) compared.emplace_back(entry.name);
   for (const sym3::Method method : scene::compared_methods) compared.emplace_back(sym3::name(method));
-  auto* compare = command.add_option("--compare", options.compare,
-                                     "Two to four ways or methods, such as smooth,rigid: a view of each");
+  compared.insert(compared.end(), {"log", "straight"});
+  auto* compare = command.add_option(
+      "--compare", options.compare,
+      "Two to four ways or methods, such as smooth,rigid; or log,straight: a view of each");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--error-map", options.error_map, "The same as --map exp-error");
   command.add_flag("--no-cage", options.no_cage, "Without the cage");

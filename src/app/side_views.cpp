@@ -4,13 +4,32 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "base/error.h"
+#include "scene/workspace/playing.h"
 #include "sym3/reference.h"
 
 namespace viete::app {
 
+namespace {
+
+// Where it cannot be made, the document's own serves.
+scene::SharedPose other_pose(scene::Workspace& w) {
+  try {
+    return scene::pose_by_other_lines(w);
+  } catch (const base::Error&) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
 SideModel::Made SideModel::made_of(const scene::SideView& side, const scene::Workspace& w) {
-  return {w.document.revisions().pose, w.document.has_cage() ? side.scheme : deform::no_motion(), side.method,
-          w.document.mask, w.view.same_path};
+  return {w.document.revisions().pose,
+          w.document.has_cage() ? side.scheme : deform::no_motion(),
+          side.method,
+          w.document.mask,
+          w.view.same_path,
+          side.other_lines};
 }
 
 bool SideModel::serves(const Made& made) const {
@@ -50,7 +69,7 @@ bool SideModel::is_due(const scene::SideView& side, const scene::Workspace& w, c
          (made_ != wanted && refused_ != wanted && !binder_.running() && first.deformer()->ran());
 }
 
-bool SideModel::follow(scene::SideView& side, const scene::Workspace& w, const LiveModel& first,
+bool SideModel::follow(scene::SideView& side, scene::Workspace& w, const LiveModel& first,
                        base::WorkerPool& pool, bool wait) {
   const Bound& known = first.bound();
   if (!known.binding) return false;
@@ -80,11 +99,13 @@ bool SideModel::follow(scene::SideView& side, const scene::Workspace& w, const L
   }
   const auto& drag = w.interaction.drag;
   drag_.before(*deformer_, drag);
+  const scene::SharedPose other = side.other_lines ? other_pose(w) : nullptr;
+  const deform::Pose& pose = other ? other->cage : w.document.pose;
   deformer_->set_mask(w.document.mask);
   deformer_->set_probes(w.document.probes);
-  deformer_->set_shape(w.document.shape);
+  deformer_->set_shape(other ? other->shape : w.document.shape);
   base::Stopwatch watch;
-  deformer_->deform(w.document.has_cage() ? w.document.pose : deform::rest_pose(*bound_.cage), side.method);
+  deformer_->deform(w.document.has_cage() ? pose : deform::rest_pose(*bound_.cage), side.method);
   drag_.after(*deformer_, drag);
   side.stats.add({.when = base::wall_seconds(), .links = deformer_->times(), .frame = watch.lap_ms()});
   made_ = wanted;

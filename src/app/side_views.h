@@ -20,7 +20,7 @@ namespace viete::app {
 class SideModel {
 public:
   /// After a frame of the first view. Says whether this one has another frame, too.
-  bool follow(scene::SideView& side, const scene::Workspace& workspace, const LiveModel& first,
+  bool follow(scene::SideView& side, scene::Workspace& workspace, const LiveModel& first,
               base::WorkerPool& pool, bool wait = false);
   /// True if follow() would do something now.
   bool is_due(const scene::SideView& side, const scene::Workspace& workspace, const LiveModel& first) const;
@@ -39,7 +39,7 @@ private:
     deform::Scheme scheme;
     sym3::Method method = sym3::Method::fast;
     deform::Mask mask;
-    bool staged = false;
+    bool staged = false, other_lines = false;
     friend bool operator==(const Made&, const Made&) = default;
   };
   static Made made_of(const scene::SideView& side, const scene::Workspace& workspace);

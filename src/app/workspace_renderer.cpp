@@ -214,6 +214,7 @@ ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(scene::viewport_of(w.split, v, view)));
   part.surface = surface_style(w);
+  part.cage = view == 0 || !w.split.sides[view - 1].other_lines;
   models_[view]->span(part.surface, view == 0 ? w.field : w.split.sides[view - 1].shown);
   return part;
 }
@@ -266,7 +267,7 @@ void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const 
     if (d.model) model.draw_shadow(seen, theme, d.shadow);
     grid_.draw(seen, theme, d.ground);
   }
-  if (d.cage) draw_cage(d, seen, theme);
+  if (d.cage && part.cage) draw_cage(d, seen, theme);
   if (view == 0) findings_.draw(seen, theme);
 }
 

@@ -29,6 +29,7 @@ struct ViewDrawing {
     glm::vec2 low{0, 0}, high{1, 1};  ///< where, as parts of the window from its upper left
     glm::dmat4 view{1}, projection{1};
     render::SurfaceStyle surface;
+    bool cage = true;  ///< stands where this view's pose has it
 
     friend bool operator==(const Part&, const Part&) = default;
   };

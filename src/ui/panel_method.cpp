@@ -159,7 +159,9 @@ void panel_method(const Context& ui) {
 bool lab_line(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   const bool open = section(ui, "Lab", false);
-  hint("How fast and how exactly it is computed: methods, timings, accuracy, benchmark.");
+  hint(
+      "What is computed, how fast and how exactly: methods, maps, views, the sum at a vertex, timings, "
+      "benchmark.");
   if (open) return true;
   std::string text = method_label(w.document.method);
   if (!w.document.scheme.exponential()) text = "takes no exponential";

@@ -31,16 +31,19 @@ double rest_of(const VertexView& view) {
 }
 
 void bar(const Context& ui, const std::string& name, double weight, double largest) {
-  constexpr float label = 64, value = 64, height = 16;
+  constexpr float label = 82, value = 56, height = 18;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x - label - value;
+  const float right = at.x + ImGui::GetContentRegionAvail().x, room = right - value - at.x - label;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddText(at, ui.colors.faint, name.c_str());
-  const auto wide = static_cast<float>(std::abs(weight) / largest) * room;
-  draw.AddRectFilled({at.x + label, at.y + 3}, {at.x + label + std::max(1.0f, wide), at.y + height - 2},
+  const float wide = std::min(static_cast<float>(std::abs(weight) / largest), 1.0f) * room;
+  draw.AddRectFilled({at.x + label, at.y + 4}, {at.x + label + std::max(1.0f, wide), at.y + height - 3},
                      weight < 0 ? ui.colors.warn : ui.colors.accent, 2);
+  ImGui::PushFont(ui.fonts.numbers);
+  const std::string text = weight_text(weight);
+  draw.AddText({right - ImGui::CalcTextSize(text.c_str()).x, at.y + 1}, ui.colors.text, text.c_str());
+  ImGui::PopFont();
   ImGui::Dummy({room, height});
-  text_right(ui, at.x + label + room + value, weight_text(weight), ui.colors.text);
 }
 
 void weights(const Context& ui, const VertexView& view) {
@@ -48,7 +51,8 @@ void weights(const Context& ui, const VertexView& view) {
   for (std::size_t i = 0; i < std::min(most_bars, view.terms.size()); ++i)
     bar(ui, "element " + std::to_string(view.terms[i].element), view.terms[i].weight, largest);
   if (view.terms.size() > most_bars)
-    bar(ui, std::to_string(view.terms.size() - most_bars) + " more", rest_of(view), largest);
+    value_row(ui, (std::to_string(view.terms.size() - most_bars) + " more").c_str(),
+              weight_text(rest_of(view)));
 }
 
 // The three eigenvalues of the sum, term by term, on their way to what is exponentiated.
@@ -90,9 +94,8 @@ void partial_sums(const Context& ui, const VertexView& view) {
 
 void ways(const Context& ui, const VertexView& view) {
   for (const auto& way : view.ways) {
-    value_row(ui, method_label(way.method).c_str(), error(way.error));
-    hint(way.route + ". Its error is relative, against 106 bits.");
-    note(ui, way.route);
+    value_row(ui, (method_label(way.method) + ": " + way.route).c_str(), error(way.error));
+    hint("What the method decides by this matrix. Its error is relative, against 106 bits.");
   }
 }
 

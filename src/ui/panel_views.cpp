@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "scene/workspace/playing.h"
 #include "ui/choice_list.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -64,6 +65,12 @@ void side_rows(const Context& ui, std::size_t number, scene::SideView& side) {
   if (ui.workspace.document.has_cage()) row("Way", way_list, "/way");
   if (side.scheme.exponential()) row("Method", method_list, "/method");
   row("Map", map_list, "/map");
+  if (side.other_lines || scene::has_lines(ui.workspace)) {
+    const char* const words = ui.workspace.document.timeline.straight ? "In log space" : "In straight lines";
+    ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_lines);
+    record(ui, name + "/lines");
+    hint("What keys and sliders make, in the other way than the first view has it.");
+  }
   if (!side.problem.empty()) note(ui, side.problem, ui.colors.bad);
 }
 

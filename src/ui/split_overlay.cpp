@@ -1,5 +1,6 @@
 // A view that is split: lines between its parts, and what each of them shows.
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -14,8 +15,22 @@ namespace {
 
 constexpr float tools_room = 60;  // of the strip at the left of the view
 
+// Where some view has other lines than the document.
+std::string lines_words(const scene::Workspace& w, bool other) {
+  const auto has_other = [](const scene::SideView& side) { return side.other_lines; };
+  if (std::ranges::none_of(w.split.sides, has_other)) return "";
+  return w.document.timeline.straight != other ? "straight lines" : "log space";
+}
+
+std::string joined(std::initializer_list<std::string> words) {
+  std::string all;
+  for (const std::string& word : words)
+    if (!word.empty()) all += (all.empty() ? "" : " \u00b7 ") + word;
+  return all;
+}
+
 struct Shown {
-  std::string way, method, numbers;
+  std::string title, numbers;
 };
 
 std::string way_words(const scene::Scheme& scheme) {
@@ -32,15 +47,21 @@ std::string numbers(const scene::FrameStats& stats, std::optional<double> exp_er
   return words;
 }
 
+std::string title_of(const scene::Workspace& w, const scene::Scheme& scheme, scene::Method method,
+                     bool other_lines) {
+  const bool cage = w.document.has_cage();
+  return joined({cage ? way_words(scheme) : "", cage && scheme.exponential() ? method_label(method) : "",
+                 lines_words(w, other_lines)});
+}
+
 Shown shown_in(const scene::Workspace& w, std::size_t view) {
   if (view == 0) {
     const scene::MethodSample* sample = running_sample(w);
-    return {way_words(w.document.scheme),
-            w.document.scheme.exponential() ? method_label(w.document.method) : "",
+    return {title_of(w, w.document.scheme, w.document.method, false),
             numbers(w.stats, sample ? std::optional(sample->worst_error) : std::nullopt, w.fused_error)};
   }
   const scene::SideView& side = w.split.sides[view - 1];
-  Shown shown{way_words(side.scheme), side.scheme.exponential() ? method_label(side.method) : "",
+  Shown shown{title_of(w, side.scheme, side.method, side.other_lines),
               numbers(side.stats, side.exp_error, side.fused_error)};
   if (side.binding) shown.numbers = "binding";
   if (!side.problem.empty()) shown.numbers = side.problem;
@@ -50,10 +71,10 @@ Shown shown_in(const scene::Workspace& w, std::size_t view) {
 // At the upper left of its part.
 void caption(const Context& ui, std::size_t view, glm::vec2 at, float room) {
   const Shown shown = shown_in(ui.workspace, view);
-  const std::string title = shown.method.empty() ? shown.way : shown.way + " \u00b7 " + shown.method;
+  if (shown.title.empty() && shown.numbers.empty()) return;
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   ImGui::PushFont(ui.fonts.strong);
-  const ImVec2 size = ImGui::CalcTextSize(title.c_str());
+  const ImVec2 size = ImGui::CalcTextSize(shown.title.c_str());
   ImGui::PopFont();
   ImGui::PushFont(ui.fonts.numbers);
   const float below = shown.numbers.empty() ? 0 : ImGui::CalcTextSize(shown.numbers.c_str()).x;
@@ -64,7 +85,7 @@ void caption(const Context& ui, std::size_t view, glm::vec2 at, float room) {
   draw.AddRectFilled(low, high, faded(ui.colors.card, 0.85f), 6);
   draw.PushClipRect(low, high, true);
   ImGui::PushFont(ui.fonts.strong);
-  draw.AddText({low.x + 10, low.y + 6}, ui.colors.text, title.c_str());
+  draw.AddText({low.x + 10, low.y + 6}, ui.colors.text, shown.title.c_str());
   ImGui::PopFont();
   ImGui::PushFont(ui.fonts.numbers);
   draw.AddText({low.x + 10, low.y + 25}, ui.colors.faint, shown.numbers.c_str());

@@ -362,6 +362,17 @@ bool average_mix(Document& document, KnownVectors& vectors) {
   });
 }
 
+SharedPose mixed_by(const Document& document, KnownVectors& vectors, bool straight) {
+  const SharedPose base = unmixed_pose(document);
+  if (!base) return nullptr;
+  vectors.follow(document.cage);
+  vectors.follow_model(document.model.surface);
+  DocumentState state = state_of(document);
+  state.timeline.straight = straight;
+  const SharedPose pose = mixed_upon(document, state, vectors, base);
+  return in_range(*pose) ? pose : nullptr;
+}
+
 bool set_straight(Document& document, KnownVectors& vectors, bool straight) {
   if (document.timeline.straight == straight) return true;
   const auto record = [&] { record_edit(document, straight ? "straight lines" : "log space"); };

@@ -62,6 +62,9 @@ bool average_mix(Document& document, KnownVectors& vectors);
 
 /// Poses are added in straight lines, here and between keys, or in log space. One edit.
 bool set_straight(Document& document, KnownVectors& vectors, bool straight);
+/// What the mix would be if it was straight, or was not; null where the pose is no mix, or none that can be
+/// drawn.
+SharedPose mixed_by(const Document& document, KnownVectors& vectors, bool straight);
 
 /// Another cage, or another number of probes: all poses, those of keys too, go with it. Part of the edit that
 /// is being made.

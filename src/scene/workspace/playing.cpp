@@ -216,6 +216,18 @@ void follow_time(Workspace& w, double seconds) {
   if (w.playback.playing) play(w, seconds);
 }
 
+SharedPose pose_by_other_lines(Workspace& w) {
+  const bool straight = !w.document.timeline.straight;
+  const auto animation = animation_of(w);
+  if (animation && is_shown(w))
+    return std::make_shared<const WholePose>(animation->at(w.document.frame, straight));
+  return mixed_by(w.document, w.playback.vectors, straight);
+}
+
+bool has_lines(const Workspace& w) {
+  return !w.document.timeline.keys.empty() || w.document.library.mixes();
+}
+
 void follow_pins(Workspace& w) {
   try {
     const PinPosing::Hand hand{w.handling.freedom, w.interaction.drag.has_value()};

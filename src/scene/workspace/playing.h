@@ -40,6 +40,12 @@ void stop_playing(Workspace& workspace);
 /// keyed ends the playing, so that it is there to be seen.
 void follow_time(Workspace& workspace, double seconds);
 
+/// What keys or sliders have put there, if it was made in straight lines where it is in log space, and the
+/// other way round; null where neither has made it. May throw base::Error.
+SharedPose pose_by_other_lines(Workspace& workspace);
+/// True if there is something that lines make a difference to: keys, or a mix.
+bool has_lines(const Workspace& workspace);
+
 /// Once a frame, before the model is deformed: the model follows its pins, see PinPosing.
 void follow_pins(Workspace& workspace);
 

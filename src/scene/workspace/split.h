@@ -19,6 +19,9 @@ struct SideView {
   deform::Scheme scheme;
   sym3::Method method = sym3::Method::fast;
   lab::Field field = lab::Field::none;
+  /// What keys and sliders make is there in straight lines where the document has it in log space, and the
+  /// other way round.
+  bool other_lines = false;
 
   // What was made of it, by the last frame.
   FieldView shown{};
