@@ -40,9 +40,9 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
 // A view each, in the order of the words; what a word does not say is as the document has it.
 void split(scene::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
-  std::vector<scene::SideView> views;
+  std::vector<scene::SideWay> views;
   for (const std::string& word : words) {
-    scene::SideView view{w.document.scheme, w.document.method, w.view.field};
+    scene::SideWay view{w.document.scheme, w.document.method, w.view.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
     if (word == "log" || word == "straight")
       view.other_lines = (word == "straight") != w.document.timeline.straight;
@@ -52,11 +52,11 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
   }
   if (views[0].other_lines) {
     scene::set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
-    for (scene::SideView& view : views) view.other_lines = !view.other_lines;
+    for (scene::SideWay& view : views) view.other_lines = !view.other_lines;
   }
   w.document.put_scheme(views[0].scheme);
   w.document.put_method(views[0].method);
-  w.split.sides.assign(views.begin() + 1, views.end());
+  scene::put_ways(w.split, {{views.begin() + 1, views.end()}});
   w.viewport = scene::viewport_of(w.split, w.viewport, 0);
 }
 

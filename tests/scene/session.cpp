@@ -52,6 +52,9 @@ Workspace worked(const test::CubeFiles& files) {
             .field = lab::Field::turn,
             .panels = false,
             .hints = false};
+  put_ways(w.split, {{{deform::scheme_of(deform::Way::rigid), sym3::Method::sd, lab::Field::area, true},
+                      {deform::scheme_of(deform::Way::arap)}},
+                     false});
   return w;
 }
 
@@ -63,6 +66,7 @@ void check_same(const Workspace& a, const Workspace& b) {
   CHECK(a.document.scheme == b.document.scheme);
   CHECK(a.camera.pose() == b.camera.pose());
   CHECK(a.view == b.view);
+  CHECK(ways_of(a.split) == ways_of(b.split));
   CHECK(a.document.model.surface->positions == b.document.model.surface->positions);
 }
 

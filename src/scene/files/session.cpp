@@ -40,17 +40,13 @@ struct ViewFlag {
   bool ViewOptions::*option;
 };
 
-constexpr ViewFlag view_flags[] = {{"dark", &ViewOptions::dark},
-                                   {"model", &ViewOptions::model},
-                                   {"wireframe", &ViewOptions::wireframe},
-                                   {"cage", &ViewOptions::cage},
-                                   {"grid", &ViewOptions::grid},
-                                   {"ghost", &ViewOptions::ghost},
-                                   {"panels", &ViewOptions::panels},
-                                   {"hints", &ViewOptions::hints},
-                                   {"deformed", &ViewOptions::deformed},
-                                   {"select_visible", &ViewOptions::select_visible},
-                                   {"same_path", &ViewOptions::same_path}};
+constexpr ViewFlag view_flags[] = {
+    {"dark", &ViewOptions::dark},           {"model", &ViewOptions::model},
+    {"wireframe", &ViewOptions::wireframe}, {"cage", &ViewOptions::cage},
+    {"grid", &ViewOptions::grid},           {"ghost", &ViewOptions::ghost},
+    {"panels", &ViewOptions::panels},       {"hints", &ViewOptions::hints},
+    {"deformed", &ViewOptions::deformed},   {"select_visible", &ViewOptions::select_visible},
+    {"same_path", &ViewOptions::same_path}};
 
 // Links in the folder are resolved, so that ".." leads where it should; the file keeps the name it was given.
 fs::path resolved(const fs::path& path) {
@@ -103,6 +99,31 @@ ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) 
   if (of_errors) view.field = lab::Field::exp_error;
   take_part(json, "field", view.field, choice_of<lab::Field>, "no map is shown", warnings);
   return view;
+}
+
+ordered_json side_json(const SideWay& side) {
+  ordered_json json = {{"method", sym3::name(side.method)}};
+  json.update(scheme_json(side.scheme));
+  if (side.field != lab::Field::none) json["field"] = entry_of(side.field).word;
+  if (side.other_lines) json["other_lines"] = true;
+  return json;
+}
+
+SideWay side_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  SideWay side;
+  const auto method = [](const JsonReader& v) { return word_of(v, sym3::method_from_name); };
+  take_part(json, "method", side.method, method, "fast instead", warnings);
+  side.scheme = scheme_of(json, warnings);
+  take_part(json, "field", side.field, choice_of<lab::Field>, "no map is shown", warnings);
+  take_part(json, "other_lines", side.other_lines, &JsonReader::boolean, "as in the first view", warnings);
+  return side;
+}
+
+std::vector<SideWay> sides_of(const JsonReader& json, std::vector<std::string>& warnings) {
+  if (json.size() > SideWays::most) json.fail("there are more than three views beside the first");
+  std::vector<SideWay> sides;
+  for (std::size_t i = 0; i < json.size(); ++i) sides.push_back(side_of(json.item(i), warnings));
+  return sides;
 }
 
 // Keys are of bytes as the machine stores them: others than the common ones say nothing.
@@ -249,6 +270,8 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (!session.probes.empty()) json["probes"] = probes_json(session.probes);
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
+  for (const SideWay& side : session.sides.sides) json["views"].push_back(side_json(side));
+  if (session.sides.wipe) json["wipe"] = session.sides.line;
   if (session.handling != Handling{}) json["hand"] = handling_json(session.handling);
   if (session.unit) json["unit"] = entry(*session.unit).symbol;
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -311,6 +334,13 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("time", s.timeline, read_time, "there are no keys instead");
   take("camera", s.camera, read_camera, "the whole model is shown instead");
   take("view", s.view, read_view, new_window);
+  const auto read_sides = [&](const JsonReader& v) { return sides_of(v, s.warnings); };
+  const auto read_line = [](const JsonReader& v) {
+    return v.number(SideWays::least_part, 1 - SideWays::least_part);
+  };
+  take("views", s.sides.sides, read_sides, "there is one view instead");
+  s.sides.wipe = json.find("wipe").has_value();
+  take("wipe", s.sides.line, read_line, "it is in the middle instead");
   take("hand", s.handling, read_hand, new_window);
   take("unit", s.unit, read_unit, "as the model's file says instead");
   take("window", s.window, window_of, "the usual size instead");

@@ -10,6 +10,7 @@
 #include "scene/document/camera.h"
 #include "scene/document/document.h"
 #include "scene/document/handling.h"
+#include "scene/document/side_ways.h"
 #include "scene/document/view_options.h"
 
 namespace viete::scene {
@@ -47,6 +48,9 @@ struct MaskRun {
 ///   "probes"              see probes_json.h; missing: there are none
 ///   "camera"              see camera_json.h
 ///   "view"                flags, see ViewOptions
+///   "views"               those beside the first: [{"method", what says a scheme, "field": the map,
+///                         "other_lines": straight where the first has logs}], 3 at most; missing: none
+///   "wipe"                of two views, where the line between them is, 0.05 to 0.95; missing: side by side
 ///   "hand"                see handling_json.h; missing: as in a new window
 ///   "unit"                what one unit of the model's file measures: "mm", "cm", "m", "in", "ft" or "none";
 ///                         missing: as the file says
@@ -83,6 +87,7 @@ struct Session {
   deform::Probes probes;
   std::optional<CameraPose> camera;  ///< missing: the model is framed
   ViewOptions view;
+  SideWays sides;
   Handling handling;
   std::optional<LengthUnit> unit;  ///< missing: as the model's file says
   std::optional<glm::ivec2> window;

@@ -167,6 +167,7 @@ Session session_of(const Workspace& w) {
   session.probes = w.document.probes;
   session.camera = w.camera.destination();
   session.view = w.view;
+  session.sides = ways_of(w.split);
   session.handling = w.handling;
   session.unit = w.document.model.unit;
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);

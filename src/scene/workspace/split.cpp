@@ -45,6 +45,20 @@ Viewport viewport_of(const Split& split, const Viewport& whole, std::size_t view
   return seen;
 }
 
+SideWays ways_of(const Split& split) {
+  SideWays ways{{}, split.wipe, static_cast<double>(split.line)};
+  for (const SideView& side : split.sides) ways.sides.push_back(side);
+  return ways;
+}
+
+void put_ways(Split& split, const SideWays& ways) {
+  split.sides.clear();
+  for (const SideWay& way : ways.sides) split.sides.push_back({way});
+  split.wipe = ways.wipe, split.line = static_cast<float>(ways.line);
+  split.active = 0;
+  split.cameras.clear();
+}
+
 std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& place) {
   const glm::vec2 at = (place - whole.origin) / whole.size;
   for (std::size_t view = 0; view < split.count(); ++view) {
@@ -61,8 +75,7 @@ void split_view(Workspace& w, std::size_t count) {
   enter_view(w, 0);
   if (count - 1 < split.sides.size()) split.sides.resize(count - 1);
   while (split.count() < count) {
-    SideView side{unused_scheme(w), w.document.method, w.view.field};
-    split.sides.push_back(std::move(side));
+    split.sides.push_back({SideWay{unused_scheme(w), w.document.method, w.view.field}});
   }
   split.cameras.assign(split.count(), w.camera.pose());
   w.viewport = viewport_of(split, w.viewport, 0);

@@ -6,23 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "deform/scheme.h"
 #include "lab/field.h"
 #include "scene/document/camera.h"
+#include "scene/document/side_ways.h"
 #include "scene/workspace/frame_stats.h"
-#include "sym3/exp.h"
 
 namespace viete::scene {
 
-/// A view beside the first one, which is as the document says.
-struct SideView {
-  deform::Scheme scheme;
-  sym3::Method method = sym3::Method::fast;
-  lab::Field field = lab::Field::none;
-  /// What keys and sliders make is there in straight lines where the document has it in log space, and the
-  /// other way round.
-  bool other_lines = false;
-
+/// A view beside the first one.
+struct SideView : SideWay {
   // What was made of it, by the last frame.
   FieldView shown{};
   FrameStats stats{};
@@ -33,8 +25,8 @@ struct SideView {
 };
 
 struct Split {
-  static constexpr std::size_t most_sides = 3;
-  static constexpr float least_part = 0.05f;
+  static constexpr std::size_t most_sides = SideWays::most;
+  static constexpr auto least_part = static_cast<float>(SideWays::least_part);
 
   std::vector<SideView> sides;      ///< none: the view is whole
   bool wipe = false;                ///< two views in one place, on either side of a line
@@ -58,6 +50,10 @@ Pane pane_of(const Split& split, std::size_t view);
 Viewport viewport_of(const Split& split, const Viewport& whole, std::size_t view);
 /// The view under a place of the window.
 std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& place);
+
+SideWays ways_of(const Split& split);
+/// The same with these, and the hand in the first one.
+void put_ways(Split& split, const SideWays& ways);
 
 struct Workspace;
 /// So many views, 1 to 4. New ones are blended in ways that are not shown yet.

@@ -65,6 +65,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
 void take_view(Workspace& w, const Session& session) {
   const ViewOptions old = w.view;
   w.view = session.view;
+  put_ways(w.split, session.sides);
   w.view.help = old.help;
   w.view.hints = old.hints && session.view.hints;
 }
