@@ -2,9 +2,11 @@
 #include <cmath>
 #include <set>
 
+#include "deform/pose_io.h"
 #include "deform/ways.h"
 #include "program/driver.h"
 #include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
 #include "scene/workspace/split.h"
 #include "support/pictures.h"
@@ -289,4 +291,40 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.settle();
   CHECK(d.workspace().vertex.degrees == 0);
   CHECK(degrees > 0);
+}
+
+TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
+  Driver d;
+  d.open_dragon();
+  std::vector<std::string> warnings;
+  const auto coil =
+      deform::read_pose(test::dragon.parent_path() / "pose_coil.obj", *d.document().cage, warnings);
+  scene::add_poses(d.document(),
+                   {{"coil", std::make_shared<const scene::WholePose>(scene::WholePose{coil})}});
+  d.settle();
+  REQUIRE(scene::set_weight(d.document(), d.workspace().playback.vectors, 0, 0.5));
+  d.settle();
+  scene::split_view(d.workspace(), 2);
+  auto& side = d.workspace().split.sides[0];
+  side.scheme = d.document().scheme;
+  side.other_lines = true;
+  d.settle();
+  const auto first = d.viewer().deformer()->positions();
+  scene::enter_view(d.workspace(), 1);
+  d.frame(2);
+  const auto posed = d.workspace().posed;
+  double apart = 0;
+  for (std::size_t v = 0; v < first.size(); ++v)
+    apart = std::max(apart, mesh::norm(posed.at(*d.document().model.surface, v) - first[v]));
+  CHECK(apart > 0.02 * d.document().model.bounds.diagonal());
+  // It is what the document has when its lines are straight.
+  std::vector<mesh::Point> straight;
+  for (std::size_t v = 0; v < first.size(); ++v) straight.push_back(posed.at(*d.document().model.surface, v));
+  scene::enter_view(d.workspace(), 0);
+  scene::find_command("toggle_straight")->run(d.workspace());
+  d.settle();
+  const auto now = d.viewer().deformer()->positions();
+  apart = 0;
+  for (std::size_t v = 0; v < now.size(); ++v) apart = std::max(apart, mesh::norm(now[v] - straight[v]));
+  CHECK(apart < 1e-5 * d.document().model.bounds.diagonal());
 }
