@@ -182,6 +182,9 @@ bool FieldMaker::follow(std::size_t view, const FieldSubject& s, scene::FieldVie
   lab::FieldInput input = input_of(*strain, s.method);
   input.drawn = drawn, input.first = first, input.pool = pool_.get();
   take(lab::measure(s.field, input), s.document, shown);
+  auto strokes = lab::strokes(shown.stats, input);
+  shown.strokes =
+      strokes.empty() ? nullptr : std::make_shared<const std::vector<mesh::Point>>(std::move(strokes));
   return true;
 }
 
@@ -205,7 +208,8 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
   const Frame frame = frame_of(s);
   if (field == Field::influence) {
     std::vector<std::uint32_t> vertices;
-    if (s.document.selection.kind() != scene::ElementKind::probe) vertices = scene::moving_vertices(s.document);
+    if (s.document.selection.kind() != scene::ElementKind::probe)
+      vertices = scene::moving_vertices(s.document);
     return view.job.start(
         [=, influence = Influence{frame, s.document.selection, vertices}](base::Progress& progress) {
           const auto shares = influence.shares(progress);

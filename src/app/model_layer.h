@@ -11,6 +11,7 @@
 #include "deform/frame_vertex.h"
 #include "lab/field.h"
 #include "mesh/surface.h"
+#include "render/line_layer.h"
 #include "render/shadow_layer.h"
 #include "render/surface_layer.h"
 #include "scene/workspace/workspace.h"
@@ -19,7 +20,7 @@ namespace viete::app {
 
 class ModelLayer {
 public:
-  explicit ModelLayer(const render::Gl& gl) : surface_(gl), shadow_(gl) {}
+  explicit ModelLayer(const render::Gl& gl) : surface_(gl), shadow_(gl), strokes_(gl) {}
 
   /// New topology, at rest.
   void set_document(const scene::Document& document, const ModelShading& shading);
@@ -36,20 +37,25 @@ public:
 
   void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style) const {
     surface_.draw(view, theme, style);
+    if (colored_ && colored_->strokes) strokes_.draw(view, {1.25f, 0.75f, 0});
   }
   void draw_shadow(const render::View& view, const render::Theme& theme, const render::ShadowStyle& style) {
     shadow_.draw(view, theme, style);
   }
 
 private:
+  void set_strokes(std::span<const mesh::Point> ends);
+
   render::SurfaceLayer surface_;
   render::ShadowLayer shadow_;
+  render::LineLayer strokes_;
   std::size_t vertices_ = 0;
   // What the model is coloured by; nothing: it is to be uploaded anew.
   struct Colored {
     bool by_mask = false, dark = false;
     deform::Mask mask;
     std::shared_ptr<const std::vector<float>> field;
+    std::shared_ptr<const std::vector<mesh::Point>> strokes;
     bool symmetric = false;
     friend bool operator==(const Colored&, const Colored&) = default;
   };

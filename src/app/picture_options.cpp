@@ -63,9 +63,10 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
 // A session has its own camera, which another look replaces.
 void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   viewer.frame(0);  // places the viewport that framing needs
-  if (has_camera && !options.look_given) return;
+  const bool keeps_look = has_camera && !options.look_given;
+  if (keeps_look && options.compare.empty()) return;
   scene::Workspace& workspace = viewer.workspace();
-  workspace.camera.look(looks.at(options.look));
+  if (!keeps_look) workspace.camera.look(looks.at(options.look));
   workspace.camera.animate(1);
   scene::frame_all(workspace, false);
 }

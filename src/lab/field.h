@@ -65,13 +65,14 @@ struct FieldInput {
 struct FieldEntry {
   Field field;
   base::Choice choice;
-  Source source;
-  Scale scale;
-  bool symmetric;      ///< 0 is what it is where nothing happens, in the middle of the colours
-  double least_range;  ///< the colours span at least this
-  double floor;        ///< of logarithms: what smaller values count as
-  bool worst_is_least;
-  std::vector<double> (*compute)(const FieldInput&);
+  Source source = Source::nothing;
+  Scale scale = Scale::plain;
+  bool symmetric = false;  ///< 0 is what it is where nothing happens, in the middle of the colours
+  double least_range = 1;  ///< the colours span at least this
+  double floor = 0;        ///< of logarithms: what smaller values count as
+  bool worst_is_least = false;
+  bool has_directions = false;  ///< see strokes()
+  std::vector<double> (*compute)(const FieldInput&) = nullptr;
 };
 const FieldEntry& entry(Field field);
 
@@ -95,6 +96,9 @@ struct FieldValues {
 
 /// The source of the field must be given. Throws base::Cancelled. Thread-safe.
 FieldValues measure(Field field, const FieldInput& input);
+/// Short lines on the surface, pairs of ends in the file's units: along them it is stretched, or squeezed, as
+/// their length says. Of fields that have directions, else none.
+std::vector<mesh::Point> strokes(const FieldStats& stats, const FieldInput& input);
 /// Counts anew from low to high, which stay.
 void fit_counts(std::span<const float> values, FieldStats& stats);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "mesh/summary.h"
 #include "sym3/eigenvalues.h"
@@ -46,6 +47,20 @@ Strain::Strain(const mesh::Surface& rest)
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
       for (const std::uint32_t v : faces_[f].corners) add(v, f);
   });
+  choose_spread();
+}
+
+// The first vertex in each cell of a grid.
+void Strain::choose_spread() {
+  if (!(diagonal_ > 0)) return;
+  std::set<std::array<long, 3>> taken;
+  const Point low = mesh::bounds(rest_).low;
+  for (std::uint32_t v = 0; v < rest_.size(); ++v) {
+    if (around_.of(v).empty()) continue;
+    std::array<long, 3> cell;
+    for (std::size_t k = 0; k < 3; ++k) cell[k] = std::lround((rest_[v][k] - low[k]) / spacing());
+    if (taken.insert(cell).second) spread_.push_back(v);
+  }
 }
 
 std::vector<double> Strain::means(std::span<const Point> deformed, double (*of)(const Stretches&),
@@ -127,12 +142,12 @@ Strain::Direction Strain::direction(std::span<const Point> deformed, std::size_t
     }
     area += share;
   }
-  if (!(area > 0)) return {{0, 0, 0}, {0, 0, 0}, 1, 1};
+  if (!(area > 0)) return {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1};
   pp /= area, pq /= area, qq /= area;
   const double middle = (pp + qq) / 2, half = std::hypot((pp - qq) / 2, pq);
   const double angle = std::atan2(2 * pq, pp - qq) / 2;
   const Vec3 most = std::cos(angle) * p + std::sin(angle) * q;
-  return {most, cross(normal, most), std::exp(middle + half), std::exp(middle - half)};
+  return {most, cross(normal, most), normal, std::exp(middle + half), std::exp(middle - half)};
 }
 
 }  // namespace viete::lab

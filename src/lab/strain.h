@@ -1,6 +1,7 @@
 // What a deformation does to a surface at each of its vertices.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -35,19 +36,28 @@ public:
 
   /// The most stretched direction at a vertex, as it is deformed, of length 1, and by how much; the least.
   struct Direction {
-    mesh::Vec3 most, least;
+    mesh::Vec3 most, least, normal;
     double larger, smaller;
   };
   /// From the mean of the logs of the triangles' stretches, projected to the plane across the normal.
   Direction direction(std::span<const mesh::Point> deformed, std::size_t vertex) const;
 
+  /// Vertices that are spread over the surface at rest, about 40 along the diagonal.
+  const std::vector<std::uint32_t>& spread() const { return spread_; }
+  /// How far apart these are.
+  double spacing() const { return diagonal_ / spread_along; }
+
 private:
+  static constexpr double spread_along = 40;
+
+  void choose_spread();
   mesh::Vec3 normal(std::span<const mesh::Point> deformed, std::size_t vertex) const;
 
   std::vector<mesh::Point> rest_;
   std::vector<FlatFace> faces_;  // that have area
   mesh::Adjacency around_;       // of vertices, of these
   double diagonal_ = 0;
+  std::vector<std::uint32_t> spread_;
 };
 
 }  // namespace viete::lab

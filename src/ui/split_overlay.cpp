@@ -13,7 +13,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float tools_room = 60;  // of the strip at the left of the view
+constexpr float tools_room = 60, axes_room = 112;  // of what stands at the edges of the view
 
 // Where some view has other lines than the document.
 std::string lines_words(const scene::Workspace& w, bool other) {
@@ -169,8 +169,9 @@ void split_overlay(const Context& ui) {
     const scene::Pane pane = scene::pane_of(w.split, view);
     frame(ui, pane);
     const float beside = pane.at.x == 0 && w.view.panels ? tools_room : 0;
+    const bool by_axes = w.view.axes && pane.at.y == 0 && pane.at.x + pane.size.x > 0.99f;
     caption(ui, view, w.viewport.origin + pane.at * w.viewport.size + glm::vec2(beside, 0),
-            pane.size.x * w.viewport.size.x - beside);
+            pane.size.x * w.viewport.size.x - beside - (by_axes ? axes_room : 0));
   }
   if (w.split.wipes()) wipe_line(ui);
 }

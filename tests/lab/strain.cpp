@@ -94,6 +94,7 @@ TEST_CASE("a_stretch_of_a_plane_is_measured_exactly") {
   CHECK(direction.larger == doctest::Approx(a).epsilon(1e-9));
   CHECK(direction.smaller == doctest::Approx(b).epsilon(1e-9));
   CHECK(std::abs(direction.most[0]) == doctest::Approx(1).epsilon(1e-9));
+  CHECK(std::abs(direction.normal[1]) == doctest::Approx(1).epsilon(1e-9));
   CHECK(std::abs(direction.least[2]) == doctest::Approx(1).epsilon(1e-9));
 }
 

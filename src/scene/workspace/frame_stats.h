@@ -10,6 +10,7 @@
 
 #include "deform/links.h"
 #include "lab/field.h"
+#include "mesh/surface.h"
 #include "sym3/exp.h"
 
 namespace viete::scene {
@@ -68,6 +69,8 @@ struct MethodStats {
 struct FieldView {
   lab::FieldStats stats;
   std::shared_ptr<const std::vector<float>> values;  ///< as the stats say; null: none
+  /// Pairs of ends, see lab::strokes(); null: the field has none.
+  std::shared_ptr<const std::vector<mesh::Point>> strokes;
   /// The colours keep their range, whatever comes.
   bool holds_range = false;
 };
