@@ -102,6 +102,12 @@ std::vector<double> frame_errors(const FieldInput& in) {
   return distances(in.drawn, in.exact, in.strain->diagonal());
 }
 
+std::vector<double> openings(const FieldInput& in) {
+  std::vector<double> values = in.strain->openings(in.drawn);
+  for (double& value : values) value = log2_of(value);
+  return values;
+}
+
 std::vector<double> shares(const FieldInput& in) {
   return {in.shares.begin(), in.shares.end()};
 }
@@ -213,6 +219,15 @@ constexpr FieldEntry table[] = {
      .source = Source::shares,
      .least_range = 0.01,
      .compute = shares},
+    {.field = Field::opening,
+     .choice =
+         {"opening", "Opening",
+          "How many times as far two parts are that faced each other closely at rest: blue where they meet."},
+     .source = Source::surface,
+     .scale = Scale::log2,
+     .symmetric = true,
+     .least_range = 0.1,
+     .compute = openings},
     {.field = Field::difference,
      .choice = {"difference", "Difference",
                 "How far each vertex is from where the first view has it, in diagonals."},

@@ -34,6 +34,7 @@ enum class Field : unsigned char {
   exp_error,
   frame_error,
   influence,
+  opening,
   difference,
   signed_difference
 };

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "lab/facing.h"
 #include "mesh/summary.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
@@ -118,6 +119,20 @@ std::vector<double> Strain::along_normals(std::span<const Point> from, std::span
   pool.for_blocks(values.size(), at_once, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) values[v] = dot(normal(from, v), to[v] - from[v]);
   });
+  return values;
+}
+
+std::vector<double> Strain::openings(std::span<const Point> deformed) const {
+  constexpr double reach = 0.03;
+  std::call_once(faced_once_, [&] {
+    std::vector<Vec3> normals;
+    for (std::size_t v = 0; v < rest_.size(); ++v) normals.push_back(normal(rest_, v));
+    faced_ = facing_vertices(rest_, normals, reach * diagonal_);
+  });
+  std::vector<double> values(rest_.size(), 1);
+  for (std::size_t v = 0; v < values.size(); ++v)
+    if (const std::uint32_t other = faced_[v]; other != no_partner)
+      values[v] = norm(deformed[other] - deformed[v]) / norm(rest_[other] - rest_[v]);
   return values;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,10 @@ public:
   /// From the mean of the logs of the triangles' stretches, projected to the plane across the normal.
   Direction direction(std::span<const mesh::Point> deformed, std::size_t vertex) const;
 
+  /// How many times as far each vertex is from the part that it faced at rest, at most 3 % of the diagonal
+  /// away; 1 where it faced none. Which that is, is found out by the first call.
+  std::vector<double> openings(std::span<const mesh::Point> deformed) const;
+
   /// Vertices that are spread over the surface at rest, about 40 along the diagonal.
   const std::vector<std::uint32_t>& spread() const { return spread_; }
   /// How far apart these are.
@@ -58,6 +63,8 @@ private:
   mesh::Adjacency around_;       // of vertices, of these
   double diagonal_ = 0;
   std::vector<std::uint32_t> spread_;
+  mutable std::once_flag faced_once_;
+  mutable std::vector<std::uint32_t> faced_;  // see facing_vertices(); what openings() has found out
 };
 
 }  // namespace viete::lab

@@ -141,3 +141,27 @@ TEST_CASE("displacements_are_in_diagonals_and_values_do_not_depend_on_threads") 
   for (const Field field : {Field::area, Field::shear, Field::turn, Field::energy})
     CHECK(measured(field, rest, bent, 1).values == measured(field, rest, bent, 3).values);
 }
+
+TEST_CASE("parts_that_face_each_other_open_and_close") {
+  // Two sheets, the lower one looking up and the upper one down, and a third one behind the upper one's back.
+  mesh::Surface surface;
+  for (const double height : {0.0, 0.05, 0.08}) {
+    const auto first = static_cast<std::uint32_t>(surface.positions.size());
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < 5; ++j) surface.positions.push_back({0.5 * i, 0.5 * j, height});
+    for (std::uint32_t i = 0; i < 4; ++i)
+      for (std::uint32_t j = 0; j < 4; ++j) {
+        const std::uint32_t a = first + 5 * i + j;
+        if (height == 0.05) {
+          surface.triangles.push_back({a, a + 1, a + 5}), surface.triangles.push_back({a + 5, a + 1, a + 6});
+        } else {
+          surface.triangles.push_back({a, a + 5, a + 1}), surface.triangles.push_back({a + 5, a + 6, a + 1});
+        }
+      }
+  }
+  auto drawn = surface.positions;
+  for (std::size_t v = 25; v < 50; ++v) drawn[v][2] = 0.2;
+  const auto values = measured(Field::opening, surface, drawn).values;
+  for (std::size_t v = 0; v < 50; ++v) CHECK(double(values[v]) == doctest::Approx(2).epsilon(1e-6));
+  for (std::size_t v = 50; v < 75; ++v) CHECK(values[v] == 0);  // sees nothing, and is not seen
+}

@@ -27,7 +27,7 @@ local -a picture=($binding $scale
   '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
   '--look=[from where]:view:(home front back left right top bottom)'
   '--shading=[what the mesh is coloured by]:shading:(clay porcelain jade file checker normals zebra)'
-  '--map=[what the mesh is coloured by, as in the Lab]:map:(none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence difference signed-difference)'
+  '--map=[what the mesh is coloured by, as in the Lab]:map:(none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence opening difference signed-difference)'
   '--compare=[ways or methods side by side]:words:(smooth,paper smooth,rigid smooth,arap diag,sd,improved_sd,fast log,straight)'
   '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
   '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
