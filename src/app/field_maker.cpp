@@ -170,7 +170,10 @@ bool FieldMaker::follow(std::size_t view, const FieldSubject& s, scene::FieldVie
     shown = {};
     return true;
   }
-  if (shown.stats.field != s.field) shown = {.stats = {.field = s.field}};
+  if (shown.stats.field != s.field) {
+    shown = {};
+    shown.stats.field = s.field;
+  }
   if (entry.source != Source::surface && entry.source != Source::first) {
     begin(v, s);
     return news;

@@ -35,7 +35,8 @@ void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const 
 }
 
 bool ModelLayer::set_colors(const scene::Workspace& w, lab::Field field, const scene::FieldView& shown) {
-  Colored wanted{scene::shows_mask(w), w.view.dark};
+  Colored wanted;
+  wanted.by_mask = scene::shows_mask(w), wanted.dark = w.view.dark;
   wanted.symmetric = lab::entry(field).symmetric;
   if (wanted.by_mask) wanted.mask = w.document.mask;
   if (field != lab::Field::none && shown.stats.field == field)

@@ -348,7 +348,8 @@ FieldValues measure(Field field, const FieldInput& input) {
 std::vector<mesh::Point> strokes(const FieldStats& stats, const FieldInput& in) {
   std::vector<mesh::Point> lines;
   if (!entry(stats.field).has_directions) return lines;
-  const double longest = 0.5 * in.strain->spacing(), lift = 0.03 * in.strain->spacing();
+  const double longest = 0.5 * in.strain->spacing(), lift = 0.2 * in.strain->spacing();
+  const double shortest = 0.1 * longest;
   const double whole = std::max(std::abs(stats.low), std::abs(stats.high));
   for (const std::uint32_t v : in.strain->spread()) {
     const Strain::Direction d = in.strain->direction(in.drawn, v);
@@ -356,6 +357,7 @@ std::vector<mesh::Point> strokes(const FieldStats& stats, const FieldInput& in) 
     const double log = stats.field == Field::shear ? std::log2(d.larger / std::max(d.smaller, 1e-6))
                                                    : log2_of(least ? d.smaller : d.larger);
     const double half = longest * std::min(std::abs(log) / whole, 1.0);
+    if (half < shortest) continue;
     const mesh::Vec3 way = half * (least ? d.least : d.most), at = in.drawn[v] + lift * d.normal;
     lines.insert(lines.end(), {at - way, at + way});
   }

@@ -47,13 +47,13 @@ public:
   /// away; 1 where it faced none. Which that is, is found out by the first call.
   std::vector<double> openings(std::span<const mesh::Point> deformed) const;
 
-  /// Vertices that are spread over the surface at rest, about 40 along the diagonal.
+  /// Vertices that are spread over the surface at rest, about 50 along the diagonal.
   const std::vector<std::uint32_t>& spread() const { return spread_; }
   /// How far apart these are.
   double spacing() const { return diagonal_ / spread_along; }
 
 private:
-  static constexpr double spread_along = 40;
+  static constexpr double spread_along = 50;
 
   void choose_spread();
   mesh::Vec3 normal(std::span<const mesh::Point> deformed, std::size_t vertex) const;
